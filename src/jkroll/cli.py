@@ -1,0 +1,232 @@
+"""The command line. The only module that knows typer: it turns an argument list into a call, and errors into one line."""
+
+import os
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from inspect import Parameter, Signature
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+from typer.core import TyperCommand
+
+from . import __version__
+from .answer import COMMANDS, Command
+from .completion import complete_input, complete_words
+from .errors import JkrollError
+from .nomenclature import NOMENCLATURE
+from .physics import FORMULAS
+from .run import Output, run_command, run_materials
+from .scene import DEFAULTS, parameters_of
+
+USAGE_ERROR = 2
+CANNOT_WRITE = 1
+INTERRUPTED = 130
+BROKEN_PIPE = 141
+
+Call = Callable[[], int]
+
+
+class CompactCommand(TyperCommand):
+    """A command whose help shows, on one line, the options that share a help text."""
+
+    def format_options(self, ctx: Any, formatter: Any) -> None:
+        """Write the options; arguments stand in the usage line."""
+        lines: dict[str, list[str]] = {}
+        for parameter in self.get_params(ctx):
+            record = parameter.get_help_record(ctx) if parameter.param_type_name == "option" else None
+            if record is not None:
+                lines.setdefault(record[1], []).append(record[0])
+        with formatter.section("Options"):
+            formatter.write_dl([(", ".join(names), text) for text, names in lines.items()])
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command line and return its exit code; print an error as one line."""
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    debug = "--debug" in words
+    words = [_with_minus_sign(word) for word in words if word != "--debug"] or ["--help"]
+    try:
+        call = build(_command_of(words))(words, prog_name="jkroll", standalone_mode=False)
+        code = call() if callable(call) else int(call or 0)
+        sys.stdout.flush()
+        return code
+    except BrokenPipeError:
+        _forget(sys.stdout)
+        return BROKEN_PIPE
+    except KeyboardInterrupt:
+        return INTERRUPTED
+    except (JkrollError, typer.TyperException, typer.Abort, OSError) as error:
+        if debug:
+            raise
+        return _report(error)
+
+
+def _report(error: Exception) -> int:
+    """Print an error as one line on stderr, and return the exit code."""
+    from .report import say
+
+    if isinstance(error, JkrollError):
+        message, code = str(error), error.exit_code
+    elif isinstance(error, OSError):
+        message, code = f"cannot write: {error.strerror or error}", CANNOT_WRITE
+        _forget(sys.stdout)
+    else:
+        text = error.format_message() if hasattr(error, "format_message") else str(error)
+        message, code = " ".join(text.split()), USAGE_ERROR
+    try:
+        say(f"jkroll: {message}", sys.stderr)
+    except OSError:
+        _forget(sys.stderr)
+    return code
+
+
+def _forget(stream: Any) -> None:
+    """Keep the interpreter from writing once more what could not be written."""
+    try:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+    except (OSError, ValueError):
+        pass
+
+
+def _with_minus_sign(word: str) -> str:
+    """A negative value with a minus sign in place of the hyphen, so that it is not taken for an option."""
+    return "−" + word[1:] if word[:1] == "-" and word[1:2] in tuple("0123456789.") and word[1:2] else word
+
+
+def _command_of(words: Sequence[str]) -> str | None:
+    """The command that an argument list, or a completion request in the environment, is about."""
+    if "_JKROLL_COMPLETE" in os.environ:
+        words = os.environ.get("COMP_WORDS", os.environ.get("_TYPER_COMPLETE_ARGS", "")).split()[1:]
+    return next((word for word in words if not word.startswith("-")), None)
+
+
+def build(only: str | None = None) -> typer.Typer:
+    """The application. Only the command that is called gets its options; the others are there to be listed."""
+    app = typer.Typer(
+        add_completion=True,
+        no_args_is_help=True,
+        rich_markup_mode=None,
+        pretty_exceptions_enable=False,
+        context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+        help="Adhesive contact of two elastic spheres: pull-off, rolling, chains, vibrations.",
+        epilog="Example: jkroll report quartz 100nm",
+    )
+    app.callback()(_root)
+    for name, command in COMMANDS.items():
+        function = _command_function(name, command, complete=name == only)
+        app.command(name, cls=CompactCommand, help=command.sentence, epilog=f"Example: jkroll {name} {command.example}")(function)
+    app.command(
+        "materials",
+        cls=CompactCommand,
+        help="The materials that are known, or one of them whole.",
+        epilog="Example: jkroll materials quartz",
+    )(_materials_function)
+    return app
+
+
+def _root(
+    version: Annotated[bool, typer.Option("--version", help="Show the version and exit.", is_eager=True)] = False,
+) -> None:
+    if version:
+        print(f"jkroll {__version__}")
+        raise typer.Exit
+
+
+def _materials_function(
+    name: Annotated[str | None, typer.Argument(metavar="[NAME]", autocompletion=complete_words, show_default=False)] = None,
+    json: Annotated[bool, typer.Option("--json", help="Format of the output.")] = False,
+    csv: Annotated[bool, typer.Option("--csv", help="Format of the output.")] = False,
+    cite: Annotated[bool, typer.Option("--cite", help="BibTeX of the sources.")] = False,
+    materials: Annotated[str | None, typer.Option("--materials", metavar="FILE", help="Materials of your own.")] = None,
+    quiet: Annotated[bool, typer.Option("--quiet", help="No notes.")] = False,
+) -> Call:
+    output = Output(json=json, csv=csv, cite=cite, quiet=quiet, materials=materials, configuration=_configuration())
+    return partial(run_materials, name, output)
+
+
+def _command_function(name: str, command: Command, complete: bool) -> Callable[..., Call]:
+    """The function that typer calls for a command, with a signature made from the nomenclature."""
+
+    def function(**values: Any) -> Call:
+        words = values.pop("words")
+        output = Output(**{key: values.pop(key) for key in _OUTPUT if key in values}, configuration=_configuration())
+        return partial(run_command, command, words, {key: text for key, text in values.items() if text is not None}, output)
+
+    parameters = _parameters(command) if complete else []
+    function.__signature__ = Signature(parameters)  # type: ignore[attr-defined]
+    function.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
+    function.__name__ = name.replace("-", "_")
+    return function
+
+
+def _configuration() -> Path:
+    return Path(typer.get_app_dir("jkroll")) / "materials.toml"
+
+
+_ALWAYS = ("radius2", "material2", "surface_energy", "work_of_adhesion", "youngs_modulus", "poisson_ratio", "density")
+_SPHERE_2 = ("surface_energy2", "youngs_modulus2", "poisson_ratio2", "density2")
+_OUTPUT: Mapping[str, tuple[Any, Any]] = {
+    "to": (str | None, typer.Option("--to", metavar="UNIT", help="Unit of the results; several with commas.")),
+    "digits": (int | None, typer.Option("--digits", metavar="N", min=1, max=17, help="Significant digits.")),
+    "bare": (bool, typer.Option("--bare", help="Format: numbers only; an array or object; a table.")),
+    "json": (bool, typer.Option("--json", help="Format: numbers only; an array or object; a table.")),
+    "csv": (bool, typer.Option("--csv", help="Format: numbers only; an array or object; a table.")),
+    "explain": (bool, typer.Option("--explain", help="Instead: how the numbers come about; what to cite.")),
+    "cite": (bool, typer.Option("--cite", help="Instead: how the numbers come about; what to cite.")),
+    "materials": (str | None, typer.Option("--materials", metavar="FILE", help="Materials of your own.")),
+    "quiet": (bool, typer.Option("--quiet", help="No notes.")),
+}
+
+
+def _parameters(command: Command) -> list[Parameter]:
+    """The parameters of a command: words, the inputs its quantities depend on, and the ways to write the results."""
+    argument = typer.Argument(metavar="[MATERIAL] RADIUS...", autocompletion=complete_words, show_default=False)
+    parameters = [_parameter("words", list[str] | None, argument)]
+    depends = _inputs_of(command.quantities)
+    for name in (*_ALWAYS, *_SPHERE_2, *(name for name in NOMENCLATURE if name in depends)):
+        quantity = NOMENCLATURE[name]
+        if not quantity.option or any(parameter.name == name for parameter in parameters):
+            continue
+        option = typer.Option(
+            quantity.option,
+            metavar=quantity.example,
+            help=f"{quantity.sentence[0].upper()}{quantity.sentence[1:]}{_default_text(name)}.",
+            hidden=name in _SPHERE_2,
+            autocompletion=complete_input(name),
+            show_default=False,
+        )
+        parameters.append(_parameter(name, str | None, option))
+    return parameters + [_parameter(name, kind, option) for name, (kind, option) in _OUTPUT.items()]
+
+
+def _parameter(name: str, kind: Any, declaration: Any) -> Parameter:
+    default = False if kind is bool else None
+    return Parameter(name, Parameter.KEYWORD_ONLY, default=default, annotation=Annotated[kind, declaration])
+
+
+def _default_text(name: str) -> str:
+    from .formatting import amount
+
+    if name == "energy":
+        return "; P_cδ0 if not given"
+    return f"; {amount(name, DEFAULTS[name])} if not given" if name in DEFAULTS else ""
+
+
+def _inputs_of(names: Sequence[str]) -> set[str]:
+    """Every input on which quantities can depend, whatever is given."""
+    found: set[str] = set()
+    pending = list(names)
+    while pending:
+        name = pending.pop()
+        if name not in found:
+            found.add(name)
+            routes = ("adhesion_energy", "kinetic_energy") if name == "energy" else (name,)
+            pending += [parameter for route in routes if route in FORMULAS for parameter in parameters_of(FORMULAS[route])]
+    return found
+
+
+def run() -> None:
+    """Entry point of the `jkroll` script."""
+    sys.exit(main())

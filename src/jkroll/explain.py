@@ -1,0 +1,166 @@
+"""`--explain` and `--cite`: how a number comes about and what to cite for it, worded from the formulas' docstrings."""
+
+from collections.abc import Iterable, Mapping
+from fractions import Fraction
+from math import isfinite
+from typing import Any, TextIO
+
+from .answer import Answer, Command
+from .errors import JkrollError
+from .formatting import Format, amount
+from .nomenclature import INFINITY, NOMENCLATURE
+from .report import say
+from .scene import Scene, Step
+
+PAPER = """@article{dominik-tielens-1995,
+  author  = {Dominik, C. and Tielens, A. G. G. M.},
+  title   = {Resistance to rolling in the adhesive contact of two elastic spheres},
+  journal = {Philosophical Magazine A},
+  volume  = {72},
+  number  = {3},
+  pages   = {783--803},
+  year    = {1995},
+  doi     = {10.1080/01418619508243800},
+  note    = {%s}
+}"""
+
+
+def docstring_fields(formula: Any) -> dict[str, str]:
+    """The parts of a formula's docstring: "summary", "formula", and "Source", "Valid", "Accuracy".
+
+    >>> from jkroll.physics.chain import r_min
+    >>> docstring_fields(r_min)["formula"]
+    'R_min = R1R2/ξ, which is R1²/ξ for identical spheres'
+    """
+    text = (formula.__doc__ or "").split(">>>")[0]
+    fields = {"summary": "", "formula": ""}
+    key = "summary"
+    for line in text.splitlines():
+        stripped = line.strip()
+        head, colon, rest = stripped.partition(":")
+        if colon and head in ("Source", "Valid", "Accuracy"):
+            key, stripped = head, rest.strip()
+        elif key == "summary" and line.startswith(" " * 8):
+            key = "formula"
+        elif key == "formula" and not stripped:
+            key = "remark"
+        if stripped:
+            fields[key] = f"{fields.get(key, '')} {stripped}".strip()
+    return fields
+
+
+def write_explanation(answer: Answer, scene: Scene, command: Command, out: TextIO, form: Format) -> None:
+    """For each result: formula, numbers put in, steps, result, equation, validity, accuracy and power law."""
+    for number, result in enumerate(answer.results):
+        quantity = NOMENCLATURE[result.name]
+        if number:
+            say("", out)
+        say(f"{result.name} — {quantity.sentence}, Eq {quantity.equation}", out)
+        if result.value is None:
+            say(f"  {result.reason}", out)
+            continue
+        steps = scene.plan(result.name).steps
+        last = steps[-1]
+        fields = docstring_fields(last.formula)
+        say(f"  {fields['formula']}", out)
+        say("  given", out)
+        for name in scene.inputs_of(result.name):
+            say(f"    {NOMENCLATURE[name].symbol} = {amount(name, _shown(scene.values[name]), form)}, {NOMENCLATURE[name].sentence}{_origin(name, scene)}", out)
+        if len(steps) > 1:
+            say("  steps", out)
+            for step in steps[:-1]:
+                formula = _of_its_sphere(step, docstring_fields(step.formula)["formula"])
+                say(f"    {NOMENCLATURE[step.name].symbol} = {amount(step.name, _shown(scene.values[step.name]), form)}    {formula}", out)
+        say(f"  result    {quantity.symbol} = {amount(result.name, result.value, form)}", out)
+        for key in ("Source", "Valid", "Accuracy"):
+            say(f"  {key.lower():9} {fields[key]}", out)
+        say(f"  power law {power_law(scene, result.name)}", out)
+        if quantity.note:
+            say(f"  note      {quantity.note}", out)
+
+
+def _shown(value: Any) -> Any:
+    return "infinite" if value == INFINITY else value
+
+
+def _of_its_sphere(step: Step, formula: str) -> str:
+    """A formula written for sphere 1, for the sphere it was used for."""
+    return formula.replace("1", "2") if step.name.endswith("2") and step.name != step.formula.__name__ else formula
+
+
+def _origin(name: str, scene: Scene) -> str:
+    """Where an input comes from: a material's file, unless it was given."""
+    material = scene.material2 if name.endswith("2") and scene.material2 is not None else scene.material
+    if material is not None and scene.given.get(name) == material.properties.get(name.removesuffix("2")) is not None:
+        return f" ({material.name}, {material.title})"
+    return "" if name in scene.given else " (assumed)"
+
+
+def power_law(scene: Scene, name: str, step: float = 1e-4) -> str:
+    """The exponents with which a quantity depends on each of its inputs here, by central differences.
+
+    An exponent that is a simple fraction is shown as one.
+    """
+    exponents = []
+    identical = scene.is_identical
+    for given in scene.inputs_of(name):
+        value = scene.values[given]
+        if not isinstance(value, float) or not isfinite(value) or value == 0 or (given == "radius2" and identical):
+            continue
+        exponent = _log_derivative(scene, name, given, value, step)
+        if exponent:
+            symbol = NOMENCLATURE[given].symbol
+            exponents.append(symbol if exponent == "1" else f"{symbol}^{exponent}" if "/" not in exponent else f"{symbol}^({exponent})")
+    return " ".join(exponents) or "none"
+
+
+def _log_derivative(scene: Scene, name: str, given: str, value: float, step: float) -> str:
+    """d ln(name)/d ln(given) as text; empty where it is zero or cannot be had."""
+    from math import log
+
+    try:
+        low, high = (Scene({**scene.given, given: value * factor})[name] for factor in (1 / (1 + step), 1 + step))
+        exponent = log(high / low) / (2 * log(1 + step))
+    except (JkrollError, ValueError, ZeroDivisionError):
+        return ""
+    simple = Fraction(exponent).limit_denominator(12)
+    if abs(exponent - simple) < 1e-6:
+        return str(simple) if simple else ""
+    return f"{exponent:.3g}"
+
+
+def write_citations(answers: Iterable[Answer], scenes: Iterable[Scene], out: TextIO) -> None:
+    """BibTeX of the paper, with the equations used, and of the material data used."""
+    equations: dict[str, None] = {}
+    references: dict[str, Mapping[str, str]] = {}
+    for answer, scene in zip(answers, scenes, strict=True):
+        known = [result.name for result in answer.results if result.value is not None]
+        equations |= {step_equation: None for name in known for step_equation in _equations(scene, name)}
+        references |= {str(entry["key"]): entry for entry in material_references(scene)}
+    order = sorted(equations, key=lambda text: int(text))
+    say(PAPER % (("Eq. " if len(order) == 1 else "Eqs. ") + ", ".join(f"({equation})" for equation in order)), out)
+    for entry in references.values():
+        say(bibtex(entry), out)
+
+
+def _equations(scene: Scene, name: str) -> list[str]:
+    return [NOMENCLATURE[step.name].equation for step in scene.plan(name).steps if NOMENCLATURE[step.name].equation]
+
+
+def material_references(scene: Scene) -> list[Mapping[str, str]]:
+    """The references of the materials of a scene."""
+    return [entry for material in (scene.material, scene.material2) if material is not None for entry in material.references]
+
+
+def bibtex(entry: Mapping[str, str]) -> str:
+    """One BibTeX entry.
+
+    >>> print(bibtex({"key": "book", "type": "misc", "title": "A Book"}))
+    @misc{book,
+      title = {A Book}
+    }
+    """
+    fields = {name: text for name, text in entry.items() if name not in ("key", "type")}
+    width = max(map(len, fields), default=0)
+    lines = [f"  {name:{width}} = {{{text}}}" for name, text in fields.items()]
+    return f"@{entry.get('type', 'misc')}{{{entry['key']},\n" + ",\n".join(lines) + "\n}"

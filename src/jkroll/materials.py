@@ -1,0 +1,176 @@
+"""Materials: the shipped file and the user's own, read, checked and laid over each other."""
+
+import tomllib
+from collections.abc import Iterable, Mapping
+from functools import cache
+from pathlib import Path
+from stat import S_ISREG
+from typing import Any, NamedTuple
+
+from .errors import MaterialsFileError, QuantityError, UnknownMaterial, quoted
+from .suggestions import closest
+from .units import parse_quantity
+
+PROPERTIES = ("surface_energy", "youngs_modulus", "poisson_ratio", "density")
+MAX_BYTES = 1_000_000
+MAX_NAME = 60
+
+_HERE = Path(__file__).parent
+# The wheel carries the file beside this module; a checkout has it at the top level.
+SHIPPED = next(path for path in (_HERE / "materials.toml", _HERE.parents[1] / "materials.toml") if path.exists())
+
+
+class Material(NamedTuple):
+    """A material: its properties in SI units, and where they come from."""
+
+    name: str
+    properties: Mapping[str, float]
+    texts: Mapping[str, str]  # the properties as the file writes them
+    aliases: tuple[str, ...]
+    notes: tuple[str, ...]
+    references: tuple[Mapping[str, str], ...]
+    title: str  # what the file calls itself: "Table 1"
+    path: str
+
+
+class Materials:
+    """All materials that are known, by name or alias in any case."""
+
+    def __init__(self, paths: Iterable[str | Path] = ()) -> None:
+        """Read the shipped file, then each of `paths`, whose materials shadow those before them."""
+        self.materials: dict[str, Material] = {}
+        self.shadowed: list[str] = []
+        self._by_word: dict[str, str] = {}
+        for path in (SHIPPED, *paths):
+            for material in read(path):
+                self._add(material)
+
+    def _add(self, material: Material) -> None:
+        words = [word.casefold() for word in (material.name, *material.aliases)]
+        for word in dict.fromkeys(words):
+            before = self._by_word.get(word)
+            if before is not None and self.materials[before].path != material.path:
+                self.shadowed.append(f"{word} from {material.path} shadows the one from {self.materials[before].title}")
+            self._by_word[word] = material.name
+        self.materials[material.name] = material
+
+    def __getitem__(self, name: str) -> Material:
+        """The material of a name or alias, in any case; UnknownMaterial with a suggestion if there is none."""
+        found = self._by_word.get(name.strip().casefold())
+        if found is None:
+            guess = closest(name.strip().casefold(), self._by_word)
+            raise UnknownMaterial(name, sorted(self.materials), guess and self._by_word[guess])
+        return self.materials[found]
+
+
+@cache
+def known_materials(*paths: str | Path) -> Materials:
+    """The materials of the shipped file and of `paths`, read once."""
+    return Materials(paths)
+
+
+def read(path: str | Path) -> list[Material]:
+    """Read and check one materials file; MaterialsFileError says what is wrong with it."""
+    try:
+        data = tomllib.loads(_text(Path(path)))
+    except (ValueError, RecursionError) as error:
+        reason = "nested too deeply" if isinstance(error, RecursionError) else _clean(str(error))
+        raise MaterialsFileError(str(path), f"is not TOML: {reason}") from None
+    try:
+        return _checked(data, str(path))
+    except _Malformed as error:
+        raise MaterialsFileError(str(path), str(error)) from None
+
+
+class _Malformed(Exception):
+    """Something in a materials file that is no material."""
+
+
+def _text(path: Path) -> str:
+    """The text of a regular file of at most MAX_BYTES."""
+    try:
+        if not S_ISREG(path.stat().st_mode):
+            raise MaterialsFileError(str(path), "is not a regular file")
+        with path.open("rb") as file:
+            content = file.read(MAX_BYTES + 1)
+    except (OSError, ValueError) as error:
+        raise MaterialsFileError(str(path), getattr(error, "strerror", None) or "is not a path") from None
+    if len(content) > MAX_BYTES:
+        raise MaterialsFileError(str(path), f"is larger than {MAX_BYTES // 1_000_000} MB")
+    if max(map(len, content.split(b"\n"))) > 10_000:
+        raise MaterialsFileError(str(path), "has a line of more than 10 000 bytes")
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        raise MaterialsFileError(str(path), "is not UTF-8") from None
+
+
+def _checked(data: Mapping[str, Any], path: str) -> list[Material]:
+    unknown = set(data) - {"title", "materials", "references"}
+    if unknown:
+        raise _Malformed(f"has an unknown key {quoted(min(unknown))}; expected [materials.NAME] tables")
+    title = _string(data.get("title", path), "title")
+    bibliography = {
+        key: {
+            "key": key,
+            **{field: _string(text, f"references.{key}.{field}") for field, text in _table(entry, f"references.{key}").items()},
+        }
+        for key, entry in _table(data.get("references", {}), "references").items()
+    }
+    entries = _table(data.get("materials", {}), "materials")
+    return [_material(name, _table(entry, f"materials.{name}"), bibliography, title, path) for name, entry in entries.items()]
+
+
+def _material(name: str, entry: Mapping[str, Any], bibliography: Mapping[str, Mapping[str, str]], title: str, path: str) -> Material:
+    known = {*PROPERTIES, "aliases", "notes", "references"}
+    for key in entry:
+        if key not in known:
+            guess = closest(key, known)
+            raise _Malformed(f"{quoted(name)} has an unknown key {quoted(key)}" + (f"; did you mean {guess}?" if guess else ""))
+    texts = {key: _string(entry[key], f"{name}.{key}") for key in PROPERTIES if key in entry}
+    try:
+        properties = {key: parse_quantity(text, key) for key, text in texts.items()}
+    except QuantityError as error:
+        raise _Malformed(f"{_clean(name)}: {error}") from None
+    aliases, notes, references = (
+        tuple(_string(item, f"{name}.{key}") for item in _list(entry.get(key, []), f"{name}.{key}"))
+        for key in ("aliases", "notes", "references")
+    )
+    for word in (name, *aliases):
+        if not is_material_name(word):
+            raise _Malformed(f"{quoted(word)} is no name for a material; one begins with a letter and has no comma")
+    missing = [key for key in references if key not in bibliography]
+    if missing:
+        raise _Malformed(f"{quoted(name)} cites {quoted(missing[0])}, which [references] does not have")
+    return Material(name, properties, texts, aliases, notes, tuple(bibliography[key] for key in references), title, path)
+
+
+def is_material_name(word: str) -> bool:
+    """Whether a word can name a material: on a command line it must be told from a radius, and in a list from two.
+
+    >>> is_material_name("SiO2"), is_material_name("100nm"), is_material_name("a,b"), is_material_name("all")
+    (True, False, False, False)
+    """
+    return word[:1].isalpha() and len(word) <= MAX_NAME and word.isprintable() and "," not in word and word.casefold() not in ("all", "plane")
+
+
+def _table(value: object, where: str) -> Mapping[str, Any]:
+    if not isinstance(value, dict):
+        raise _Malformed(f"{_clean(where)} is not a table")
+    return value
+
+
+def _list(value: object, where: str) -> list[Any]:
+    if not isinstance(value, list):
+        raise _Malformed(f"{_clean(where)} is not a list")
+    return value
+
+
+def _string(value: object, where: str) -> str:
+    if not isinstance(value, str):
+        raise _Malformed(f"{_clean(where)} is not a text in quotes")
+    return value
+
+
+def _clean(text: str) -> str:
+    return quoted(text)[1:-1]

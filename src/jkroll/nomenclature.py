@@ -1,0 +1,155 @@
+"""One nomenclature: every name, once, with its symbol, SI unit, sentence, equation, range and option.
+
+Parsing, help, tables, CSV headers, JSON and error messages all read this table; none of them says it again.
+"""
+
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import NamedTuple
+
+
+class Quantity(NamedTuple):
+    """What a name stands for."""
+
+    symbol: str
+    unit: str  # SI; "1" for a number, "" for a text
+    sentence: str
+    equation: str = ""  # as the paper numbers it
+    range: str = ""  # a name of RANGES, for what a user may give
+    option: str = ""  # how the command line takes it
+    example: str = ""  # a value that can be typed
+    note: str = ""  # why it stands beside a headline value
+
+
+class Range(NamedTuple):
+    """Values that may be given, and how to say so."""
+
+    low: float
+    high: float
+    low_allowed: bool
+    high_allowed: bool
+    words: str
+
+    def admits(self, value: float) -> bool:
+        """Whether one number lies in the range; nan lies in none."""
+        above = value >= self.low if self.low_allowed else value > self.low
+        below = value <= self.high if self.high_allowed else value < self.high
+        return above and below
+
+
+INFINITY = float("inf")
+RANGES: Mapping[str, Range] = MappingProxyType(
+    {
+        "positive": Range(0.0, INFINITY, False, False, "must be positive"),
+        "up to infinite": Range(0.0, INFINITY, False, True, "must be positive"),
+        "poisson": Range(-1.0, 0.5, True, True, "must lie between -1 and 0.5"),
+        "finite": Range(-INFINITY, INFINITY, False, False, "must be finite"),
+    }
+)
+
+_WORDS_FOR_INFINITY = {"radius2": "plane", "youngs_modulus": "rigid", "youngs_modulus2": "rigid"}
+
+
+def word_for_infinity(name: str) -> str | None:
+    """The word that stands for an infinite value of a quantity, if it has one: a plane, a rigid body."""
+    return _WORDS_FOR_INFINITY.get(name)
+
+
+_PER_SPHERE = {
+    "radius": Quantity("R1", "m", "radius of sphere 1", range="positive", example="100nm"),
+    "surface_energy": Quantity("γ1", "J/m^2", "surface energy per surface", range="positive", option="--gamma", example="25mJ/m2"),
+    "youngs_modulus": Quantity("E1", "Pa", "Young's modulus", range="up to infinite", option="--young", example="54GPa"),
+    "poisson_ratio": Quantity("ν1", "1", "Poisson's ratio", range="poisson", option="--poisson", example="0.17"),
+    "density": Quantity("ρ1", "kg/m^3", "mass density", range="positive", option="--density", example="2.6g/cm3"),
+    "mass": Quantity("m1", "kg", "mass of sphere 1", "41"),
+    "moment_of_inertia": Quantity("I1", "kg m^2", "moment of inertia of sphere 1", "39"),
+}
+
+
+def _of_sphere_2(quantity: Quantity) -> Quantity:
+    return quantity._replace(
+        symbol=quantity.symbol.replace("1", "2"),
+        sentence=quantity.sentence.replace(" of sphere 1", "") + " of sphere 2",
+        option=quantity.option and quantity.option + "2",
+    )
+
+
+NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
+    {
+        # what the user gives
+        "material": Quantity("", "", "material of sphere 1"),
+        "material2": Quantity("", "", "material of sphere 2", option="--material2", example="iron"),
+        **_PER_SPHERE,
+        **{name + "2": _of_sphere_2(quantity) for name, quantity in _PER_SPHERE.items()},
+        "radius2": Quantity("R2", "m", "radius of sphere 2, or plane", range="up to infinite", option="--radius2", example="1um"),
+        "yield_displacement": Quantity("ξ", "m", "yield displacement", range="positive", option="--xi", example="2angstrom"),
+        "load": Quantity("P", "N", "load on the contact, tension negative", range="finite", option="--load", example="-5nN"),
+        "gravity": Quantity("g", "m/s^2", "gravitational acceleration", range="positive", option="--gravity", example="1.62m/s2"),
+        "energy": Quantity("W0", "J", "energy of sphere 1 as it arrives", range="positive", option="--energy", example="1e-18J"),
+        "speed": Quantity("v", "m/s", "speed of sphere 1 as it arrives", range="positive", option="--speed", example="10cm/s"),
+        # the pair
+        "work_of_adhesion": Quantity(
+            "w", "J/m^2", "work of adhesion, 2γ", "1", range="positive", option="--work-of-adhesion", example="50mJ/m2"
+        ),
+        "radius_ratio": Quantity("R1/R2", "1", "ratio of the radii", "1"),
+        "reduced_radius": Quantity("R", "m", "reduced radius", "1"),
+        "contact_modulus": Quantity("E*", "Pa", "contact modulus", "2"),
+        "reduced_mass": Quantity("m", "kg", "reduced mass", "33"),
+        "reduced_moment_of_inertia": Quantity("I", "kg m^2", "reduced moment of inertia", "39"),
+        "rolling_mass": Quantity("m_eff", "kg", "effective mass of rolling without slip", "40"),
+        # the contact
+        "pull_off_force": Quantity("P_c", "N", "pull-off force", "1"),
+        "pull_off_force_dmt": Quantity(
+            "P_DMT", "N", "pull-off force of hard spheres", "1", note="the DMT limit, 4πγR: small, hard spheres tend to it"
+        ),
+        "contact_radius": Quantity("a0", "m", "contact radius without load", "2"),
+        "approach": Quantity("δ0", "m", "approach of the centres without load", "3"),
+        "load_margin": Quantity("s", "1", "√(1 + P/P_c)", "5"),
+        "load_factor": Quantity("x", "1", "â^(3/2), by which the load scales the rolling moment", "5"),
+        "contact_radius_at_load": Quantity("a", "m", "contact radius at the load", "5"),
+        "approach_at_load": Quantity("δ", "m", "approach of the centres at the load", "6"),
+        "stiffness": Quantity("dP/dδ", "N/m", "normal stiffness at the load", "34"),
+        "hertz_pressure": Quantity("p_H", "Pa", "Hertz part of the pressure", "8"),
+        "boussinesq_pressure": Quantity("p_B", "Pa", "flat-punch part of the pressure", "9"),
+        # rolling
+        "yield_moment": Quantity("M", "N m", "rolling moment at the yield displacement", "25"),
+        "rolling_stiffness": Quantity("k", "N m/rad", "rolling moment per angle", "39"),
+        "yield_force": Quantity("Q", "N", "force at the centre of sphere 1 that starts it rolling", "26"),
+        "yield_force_ratio": Quantity("Q/P_c", "1", "yield force over pull-off force", "27"),
+        "yield_angle": Quantity("δ_α", "rad", "angle at which rolling starts", "28"),
+        "mean_rolling_moment": Quantity("⟨M⟩", "N m", "mean moment against steady rolling", "43"),
+        "mean_rolling_force": Quantity("⟨Q⟩", "N", "mean force against steady rolling", "44"),
+        # chains
+        "r_min": Quantity("R_min", "m", "smallest radius of curvature of a chain", "28"),
+        "n_grav": Quantity("N_grav", "1", "spheres a level chain carries against gravity", "30"),
+        # vibrations
+        "vertical_frequency": Quantity("Ω_z", "Hz", "frequency of the vertical vibration", "35"),
+        "rolling_frequency": Quantity("Ω_roll", "Hz", "frequency of the rolling vibration", "40"),
+        "rolling_frequency_as_printed": Quantity(
+            "Ω_roll", "Hz", "rolling frequency as printed", "41",
+            note="Eq (41) is 2.5 times too low: it is Eq (40) with k² = (5/2)R1² in place of (2/5)R1²",
+        ),
+        "rolling_frequency_no_slip": Quantity(
+            "f_roll", "Hz", "rolling frequency of free spheres without slip", "40",
+            note="Eq (40) turns each sphere about its own centre; unequal spheres that do not slip also move their centres",
+        ),
+        # collisions
+        "adhesion_energy": Quantity("P_cδ0", "J", "energy typical of adhesion", "48"),
+        "kinetic_energy": Quantity("m1v²/2", "J", "kinetic energy of sphere 1", "45"),
+        "n_roll": Quantity("n_roll", "1", "turns until sphere 1 stops", "48"),
+        "n_roll_energy_balance": Quantity(
+            "n_roll", "1", "turns by the energy balance", "48",
+            note="Eq (47) leaves out the friction that also brakes the rotation; the energy balance gives 7/2 of Eq (48)",
+        ),
+    }
+)  # fmt: skip
+
+
+def header(name: str) -> str:
+    """The column header of a quantity: its name and, in brackets, its SI unit.
+
+    >>> header("radius"), header("n_grav")
+    ('radius [m]', 'n_grav')
+    """
+    unit = NOMENCLATURE[name].unit
+    return name if unit in ("", "1") else f"{name} [{unit}]"

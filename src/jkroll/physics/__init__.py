@@ -1,0 +1,14 @@
+"""The formulas of Dominik & Tielens: plain functions of SI numbers, floats or arrays.
+
+A formula's name and its parameters' names are names of the nomenclature: that is all the wiring there is. Parameters
+are passed by name, because three radii, two energies per area (γ and w = 2γ) and five forces are easily exchanged.
+"""
+
+from . import chain, collision, contact, pair, rolling, vibration
+
+FORMULAS = {
+    name: function
+    for module in (pair, contact, rolling, chain, vibration, collision)
+    for name, function in vars(module).items()
+    if getattr(function, "__module__", None) == module.__name__
+}

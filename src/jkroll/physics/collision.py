@@ -1,0 +1,147 @@
+"""How far a sphere rolls over a fixed one after a collision: Eqs 45-49."""
+
+from .dimensions import (
+    AngularAcceleration,
+    AngularSpeed,
+    Energy,
+    Force,
+    Inertia,
+    Length,
+    Mass,
+    Moment,
+    Number,
+    Speed,
+    Stress,
+    SurfaceEnergy,
+)
+from .elementary import cbrt, pi, sqrt
+
+
+def adhesion_energy(*, pull_off_force: Force, approach: Length) -> Energy:
+    """Energy typical of adhesion: what a slow head-on collision dissipates, to order of magnitude.
+
+        P_c δ0
+
+    Source:   Text below Eq (48).
+    Valid:    The largest energy that sticks is 0.7722 P_cδ0.
+    Accuracy: 0.5 ulp above its factors.
+
+    >>> adhesion_energy(pull_off_force=2.0, approach=3.0)
+    6.0
+    """
+    return pull_off_force * approach
+
+
+def kinetic_energy(*, mass: Mass, speed: Speed) -> Energy:
+    """Energy of sphere 1 as it arrives.
+
+        W0 = m1v²/2
+
+    Source:   Caption of Fig. 7.
+    Valid:    A sphere that does not spin, moving along the surface of the fixed one.
+    Accuracy: 1.5 ulp above its mass.
+
+    >>> kinetic_energy(mass=4.0, speed=3.0)
+    18.0
+    """
+    return mass * (speed * speed) / 2
+
+
+def rolling_energy(*, mass: Mass, speed: Speed, moment_of_inertia: Inertia, angular_speed: AngularSpeed) -> Energy:
+    """Energy of a sphere that moves and spins.
+
+        W0 = ½m1v1² + ½I1ω1²
+
+    Source:   Eq (45).
+    Valid:    Always.
+    Accuracy: 2 ulp.
+
+    >>> rolling_energy(mass=2.0, speed=1.0, moment_of_inertia=2.0, angular_speed=2.0)
+    5.0
+    """
+    return (mass * (speed * speed) + moment_of_inertia * (angular_speed * angular_speed)) / 2
+
+
+def initial_angular_speed(*, energy: Energy, moment_of_inertia: Inertia) -> AngularSpeed:
+    """Angular speed of sphere 1 once it rolls without slip with all of its energy.
+
+        ω(0) = √((4/7)W0/I1)
+
+    Source:   Eq (46).
+    Valid:    A homogeneous sphere; no energy lost to sliding.
+    Accuracy: 1.5 ulp.
+
+    >>> round(initial_angular_speed(energy=7.0, moment_of_inertia=1.0), 12)
+    2.0
+    """
+    return sqrt(4 / 7 * energy / moment_of_inertia)
+
+
+def angular_deceleration(*, mean_rolling_moment: Moment, moment_of_inertia: Inertia) -> AngularAcceleration:
+    """Rate at which the rolling moment alone changes the spin of a sphere.
+
+        dω1/dt = −⟨M⟩/I1
+
+    Source:   Eq (47). It leaves out the friction force that also brakes the rotation: no slip demands
+              −⟨M⟩/(I1 + m1R1²), which is 2/7 of it.
+    Valid:    A sphere that spins in place.
+    Accuracy: 0.5 ulp.
+
+    >>> angular_deceleration(mean_rolling_moment=1.0, moment_of_inertia=2.0)
+    -0.5
+    """
+    return -mean_rolling_moment / moment_of_inertia
+
+
+def n_roll(*, energy: Energy, mean_rolling_moment: Moment) -> Number:
+    """Number of full turns sphere 1 rolls over a fixed body 2.
+
+        n = W0/(7π⟨M⟩) = W0/(14π P_c ξ)
+
+    Source:   Eq (48); Eq (49) at W0 = P_cδ0.
+    Valid:    As Eq (47): it dissipates 2/7 of the energy and lets the rest slide away.
+    Accuracy: 1.5 ulp above W0 and M.
+
+    >>> round(n_roll(energy=7 * pi, mean_rolling_moment=1.0), 12)
+    1.0
+    """
+    return energy / (7 * pi * mean_rolling_moment)
+
+
+def n_roll_energy_balance(*, energy: Energy, mean_rolling_moment: Moment) -> Number:
+    """Number of full turns sphere 1 rolls over a fixed body 2 until rolling has dissipated all of its energy.
+
+        n = W0/(2π⟨M⟩) = W0/(4π P_c ξ), which is 7/2 of Eq (48)
+
+    Source:   Caption of Fig. 7: "until all energy is dissipated".
+    Valid:    No slip at any time.
+    Accuracy: 1.5 ulp above W0 and M.
+
+    >>> round(n_roll_energy_balance(energy=2 * pi, mean_rolling_moment=1.0), 12)
+    1.0
+    """
+    return energy / (2 * pi * mean_rolling_moment)
+
+
+def n_roll_at_energy_ratio(
+    *,
+    energy_ratio: Number,
+    work_of_adhesion: SurfaceEnergy,
+    contact_modulus: Stress,
+    reduced_radius: Length,
+    yield_displacement: Length,
+) -> Number:
+    """Number of full turns for an energy given in units of P_cδ0.
+
+        n = (3/(14 ∛(9π))) (γ/E*)^(2/3) ∛R/ξ · W0/(P_cδ0), γ = w/2
+
+    Source:   Eq (49).
+    Valid:    As Eq (48), of which it is another form.
+    Accuracy: 4 ulp.
+
+    >>> f"{n_roll_at_energy_ratio(energy_ratio=1.0, work_of_adhesion=0.05, contact_modulus=27.804e9,
+    ...                           reduced_radius=50e-9, yield_displacement=2e-10):.4f}"
+    '0.0121'
+    """
+    softness = work_of_adhesion / (2 * contact_modulus)
+    return 3 / 14 * energy_ratio * cbrt(softness * softness * reduced_radius / (9 * pi)) / yield_displacement

@@ -1,0 +1,264 @@
+"""The JKR contact: Eqs 1-9 and 12-15.
+
+A load is positive in compression and negative in tension; the stable branch is meant. The load enters through
+s = √(1 + P/P_c) alone (`load_margin`), which is 1 without load and 0 at pull-off and loses no digit there.
+"""
+
+from .dimensions import Force, Length, Number, Stiffness, Stress, SurfaceEnergy
+from .elementary import cbrt, pi, sqrt
+
+
+def pull_off_force(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length) -> Force:
+    """Force that separates the two spheres.
+
+        P_c = 3πγR = (3/2)πwR
+
+    Source:   Eq (1).
+    Valid:    Large, soft spheres (JKR); small, hard ones tend to 4πγR (DMT).
+    Accuracy: 2 ulp above R.
+
+    >>> f"{pull_off_force(work_of_adhesion=0.05, reduced_radius=50e-9):.4e}"
+    '1.1781e-08'
+    """
+    return 3 / 2 * pi * work_of_adhesion * reduced_radius
+
+
+def pull_off_force_dmt(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length) -> Force:
+    """Force that separates two small, hard spheres.
+
+        P_DMT = 4πγR = 2πwR
+
+    Source:   Text below Eq (1): "for very hard spheres, this factor should rather be 4".
+    Valid:    Small, hard spheres (Tabor parameter well below 0.1).
+    Accuracy: 2 ulp above R.
+
+    >>> f"{pull_off_force_dmt(work_of_adhesion=0.05, reduced_radius=50e-9):.4e}"
+    '1.5708e-08'
+    """
+    return 2 * pi * work_of_adhesion * reduced_radius
+
+
+def contact_radius(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress) -> Length:
+    """Radius of the contact circle without load.
+
+        a0 = (9πγR²/E*)^(1/3) = (9πwR²/2E*)^(1/3)
+
+    Source:   Eq (2).
+    Valid:    a0 ≪ R, and a0 well above the atomic spacing.
+    Accuracy: 3 ulp.
+
+    >>> f"{contact_radius(work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9) * 1e9:.3f} nm"
+    '3.991 nm'
+    """
+    return reduced_radius * cbrt(9 / 2 * pi * (work_of_adhesion / contact_modulus) / reduced_radius)
+
+
+def approach(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress) -> Length:
+    """Displacement of the two centres towards each other without load.
+
+        δ0 = P_c/(E*a0) = a0²/(3R) = (3π²γ²R/E*²)^(1/3)
+
+    Source:   Eq (3).
+    Valid:    As Eq (2).
+    Accuracy: 4 ulp.
+
+    >>> f"{approach(work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9) * 1e9:.5f} nm"
+    '0.10618 nm'
+    """
+    length = work_of_adhesion / contact_modulus
+    return length * cbrt(3 / 4 * (pi * pi) * (reduced_radius / length))
+
+
+def load_margin(*, load: Force, pull_off_force: Force) -> Number:
+    """How far the contact is from pull-off: 1 without load, 0 at pull-off.
+
+        s = √(1 + P/P_c)
+
+    Source:   Eq (5), solved for â^(3/2) = (1 + s)/2.
+    Valid:    P ≥ −P_c. Beyond, a float raises ValueError and an array holds NaN.
+    Accuracy: 1.5 ulp for the two forces as they are given.
+
+    >>> load_margin(load=-0.75, pull_off_force=1.0)
+    0.5
+    """
+    return sqrt((load + pull_off_force) / pull_off_force)
+
+
+def load_factor(*, load_margin: Number) -> Number:
+    """Factor by which the load scales the rolling moment: 1 without load, 1/2 at pull-off.
+
+        x = â^(3/2) = (1 + s)/2
+
+    Source:   Eq (5).
+    Valid:    The stable branch.
+    Accuracy: 0.5 ulp above s.
+
+    >>> load_factor(load_margin=0.0)
+    0.5
+    """
+    return (1 + load_margin) / 2
+
+
+def contact_radius_at_load(*, contact_radius: Length, load_factor: Number) -> Length:
+    """Radius of the contact circle under a load.
+
+        a = a0 x^(2/3)
+
+    Source:   Eq (5).
+    Valid:    As Eq (2); the stable branch.
+    Accuracy: 2 ulp above a0.
+
+    >>> contact_radius_at_load(contact_radius=4.0, load_factor=1.0)
+    4.0
+    """
+    return contact_radius * cbrt(load_factor * load_factor)
+
+
+def approach_at_load(*, approach: Length, load_margin: Number, load_factor: Number) -> Length:
+    """Displacement of the two centres towards each other under a load; negative where the neck is stretched.
+
+        δ = δ0(3â² − 2√â) = δ0 x^(1/3) (3s − 1)/2
+
+    Source:   Eq (6).
+    Valid:    The stable branch at dead load, s ≥ 0. It passes through 0 at P = −(8/9)P_c.
+    Accuracy: 3 ulp of δ0.
+
+    >>> approach_at_load(approach=2.0, load_margin=1.0, load_factor=1.0)
+    2.0
+    """
+    return approach * cbrt(load_factor) * ((3 * load_margin - 1) / 2)
+
+
+def stiffness(
+    *, contact_modulus: Stress, contact_radius_at_load: Length, load_margin: Number
+) -> Stiffness:
+    """Normal stiffness of the contact: (6/5)E*a0 without load, 0 at pull-off.
+
+        dP/dδ = 6 E*a s/(2 + 3s)
+
+    Source:   Eqs (5) and (6); Eq (34) without load.
+    Valid:    Small vibrations about the load.
+    Accuracy: 3 ulp above E*, a and s.
+
+    >>> stiffness(contact_modulus=1.0, contact_radius_at_load=1.0, load_margin=1.0)
+    1.2
+    """
+    return 6 * contact_modulus * contact_radius_at_load * (load_margin / (2 + 3 * load_margin))
+
+
+def hertz_pressure(*, contact_radius_at_load: Length, contact_modulus: Stress, reduced_radius: Length) -> Stress:
+    """Constant of the Hertz part of the pressure, which flattens the spheres.
+
+        p_H = 2aE*/(πR) = 6P_câ/(πa0²)
+
+    Source:   Eq (8), and the text below Eq (13).
+    Valid:    As Eq (2).
+    Accuracy: 3 ulp above a, E* and R.
+
+    >>> f"{hertz_pressure(contact_radius_at_load=3.9908e-9, contact_modulus=27.804e9, reduced_radius=50e-9):.4e}"
+    '1.4128e+09'
+    """
+    return 2 / pi * (contact_radius_at_load / reduced_radius) * contact_modulus
+
+
+def boussinesq_pressure(*, pull_off_force: Force, contact_radius: Length, load_factor: Number) -> Stress:
+    """Constant of the flat-punch part of the pressure, which pulls at the rim.
+
+        p_B = −2P_c/(πa0²√â)
+
+    Source:   Eq (9).
+    Valid:    JKR equilibrium at the load; the stable branch.
+    Accuracy: 3 ulp above P_c, a0 and x.
+
+    >>> f"{boussinesq_pressure(pull_off_force=1.1781e-8, contact_radius=3.9908e-9, load_factor=1.0):.4e}"
+    '-4.7092e+08'
+    """
+    return -2 / pi * (pull_off_force / contact_radius) / contact_radius / cbrt(load_factor)
+
+
+# --- The same relations in the paper's reduced variables, and at a prescribed approach ------------------------------
+
+
+def load_ratio(*, contact_radius_ratio: Number) -> Number:
+    """Load over the pull-off force, at a contact radius.
+
+        P̂ = 4(â³ − â^(3/2))
+
+    Source:   Eq (5).
+    Valid:    â ≥ 0, both branches.
+    Accuracy: 4 ulp of 4â³.
+
+    >>> load_ratio(contact_radius_ratio=1.0)
+    0.0
+    """
+    x = contact_radius_ratio * sqrt(contact_radius_ratio)
+    return 4 * x * (x - 1)
+
+
+def approach_ratio(*, contact_radius_ratio: Number) -> Number:
+    """Approach over the unloaded approach, at a contact radius.
+
+        δ̂ = 3â² − 2√â
+
+    Source:   Eq (6).
+    Valid:    â ≥ 0, both branches.
+    Accuracy: 3 ulp of 3â².
+
+    >>> approach_ratio(contact_radius_ratio=1.0)
+    1.0
+    """
+    return 3 * contact_radius_ratio * contact_radius_ratio - 2 * sqrt(contact_radius_ratio)
+
+
+def pressure(
+    *, distance: Length, contact_radius_at_load: Length, hertz_pressure: Stress, boussinesq_pressure: Stress
+) -> Stress:
+    """Pressure at a distance from the centre of the contact; tension is negative and infinite at the rim.
+
+        p(r) = p_H √(1 − r²/a²) + p_B/√(1 − r²/a²)
+
+    Source:   Eq (12); Eq (7) lost both square roots in print.
+    Valid:    0 ≤ r < a.
+    Accuracy: 4 ulp of the larger term.
+
+    >>> pressure(distance=0.0, contact_radius_at_load=1.0, hertz_pressure=3.0, boussinesq_pressure=-1.0)
+    2.0
+    """
+    ratio = distance / contact_radius_at_load
+    depth = sqrt((1 - ratio) * (1 + ratio))
+    return hertz_pressure * depth + boussinesq_pressure / depth
+
+
+def approach_of_pressure(
+    *, contact_radius_at_load: Length, contact_modulus: Stress, hertz_pressure: Stress, boussinesq_pressure: Stress
+) -> Length:
+    """Approach of the two centres that goes with the two parts of the pressure.
+
+        δ = (πa/2E*)(p_H + 2p_B)
+
+    Source:   Eq (13).
+    Valid:    Any circular contact, in adhesive equilibrium or not.
+    Accuracy: 4 ulp of the larger term.
+
+    >>> round(approach_of_pressure(contact_radius_at_load=1.0, contact_modulus=1.0, hertz_pressure=2.0, boussinesq_pressure=0.0), 6)
+    3.141593
+    """
+    return pi / 2 * (contact_radius_at_load / contact_modulus) * (hertz_pressure + 2 * boussinesq_pressure)
+
+
+def boussinesq_pressure_at_approach(
+    *, approach_at_load: Length, contact_radius_at_load: Length, contact_modulus: Stress, hertz_pressure: Stress
+) -> Stress:
+    """Flat-punch part of the pressure in a contact of given radius and approach, in equilibrium or not.
+
+        p_B = E*δ/(πa) − p_H/2
+
+    Source:   Eq (14); put into Eq (12) it is Eq (15).
+    Valid:    Any circular contact.
+    Accuracy: 3 ulp of the larger term.
+
+    >>> boussinesq_pressure_at_approach(
+    ...     approach_at_load=0.0, contact_radius_at_load=1.0, contact_modulus=1.0, hertz_pressure=2.0)
+    -1.0
+    """
+    return contact_modulus * approach_at_load / (pi * contact_radius_at_load) - hertz_pressure / 2

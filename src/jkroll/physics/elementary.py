@@ -1,0 +1,39 @@
+"""The elementary functions the formulas need: `math` for a number, numpy for anything else.
+
+The value itself decides, so that a float costs no import of numpy and an array (or a pint Quantity, which answers
+numpy's protocol) costs no loop.
+"""
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+
+def _for_numbers_and_arrays(name: str) -> Callable[[Any], Any]:
+    of_number = getattr(math, name)
+
+    def function(value: Any) -> Any:
+        if isinstance(value, (float, int)):
+            return of_number(value)
+        import numpy
+
+        return getattr(numpy, name)(value)
+
+    function.__name__ = function.__qualname__ = name
+    return function
+
+
+pi = math.pi
+sqrt = _for_numbers_and_arrays("sqrt")
+cbrt = _for_numbers_and_arrays("cbrt")
+
+
+def parallel(value: Any, value2: Any) -> Any:
+    """1/(1/value + 1/value2), exact where one of them is infinite or both are equal, and the same under exchange."""
+    if isinstance(value, (float, int)) and isinstance(value2, (float, int)):
+        small, large = min(value, value2), max(value, value2)
+    else:
+        import numpy
+
+        small, large = numpy.minimum(value, value2), numpy.maximum(value, value2)
+    return small / (1 + small / large)

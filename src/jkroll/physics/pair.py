@@ -1,0 +1,153 @@
+"""Two spheres: what of their radii, materials and masses the contact sees.
+
+Sphere 2 may be a plane (`radius2` infinite), may be rigid (`youngs_modulus2` infinite), and may be held fixed (`mass2`
+infinite).
+"""
+
+from .dimensions import Density, Inertia, Length, Mass, Number, Stress, SurfaceEnergy
+from .elementary import parallel, pi, sqrt
+
+
+def work_of_adhesion(*, surface_energy: SurfaceEnergy, surface_energy2: SurfaceEnergy) -> SurfaceEnergy:
+    """Work to separate unit area of the contact: twice the geometric mean of the two surface energies.
+
+        w = 2√(γ1 γ2), which is 2γ for identical solids
+
+    Source:   Text below Eq (1), where 2γ is the energy of adhesion; the text below Eq (2) does not fit it.
+    Valid:    Identical solids: exact. Different solids: an estimate, best where dispersion forces dominate; a measured
+              work of adhesion is better.
+    Accuracy: 1 ulp.
+
+    >>> work_of_adhesion(surface_energy=0.025, surface_energy2=0.025)
+    0.05
+    """
+    return 2 * sqrt(surface_energy * surface_energy2)
+
+
+def radius_ratio(*, radius: Length, radius2: Length) -> Number:
+    """Radius of sphere 1 over that of sphere 2: 1 for identical spheres, 0 on a plane.
+
+        R1/R2
+
+    Source:   Text below Eq (1).
+    Valid:    Positive radii.
+    Accuracy: 0.5 ulp.
+
+    >>> radius_ratio(radius=1e-7, radius2=2e-7)
+    0.5
+    """
+    return radius / radius2
+
+
+def reduced_radius(*, radius: Length, radius2: Length) -> Length:
+    """Radius of the sphere that makes the same contact with a plane.
+
+        R = 1/(1/R1 + 1/R2)
+
+    Source:   Text below Eq (1).
+    Valid:    Positive radii, one of which may be infinite.
+    Accuracy: 2 ulp; exact for identical spheres and on a plane.
+
+    >>> reduced_radius(radius=1.0, radius2=3.0)
+    0.75
+    """
+    return parallel(radius, radius2)
+
+
+def contact_modulus(
+    *, youngs_modulus: Stress, poisson_ratio: Number, youngs_modulus2: Stress, poisson_ratio2: Number
+) -> Stress:
+    """Elastic modulus of the contact.
+
+        1/E* = (1 − ν1²)/E1 + (1 − ν2²)/E2
+
+    Source:   Text below Eq (2).
+    Valid:    Isotropic, linear elastic solids; one may be rigid (E infinite).
+    Accuracy: 3 ulp.
+
+    >>> round(contact_modulus(youngs_modulus=54e9, poisson_ratio=0.17, youngs_modulus2=54e9, poisson_ratio2=0.17) / 1e9, 3)
+    27.804
+    """
+    compliance = (1 - poisson_ratio) * (1 + poisson_ratio) / youngs_modulus
+    compliance2 = (1 - poisson_ratio2) * (1 + poisson_ratio2) / youngs_modulus2
+    return 1 / (compliance + compliance2)
+
+
+def mass(*, radius: Length, density: Density) -> Mass:
+    """Mass of a homogeneous sphere.
+
+        m1 = (4/3)πR1³ρ
+
+    Source:   Text above Eq (41).
+    Valid:    No coating, no pores.
+    Accuracy: 3 ulp.
+
+    >>> f"{mass(radius=1e-7, density=2600.0):.4e}"
+    '1.0891e-17'
+    """
+    return 4 / 3 * pi * (radius * radius * radius) * density
+
+
+def reduced_mass(*, mass: Mass, mass2: Mass) -> Mass:
+    """Mass that vibrates against a wall as the two spheres vibrate against each other.
+
+        m = 1/(1/m1 + 1/m2)
+
+    Source:   Text below Eq (33).
+    Valid:    Free spheres, or one held fixed (its mass infinite).
+    Accuracy: 2 ulp above its masses.
+
+    >>> reduced_mass(mass=2.0, mass2=2.0)
+    1.0
+    """
+    return parallel(mass, mass2)
+
+
+def moment_of_inertia(*, mass: Mass, radius: Length) -> Inertia:
+    """Moment of inertia of a homogeneous sphere about its centre.
+
+        I1 = m1 k1² = (2/5) m1 R1²
+
+    Source:   Text below Eq (38).
+    Valid:    Homogeneous spheres.
+    Accuracy: 2 ulp above its mass.
+
+    >>> moment_of_inertia(mass=5.0, radius=1.0)
+    2.0
+    """
+    return 2 / 5 * mass * (radius * radius)
+
+
+def reduced_moment_of_inertia(*, moment_of_inertia: Inertia, moment_of_inertia2: Inertia) -> Inertia:
+    """Moment of inertia that turns against a wall as the two spheres turn against each other.
+
+        I = 1/(1/I1 + 1/I2)
+
+    Source:   Eq (39).
+    Valid:    Spheres that turn about their own centres, or one held fixed (its moment infinite).
+    Accuracy: 2 ulp above its moments.
+
+    >>> reduced_moment_of_inertia(moment_of_inertia=2.0, moment_of_inertia2=2.0)
+    1.0
+    """
+    return parallel(moment_of_inertia, moment_of_inertia2)
+
+
+def rolling_mass(*, mass: Mass, mass2: Mass, reduced_radius: Length, radius: Length, radius2: Length) -> Mass:
+    """Mass of the rolling mode of two free spheres that do not slip.
+
+        m_eff = (14/25) / [1/(m1 + m2) + (2/5)((R/R1)²/m1 + (R/R2)²/m2)]
+
+    It is I1/R1² + I2/R2² − (I1/R1 − I2/R2)²/(m(R1+R2)² + I1 + I2) for homogeneous spheres, without the cancellation:
+    (4/5)m1 for identical spheres, (7/5)(R1/R)²m1 where body 2 is held.
+
+    Source:   Eqs (37)-(40) without their assumption that each sphere turns about its own centre.
+    Valid:    Homogeneous spheres, no slip; body 2 may be held (its mass infinite).
+    Accuracy: 4 ulp above its masses.
+
+    >>> round(rolling_mass(mass=1.0, mass2=1.0, reduced_radius=0.5, radius=1.0, radius2=1.0), 15)
+    0.8
+    """
+    lever = reduced_radius / radius
+    lever2 = reduced_radius / radius2
+    return 14 / 25 / (1 / (mass + mass2) + 2 / 5 * (lever * lever / mass + lever2 * lever2 / mass2))

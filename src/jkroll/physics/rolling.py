@@ -1,0 +1,189 @@
+"""Resistance to rolling: Eqs 10, 16-27, 43 and 44."""
+
+from .dimensions import Angle, Force, Length, Moment, Number, RollingStiffness, Stress, SurfaceEnergy
+from .elementary import pi
+
+
+def yield_moment(*, pull_off_force: Force, load_factor: Number, yield_displacement: Length) -> Moment:
+    """Moment with which a contact resists when its circle lags behind by ξ; at the yield displacement, the largest.
+
+        M = 4 P_c â^(3/2) ξ = 2 P_c ξ (1 + s)
+
+    Source:   Eq (25); exact in three dimensions at a fixed load.
+    Valid:    ξ < a0/(3√â); beyond, the leading edge would interpenetrate.
+    Accuracy: 1.5 ulp above P_c and x.
+
+    >>> f"{yield_moment(pull_off_force=1.1781e-8, load_factor=1.0, yield_displacement=2e-10):.4e}"
+    '9.4248e-18'
+    """
+    return 4 * pull_off_force * load_factor * yield_displacement
+
+
+def rolling_stiffness(*, pull_off_force: Force, load_factor: Number, reduced_radius: Length) -> RollingStiffness:
+    """Moment per angle between the spheres while they roll back and forth without yielding.
+
+        k = M/δ_α = 4 P_c â^(3/2) R, with ξ = R δ_α
+
+    Source:   Eqs (25) and (39).
+    Valid:    Angles below the yield angle.
+    Accuracy: 1.5 ulp above P_c, x and R.
+
+    >>> rolling_stiffness(pull_off_force=1.0, load_factor=1.0, reduced_radius=0.5)
+    2.0
+    """
+    return 4 * pull_off_force * load_factor * reduced_radius
+
+
+def yield_force(
+    *, work_of_adhesion: SurfaceEnergy, load_factor: Number, yield_displacement: Length, radius_ratio: Number
+) -> Force:
+    """Force at the centre of sphere 1 that starts it rolling.
+
+        Q = M/R1 = 4 P_c â^(3/2) ξ/R1 = 6πw â^(3/2) ξ/(1 + R1/R2), which is 6πγξ for identical spheres without load
+
+    Source:   Eqs (10), (25) and (26); identical spheres need no radius.
+    Valid:    As Eq (25).
+    Accuracy: 3 ulp.
+
+    >>> f"{yield_force(work_of_adhesion=0.05, load_factor=1.0, yield_displacement=2e-10, radius_ratio=1.0):.4e}"
+    '9.4248e-11'
+    """
+    return 6 * pi * work_of_adhesion * load_factor * yield_displacement / (1 + radius_ratio)
+
+
+def yield_force_ratio(*, load_factor: Number, yield_displacement: Length, radius: Length) -> Number:
+    """Yield force over the pull-off force.
+
+        Q/P_c = 4 â^(3/2) ξ/R1
+
+    Source:   Eq (27).
+    Valid:    As Eq (25). Above 1, the contact breaks before it rolls.
+    Accuracy: 1.5 ulp.
+
+    >>> yield_force_ratio(load_factor=1.0, yield_displacement=2.5, radius=10.0)
+    1.0
+    """
+    return 4 * load_factor * (yield_displacement / radius)
+
+
+def yield_angle(*, yield_displacement: Length, reduced_radius: Length) -> Angle:
+    """Angle through which the spheres roll over each other before they yield.
+
+        δ_α = ξ/R, which is 2ξ/R1 for identical spheres
+
+    Source:   Text above Eqs (26), (28) and (43).
+    Valid:    ξ ≪ R.
+    Accuracy: 0.5 ulp above R.
+
+    >>> yield_angle(yield_displacement=2e-10, reduced_radius=50e-9)
+    0.004
+    """
+    return yield_displacement / reduced_radius
+
+
+def mean_rolling_moment(*, yield_moment: Moment) -> Moment:
+    """Moment that brakes a rolling sphere, averaged over its steps of ξ.
+
+        ⟨M⟩ = M/2 = 2 P_c â^(3/2) ξ
+
+    Source:   Eq (43).
+    Valid:    If the contact springs back to a symmetric one after each step; one that trails at yield gives twice this.
+    Accuracy: That of M.
+
+    >>> mean_rolling_moment(yield_moment=2.0)
+    1.0
+    """
+    return yield_moment / 2
+
+
+def mean_rolling_force(*, mean_rolling_moment: Moment, radius: Length) -> Force:
+    """Force at the centre of sphere 1 that brakes it, averaged over its steps of ξ.
+
+        ⟨Q⟩ = ⟨M⟩/R1 = 2 P_c â^(3/2) ξ/R1
+
+    Source:   Eq (44), whose R must be R1 to agree with Eq (26).
+    Valid:    As Eq (43).
+    Accuracy: 0.5 ulp above M.
+
+    >>> mean_rolling_force(mean_rolling_moment=1.0, radius=2.0)
+    0.5
+    """
+    return mean_rolling_moment / radius
+
+
+# --- How Eq (25) comes about: the contact as two half-circles at the same approach ---------------------------------
+
+
+def half_circle_moment(*, half_circle_radius: Length, approach_at_load: Length, contact_modulus: Stress, reduced_radius: Length) -> Moment:
+    """Moment of one half of a symmetric contact about its diameter.
+
+        M½ = ½E*𝒜²δ − (π/8)p_H𝒜³ = ½E*𝒜²δ − (E*/4R)𝒜⁴
+
+    Source:   Eqs (22) and (23), with p_H = 2𝒜E*/(πR); Eq (21) has ¼ for π/4.
+    Valid:    𝒜 ≪ R.
+    Accuracy: 4 ulp of the larger term.
+
+    >>> half_circle_moment(half_circle_radius=2.0, approach_at_load=1.0, contact_modulus=1.0, reduced_radius=4.0)
+    1.0
+    """
+    area = half_circle_radius * half_circle_radius
+    return contact_modulus * area * (approach_at_load / 2 - area / (4 * reduced_radius))
+
+
+def half_circles_moment(
+    *,
+    contact_radius_at_load: Length,
+    yield_displacement: Length,
+    approach_at_load: Length,
+    contact_modulus: Stress,
+    reduced_radius: Length,
+) -> Moment:
+    """Moment of two half-circles of radius a + ξ and a − ξ at the same approach.
+
+        M = M½(a − ξ) − M½(a + ξ)
+
+    Source:   Eq (19).
+    Valid:    ξ < a.
+    Accuracy: Loses the digits by which ξ is smaller than a; a stage of the derivation, not a way to a number.
+
+    >>> half_circles_moment(contact_radius_at_load=2.0, yield_displacement=0.0, approach_at_load=1.0,
+    ...                     contact_modulus=1.0, reduced_radius=4.0)
+    0.0
+    """
+    trailing, leading = (
+        half_circle_moment(
+            half_circle_radius=half_circle_radius,
+            approach_at_load=approach_at_load,
+            contact_modulus=contact_modulus,
+            reduced_radius=reduced_radius,
+        )
+        for half_circle_radius in (
+            contact_radius_at_load + yield_displacement,
+            contact_radius_at_load - yield_displacement,
+        )
+    )
+    return leading - trailing
+
+
+def linearised_moment(
+    *,
+    contact_radius_at_load: Length,
+    yield_displacement: Length,
+    approach_at_load: Length,
+    contact_modulus: Stress,
+    reduced_radius: Length,
+) -> Moment:
+    """Moment of the two half-circles to first order in ξ, in equilibrium or not.
+
+        M = 2ξ(3P_câ³ − E*aδ) = 2ξE*a(a²/R − δ)
+
+    Source:   Eq (24).
+    Valid:    ξ ≪ a. With Eq (6) for δ it is Eq (25).
+    Accuracy: 4 ulp of the larger term.
+
+    >>> linearised_moment(contact_radius_at_load=1.0, yield_displacement=1.0, approach_at_load=0.0,
+    ...                   contact_modulus=1.0, reduced_radius=1.0)
+    2.0
+    """
+    depth = contact_radius_at_load * contact_radius_at_load / reduced_radius
+    return 2 * yield_displacement * contact_modulus * contact_radius_at_load * (depth - approach_at_load)

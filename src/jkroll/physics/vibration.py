@@ -1,0 +1,126 @@
+"""Vibrations of the contact: Eqs 31-42. Frequencies are in cycles per second."""
+
+from .dimensions import (
+    Acceleration,
+    Angle,
+    AngularAcceleration,
+    Density,
+    Force,
+    Frequency,
+    Inertia,
+    Length,
+    Mass,
+    RollingStiffness,
+    Stiffness,
+    SurfaceEnergy,
+)
+from .elementary import pi, sqrt
+
+
+def sphere_acceleration(*, load: Force, mass: Mass) -> Acceleration:
+    """Acceleration of a free sphere away from the contact by the contact's own force.
+
+        dv/dt = P/m1
+
+    Source:   Eqs (31) and (32); with the reduced mass, the second rate of the distance of the centres, Eq (33).
+    Valid:    P is the force at the present approach, positive where it repels.
+    Accuracy: 0.5 ulp.
+
+    >>> sphere_acceleration(load=1.0, mass=2.0)
+    0.5
+    """
+    return load / mass
+
+
+def approach_acceleration(*, displacement: Length, stiffness: Stiffness, reduced_mass: Mass) -> Acceleration:
+    """Second rate of the approach after a small displacement from equilibrium.
+
+        d²δ/dt² = −(dP/dδ)(δ − δ0)/m
+
+    Source:   Eq (34), which lost its sign in print.
+    Valid:    |δ − δ0| ≪ δ0.
+    Accuracy: 1 ulp.
+
+    >>> approach_acceleration(displacement=1.0, stiffness=2.0, reduced_mass=4.0)
+    -0.5
+    """
+    return -stiffness * displacement / reduced_mass
+
+
+def vertical_frequency(*, stiffness: Stiffness, reduced_mass: Mass) -> Frequency:
+    """Frequency at which the distance of the two centres vibrates.
+
+        Ω_z = (1/2π)√((dP/dδ)/m) = (1/2π)√((6/5)E*a0/m) without load
+
+    Source:   Eq (35); under a load with the stiffness there.
+    Valid:    Free spheres, amplitudes well below δ0.
+    Accuracy: 4 ulp.
+
+    >>> round(vertical_frequency(stiffness=(2 * pi) ** 2, reduced_mass=1.0), 12)
+    1.0
+    """
+    return sqrt(stiffness / reduced_mass) / (2 * pi)
+
+
+def angular_acceleration(
+    *, angle: Angle, rolling_stiffness: RollingStiffness, moment_of_inertia: Inertia
+) -> AngularAcceleration:
+    """Angular acceleration of a sphere that has rolled by a small angle.
+
+        dω/dt = −k δ_α/I1
+
+    Source:   Eqs (37)-(39), which lost their sign in print; with the reduced moment of inertia, Eq (39).
+    Valid:    Angles below the yield angle.
+    Accuracy: 1 ulp.
+
+    >>> angular_acceleration(angle=1.0, rolling_stiffness=2.0, moment_of_inertia=4.0)
+    -0.5
+    """
+    return -rolling_stiffness * angle / moment_of_inertia
+
+
+def rolling_frequency(*, rolling_stiffness: RollingStiffness, reduced_moment_of_inertia: Inertia) -> Frequency:
+    """Frequency at which the two spheres roll back and forth over each other, each about its own centre.
+
+        Ω_roll = (1/2π)√(4P_c â^(3/2) R/I)
+
+    Source:   Eq (40).
+    Valid:    Exact for identical spheres; unequal free spheres also move their centres (`rolling_frequency_no_slip`).
+    Accuracy: 4 ulp.
+
+    >>> round(rolling_frequency(rolling_stiffness=(2 * pi) ** 2, reduced_moment_of_inertia=1.0), 12)
+    1.0
+    """
+    return sqrt(rolling_stiffness / reduced_moment_of_inertia) / (2 * pi)
+
+
+def rolling_frequency_as_printed(*, work_of_adhesion: SurfaceEnergy, radius: Length, density: Density) -> Frequency:
+    """Rolling frequency of identical spheres as the paper prints it: 2.5 times too low.
+
+        Ω_roll = (3/2π)√(γ/(5R1³ρ)), γ = w/2
+
+    Source:   Eqs (41) and (42). They are Eq (40) with k² = (5/2)R1² in place of (2/5)R1².
+    Valid:    For comparison only.
+    Accuracy: 3 ulp.
+
+    >>> f"{rolling_frequency_as_printed(work_of_adhesion=0.2, radius=1e-7, density=2000.0):.3e}"
+    '4.775e+07'
+    """
+    return 3 / (2 * pi) * sqrt(work_of_adhesion / 10 / (radius * radius * radius * density))
+
+
+def rolling_frequency_no_slip(
+    *, rolling_stiffness: RollingStiffness, reduced_radius: Length, rolling_mass: Mass
+) -> Frequency:
+    """Frequency at which two free spheres that do not slip roll back and forth over each other.
+
+        f = (1/2π)√(4P_c â^(3/2)/(R m_eff)) = (1/2π)√(k/(R² m_eff))
+
+    Source:   Eqs (25) and (37)-(39), with the motion of the centres that no slip demands.
+    Valid:    Homogeneous spheres; body 2 may be a plane, which is held. Equal to Eq (40) for identical spheres.
+    Accuracy: 4 ulp.
+
+    >>> round(rolling_frequency_no_slip(rolling_stiffness=(2 * pi) ** 2, reduced_radius=1.0, rolling_mass=1.0), 12)
+    1.0
+    """
+    return sqrt(rolling_stiffness / rolling_mass) / reduced_radius / (2 * pi)

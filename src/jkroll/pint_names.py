@@ -1,0 +1,46 @@
+"""What pint says a unit name means, as an exact ratio and powers of the SI base units.
+
+The only module that imports pint. It is asked for names that the grammar of `units` has validated, never for texts.
+"""
+
+from decimal import Decimal, localcontext
+from functools import cache
+from typing import Any
+
+BASE_UNITS = ("kilogram", "meter", "second", "ampere", "kelvin", "mole", "candela", "radian")
+_DIGITS = 60
+
+
+@cache
+def registry() -> Any:
+    """pint's default registry, in decimal arithmetic so that its factors keep every digit."""
+    import pint
+
+    return pint.UnitRegistry(non_int_type=Decimal)
+
+
+def lookup(name: str) -> tuple[int, int, tuple[int, ...]] | None:
+    """Numerator, denominator and dimension of a unit name in SI base units; None if pint has no plain factor for it.
+
+    A temperature on a scale with an offset, a logarithmic unit and one outside the SI (a bit, a dollar) have none.
+
+    >>> lookup("nm")
+    (1, 1000000000, (0, 1, 0, 0, 0, 0, 0, 0))
+    """
+    with localcontext(prec=_DIGITS):
+        candidates = registry().parse_unit_name(name)
+        if not candidates:
+            return None
+        prefix, unit_name, _ = candidates[0]
+        unit = registry().Unit(prefix + unit_name)
+        if registry().Quantity(Decimal(0), unit).to_root_units().magnitude != 0:
+            return None
+        one = registry().Quantity(Decimal(1), unit).to_root_units()
+        powers = {str(base): power for base, power in one.unit_items()}
+        kilogram = powers.pop("gram", 0)
+        dimension = (kilogram, *(powers.pop(base, 0) for base in BASE_UNITS[1:]))
+        if powers or any(power != int(power) for power in dimension):
+            return None
+        factor = Decimal(one.magnitude).scaleb(-3 * int(kilogram))
+    numerator, denominator = factor.as_integer_ratio()
+    return numerator, denominator, tuple(int(power) for power in dimension)

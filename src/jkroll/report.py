@@ -1,0 +1,117 @@
+"""Answers to text: a table on a terminal, plain lines in a pipe, bare numbers, CSV, JSON.
+
+Nothing a user or a file wrote is ever taken for markup, and nothing is cut where it does not fit.
+"""
+
+import json
+from collections.abc import Iterable, Sequence
+from typing import Any, TextIO
+
+from .answer import Answer, Command
+from .formatting import Format
+from .nomenclature import NOMENCLATURE
+
+_ASCII = str.maketrans(
+    {"γ": "gamma", "δ": "delta", "ν": "nu", "ρ": "rho", "ξ": "xi", "π": "pi", "ω": "omega", "Ω": "Omega", "α": "alpha",
+     "µ": "u", "√": "sqrt", "∛": "cbrt", "⟨": "<", "⟩": ">", "²": "^2", "³": "^3", "½": "1/2", "â": "a^", "𝒜": "A", "Å": "angstrom",
+     "−": "-", "≪": "<<", "≥": ">=", "≤": "<=", "·": "*", "→": "->", "∞": "inf", "\u0302": "^", "—": "-", "≈": "~", "×": "x", "¼": "1/4", "–": "-"}
+)  # fmt: skip
+
+
+
+
+def say(text: str, out: TextIO) -> None:
+    """Print a line, in ASCII where the stream cannot write it otherwise."""
+    try:
+        text.encode(out.encoding or "utf-8")
+    except (UnicodeEncodeError, LookupError):
+        text = text.translate(_ASCII).encode("ascii", "replace").decode()
+    print(text, file=out)
+
+
+def write_plain(answers: Sequence[Answer], out: TextIO, form: Format, command: Command) -> None:
+    """One scene: a line `name value unit` a result. Several: a table with tabs, its header first."""
+    if len(answers) > 1:
+        names = columns(answers, command)
+        say("\t".join(form.header(name) for name in names), out)
+        for answer in answers:
+            say("\t".join(cell or "-" for cell in row(answer, names, form)), out)
+        return
+    for result in answers[0].results:
+        if result.value is not None:
+            say(f"{result.name} {form.text(result.name, result.value)} {form.unit(result.name)}".removesuffix(" 1"), out)
+
+
+def write_bare(answers: Sequence[Answer], out: TextIO, form: Format, command: Command) -> None:
+    """A line a scene: the numbers of the quantities that the command is named after, with tabs between them."""
+    for answer in answers:
+        say("\t".join(cell or "-" for cell in row(answer, command.headline, form)), out)
+
+
+def write_csv(answers: Sequence[Answer], out: TextIO, form: Format, command: Command) -> None:
+    """A header with units and a row a scene: inputs, then results; a cell without a value is empty."""
+    import csv
+
+    names = columns(answers, command)
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow([form.header(name) for name in names])
+    writer.writerows(row(answer, names, form) for answer in answers)
+
+
+def write_json(answers: Sequence[Answer], out: TextIO, form: Format, command: Command) -> None:
+    """An object a scene; an array of them if there are several."""
+    objects = [as_object(answer, form, command) for answer in answers]
+    say(json.dumps(objects[0] if len(objects) == 1 else objects, ensure_ascii=out.encoding.lower() != "utf-8", indent=2), out)
+
+
+def as_object(answer: Answer, form: Format, command: Command) -> dict[str, Any]:
+    """The JSON object of one scene."""
+    from . import __version__
+
+    results = []
+    for result in answer.results:
+        quantity = NOMENCLATURE[result.name]
+        number = None if result.value is None else json.loads(form.text(result.name, result.value))
+        entry = {
+            "name": result.name,
+            "symbol": quantity.symbol,
+            "value": number,
+            "unit": form.unit(result.name),
+            "equation": quantity.equation,
+            "description": quantity.sentence,
+        }
+        if quantity.note:
+            entry["note"] = quantity.note
+        if result.value is None:
+            entry["reason"] = result.reason
+        results.append(entry)
+    return {"inputs": dict(answer.inputs), "results": results, "notes": list(answer.notes), "version": __version__}
+
+
+def columns(answers: Sequence[Answer], command: Command) -> list[str]:
+    """The names of a table's columns: all inputs of its rows, then all results."""
+    inputs = {name for answer in answers for name in answer.inputs}
+    results = {result.name for answer in answers for result in answer.results}
+    return [name for name in NOMENCLATURE if name in inputs] + [name for name in command.quantities if name in results]
+
+
+def row(answer: Answer, names: Iterable[str], form: Format) -> list[str]:
+    """The cells of one scene; empty where it has no value."""
+    cells = []
+    for name in names:
+        value = answer.inputs.get(name) if name in answer.inputs else answer.value(name)
+        cells.append("" if value is None else form.text(name, value))
+    return cells
+
+
+def write_table(answers: Sequence[Answer], out: TextIO, form: Format, command: Command) -> None:
+    """A table for a terminal: the results of one scene below each other, or a row a scene."""
+    from .table import scene_table, sweep_table
+
+    if len(answers) == 1:
+        scene_table(answers[0], out, form)
+    else:
+        sweep_table(answers, out, form, command)
+
+
+WRITERS = {"plain": write_plain, "bare": write_bare, "csv": write_csv, "json": write_json, "table": write_table}

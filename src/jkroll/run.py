@@ -1,0 +1,80 @@
+"""One call of the command line, from what was typed to what is printed."""
+
+import sys
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import NamedTuple, TextIO
+
+from .answer import Answer, Command, answer
+from .report import WRITERS, say
+from .request import BadRequest, Request, format_of, materials_files
+
+MAX_NOTES = 20
+ROWS_FAILED = 1
+
+
+class Output(NamedTuple):
+    """How a call is to answer."""
+
+    to: str | None = None
+    digits: int | None = None
+    bare: bool = False
+    json: bool = False
+    csv: bool = False
+    explain: bool = False
+    cite: bool = False
+    materials: str | None = None
+    quiet: bool = False
+    configuration: Path = Path()
+
+    def format_name(self, out: TextIO) -> str:
+        """The one format that was asked for, else what suits where the output goes."""
+        chosen = [name for name in ("bare", "json", "csv", "explain", "cite") if getattr(self, name)]
+        if len(chosen) > 1:
+            raise BadRequest(f"--{chosen[0]} and --{chosen[1]} exclude each other")
+        return chosen[0] if chosen else "table" if out.isatty() else "plain"
+
+
+def run_command(command: Command, words: Sequence[str] | None, options: Mapping[str, str], output: Output) -> int:
+    """Answer a command for every scene that was described; return the exit code."""
+    out = sys.stdout
+    kind = output.format_name(out)
+    form = format_of(output.to, output.digits, command.quantities)
+    request = Request(words or [], options, materials_files(output.materials, output.configuration))
+    scenes = list(request.scenes())
+    answers = [answer(command, scene) for scene in scenes]
+    failures = [one.failure for one in answers if one.failure is not None]
+    if len(answers) == 1 and failures:
+        raise failures[0]
+    if kind in ("explain", "cite"):
+        from .explain import write_citations, write_explanation
+
+        if kind == "cite":
+            write_citations(answers, scenes, out)
+        else:
+            for place, (one, scene) in enumerate(zip(answers, scenes, strict=True)):
+                say("\n" if place else "", out) if place else None
+                write_explanation(one, scene, command, out, form)
+    else:
+        WRITERS[kind](answers, out, form, command)
+    out.flush()
+    if not output.quiet and kind not in ("json", "explain", "cite"):
+        _note(answers, request.shadowed)
+    if failures:
+        say(f"jkroll: {len(failures)} of {len(answers)} rows have no result", sys.stderr)
+        return ROWS_FAILED
+    return 0
+
+
+def _note(answers: Sequence[Answer], shadowed: Sequence[str]) -> None:
+    """Print each note once on stderr."""
+    notes = list(dict.fromkeys([*shadowed, *(note for one in answers for note in one.notes)]))
+    for note in notes[:MAX_NOTES]:
+        say(f"note: {note}", sys.stderr)
+    if len(notes) > MAX_NOTES:
+        say(f"note: and {len(notes) - MAX_NOTES} more", sys.stderr)
+
+
+def run_materials(name: str | None, output: Output) -> int:
+    """List the materials, or show one whole."""
+    raise NotImplementedError

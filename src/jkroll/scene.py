@@ -1,0 +1,285 @@
+"""What was given → what is asked: which formulas run, in which order, and what is missing.
+
+A formula's parameters name what it needs, so the wiring needs no code. What a scene assumes is stated here, once:
+
+- sphere 2 is like sphere 1 in everything that is not said of it (`radius2` falls back to `radius`, and so on; a material
+  of its own that lacks a property does not fall back);
+- what belongs to sphere 2 (`mass2`) comes from the same formula as for sphere 1 (`mass`);
+- the names in DEFAULTS have values if nothing else is said.
+"""
+
+from collections.abc import Iterable, Mapping
+from functools import cache
+from typing import Any, NamedTuple
+
+from .errors import BeyondPullOff, MissingInput, NoFiniteValue, NoResult, OutOfRange, TwoRigidBodies, UnknownQuantity
+from .materials import PROPERTIES, Material, known_materials
+from .nomenclature import INFINITY, NOMENCLATURE, RANGES
+from .physics import FORMULAS
+
+DEFAULTS = {"yield_displacement": 2e-10, "load": 0.0, "gravity": 9.80665}
+
+
+class Step(NamedTuple):
+    """One formula to run: the name of its result, the formula, and the names of its arguments."""
+
+    name: str
+    formula: Any
+    arguments: tuple[tuple[str, str], ...]  # (parameter, name of the value)
+
+
+class Plan(NamedTuple):
+    """The steps that lead to the wanted quantities, and the inputs they start from."""
+
+    steps: tuple[Step, ...]
+    inputs: tuple[str, ...]
+
+
+class Scene:
+    """Two spheres, as far as they were described, and everything that follows.
+
+    >>> scene = Scene({"surface_energy": 0.025, "radius": 1e-7})
+    >>> f"{scene['pull_off_force']:.4e}"
+    '1.1781e-08'
+    """
+
+    def __init__(self, given: Mapping[str, Any], material: Material | None = None, material2: Material | None = None) -> None:
+        """Take SI values by name, over those of the materials of sphere 1 and, if it has one of its own, of sphere 2."""
+        for name, value in given.items():
+            check_range(name, value)
+        self.material, self.material2 = material, material2
+        own = dict(material.properties) if material is not None else {}
+        own2 = {name + "2": value for name, value in material2.properties.items()} if material2 is not None else {}
+        self.given = {**own, **own2, **given}
+        self.values = {**DEFAULTS, **self.given, **_implied(self.given)}
+        self._known = frozenset(self.values)
+
+    @property
+    def is_identical(self) -> bool:
+        """Whether nothing was said that makes sphere 2 differ from sphere 1."""
+        return self.material2 is None and not any(
+            name.endswith("2") and value is not self.given.get(name.removesuffix("2")) and value != self.given.get(name.removesuffix("2"))
+            for name, value in self.given.items()
+        )
+
+    def plan(self, *wanted: str) -> Plan:
+        """The formulas that lead to the wanted quantities; MissingInput if the scene does not allow one."""
+        try:
+            return _plan(wanted, self._known, self.material2 is not None)
+        except MissingInput as error:
+            raise MissingInput(error.wanted, error.missing, error.instead, self._lacking(error.missing)) from None
+
+    def _lacking(self, missing: Iterable[str]) -> str:
+        """Which materials should have had the missing properties and do not."""
+        materials = {True: self.material2 or self.material, False: self.material}
+        without = [materials[name.endswith("2")] for name in missing if name.removesuffix("2") in PROPERTIES]
+        return ", ".join(dict.fromkeys(f"{material.name} has none in {material.title}" for material in without if material))
+
+    def inputs_of(self, *wanted: str) -> tuple[str, ...]:
+        """The inputs that the wanted quantities depend on, in the order of the nomenclature."""
+        used = set(self.plan(*wanted).inputs)
+        stated = {name for implied in used & _STATED_BY.keys() for name in (_STATED_BY[implied],) if name in self.values}
+        return tuple(name for name in NOMENCLATURE if name in (used - _STATED_BY.keys()) | stated)
+
+    def __getitem__(self, name: str) -> Any:
+        """The value of a quantity. Raises MissingInput, or NoResult where the physics has no answer."""
+        values = self.values
+        for step in self.plan(name).steps:
+            if step.name not in values:
+                values[step.name] = self._run(step)
+        return values[name]
+
+    def _run(self, step: Step) -> Any:
+        arguments = {parameter: self.values[name] for parameter, name in step.arguments}
+        guard = _GUARDS.get(step.name)
+        if guard is not None:
+            guard(**arguments)
+        try:
+            value = step.formula(**arguments)
+        except (OverflowError, ZeroDivisionError):
+            value = INFINITY
+        if isinstance(value, float) and not is_plausible(step.name, value):
+            raise NoFiniteValue(step.name, value)
+        return value
+
+
+def solve(wanted: str | Iterable[str], /, *, material: str | None = None, material2: str | None = None, **given: Any) -> Any:
+    """Compute quantities of the nomenclature from whatever is known of the scene.
+
+    Parameters
+    ----------
+    wanted
+        A name of the nomenclature, or several.
+    material, material2
+        Names or aliases of materials; `material2` for sphere 2, which is otherwise like sphere 1. A property given
+        by name overrides the material's.
+    **given
+        Inputs by name: a float or an array in SI units, a text with a unit ("100 nm"), or a pint Quantity. Arrays
+        broadcast. `radius2` may be infinite (a plane), and one Young's modulus too (a rigid body).
+
+    Returns
+    -------
+    The value of a single wanted name, or a dict of name to value. SI numbers: floats, arrays, or pint Quantities if
+    any input was one.
+
+    Raises
+    ------
+    MissingInput, UnknownMaterial, UnknownQuantity, QuantityError, OutOfRange
+        What was given is wrong, or not enough.
+    NoResult
+        The physics has no answer: a tension beyond pull-off, two rigid bodies. Arrays hold nan there instead.
+
+    Source: the equation of each quantity, see `jkroll.NOMENCLATURE`. Valid: as each formula says.
+
+    >>> f"{solve('r_min', radius='100 nm'):.3g}"
+    '5e-05'
+    >>> {name: round(value, 1) for name, value in solve(["n_grav"], material="quartz", radius=1e-7).items()}
+    {'n_grav': 939.4}
+    """
+    names = [wanted] if isinstance(wanted, str) else list(wanted)
+    described, registry = _in_si(given)
+    materials = None if material is None and material2 is None else known_materials()
+    scene = Scene(
+        described,
+        materials[material] if materials and material is not None else None,
+        materials[material2] if materials and material2 is not None else None,
+    )
+    results = {name: scene[name] for name in names}
+    if registry is not None:
+        results = {name: registry.Quantity(value, NOMENCLATURE[name].unit) for name, value in results.items()}
+    return results[names[0]] if isinstance(wanted, str) else results
+
+
+def check_range(name: str, value: Any) -> None:
+    """Refuse a number that the quantity cannot have: OutOfRange."""
+    quantity = NOMENCLATURE.get(name)
+    if quantity is None:
+        raise UnknownQuantity(name)
+    limits = RANGES.get(quantity.range)
+    if limits is None:
+        return
+    if isinstance(value, (float, int)):
+        if not limits.admits(value):
+            raise OutOfRange(name, value, limits.words)
+        return
+    import numpy
+
+    array = numpy.asarray(value)
+    above = array >= limits.low if limits.low_allowed else array > limits.low
+    below = array <= limits.high if limits.high_allowed else array < limits.high
+    if not (above & below).all():
+        raise OutOfRange(name, array[~(above & below)].flat[0].item(), limits.words)
+
+
+def is_plausible(name: str, value: float) -> bool:
+    """Whether a result is a number and, unless it is zero for a reason, not one that underflowed to zero."""
+    return -INFINITY < value < INFINITY or (value == INFINITY and name in _MAY_BE_INFINITE)
+
+
+# On a plane these are infinite and the formulas that take them expect it.
+_MAY_BE_INFINITE = frozenset({"mass2", "moment_of_inertia2"})
+
+
+# The input from which an implied value follows, to be echoed in its place.
+_STATED_BY = {"load_margin": "load", "radius_ratio": "radius2", "mass2": "radius2", "moment_of_inertia2": "radius2"}
+
+
+def _implied(given: Mapping[str, Any]) -> dict[str, Any]:
+    """What follows from what was not said, or from a plane: values that then need nothing else."""
+    implied: dict[str, Any] = {}
+    if "radius2" not in given:
+        implied["radius_ratio"] = 1.0
+    elif isinstance(given["radius2"], float) and given["radius2"] == INFINITY:
+        implied |= {"radius_ratio": 0.0, "mass2": INFINITY, "moment_of_inertia2": INFINITY}
+    load = given.get("load", 0.0)
+    if isinstance(load, (float, int)) and load == 0:
+        implied["load_margin"] = 1.0
+    return implied
+
+
+def _guard_load_margin(*, load: Any, pull_off_force: Any) -> None:
+    if isinstance(load, (float, int)) and isinstance(pull_off_force, float) and load < -pull_off_force:
+        raise BeyondPullOff(load, pull_off_force)
+
+
+def _guard_contact_modulus(*, youngs_modulus: Any, poisson_ratio: Any, youngs_modulus2: Any, poisson_ratio2: Any) -> None:
+    def rigid(modulus: Any, ratio: Any) -> bool:
+        return isinstance(modulus, (float, int)) and (modulus == INFINITY or ratio == -1)
+
+    if rigid(youngs_modulus, poisson_ratio) and rigid(youngs_modulus2, poisson_ratio2):
+        raise TwoRigidBodies
+
+
+_GUARDS = {"load_margin": _guard_load_margin, "contact_modulus": _guard_contact_modulus}
+
+
+@cache
+def _plan(wanted: tuple[str, ...], known: frozenset[str], own_material2: bool) -> Plan:
+    """Order the formulas so that each runs after those whose results it takes."""
+    steps: dict[str, Step] = {}
+    inputs: set[str] = set()
+    missing: list[str] = []
+    instead: list[str] = []
+
+    def source(name: str) -> str:
+        """The name under which a value is known or computed."""
+        base = name.removesuffix("2")
+        if name in known:
+            return name
+        if name == "energy":
+            return "kinetic_energy" if "speed" in known else "adhesion_energy"
+        if base != name and base not in FORMULAS and not (own_material2 and base in PROPERTIES):
+            return base
+        return name
+
+    def visit(asked: str) -> str:
+        name = source(asked)
+        if name in known:
+            inputs.add(name)
+        elif name not in steps:
+            base = name if name in FORMULAS else name.removesuffix("2")
+            if name not in NOMENCLATURE:
+                raise UnknownQuantity(name)
+            if base not in FORMULAS:
+                missing.append(name)
+                return name
+            before = len(missing)
+            suffix = name[len(base) :]
+            arguments = tuple((parameter, visit(parameter + suffix)) for parameter in parameters_of(FORMULAS[base]))
+            if len(missing) > before and NOMENCLATURE[asked].option:
+                instead.append(asked)
+            steps.setdefault(name, Step(name, FORMULAS[base], arguments))
+        return name
+
+    for name in wanted:
+        visit(name)
+        if missing:
+            raise MissingInput(name, tuple(dict.fromkeys(missing)), tuple(dict.fromkeys(instead)))
+    order = list(NOMENCLATURE)
+    return Plan(tuple(steps.values()), tuple(sorted(inputs, key=order.index)))
+
+
+def parameters_of(formula: Any) -> tuple[str, ...]:
+    """Names of a formula's parameters."""
+    code = formula.__code__
+    return tuple(code.co_varnames[: code.co_argcount + code.co_kwonlyargcount])
+
+
+def _in_si(given: Mapping[str, Any]) -> tuple[dict[str, Any], Any]:
+    """SI numbers for texts and pint Quantities, and the registry of the latter if there were any."""
+    values: dict[str, Any] = {}
+    registry = None
+    for name, value in given.items():
+        if name not in NOMENCLATURE:
+            raise UnknownQuantity(name)
+        if isinstance(value, str):
+            from .units import parse_quantity
+
+            value = parse_quantity(value, name)
+        elif hasattr(value, "m_as"):
+            registry = value._REGISTRY
+            value = value.m_as(NOMENCLATURE[name].unit)
+        elif isinstance(value, int):
+            value = float(value)
+        values[name] = value
+    return values, registry
