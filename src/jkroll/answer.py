@@ -160,8 +160,8 @@ def _assumptions(scene: Scene, inputs: Mapping[str, float | str], names: list[st
 
 
 def _about_materials(scene: Scene) -> list[str]:
-    materials = dict.fromkeys(material for material in (scene.material, scene.material2) if material is not None)
-    return [f"{material.name}: {note}" for material in materials for note in material.notes]
+    materials = [material for material in (scene.material, scene.material2) if material is not None]
+    return list(dict.fromkeys(f"{material.name}: {note}" for material in materials for note in material.notes))
 
 
 def _about(results: list[Result]) -> list[str]:

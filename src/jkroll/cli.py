@@ -170,11 +170,11 @@ _SPHERE_2 = ("surface_energy2", "youngs_modulus2", "poisson_ratio2", "density2")
 _OUTPUT: Mapping[str, tuple[Any, Any]] = {
     "to": (str | None, typer.Option("--to", metavar="UNIT", help="Unit of the results; several with commas.")),
     "digits": (int | None, typer.Option("--digits", metavar="N", min=1, max=17, help="Significant digits.")),
-    "bare": (bool, typer.Option("--bare", help="Format: numbers only; an array or object; a table.")),
-    "json": (bool, typer.Option("--json", help="Format: numbers only; an array or object; a table.")),
-    "csv": (bool, typer.Option("--csv", help="Format: numbers only; an array or object; a table.")),
-    "explain": (bool, typer.Option("--explain", help="Instead: how the numbers come about; what to cite.")),
-    "cite": (bool, typer.Option("--cite", help="Instead: how the numbers come about; what to cite.")),
+    "bare": (bool, typer.Option("--bare", help="Format: numbers only, JSON, or a CSV table.")),
+    "json": (bool, typer.Option("--json", help="Format: numbers only, JSON, or a CSV table.")),
+    "csv": (bool, typer.Option("--csv", help="Format: numbers only, JSON, or a CSV table.")),
+    "explain": (bool, typer.Option("--explain", help="Instead: how it comes about; what to cite.")),
+    "cite": (bool, typer.Option("--cite", help="Instead: how it comes about; what to cite.")),
     "materials": (str | None, typer.Option("--materials", metavar="FILE", help="Materials of your own.")),
     "quiet": (bool, typer.Option("--quiet", help="No notes.")),
 }
