@@ -4,57 +4,56 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
-from .errors import JkrollError, MissingInput, NoResult
+from .errors import BeyondPullOff, JkrollError, MissingInput, NoResult
 from .formatting import amount
 from .nomenclature import INFINITY, NOMENCLATURE, word_for_infinity
 from .scene import DEFAULTS, Scene
 
 
 class Command(NamedTuple):
-    """A command of the shell: the quantities it is named after, and those it shows with them."""
+    """A command of the shell: the quantities it is named after, all that it shows, and an example."""
 
     sentence: str
     headline: tuple[str, ...]
-    beside: tuple[str, ...]
+    quantities: tuple[str, ...]
     example: str
 
-    @property
-    def quantities(self) -> tuple[str, ...]:
-        """All that it shows."""
-        return self.headline + self.beside
+
+def _command(sentence: str, headline: tuple[str, ...], beside: tuple[str, ...], example: str) -> Command:
+    return Command(sentence, headline, headline + beside, example)
 
 
 _COMMANDS = {
-    "pull-off": Command(
+    "pull-off": _command(
         "The force that pulls two spheres apart.", ("pull_off_force",), ("pull_off_force_dmt",), "quartz 100nm --to nN"
     ),
-    "yield-force": Command(
+    "yield-force": _command(
         "The force that starts a sphere rolling.",
         ("yield_force",),
         ("yield_force_ratio", "yield_moment", "yield_angle"),
         "quartz 100nm --load -5nN",
     ),
-    "r-min": Command("How sharply a chain of spheres bends without rolling.", ("r_min",), (), "100nm --xi 2angstrom"),
-    "n-grav": Command("How long a level chain stands in gravity.", ("n_grav",), (), "quartz 100nm --gravity 1.62m/s2"),
-    "frequencies": Command(
+    "r-min": _command("How sharply a chain of spheres bends without rolling.", ("r_min",), (), "100nm --xi 2angstrom"),
+    "n-grav": _command("How long a level chain stands in gravity.", ("n_grav",), (), "quartz 100nm --gravity 1.62m/s2"),
+    "frequencies": _command(
         "How the contact vibrates.",
         ("vertical_frequency", "rolling_frequency"),
         ("rolling_frequency_as_printed", "rolling_frequency_no_slip"),
         "quartz 100nm --radius2 plane",
     ),
-    "n-roll": Command(
+    "n-roll": _command(
         "How far a sphere rolls over a fixed one after a collision.",
         ("n_roll",),
         ("n_roll_energy_balance",),
         "quartz 1um --speed 10cm/s",
     ),
-    "contact": Command(
+    "contact": _command(
         "The contact: its radius, approach, stiffness and pressure.",
         ("contact_radius", "approach"),
         ("contact_radius_at_load", "approach_at_load", "stiffness", "hertz_pressure", "boussinesq_pressure"),
         "quartz 100nm --load -5nN",
     ),
-    "moment": Command(
+    "moment": _command(
         "The moment against rolling when the contact lags by ξ.",
         ("yield_moment",),
         ("rolling_stiffness", "mean_rolling_moment", "mean_rolling_force"),
@@ -67,7 +66,7 @@ COMMANDS: Mapping[str, Command] = MappingProxyType(
         "report": Command(
             "Everything a scene allows, and what the rest needs.",
             tuple(name for command in _COMMANDS.values() for name in command.headline),
-            tuple(name for command in _COMMANDS.values() for name in command.beside),
+            tuple(dict.fromkeys(name for command in _COMMANDS.values() for name in command.quantities)),
             "quartz 100nm",
         )
     }
@@ -97,7 +96,8 @@ class Answer(NamedTuple):
 
 def answer(command: Command, scene: Scene) -> Answer:
     """Compute what a command shows of a scene, as far as the scene allows."""
-    results, errors = [], []
+    results: list[Result] = []
+    errors: list[JkrollError] = []
     for name in command.quantities:
         if not _concerns(name, scene):
             continue
@@ -105,12 +105,22 @@ def answer(command: Command, scene: Scene) -> Answer:
             results.append(Result(name, scene[name]))
         except (MissingInput, NoResult) as error:
             errors.append(error)
-            reason = f"needs {error.needs()}" if isinstance(error, MissingInput) else str(error)
-            results.append(Result(name, None, reason))
+            results.append(Result(name, None, f"needs {error.needs()}" if isinstance(error, MissingInput) else str(error)))
+    no_contact = next((error for error in errors if isinstance(error, BeyondPullOff)), None)
+    if no_contact is not None:
+        results = [Result(result.name, None, str(no_contact)) for result in results]
     known = [result.name for result in results if result.value is not None]
-    inputs = _echo(scene, known)
+    inputs = _echo(scene, known or [name for name in command.quantities if _is_allowed(name, scene)])
     notes = (*_assumptions(scene, inputs, known), *_about_materials(scene), *_about(results))
-    return Answer(inputs, tuple(results), notes, None if known else errors[0])
+    return Answer(inputs, tuple(results), notes, None if known else no_contact or errors[0])
+
+
+def _is_allowed(name: str, scene: Scene) -> bool:
+    try:
+        scene.plan(name)
+    except MissingInput:
+        return False
+    return True
 
 
 def _concerns(name: str, scene: Scene) -> bool:
@@ -145,18 +155,19 @@ _ORDER = {name: place for place, name in enumerate(NOMENCLATURE)}
 
 
 def _assumptions(scene: Scene, inputs: Mapping[str, float | str], names: list[str]) -> list[str]:
-    """What was taken for granted, and the option that says otherwise."""
+    """What was taken for granted, and the options that say otherwise."""
     assumed = [
-        f"assumed {NOMENCLATURE[name].symbol} = {amount(name, DEFAULTS[name])}, {NOMENCLATURE[name].sentence} ({NOMENCLATURE[name].option})"
+        f"{NOMENCLATURE[name].symbol} = {amount(name, DEFAULTS[name])} ({NOMENCLATURE[name].option})"
         for name in DEFAULTS
         if name in inputs and name not in scene.given
     ]
     steps = {step.name for name in names for step in scene.plan(name).steps}
-    if "adhesion_energy" in steps:
-        assumed.append("assumed W0 = P_cδ0, the energy typical of adhesion (--energy or --speed)")
+    if "adhesion_energy" in steps and "energy" not in scene.given:
+        assumed.append("W0 = P_cδ0 (--energy or --speed)")
+    notes = [f"assumed {', '.join(assumed)}"] if assumed else []
     if "work_of_adhesion" in steps and "surface_energy2" in inputs:
-        assumed.append("w = 2√(γ1γ2) by the geometric mixing rule; a measured one is better (--work-of-adhesion)")
-    return assumed
+        notes.append("w = 2√(γ1γ2) by the geometric mixing rule; a measured one is better (--work-of-adhesion)")
+    return notes
 
 
 def _about_materials(scene: Scene) -> list[str]:
@@ -165,9 +176,14 @@ def _about_materials(scene: Scene) -> list[str]:
 
 
 def _about(results: list[Result]) -> list[str]:
+    """Why something stands beside a headline, and why something is missing; one line for all that miss the same."""
     notes = [
         f"{result.name}: {NOMENCLATURE[result.name].note}"
         for result in results
         if result.value is not None and NOMENCLATURE[result.name].note
     ]
-    return notes + [f"{result.name}: {result.reason}" for result in results if result.value is None]
+    reasons: dict[str, list[str]] = {}
+    for result in results:
+        if result.value is None:
+            reasons.setdefault(result.reason, []).append(result.name)
+    return notes + [f"{', '.join(names)}: {reason}" for reason, names in reasons.items()]

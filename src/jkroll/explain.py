@@ -8,7 +8,7 @@ from typing import Any, TextIO
 from .answer import Answer, Command
 from .errors import JkrollError
 from .formatting import Format, amount
-from .nomenclature import INFINITY, NOMENCLATURE
+from .nomenclature import INFINITY, NOMENCLATURE, word_for_infinity
 from .report import say
 from .scene import Scene, Step
 
@@ -65,12 +65,14 @@ def write_explanation(answer: Answer, scene: Scene, command: Command, out: TextI
         say(f"  {fields['formula']}", out)
         say("  given", out)
         for name in scene.inputs_of(result.name):
-            say(f"    {NOMENCLATURE[name].symbol} = {amount(name, _shown(scene.values[name]), form)}, {NOMENCLATURE[name].sentence}{_origin(name, scene)}", out)
+            value = f"{NOMENCLATURE[name].symbol} = {amount(name, _shown(name, scene), form)}"
+            say(f"    {value:22} {NOMENCLATURE[name].sentence}{_origin(name, scene)}", out)
         if len(steps) > 1:
             say("  steps", out)
             for step in steps[:-1]:
                 formula = _of_its_sphere(step, docstring_fields(step.formula)["formula"])
-                say(f"    {NOMENCLATURE[step.name].symbol} = {amount(step.name, _shown(scene.values[step.name]), form)}    {formula}", out)
+                value = f"{NOMENCLATURE[step.name].symbol} = {amount(step.name, _shown(step.name, scene), form)}"
+                say(f"    {value:22} {formula}", out)
         say(f"  result    {quantity.symbol} = {amount(result.name, result.value, form)}", out)
         for key in ("Source", "Valid", "Accuracy"):
             say(f"  {key.lower():9} {fields[key]}", out)
@@ -79,8 +81,9 @@ def write_explanation(answer: Answer, scene: Scene, command: Command, out: TextI
             say(f"  note      {quantity.note}", out)
 
 
-def _shown(value: Any) -> Any:
-    return "infinite" if value == INFINITY else value
+def _shown(name: str, scene: Scene) -> float | str:
+    value: float = scene.values[name]
+    return word_for_infinity(name) or "infinite" if value == INFINITY else value
 
 
 def _of_its_sphere(step: Step, formula: str) -> str:

@@ -74,16 +74,22 @@ def _of_sphere_2(quantity: Quantity) -> Quantity:
     )
 
 
+_BOTH_SPHERES = {
+    of_sphere + suffix: _of_sphere_2(quantity) if suffix else quantity
+    for of_sphere, quantity in _PER_SPHERE.items()
+    for suffix in ("", "2")
+} | {
+    "radius2": Quantity("R2", "m", "radius of sphere 2, or plane", range="up to infinite", option="--radius2", example="1um")
+}
+
 NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
     {
         # what the user gives
         "material": Quantity("", "", "material of sphere 1"),
         "material2": Quantity("", "", "material of sphere 2", option="--material2", example="iron"),
-        **_PER_SPHERE,
-        **{name + "2": _of_sphere_2(quantity) for name, quantity in _PER_SPHERE.items()},
-        "radius2": Quantity("R2", "m", "radius of sphere 2, or plane", range="up to infinite", option="--radius2", example="1um"),
+        **_BOTH_SPHERES,
         "yield_displacement": Quantity("ξ", "m", "yield displacement", range="positive", option="--xi", example="2angstrom"),
-        "load": Quantity("P", "N", "load on the contact, tension negative", range="finite", option="--load", example="-5nN"),
+        "load": Quantity("P", "N", "load, tension negative", range="finite", option="--load", example="-5nN"),
         "gravity": Quantity("g", "m/s^2", "gravitational acceleration", range="positive", option="--gravity", example="1.62m/s2"),
         "energy": Quantity("W0", "J", "energy of sphere 1 as it arrives", range="positive", option="--energy", example="1e-18J"),
         "speed": Quantity("v", "m/s", "speed of sphere 1 as it arrives", range="positive", option="--speed", example="10cm/s"),
@@ -100,7 +106,7 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         # the contact
         "pull_off_force": Quantity("P_c", "N", "pull-off force", "1"),
         "pull_off_force_dmt": Quantity(
-            "P_DMT", "N", "pull-off force of hard spheres", "1", note="the DMT limit, 4πγR: small, hard spheres tend to it"
+            "P_DMT", "N", "pull-off force of small, hard spheres", "1", note="the DMT limit, 4πγR: small, hard spheres tend to it"
         ),
         "contact_radius": Quantity("a0", "m", "contact radius without load", "2"),
         "approach": Quantity("δ0", "m", "approach of the centres without load", "3"),
@@ -114,23 +120,23 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         # rolling
         "yield_moment": Quantity("M", "N m", "rolling moment at the yield displacement", "25"),
         "rolling_stiffness": Quantity("k", "N m/rad", "rolling moment per angle", "39"),
-        "yield_force": Quantity("Q", "N", "force at the centre of sphere 1 that starts it rolling", "26"),
+        "yield_force": Quantity("Q", "N", "force on sphere 1 that starts it rolling", "26"),
         "yield_force_ratio": Quantity("Q/P_c", "1", "yield force over pull-off force", "27"),
         "yield_angle": Quantity("δ_α", "rad", "angle at which rolling starts", "28"),
         "mean_rolling_moment": Quantity("⟨M⟩", "N m", "mean moment against steady rolling", "43"),
         "mean_rolling_force": Quantity("⟨Q⟩", "N", "mean force against steady rolling", "44"),
         # chains
         "r_min": Quantity("R_min", "m", "smallest radius of curvature of a chain", "28"),
-        "n_grav": Quantity("N_grav", "1", "spheres a level chain carries against gravity", "30"),
+        "n_grav": Quantity("N_grav", "1", "spheres a level chain carries in gravity", "30"),
         # vibrations
         "vertical_frequency": Quantity("Ω_z", "Hz", "frequency of the vertical vibration", "35"),
         "rolling_frequency": Quantity("Ω_roll", "Hz", "frequency of the rolling vibration", "40"),
         "rolling_frequency_as_printed": Quantity(
-            "Ω_roll", "Hz", "rolling frequency as printed", "41",
+            "Ω_roll(41)", "Hz", "rolling frequency as printed", "41",
             note="Eq (41) is 2.5 times too low: it is Eq (40) with k² = (5/2)R1² in place of (2/5)R1²",
         ),
         "rolling_frequency_no_slip": Quantity(
-            "f_roll", "Hz", "rolling frequency of free spheres without slip", "40",
+            "f_roll", "Hz", "rolling frequency without slip", "40",
             note="Eq (40) turns each sphere about its own centre; unequal spheres that do not slip also move their centres",
         ),
         # collisions
@@ -138,7 +144,7 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "kinetic_energy": Quantity("m1v²/2", "J", "kinetic energy of sphere 1", "45"),
         "n_roll": Quantity("n_roll", "1", "turns until sphere 1 stops", "48"),
         "n_roll_energy_balance": Quantity(
-            "n_roll", "1", "turns by the energy balance", "48",
+            "n_bal", "1", "turns by the energy balance", "48",
             note="Eq (47) leaves out the friction that also brakes the rotation; the energy balance gives 7/2 of Eq (48)",
         ),
     }

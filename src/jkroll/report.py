@@ -11,22 +11,43 @@ from .answer import Answer, Command
 from .formatting import Format
 from .nomenclature import NOMENCLATURE
 
-_ASCII = str.maketrans(
-    {"γ": "gamma", "δ": "delta", "ν": "nu", "ρ": "rho", "ξ": "xi", "π": "pi", "ω": "omega", "Ω": "Omega", "α": "alpha",
-     "µ": "u", "√": "sqrt", "∛": "cbrt", "⟨": "<", "⟩": ">", "²": "^2", "³": "^3", "½": "1/2", "â": "a^", "𝒜": "A", "Å": "angstrom",
-     "−": "-", "≪": "<<", "≥": ">=", "≤": "<=", "·": "*", "→": "->", "∞": "inf", "\u0302": "^", "—": "-", "≈": "~", "×": "x", "¼": "1/4", "–": "-"}
-)  # fmt: skip
+_ASCII = {
+    "γ": "gamma", "δ": "delta", "ν": "nu", "ρ": "rho", "ξ": "xi", "π": "pi", "ω": "omega", "Ω": "Omega", "α": "alpha",
+    "µ": "u", "√": "sqrt", "∛": "cbrt", "⟨": "<", "⟩": ">", "²": "^2", "³": "^3", "½": "1/2 ", "¼": "1/4 ", "â": "ahat",
+    "𝒜": "A", "Å": "angstrom", "\u0302": "hat", "−": "-", "–": "-", "—": "-", "·": "*", "×": "x", "≪": "<<", "≥": ">=",
+    "≤": "<=", "≈": "~", "→": "->", "∞": "inf",
+}  # fmt: skip
 
 
+def ascii_text(text: str) -> str:
+    """A text in ASCII, Greek letters by their names and apart from what stands beside them.
+
+    >>> ascii_text("P_c = 3πγR, 50 µm")
+    'P_c = 3 pi gamma R, 50 um'
+    """
+    pieces = [""]
+    for character in text:
+        piece = _ASCII.get(character, character)
+        is_spelt = len(piece) > 1 and piece.isalpha()
+        was_spelt = len(pieces[-1]) > 1 and pieces[-1].isalpha()
+        if pieces[-1][-1:].isalnum() and (is_spelt or (was_spelt and character.isalpha())):
+            pieces.append(" ")
+        pieces.append(piece)
+    return "".join(pieces).encode("ascii", "replace").decode()
 
 
-def say(text: str, out: TextIO) -> None:
-    """Print a line, in ASCII where the stream cannot write it otherwise."""
+def fitting(text: str, out: TextIO) -> str:
+    """A text as the stream can write it: unchanged, or in ASCII."""
     try:
         text.encode(out.encoding or "utf-8")
     except (UnicodeEncodeError, LookupError):
-        text = text.translate(_ASCII).encode("ascii", "replace").decode()
-    print(text, file=out)
+        return ascii_text(text)
+    return text
+
+
+def say(text: str, out: TextIO) -> None:
+    """Print a line."""
+    print(fitting(text, out), file=out)
 
 
 def write_plain(answers: Sequence[Answer], out: TextIO, form: Format, command: Command) -> None:
@@ -109,7 +130,7 @@ def write_table(answers: Sequence[Answer], out: TextIO, form: Format, command: C
     from .table import scene_table, sweep_table
 
     if len(answers) == 1:
-        scene_table(answers[0], out, form)
+        scene_table(answers[0], out, form, command)
     else:
         sweep_table(answers, out, form, command)
 

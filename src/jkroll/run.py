@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import NamedTuple, TextIO
 
 from .answer import Answer, Command, answer
+from .materials import known_materials
 from .report import WRITERS, say
 from .request import BadRequest, Request, format_of, materials_files
 
@@ -76,5 +77,15 @@ def _note(answers: Sequence[Answer], shadowed: Sequence[str]) -> None:
 
 
 def run_materials(name: str | None, output: Output) -> int:
-    """List the materials, or show one whole."""
-    raise NotImplementedError
+    """List the materials, or show one whole; return the exit code."""
+    from .catalogue import write_materials
+
+    out = sys.stdout
+    kind = output.format_name(out)
+    materials = known_materials(*materials_files(output.materials, output.configuration))
+    write_materials(materials, None if name is None else materials[name], out, kind)
+    out.flush()
+    if not output.quiet and kind != "cite":
+        for note in materials.shadowed:
+            say(f"note: {note}", sys.stderr)
+    return 0

@@ -1,6 +1,8 @@
 """Tables on a terminal. The only module that imports rich."""
 
 from collections.abc import Sequence
+from shutil import get_terminal_size
+from textwrap import fill
 from typing import TextIO
 
 from rich import box
@@ -10,11 +12,12 @@ from rich.text import Text
 
 from .answer import Answer, Command
 from .formatting import Format, amount
+from .materials import PROPERTIES
 from .nomenclature import NOMENCLATURE
-from .report import columns, say, write_plain
+from .report import columns, fitting, say, write_plain
 
 
-def scene_table(answer: Answer, out: TextIO, form: Format) -> None:
+def scene_table(answer: Answer, out: TextIO, form: Format, command: Command) -> None:
     """The inputs of one scene in a line, and its results below each other."""
     table = _table()
     table.add_column("quantity")
@@ -27,28 +30,39 @@ def scene_table(answer: Answer, out: TextIO, form: Format) -> None:
         value, unit = form.people(result.name, result.value) if result.value is not None else ("—", "")
         style = "dim" if quantity.note or result.value is None else ""
         cells = (quantity.sentence, quantity.symbol, value, pretty(unit), quantity.equation)
-        table.add_row(*(Text(cell, style) for cell in cells))
+        table.add_row(*(Text(fitting(cell, out), style) for cell in cells))
     say(_inputs(answer, form), out)
-    _print(table, out, [answer], form)
+    _print(table, out, [answer], form, command)
 
 
 def sweep_table(answers: Sequence[Answer], out: TextIO, form: Format, command: Command) -> None:
     """A row a scene: what differs between the scenes, then the results. What they share stands above."""
     names = columns(answers, command)
     shared = [name for name in names if name in answers[0].inputs and len({answer.inputs.get(name) for answer in answers}) == 1]
+    shown = [name for name in names if name not in shared and not _follows(name, answers)]
     table = _table()
-    shown = [name for name in names if name not in shared]
     for name in shown:
-        table.add_column(Text(NOMENCLATURE[name].symbol or name), justify="right", no_wrap=True)
+        table.add_column(Text(fitting(NOMENCLATURE[name].symbol or name, out)), justify="right", no_wrap=True)
     for answer in answers:
         cells = []
         for name in shown:
             value = answer.inputs[name] if name in answer.inputs else answer.value(name)
-            cells.append(Text("—" if value is None else pretty(amount(name, value, form))))
+            cells.append(Text(fitting("—" if value is None else pretty(amount(name, value, form)), out)))
         table.add_row(*cells)
     first = answers[0]
     say(_inputs(first._replace(inputs={name: first.inputs[name] for name in shared}), form), out)
     _print(table, out, answers, form, command)
+
+
+def _follows(name: str, answers: Sequence[Answer]) -> bool:
+    """Whether an input says nothing new: sphere 2 is as large as sphere 1, or the material decides."""
+    leaders = {"radius2": "radius"} | {prop: "material" for prop in PROPERTIES} | {prop + "2": "material2" for prop in PROPERTIES}
+    leader = leaders.get(name)
+    if leader is None or any(leader not in answer.inputs for answer in answers):
+        return False
+    if name == "radius2":
+        return all(answer.inputs.get(name) == answer.inputs[leader] for answer in answers)
+    return len({(answer.inputs[leader], answer.inputs.get(name)) for answer in answers}) == len({answer.inputs[leader] for answer in answers})
 
 
 def pretty(unit: str) -> str:
@@ -66,17 +80,35 @@ def _inputs(answer: Answer, form: Format) -> str:
         str(value) if name == "material" else f"{NOMENCLATURE[name].symbol or name} = {pretty(amount(name, value, form))}"
         for name, value in answer.inputs.items()
     ]
-    return ", ".join(parts)
+    return fill(", ".join(parts), max(get_terminal_size().columns, 20), break_long_words=False, break_on_hyphens=False)
 
 
 def _table() -> Table:
     return Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
 
 
-def _print(table: Table, out: TextIO, answers: Sequence[Answer], form: Format, command: Command | None = None) -> None:
+def write_rows(heads: Sequence[str], rows: Sequence[Sequence[str]], out: TextIO) -> None:
+    """A table of texts."""
+    table = _table()
+    for head in heads:
+        table.add_column(Text(fitting(head, out)), no_wrap=True)
+    for cells in rows:
+        table.add_row(*(Text(fitting(pretty(cell), out)) for cell in cells))
+    if not _fits(table, out):
+        for cells in (heads, *rows):
+            say("\t".join(cells), out)
+
+
+def _print(table: Table, out: TextIO, answers: Sequence[Answer], form: Format, command: Command) -> None:
     """Print the table, or plain lines where the terminal is too narrow for it."""
-    console = Console(file=out, safe_box=True, highlight=False, markup=False, emoji=False)
-    if table.__rich_measure__(console, console.options).minimum <= console.width:
-        console.print(table)
-    else:
-        write_plain(answers, out, form, command or Command("", (), (), ""))
+    if not _fits(table, out):
+        write_plain(answers, out, form, command)
+
+
+def _fits(table: Table, out: TextIO) -> bool:
+    """Print a table if the terminal is wide enough to show it whole."""
+    console = Console(file=out, highlight=False, markup=False, emoji=False)
+    if console.measure(table, options=console.options.update(width=10_000)).maximum > console.width:
+        return False
+    console.print(table)
+    return True

@@ -20,7 +20,7 @@ from .elementary import cbrt, pi, sqrt
 def adhesion_energy(*, pull_off_force: Force, approach: Length) -> Energy:
     """Energy typical of adhesion: what a slow head-on collision dissipates, to order of magnitude.
 
-        P_c δ0
+        W = P_c δ0
 
     Source:   Text below Eq (48).
     Valid:    The largest energy that sticks is 0.7722 P_cδ0.
