@@ -119,6 +119,8 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "boussinesq_pressure": Quantity("p_B", "Pa", "flat-punch part of the pressure", "9"),
         # rolling
         "yield_moment": Quantity("M", "N m", "rolling moment at the yield displacement", "25"),
+        "linearised_moment": Quantity("M", "N m", "moment of two half-circles, to first order", "24"),
+        "half_circles_moment": Quantity("M", "N m", "moment of two half-circles", "19"),
         "rolling_stiffness": Quantity("k", "N m/rad", "rolling moment per angle", "39"),
         "yield_force": Quantity("Q", "N", "force on sphere 1 that starts it rolling", "26"),
         "yield_force_ratio": Quantity("Q/P_c", "1", "yield force over pull-off force", "27"),

@@ -12,7 +12,7 @@ def closest(word: str, known: Iterable[str]) -> str | None:
     """
     words = list(known)
     same = [candidate for candidate in words if candidate.casefold() == word.casefold()]
-    return next(iter(same or get_close_matches(word, words, n=1)), None)
+    return next(iter(same or get_close_matches(word, words, n=1, cutoff=0.5)), None)
 
 
 def unit_like(word: str, name: str) -> str | None:

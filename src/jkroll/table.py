@@ -11,7 +11,7 @@ from rich.table import Table
 from rich.text import Text
 
 from .answer import Answer, Command
-from .formatting import Format, amount
+from .formatting import PEOPLE_DIGITS, Format, amount
 from .materials import PROPERTIES
 from .nomenclature import NOMENCLATURE
 from .report import columns, fitting, say, write_plain
@@ -102,7 +102,7 @@ def write_rows(heads: Sequence[str], rows: Sequence[Sequence[str]], out: TextIO)
 def _print(table: Table, out: TextIO, answers: Sequence[Answer], form: Format, command: Command) -> None:
     """Print the table, or plain lines where the terminal is too narrow for it."""
     if not _fits(table, out):
-        write_plain(answers, out, form, command)
+        write_plain(answers, out, form._replace(digits=form.digits or PEOPLE_DIGITS), command)
 
 
 def _fits(table: Table, out: TextIO) -> bool:

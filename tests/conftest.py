@@ -1,0 +1,67 @@
+"""What the tests share: a call of the command line in this process, away from the user's own files."""
+
+import io
+from collections.abc import Callable
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+from jkroll.cli import main
+
+
+class Ran(NamedTuple):
+    """What a call left behind."""
+
+    code: int
+    out: str
+    err: str
+
+
+class Stream(io.TextIOWrapper):
+    """A text stream in memory that says of itself whether it is a terminal."""
+
+    def __init__(self, *, terminal: bool = False, encoding: str = "utf-8") -> None:
+        super().__init__(io.BytesIO(), encoding=encoding, newline="")
+        self.terminal = terminal
+
+    def isatty(self) -> bool:
+        """Whether it is to be taken for a terminal."""
+        return self.terminal
+
+    def text(self) -> str:
+        """All that was written."""
+        self.flush()
+        buffer = self.buffer
+        assert isinstance(buffer, io.BytesIO)
+        return buffer.getvalue().decode(self.encoding)
+
+
+Run = Callable[..., Ran]
+
+
+@pytest.fixture(autouse=True)
+def _alone(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """No configuration, no environment, an empty directory, a plain terminal of 80 columns."""
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "configuration"))
+    for name in ("JKROLL_MATERIALS", "FORCE_COLOR", "NO_COLOR", "LINES"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setenv("COLUMNS", "80")
+    monkeypatch.setenv("TERM", "dumb")
+    monkeypatch.chdir(tmp_path)
+
+
+@pytest.fixture
+def run(monkeypatch: pytest.MonkeyPatch) -> Run:
+    """Run a command line: `run("pull-off quartz 100nm")`, or `run("pull-off", "quartz", "100 nm")`."""
+
+    def call(*words: str, terminal: bool = False, encoding: str = "utf-8", together: bool = False) -> Ran:
+        out = Stream(terminal=terminal, encoding=encoding)
+        err = out if together else Stream(encoding=encoding)
+        with monkeypatch.context() as patch:
+            patch.setattr("sys.stdout", out)
+            patch.setattr("sys.stderr", err)
+            code = main(words[0].split() if len(words) == 1 else list(words))
+        return Ran(code, out.text(), "" if together else err.text())
+
+    return call

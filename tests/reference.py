@@ -1,0 +1,224 @@
+"""What each result should be, exactly: the paper's equations in 120-digit arithmetic, in their plainest form.
+
+Inputs are doubles and taken as exact. Nothing is rearranged to save digits, there are simply digits enough: the worst
+cancellation, in the rolling of spheres whose radii differ 1e15 times, costs 50. Nothing is shared with `jkroll`.
+"""
+
+# ruff: noqa: N803, N806  (the paper's symbols)
+
+import math
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from mpmath import MPContext  # type: ignore[import-untyped]
+
+Exact = Any  # an mpf of the context below; mpmath declares no types
+
+digits = MPContext()  # a context of its own, because other tests set the precision of mpmath's
+digits.dps = 120
+mpf, pi, sqrt, cbrt = digits.mpf, +digits.pi, digits.sqrt, digits.cbrt
+
+DEFAULTS = {"yield_displacement": 2e-10, "load": 0.0, "gravity": 9.80665}
+
+
+def ulp_error(value: float, exact: Exact) -> float:
+    """Distance of a double from the exact value, in units of the last place of the nearest double."""
+    if value == exact:
+        return 0.0
+    return float(abs(mpf(value) - exact) / math.ulp(float(exact))) if math.isfinite(value) else math.inf
+
+
+def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
+    """Every result for one scene. What is not said of sphere 2 is as for sphere 1; its radius may be infinite."""
+    known = {name: mpf(value) for name, value in {**DEFAULTS, **given}.items()}
+
+    def pair(name: str) -> tuple[Exact, Exact]:
+        return known[name], known.get(name + "2", known[name])
+
+    (R1, R2), (E1, E2), (nu1, nu2), (rho1, rho2) = map(pair, ("radius", "youngs_modulus", "poisson_ratio", "density"))
+    gamma1, gamma2 = pair("surface_energy")
+    xi, P, g = known["yield_displacement"], known["load"], known["gravity"]
+    on_plane = digits.isinf(R2)
+
+    # Eqs 1-3
+    gamma = sqrt(gamma1 * gamma2)
+    R = 1 / (1 / R1 + 1 / R2)
+    E = 1 / ((1 - nu1**2) / E1 + (1 - nu2**2) / E2)
+    P_c = 3 * pi * gamma * R
+    a0 = cbrt(9 * pi * gamma * R**2 / E)
+    delta0 = P_c / (E * a0)
+
+    # Eqs 4-9: the larger root of P/P_c = 4(x² - x) with x = â^(3/2), and the slope of P(δ) through those of P(â), δ(â)
+    s = sqrt(1 + P / P_c)
+    x = (1 + s) / 2
+    a_ = cbrt(x**2)
+    slope = (12 * a_**2 - 6 * sqrt(a_)) / (6 * a_ - 1 / sqrt(a_))
+
+    # Eqs 25, 39 and 43
+    M = 4 * P_c * x * xi
+    k = 4 * P_c * x * R
+    mean_M = M / 2
+
+    # Eqs 33, 37-40
+    m1, m2 = 4 * pi / 3 * R1**3 * rho1, 4 * pi / 3 * R2**3 * rho2
+    I1, I2 = 2 * m1 * R1**2 / 5, 2 * m2 * R2**2 / 5
+    m = 1 / (1 / m1 + 1 / m2)
+    I = 1 / (1 / I1 + 1 / I2)  # noqa: E741
+    if on_plane:  # which does not move
+        m_eff = (I1 + m1 * R1**2) / R**2
+    else:
+        m_eff = I1 / R1**2 + I2 / R2**2 - (I1 / R1 - I2 / R2) ** 2 / (m * (R1 + R2) ** 2 + I1 + I2)
+
+    # Eqs 45-48
+    adhesion_energy = P_c * delta0
+    kinetic = {"kinetic_energy": m1 * known["speed"] ** 2 / 2} if "speed" in known else {}
+    W0 = known.get("energy", kinetic.get("kinetic_energy", adhesion_energy))
+
+    return kinetic | {
+        "work_of_adhesion": 2 * gamma,
+        "radius_ratio": R1 / R2,
+        "reduced_radius": R,
+        "contact_modulus": E,
+        "mass": m1,
+        "mass2": m2,
+        "moment_of_inertia": I1,
+        "moment_of_inertia2": I2,
+        "reduced_mass": m,
+        "reduced_moment_of_inertia": I,
+        "rolling_mass": m_eff,
+        "pull_off_force": P_c,
+        "pull_off_force_dmt": 4 * pi * gamma * R,
+        "contact_radius": a0,
+        "approach": delta0,
+        "load_margin": s,
+        "load_factor": x,
+        "contact_radius_at_load": a0 * a_,
+        "approach_at_load": delta0 * (3 * a_**2 - 2 * sqrt(a_)),
+        "stiffness": P_c / delta0 * slope,
+        "hertz_pressure": 6 * P_c / (pi * a0**2) * a_,
+        "boussinesq_pressure": -2 * P_c / (pi * a0**2) / sqrt(a_),
+        "yield_moment": M,
+        "rolling_stiffness": k,
+        "yield_force": M / R1,
+        "yield_force_ratio": M / R1 / P_c,
+        "yield_angle": xi / R,
+        "mean_rolling_moment": mean_M,
+        "mean_rolling_force": mean_M / R1,
+        "r_min": R1 * R2 / xi,
+        "n_grav": sqrt(M / (m1 * g * R1)),
+        "vertical_frequency": sqrt(P_c / delta0 * slope / m) / (2 * pi),
+        "rolling_frequency": sqrt(k / I) / (2 * pi),
+        "rolling_frequency_as_printed": 3 / (2 * pi) * sqrt(gamma / (5 * R1**3 * rho1)),
+        "rolling_frequency_no_slip": sqrt(4 * P_c * x / (R * m_eff)) / (2 * pi),
+        "adhesion_energy": adhesion_energy,
+        "n_roll": W0 / (7 * pi * mean_M),
+        "n_roll_energy_balance": W0 / (2 * pi * mean_M),
+    }
+
+
+def exact(formula: str, arguments: Mapping[str, float]) -> Exact:
+    """The exact value of one formula at arguments that are themselves taken as exact."""
+    return _evaluate(EQUATIONS[formula], arguments)
+
+
+def scale(formula: str, arguments: Mapping[str, float]) -> Exact:
+    """What the error of a formula is measured against: its value or, where two terms may cancel, the larger of them."""
+    return abs(_evaluate(TERMS[formula], arguments) if formula in TERMS else exact(formula, arguments))
+
+
+def _evaluate(equation: Callable[..., Exact], arguments: Mapping[str, float]) -> Exact:
+    symbols = equation.__code__.co_varnames[: equation.__code__.co_argcount]
+    return equation(*(mpf(arguments[SYMBOLS[symbol]]) for symbol in symbols))
+
+
+SYMBOLS = {
+    "R1": "radius", "R2": "radius2", "R": "reduced_radius", "ratio": "radius_ratio",
+    "gamma1": "surface_energy", "gamma2": "surface_energy2", "w": "work_of_adhesion",
+    "E1": "youngs_modulus", "E2": "youngs_modulus2", "E": "contact_modulus", "nu1": "poisson_ratio", "nu2": "poisson_ratio2",
+    "rho1": "density", "m1": "mass", "m2": "mass2", "m": "reduced_mass", "m_eff": "rolling_mass", "g": "gravity",
+    "I1": "moment_of_inertia", "I2": "moment_of_inertia2", "I": "reduced_moment_of_inertia",
+    "P": "load", "P_c": "pull_off_force", "a0": "contact_radius", "delta0": "approach",
+    "s": "load_margin", "x": "load_factor", "a": "contact_radius_at_load", "delta": "approach_at_load",
+    "a_": "contact_radius_ratio", "r": "distance", "p_H": "hertz_pressure", "p_B": "boussinesq_pressure",
+    "K": "stiffness", "k": "rolling_stiffness", "xi": "yield_displacement", "M": "yield_moment", "mean_M": "mean_rolling_moment",
+    "A": "half_circle_radius", "angle": "angle", "dz": "displacement", "N": "number",
+    "W0": "energy", "ratio_W": "energy_ratio", "v": "speed", "omega": "angular_speed",
+}  # fmt: skip
+
+EQUATIONS: Mapping[str, Callable[..., Exact]] = {
+    # the pair
+    "work_of_adhesion": lambda gamma1, gamma2: 2 * sqrt(gamma1 * gamma2),
+    "radius_ratio": lambda R1, R2: R1 / R2,
+    "reduced_radius": lambda R1, R2: 1 / (1 / R1 + 1 / R2),
+    "contact_modulus": lambda E1, nu1, E2, nu2: 1 / ((1 - nu1**2) / E1 + (1 - nu2**2) / E2),
+    "mass": lambda R1, rho1: 4 * pi / 3 * R1**3 * rho1,
+    "reduced_mass": lambda m1, m2: 1 / (1 / m1 + 1 / m2),
+    "moment_of_inertia": lambda m1, R1: 2 * m1 * R1**2 / 5,
+    "reduced_moment_of_inertia": lambda I1, I2: 1 / (1 / I1 + 1 / I2),
+    "rolling_mass": lambda m1, m2, R, R1, R2: 14 / (25 / (m1 + m2) + 10 * ((R / R1) ** 2 / m1 + (R / R2) ** 2 / m2)),
+    # the contact
+    "pull_off_force": lambda w, R: 3 * pi * w / 2 * R,
+    "pull_off_force_dmt": lambda w, R: 4 * pi * w / 2 * R,
+    "contact_radius": lambda w, R, E: cbrt(9 * pi * w / 2 * R**2 / E),
+    "approach": lambda w, R, E: cbrt(3 * pi**2 * (w / 2) ** 2 * R / E**2),
+    "load_margin": lambda P, P_c: sqrt(1 + P / P_c),
+    "load_factor": lambda s: (1 + s) / 2,
+    "contact_radius_at_load": lambda a0, x: a0 * cbrt(x**2),
+    "approach_at_load": lambda delta0, s, x: delta0 * cbrt(x) * (3 * s - 1) / 2,
+    "stiffness": lambda E, a, s: 6 * E * a * s / (2 + 3 * s),
+    "hertz_pressure": lambda a, E, R: 2 * a * E / (pi * R),
+    "boussinesq_pressure": lambda P_c, a0, x: -2 * P_c / (pi * a0**2 * cbrt(x)),
+    "load_ratio": lambda a_: 4 * (a_**3 - sqrt(a_) ** 3),
+    "approach_ratio": lambda a_: 3 * a_**2 - 2 * sqrt(a_),
+    "pressure": lambda r, a, p_H, p_B: p_H * sqrt(1 - (r / a) ** 2) + p_B / sqrt(1 - (r / a) ** 2),
+    "approach_of_pressure": lambda a, E, p_H, p_B: pi * a / (2 * E) * (p_H + 2 * p_B),
+    "boussinesq_pressure_at_approach": lambda delta, a, E, p_H: E * delta / (pi * a) - p_H / 2,
+    # rolling
+    "yield_moment": lambda P_c, x, xi: 4 * P_c * x * xi,
+    "rolling_stiffness": lambda P_c, x, R: 4 * P_c * x * R,
+    "yield_force": lambda w, x, xi, ratio: 6 * pi * w * x * xi / (1 + ratio),
+    "yield_force_ratio": lambda x, xi, R1: 4 * x * xi / R1,
+    "yield_angle": lambda xi, R: xi / R,
+    "mean_rolling_moment": lambda M: M / 2,
+    "mean_rolling_force": lambda mean_M, R1: mean_M / R1,
+    "half_circle_moment": lambda A, delta, E, R: E * A**2 * delta / 2 - E * A**4 / (4 * R),
+    "half_circles_moment": lambda a, xi, delta, E, R: (
+        E / 2 * delta * ((a - xi) ** 2 - (a + xi) ** 2) - E / (4 * R) * ((a - xi) ** 4 - (a + xi) ** 4)
+    ),
+    "linearised_moment": lambda a, xi, delta, E, R: 2 * xi * E * a * (a**2 / R - delta),
+    # chains
+    "r_min": lambda R1, R2, xi: R1 * R2 / xi,
+    "gravity_moment": lambda m1, g, R1, N: m1 * g * R1 * N**2,
+    "n_grav": lambda M, m1, g, R1: sqrt(M / (m1 * g * R1)),
+    # vibrations
+    "sphere_acceleration": lambda P, m1: P / m1,
+    "approach_acceleration": lambda dz, K, m: -K * dz / m,
+    "vertical_frequency": lambda K, m: sqrt(K / m) / (2 * pi),
+    "angular_acceleration": lambda angle, k, I1: -k * angle / I1,
+    "rolling_frequency": lambda k, I: sqrt(k / I) / (2 * pi),  # noqa: E741
+    "rolling_frequency_as_printed": lambda w, R1, rho1: 3 / (2 * pi) * sqrt(w / 2 / (5 * R1**3 * rho1)),
+    "rolling_frequency_no_slip": lambda k, R, m_eff: sqrt(k / (R**2 * m_eff)) / (2 * pi),
+    # collisions
+    "adhesion_energy": lambda P_c, delta0: P_c * delta0,
+    "kinetic_energy": lambda m1, v: m1 * v**2 / 2,
+    "rolling_energy": lambda m1, v, I1, omega: m1 * v**2 / 2 + I1 * omega**2 / 2,
+    "initial_angular_speed": lambda W0, I1: sqrt(4 * W0 / (7 * I1)),
+    "angular_deceleration": lambda mean_M, I1: -mean_M / I1,
+    "n_roll": lambda W0, mean_M: W0 / (7 * pi * mean_M),
+    "n_roll_energy_balance": lambda W0, mean_M: W0 / (2 * pi * mean_M),
+    "n_roll_at_energy_ratio": lambda ratio_W, w, E, R, xi: (
+        3 / (14 * cbrt(9 * pi)) * cbrt((w / 2 / E) ** 2) * cbrt(R) / xi * ratio_W
+    ),
+}
+
+# The larger of two terms that may cancel.
+TERMS: Mapping[str, Callable[..., Exact]] = {
+    "load_ratio": lambda a_: 4 * max(a_**3, sqrt(a_) ** 3),
+    "approach_ratio": lambda a_: max(3 * a_**2, 2 * sqrt(a_)),
+    "pressure": lambda r, a, p_H, p_B: max(p_H * sqrt(1 - (r / a) ** 2), abs(p_B) / sqrt(1 - (r / a) ** 2)),
+    "approach_of_pressure": lambda a, E, p_H, p_B: pi * a / (2 * E) * max(p_H, 2 * abs(p_B)),
+    "boussinesq_pressure_at_approach": lambda delta, a, E, p_H: max(E * abs(delta) / (pi * a), p_H / 2),
+    "half_circle_moment": lambda A, delta, E, R: E * A**2 * max(abs(delta) / 2, A**2 / (4 * R)),
+    "half_circles_moment": lambda a, xi, delta, E, R: E * (a + xi) ** 2 * max(abs(delta) / 2, (a + xi) ** 2 / (4 * R)),
+    "linearised_moment": lambda a, xi, delta, E, R: 2 * xi * E * a * max(a**2 / R, abs(delta)),
+}
