@@ -1,13 +1,13 @@
 """What a command answers: its quantities for one scene, with the inputs as understood, reasons and notes."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from .errors import BeyondPullOff, JkrollError, MissingInput, NoResult
 from .formatting import amount
 from .nomenclature import INFINITY, NOMENCLATURE, word_for_infinity
-from .scene import DEFAULTS, Scene
+from .scene import DEFAULTS, Scene, depends_on
 
 
 class Command(NamedTuple):
@@ -110,17 +110,9 @@ def answer(command: Command, scene: Scene) -> Answer:
     if no_contact is not None:
         results = [Result(result.name, None, str(no_contact)) for result in results]
     known = [result.name for result in results if result.value is not None]
-    inputs = _echo(scene, known or [name for name in command.quantities if _is_allowed(name, scene)])
+    inputs = _echo(scene, scene.inputs_of(*known) if known else depends_on(command.quantities) & scene.given.keys())
     notes = (*_assumptions(scene, inputs, known), *_about_materials(scene), *_about(results))
     return Answer(inputs, tuple(results), notes, None if known else no_contact or errors[0])
-
-
-def _is_allowed(name: str, scene: Scene) -> bool:
-    try:
-        scene.plan(name)
-    except MissingInput:
-        return False
-    return True
 
 
 def _concerns(name: str, scene: Scene) -> bool:
@@ -132,14 +124,13 @@ def _concerns(name: str, scene: Scene) -> bool:
     return True
 
 
-def _echo(scene: Scene, names: list[str]) -> dict[str, float | str]:
+def _echo(scene: Scene, used: Collection[str]) -> dict[str, float | str]:
     """The inputs on which the results depend, as they were understood."""
     echoed: dict[str, Any] = {}
     if scene.material is not None:
         echoed["material"] = scene.material.name
     if scene.material2 is not None:
         echoed["material2"] = scene.material2.name
-    used = set(scene.inputs_of(*names))
     for name in NOMENCLATURE:
         if name in used:
             echoed[name] = scene.values[name]

@@ -16,9 +16,8 @@ from .answer import COMMANDS, Command
 from .completion import complete_input, complete_words
 from .errors import JkrollError
 from .nomenclature import NOMENCLATURE
-from .physics import FORMULAS
 from .run import Output, run_command, run_materials
-from .scene import DEFAULTS, parameters_of
+from .scene import DEFAULTS, depends_on
 
 USAGE_ERROR = 2
 CANNOT_WRITE = 1
@@ -126,12 +125,18 @@ def build(only: str | None = None) -> typer.Typer:
     return app
 
 
-def _root(
-    version: Annotated[bool, typer.Option("--version", help="Show the version and exit.", is_eager=True)] = False,
-) -> None:
-    if version:
+def _show_version(wanted: bool) -> None:
+    if wanted:
         print(f"jkroll {__version__}")
         raise typer.Exit
+
+
+def _root(
+    version: Annotated[
+        bool, typer.Option("--version", help="Show the version and exit.", is_eager=True, callback=_show_version)
+    ] = False,
+) -> None:
+    """Options of the program itself."""
 
 
 def _materials_function(
@@ -184,7 +189,7 @@ def _parameters(command: Command) -> list[Parameter]:
     """The parameters of a command: words, the inputs its quantities depend on, and the ways to write the results."""
     argument = typer.Argument(metavar="[MATERIAL] RADIUS...", autocompletion=complete_words, show_default=False)
     parameters = [_parameter("words", list[str] | None, argument)]
-    depends = _inputs_of(command.quantities)
+    depends = depends_on(command.quantities)
     for name in (*_ALWAYS, *_SPHERE_2, *(name for name in NOMENCLATURE if name in depends)):
         quantity = NOMENCLATURE[name]
         if not quantity.option or any(parameter.name == name for parameter in parameters):
@@ -212,19 +217,6 @@ def _default_text(name: str) -> str:
     if name == "energy":
         return "; P_cδ0 if not given"
     return f"; {amount(name, DEFAULTS[name])} if not given" if name in DEFAULTS else ""
-
-
-def _inputs_of(names: Sequence[str]) -> set[str]:
-    """Every input on which quantities can depend, whatever is given."""
-    found: set[str] = set()
-    pending = list(names)
-    while pending:
-        name = pending.pop()
-        if name not in found:
-            found.add(name)
-            routes = ("adhesion_energy", "kinetic_energy") if name == "energy" else (name,)
-            pending += [parameter for route in routes if route in FORMULAS for parameter in parameters_of(FORMULAS[route])]
-    return found
 
 
 def run() -> None:

@@ -118,18 +118,18 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "hertz_pressure": Quantity("p_H", "Pa", "Hertz part of the pressure", "8"),
         "boussinesq_pressure": Quantity("p_B", "Pa", "flat-punch part of the pressure", "9"),
         # rolling
-        "yield_moment": Quantity("M", "N m", "rolling moment at the yield displacement", "25"),
+        "yield_moment": Quantity("M", "N m", "rolling moment at the displacement ξ", "25"),
         "linearised_moment": Quantity("M", "N m", "moment of two half-circles, to first order", "24"),
         "half_circles_moment": Quantity("M", "N m", "moment of two half-circles", "19"),
         "rolling_stiffness": Quantity("k", "N m/rad", "rolling moment per angle", "39"),
-        "yield_force": Quantity("Q", "N", "force on sphere 1 that starts it rolling", "26"),
+        "yield_force": Quantity("Q", "N", "force that starts sphere 1 rolling", "26"),
         "yield_force_ratio": Quantity("Q/P_c", "1", "yield force over pull-off force", "27"),
         "yield_angle": Quantity("δ_α", "rad", "angle at which rolling starts", "28"),
         "mean_rolling_moment": Quantity("⟨M⟩", "N m", "mean moment against steady rolling", "43"),
         "mean_rolling_force": Quantity("⟨Q⟩", "N", "mean force against steady rolling", "44"),
         # chains
-        "r_min": Quantity("R_min", "m", "smallest radius of curvature of a chain", "28"),
-        "n_grav": Quantity("N_grav", "1", "spheres a level chain carries in gravity", "30"),
+        "r_min": Quantity("R_min", "m", "smallest curvature radius of a chain", "28"),
+        "n_grav": Quantity("N_grav", "1", "spheres that a level chain carries", "30"),
         # vibrations
         "vertical_frequency": Quantity("Ω_z", "Hz", "frequency of the vertical vibration", "35"),
         "rolling_frequency": Quantity("Ω_roll", "Hz", "frequency of the rolling vibration", "40"),

@@ -259,6 +259,20 @@ def _plan(wanted: tuple[str, ...], known: frozenset[str], own_material2: bool) -
     return Plan(tuple(steps.values()), tuple(sorted(inputs, key=order.index)))
 
 
+def depends_on(names: Iterable[str]) -> frozenset[str]:
+    """Every name on which quantities can depend, whatever is given."""
+    found: set[str] = set()
+    pending = list(names)
+    while pending:
+        name = pending.pop()
+        if name not in found:
+            found.add(name)
+            for route in ("adhesion_energy", "kinetic_energy") if name == "energy" else (name,):
+                base = route if route in FORMULAS else route.removesuffix("2")
+                pending += [parameter + route[len(base) :] for parameter in parameters_of(FORMULAS[base])] if base in FORMULAS else []
+    return frozenset(found)
+
+
 def parameters_of(formula: Any) -> tuple[str, ...]:
     """Names of a formula's parameters."""
     code = formula.__code__

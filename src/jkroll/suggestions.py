@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from difflib import get_close_matches
 
 
-def closest(word: str, known: Iterable[str]) -> str | None:
+def closest(word: str, known: Iterable[str], cutoff: float = 0.6) -> str | None:
     """The known word that differs from this one only by case, else the most similar one.
 
     >>> closest("Quartz", ["quartz", "iron"]), closest("quarz", ["quartz", "iron"]), closest("x", ["quartz"])
@@ -12,7 +12,7 @@ def closest(word: str, known: Iterable[str]) -> str | None:
     """
     words = list(known)
     same = [candidate for candidate in words if candidate.casefold() == word.casefold()]
-    return next(iter(same or get_close_matches(word, words, n=1, cutoff=0.5)), None)
+    return next(iter(same or get_close_matches(word, words, n=1, cutoff=cutoff)), None)
 
 
 def unit_like(word: str, name: str) -> str | None:
@@ -34,4 +34,4 @@ def unit_like(word: str, name: str) -> str | None:
         if (len(prefix) > 2) == (len(unit) > 3)
     }
     fitting = [unit for unit, dimension in everything.items() if dimension == wanted]
-    return closest(word, fitting) or closest(word, everything)
+    return closest(word, fitting, 0.5) or closest(word, everything, 0.5)

@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from shutil import get_terminal_size
-from textwrap import fill
 from typing import TextIO
 
 from rich import box
@@ -75,12 +74,17 @@ def pretty(unit: str) -> str:
 
 
 def _inputs(answer: Answer, form: Format) -> str:
-    """The inputs as understood, in one line."""
-    parts = [
-        str(value) if name == "material" else f"{NOMENCLATURE[name].symbol or name} = {pretty(amount(name, value, form))}"
-        for name, value in answer.inputs.items()
-    ]
-    return fill(", ".join(parts), max(get_terminal_size().columns, 20), break_long_words=False, break_on_hyphens=False)
+    """The inputs as understood, in lines that end between two of them."""
+    width = get_terminal_size().columns
+    lines = [""]
+    for name, value in answer.inputs.items():
+        text = pretty(amount(name, value, form))
+        part = text if name == "material" else f"{NOMENCLATURE[name].symbol or name} = {text}"
+        if lines[-1] and len(lines[-1]) + len(part) + 2 >= width:
+            lines[-1] += ","
+            lines.append("")
+        lines[-1] += f", {part}" if lines[-1] else part
+    return "\n".join(lines)
 
 
 def _table() -> Table:

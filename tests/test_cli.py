@@ -1,0 +1,337 @@
+"""The command line: what it prints, to which stream, with which exit code, and every message whole."""
+
+import csv
+import io
+import json
+import math
+import os
+import subprocess
+import sys
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+from conftest import Run
+
+from jkroll import NOMENCLATURE, __version__
+from jkroll.answer import COMMANDS
+
+REFERENCE = {  # audit.md, the reference point: quartz, R1 = 100 nm
+    "pull_off_force": "1.1781e-8",
+    "contact_radius": "3.9908e-9",
+    "approach": "1.0618e-10",
+    "yield_force_ratio": "0.008",
+    "r_min": "5e-5",
+    "n_grav": "939.4",
+    "vertical_frequency": "7.870e8",
+    "rolling_frequency": "5.2346e7",
+    "rolling_frequency_as_printed": "2.0938e7",
+    "n_roll": "0.01207",
+    "n_roll_energy_balance": "0.04225",
+}
+
+
+def at_precision_of(text: str, value: float) -> bool:
+    """Whether a value rounds to a printed text."""
+    digits = len(text.split("e")[0].replace(".", "").lstrip("0"))
+    return float(f"{value:.{digits}g}") == float(text)
+
+
+@pytest.mark.parametrize("name", REFERENCE)
+def test_reference_point(run: Run, name: str) -> None:
+    data = json.loads(run("report quartz 100nm --json").out)
+    value = next(result["value"] for result in data["results"] if result["name"] == name)
+    assert at_precision_of(REFERENCE[name], value), value
+
+
+# --- Messages, whole ------------------------------------------------------------------------------------------------
+
+GOLD = "gold has none in Table 1; give --young 54GPa --poisson 0.17"
+MESSAGES = {
+    "pull-off quarz 100nm": (
+        2,
+        "material: 'quarz' is not known; did you mean quartz? known are gold, graphite, iron, polystyrene, quartz",
+    ),
+    "pull-off unobtainium 100nm": (
+        2,
+        "material: 'unobtainium' is not known; known are gold, graphite, iron, polystyrene, quartz",
+    ),
+    "pull-off quartz 100nn": (2, "radius: '100nn' has an unknown unit 'nn'; did you mean nm?"),
+    "pull-off quartz 100N": (2, "radius: '100N' is a force; expected a length such as 100nm"),
+    "pull-off quartz 100": (2, "radius: '100' has no unit; expected a length such as 100nm"),
+    "pull-off quartz 0nm": (2, "radius: '0nm' must be positive; expected a length such as 100nm"),
+    "pull-off quartz -5nm": (2, "radius: '−5nm' must be positive; expected a length such as 100nm"),
+    "pull-off quartz plane": (2, "radius: 'plane' does not begin with a number; expected a length such as 100nm"),
+    "pull-off quartz 5,5nm": (
+        2,
+        "radius: '5,5nm' has a comma where a number has a point, or a number without a unit; expected a length such as 100nm",
+    ),
+    "pull-off quartz": (2, "pull_off_force needs radius of sphere 1; give a radius such as 100nm"),
+    "pull-off 100nm": (
+        2,
+        "pull_off_force needs surface energy per surface; give --gamma 25mJ/m2 or --work-of-adhesion 50mJ/m2",
+    ),
+    "contact gold 100nm": (2, f"contact_radius needs Young's modulus and Poisson's ratio; {GOLD}"),
+    "n-roll gold 100nm": (2, f"n_roll needs Young's modulus and Poisson's ratio; {GOLD} or --energy 1e-18J"),
+    "contact quartz 100nm --material2 gold": (
+        2,
+        "contact_radius needs Young's modulus of sphere 2 and Poisson's ratio of sphere 2; gold has none in Table 1; "
+        "give --young2 54GPa --poisson2 0.17",
+    ),
+    "contact quartz 100nm --young rigid": (1, "contact_modulus: both bodies are rigid; a contact area needs one that yields"),
+    "yield-force quartz 100nm --load -20nN": (
+        1,
+        "load: -2e-08 N is beyond pull-off; this contact holds down to -1.1781e-08 N",
+    ),
+    "contact quartz 100nm --poisson 0.6": (
+        2,
+        "poisson_ratio: '0.6' must lie between -1 and 0.5; expected a number such as 0.17",
+    ),
+    "r-min 100nm --radius2 plane": (1, "r_min: no finite value for these inputs"),
+    "pull-off quartz 1nm:1um": (
+        2,
+        "radius: '1nm:1um' is not a range; write FROM:TO:COUNT, with :lin for equal steps; expected a length such as 100nm",
+    ),
+    "pull-off quartz 1nm:1um:1": (2, "radius: '1nm:1um:1' needs a count from 2 to 1000000; expected a length such as 100nm"),
+    "yield-force quartz 100nm --load -1nN:1nN:3": (
+        2,
+        "load: '−1nN:1nN:3' has an end that is not positive; end it with :lin; expected a force such as -5nN",
+    ),
+    "pull-off quartz iron 100nm": (
+        2,
+        "two materials, 'quartz' and 'iron'; a list has commas, a second sphere has --material2",
+    ),
+    "n-roll quartz 100nm --energy 1eV --speed 1m/s": (2, "both --energy and --speed are given; one follows from the other"),
+    "pull-off quartz 100nm --to nm": (
+        2,
+        "--to: 'nm' fits none of the results: pull_off_force in N, pull_off_force_dmt in N",
+    ),
+    "pull-off quartz 100nm --json --csv": (2, "--json and --csv exclude each other"),
+    "pull-off quartz 100nm --digits 0": (2, "Invalid value for '--digits': 0 is not in the range 1<=x<=17."),
+    "pull-off quartz 100nm --laod 5nN": (2, "No such option: --laod (Possible options: --to)"),
+    "pul-off quartz 100nm": (2, "No such command 'pul-off'. Did you mean 'pull-off'?"),
+    "pull-off quartz 100nm --materials none.toml": (2, "materials file 'none.toml': No such file or directory"),
+    "pull-off quartz 100nm --materials .": (2, "materials file '.': is not a regular file"),
+    "materials lead": (2, "material: 'lead' is not known; known are gold, graphite, iron, polystyrene, quartz"),
+}
+
+
+@pytest.mark.parametrize("line", MESSAGES)
+def test_message(run: Run, line: str) -> None:
+    code, message = MESSAGES[line]
+    ran = run(line)
+    assert (ran.code, ran.out, ran.err) == (code, "", f"jkroll: {message}\n")
+
+
+def test_wrong_case_of_a_unit(run: Run) -> None:
+    ran = run("contact 100nm --gamma 25mJ/m2 --poisson 0.2 --young 54Gpa")
+    assert ran.err == "jkroll: youngs_modulus: '54Gpa' has an unknown unit 'Gpa'; did you mean GPa?\n"
+
+
+# --- Formats --------------------------------------------------------------------------------------------------------
+
+
+def test_plain_lines_have_name_value_unit(run: Run) -> None:
+    ran = run("yield-force quartz 100nm")
+    lines = [line.split(" ", 2) for line in ran.out.splitlines()]
+    assert [line[0] for line in lines] == list(COMMANDS["yield-force"].quantities)
+    assert all(float(line[1]) > 0 for line in lines)
+    assert [line[2:] for line in lines] == [["N"], [], ["N m"], ["rad"]]
+    assert ran.err.startswith("note: assumed ξ = 200 pm (--xi), P = 0 N (--load)\n")
+
+
+def test_quiet(run: Run) -> None:
+    assert run("yield-force quartz 100nm --quiet").err == ""
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_json_of_every_command(run: Run, name: str) -> None:
+    ran = run(*name.split(), "quartz", "100nm", "--json")
+    data = json.loads(ran.out)
+    assert ran.code == 0
+    assert ran.err == ""
+    assert set(data) == {"inputs", "results", "notes", "version"}
+    assert data["version"] == __version__
+    assert data["inputs"].get("radius") == 1e-7
+    for result in data["results"]:
+        assert {"name", "symbol", "value", "unit", "equation"} <= set(result)
+        assert math.isfinite(result["value"])
+        assert result["unit"] == NOMENCLATURE[result["name"]].unit
+
+
+def test_json_has_null_and_a_reason(run: Run) -> None:
+    data = json.loads(run("frequencies gold 100nm --json").out)
+    vertical = data["results"][0]
+    assert vertical["value"] is None
+    assert vertical["reason"] == f"needs Young's modulus and Poisson's ratio; {GOLD}"
+
+
+def test_several_scenes_are_a_json_array(run: Run) -> None:
+    data = json.loads(run("pull-off quartz,iron 100nm 1um --json").out)
+    assert [(one["inputs"]["material"], one["inputs"]["radius"]) for one in data] == [
+        ("quartz", 1e-7), ("quartz", 1e-6), ("iron", 1e-7), ("iron", 1e-6),
+    ]  # fmt: skip
+
+
+def test_json_of_a_plane_is_json(run: Run) -> None:
+    data = json.loads(run("pull-off quartz 100nm --radius2 plane --json").out)
+    assert data["inputs"]["radius2"] == "plane"
+
+
+def test_csv_reads_back(run: Run) -> None:
+    ran = run("frequencies all 10nm:1um:3 --csv --quiet")
+    rows = list(csv.DictReader(io.StringIO(ran.out)))
+    assert len(rows) == 15
+    assert [float(row["radius [m]"]) for row in rows[:3]] == [1e-8, 1e-7, 1e-6]
+    assert {row["material"]: bool(row["vertical_frequency [Hz]"]) for row in rows} == {
+        "polystyrene": True, "quartz": True, "graphite": True, "gold": False, "iron": True,
+    }  # fmt: skip
+    one = json.loads(run("frequencies iron 1um --json").out)
+    assert float(rows[-1]["vertical_frequency [Hz]"]) == one["results"][0]["value"]
+
+
+def test_bare_is_the_headline_alone(run: Run) -> None:
+    assert run("n-roll quartz 100nm --bare").out == run("n-roll quartz 100nm").out.split()[1] + "\n"
+    assert run("frequencies gold 100nm --bare --digits 3").out == "-\t1.08e+08\n"
+    assert len(run("pull-off quartz 1nm:1um:50 --bare").out.splitlines()) == 50
+
+
+def test_to_and_digits(run: Run) -> None:
+    assert run("pull-off quartz 100nm --to nN --digits 4 --bare").out == "11.78\n"
+    newton, dyn = (float(run(f"pull-off quartz 100nm --to {unit} --bare").out) for unit in ("N", "dyn"))
+    assert dyn == float(Fraction(newton) * 100_000)
+    assert run("report quartz 100nm --to nN,nm --csv").out.splitlines()[0].count("[nN]") == 4
+    assert run("yield-force quartz 100nm --to deg").out.splitlines()[3].endswith(" deg")
+
+
+def test_spellings_of_a_radius_give_the_same_bytes(run: Run) -> None:
+    outputs = {run("pull-off", "quartz", text, "--bare").out for text in ("100nm", "0.1 µm", "1e-7m", "1000Å")}
+    assert outputs == {"1.1780972450961723e-08\n"}
+
+
+def test_a_failed_row_is_counted_and_the_others_stand(run: Run) -> None:
+    ran = run("yield-force quartz 10nm 1um --load -5nN --bare --quiet")
+    assert ran.code == 1
+    assert ran.out.splitlines()[0] == "-"
+    assert float(ran.out.splitlines()[1]) > 0
+    assert ran.err == "jkroll: 1 of 2 rows have no result\n"
+
+
+def test_tension_beyond_pull_off_leaves_no_row_half_filled(run: Run) -> None:
+    data = json.loads(run("yield-force quartz 10nm 1um --load -5nN --json").out)
+    assert all(result["value"] is None for result in data[0]["results"])
+    assert data[0]["inputs"]["load"] == -5e-9
+
+
+def test_explain_names_formula_steps_and_power_law(run: Run) -> None:
+    text = run("n-roll quartz 100nm --explain").out
+    for piece in (
+        "n = W0/(7π⟨M⟩) = W0/(14π P_c ξ)",
+        "R1 = 100 nm",
+        "(quartz, Table 1)",
+        "(assumed)",
+        "result    n_roll = 0.0120702",
+        "power law R1^(1/3) γ1^(2/3) E1^(-2/3)",
+        "accuracy",
+        "valid",
+    ):
+        assert piece in text
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_every_quantity_is_explained_and_cited(run: Run, name: str) -> None:
+    for radius2 in ("100nm", "plane"):
+        words = [name, "quartz", "100nm", "--radius2", radius2]
+        expected = 1 if (name, radius2) == ("r-min", "plane") else 0
+        assert run(*words, "--explain").code == expected
+        assert run(*words, "--cite").code == expected
+    assert "kendall-1987" in run(name, "quartz", "100nm", "--cite").out
+
+
+def test_materials_in_every_format(run: Run) -> None:
+    data = json.loads(run("materials --json").out)
+    assert [one["name"] for one in data] == ["gold", "graphite", "iron", "polystyrene", "quartz"]
+    assert data[0]["youngs_modulus"] is None
+    assert json.loads(run("materials FE --json").out)["density"] == 7700.0
+    assert run("materials --csv").out.splitlines()[1] == "gold,0.79,,,19300.0"
+    assert run("materials gold").out.splitlines()[1] == "surface_energy 0.79 J/m^2"
+    assert run("materials quartz --cite").out.startswith("@article{kendall-1987,")
+
+
+@pytest.mark.parametrize("columns", [20, 40, 80, 200])
+@pytest.mark.parametrize("name", [*COMMANDS, "materials"])
+def test_a_terminal_cuts_no_number(run: Run, monkeypatch: pytest.MonkeyPatch, name: str, columns: int) -> None:
+    monkeypatch.setenv("COLUMNS", str(columns))
+    words = ["materials"] if name == "materials" else [name, "quartz,gold", "100nm", "1um", "--quiet"]
+    ran = run(*words, terminal=True)
+    assert ran.code == (1 if name in ("contact", "n-roll") else 0)  # gold has no Young's modulus
+    assert "…" not in ran.out
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+@pytest.mark.parametrize("how", ["", "--explain", "--json", "--csv"])
+def test_a_stream_that_knows_only_ascii(run: Run, name: str, how: str) -> None:
+    ran = run(*f"{name} quartz 100nm {how}".split(), terminal=True, encoding="ascii")
+    assert ran.code == 0
+    assert "?" not in ran.out + ran.err
+
+
+def test_help_fits_a_screen_and_its_example_works(run: Run) -> None:
+    for name in (*COMMANDS, "materials"):
+        text = run(name, "--help").out
+        assert len(text.splitlines()) <= 30, name
+        assert max(map(len, text.splitlines())) <= 80
+        example = text.rstrip().splitlines()[-1].split("jkroll ")[1]
+        assert run(example).code == 0
+    assert len(run("--help").out.splitlines()) <= 30
+    assert run("--version").out == f"jkroll {__version__}\n"
+
+
+def test_no_word_asks_for_help(run: Run) -> None:
+    assert run("").out.startswith("Usage: jkroll")
+
+
+# --- As a process ---------------------------------------------------------------------------------------------------
+
+
+def jkroll(*words: str, **options: object) -> "subprocess.CompletedProcess[str]":
+    """Run the program as the shell does."""
+    return subprocess.run(  # type: ignore[call-overload,no-any-return]
+        [sys.executable, "-m", "jkroll", *words], capture_output=True, text=True, check=False, encoding="utf-8", **options
+    )
+
+
+def test_one_scene_imports_neither_numpy_nor_pint_nor_rich(tmp_path: Path) -> None:
+    program = (
+        "import sys; from jkroll.cli import main; main(sys.argv[1:]); "
+        "print({'numpy', 'pint', 'rich', 'pydantic', 'mpmath'} & set(sys.modules), file=sys.stderr)"
+    )
+    for how in ("--bare", "--json", "--csv", "--digits=3"):
+        words = [sys.executable, "-c", program, "pull-off", "quartz", "100nm", how, "--quiet"]
+        assert subprocess.run(words, capture_output=True, text=True, check=True, cwd=tmp_path).stderr.strip() == "set()"
+
+
+def test_a_closed_pipe_is_141() -> None:
+    command = f"{sys.executable} -m jkroll pull-off quartz 1nm:1um:100000 --bare --quiet | head -1; exit ${{PIPESTATUS[0]}}"
+    ran = subprocess.run(["bash", "-c", command], capture_output=True, text=True, check=False)
+    assert (ran.returncode, ran.stderr) == (141, "")
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="needs /dev/full")
+def test_a_full_disk_is_an_error() -> None:
+    with open("/dev/full", "w") as full:
+        ran = subprocess.run(
+            [sys.executable, "-m", "jkroll", "r-min", "100nm", "--quiet"], stdout=full, stderr=subprocess.PIPE, text=True, check=False
+        )
+    assert (ran.returncode, ran.stderr) == (1, "jkroll: cannot write: No space left on device\n")
+
+
+def test_a_locale_without_utf8() -> None:
+    ran = jkroll("report", "quartz", "100nm", env={**os.environ, "LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONIOENCODING": "ascii"})
+    assert ran.returncode == 0
+    assert ran.stderr.isascii()
+
+
+def test_debug_shows_where_an_error_comes_from() -> None:
+    assert "Traceback" in jkroll("pull-off", "quartz", "100", "--debug").stderr
+    assert "Traceback" not in jkroll("pull-off", "quartz", "100").stderr
