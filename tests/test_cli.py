@@ -11,8 +11,8 @@ from fractions import Fraction
 from pathlib import Path
 
 import pytest
-from conftest import Run
 
+from conftest import Run
 from jkroll import NOMENCLATURE, __version__
 from jkroll.answer import COMMANDS
 
@@ -33,7 +33,7 @@ REFERENCE = {  # audit.md, the reference point: quartz, R1 = 100 nm
 
 def at_precision_of(text: str, value: float) -> bool:
     """Whether a value rounds to a printed text."""
-    digits = len(text.split("e")[0].replace(".", "").lstrip("0"))
+    digits = len(text.split("e", maxsplit=1)[0].replace(".", "").lstrip("0"))
     return float(f"{value:.{digits}g}") == float(text)
 
 
@@ -47,6 +47,7 @@ def test_reference_point(run: Run, name: str) -> None:
 # --- Messages, whole ------------------------------------------------------------------------------------------------
 
 GOLD = "gold has none in Table 1; give --young 54GPa --poisson 0.17"
+GOLD_2 = "gold has none in Table 1; give --young2 54GPa --poisson2 0.17"
 MESSAGES = {
     "pull-off quarz 100nm": (
         2,
@@ -75,10 +76,12 @@ MESSAGES = {
     "n-roll gold 100nm": (2, f"n_roll needs Young's modulus and Poisson's ratio; {GOLD} or --energy 1e-18J"),
     "contact quartz 100nm --material2 gold": (
         2,
-        "contact_radius needs Young's modulus of sphere 2 and Poisson's ratio of sphere 2; gold has none in Table 1; "
-        "give --young2 54GPa --poisson2 0.17",
+        f"contact_radius needs Young's modulus of sphere 2 and Poisson's ratio of sphere 2; {GOLD_2}",
     ),
-    "contact quartz 100nm --young rigid": (1, "contact_modulus: both bodies are rigid; a contact area needs one that yields"),
+    "contact quartz 100nm --young rigid": (
+        1,
+        "contact_modulus: both bodies are rigid; a contact area needs one that yields",
+    ),
     "yield-force quartz 100nm --load -20nN": (
         1,
         "load: -2e-08 N is beyond pull-off; this contact holds down to -1.1781e-08 N",
@@ -88,11 +91,15 @@ MESSAGES = {
         "poisson_ratio: '0.6' must lie between -1 and 0.5; expected a number such as 0.17",
     ),
     "r-min 100nm --radius2 plane": (1, "r_min: no finite value for these inputs"),
+    "r-min 1e-170m": (1, "r_min: no value that a double can hold"),
     "pull-off quartz 1nm:1um": (
         2,
         "radius: '1nm:1um' is not a range; write FROM:TO:COUNT, with :lin for equal steps; expected a length such as 100nm",
     ),
-    "pull-off quartz 1nm:1um:1": (2, "radius: '1nm:1um:1' needs a count from 2 to 1000000; expected a length such as 100nm"),
+    "pull-off quartz 1nm:1um:1": (
+        2,
+        "radius: '1nm:1um:1' needs a count from 2 to 1000000; expected a length such as 100nm",
+    ),
     "yield-force quartz 100nm --load -1nN:1nN:3": (
         2,
         "load: '−1nN:1nN:3' has an end that is not positive; end it with :lin; expected a force such as -5nN",
@@ -101,7 +108,10 @@ MESSAGES = {
         2,
         "two materials, 'quartz' and 'iron'; a list has commas, a second sphere has --material2",
     ),
-    "n-roll quartz 100nm --energy 1eV --speed 1m/s": (2, "both --energy and --speed are given; one follows from the other"),
+    "n-roll quartz 100nm --energy 1eV --speed 1m/s": (
+        2,
+        "both --energy and --speed are given; one follows from the other",
+    ),
     "pull-off quartz 100nm --to nm": (
         2,
         "--to: 'nm' fits none of the results: pull_off_force in N, pull_off_force_dmt in N",
@@ -297,7 +307,12 @@ def test_no_word_asks_for_help(run: Run) -> None:
 def jkroll(*words: str, **options: object) -> "subprocess.CompletedProcess[str]":
     """Run the program as the shell does."""
     return subprocess.run(  # type: ignore[call-overload,no-any-return]
-        [sys.executable, "-m", "jkroll", *words], capture_output=True, text=True, check=False, encoding="utf-8", **options
+        [sys.executable, "-m", "jkroll", *words],
+        capture_output=True,
+        text=True,
+        check=False,
+        encoding="utf-8",
+        **options,
     )
 
 
@@ -312,7 +327,9 @@ def test_one_scene_imports_neither_numpy_nor_pint_nor_rich(tmp_path: Path) -> No
 
 
 def test_a_closed_pipe_is_141() -> None:
-    command = f"{sys.executable} -m jkroll pull-off quartz 1nm:1um:100000 --bare --quiet | head -1; exit ${{PIPESTATUS[0]}}"
+    command = (
+        f"{sys.executable} -m jkroll pull-off quartz 1nm:1um:100000 --bare --quiet | head -1; exit ${{PIPESTATUS[0]}}"
+    )
     ran = subprocess.run(["bash", "-c", command], capture_output=True, text=True, check=False)
     assert (ran.returncode, ran.stderr) == (141, "")
 
@@ -321,13 +338,19 @@ def test_a_closed_pipe_is_141() -> None:
 def test_a_full_disk_is_an_error() -> None:
     with open("/dev/full", "w") as full:
         ran = subprocess.run(
-            [sys.executable, "-m", "jkroll", "r-min", "100nm", "--quiet"], stdout=full, stderr=subprocess.PIPE, text=True, check=False
+            [sys.executable, "-m", "jkroll", "r-min", "100nm", "--quiet"],
+            stdout=full,
+            stderr=subprocess.PIPE,
+            text=True,
+            check=False,
         )
     assert (ran.returncode, ran.stderr) == (1, "jkroll: cannot write: No space left on device\n")
 
 
 def test_a_locale_without_utf8() -> None:
-    ran = jkroll("report", "quartz", "100nm", env={**os.environ, "LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONIOENCODING": "ascii"})
+    ran = jkroll(
+        "report", "quartz", "100nm", env={**os.environ, "LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONIOENCODING": "ascii"}
+    )
     assert ran.returncode == 0
     assert ran.stderr.isascii()
 

@@ -1,6 +1,6 @@
 """The README is a transcript: every command in it is run and must print what stands there.
 
-    python tests/test_readme.py        writes the transcript anew, to be read before it is committed
+python tests/test_readme.py        writes the transcript anew, to be read before it is committed
 """
 
 import doctest

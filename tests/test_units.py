@@ -13,7 +13,10 @@ from jkroll.unit_table import PINT_VERSION, PLAIN, PREFIXABLE, PREFIXES
 from jkroll.units import convert, dimension_of, kind_of, parse_quantity, unit_of
 
 
-@pytest.mark.parametrize("text", ["100nm", "0.1 µm", "0.1 μm", "0.1um", "1e-7m", "1000Å", "1000 Å", "1000 angstrom", "100\u00a0nm", "+100 nm"])
+@pytest.mark.parametrize(
+    "text",
+    ["100nm", "0.1 µm", "0.1 μm", "0.1um", "1e-7m", "1000Å", "1000 Å", "1000 angstrom", "100\u00a0nm", "+100 nm"],
+)
 def test_one_length_in_many_spellings_is_one_double(text: str) -> None:
     assert parse_quantity(text, "radius") == 1e-7
 
@@ -104,7 +107,10 @@ def test_every_finite_double_reads_back(value: float) -> None:
     assert parse_quantity(f"{value!r} N", "load") == value
 
 
-@given(st.decimals(min_value=Decimal("1e-30"), max_value=Decimal("1e30"), allow_nan=False), st.sampled_from(["nm", "um", "angstrom", "cm", "ft"]))
+@given(
+    st.decimals(min_value=Decimal("1e-30"), max_value=Decimal("1e30"), allow_nan=False),
+    st.sampled_from(["nm", "um", "angstrom", "cm", "ft"]),
+)
 def test_values_are_rounded_once(number: Decimal, unit: str) -> None:
     factor = {"nm": "1e-9", "um": "1e-6", "angstrom": "1e-10", "cm": "1e-2", "ft": "0.3048"}[unit]
     text = f"{number:e}"
@@ -115,11 +121,17 @@ def test_values_are_rounded_once(number: Decimal, unit: str) -> None:
 @given(st.floats(min_value=1e-300, max_value=1e300))
 def test_conversion_undoes_reading(value: float) -> None:
     assert convert(value, unit_of("m", "radius")) == value
-    assert abs(parse_quantity(f"{convert(value * 1e-9, unit_of('nm', 'radius'))!r} nm", "radius") / (value * 1e-9) - 1) < 3e-16
+    assert (
+        abs(parse_quantity(f"{convert(value * 1e-9, unit_of('nm', 'radius'))!r} nm", "radius") / (value * 1e-9) - 1)
+        < 3e-16
+    )
 
 
 @settings(max_examples=500)
-@given(st.text(max_size=100) | st.from_regex(r"[-+]?\d{1,5}(\.\d+)?(e-?\d{1,4})? ?([a-zA-Z]{1,8}[\^*/ ]{0,2}-?\d{0,3}){0,9}", fullmatch=True))
+@given(
+    st.text(max_size=100)
+    | st.from_regex(r"[-+]?\d{1,5}(\.\d+)?(e-?\d{1,4})? ?([a-zA-Z]{1,8}[\^*/ ]{0,2}-?\d{0,3}){0,9}", fullmatch=True)
+)
 def test_nothing_but_the_declared_errors_escapes(text: str) -> None:
     try:
         value = parse_quantity(text, "radius")

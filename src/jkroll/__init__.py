@@ -11,10 +11,10 @@ from .errors import JkrollError
 from .materials import Material, Materials, known_materials
 from .nomenclature import NOMENCLATURE, Quantity
 from .physics import FORMULAS
-from .scene import solve
+from .solver import solve
 
 __version__ = "0.1.0"
-__all__ = ["FORMULAS", "NOMENCLATURE", "JkrollError", "Material", "Materials", "Quantity", "known_materials", "solve", *FORMULAS]
+__all__ = ["FORMULAS", "NOMENCLATURE", "JkrollError", "Material", "Materials", "Quantity", "known_materials", "solve"]
 
 
 def __getattr__(name: str) -> Any:
@@ -23,3 +23,7 @@ def __getattr__(name: str) -> Any:
         return FORMULAS[name]
     except KeyError:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}") from None
+
+
+def __dir__() -> list[str]:
+    return sorted([*globals(), *FORMULAS])

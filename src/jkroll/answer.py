@@ -105,7 +105,9 @@ def answer(command: Command, scene: Scene) -> Answer:
             results.append(Result(name, scene[name]))
         except (MissingInput, NoResult) as error:
             errors.append(error)
-            results.append(Result(name, None, f"needs {error.needs()}" if isinstance(error, MissingInput) else str(error)))
+            results.append(
+                Result(name, None, f"needs {error.needs()}" if isinstance(error, MissingInput) else str(error))
+            )
     no_contact = next((error for error in errors if isinstance(error, BeyondPullOff)), None)
     if no_contact is not None:
         results = [Result(result.name, None, str(no_contact)) for result in results]

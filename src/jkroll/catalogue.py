@@ -21,7 +21,12 @@ def write_materials(materials: Materials, one: Material | None, out: TextIO, kin
             say(bibtex(entry), out)
     elif kind == "json":
         objects = [as_object(material) for material in chosen]
-        say(json.dumps(objects[0] if one is not None else objects, ensure_ascii=out.encoding.lower() != "utf-8", indent=2), out)
+        say(
+            json.dumps(
+                objects[0] if one is not None else objects, ensure_ascii=out.encoding.lower() != "utf-8", indent=2
+            ),
+            out,
+        )
     elif kind == "csv":
         writer = csv.writer(out, lineterminator="\n")
         writer.writerow(["material", *map(header, PROPERTIES)])
@@ -32,7 +37,12 @@ def write_materials(materials: Materials, one: Material | None, out: TextIO, kin
         from .table import write_rows
 
         rows = [
-            [material.name, ", ".join(material.aliases), *(_people(material, name) for name in PROPERTIES), material.title]
+            [
+                material.name,
+                ", ".join(material.aliases),
+                *(_people(material, name) for name in PROPERTIES),
+                material.title,
+            ]
             for material in chosen
         ]
         write_rows(["material", "also", *(NOMENCLATURE[name].symbol for name in PROPERTIES), "source"], rows, out)
@@ -55,7 +65,10 @@ def as_object(material: Material) -> dict[str, Any]:
 
 
 def _write_whole(material: Material, out: TextIO, *, people: bool) -> None:
-    say(f"material {material.name}" + (f" (also {', '.join(material.aliases)})" if people and material.aliases else ""), out)
+    say(
+        f"material {material.name}" + (f" (also {', '.join(material.aliases)})" if people and material.aliases else ""),
+        out,
+    )
     for name in PROPERTIES:
         if name in material.properties:
             unit = NOMENCLATURE[name].unit

@@ -115,7 +115,9 @@ def build(only: str | None = None) -> typer.Typer:
     app.callback()(_root)
     for name, command in COMMANDS.items():
         function = _command_function(name, command, complete=name == only)
-        app.command(name, cls=CompactCommand, help=command.sentence, epilog=f"Example: jkroll {name} {command.example}")(function)
+        app.command(
+            name, cls=CompactCommand, help=command.sentence, epilog=f"Example: jkroll {name} {command.example}"
+        )(function)
     app.command(
         "materials",
         cls=CompactCommand,
@@ -127,7 +129,7 @@ def build(only: str | None = None) -> typer.Typer:
 
 def _show_version(wanted: bool) -> None:
     if wanted:
-        print(f"jkroll {__version__}")
+        typer.echo(f"jkroll {__version__}")
         raise typer.Exit
 
 
@@ -140,7 +142,9 @@ def _root(
 
 
 def _materials_function(
-    name: Annotated[str | None, typer.Argument(metavar="[NAME]", autocompletion=complete_words, show_default=False)] = None,
+    name: Annotated[
+        str | None, typer.Argument(metavar="[NAME]", autocompletion=complete_words, show_default=False)
+    ] = None,
     json: Annotated[bool, typer.Option("--json", help="Format of the output.")] = False,
     csv: Annotated[bool, typer.Option("--csv", help="Format of the output.")] = False,
     cite: Annotated[bool, typer.Option("--cite", help="BibTeX of the sources.")] = False,
@@ -157,7 +161,9 @@ def _command_function(name: str, command: Command, complete: bool) -> Callable[.
     def function(**values: Any) -> Call:
         words = values.pop("words")
         output = Output(**{key: values.pop(key) for key in _OUTPUT if key in values}, configuration=_configuration())
-        return partial(run_command, command, words, {key: text for key, text in values.items() if text is not None}, output)
+        return partial(
+            run_command, command, words, {key: text for key, text in values.items() if text is not None}, output
+        )
 
     parameters = _parameters(command) if complete else []
     function.__signature__ = Signature(parameters)  # type: ignore[attr-defined]

@@ -35,6 +35,7 @@ class MalformedQuantity(QuantityError):
         self.reason = reason
 
     def problem(self) -> str:
+        """The reason, and what was expected."""
         return f"{self.reason}; expected {expectation(self.name)}"
 
 
@@ -42,6 +43,7 @@ class BareNumber(QuantityError):
     """A number where a unit is needed."""
 
     def problem(self) -> str:
+        """What was expected."""
         return f"has no unit; expected {expectation(self.name)}"
 
 
@@ -53,7 +55,10 @@ class AmbiguousUnit(QuantityError):
         self.before, self.after = before, after
 
     def problem(self) -> str:
-        return f"can be read as {self.before}*{self.after} or as {self.before}/{self.after}; write the one that is meant"
+        """Both readings."""
+        return (
+            f"can be read as {self.before}*{self.after} or as {self.before}/{self.after}; write the one that is meant"
+        )
 
 
 class UnknownUnit(QuantityError):
@@ -64,6 +69,7 @@ class UnknownUnit(QuantityError):
         self.unit = unit
 
     def problem(self) -> str:
+        """What the unit probably is, or what was expected."""
         from .suggestions import unit_like
 
         guess = unit_like(self.unit, self.name)
@@ -80,6 +86,7 @@ class WrongDimension(QuantityError):
         self.dimension = tuple(dimension)
 
     def problem(self) -> str:
+        """What it is, and what was expected."""
         from .units import kind_of
 
         return f"is {kind_of(self.dimension)}; expected {expectation(self.name)}"
@@ -188,7 +195,9 @@ class NoFiniteValue(NoResult):
         self.name, self.value = name, value
 
     def __str__(self) -> str:
-        return f"{self.name}: no finite value for these inputs"
+        return f"{self.name}: " + (
+            "no finite value for these inputs" if abs(self.value) > 1 else "no value that a double can hold"
+        )
 
 
 def expectation(name: str) -> str:
@@ -200,9 +209,9 @@ def expectation(name: str) -> str:
 
 
 def quoted(text: str) -> str:
-    """A user's text in quotes, without the characters that would move the cursor or reverse the line.
+    r"""A user's text in quotes, without the characters that would move the cursor or reverse the line.
 
-    >>> quoted("a\\x1b[31m\\u202e")
+    >>> quoted("a\x1b[31m\u202e")
     "'a?[31m?'"
     """
     return "'" + "".join(character if character.isprintable() else "?" for character in text) + "'"

@@ -5,7 +5,7 @@ from fractions import Fraction
 from math import isfinite
 from typing import Any, TextIO
 
-from .answer import Answer, Command
+from .answer import Answer
 from .errors import JkrollError
 from .formatting import Format, amount
 from .nomenclature import INFINITY, NOMENCLATURE, word_for_infinity
@@ -49,7 +49,7 @@ def docstring_fields(formula: Any) -> dict[str, str]:
     return fields
 
 
-def write_explanation(answer: Answer, scene: Scene, command: Command, out: TextIO, form: Format) -> None:
+def write_explanation(answer: Answer, scene: Scene, out: TextIO, form: Format) -> None:
     """For each result: formula, numbers put in, steps, result, equation, validity, accuracy and power law."""
     for number, result in enumerate(answer.results):
         quantity = NOMENCLATURE[result.name]
@@ -113,12 +113,18 @@ def power_law(scene: Scene, name: str, step: float = 1e-4) -> str:
         exponent = _log_derivative(scene, name, given, value, step)
         if exponent:
             symbol = NOMENCLATURE[given].symbol
-            exponents.append(symbol if exponent == "1" else f"{symbol}^{exponent}" if "/" not in exponent else f"{symbol}^({exponent})")
+            exponents.append(
+                symbol
+                if exponent == "1"
+                else f"{symbol}^{exponent}"
+                if "/" not in exponent
+                else f"{symbol}^({exponent})"
+            )
     return " ".join(exponents) or "none"
 
 
 def _log_derivative(scene: Scene, name: str, given: str, value: float, step: float) -> str:
-    """d ln(name)/d ln(given) as text; empty where it is zero or cannot be had."""
+    """D ln(name)/d ln(given) as text; empty where it is zero or cannot be had."""
     from math import log
 
     try:
@@ -140,7 +146,7 @@ def write_citations(answers: Iterable[Answer], scenes: Iterable[Scene], out: Tex
         known = [result.name for result in answer.results if result.value is not None]
         equations |= {step_equation: None for name in known for step_equation in _equations(scene, name)}
         references |= {str(entry["key"]): entry for entry in material_references(scene)}
-    order = sorted(equations, key=lambda text: int(text))
+    order = sorted(equations, key=int)
     say(PAPER % (("Eq. " if len(order) == 1 else "Eqs. ") + ", ".join(f"({equation})" for equation in order)), out)
     for entry in references.values():
         say(bibtex(entry), out)
@@ -152,7 +158,9 @@ def _equations(scene: Scene, name: str) -> list[str]:
 
 def material_references(scene: Scene) -> list[Mapping[str, str]]:
     """The references of the materials of a scene."""
-    return [entry for material in (scene.material, scene.material2) if material is not None for entry in material.references]
+    return [
+        entry for material in (scene.material, scene.material2) if material is not None for entry in material.references
+    ]
 
 
 def bibtex(entry: Mapping[str, str]) -> str:

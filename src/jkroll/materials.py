@@ -39,18 +39,18 @@ class Materials:
     def __init__(self, paths: Iterable[str | Path] = ()) -> None:
         """Read the shipped file, then each of `paths`, whose materials shadow those before them."""
         self.materials: dict[str, Material] = {}
-        self.shadowed: list[str] = []
         self._by_word: dict[str, str] = {}
         for path in (SHIPPED, *paths):
             for material in read(path):
                 self._add(material)
 
     def _add(self, material: Material) -> None:
-        words = [word.casefold() for word in (material.name, *material.aliases)]
-        for word in dict.fromkeys(words):
-            before = self._by_word.get(word)
-            if before is not None and self.materials[before].path != material.path:
-                self.shadowed.append(f"{word} from {material.path} shadows the one from {self.materials[before].title}")
+        """Add a material; one that takes a word from a material of another file says so in its notes."""
+        for word in dict.fromkeys(word.casefold() for word in (material.name, *material.aliases)):
+            before = self.materials.get(self._by_word.get(word, ""))
+            if before is not None and before.path != material.path:
+                note = f"{_clean(material.path)} shadows {_clean(word)} of {_clean(before.title)}"
+                material = material._replace(notes=(*material.notes, note))
             self._by_word[word] = material.name
         self.materials[material.name] = material
 
@@ -113,20 +113,30 @@ def _checked(data: Mapping[str, Any], path: str) -> list[Material]:
     bibliography = {
         key: {
             "key": key,
-            **{field: _string(text, f"references.{key}.{field}") for field, text in _table(entry, f"references.{key}").items()},
+            **{
+                field: _string(text, f"references.{key}.{field}")
+                for field, text in _table(entry, f"references.{key}").items()
+            },
         }
         for key, entry in _table(data.get("references", {}), "references").items()
     }
     entries = _table(data.get("materials", {}), "materials")
-    return [_material(name, _table(entry, f"materials.{name}"), bibliography, title, path) for name, entry in entries.items()]
+    return [
+        _material(name, _table(entry, f"materials.{name}"), bibliography, title, path)
+        for name, entry in entries.items()
+    ]
 
 
-def _material(name: str, entry: Mapping[str, Any], bibliography: Mapping[str, Mapping[str, str]], title: str, path: str) -> Material:
+def _material(
+    name: str, entry: Mapping[str, Any], bibliography: Mapping[str, Mapping[str, str]], title: str, path: str
+) -> Material:
     known = {*PROPERTIES, "aliases", "notes", "references"}
     for key in entry:
         if key not in known:
             guess = closest(key, known)
-            raise _Malformed(f"{quoted(name)} has an unknown key {quoted(key)}" + (f"; did you mean {guess}?" if guess else ""))
+            raise _Malformed(
+                f"{quoted(name)} has an unknown key {quoted(key)}" + (f"; did you mean {guess}?" if guess else "")
+            )
     texts = {key: _string(entry[key], f"{name}.{key}") for key in PROPERTIES if key in entry}
     try:
         properties = {key: parse_quantity(text, key) for key, text in texts.items()}
@@ -142,7 +152,9 @@ def _material(name: str, entry: Mapping[str, Any], bibliography: Mapping[str, Ma
     missing = [key for key in references if key not in bibliography]
     if missing:
         raise _Malformed(f"{quoted(name)} cites {quoted(missing[0])}, which [references] does not have")
-    return Material(name, properties, texts, aliases, notes, tuple(bibliography[key] for key in references), title, path)
+    return Material(
+        name, properties, texts, aliases, notes, tuple(bibliography[key] for key in references), title, path
+    )
 
 
 def is_material_name(word: str) -> bool:
@@ -151,7 +163,13 @@ def is_material_name(word: str) -> bool:
     >>> is_material_name("SiO2"), is_material_name("100nm"), is_material_name("a,b"), is_material_name("all")
     (True, False, False, False)
     """
-    return word[:1].isalpha() and len(word) <= MAX_NAME and word.isprintable() and "," not in word and word.casefold() not in ("all", "plane")
+    return (
+        word[:1].isalpha()
+        and len(word) <= MAX_NAME
+        and word.isprintable()
+        and "," not in word
+        and word.casefold() not in ("all", "plane")
+    )
 
 
 def _table(value: object, where: str) -> Mapping[str, Any]:

@@ -57,8 +57,12 @@ def word_for_infinity(name: str) -> str | None:
 
 _PER_SPHERE = {
     "radius": Quantity("R1", "m", "radius of sphere 1", range="positive", example="100nm"),
-    "surface_energy": Quantity("γ1", "J/m^2", "surface energy per surface", range="positive", option="--gamma", example="25mJ/m2"),
-    "youngs_modulus": Quantity("E1", "Pa", "Young's modulus", range="up to infinite", option="--young", example="54GPa"),
+    "surface_energy": Quantity(
+        "γ1", "J/m^2", "surface energy per surface", range="positive", option="--gamma", example="25mJ/m2"
+    ),
+    "youngs_modulus": Quantity(
+        "E1", "Pa", "Young's modulus", range="up to infinite", option="--young", example="54GPa"
+    ),
     "poisson_ratio": Quantity("ν1", "1", "Poisson's ratio", range="poisson", option="--poisson", example="0.17"),
     "density": Quantity("ρ1", "kg/m^3", "mass density", range="positive", option="--density", example="2.6g/cm3"),
     "mass": Quantity("m1", "kg", "mass of sphere 1", "41"),
@@ -79,7 +83,9 @@ _BOTH_SPHERES = {
     for of_sphere, quantity in _PER_SPHERE.items()
     for suffix in ("", "2")
 } | {
-    "radius2": Quantity("R2", "m", "radius of sphere 2, or plane", range="up to infinite", option="--radius2", example="1um")
+    "radius2": Quantity(
+        "R2", "m", "radius of sphere 2, or plane", range="up to infinite", option="--radius2", example="1um"
+    )
 }
 
 NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(

@@ -13,7 +13,7 @@ _DIGITS = 60
 
 @cache
 def registry() -> Any:
-    """pint's default registry, in decimal arithmetic so that its factors keep every digit."""
+    """Pint's default registry, in decimal arithmetic so that its factors keep every digit."""
     import pint
 
     return pint.UnitRegistry(non_int_type=Decimal)

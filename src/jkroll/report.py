@@ -60,7 +60,9 @@ def write_plain(answers: Sequence[Answer], out: TextIO, form: Format, command: C
         return
     for result in answers[0].results:
         if result.value is not None:
-            say(f"{result.name} {form.text(result.name, result.value)} {form.unit(result.name)}".removesuffix(" 1"), out)
+            say(
+                f"{result.name} {form.text(result.name, result.value)} {form.unit(result.name)}".removesuffix(" 1"), out
+            )
 
 
 def write_bare(answers: Sequence[Answer], out: TextIO, form: Format, command: Command) -> None:
@@ -79,13 +81,18 @@ def write_csv(answers: Sequence[Answer], out: TextIO, form: Format, command: Com
     writer.writerows(row(answer, names, form) for answer in answers)
 
 
-def write_json(answers: Sequence[Answer], out: TextIO, form: Format, command: Command) -> None:
+def write_json(answers: Sequence[Answer], out: TextIO, form: Format, _: Command) -> None:
     """An object a scene; an array of them if there are several."""
-    objects = [as_object(answer, form, command) for answer in answers]
-    say(json.dumps(objects[0] if len(objects) == 1 else objects, ensure_ascii=out.encoding.lower() != "utf-8", indent=2), out)
+    objects = [as_object(answer, form) for answer in answers]
+    say(
+        json.dumps(
+            objects[0] if len(objects) == 1 else objects, ensure_ascii=out.encoding.lower() != "utf-8", indent=2
+        ),
+        out,
+    )
 
 
-def as_object(answer: Answer, form: Format, command: Command) -> dict[str, Any]:
+def as_object(answer: Answer, form: Format) -> dict[str, Any]:
     """The JSON object of one scene."""
     from . import __version__
 

@@ -7,9 +7,9 @@ from itertools import product
 from pathlib import Path
 from typing import Any
 
-from .errors import BareNumber, JkrollError, MalformedQuantity, MaterialsFileError, quoted
+from .errors import BareNumber, JkrollError, MalformedQuantity, quoted
 from .formatting import Format
-from .materials import Material, Materials, is_material_name, known_materials
+from .materials import Material, Materials, known_materials
 from .nomenclature import NOMENCLATURE
 from .scene import Scene
 from .units import dimension_of, parse_quantity, unit_of
@@ -32,7 +32,9 @@ class Request:
         radii = [word for word in words if not _is_material(word)]
         named = [word for word in words if _is_material(word)]
         if len(named) > 1:
-            raise BadRequest(f"two materials, {quoted(named[0])} and {quoted(named[1])}; a list has commas, a second sphere has --material2")
+            raise BadRequest(
+                f"two materials, {quoted(named[0])} and {quoted(named[1])}; a list has commas, a second sphere has --material2"
+            )
         self.material_words = named[0] if named else ""
         self.material2_words = self.options.pop("material2", "")
         if radii:
@@ -45,11 +47,6 @@ class Request:
         """All materials that are known; the files are read when the first is asked for."""
         return known_materials(*self.files)
 
-    @property
-    def shadowed(self) -> list[str]:
-        """What to announce about materials of the user's own that shadow others, if any file was read."""
-        return self.materials.shadowed if "materials" in self.__dict__ else []
-
     def scenes(self) -> Iterator[Scene]:
         """A scene for each combination of the materials and values that were given."""
         values = {name: values_of(text, name) for name, text in self.options.items()}
@@ -60,8 +57,9 @@ class Request:
             count *= len(values[name])
         if count > MAX_SCENES:
             raise BadRequest(f"{count} scenes are more than {MAX_SCENES}")
-        for material, material2, *row in product(materials, materials2, *(values[name] for name in order)):
-            yield Scene(dict(zip(order, row, strict=True)), material, material2)
+        for material, material2 in product(materials, materials2):
+            for row in product(*(values[name] for name in order)):
+                yield Scene(dict(zip(order, row, strict=True)), material, material2)
 
     def _materials(self, words: str) -> list[Material | None]:
         if not words:
@@ -88,7 +86,9 @@ def values_of(text: str, name: str) -> list[float]:
             values += _range(item, name) if ":" in item else [parse_quantity(item, name)]
         except BareNumber:
             if len(items) > 1:
-                raise MalformedQuantity(name, text, "has a comma where a number has a point, or a number without a unit") from None
+                raise MalformedQuantity(
+                    name, text, "has a comma where a number has a point, or a number without a unit"
+                ) from None
             raise
     return values
 
@@ -131,13 +131,3 @@ def materials_files(option: str | None, configuration: Path) -> tuple[Path, ...]
     if len(files) > 1 and files[-1] == files[-2]:
         files.pop()
     return tuple(files)
-
-
-def check_materials_name(word: str) -> str:
-    """A word that may name a material, or BadRequest."""
-    if not is_material_name(word):
-        raise BadRequest(f"{quoted(word)} is no name of a material")
-    return word
-
-
-__all__ = ["BadRequest", "MaterialsFileError", "Request", "check_materials_name", "format_of", "materials_files", "values_of"]

@@ -1,11 +1,11 @@
 """One call of the command line, from what was typed to what is printed."""
 
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple, TextIO
 
-from .answer import Answer, Command, answer
+from .answer import Command, answer
 from .materials import known_materials
 from .report import WRITERS, say
 from .request import BadRequest, Request, format_of, materials_files
@@ -54,26 +54,27 @@ def run_command(command: Command, words: Sequence[str] | None, options: Mapping[
             write_citations(answers, scenes, out)
         else:
             for place, (one, scene) in enumerate(zip(answers, scenes, strict=True)):
-                say("\n" if place else "", out) if place else None
-                write_explanation(one, scene, command, out, form)
+                if place:
+                    say("\n", out)
+                write_explanation(one, scene, out, form)
     else:
         WRITERS[kind](answers, out, form, command)
     out.flush()
     if not output.quiet and kind not in ("json", "explain", "cite"):
-        _note(answers, request.shadowed)
+        _note([note for one in answers for note in one.notes])
     if failures:
         say(f"jkroll: {len(failures)} of {len(answers)} rows have no result", sys.stderr)
         return ROWS_FAILED
     return 0
 
 
-def _note(answers: Sequence[Answer], shadowed: Sequence[str]) -> None:
+def _note(notes: Iterable[str]) -> None:
     """Print each note once on stderr."""
-    notes = list(dict.fromkeys([*shadowed, *(note for one in answers for note in one.notes)]))
-    for note in notes[:MAX_NOTES]:
+    different = list(dict.fromkeys(notes))
+    for note in different[:MAX_NOTES]:
         say(f"note: {note}", sys.stderr)
-    if len(notes) > MAX_NOTES:
-        say(f"note: and {len(notes) - MAX_NOTES} more", sys.stderr)
+    if len(different) > MAX_NOTES:
+        say(f"note: and {len(different) - MAX_NOTES} more", sys.stderr)
 
 
 def run_materials(name: str | None, output: Output) -> int:
@@ -84,8 +85,4 @@ def run_materials(name: str | None, output: Output) -> int:
     kind = output.format_name(out)
     materials = known_materials(*materials_files(output.materials, output.configuration))
     write_materials(materials, None if name is None else materials[name], out, kind)
-    out.flush()
-    if not output.quiet and kind != "cite":
-        for note in materials.shadowed:
-            say(f"note: {note}", sys.stderr)
     return 0

@@ -8,12 +8,12 @@ A formula's parameters name what it needs, so the wiring needs no code. What a s
 - the names in DEFAULTS have values if nothing else is said.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import cache
 from typing import Any, NamedTuple
 
-from .errors import BeyondPullOff, MissingInput, NoFiniteValue, NoResult, OutOfRange, TwoRigidBodies, UnknownQuantity
-from .materials import PROPERTIES, Material, known_materials
+from .errors import BeyondPullOff, MissingInput, NoFiniteValue, OutOfRange, TwoRigidBodies, UnknownQuantity
+from .materials import PROPERTIES, Material
 from .nomenclature import INFINITY, NOMENCLATURE, RANGES
 from .physics import FORMULAS
 
@@ -43,7 +43,9 @@ class Scene:
     '1.1781e-08'
     """
 
-    def __init__(self, given: Mapping[str, Any], material: Material | None = None, material2: Material | None = None) -> None:
+    def __init__(
+        self, given: Mapping[str, Any], material: Material | None = None, material2: Material | None = None
+    ) -> None:
         """Take SI values by name, over those of the materials of sphere 1 and, if it has one of its own, of sphere 2."""
         for name, value in given.items():
             check_range(name, value)
@@ -58,7 +60,9 @@ class Scene:
     def is_identical(self) -> bool:
         """Whether nothing was said that makes sphere 2 differ from sphere 1."""
         return self.material2 is None and not any(
-            name.endswith("2") and value is not self.given.get(name.removesuffix("2")) and value != self.given.get(name.removesuffix("2"))
+            name.endswith("2")
+            and value is not self.given.get(name.removesuffix("2"))
+            and value != self.given.get(name.removesuffix("2"))
             for name, value in self.given.items()
         )
 
@@ -73,12 +77,16 @@ class Scene:
         """Which materials should have had the missing properties and do not."""
         materials = {True: self.material2 or self.material, False: self.material}
         without = [materials[name.endswith("2")] for name in missing if name.removesuffix("2") in PROPERTIES]
-        return ", ".join(dict.fromkeys(f"{material.name} has none in {material.title}" for material in without if material))
+        return ", ".join(
+            dict.fromkeys(f"{material.name} has none in {material.title}" for material in without if material)
+        )
 
     def inputs_of(self, *wanted: str) -> tuple[str, ...]:
         """The inputs that the wanted quantities depend on, in the order of the nomenclature."""
         used = set(self.plan(*wanted).inputs)
-        stated = {name for implied in used & _STATED_BY.keys() for name in (_STATED_BY[implied],) if name in self.values}
+        stated = {
+            name for implied in used & _STATED_BY.keys() for name in (_STATED_BY[implied],) if name in self.values
+        }
         return tuple(name for name in NOMENCLATURE if name in (used - _STATED_BY.keys()) | stated)
 
     def __getitem__(self, name: str) -> Any:
@@ -103,53 +111,6 @@ class Scene:
         return value
 
 
-def solve(wanted: str | Iterable[str], /, *, material: str | None = None, material2: str | None = None, **given: Any) -> Any:
-    """Compute quantities of the nomenclature from whatever is known of the scene.
-
-    Parameters
-    ----------
-    wanted
-        A name of the nomenclature, or several.
-    material, material2
-        Names or aliases of materials; `material2` for sphere 2, which is otherwise like sphere 1. A property given
-        by name overrides the material's.
-    **given
-        Inputs by name: a float or an array in SI units, a text with a unit ("100 nm"), or a pint Quantity. Arrays
-        broadcast. `radius2` may be infinite (a plane), and one Young's modulus too (a rigid body).
-
-    Returns
-    -------
-    The value of a single wanted name, or a dict of name to value. SI numbers: floats, arrays, or pint Quantities if
-    any input was one.
-
-    Raises
-    ------
-    MissingInput, UnknownMaterial, UnknownQuantity, QuantityError, OutOfRange
-        What was given is wrong, or not enough.
-    NoResult
-        The physics has no answer: a tension beyond pull-off, two rigid bodies. Arrays hold nan there instead.
-
-    Source: the equation of each quantity, see `jkroll.NOMENCLATURE`. Valid: as each formula says.
-
-    >>> f"{solve('r_min', radius='100 nm'):.3g}"
-    '5e-05'
-    >>> {name: round(value, 1) for name, value in solve(["n_grav"], material="quartz", radius=1e-7).items()}
-    {'n_grav': 939.4}
-    """
-    names = [wanted] if isinstance(wanted, str) else list(wanted)
-    described, registry = _in_si(given)
-    materials = None if material is None and material2 is None else known_materials()
-    scene = Scene(
-        described,
-        materials[material] if materials and material is not None else None,
-        materials[material2] if materials and material2 is not None else None,
-    )
-    results = {name: scene[name] for name in names}
-    if registry is not None:
-        results = {name: registry.Quantity(value, NOMENCLATURE[name].unit) for name, value in results.items()}
-    return results[names[0]] if isinstance(wanted, str) else results
-
-
 def check_range(name: str, value: Any) -> None:
     """Refuse a number that the quantity cannot have: OutOfRange."""
     quantity = NOMENCLATURE.get(name)
@@ -172,12 +133,17 @@ def check_range(name: str, value: Any) -> None:
 
 
 def is_plausible(name: str, value: float) -> bool:
-    """Whether a result is a number and, unless it is zero for a reason, not one that underflowed to zero."""
-    return -INFINITY < value < INFINITY or (value == INFINITY and name in _MAY_BE_INFINITE)
+    """Whether a result is one that doubles hold with all digits, or the zero or infinity that it may be."""
+    if value == 0:
+        return name in _MAY_BE_ZERO
+    return SMALLEST <= abs(value) < INFINITY or (value == INFINITY and name in _MAY_BE_INFINITE)
 
 
-# On a plane these are infinite and the formulas that take them expect it.
-_MAY_BE_INFINITE = frozenset({"mass2", "moment_of_inertia2"})
+SMALLEST = 2.2250738585072014e-308  # of the doubles that have all their digits
+_MAY_BE_INFINITE = frozenset({"mass2", "moment_of_inertia2"})  # of a plane
+_MAY_BE_ZERO = frozenset(
+    {"load_margin", "stiffness", "vertical_frequency", "approach_at_load"}
+)  # at P = -P_c, -(8/9)P_c
 
 
 # The input from which an implied value follows, to be echoed in its place.
@@ -202,7 +168,9 @@ def _guard_load_margin(*, load: Any, pull_off_force: Any) -> None:
         raise BeyondPullOff(load, pull_off_force)
 
 
-def _guard_contact_modulus(*, youngs_modulus: Any, poisson_ratio: Any, youngs_modulus2: Any, poisson_ratio2: Any) -> None:
+def _guard_contact_modulus(
+    *, youngs_modulus: Any, poisson_ratio: Any, youngs_modulus2: Any, poisson_ratio2: Any
+) -> None:
     def rigid(modulus: Any, ratio: Any) -> bool:
         return isinstance(modulus, (float, int)) and (modulus == INFINITY or ratio == -1)
 
@@ -210,7 +178,10 @@ def _guard_contact_modulus(*, youngs_modulus: Any, poisson_ratio: Any, youngs_mo
         raise TwoRigidBodies
 
 
-_GUARDS = {"load_margin": _guard_load_margin, "contact_modulus": _guard_contact_modulus}
+_GUARDS: Mapping[str, Callable[..., None]] = {
+    "load_margin": _guard_load_margin,
+    "contact_modulus": _guard_contact_modulus,
+}
 
 
 @cache
@@ -269,7 +240,11 @@ def depends_on(names: Iterable[str]) -> frozenset[str]:
             found.add(name)
             for route in ("adhesion_energy", "kinetic_energy") if name == "energy" else (name,):
                 base = route if route in FORMULAS else route.removesuffix("2")
-                pending += [parameter + route[len(base) :] for parameter in parameters_of(FORMULAS[base])] if base in FORMULAS else []
+                pending += (
+                    [parameter + route[len(base) :] for parameter in parameters_of(FORMULAS[base])]
+                    if base in FORMULAS
+                    else []
+                )
     return frozenset(found)
 
 
@@ -277,23 +252,3 @@ def parameters_of(formula: Any) -> tuple[str, ...]:
     """Names of a formula's parameters."""
     code = formula.__code__
     return tuple(code.co_varnames[: code.co_argcount + code.co_kwonlyargcount])
-
-
-def _in_si(given: Mapping[str, Any]) -> tuple[dict[str, Any], Any]:
-    """SI numbers for texts and pint Quantities, and the registry of the latter if there were any."""
-    values: dict[str, Any] = {}
-    registry = None
-    for name, value in given.items():
-        if name not in NOMENCLATURE:
-            raise UnknownQuantity(name)
-        if isinstance(value, str):
-            from .units import parse_quantity
-
-            value = parse_quantity(value, name)
-        elif hasattr(value, "m_as"):
-            registry = value._REGISTRY
-            value = value.m_as(NOMENCLATURE[name].unit)
-        elif isinstance(value, int):
-            value = float(value)
-        values[name] = value
-    return values, registry

@@ -37,7 +37,11 @@ def scene_table(answer: Answer, out: TextIO, form: Format, command: Command) -> 
 def sweep_table(answers: Sequence[Answer], out: TextIO, form: Format, command: Command) -> None:
     """A row a scene: what differs between the scenes, then the results. What they share stands above."""
     names = columns(answers, command)
-    shared = [name for name in names if name in answers[0].inputs and len({answer.inputs.get(name) for answer in answers}) == 1]
+    shared = [
+        name
+        for name in names
+        if name in answers[0].inputs and len({answer.inputs.get(name) for answer in answers}) == 1
+    ]
     shown = [name for name in names if name not in shared and not _follows(name, answers)]
     table = _table()
     for name in shown:
@@ -55,13 +59,17 @@ def sweep_table(answers: Sequence[Answer], out: TextIO, form: Format, command: C
 
 def _follows(name: str, answers: Sequence[Answer]) -> bool:
     """Whether an input says nothing new: sphere 2 is as large as sphere 1, or the material decides."""
-    leaders = {"radius2": "radius"} | {prop: "material" for prop in PROPERTIES} | {prop + "2": "material2" for prop in PROPERTIES}
+    leaders = (
+        {"radius2": "radius"} | dict.fromkeys(PROPERTIES, "material") | {prop + "2": "material2" for prop in PROPERTIES}
+    )
     leader = leaders.get(name)
     if leader is None or any(leader not in answer.inputs for answer in answers):
         return False
     if name == "radius2":
         return all(answer.inputs.get(name) == answer.inputs[leader] for answer in answers)
-    return len({(answer.inputs[leader], answer.inputs.get(name)) for answer in answers}) == len({answer.inputs[leader] for answer in answers})
+    return len({(answer.inputs[leader], answer.inputs.get(name)) for answer in answers}) == len(
+        {answer.inputs[leader] for answer in answers}
+    )
 
 
 def pretty(unit: str) -> str:

@@ -213,7 +213,7 @@ def _in_table(unit_name: str) -> Unit | None:
 
 @cache
 def _in_pint(unit_name: str) -> Unit | None:
-    """pint's meaning of a single validated name; None for a name it does not know or that is not a plain factor."""
+    """Pint's meaning of a single validated name; None for a name it does not know or that is not a plain factor."""
     from .pint_names import lookup
 
     found = lookup(unit_name)

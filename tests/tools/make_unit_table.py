@@ -46,7 +46,11 @@ def main() -> None:
         for name, (numerator, denominator, dimension) in prefixable.items():
             meant = lookup(prefix + name)
             if meant is not None and prefix + name not in plain:
-                scaled = (numerator * 10**exponent, denominator) if exponent > 0 else (numerator, denominator * 10**-exponent)
+                scaled = (
+                    (numerator * 10**exponent, denominator)
+                    if exponent > 0
+                    else (numerator, denominator * 10**-exponent)
+                )
                 same = meant[0] * scaled[1] == meant[1] * scaled[0] and meant[2] == dimension
                 if not same:
                     plain[prefix + name] = meant

@@ -4,9 +4,12 @@ A formula's name and its parameters' names are names of the nomenclature: that i
 are passed by name, because three radii, two energies per area (γ and w = 2γ) and five forces are easily exchanged.
 """
 
+from collections.abc import Callable, Mapping
+from typing import Any
+
 from . import chain, collision, contact, pair, rolling, vibration
 
-FORMULAS = {
+FORMULAS: Mapping[str, Callable[..., Any]] = {
     name: function
     for module in (pair, contact, rolling, chain, vibration, collision)
     for name, function in vars(module).items()

@@ -129,9 +129,7 @@ def approach_at_load(*, approach: Length, load_margin: Number, load_factor: Numb
     return approach * cbrt(load_factor) * ((3 * load_margin - 1) / 2)
 
 
-def stiffness(
-    *, contact_modulus: Stress, contact_radius_at_load: Length, load_margin: Number
-) -> Stiffness:
+def stiffness(*, contact_modulus: Stress, contact_radius_at_load: Length, load_margin: Number) -> Stiffness:
     """Normal stiffness of the contact: (6/5)E*a0 without load, 0 at pull-off.
 
         dP/dδ = 6 E*a s/(2 + 3s)

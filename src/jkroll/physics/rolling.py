@@ -114,7 +114,9 @@ def mean_rolling_force(*, mean_rolling_moment: Moment, radius: Length) -> Force:
 # --- How Eq (25) comes about: the contact as two half-circles at the same approach ---------------------------------
 
 
-def half_circle_moment(*, half_circle_radius: Length, approach_at_load: Length, contact_modulus: Stress, reduced_radius: Length) -> Moment:
+def half_circle_moment(
+    *, half_circle_radius: Length, approach_at_load: Length, contact_modulus: Stress, reduced_radius: Length
+) -> Moment:
     """Moment of one half of a symmetric contact about its diameter.
 
         M½ = ½E*𝒜²δ − (π/8)p_H𝒜³ = ½E*𝒜²δ − (E*/4R)𝒜⁴
