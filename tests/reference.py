@@ -21,11 +21,12 @@ mpf, pi, sqrt, cbrt = digits.mpf, +digits.pi, digits.sqrt, digits.cbrt
 DEFAULTS = {"yield_displacement": 2e-10, "load": 0.0, "gravity": 9.80665}
 
 
-def ulp_error(value: float, exact: Exact) -> float:
-    """Distance of a double from the exact value, in units of the last place of the nearest double."""
+def ulp_error(value: float, exact: Exact, of: Exact = None) -> float:
+    """Distance of a double from the exact value, in units of the last place of the nearest double (or of another)."""
     if value == exact:
         return 0.0
-    return float(abs(mpf(value) - exact) / math.ulp(float(exact))) if math.isfinite(value) else math.inf
+    unit = math.ulp(float(exact if of is None else of))
+    return float(abs(mpf(value) - exact) / unit) if math.isfinite(value) else math.inf
 
 
 def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:

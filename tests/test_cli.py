@@ -110,7 +110,7 @@ MESSAGES = {
     ),
     "n-roll quartz 100nm --energy 1eV --speed 1m/s": (
         2,
-        "both --energy and --speed are given; one follows from the other",
+        "--energy and --speed exclude each other",
     ),
     "pull-off quartz 100nm --to nm": (
         2,
@@ -236,7 +236,7 @@ def test_tension_beyond_pull_off_leaves_no_row_half_filled(run: Run) -> None:
 def test_explain_names_formula_steps_and_power_law(run: Run) -> None:
     text = run("n-roll quartz 100nm --explain").out
     for piece in (
-        "n = W0/(7π⟨M⟩) = W0/(14π P_c ξ)",
+        "n = (3/(14 ∛(9π))) (γ/E*)^(2/3) (∛R/ξ) W0/(P_cδ0)",
         "R1 = 100 nm",
         "(quartz, Table 1)",
         "(assumed)",

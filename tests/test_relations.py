@@ -122,9 +122,14 @@ def test_eq_49_is_eq_48(radius: float, work: float, modulus: float, displacement
         work_of_adhesion=work,
         contact_modulus=modulus,
         reduced_radius=radius / 2,
+        load_factor=1.0,
         yield_displacement=displacement,
     )
+    energy = solve("adhesion_energy", **scene)
     assert close(solve("n_roll", **scene), at_ratio)
+    assert close(solve("n_roll", energy=energy, **scene), at_ratio)
+    assert close(solve("n_roll_energy_balance", **scene), 3.5 * at_ratio)
+    assert close(solve("n_roll_energy_balance", energy=energy, **scene), 3.5 * at_ratio)
 
 
 def test_n_roll_follows_from_46_and_47() -> None:

@@ -138,6 +138,8 @@ def _echo(scene: Scene, used: Collection[str]) -> dict[str, float | str]:
             echoed[name] = scene.values[name]
         elif name == "radius2" and "radius" in used:
             echoed[name] = scene.values["radius"]
+        elif name == "energy" and "energy_ratio" in used:
+            echoed[name] = scene.values["energy_ratio"] * scene["adhesion_energy"]
     return {
         name: word_for_infinity(name) or value if value == INFINITY else value
         for name, value in sorted(echoed.items(), key=lambda item: _ORDER[item[0]])
@@ -155,8 +157,6 @@ def _assumptions(scene: Scene, inputs: Mapping[str, float | str], names: list[st
         if name in inputs and name not in scene.given
     ]
     steps = {step.name for name in names for step in scene.plan(name).steps}
-    if "adhesion_energy" in steps and "energy" not in scene.given:
-        assumed.append("W0 = P_cδ0 (--energy or --speed)")
     notes = [f"assumed {', '.join(assumed)}"] if assumed else []
     if "work_of_adhesion" in steps and "surface_energy2" in inputs:
         notes.append("w = 2√(γ1γ2) by the geometric mixing rule; a measured one is better (--work-of-adhesion)")

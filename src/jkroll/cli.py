@@ -220,8 +220,6 @@ def _parameter(name: str, kind: Any, declaration: Any) -> Parameter:
 def _default_text(name: str) -> str:
     from .formatting import amount
 
-    if name == "energy":
-        return "; P_cδ0 if not given"
     return f"; {amount(name, DEFAULTS[name])} if not given" if name in DEFAULTS else ""
 
 

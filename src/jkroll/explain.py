@@ -1,5 +1,6 @@
 """`--explain` and `--cite`: how a number comes about and what to cite for it, worded from the formulas' docstrings."""
 
+import re
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from math import isfinite
@@ -88,7 +89,8 @@ def _shown(name: str, scene: Scene) -> float | str:
 
 def _of_its_sphere(step: Step, formula: str) -> str:
     """A formula written for sphere 1, for the sphere it was used for."""
-    return formula.replace("1", "2") if step.name.endswith("2") and step.name != step.formula.__name__ else formula
+    is_of_sphere_2 = step.name.endswith("2") and step.name != step.formula.__name__
+    return re.sub(r"(?<=[^\W\d])1\b", "2", formula) if is_of_sphere_2 else formula
 
 
 def _origin(name: str, scene: Scene) -> str:

@@ -98,6 +98,9 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "load": Quantity("P", "N", "load, tension negative", range="finite", option="--load", example="-5nN"),
         "gravity": Quantity("g", "m/s^2", "gravitational acceleration", range="positive", option="--gravity", example="1.62m/s2"),
         "energy": Quantity("W0", "J", "energy of sphere 1 as it arrives", range="positive", option="--energy", example="1e-18J"),
+        "energy_ratio": Quantity(
+            "W0/P_cδ0", "1", "energy over the energy typical of adhesion", range="positive", option="--energy-ratio", example="1"
+        ),
         "speed": Quantity("v", "m/s", "speed of sphere 1 as it arrives", range="positive", option="--speed", example="10cm/s"),
         # the pair
         "work_of_adhesion": Quantity(
@@ -151,6 +154,8 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "adhesion_energy": Quantity("P_cδ0", "J", "energy typical of adhesion", "48"),
         "kinetic_energy": Quantity("m1v²/2", "J", "kinetic energy of sphere 1", "45"),
         "n_roll": Quantity("n_roll", "1", "turns until sphere 1 stops", "48"),
+        "n_roll_at_energy_ratio": Quantity("n_roll", "1", "turns until sphere 1 stops", "49"),
+        "n_roll_energy_balance_at_energy_ratio": Quantity("n_bal", "1", "turns by the energy balance", "49"),
         "n_roll_energy_balance": Quantity(
             "n_bal", "1", "turns by the energy balance", "48",
             note="Eq (47) leaves out the friction that also brakes the rotation; the energy balance gives 7/2 of Eq (48)",

@@ -39,8 +39,9 @@ class Request:
         self.material2_words = self.options.pop("material2", "")
         if radii:
             self.options["radius"] = ",".join(radii)
-        if "energy" in options and "speed" in options:
-            raise BadRequest("both --energy and --speed are given; one follows from the other")
+        energies = [name for name in ("energy", "energy_ratio", "speed") if name in options]
+        if len(energies) > 1:
+            raise BadRequest(" and ".join(f"{NOMENCLATURE[name].option}" for name in energies) + " exclude each other")
 
     @cached_property
     def materials(self) -> Materials:

@@ -17,7 +17,11 @@ from .materials import PROPERTIES, Material
 from .nomenclature import INFINITY, NOMENCLATURE, RANGES
 from .physics import FORMULAS
 
-DEFAULTS = {"yield_displacement": 2e-10, "load": 0.0, "gravity": 9.80665}
+DEFAULTS = {"yield_displacement": 2e-10, "load": 0.0, "gravity": 9.80665, "energy_ratio": 1.0}
+
+
+# Quantities that follow from the energy, or, where neither it nor a speed is given, from its ratio to P_cδ0.
+_OF_ENERGY = ("n_roll", "n_roll_energy_balance")
 
 
 class Step(NamedTuple):
@@ -33,6 +37,7 @@ class Plan(NamedTuple):
 
     steps: tuple[Step, ...]
     inputs: tuple[str, ...]
+    found: Mapping[str, str]  # wanted name → the name under which its value is known
 
 
 class Scene:
@@ -91,11 +96,11 @@ class Scene:
 
     def __getitem__(self, name: str) -> Any:
         """The value of a quantity. Raises MissingInput, or NoResult where the physics has no answer."""
-        values = self.values
-        for step in self.plan(name).steps:
-            if step.name not in values:
-                values[step.name] = self._run(step)
-        return values[name]
+        plan = self.plan(name)
+        for step in plan.steps:
+            if step.name not in self.values:
+                self.values[step.name] = self._run(step)
+        return self.values[plan.found[name]]
 
     def _run(self, step: Step) -> Any:
         arguments = {parameter: self.values[name] for parameter, name in step.arguments}
@@ -199,6 +204,8 @@ def _plan(wanted: tuple[str, ...], known: frozenset[str], own_material2: bool) -
             return name
         if name == "energy":
             return "kinetic_energy" if "speed" in known else "adhesion_energy"
+        if name in _OF_ENERGY and not known & {"energy", "speed"}:
+            return name + "_at_energy_ratio"
         if base != name and base not in FORMULAS and not (own_material2 and base in PROPERTIES):
             return base
         return name
@@ -217,17 +224,18 @@ def _plan(wanted: tuple[str, ...], known: frozenset[str], own_material2: bool) -
             before = len(missing)
             suffix = name[len(base) :]
             arguments = tuple((parameter, visit(parameter + suffix)) for parameter in parameters_of(FORMULAS[base]))
-            if len(missing) > before and NOMENCLATURE[asked].option:
-                instead.append(asked)
+            if len(missing) > before and (NOMENCLATURE[asked].option or asked in _OF_ENERGY):
+                instead.append("energy" if asked in _OF_ENERGY else asked)
             steps.setdefault(name, Step(name, FORMULAS[base], arguments))
         return name
 
+    found: dict[str, str] = {}
     for name in wanted:
-        visit(name)
+        found[name] = visit(name)
         if missing:
             raise MissingInput(name, tuple(dict.fromkeys(missing)), tuple(dict.fromkeys(instead)))
     order = list(NOMENCLATURE)
-    return Plan(tuple(steps.values()), tuple(sorted(inputs, key=order.index)))
+    return Plan(tuple(steps.values()), tuple(sorted(inputs, key=order.index)), found)
 
 
 def depends_on(names: Iterable[str]) -> frozenset[str]:
@@ -238,7 +246,8 @@ def depends_on(names: Iterable[str]) -> frozenset[str]:
         name = pending.pop()
         if name not in found:
             found.add(name)
-            for route in ("adhesion_energy", "kinetic_energy") if name == "energy" else (name,):
+            routes = (name, name + "_at_energy_ratio") if name in _OF_ENERGY else (name,)
+            for route in ("kinetic_energy",) if name == "energy" else routes:
                 base = route if route in FORMULAS else route.removesuffix("2")
                 pending += (
                     [parameter + route[len(base) :] for parameter in parameters_of(FORMULAS[base])]

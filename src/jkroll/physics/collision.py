@@ -98,7 +98,7 @@ def n_roll(*, energy: Energy, mean_rolling_moment: Moment) -> Number:
 
         n = W0/(7π⟨M⟩) = W0/(14π P_c ξ)
 
-    Source:   Eq (48); Eq (49) at W0 = P_cδ0.
+    Source:   Eq (48).
     Valid:    As Eq (47): it dissipates 2/7 of the energy and lets the rest slide away.
     Accuracy: 1.5 ulp above W0 and M.
 
@@ -129,20 +129,49 @@ def n_roll_at_energy_ratio(
     work_of_adhesion: SurfaceEnergy,
     contact_modulus: Stress,
     reduced_radius: Length,
+    load_factor: Number,
     yield_displacement: Length,
 ) -> Number:
-    """Number of full turns for an energy given in units of P_cδ0.
+    """Number of full turns sphere 1 rolls over a fixed body 2, for an energy given in units of P_cδ0.
 
-        n = (3/(14 ∛(9π))) (γ/E*)^(2/3) ∛R/ξ · W0/(P_cδ0), γ = w/2
+        n = (3/(14 ∛(9π))) (γ/E*)^(2/3) (∛R/ξ) W0/(P_cδ0) / â^(3/2) = ∛(3w²R/(10976πE*²)) W0/(P_cδ0) / (ξ â^(3/2))
 
-    Source:   Eq (49).
-    Valid:    As Eq (48), of which it is another form.
+    Source:   Eq (49), which is Eq (48) in other words.
+    Valid:    As Eq (48).
     Accuracy: 4 ulp.
 
     >>> n = n_roll_at_energy_ratio(energy_ratio=1.0, work_of_adhesion=0.05, contact_modulus=27.804e9,
-    ...                            reduced_radius=50e-9, yield_displacement=2e-10)
+    ...                            reduced_radius=50e-9, load_factor=1.0, yield_displacement=2e-10)
     >>> round(n, 4)
     0.0121
     """
-    softness = work_of_adhesion / (2 * contact_modulus)
-    return 3 / 14 * energy_ratio * cbrt(softness * softness * reduced_radius / (9 * pi)) / yield_displacement
+    length = work_of_adhesion / contact_modulus
+    turned = cbrt(3 / (10976 * pi) * length * length * reduced_radius)
+    return energy_ratio * turned / (yield_displacement * load_factor)
+
+
+def n_roll_energy_balance_at_energy_ratio(
+    *,
+    energy_ratio: Number,
+    work_of_adhesion: SurfaceEnergy,
+    contact_modulus: Stress,
+    reduced_radius: Length,
+    load_factor: Number,
+    yield_displacement: Length,
+) -> Number:
+    """Number of full turns by the energy balance, for an energy given in units of P_cδ0.
+
+        n = ∛(3w²R/(256πE*²)) W0/(P_cδ0) / (ξ â^(3/2)), which is 7/2 of Eq (49)
+
+    Source:   Caption of Fig. 7, in the terms of Eq (49).
+    Valid:    No slip at any time.
+    Accuracy: 4 ulp.
+
+    >>> n = n_roll_energy_balance_at_energy_ratio(energy_ratio=1.0, work_of_adhesion=0.05, contact_modulus=27.804e9,
+    ...                                           reduced_radius=50e-9, load_factor=1.0, yield_displacement=2e-10)
+    >>> round(n, 4)
+    0.0422
+    """
+    length = work_of_adhesion / contact_modulus
+    turned = cbrt(3 / (256 * pi) * length * length * reduced_radius)
+    return energy_ratio * turned / (yield_displacement * load_factor)

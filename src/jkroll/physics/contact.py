@@ -50,13 +50,13 @@ def contact_radius(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, c
     >>> f"{contact_radius(work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9) * 1e9:.3f} nm"
     '3.991 nm'
     """
-    return reduced_radius * cbrt(9 / 2 * pi * (work_of_adhesion / contact_modulus) / reduced_radius)
+    return cbrt(9 / 2 * pi * (work_of_adhesion / contact_modulus) * reduced_radius * reduced_radius)
 
 
 def approach(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress) -> Length:
     """Displacement of the two centres towards each other without load.
 
-        δ0 = P_c/(E*a0) = a0²/(3R) = (3π²γ²R/E*²)^(1/3)
+        δ0 = P_c/(E*a0) = a0²/(3R) = (3π²γ²R/E*²)^(1/3) = (3π²w²R/4E*²)^(1/3)
 
     Source:   Eq (3).
     Valid:    As Eq (2).
@@ -66,7 +66,7 @@ def approach(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact
     '0.10617 nm'
     """
     length = work_of_adhesion / contact_modulus
-    return length * cbrt(3 / 4 * (pi * pi) * (reduced_radius / length))
+    return cbrt(3 / 4 * (pi * pi) * length * length * reduced_radius)
 
 
 def load_margin(*, load: Force, pull_off_force: Force) -> Number:
@@ -99,22 +99,33 @@ def load_factor(*, load_margin: Number) -> Number:
     return (1 + load_margin) / 2
 
 
-def contact_radius_at_load(*, contact_radius: Length, load_factor: Number) -> Length:
+def contact_radius_at_load(
+    *, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress, load_factor: Number
+) -> Length:
     """Radius of the contact circle under a load.
 
-        a = a0 x^(2/3)
+        a = a0 x^(2/3) = (9πwR²x²/2E*)^(1/3)
 
     Source:   Eq (5).
     Valid:    As Eq (2); the stable branch.
-    Accuracy: 2 ulp above a0.
+    Accuracy: 3 ulp.
 
-    >>> contact_radius_at_load(contact_radius=4.0, load_factor=1.0)
-    4.0
+    >>> a = contact_radius_at_load(work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9, load_factor=1.0)
+    >>> f"{a * 1e9:.3f} nm"
+    '3.991 nm'
     """
-    return contact_radius * cbrt(load_factor * load_factor)
+    stretched = reduced_radius * load_factor
+    return cbrt(9 / 2 * pi * (work_of_adhesion / contact_modulus) * stretched * stretched)
 
 
-def approach_at_load(*, approach: Length, load_margin: Number, load_factor: Number) -> Length:
+def approach_at_load(
+    *,
+    work_of_adhesion: SurfaceEnergy,
+    reduced_radius: Length,
+    contact_modulus: Stress,
+    load_margin: Number,
+    load_factor: Number,
+) -> Length:
     """Displacement of the two centres towards each other under a load; negative where the neck is stretched.
 
         δ = δ0(3â² − 2√â) = δ0 x^(1/3) (3s − 1)/2
@@ -123,10 +134,14 @@ def approach_at_load(*, approach: Length, load_margin: Number, load_factor: Numb
     Valid:    The stable branch at dead load, s ≥ 0. It passes through 0 at P = −(8/9)P_c.
     Accuracy: 3 ulp of δ0.
 
-    >>> approach_at_load(approach=2.0, load_margin=1.0, load_factor=1.0)
-    2.0
+    >>> delta = approach_at_load(
+    ...     work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9, load_margin=1.0, load_factor=1.0)
+    >>> f"{delta * 1e9:.5f} nm"
+    '0.10617 nm'
     """
-    return approach * cbrt(load_factor) * ((3 * load_margin - 1) / 2)
+    length = work_of_adhesion / contact_modulus
+    at_margin_1 = cbrt(3 / 4 * (pi * pi) * length * length * reduced_radius * load_factor)
+    return at_margin_1 * ((3 * load_margin - 1) / 2)
 
 
 def stiffness(*, contact_modulus: Stress, contact_radius_at_load: Length, load_margin: Number) -> Stiffness:
@@ -144,34 +159,38 @@ def stiffness(*, contact_modulus: Stress, contact_radius_at_load: Length, load_m
     return 6 * load_margin / (2 + 3 * load_margin) * contact_modulus * contact_radius_at_load
 
 
-def hertz_pressure(*, contact_radius_at_load: Length, contact_modulus: Stress, reduced_radius: Length) -> Stress:
+def hertz_pressure(
+    *, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress, load_factor: Number
+) -> Stress:
     """Constant of the Hertz part of the pressure, which flattens the spheres.
 
-        p_H = 2aE*/(πR) = 6P_câ/(πa0²)
+        p_H = 2aE*/(πR) = 6P_câ/(πa0²) = E*(36wx²/(π²RE*))^(1/3)
 
     Source:   Eq (8), and the text below Eq (13).
     Valid:    As Eq (2).
-    Accuracy: 3 ulp above a, E* and R.
+    Accuracy: 3 ulp.
 
-    >>> f"{hertz_pressure(contact_radius_at_load=3.9908e-9, contact_modulus=27.804e9, reduced_radius=50e-9):.4e}"
+    >>> p = hertz_pressure(work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9, load_factor=1.0)
+    >>> f"{p:.4e}"
     '1.4128e+09'
     """
-    return 2 / pi * (contact_radius_at_load / reduced_radius) * contact_modulus
+    slope = 36 / (pi * pi) * (work_of_adhesion / contact_modulus) / reduced_radius
+    return contact_modulus * cbrt(slope * (load_factor * load_factor))
 
 
-def boussinesq_pressure(*, pull_off_force: Force, contact_radius: Length, load_factor: Number) -> Stress:
+def boussinesq_pressure(*, hertz_pressure: Stress, load_factor: Number) -> Stress:
     """Constant of the flat-punch part of the pressure, which pulls at the rim.
 
-        p_B = −2P_c/(πa0²√â)
+        p_B = −2P_c/(πa0²√â) = −p_H/(3x)
 
-    Source:   Eq (9).
+    Source:   Eqs (8) and (9).
     Valid:    JKR equilibrium at the load; the stable branch.
-    Accuracy: 3 ulp above P_c, a0 and x.
+    Accuracy: 1 ulp above p_H and x.
 
-    >>> f"{boussinesq_pressure(pull_off_force=1.1781e-8, contact_radius=3.9908e-9, load_factor=1.0):.4e}"
-    '-4.7091e+08'
+    >>> boussinesq_pressure(hertz_pressure=6.0, load_factor=1.0)
+    -2.0
     """
-    return -2 / pi * (pull_off_force / contact_radius) / contact_radius / cbrt(load_factor)
+    return -hertz_pressure / (3 * load_factor)
 
 
 # --- The same relations in the paper's reduced variables, and at a prescribed approach ------------------------------

@@ -28,6 +28,15 @@ sqrt = _for_numbers_and_arrays("sqrt")
 cbrt = _for_numbers_and_arrays("cbrt")
 
 
+def one_minus_square(value: Any) -> Any:
+    """1 − value², with all its digits for any value between −1 and 1."""
+    if isinstance(value, (float, int)):
+        return 1 - value * value if abs(value) < 0.5 else (1 - value) * (1 + value)
+    import numpy
+
+    return numpy.where(abs(value) < 0.5, 1 - value * value, (1 - value) * (1 + value))
+
+
 def parallel(value: Any, value2: Any) -> Any:
     """1/(1/value + 1/value2), exact where one of them is infinite or both are equal, and the same under exchange."""
     if isinstance(value, (float, int)) and isinstance(value2, (float, int)):

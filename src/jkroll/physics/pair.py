@@ -5,7 +5,7 @@ infinite).
 """
 
 from .dimensions import Density, Inertia, Length, Mass, Number, Stress, SurfaceEnergy
-from .elementary import parallel, pi, sqrt
+from .elementary import one_minus_square, parallel, pi, sqrt
 
 
 def work_of_adhesion(*, surface_energy: SurfaceEnergy, surface_energy2: SurfaceEnergy) -> SurfaceEnergy:
@@ -68,8 +68,8 @@ def contact_modulus(
     >>> round(contact_modulus(youngs_modulus=54e9, poisson_ratio=0.17, youngs_modulus2=54e9, poisson_ratio2=0.17) / 1e9, 3)
     27.804
     """
-    compliance = (1 - poisson_ratio) * (1 + poisson_ratio) / youngs_modulus
-    compliance2 = (1 - poisson_ratio2) * (1 + poisson_ratio2) / youngs_modulus2
+    compliance = one_minus_square(poisson_ratio) / youngs_modulus
+    compliance2 = one_minus_square(poisson_ratio2) / youngs_modulus2
     return 1 / (compliance + compliance2)
 
 
@@ -85,7 +85,7 @@ def mass(*, radius: Length, density: Density) -> Mass:
     >>> f"{mass(radius=1e-7, density=2600.0):.4e}"
     '1.0891e-17'
     """
-    return 4 / 3 * pi * (radius * radius * radius) * density
+    return 4 * pi * (radius * radius * radius) * density / 3
 
 
 def reduced_mass(*, mass: Mass, mass2: Mass) -> Mass:
@@ -103,19 +103,20 @@ def reduced_mass(*, mass: Mass, mass2: Mass) -> Mass:
     return parallel(mass, mass2)
 
 
-def moment_of_inertia(*, mass: Mass, radius: Length) -> Inertia:
+def moment_of_inertia(*, radius: Length, density: Density) -> Inertia:
     """Moment of inertia of a homogeneous sphere about its centre.
 
-        I1 = m1 k1² = (2/5) m1 R1²
+        I1 = m1 k1² = (2/5) m1 R1² = (8/15)πR1⁵ρ
 
     Source:   Text below Eq (38).
     Valid:    Homogeneous spheres.
-    Accuracy: 2 ulp above its mass.
+    Accuracy: 3 ulp.
 
-    >>> moment_of_inertia(mass=5.0, radius=1.0)
-    2.0
+    >>> round(moment_of_inertia(radius=1.0, density=15 / (8 * pi)), 15)
+    1.0
     """
-    return 2 / 5 * mass * (radius * radius)
+    square = radius * radius
+    return 8 * pi * (square * square * radius) * density / 15
 
 
 def reduced_moment_of_inertia(*, moment_of_inertia: Inertia, moment_of_inertia2: Inertia) -> Inertia:
@@ -133,21 +134,20 @@ def reduced_moment_of_inertia(*, moment_of_inertia: Inertia, moment_of_inertia2:
     return parallel(moment_of_inertia, moment_of_inertia2)
 
 
-def rolling_mass(*, mass: Mass, mass2: Mass, reduced_radius: Length, radius: Length, radius2: Length) -> Mass:
+def rolling_mass(*, mass: Mass, mass2: Mass, radius_ratio: Number) -> Mass:
     """Mass of the rolling mode of two free spheres that do not slip.
 
-        m_eff = (14/25) / [1/(m1 + m2) + (2/5)((R/R1)²/m1 + (R/R2)²/m2)]
+        m_eff = 14 / [25/(m1 + m2) + 10(1/m1 + q²/m2)/(1 + q)²], q = R1/R2
 
     It is I1/R1² + I2/R2² − (I1/R1 − I2/R2)²/(m(R1+R2)² + I1 + I2) for homogeneous spheres, without the cancellation:
-    (4/5)m1 for identical spheres, (7/5)(R1/R)²m1 where body 2 is held.
+    (4/5)m1 for identical spheres, (7/5)m1(1 + q)² where body 2 is held.
 
     Source:   Eqs (37)-(40) without their assumption that each sphere turns about its own centre.
     Valid:    Homogeneous spheres, no slip; body 2 may be held (its mass infinite).
     Accuracy: 4 ulp above its masses.
 
-    >>> round(rolling_mass(mass=1.0, mass2=1.0, reduced_radius=0.5, radius=1.0, radius2=1.0), 15)
+    >>> rolling_mass(mass=1.0, mass2=1.0, radius_ratio=1.0)
     0.8
     """
-    lever = reduced_radius / radius
-    lever2 = reduced_radius / radius2
-    return 14 / 25 / (1 / (mass + mass2) + 2 / 5 * (lever * lever / mass + lever2 * lever2 / mass2))
+    turning = (1 / mass + radius_ratio * radius_ratio / mass2) / ((1 + radius_ratio) * (1 + radius_ratio))
+    return 14 / (25 / (mass + mass2) + 10 * turning)

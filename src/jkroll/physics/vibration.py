@@ -10,6 +10,7 @@ from .dimensions import (
     Inertia,
     Length,
     Mass,
+    Number,
     RollingStiffness,
     Stiffness,
     SurfaceEnergy,
@@ -59,7 +60,7 @@ def vertical_frequency(*, stiffness: Stiffness, reduced_mass: Mass) -> Frequency
     >>> round(vertical_frequency(stiffness=(2 * pi) ** 2, reduced_mass=1.0), 12)
     1.0
     """
-    return sqrt(stiffness / reduced_mass) / (2 * pi)
+    return sqrt(stiffness / (4 * (pi * pi) * reduced_mass))
 
 
 def angular_acceleration(
@@ -91,7 +92,7 @@ def rolling_frequency(*, rolling_stiffness: RollingStiffness, reduced_moment_of_
     >>> round(rolling_frequency(rolling_stiffness=(2 * pi) ** 2, reduced_moment_of_inertia=1.0), 12)
     1.0
     """
-    return sqrt(rolling_stiffness / reduced_moment_of_inertia) / (2 * pi)
+    return sqrt(rolling_stiffness / (4 * (pi * pi) * reduced_moment_of_inertia))
 
 
 def rolling_frequency_as_printed(*, work_of_adhesion: SurfaceEnergy, radius: Length, density: Density) -> Frequency:
@@ -109,18 +110,16 @@ def rolling_frequency_as_printed(*, work_of_adhesion: SurfaceEnergy, radius: Len
     return 3 / (2 * pi) * sqrt(work_of_adhesion / 10 / (radius * radius * radius * density))
 
 
-def rolling_frequency_no_slip(
-    *, rolling_stiffness: RollingStiffness, reduced_radius: Length, rolling_mass: Mass
-) -> Frequency:
+def rolling_frequency_no_slip(*, work_of_adhesion: SurfaceEnergy, load_factor: Number, rolling_mass: Mass) -> Frequency:
     """Frequency at which two free spheres that do not slip roll back and forth over each other.
 
-        f = (1/2π)√(4P_c â^(3/2)/(R m_eff)) = (1/2π)√(k/(R² m_eff))
+        f = (1/2π)√(4P_c â^(3/2)/(R m_eff)) = √(3w â^(3/2)/(2π m_eff))
 
     Source:   Eqs (25) and (37)-(39), with the motion of the centres that no slip demands.
     Valid:    Homogeneous spheres; body 2 may be a plane, which is held. Equal to Eq (40) for identical spheres.
     Accuracy: 4 ulp.
 
-    >>> round(rolling_frequency_no_slip(rolling_stiffness=(2 * pi) ** 2, reduced_radius=1.0, rolling_mass=1.0), 12)
+    >>> round(rolling_frequency_no_slip(work_of_adhesion=2 * pi, load_factor=1.0, rolling_mass=3.0), 12)
     1.0
     """
-    return sqrt(rolling_stiffness / rolling_mass) / reduced_radius / (2 * pi)
+    return sqrt(3 * work_of_adhesion * load_factor / (2 * pi * rolling_mass))

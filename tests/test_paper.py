@@ -1,0 +1,221 @@
+"""Every number printed in the paper, computed and compared at the precision with which it is printed.
+
+The numbers are the records of paper.toml, which says how they are written and read. What the paper has wrong is among
+them, as a strict xfail with its reason.
+"""
+
+import math
+import tomllib
+from collections.abc import Mapping, Sequence
+from decimal import Decimal
+from fractions import Fraction
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+import pytest
+
+from jkroll import FORMULAS, NOMENCLATURE, known_materials, solve
+from jkroll.errors import MissingInput
+from jkroll.scene import parameters_of
+from jkroll.units import si_unit
+
+EMPTY_CELL = "..."
+ROUNDING = 1e-9  # how far a formula, or an exponent, may be from the printed one
+INPUTS = NOMENCLATURE.keys() | {name for formula in FORMULAS.values() for name in parameters_of(formula)}
+NAMES = INPUTS | FORMULAS.keys()
+
+Given = Mapping[str, Any]  # SI numbers, or texts for `solve` to read
+Interval = tuple[float, float]
+
+
+class Record(NamedTuple):
+    """One printed number; the head of paper.toml explains the fields."""
+
+    where: str
+    wanted: str
+    printed: str
+    given: Mapping[str, str] = MappingProxyType({})
+    within: Sequence[str] = ()
+    exponent_of: str = ""
+    disagrees: str = ""
+
+    def computed(self) -> float:
+        """What comes out for the wanted product, or for its exponent."""
+        given = understood(self.given)
+        result = product(self.wanted, given)
+        if not self.exponent_of:
+            return result
+        doubled = {**given, self.exponent_of: 2 * value(self.exponent_of, given)}
+        return math.log2(product(self.wanted, doubled) / result)
+
+    def admitted(self) -> Interval:
+        """The values that agree with what is printed."""
+        if self.within:
+            low, high = self.within
+            return si(low), si(high)
+        if self.exponent_of:
+            return around(float(Fraction(self.printed)), ROUNDING)
+        if is_product(self.printed):
+            formula = product(self.printed, understood(self.given))
+            return around(formula, ROUNDING * abs(formula))
+        return around(si(self.printed), half_a_unit_in_the_last_place(self.printed))
+
+
+# --- The texts of a record -------------------------------------------------------------------------------------------
+
+
+def si(text: str) -> float:
+    """SI value of a number and a unit."""
+    digits, _, unit = text.partition(" ")
+    number = Fraction(digits)
+    numerator, denominator, _ = si_unit(unit)
+    return float(number * numerator / denominator)
+
+
+def half_a_unit_in_the_last_place(text: str) -> float:
+    """Half a unit in the last printed place, in SI: 0.005 for "0.17", 5e-7 for "50 um"."""
+    digits, _, unit = text.partition(" ")
+    last_place = int(Decimal(digits).as_tuple().exponent)
+    return si(f"5e{last_place - 1} {unit}")
+
+
+def around(middle: float, margin: float) -> Interval:
+    """The values within a margin of the middle."""
+    return middle - margin, middle + margin
+
+
+def is_product(text: str) -> bool:
+    """Whether a text names a quantity or a formula, and so is not a number with a unit."""
+    return any(factor.partition("^")[0] in NAMES for factor in text.split())
+
+
+def product(text: str, given: Given) -> float:
+    """SI value of a product such as "4 pi radius^3 / 3"."""
+    result = 1.0
+    sign = 1
+    for factor in text.split():
+        if factor == "/":
+            sign = -1
+        else:
+            base, _, power = factor.partition("^")
+            result *= value(base, given) ** (sign * float(Fraction(power or 1)))
+    return result
+
+
+def value(name: str, given: Given) -> float:
+    """SI value of a quantity, of a formula, of what only a formula takes, of pi, or of a number."""
+    if name in NOMENCLATURE:
+        return float(solve(name, **{key: given[key] for key in given if key in NOMENCLATURE}))
+    if name in FORMULAS:
+        formula = FORMULAS[name]
+        return float(formula(**{parameter: value(parameter, given) for parameter in parameters_of(formula)}))
+    if name in given:
+        return float(given[name])
+    return math.pi if name == "pi" else float(name)
+
+
+def understood(texts: Mapping[str, str]) -> Given:
+    """What is given: texts that `solve` reads; else SI values, those of products from what stands before them."""
+    given: dict[str, Any] = {}
+    for name, text in texts.items():
+        if is_product(text):
+            given[name] = product(text, given)
+        else:
+            given[name] = text if name in NOMENCLATURE else si(text)
+    return given
+
+
+# --- The numbers -----------------------------------------------------------------------------------------------------
+
+PAPER: dict[str, Any] = tomllib.loads(Path(__file__).with_name("paper.toml").read_text(encoding="utf-8"))
+REFERENCES: Mapping[str, Sequence[str]] = PAPER.pop("references")
+RECORDS = [(section, Record(**entry)) for section, entries in PAPER.items() for entry in entries]
+EMPTY_CELLS = [record for _, record in RECORDS if record.printed == EMPTY_CELL]
+
+
+def disagreement(record: Record) -> list[pytest.MarkDecorator]:
+    """The mark of a number that must not come back. An error while computing it is no disagreement."""
+    return [pytest.mark.xfail(strict=True, raises=AssertionError, reason=record.disagrees)] if record.disagrees else []
+
+
+@pytest.mark.parametrize(
+    "record",
+    [
+        pytest.param(record, id=f"{section}: {record.where}", marks=disagreement(record))
+        for section, record in RECORDS
+        if record not in EMPTY_CELLS
+    ],
+)
+def test_printed_number(record: Record) -> None:
+    low, high = record.admitted()
+    assert low <= record.computed() <= high
+
+
+@pytest.mark.parametrize("record", [pytest.param(record, id=record.where) for record in EMPTY_CELLS])
+def test_empty_cell(record: Record) -> None:
+    with pytest.raises(MissingInput):
+        record.computed()
+
+
+@pytest.mark.parametrize("material", REFERENCES)
+def test_references(material: str) -> None:
+    for reference, line in zip(known_materials()[material].references, REFERENCES[material], strict=True):
+        if reference["type"] == "article":
+            assert line.startswith(reference["author"].partition(",")[0])
+            assert line.endswith("{year}. {journal}, {volume}, {pages}.".format_map(reference))
+        else:
+            assert line == reference["title"]
+
+
+# --- The test itself -------------------------------------------------------------------------------------------------
+
+
+def test_unknown_key_is_refused() -> None:
+    with pytest.raises(TypeError, match="agrees"):
+        Record(where="Eq 1", wanted="pull_off_force", printed="1 N", agrees="yes")  # type: ignore[call-arg]
+
+
+def test_every_input_is_one_that_something_takes() -> None:
+    assert {name for _, record in RECORDS for name in record.given} <= INPUTS
+
+
+def test_every_place_is_named_once() -> None:
+    places = [(section, record.where) for section, record in RECORDS]
+    assert len(places) == len(set(places))
+
+
+@pytest.mark.parametrize(
+    ("printed", "low", "high"),
+    [
+        ("500", 499.5, 500.5),
+        ("0.5", 0.45, 0.55),
+        ("-1.20", -1.205, -1.195),
+        ("50 um", 49.5e-6, 50.5e-6),
+        ("1.04 g/cm3", 1035, 1045),
+        ("1.0e10 N/m2", 0.95e10, 1.05e10),
+        ("4.77e7 Hz", 4.765e7, 4.775e7),
+    ],
+)
+def test_half_a_unit_in_the_last_printed_place_is_the_tolerance(printed: str, low: float, high: float) -> None:
+    assert Record("", "", printed).admitted() == pytest.approx((low, high), rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("2", 2),
+        ("radius", 0.5),
+        ("4 pi radius^3 / 3", math.pi / 6),
+        ("-1 / 2 radius^1/2", -math.sqrt(0.5)),
+        ("1 / radius 4", 0.5),
+    ],
+)
+def test_product(text: str, expected: float) -> None:
+    assert product(text, {"radius": "50 cm"}) == pytest.approx(expected, rel=1e-12)
+
+
+@pytest.mark.parametrize("printed", ["about 50 um", "50um", "fifty um", "fifty radius", "radius x 2"])
+def test_what_cannot_be_read_is_an_error(printed: str) -> None:
+    with pytest.raises(ValueError, match=r"Invalid literal|could not convert"):
+        Record("", "", printed, {"radius": "1 m"}).admitted()
