@@ -18,7 +18,7 @@ digits = MPContext()  # a context of its own, because other tests set the precis
 digits.dps = 120
 mpf, pi, sqrt, cbrt = digits.mpf, +digits.pi, digits.sqrt, digits.cbrt
 
-DEFAULTS = {"yield_displacement": 2e-10, "load": 0.0, "gravity": 9.80665}
+DEFAULTS = {"yield_displacement": 2e-10, "load": 0.0, "gravity": 9.80665, "energy_ratio": 1.0}
 
 
 def ulp_error(value: float, exact: Exact, of: Exact = None) -> float:
@@ -73,7 +73,7 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
     # Eqs 45-48
     adhesion_energy = P_c * delta0
     kinetic = {"kinetic_energy": m1 * known["speed"] ** 2 / 2} if "speed" in known else {}
-    W0 = known.get("energy", kinetic.get("kinetic_energy", adhesion_energy))
+    W0 = known.get("energy", kinetic.get("kinetic_energy", known["energy_ratio"] * adhesion_energy))
 
     return kinetic | {
         "work_of_adhesion": 2 * gamma,
@@ -114,11 +114,13 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
         "adhesion_energy": adhesion_energy,
         "n_roll": W0 / (7 * pi * mean_M),
         "n_roll_energy_balance": W0 / (2 * pi * mean_M),
+        "n_roll_at_energy_ratio": known["energy_ratio"] * adhesion_energy / (7 * pi * mean_M),
+        "n_roll_energy_balance_at_energy_ratio": known["energy_ratio"] * adhesion_energy / (2 * pi * mean_M),
     }
 
 
 def exact(formula: str, arguments: Mapping[str, float]) -> Exact:
-    """The exact value of one formula at arguments that are themselves taken as exact."""
+    """The exact value of one formula at arguments taken as exact; what its equation needs besides, by its own."""
     return _evaluate(EQUATIONS[formula], arguments)
 
 
@@ -128,12 +130,12 @@ def scale(formula: str, arguments: Mapping[str, float]) -> Exact:
 
 
 def _evaluate(equation: Callable[..., Exact], arguments: Mapping[str, float]) -> Exact:
-    symbols = equation.__code__.co_varnames[: equation.__code__.co_argcount]
-    return equation(*(mpf(arguments[SYMBOLS[symbol]]) for symbol in symbols))
+    names = [SYMBOLS[symbol] for symbol in equation.__code__.co_varnames[: equation.__code__.co_argcount]]
+    return equation(*(mpf(arguments[name]) if name in arguments else exact(name, arguments) for name in names))
 
 
 SYMBOLS = {
-    "R1": "radius", "R2": "radius2", "R": "reduced_radius", "ratio": "radius_ratio",
+    "R1": "radius", "R2": "radius2", "R": "reduced_radius", "q": "radius_ratio",
     "gamma1": "surface_energy", "gamma2": "surface_energy2", "w": "work_of_adhesion",
     "E1": "youngs_modulus", "E2": "youngs_modulus2", "E": "contact_modulus", "nu1": "poisson_ratio", "nu2": "poisson_ratio2",
     "rho1": "density", "m1": "mass", "m2": "mass2", "m": "reduced_mass", "m_eff": "rolling_mass", "g": "gravity",
@@ -143,7 +145,7 @@ SYMBOLS = {
     "a_": "contact_radius_ratio", "r": "distance", "p_H": "hertz_pressure", "p_B": "boussinesq_pressure",
     "K": "stiffness", "k": "rolling_stiffness", "xi": "yield_displacement", "M": "yield_moment", "mean_M": "mean_rolling_moment",
     "A": "half_circle_radius", "angle": "angle", "dz": "displacement", "N": "number",
-    "W0": "energy", "ratio_W": "energy_ratio", "v": "speed", "omega": "angular_speed",
+    "W0": "energy", "W": "energy_ratio", "v": "speed", "omega": "angular_speed",
 }  # fmt: skip
 
 EQUATIONS: Mapping[str, Callable[..., Exact]] = {
@@ -156,7 +158,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "reduced_mass": lambda m1, m2: 1 / (1 / m1 + 1 / m2),
     "moment_of_inertia": lambda m1, R1: 2 * m1 * R1**2 / 5,
     "reduced_moment_of_inertia": lambda I1, I2: 1 / (1 / I1 + 1 / I2),
-    "rolling_mass": lambda m1, m2, R, R1, R2: 14 / (25 / (m1 + m2) + 10 * ((R / R1) ** 2 / m1 + (R / R2) ** 2 / m2)),
+    "rolling_mass": lambda m1, m2, q: 14 / (25 / (m1 + m2) + 10 * (1 / m1 + q**2 / m2) / (1 + q) ** 2),
     # the contact
     "pull_off_force": lambda w, R: 3 * pi * w / 2 * R,
     "pull_off_force_dmt": lambda w, R: 4 * pi * w / 2 * R,
@@ -165,10 +167,10 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "load_margin": lambda P, P_c: sqrt(1 + P / P_c),
     "load_factor": lambda s: (1 + s) / 2,
     "contact_radius_at_load": lambda a0, x: a0 * cbrt(x**2),
-    "approach_at_load": lambda delta0, s, x: delta0 * cbrt(x) * (3 * s - 1) / 2,
+    "approach_at_load": lambda delta0, x, s: delta0 * cbrt(x) * (3 * s - 1) / 2,
     "stiffness": lambda E, a, s: 6 * E * a * s / (2 + 3 * s),
     "hertz_pressure": lambda a, E, R: 2 * a * E / (pi * R),
-    "boussinesq_pressure": lambda P_c, a0, x: -2 * P_c / (pi * a0**2 * cbrt(x)),
+    "boussinesq_pressure": lambda p_H, x: -p_H / (3 * x),
     "load_ratio": lambda a_: 4 * (a_**3 - sqrt(a_) ** 3),
     "approach_ratio": lambda a_: 3 * a_**2 - 2 * sqrt(a_),
     "pressure": lambda r, a, p_H, p_B: p_H * sqrt(1 - (r / a) ** 2) + p_B / sqrt(1 - (r / a) ** 2),
@@ -177,7 +179,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     # rolling
     "yield_moment": lambda P_c, x, xi: 4 * P_c * x * xi,
     "rolling_stiffness": lambda P_c, x, R: 4 * P_c * x * R,
-    "yield_force": lambda w, x, xi, ratio: 6 * pi * w * x * xi / (1 + ratio),
+    "yield_force": lambda w, x, xi, q: 6 * pi * w * x * xi / (1 + q),
     "yield_force_ratio": lambda x, xi, R1: 4 * x * xi / R1,
     "yield_angle": lambda xi, R: xi / R,
     "mean_rolling_moment": lambda M: M / 2,
@@ -198,7 +200,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "angular_acceleration": lambda angle, k, I1: -k * angle / I1,
     "rolling_frequency": lambda k, I: sqrt(k / I) / (2 * pi),  # noqa: E741
     "rolling_frequency_as_printed": lambda w, R1, rho1: 3 / (2 * pi) * sqrt(w / 2 / (5 * R1**3 * rho1)),
-    "rolling_frequency_no_slip": lambda k, R, m_eff: sqrt(k / (R**2 * m_eff)) / (2 * pi),
+    "rolling_frequency_no_slip": lambda w, x, m_eff: sqrt(6 * pi * w * x / m_eff) / (2 * pi),
     # collisions
     "adhesion_energy": lambda P_c, delta0: P_c * delta0,
     "kinetic_energy": lambda m1, v: m1 * v**2 / 2,
@@ -207,9 +209,8 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "angular_deceleration": lambda mean_M, I1: -mean_M / I1,
     "n_roll": lambda W0, mean_M: W0 / (7 * pi * mean_M),
     "n_roll_energy_balance": lambda W0, mean_M: W0 / (2 * pi * mean_M),
-    "n_roll_at_energy_ratio": lambda ratio_W, w, E, R, xi: (
-        3 / (14 * cbrt(9 * pi)) * cbrt((w / 2 / E) ** 2) * cbrt(R) / xi * ratio_W
-    ),
+    "n_roll_at_energy_ratio": lambda W, delta0, x, xi: W * delta0 / (14 * pi * x * xi),
+    "n_roll_energy_balance_at_energy_ratio": lambda W, delta0, x, xi: W * delta0 / (4 * pi * x * xi),
 }
 
 # The larger of two terms that may cancel.

@@ -62,7 +62,9 @@ def any_scene(random: Random) -> Values:
     if random.random() < 0.5:
         ratios = [random.uniform(-0.9, 1), log_uniform(random, 1e-18, 1e6), -log_uniform(random, 1e-18, 0.9)]
         scene["load"] = random.choice(ratios) * float(exact_results(scene)["pull_off_force"])
-    match random.choice(["adhesion", "energy", "speed"]):
+    match random.choice(["adhesion", "ratio", "energy", "speed"]):
+        case "ratio":
+            scene["energy_ratio"] = log_uniform(random, 1e-6, 1e6)
         case "energy":
             scene["energy"] = log_uniform(random, 1e-30, 1e3)
         case "speed":

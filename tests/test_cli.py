@@ -62,7 +62,16 @@ MESSAGES = {
     "pull-off quartz 100": (2, "radius: '100' has no unit; expected a length such as 100nm"),
     "pull-off quartz 0nm": (2, "radius: '0nm' must be positive; expected a length such as 100nm"),
     "pull-off quartz -5nm": (2, "radius: '−5nm' must be positive; expected a length such as 100nm"),
-    "pull-off quartz plane": (2, "radius: 'plane' does not begin with a number; expected a length such as 100nm"),
+    "pull-off quartz plane": (2, "a plane is sphere 2: write --radius2 plane"),
+    "pull-off quartz 5 pints": (2, "radius: '5 pints' is a volume; expected a length such as 100nm"),
+    "pull-off": (
+        2,
+        "pull_off_force needs surface energy per surface and radius of sphere 1; "
+        "give --gamma 25mJ/m2 and a radius such as 100nm or --work-of-adhesion 50mJ/m2",
+    ),
+    "pull-off 100nm --gamma 1J/m2 --work-of-adhesion 1J/m2": (2, "--gamma and --work-of-adhesion exclude each other"),
+    "pull-off quartz 100nm --radius2 1kg": (2, "radius2: '1kg' is a mass; expected a length such as 1um, or plane"),
+    "pull-off quartz 100nm --to foo": (2, "--to: 'foo' has an unknown unit 'foo'; did you mean foot?"),
     "pull-off quartz 5,5nm": (
         2,
         "radius: '5,5nm' has a comma where a number has a point, or a number without a unit; expected a length such as 100nm",
@@ -84,13 +93,13 @@ MESSAGES = {
     ),
     "yield-force quartz 100nm --load -20nN": (
         1,
-        "load: -2e-08 N is beyond pull-off; this contact holds down to -1.1781e-08 N",
+        "load: -2e-08 N is beyond pull-off; this contact holds down to -1.1780972450961723e-08 N",
     ),
     "contact quartz 100nm --poisson 0.6": (
         2,
         "poisson_ratio: '0.6' must lie between -1 and 0.5; expected a number such as 0.17",
     ),
-    "r-min 100nm --radius2 plane": (1, "r_min: no finite value for these inputs"),
+    "r-min 100nm --radius2 plane": (1, "r_min: sphere 2 is a plane; a chain needs two spheres"),
     "r-min 1e-170m": (1, "r_min: no value that a double can hold"),
     "pull-off quartz 1nm:1um": (
         2,
@@ -224,13 +233,21 @@ def test_a_failed_row_is_counted_and_the_others_stand(run: Run) -> None:
     assert ran.code == 1
     assert ran.out.splitlines()[0] == "-"
     assert float(ran.out.splitlines()[1]) > 0
-    assert ran.err == "jkroll: 1 of 2 rows have no result\n"
+    assert ran.err == "jkroll: 1 of 2 rows failed\n"
 
 
-def test_tension_beyond_pull_off_leaves_no_row_half_filled(run: Run) -> None:
-    data = json.loads(run("yield-force quartz 10nm 1um --load -5nN --json").out)
-    assert all(result["value"] is None for result in data[0]["results"])
-    assert data[0]["inputs"]["load"] == -5e-9
+def test_tension_beyond_pull_off_takes_what_depends_on_the_load(run: Run) -> None:
+    ran = run("report quartz 10nm --load -5nN --json")
+    data = json.loads(ran.out)
+    assert ran.code == 1
+    assert (
+        ran.err == "jkroll: load: -5e-09 N is beyond pull-off; this contact holds down to -1.1780972450961722e-09 N\n"
+    )
+    values = {result["name"]: result["value"] for result in data["results"]}
+    assert values["pull_off_force"] > 0
+    assert values["r_min"] > 0
+    assert values["yield_force"] is values["n_grav"] is values["vertical_frequency"] is None
+    assert data["inputs"]["load"] == -5e-9
 
 
 def test_explain_names_formula_steps_and_power_law(run: Run) -> None:
@@ -260,10 +277,10 @@ def test_every_quantity_is_explained_and_cited(run: Run, name: str) -> None:
 
 def test_materials_in_every_format(run: Run) -> None:
     data = json.loads(run("materials --json").out)
-    assert [one["name"] for one in data] == ["gold", "graphite", "iron", "polystyrene", "quartz"]
-    assert data[0]["youngs_modulus"] is None
+    assert [one["name"] for one in data] == ["polystyrene", "quartz", "graphite", "gold", "iron"]
+    assert data[3]["youngs_modulus"] is None
     assert json.loads(run("materials FE --json").out)["density"] == 7700.0
-    assert run("materials --csv").out.splitlines()[1] == "gold,0.79,,,19300.0"
+    assert run("materials --csv").out.splitlines()[4] == "gold,0.79,,,19300.0"
     assert run("materials gold").out.splitlines()[1] == "surface_energy 0.79 J/m^2"
     assert run("materials quartz --cite").out.startswith("@article{kendall-1987,")
 

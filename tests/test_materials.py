@@ -43,8 +43,8 @@ def test_aliases_in_any_case() -> None:
 
 def test_the_paper_s_footnotes_and_references_are_there() -> None:
     materials = Materials()
-    assert "micron-sized" in materials["quartz"].notes[0]
-    assert "mean of the range" in materials["gold"].notes[0]
+    assert "micron-sized" in materials["quartz"].notes["surface_energy"]
+    assert "mean of the range" in materials["gold"].notes["surface_energy"]
     assert all(material.references for material in materials.materials.values())
     assert set(materials["gold"].properties) == {"surface_energy", "density"}
 

@@ -47,10 +47,18 @@ _COMMANDS = {
         ("n_roll_energy_balance",),
         "quartz 1um --speed 10cm/s",
     ),
-    "contact": _command(
+    "contact": Command(
         "The contact: its radius, approach, stiffness and pressure.",
-        ("contact_radius", "approach"),
-        ("contact_radius_at_load", "approach_at_load", "stiffness", "hertz_pressure", "boussinesq_pressure"),
+        ("contact_radius_at_load", "approach_at_load"),
+        (
+            "contact_radius",
+            "approach",
+            "contact_radius_at_load",
+            "approach_at_load",
+            "stiffness",
+            "hertz_pressure",
+            "boussinesq_pressure",
+        ),
         "quartz 100nm --load -5nN",
     ),
     "moment": _command(
@@ -87,7 +95,7 @@ class Answer(NamedTuple):
     inputs: Mapping[str, float | str]
     results: tuple[Result, ...]
     notes: tuple[str, ...]
-    failure: JkrollError | None  # why there is no result at all
+    failure: JkrollError | None  # why there is no result, or no contact
 
     def value(self, name: str) -> float | None:
         """The value of a result that this answer has, or None."""
@@ -97,24 +105,25 @@ class Answer(NamedTuple):
 def answer(command: Command, scene: Scene) -> Answer:
     """Compute what a command shows of a scene, as far as the scene allows."""
     results: list[Result] = []
-    errors: list[JkrollError] = []
+    errors: dict[str, JkrollError] = {}
     for name in command.quantities:
         if not _concerns(name, scene):
             continue
         try:
             results.append(Result(name, scene[name]))
-        except (MissingInput, NoResult) as error:
-            errors.append(error)
-            results.append(
-                Result(name, None, f"needs {error.needs()}" if isinstance(error, MissingInput) else str(error))
-            )
-    no_contact = next((error for error in errors if isinstance(error, BeyondPullOff)), None)
-    if no_contact is not None:
-        results = [Result(result.name, None, str(no_contact)) for result in results]
+        except MissingInput as error:
+            errors[name] = error
+            results.append(Result(name, None, f"needs {error.needs()}"))
+        except NoResult as error:
+            errors[name] = error
+            results.append(Result(name, None, str(error).removeprefix(f"{name}: ")))
     known = [result.name for result in results if result.value is not None]
-    inputs = _echo(scene, scene.inputs_of(*known) if known else depends_on(command.quantities) & scene.given.keys())
-    notes = (*_assumptions(scene, inputs, known), *_about_materials(scene), *_about(results))
-    return Answer(inputs, tuple(results), notes, None if known else no_contact or errors[0])
+    planned = [result.name for result in results if not isinstance(errors.get(result.name), MissingInput)]
+    used = scene.inputs_of(*planned) if planned else depends_on(command.quantities) & scene.given.keys()
+    inputs = _echo(scene, used)
+    notes = (*_assumptions(scene, inputs, planned), *_about_data(scene, inputs), *_about(results))
+    no_contact = next((error for error in errors.values() if isinstance(error, BeyondPullOff)), None)
+    return Answer(inputs, tuple(results), notes, no_contact or (None if known else next(iter(errors.values()))))
 
 
 def _concerns(name: str, scene: Scene) -> bool:
@@ -163,9 +172,16 @@ def _assumptions(scene: Scene, inputs: Mapping[str, float | str], names: list[st
     return notes
 
 
-def _about_materials(scene: Scene) -> list[str]:
-    materials = [material for material in (scene.material, scene.material2) if material is not None]
-    return list(dict.fromkeys(f"{material.name}: {note}" for material in materials for note in material.notes))
+def _about_data(scene: Scene, inputs: Mapping[str, float | str]) -> list[str]:
+    """What is to be known of the material data that were used."""
+    used = scene.data_used(inputs)
+    shadows = [f"{material.name}: {text}" for material, _ in used for text in material.shadows]
+    notes = [
+        f"{material.name}: {NOMENCLATURE[name].sentence}: {material.notes[name]}"
+        for material, name in used
+        if name in material.notes
+    ]
+    return list(dict.fromkeys(shadows + notes))
 
 
 def _about(results: list[Result]) -> list[str]:

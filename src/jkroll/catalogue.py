@@ -2,17 +2,17 @@
 
 import csv
 import json
+from collections.abc import Sequence
 from typing import Any, TextIO
 
 from .formatting import Format, amount
-from .materials import PROPERTIES, Material, Materials
+from .materials import PROPERTIES, Material
 from .nomenclature import NOMENCLATURE, header
 from .report import say
 
 
-def write_materials(materials: Materials, one: Material | None, out: TextIO, kind: str) -> None:
-    """All materials in a table or one of them whole, in the format asked for."""
-    chosen = [one] if one is not None else sorted(materials.materials.values(), key=lambda material: material.name)
+def write_materials(chosen: Sequence[Material], out: TextIO, kind: str, *, whole: bool) -> None:
+    """Materials in a table, or one of them whole, in the format asked for."""
     if kind == "cite":
         from .explain import bibtex
 
@@ -22,17 +22,15 @@ def write_materials(materials: Materials, one: Material | None, out: TextIO, kin
     elif kind == "json":
         objects = [as_object(material) for material in chosen]
         say(
-            json.dumps(
-                objects[0] if one is not None else objects, ensure_ascii=out.encoding.lower() != "utf-8", indent=2
-            ),
+            json.dumps(objects[0] if whole else objects, ensure_ascii=out.encoding.lower() != "utf-8", indent=2),
             out,
         )
     elif kind == "csv":
         writer = csv.writer(out, lineterminator="\n")
         writer.writerow(["material", *map(header, PROPERTIES)])
         writer.writerows([material.name, *_cells(material, "")] for material in chosen)
-    elif one is not None:
-        _write_whole(one, out, people=kind == "table")
+    elif whole:
+        _write_whole(chosen[0], out, people=kind == "table")
     elif kind == "table":
         from .table import write_rows
 
@@ -58,7 +56,7 @@ def as_object(material: Material) -> dict[str, Any]:
         "name": material.name,
         "aliases": list(material.aliases),
         **{name: material.properties.get(name) for name in PROPERTIES},
-        "notes": list(material.notes),
+        "notes": dict(material.notes),
         "references": [dict(entry) for entry in material.references],
         "source": material.title,
     }
@@ -77,8 +75,8 @@ def _write_whole(material: Material, out: TextIO, *, people: bool) -> None:
         elif people:
             say(f"{name:16}none in {material.title}", out)
     if people:
-        for note in material.notes:
-            say(f"note            {note}", out)
+        for name, note in material.notes.items():
+            say(f"note            {NOMENCLATURE[name].sentence}: {note}", out)
         for entry in material.references:
             fields = (entry.get(key, "") for key in ("author", "title", "journal", "volume", "pages", "year"))
             say(f"reference       {', '.join(field for field in fields if field)}", out)

@@ -58,7 +58,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return INTERRUPTED
     except (JkrollError, typer.TyperException, typer.Abort, OSError) as error:
         if debug:
-            raise
+            import traceback
+
+            traceback.print_exc()
         return _report(error)
 
 
@@ -116,7 +118,7 @@ def build(only: str | None = None) -> typer.Typer:
     for name, command in COMMANDS.items():
         function = _command_function(name, command, complete=name == only)
         app.command(
-            name, cls=CompactCommand, help=command.sentence, epilog=f"Example: jkroll {name} {command.example}"
+            name, cls=CompactCommand, help=command.sentence, epilog=_EPILOG.format(name=name, example=command.example)
         )(function)
     app.command(
         "materials",
@@ -176,6 +178,9 @@ def _configuration() -> Path:
     return Path(typer.get_app_dir("jkroll")) / "materials.toml"
 
 
+_EPILOG = """Lists (1nm,1um) and ranges (1nm:1um:50, or :50:lin) give a row each.
+
+Example: jkroll {name} {example}"""
 _ALWAYS = ("radius2", "material2", "surface_energy", "work_of_adhesion", "youngs_modulus", "poisson_ratio", "density")
 _SPHERE_2 = ("surface_energy2", "youngs_modulus2", "poisson_ratio2", "density2")
 _OUTPUT: Mapping[str, tuple[Any, Any]] = {
@@ -193,7 +198,7 @@ _OUTPUT: Mapping[str, tuple[Any, Any]] = {
 
 def _parameters(command: Command) -> list[Parameter]:
     """The parameters of a command: words, the inputs its quantities depend on, and the ways to write the results."""
-    argument = typer.Argument(metavar="[MATERIAL] RADIUS...", autocompletion=complete_words, show_default=False)
+    argument = typer.Argument(metavar="[MATERIAL] [RADIUS]...", autocompletion=complete_words, show_default=False)
     parameters = [_parameter("words", list[str] | None, argument)]
     depends = depends_on(command.quantities)
     for name in (*_ALWAYS, *_SPHERE_2, *(name for name in NOMENCLATURE if name in depends)):
@@ -204,7 +209,7 @@ def _parameters(command: Command) -> list[Parameter]:
             quantity.option,
             metavar=quantity.example,
             help=f"{quantity.sentence[0].upper()}{quantity.sentence[1:]}{_default_text(name)}.",
-            hidden=name in _SPHERE_2,
+            hidden=name in _SPHERE_2 or name not in (*depends, "material2", "radius2"),
             autocompletion=complete_input(name),
             show_default=False,
         )
@@ -220,7 +225,9 @@ def _parameter(name: str, kind: Any, declaration: Any) -> Parameter:
 def _default_text(name: str) -> str:
     from .formatting import amount
 
-    return f"; {amount(name, DEFAULTS[name])} if not given" if name in DEFAULTS else ""
+    if name == "material2":
+        return ", or --gamma2, --young2, ..."
+    return f", default {amount(name, DEFAULTS[name])}" if name in DEFAULTS else ""
 
 
 def run() -> None:

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from .nomenclature import NOMENCLATURE
+from .nomenclature import NOMENCLATURE, word_for_infinity
 
 
 class JkrollError(Exception):
@@ -128,14 +128,17 @@ class MissingInput(JkrollError):
     def needs(self) -> str:
         """The missing inputs, which material does not have them, and how they are given."""
         words = " and ".join(NOMENCLATURE[name].sentence for name in self.missing)
-        example = " ".join(_as_typed(name) for name in self.missing)
+        options = " ".join(_as_typed(name) for name in self.missing if NOMENCLATURE[name].option)
+        radii = [
+            f"a radius such as {NOMENCLATURE[name].example}" for name in self.missing if not NOMENCLATURE[name].option
+        ]
+        give = " and ".join([options, *radii] if options else radii)
         instead = "".join(f" or {_as_typed(name)}" for name in self.instead)
-        return f"{words}{self.lacking and '; ' + self.lacking}; give {example}{instead}"
+        return f"{words}{self.lacking and '; ' + self.lacking}; give {give}{instead}"
 
 
 def _as_typed(name: str) -> str:
-    quantity = NOMENCLATURE[name]
-    return f"{quantity.option} {quantity.example}" if quantity.option else f"a radius such as {quantity.example}"
+    return f"{NOMENCLATURE[name].option} {NOMENCLATURE[name].example}"
 
 
 class UnknownQuantity(JkrollError):
@@ -148,7 +151,8 @@ class UnknownQuantity(JkrollError):
     def __str__(self) -> str:
         from .suggestions import closest
 
-        guess = closest(self.name, NOMENCLATURE)
+        by_option = (name for name, quantity in NOMENCLATURE.items() if quantity.option == f"--{self.name}")
+        guess = next(by_option, None) or closest(self.name, NOMENCLATURE)
         return f"{quoted(self.name)} is not a quantity" + (f"; did you mean {guess}?" if guess else "")
 
 
@@ -177,7 +181,7 @@ class BeyondPullOff(NoResult):
         self.load, self.pull_off_force = load, pull_off_force
 
     def __str__(self) -> str:
-        return f"load: {self.load:.6g} N is beyond pull-off; this contact holds down to {-self.pull_off_force:.6g} N"
+        return f"load: {self.load!r} N is beyond pull-off; this contact holds down to {-self.pull_off_force!r} N"
 
 
 class TwoRigidBodies(NoResult):
@@ -185,6 +189,13 @@ class TwoRigidBodies(NoResult):
 
     def __str__(self) -> str:
         return "contact_modulus: both bodies are rigid; a contact area needs one that yields"
+
+
+class NoChain(NoResult):
+    """A chain of spheres and planes."""
+
+    def __str__(self) -> str:
+        return "r_min: sphere 2 is a plane; a chain needs two spheres"
 
 
 class NoFiniteValue(NoResult):
@@ -205,7 +216,9 @@ def expectation(name: str) -> str:
     from .units import dimension_of, kind_of
 
     quantity = NOMENCLATURE[name]
-    return f"{kind_of(dimension_of(quantity.unit))}" + (f" such as {quantity.example}" if quantity.example else "")
+    word = word_for_infinity(name)
+    example = f" such as {quantity.example}" if quantity.example else ""
+    return kind_of(dimension_of(quantity.unit)) + example + (f", or {word}" if word else "")
 
 
 def quoted(text: str) -> str:

@@ -90,7 +90,7 @@ def _shown(name: str, scene: Scene) -> float | str:
 def _of_its_sphere(step: Step, formula: str) -> str:
     """A formula written for sphere 1, for the sphere it was used for."""
     is_of_sphere_2 = step.name.endswith("2") and step.name != step.formula.__name__
-    return re.sub(r"(?<=[^\W\d])1\b", "2", formula) if is_of_sphere_2 else formula
+    return re.sub(r"(?<=[^\W\d])1(?![0-9])", "2", formula) if is_of_sphere_2 else formula
 
 
 def _origin(name: str, scene: Scene) -> str:

@@ -8,6 +8,7 @@ from stat import S_ISREG
 from typing import Any, NamedTuple
 
 from .errors import MaterialsFileError, QuantityError, UnknownMaterial, quoted
+from .nomenclature import NOMENCLATURE
 from .suggestions import closest
 from .units import parse_quantity
 
@@ -25,9 +26,9 @@ class Material(NamedTuple):
 
     name: str
     properties: Mapping[str, float]
-    texts: Mapping[str, str]  # the properties as the file writes them
     aliases: tuple[str, ...]
-    notes: tuple[str, ...]
+    notes: Mapping[str, str]  # on properties
+    shadows: tuple[str, ...]  # what it took the place of
     references: tuple[Mapping[str, str], ...]
     title: str  # what the file calls itself: "Table 1"
     path: str
@@ -45,12 +46,12 @@ class Materials:
                 self._add(material)
 
     def _add(self, material: Material) -> None:
-        """Add a material; one that takes a word from a material of another file says so in its notes."""
+        """Add a material; one that takes a word from a material of another file says so."""
         for word in dict.fromkeys(word.casefold() for word in (material.name, *material.aliases)):
             before = self.materials.get(self._by_word.get(word, ""))
             if before is not None and before.path != material.path:
                 note = f"{_clean(material.path)} shadows {_clean(word)} of {_clean(before.title)}"
-                material = material._replace(notes=(*material.notes, note))
+                material = material._replace(shadows=(*material.shadows, note))
             self._by_word[word] = material.name
         self.materials[material.name] = material
 
@@ -137,14 +138,18 @@ def _material(
             raise _Malformed(
                 f"{quoted(name)} has an unknown key {quoted(key)}" + (f"; did you mean {guess}?" if guess else "")
             )
-    texts = {key: _string(entry[key], f"{name}.{key}") for key in PROPERTIES if key in entry}
-    try:
-        properties = {key: parse_quantity(text, key) for key, text in texts.items()}
-    except QuantityError as error:
-        raise _Malformed(f"{_clean(name)}: {error}") from None
-    aliases, notes, references = (
+    properties = {key: _property(key, entry[key], name) for key in PROPERTIES if key in entry}
+    notes = {
+        key: _string(text, f"{name}.notes.{key}")
+        for key, text in _table(entry.get("notes", {}), f"{name}.notes").items()
+    }
+    if set(notes) - properties.keys():
+        raise _Malformed(
+            f"{quoted(name)} has a note on {quoted(min(set(notes) - properties.keys()))}, which it does not give"
+        )
+    aliases, references = (
         tuple(_string(item, f"{name}.{key}") for item in _list(entry.get(key, []), f"{name}.{key}"))
-        for key in ("aliases", "notes", "references")
+        for key in ("aliases", "references")
     )
     for word in (name, *aliases):
         if not is_material_name(word):
@@ -152,9 +157,18 @@ def _material(
     missing = [key for key in references if key not in bibliography]
     if missing:
         raise _Malformed(f"{quoted(name)} cites {quoted(missing[0])}, which [references] does not have")
-    return Material(
-        name, properties, texts, aliases, notes, tuple(bibliography[key] for key in references), title, path
-    )
+    cited = tuple(bibliography[key] for key in references)
+    return Material(name, properties, aliases, notes, (), cited, title, path)
+
+
+def _property(key: str, value: object, name: str) -> float:
+    """A property: a text with a unit, or, if it has no unit, a number."""
+    if isinstance(value, (int, float)) and not isinstance(value, bool) and NOMENCLATURE[key].unit == "1":
+        value = repr(value)
+    try:
+        return parse_quantity(_string(value, f"{name}.{key}"), key)
+    except QuantityError as error:
+        raise _Malformed(f"{_clean(name)}: {error}") from None
 
 
 def is_material_name(word: str) -> bool:

@@ -96,10 +96,10 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         **_BOTH_SPHERES,
         "yield_displacement": Quantity("ξ", "m", "yield displacement", range="positive", option="--xi", example="2angstrom"),
         "load": Quantity("P", "N", "load, tension negative", range="finite", option="--load", example="-5nN"),
-        "gravity": Quantity("g", "m/s^2", "gravitational acceleration", range="positive", option="--gravity", example="1.62m/s2"),
+        "gravity": Quantity("g", "m/s^2", "gravity", range="positive", option="--gravity", example="1.62m/s2"),
         "energy": Quantity("W0", "J", "energy of sphere 1 as it arrives", range="positive", option="--energy", example="1e-18J"),
         "energy_ratio": Quantity(
-            "W0/P_cδ0", "1", "energy over the energy typical of adhesion", range="positive", option="--energy-ratio", example="1"
+            "W0/P_cδ0", "1", "W0 over P_cδ0", range="positive", option="--energy-ratio", example="1"
         ),
         "speed": Quantity("v", "m/s", "speed of sphere 1 as it arrives", range="positive", option="--speed", example="10cm/s"),
         # the pair

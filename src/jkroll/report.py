@@ -137,7 +137,7 @@ def write_table(answers: Sequence[Answer], out: TextIO, form: Format, command: C
     from .table import scene_table, sweep_table
 
     if len(answers) == 1:
-        scene_table(answers[0], out, form, command)
+        scene_table(answers[0], out, form)
     else:
         sweep_table(answers, out, form, command)
 

@@ -7,7 +7,7 @@ from itertools import product
 from pathlib import Path
 from typing import Any
 
-from .errors import BareNumber, JkrollError, MalformedQuantity, quoted
+from .errors import BareNumber, JkrollError, MalformedQuantity, QuantityError, quoted
 from .formatting import Format
 from .materials import Material, Materials, known_materials
 from .nomenclature import NOMENCLATURE
@@ -16,6 +16,14 @@ from .units import dimension_of, parse_quantity, unit_of
 
 MAX_SCENES = 1_000_000
 ENVIRONMENT = "JKROLL_MATERIALS"
+
+
+# Inputs of which one follows from the other.
+_EXCLUSIVE = (
+    ("energy", "energy_ratio", "speed"),
+    ("surface_energy", "work_of_adhesion"),
+    ("surface_energy2", "work_of_adhesion"),
+)
 
 
 class BadRequest(JkrollError):
@@ -29,6 +37,9 @@ class Request:
         """`words`: materials and radii; `options`: text by the name of the input; `files`: of materials, by rising precedence."""
         self.options = dict(options)
         self.files = files
+        words = _joined(words)
+        if "plane" in map(str.casefold, words):
+            raise BadRequest("a plane is sphere 2: write --radius2 plane")
         radii = [word for word in words if not _is_material(word)]
         named = [word for word in words if _is_material(word)]
         if len(named) > 1:
@@ -39,9 +50,10 @@ class Request:
         self.material2_words = self.options.pop("material2", "")
         if radii:
             self.options["radius"] = ",".join(radii)
-        energies = [name for name in ("energy", "energy_ratio", "speed") if name in options]
-        if len(energies) > 1:
-            raise BadRequest(" and ".join(f"{NOMENCLATURE[name].option}" for name in energies) + " exclude each other")
+        for alternatives in _EXCLUSIVE:
+            given = [NOMENCLATURE[name].option for name in alternatives if name in options]
+            if len(given) > 1:
+                raise BadRequest(" and ".join(given) + " exclude each other")
 
     @cached_property
     def materials(self) -> Materials:
@@ -68,6 +80,17 @@ class Request:
         if words.casefold() == "all":
             return list(self.materials.materials.values())
         return [self.materials[word] for word in words.split(",")]
+
+
+def _joined(words: Sequence[str]) -> list[str]:
+    """The words, with a number and the unit that was typed after a space made one."""
+    joined: list[str] = []
+    for word in words:
+        if joined and joined[-1][-1:].isdigit() and not joined[-1].strip("+-−.0123456789eE") and _is_material(word):
+            joined[-1] += f" {word}"
+        else:
+            joined.append(word)
+    return joined
 
 
 def _is_material(word: str) -> bool:
@@ -116,7 +139,10 @@ def format_of(to: str | None, digits: int | None, quantities: Sequence[str]) -> 
     """How results are to be written: each unit of `--to` serves the quantities of its dimension."""
     units: dict[str, Any] = {}
     for text in to.split(",") if to else []:
-        unit = unit_of(text, quantities[0])
+        try:
+            unit = unit_of(text, quantities[0])
+        except QuantityError as error:
+            raise BadRequest(f"--to: {quoted(text)} {error.problem()}") from None
         fitting = [name for name in quantities if dimension_of(NOMENCLATURE[name].unit) == unit.dimension]
         if not fitting:
             kinds = ", ".join(dict.fromkeys(f"{name} in {NOMENCLATURE[name].unit}" for name in quantities))

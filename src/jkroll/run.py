@@ -45,7 +45,7 @@ def run_command(command: Command, words: Sequence[str] | None, options: Mapping[
     scenes = list(request.scenes())
     answers = [answer(command, scene) for scene in scenes]
     failures = [one.failure for one in answers if one.failure is not None]
-    if len(answers) == 1 and failures:
+    if len(answers) == 1 and failures and all(answers[0].value(name) is None for name in command.headline):
         raise failures[0]
     if kind in ("explain", "cite"):
         from .explain import write_citations, write_explanation
@@ -63,7 +63,10 @@ def run_command(command: Command, words: Sequence[str] | None, options: Mapping[
     if not output.quiet and kind not in ("json", "explain", "cite"):
         _note([note for one in answers for note in one.notes])
     if failures:
-        say(f"jkroll: {len(failures)} of {len(answers)} rows have no result", sys.stderr)
+        say(
+            f"jkroll: {failures[0] if len(answers) == 1 else f'{len(failures)} of {len(answers)} rows failed'}",
+            sys.stderr,
+        )
         return ROWS_FAILED
     return 0
 
@@ -84,5 +87,8 @@ def run_materials(name: str | None, output: Output) -> int:
     out = sys.stdout
     kind = output.format_name(out)
     materials = known_materials(*materials_files(output.materials, output.configuration))
-    write_materials(materials, None if name is None else materials[name], out, kind)
+    chosen = list(materials.materials.values()) if name in (None, "all") else [materials[name]]
+    write_materials(chosen, out, kind, whole=name not in (None, "all"))
+    if not output.quiet:
+        _note(f"{material.name}: {text}" for material in chosen for text in material.shadows)
     return 0

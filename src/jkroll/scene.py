@@ -8,11 +8,11 @@ A formula's parameters name what it needs, so the wiring needs no code. What a s
 - the names in DEFAULTS have values if nothing else is said.
 """
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from functools import cache
 from typing import Any, NamedTuple
 
-from .errors import BeyondPullOff, MissingInput, NoFiniteValue, OutOfRange, TwoRigidBodies, UnknownQuantity
+from .errors import BeyondPullOff, MissingInput, NoChain, NoFiniteValue, OutOfRange, TwoRigidBodies, UnknownQuantity
 from .materials import PROPERTIES, Material
 from .nomenclature import INFINITY, NOMENCLATURE, RANGES
 from .physics import FORMULAS
@@ -57,6 +57,7 @@ class Scene:
         self.material, self.material2 = material, material2
         own = dict(material.properties) if material is not None else {}
         own2 = {name + "2": value for name, value in material2.properties.items()} if material2 is not None else {}
+        self.stated = dict(given)
         self.given = {**own, **own2, **given}
         self.values = {**DEFAULTS, **self.given, **_implied(self.given)}
         self._known = frozenset(self.values)
@@ -70,6 +71,17 @@ class Scene:
             and value != self.given.get(name.removesuffix("2"))
             for name, value in self.given.items()
         )
+
+    def data_used(self, inputs: Collection[str]) -> list[tuple[Material, str]]:
+        """The materials and those of their properties that are among the inputs and were not stated otherwise."""
+        spheres = ((self.material, ""), (self.material2, "2"))
+        return [
+            (material, name)
+            for material, suffix in spheres
+            if material is not None
+            for name in material.properties
+            if name + suffix in inputs and name + suffix not in self.stated
+        ]
 
     def plan(self, *wanted: str) -> Plan:
         """The formulas that lead to the wanted quantities; MissingInput if the scene does not allow one."""
@@ -183,9 +195,15 @@ def _guard_contact_modulus(
         raise TwoRigidBodies
 
 
+def _guard_r_min(*, radius2: Any, **_: Any) -> None:
+    if isinstance(radius2, float) and radius2 == INFINITY:
+        raise NoChain
+
+
 _GUARDS: Mapping[str, Callable[..., None]] = {
     "load_margin": _guard_load_margin,
     "contact_modulus": _guard_contact_modulus,
+    "r_min": _guard_r_min,
 }
 
 

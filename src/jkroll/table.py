@@ -1,6 +1,6 @@
 """Tables on a terminal. The only module that imports rich."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Mapping, Sequence
 from shutil import get_terminal_size
 from typing import TextIO
 
@@ -10,51 +10,61 @@ from rich.table import Table
 from rich.text import Text
 
 from .answer import Answer, Command
-from .formatting import PEOPLE_DIGITS, Format, amount
+from .formatting import Format, amount
 from .materials import PROPERTIES
 from .nomenclature import NOMENCLATURE
-from .report import columns, fitting, say, write_plain
+from .report import columns, fitting, say
 
 
-def scene_table(answer: Answer, out: TextIO, form: Format, command: Command) -> None:
-    """The inputs of one scene in a line, and its results below each other."""
-    table = _table()
-    table.add_column("quantity")
-    table.add_column("symbol", no_wrap=True)
-    table.add_column("value", justify="right", no_wrap=True)
-    table.add_column("unit", no_wrap=True)
-    table.add_column("Eq", justify="right", no_wrap=True)
+def scene_table(answer: Answer, out: TextIO, form: Format) -> None:
+    """The inputs of one scene, and its results below each other; on a narrow terminal without descriptions."""
+    rows = []
     for result in answer.results:
         quantity = NOMENCLATURE[result.name]
         value, unit = form.people(result.name, result.value) if result.value is not None else ("—", "")
         style = "dim" if quantity.note or result.value is None else ""
-        cells = (quantity.sentence, quantity.symbol, value, pretty(unit), quantity.equation)
-        table.add_row(*(Text(fitting(cell, out), style) for cell in cells))
-    say(_inputs(answer, form), out)
-    _print(table, out, [answer], form, command)
+        rows.append(([quantity.sentence, quantity.symbol, value, pretty(unit), quantity.equation], style))
+    say(_inputs(answer.inputs, form), out)
+    heads = ["quantity", "symbol", "value", "unit", "Eq"]
+    for first, last in ((0, 5), (1, 5), (1, 4)):
+        table = _table(heads[first:last], [(cells[first:last], style) for cells, style in rows], out, {"value", "Eq"})
+        if _print(table, out):
+            return
+    for cells, _ in rows:
+        say(" ".join(cell for cell in cells[1:4] if cell), out)
 
 
 def sweep_table(answers: Sequence[Answer], out: TextIO, form: Format, command: Command) -> None:
-    """A row a scene: what differs between the scenes, then the results. What they share stands above."""
+    """A row a scene: what differs between the scenes, then the results, in as many tables as the width takes.
+
+    What the scenes share stands above.
+    """
     names = columns(answers, command)
-    shared = [
-        name
-        for name in names
-        if name in answers[0].inputs and len({answer.inputs.get(name) for answer in answers}) == 1
-    ]
-    shown = [name for name in names if name not in shared and not _follows(name, answers)]
-    table = _table()
-    for name in shown:
-        table.add_column(Text(fitting(NOMENCLATURE[name].symbol or name, out)), justify="right", no_wrap=True)
+    distinct = {name: {answer.inputs.get(name) for answer in answers} for name in names}
+    shared = {name: answers[0].inputs[name] for name in names if name in answers[0].inputs and len(distinct[name]) == 1}
+    silent = {name for name in names if name not in command.quantities and len(distinct[name] - {None}) == 1}
+    shown = [name for name in names if name not in silent and not _follows(name, answers)]
+    leading = [name for name in shown if name not in command.quantities]
+    results = [name for name in shown if name in command.quantities]
+    say(_inputs(shared, form), out)
+    while results:
+        count = len(results)
+        while not _print(_columns_table([*leading, *results[:count]], answers, out, form), out, anyway=count == 1):
+            count -= 1
+        results = results[count:]
+
+
+def _columns_table(names: Sequence[str], answers: Sequence[Answer], out: TextIO, form: Format) -> Table:
+    rows = []
     for answer in answers:
-        cells = []
-        for name in shown:
-            value = answer.inputs[name] if name in answer.inputs else answer.value(name)
-            cells.append(Text(fitting("—" if value is None else pretty(amount(name, value, form)), out)))
-        table.add_row(*cells)
-    first = answers[0]
-    say(_inputs(first._replace(inputs={name: first.inputs[name] for name in shared}), form), out)
-    _print(table, out, answers, form, command)
+        values = [answer.inputs[name] if name in answer.inputs else answer.value(name) for name in names]
+        cells = [
+            "—" if value is None else pretty(amount(name, value, form))
+            for name, value in zip(names, values, strict=True)
+        ]
+        rows.append((cells, ""))
+    heads = [NOMENCLATURE[name].symbol or name for name in names]
+    return _table(heads, rows, out, set(heads))
 
 
 def _follows(name: str, answers: Sequence[Answer]) -> bool:
@@ -62,6 +72,8 @@ def _follows(name: str, answers: Sequence[Answer]) -> bool:
     leaders = (
         {"radius2": "radius"} | dict.fromkeys(PROPERTIES, "material") | {prop + "2": "material2" for prop in PROPERTIES}
     )
+    if name == "energy":
+        return any("energy_ratio" in answer.inputs for answer in answers)
     leader = leaders.get(name)
     if leader is None or any(leader not in answer.inputs for answer in answers):
         return False
@@ -81,11 +93,11 @@ def pretty(unit: str) -> str:
     return unit.replace("^2", "²").replace("^3", "³")
 
 
-def _inputs(answer: Answer, form: Format) -> str:
+def _inputs(inputs: Mapping[str, float | str], form: Format) -> str:
     """The inputs as understood, in lines that end between two of them."""
     width = get_terminal_size().columns
     lines = [""]
-    for name, value in answer.inputs.items():
+    for name, value in inputs.items():
         text = pretty(amount(name, value, form))
         part = text if name == "material" else f"{NOMENCLATURE[name].symbol or name} = {text}"
         if lines[-1] and len(lines[-1]) + len(part) + 2 >= width:
@@ -95,32 +107,31 @@ def _inputs(answer: Answer, form: Format) -> str:
     return "\n".join(lines)
 
 
-def _table() -> Table:
-    return Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
-
-
 def write_rows(heads: Sequence[str], rows: Sequence[Sequence[str]], out: TextIO) -> None:
-    """A table of texts."""
-    table = _table()
+    """A table of texts, or, on a narrow terminal, a line a cell."""
+    if not _print(_table(heads, [([pretty(cell) for cell in row], "") for row in rows], out, set()), out):
+        for row in rows:
+            for head, cell in zip(heads, row, strict=True):
+                say(f"{head}: {cell}", out)
+
+
+def _table(
+    heads: Sequence[str], rows: Sequence[tuple[Sequence[str], str]], out: TextIO, right: Collection[str]
+) -> Table:
+    """A table of texts, each row in a style, the columns named in `right` set to the right."""
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
     for head in heads:
-        table.add_column(Text(fitting(head, out)), no_wrap=True)
-    for cells in rows:
-        table.add_row(*(Text(fitting(pretty(cell), out)) for cell in cells))
-    if not _fits(table, out):
-        for cells in (heads, *rows):
-            say("\t".join(cells), out)
+        table.add_column(Text(fitting(head, out)), justify="right" if head in right else "left", no_wrap=True)
+    for cells, style in rows:
+        table.add_row(*(Text(fitting(cell, out), style) for cell in cells))
+    return table
 
 
-def _print(table: Table, out: TextIO, answers: Sequence[Answer], form: Format, command: Command) -> None:
-    """Print the table, or plain lines where the terminal is too narrow for it."""
-    if not _fits(table, out):
-        write_plain(answers, out, form._replace(digits=form.digits or PEOPLE_DIGITS), command)
-
-
-def _fits(table: Table, out: TextIO) -> bool:
-    """Print a table if the terminal is wide enough to show it whole."""
+def _print(table: Table, out: TextIO, *, anyway: bool = False) -> bool:
+    """Print a table if the terminal is wide enough to show it whole, or anyway, uncut; whether it was printed."""
     console = Console(file=out, highlight=False, markup=False, emoji=False)
-    if console.measure(table, options=console.options.update(width=10_000)).maximum > console.width:
+    width = console.measure(table, options=console.options.update(width=10_000)).maximum
+    if width > console.width and not anyway:
         return False
-    console.print(table)
+    console.print(table, width=max(width, console.width), soft_wrap=True)
     return True
