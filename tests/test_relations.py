@@ -2,6 +2,7 @@
 
 import inspect
 import math
+from pathlib import Path
 from typing import Any, get_type_hints
 
 import numpy as np
@@ -11,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import jkroll
-from jkroll import FORMULAS, NOMENCLATURE, solve
+from jkroll import FORMULAS, NOMENCLATURE, JkrollError, solve
 from jkroll.errors import BeyondPullOff, MissingInput, NoFiniteValue, OutOfRange, TwoRigidBodies
 from jkroll.explain import docstring_fields
 from jkroll.units import dimension_of
@@ -324,6 +325,24 @@ def test_arrays_broadcast_and_agree_with_floats() -> None:
             )
             for name, value in alone.items():
                 assert close(np.broadcast_to(result[name], (2, 3))[row, column], value, 2)
+
+
+def test_lists_and_odd_values() -> None:
+    values = solve("pull_off_force", radius=["1 nm", 2e-9, 3e-9], **QUARTZ)
+    assert values.tolist() == [solve("pull_off_force", radius=radius, **QUARTZ) for radius in (1e-9, 2e-9, 3e-9)]
+    assert isinstance(solve("pull_off_force", radius=np.float64(1e-9), **QUARTZ), float)
+    assert np.isnan(solve("yield_force", load=np.array([-1.0]), radius=1e-7, **QUARTZ)).all()
+    for odd in (True, None, 1j, "x", [[1e-9], [1e-9, 2e-9]], np.array(["a"]), UREG.Quantity(1.0, "kg")):
+        with pytest.raises((JkrollError, ValueError)):
+            solve("pull_off_force", radius=odd, **QUARTZ)
+
+
+def test_materials_of_one_s_own(tmp_path: Path) -> None:
+    path = tmp_path / "mine.toml"
+    path.write_text("[materials.ice]\nsurface_energy = '0.37 J/m2'\npoisson_ratio = 0.3\n")
+    mine = jkroll.Materials([path])
+    assert solve("work_of_adhesion", material="ice", materials=mine) == 0.74
+    assert mine["ice"].properties["poisson_ratio"] == 0.3
 
 
 def test_pint_quantities_in_and_out() -> None:

@@ -1,17 +1,24 @@
 """The Python face of a scene: names and values in, values out."""
 
 from collections.abc import Iterable, Mapping
+from contextlib import AbstractContextManager, nullcontext
 from typing import Any
 
-from .errors import UnknownQuantity
-from .materials import known_materials
+from .errors import MalformedQuantity, UnknownQuantity
+from .materials import Materials, known_materials
 from .nomenclature import NOMENCLATURE
 from .scene import Scene
 from .units import parse_quantity
 
 
 def solve(
-    wanted: str | Iterable[str], /, *, material: str | None = None, material2: str | None = None, **given: Any
+    wanted: str | Iterable[str],
+    /,
+    *,
+    material: str | None = None,
+    material2: str | None = None,
+    materials: Materials | None = None,
+    **given: Any,
 ) -> Any:
     """Compute quantities of the nomenclature from whatever is known of the scene.
 
@@ -22,9 +29,11 @@ def solve(
     material, material2
         Names or aliases of materials; `material2` for sphere 2, which is otherwise like sphere 1. A property given
         by name overrides the material's.
+    materials
+        Where materials are looked up: `Materials(["mine.toml"])` for some of your own besides the shipped ones.
     **given
-        Inputs by name: a float or an array in SI units, a text with a unit ("100 nm"), or a pint Quantity. Arrays
-        broadcast. `radius2` may be infinite (a plane), and one Young's modulus too (a rigid body).
+        Inputs by name: a float, an array or a list in SI units, a text with a unit ("100 nm"), or a pint Quantity.
+        Arrays broadcast. `radius2` may be infinite (a plane), and one Young's modulus too (a rigid body).
 
     Returns
     -------
@@ -36,7 +45,7 @@ def solve(
     MissingInput, UnknownMaterial, UnknownQuantity, QuantityError, OutOfRange
         What was given is wrong, or not enough.
     NoResult
-        The physics has no answer: a tension beyond pull-off, two rigid bodies. Arrays hold nan there instead.
+        The physics has no answer: a tension beyond pull-off, two rigid bodies. Arrays hold nan or inf there instead.
 
     Source: the equation of each quantity, see `jkroll.NOMENCLATURE`. Valid: as each formula says.
 
@@ -47,30 +56,56 @@ def solve(
     """
     names = [wanted] if isinstance(wanted, str) else list(wanted)
     described, registry = _in_si(given)
-    materials = None if material is None and material2 is None else known_materials()
+    if material is not None or material2 is not None:
+        materials = materials or known_materials()
     scene = Scene(
         described,
         materials[material] if materials and material is not None else None,
         materials[material2] if materials and material2 is not None else None,
     )
-    results = {name: scene[name] for name in names}
+    with _quiet(described.values()):
+        results = {name: scene[name] for name in names}
     if registry is not None:
         results = {name: registry.Quantity(value, NOMENCLATURE[name].unit) for name, value in results.items()}
     return results[names[0]] if isinstance(wanted, str) else results
 
 
+def _quiet(values: Iterable[Any]) -> AbstractContextManager[Any]:
+    """No warnings from numpy where an element of an array has no answer and holds nan or inf."""
+    if all(isinstance(value, float) for value in values):
+        return nullcontext()
+    import numpy
+
+    return numpy.errstate(all="ignore")
+
+
 def _in_si(given: Mapping[str, Any]) -> tuple[dict[str, Any], Any]:
-    """SI numbers for texts and pint Quantities, and the registry of the latter if there were any."""
+    """SI numbers for texts, lists and pint Quantities, and the registry of the latter if there were any."""
     values: dict[str, Any] = {}
     registry = None
     for name, value in given.items():
         if name not in NOMENCLATURE:
             raise UnknownQuantity(name)
-        if isinstance(value, str):
-            values[name] = parse_quantity(value, name)
-        elif hasattr(value, "m_as"):
+        if hasattr(value, "m_as"):
             registry = value._REGISTRY
-            values[name] = value.m_as(NOMENCLATURE[name].unit)
-        else:
-            values[name] = float(value) if isinstance(value, int) else value
+            if not value.is_compatible_with(NOMENCLATURE[name].unit):
+                raise MalformedQuantity(name, str(value), "is of another dimension")
+            value = value.m_as(NOMENCLATURE[name].unit)  # noqa: PLW2901
+        values[name] = _number(name, value)
     return values, registry
+
+
+def _number(name: str, value: Any) -> Any:
+    """A float or an array of floats, for a number, a text, or a sequence of either."""
+    if isinstance(value, str):
+        return parse_quantity(value, name)
+    if isinstance(value, (float, int)) and not isinstance(value, bool):
+        return float(value)
+    if isinstance(value, (list, tuple)):
+        value = [_number(name, item) for item in value]
+    import numpy
+
+    array = numpy.asarray(value)
+    if array.dtype.kind not in "fiu":
+        raise MalformedQuantity(name, str(value), "is not a number")
+    return array.astype(float) if array.ndim else float(array)
