@@ -1,7 +1,7 @@
 """What each result should be, exactly: the paper's equations in 120-digit arithmetic, in their plainest form.
 
 Inputs are doubles and taken as exact. Nothing is rearranged to save digits, there are simply digits enough: the worst
-cancellation, in the rolling of spheres whose radii differ 1e15 times, costs 50. Nothing is shared with `jkroll`.
+cancellation, in the rolling of spheres whose radii differ 1e15 times, leaves 76. Nothing is shared with `jkroll`.
 """
 
 # ruff: noqa: N803, N806  (the paper's symbols)
@@ -137,17 +137,19 @@ def _evaluate(equation: Callable[..., Exact], arguments: Mapping[str, float]) ->
 SYMBOLS = {
     "R1": "radius", "R2": "radius2", "R": "reduced_radius", "q": "radius_ratio",
     "gamma1": "surface_energy", "gamma2": "surface_energy2", "w": "work_of_adhesion",
-    "E1": "youngs_modulus", "E2": "youngs_modulus2", "E": "contact_modulus", "nu1": "poisson_ratio", "nu2": "poisson_ratio2",
-    "rho1": "density", "m1": "mass", "m2": "mass2", "m": "reduced_mass", "m_eff": "rolling_mass", "g": "gravity",
+    "E1": "youngs_modulus", "E2": "youngs_modulus2", "E": "contact_modulus",
+    "nu1": "poisson_ratio", "nu2": "poisson_ratio2", "rho1": "density", "g": "gravity",
+    "m1": "mass", "m2": "mass2", "m": "reduced_mass", "m_eff": "rolling_mass",
     "I1": "moment_of_inertia", "I2": "moment_of_inertia2", "I": "reduced_moment_of_inertia",
     "P": "load", "P_c": "pull_off_force", "a0": "contact_radius", "delta0": "approach",
     "s": "load_margin", "x": "load_factor", "a": "contact_radius_at_load", "delta": "approach_at_load",
     "a_": "contact_radius_ratio", "r": "distance", "p_H": "hertz_pressure", "p_B": "boussinesq_pressure",
-    "K": "stiffness", "k": "rolling_stiffness", "xi": "yield_displacement", "M": "yield_moment", "mean_M": "mean_rolling_moment",
-    "A": "half_circle_radius", "angle": "angle", "dz": "displacement", "N": "number",
+    "K": "stiffness", "k": "rolling_stiffness", "xi": "yield_displacement", "M": "yield_moment",
+    "mean_M": "mean_rolling_moment", "A": "half_circle_radius", "angle": "angle", "dz": "displacement", "N": "number",
     "W0": "energy", "W": "energy_ratio", "v": "speed", "omega": "angular_speed",
 }  # fmt: skip
 
+# The equation of each formula, for its own accuracy; `exact_results`, for that of the whole, uses none of them.
 EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     # the pair
     "work_of_adhesion": lambda gamma1, gamma2: 2 * sqrt(gamma1 * gamma2),

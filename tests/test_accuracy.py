@@ -119,13 +119,13 @@ def check(name: str, count: int) -> None:
 
 
 @pytest.mark.parametrize("name", RESULTS)
-def test_result_is_exact_to_4_ulp(name: str) -> None:
+def test_result_is_accurate(name: str) -> None:
     check(name, SCENES)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", RESULTS)
-def test_result_is_exact_to_4_ulp_in_many_scenes(name: str) -> None:
+def test_result_of_many_scenes_is_accurate(name: str) -> None:
     check(name, MANY_SCENES)
 
 

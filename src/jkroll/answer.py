@@ -4,7 +4,7 @@ from collections.abc import Collection, Mapping
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
-from .errors import BeyondPullOff, JkrollError, MissingInput, NoResult
+from .errors import BeyondFold, BeyondPullOff, JkrollError, MissingInput, NoResult
 from .formatting import amount
 from .nomenclature import INFINITY, NOMENCLATURE, word_for_infinity
 from .scene import DEFAULTS, Scene, depends_on
@@ -53,11 +53,16 @@ _COMMANDS = {
         (
             "contact_radius",
             "approach",
+            "load",
             "contact_radius_at_load",
             "approach_at_load",
             "stiffness",
             "hertz_pressure",
             "boussinesq_pressure",
+            "well_energy",
+            "pull_off_work",
+            "pull_off_work_at_dead_load",
+            "sticking_energy",
         ),
         "quartz 100nm --load -5nN",
     ),
@@ -122,7 +127,7 @@ def answer(command: Command, scene: Scene) -> Answer:
     used = scene.inputs_of(*planned) if planned else depends_on(command.quantities) & scene.given.keys()
     inputs = _echo(scene, used)
     notes = (*_assumptions(scene, inputs, planned), *_about_data(scene, inputs), *_about(results))
-    no_contact = next((error for error in errors.values() if isinstance(error, BeyondPullOff)), None)
+    no_contact = next((error for error in errors.values() if isinstance(error, (BeyondPullOff, BeyondFold))), None)
     return Answer(inputs, tuple(results), notes, no_contact or (None if known else next(iter(errors.values()))))
 
 
@@ -132,7 +137,9 @@ def _concerns(name: str, scene: Scene) -> bool:
         return scene.is_identical
     if name == "rolling_frequency_no_slip":
         return not scene.is_identical
-    return True
+    if name == "load":
+        return "approach_at_load" in scene.stated
+    return name not in scene.stated
 
 
 def _echo(scene: Scene, used: Collection[str]) -> dict[str, float | str]:

@@ -209,7 +209,7 @@ def _parameters(command: Command) -> list[Parameter]:
             quantity.option,
             metavar=quantity.example,
             help=f"{quantity.sentence[0].upper()}{quantity.sentence[1:]}{_default_text(name)}.",
-            hidden=name in _SPHERE_2 or name not in (*depends, "material2", "radius2"),
+            hidden=name in (*_SPHERE_2, "energy_ratio") or name not in (*depends, "material2", "radius2"),
             autocompletion=complete_input(name),
             show_default=False,
         )

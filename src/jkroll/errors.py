@@ -184,6 +184,17 @@ class BeyondPullOff(NoResult):
         return f"load: {self.load!r} N is beyond pull-off; this contact holds down to {-self.pull_off_force!r} N"
 
 
+class BeyondFold(NoResult):
+    """An approach at which even fixed grips have let go."""
+
+    def __init__(self, approach: float, least: float) -> None:
+        super().__init__(approach, least)
+        self.approach, self.least = approach, least
+
+    def __str__(self) -> str:
+        return f"approach_at_load: {self.approach!r} m is beyond the fold; fixed grips hold this contact down to {self.least!r} m"
+
+
 class TwoRigidBodies(NoResult):
     """Neither body yields, so there is no area of contact."""
 

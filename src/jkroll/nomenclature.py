@@ -122,10 +122,21 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "load_margin": Quantity("s", "1", "√(1 + P/P_c)", "5"),
         "load_factor": Quantity("x", "1", "â^(3/2), by which the load scales the rolling moment", "5"),
         "contact_radius_at_load": Quantity("a", "m", "contact radius at the load", "5"),
-        "approach_at_load": Quantity("δ", "m", "approach of the centres at the load", "6"),
+        "approach_at_load": Quantity(
+            "δ", "m", "approach of the centres at the load", "6", range="finite", option="--approach", example="0.05nm"
+        ),
+        "load_at_factor": Quantity("P", "N", "load that holds the contact", "5"),
+        "load_margin_of_factor": Quantity("s", "1", "√(1 + P/P_c)", "5"),
+        "load_factor_at_approach": Quantity("x", "1", "â^(3/2) at the approach", "6"),
+        "load_factor_at_load_unstable": Quantity("x", "1", "â^(3/2) on the unstable branch", "5"),
+        "load_factor_at_approach_unstable": Quantity("x", "1", "â^(3/2) on the unstable branch at the approach", "6"),
         "stiffness": Quantity("dP/dδ", "N/m", "normal stiffness at the load", "34"),
         "hertz_pressure": Quantity("p_H", "Pa", "Hertz part of the pressure", "8"),
         "boussinesq_pressure": Quantity("p_B", "Pa", "flat-punch part of the pressure", "9"),
+        "well_energy": Quantity("U", "J", "energy that binds the spheres", "6"),
+        "pull_off_work": Quantity("U_grips", "J", "work to separate them, fixed grips", "6"),
+        "pull_off_work_at_dead_load": Quantity("U_load", "J", "work to separate them, growing load", "6"),
+        "sticking_energy": Quantity("U_stick", "J", "largest impact energy that sticks", "48"),
         # rolling
         "yield_moment": Quantity("M", "N m", "rolling moment at the displacement ξ", "25"),
         "linearised_moment": Quantity("M", "N m", "moment of two half-circles, to first order", "24"),
@@ -150,6 +161,15 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
             "f_roll", "Hz", "rolling frequency without slip", "40",
             note="Eq (40) turns each sphere about its own centre; unequal spheres that do not slip also move their centres",
         ),
+        # validity
+        "atomic_spacing": Quantity("z0", "m", "atomic spacing", range="positive", option="--z0", example="4angstrom"),
+        "tabor_parameter": Quantity("μ", "1", "Tabor parameter", "1"),
+        "displacement_limit": Quantity("ξ_max", "m", "displacement up to which rolling has a meaning", "25"),
+        "displacement_ratio": Quantity("ξ/ξ_max", "1", "displacement over its limit", "25"),
+        "contact_radius_in_spacings": Quantity("a/z0", "1", "contact radius over the atomic spacing", "2"),
+        "load_over_pull_off": Quantity("P/P_c", "1", "load over pull-off force", "5"),
+        "yield_energy": Quantity("W_yield", "J", "energy to roll to the yield displacement", "25"),
+        "energy_over_yield": Quantity("W0/W_yield", "1", "energy over the yield energy", "25"),
         # collisions
         "adhesion_energy": Quantity("P_cδ0", "J", "energy typical of adhesion", "48"),
         "kinetic_energy": Quantity("m1v²/2", "J", "kinetic energy of sphere 1", "45"),

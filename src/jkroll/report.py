@@ -9,7 +9,7 @@ from typing import Any, TextIO
 
 from .answer import Answer, Command
 from .formatting import Format
-from .nomenclature import NOMENCLATURE
+from .nomenclature import NOMENCLATURE, header
 
 _ASCII = {
     "γ": "gamma", "δ": "delta", "ν": "nu", "ρ": "rho", "ξ": "xi", "π": "pi", "ω": "omega", "Ω": "Omega", "α": "alpha",
@@ -54,7 +54,7 @@ def write_plain(answers: Sequence[Answer], out: TextIO, form: Format, command: C
     """One scene: a line `name value unit` a result. Several: a table with tabs, its header first."""
     if len(answers) > 1:
         names = columns(answers, command)
-        say("\t".join(form.header(name) for name in names), out)
+        say("\t".join(headers(answers, names, form)), out)
         for answer in answers:
             say("\t".join(cell or "-" for cell in row(answer, names, form)), out)
         return
@@ -77,7 +77,7 @@ def write_csv(answers: Sequence[Answer], out: TextIO, form: Format, command: Com
 
     names = columns(answers, command)
     writer = csv.writer(out, lineterminator="\n")
-    writer.writerow([form.header(name) for name in names])
+    writer.writerow(headers(answers, names, form))
     writer.writerows(row(answer, names, form) for answer in answers)
 
 
@@ -123,12 +123,22 @@ def columns(answers: Sequence[Answer], command: Command) -> list[str]:
     return [name for name in NOMENCLATURE if name in inputs] + [name for name in command.quantities if name in results]
 
 
+def headers(answers: Sequence[Answer], names: Iterable[str], form: Format) -> list[str]:
+    """The column headers: inputs in SI units, results as they are to be written."""
+    results = {result.name for answer in answers for result in answer.results}
+    return [form.header(name) if name in results else header(name) for name in names]
+
+
 def row(answer: Answer, names: Iterable[str], form: Format) -> list[str]:
     """The cells of one scene; empty where it has no value."""
+    inputs_form = form._replace(units={})
     cells = []
     for name in names:
-        value = answer.inputs.get(name) if name in answer.inputs else answer.value(name)
-        cells.append("" if value is None else form.text(name, value))
+        if name in answer.inputs:
+            cells.append(inputs_form.text(name, answer.inputs[name]))
+        else:
+            value = answer.value(name)
+            cells.append("" if value is None else form.text(name, value))
     return cells
 
 

@@ -23,6 +23,7 @@ _EXCLUSIVE = (
     ("energy", "energy_ratio", "speed"),
     ("surface_energy", "work_of_adhesion"),
     ("surface_energy2", "work_of_adhesion"),
+    ("load", "approach_at_load"),
 )
 
 

@@ -12,16 +12,45 @@ from collections.abc import Callable, Collection, Iterable, Mapping
 from functools import cache
 from typing import Any, NamedTuple
 
-from .errors import BeyondPullOff, MissingInput, NoChain, NoFiniteValue, OutOfRange, TwoRigidBodies, UnknownQuantity
+from .errors import (
+    BeyondFold,
+    BeyondPullOff,
+    MissingInput,
+    NoChain,
+    NoFiniteValue,
+    OutOfRange,
+    TwoRigidBodies,
+    UnknownQuantity,
+)
 from .materials import PROPERTIES, Material
 from .nomenclature import INFINITY, NOMENCLATURE, RANGES
 from .physics import FORMULAS
+from .physics.jkr import FOLD_APPROACH
 
-DEFAULTS = {"yield_displacement": 2e-10, "load": 0.0, "gravity": 9.80665, "energy_ratio": 1.0}
+DEFAULTS = {
+    "yield_displacement": 2e-10,
+    "load": 0.0,
+    "gravity": 9.80665,
+    "energy_ratio": 1.0,
+    "atomic_spacing": 4e-10,
+}
 
-
-# Quantities that follow from the energy, or, where neither it nor a speed is given, from its ratio to P_cδ0.
-_OF_ENERGY = ("n_roll", "n_roll_energy_balance")
+# Where a quantity can be had in another way: the names of which one is known, and the formula that then serves.
+# The state of the contact follows from the load unless the approach, or x itself, is given.
+_STATE = frozenset({"approach_at_load", "load_factor"})
+_ROUTES = {
+    "load_margin": (_STATE, "load_margin_of_factor"),
+    "load": (_STATE, "load_at_factor"),
+    "load_factor": (frozenset({"approach_at_load"}), "load_factor_at_approach"),
+    "energy": (frozenset({"speed"}), "kinetic_energy"),
+}
+# Where neither an energy nor a speed is given, its ratio to P_cδ0 serves.
+_ENERGY = frozenset({"energy", "speed"})
+_ROUTES_WITHOUT = {
+    "energy": (_ENERGY, "adhesion_energy"),
+    "n_roll": (_ENERGY, "n_roll_at_energy_ratio"),
+    "n_roll_energy_balance": (_ENERGY, "n_roll_energy_balance_at_energy_ratio"),
+}
 
 
 class Step(NamedTuple):
@@ -59,7 +88,7 @@ class Scene:
         own2 = {name + "2": value for name, value in material2.properties.items()} if material2 is not None else {}
         self.stated = dict(given)
         self.given = {**own, **own2, **given}
-        self.values = {**DEFAULTS, **self.given, **_implied(self.given)}
+        self.values = {**_assumed(self.given), **self.given, **_implied(self.given)}
         self._known = frozenset(self.values)
 
     @property
@@ -167,6 +196,11 @@ _MAY_BE_ZERO = frozenset(
 _STATED_BY = {"load_margin": "load", "radius_ratio": "radius2", "mass2": "radius2", "moment_of_inertia2": "radius2"}
 
 
+def _assumed(given: Mapping[str, Any]) -> dict[str, float]:
+    """The defaults, without a load where something else says in which state the contact is."""
+    return {name: value for name, value in DEFAULTS.items() if name != "load" or not _STATE & given.keys()}
+
+
 def _implied(given: Mapping[str, Any]) -> dict[str, Any]:
     """What follows from what was not said, or from a plane: values that then need nothing else."""
     implied: dict[str, Any] = {}
@@ -175,7 +209,7 @@ def _implied(given: Mapping[str, Any]) -> dict[str, Any]:
     elif isinstance(given["radius2"], float) and given["radius2"] == INFINITY:
         implied |= {"radius_ratio": 0.0, "mass2": INFINITY, "moment_of_inertia2": INFINITY}
     load = given.get("load", 0.0)
-    if isinstance(load, (float, int)) and load == 0:
+    if isinstance(load, (float, int)) and load == 0 and not _STATE & given.keys():
         implied["load_margin"] = 1.0
     return implied
 
@@ -195,6 +229,15 @@ def _guard_contact_modulus(
         raise TwoRigidBodies
 
 
+def _guard_fold(*, approach_at_load: Any, approach: Any) -> None:
+    if (
+        isinstance(approach_at_load, float)
+        and isinstance(approach, float)
+        and approach_at_load < FOLD_APPROACH * approach
+    ):
+        raise BeyondFold(approach_at_load, FOLD_APPROACH * approach)
+
+
 def _guard_r_min(*, radius2: Any, **_: Any) -> None:
     if isinstance(radius2, float) and radius2 == INFINITY:
         raise NoChain
@@ -204,6 +247,7 @@ _GUARDS: Mapping[str, Callable[..., None]] = {
     "load_margin": _guard_load_margin,
     "contact_modulus": _guard_contact_modulus,
     "r_min": _guard_r_min,
+    "load_factor_at_approach": _guard_fold,
 }
 
 
@@ -220,10 +264,10 @@ def _plan(wanted: tuple[str, ...], known: frozenset[str], own_material2: bool) -
         base = name.removesuffix("2")
         if name in known:
             return name
-        if name == "energy":
-            return "kinetic_energy" if "speed" in known else "adhesion_energy"
-        if name in _OF_ENERGY and not known & {"energy", "speed"}:
-            return name + "_at_energy_ratio"
+        if name in _ROUTES and known & _ROUTES[name][0]:
+            return _ROUTES[name][1]
+        if name in _ROUTES_WITHOUT and not known & _ROUTES_WITHOUT[name][0]:
+            return _ROUTES_WITHOUT[name][1]
         if base != name and base not in FORMULAS and not (own_material2 and base in PROPERTIES):
             return base
         return name
@@ -242,8 +286,8 @@ def _plan(wanted: tuple[str, ...], known: frozenset[str], own_material2: bool) -
             before = len(missing)
             suffix = name[len(base) :]
             arguments = tuple((parameter, visit(parameter + suffix)) for parameter in parameters_of(FORMULAS[base]))
-            if len(missing) > before and (NOMENCLATURE[asked].option or asked in _OF_ENERGY):
-                instead.append("energy" if asked in _OF_ENERGY else asked)
+            if len(missing) > before and (NOMENCLATURE[asked].option or asked in _ROUTES_WITHOUT):
+                instead.append("energy" if asked in _ROUTES_WITHOUT else asked)
             steps.setdefault(name, Step(name, FORMULAS[base], arguments))
         return name
 
@@ -264,8 +308,8 @@ def depends_on(names: Iterable[str]) -> frozenset[str]:
         name = pending.pop()
         if name not in found:
             found.add(name)
-            routes = (name, name + "_at_energy_ratio") if name in _OF_ENERGY else (name,)
-            for route in ("kinetic_energy",) if name == "energy" else routes:
+            routes = [name, *(table[name][1] for table in (_ROUTES, _ROUTES_WITHOUT) if name in table)]
+            for route in routes:
                 base = route if route in FORMULAS else route.removesuffix("2")
                 pending += (
                     [parameter + route[len(base) :] for parameter in parameters_of(FORMULAS[base])]

@@ -46,3 +46,19 @@ def parallel(value: Any, value2: Any) -> Any:
 
         small, large = numpy.minimum(value, value2), numpy.maximum(value, value2)
     return small / (1 + small / large)
+
+
+def where(condition: Any, value: Any, otherwise: Any) -> Any:
+    """One value or the other, element by element for arrays."""
+    if isinstance(condition, bool):
+        return value if condition else otherwise
+    import numpy
+
+    return numpy.where(condition, value, otherwise)
+
+
+def within(condition: Any, value: Any) -> Any:
+    """A value where the condition holds; elsewhere an array holds nan, and a number raises ValueError."""
+    if isinstance(condition, bool) and not condition:
+        raise ValueError("outside the domain of the formula")
+    return where(condition, value, float("nan"))

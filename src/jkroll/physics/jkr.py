@@ -1,0 +1,192 @@
+"""The JKR contact at any state: at a load or at an approach, on both branches, and the energies between its states.
+
+One variable describes a state: x = â^(3/2) (`load_factor`). It is 1 without load, 1/2 at pull-off, 1/6 at the fold where
+fixed grips let go, and runs down to 0 on the unstable branch. Loads have two states for −P_c < P < 0, approaches have
+two between the fold and 0.
+"""
+
+from typing import Any
+
+from .dimensions import Energy, Force, Length, Number
+from .elementary import sqrt, where, within
+
+FOLD_APPROACH = -0.8254818122236567  # −(3/4)^(2/3), the least δ̂; rounded, and what rounding took:
+_FOLD_REST = 1.4776601947357812e-17
+_CBRT_6 = 1.8171205928321397
+_NEWTON_STEPS = 8  # from the starts below, one less reaches the last digit
+
+
+def load_margin_of_factor(*, load_factor: Number) -> Number:
+    """√(1 + P/P_c) on the stable branch, and its negative beyond pull-off, where only fixed grips hold the contact.
+
+        s = 2x − 1
+
+    Source:   Eq (5), as x = (1 + s)/2.
+    Valid:    0 < x.
+    Accuracy: 0.5 ulp of 2x.
+
+    >>> load_margin_of_factor(load_factor=0.5)
+    0.0
+    """
+    return 2 * load_factor - 1
+
+
+def load_at_factor(*, pull_off_force: Force, load_factor: Number) -> Force:
+    """Load that holds a contact in a state.
+
+        P = 4P_c(x² − x)
+
+    Source:   Eq (5).
+    Valid:    0 < x, both branches.
+    Accuracy: 2 ulp above P_c and x − 1.
+
+    >>> load_at_factor(pull_off_force=1.0, load_factor=0.5)
+    -1.0
+    """
+    return 4 * pull_off_force * load_factor * (load_factor - 1)
+
+
+def load_factor_at_approach(*, approach_at_load: Length, approach: Length) -> Number:
+    """State on the stable branch, x = â^(3/2), at an approach of the centres.
+
+        3x^(4/3) − 2x^(1/3) = δ/δ0
+
+    Source:   Eq (6), solved by Newton's method in η = x^(1/3)/x_fold^(1/3) − 1: η²(3 + 2η + η²/2) = 6^(1/3)(δ̂ − δ̂_fold).
+    Valid:    δ̂ ≥ −(3/4)^(2/3). Beyond, a float raises ValueError and an array holds NaN.
+    Accuracy: 3 ulp in x^(1/3) for the ratio δ̂ as it is rounded; at the fold the state itself is ill-conditioned.
+
+    >>> load_factor_at_approach(approach_at_load=1.0, approach=1.0)
+    1.0
+    """
+    return _cube(_root(approach_at_load / approach))
+
+
+def load_factor_at_load_unstable(*, load: Force, pull_off_force: Force, load_margin: Number) -> Number:
+    """State on the unstable branch, x = â^(3/2), at a tension.
+
+        x = (1 − s)/2 = −P/(2P_c(1 + s))
+
+    Source:   Eq (5).
+    Valid:    −P_c ≤ P ≤ 0.
+    Accuracy: 2 ulp above s.
+
+    >>> load_factor_at_load_unstable(load=-1.0, pull_off_force=1.0, load_margin=0.0)
+    0.5
+    """
+    return -load / pull_off_force / (2 * (1 + load_margin))
+
+
+def load_factor_at_approach_unstable(*, approach_at_load: Length, approach: Length) -> Number:
+    """State on the unstable branch, x = â^(3/2), at an approach of the centres between the fold and 0.
+
+        3x^(4/3) − 2x^(1/3) = δ/δ0
+
+    Source:   Eq (6), solved by Newton's method.
+    Valid:    −(3/4)^(2/3) ≤ δ̂ ≤ 0. Elsewhere, a float raises ValueError and an array holds NaN.
+    Accuracy: 3 ulp in x^(1/3) away from the fold.
+
+    >>> load_factor_at_approach_unstable(approach_at_load=0.0, approach=1.0)
+    0.0
+    """
+    return _cube(_unstable_root(approach_at_load / approach))
+
+
+def _cube(value: Any) -> Any:
+    return value * value * value
+
+
+def _root(approach_ratio: Any) -> Any:
+    """√â = x^(1/3) of the stable state at an approach ratio δ̂."""
+    excess = _excess(approach_ratio)
+    start = where(excess < 3, sqrt(excess / 3), sqrt(sqrt(2 * excess)))
+    return (1 + _newton_eta(start, excess)) / _CBRT_6
+
+
+def _unstable_root(approach_ratio: Any) -> Any:
+    """√â = x^(1/3) of the unstable state at an approach ratio δ̂: near the fold by η, elsewhere by y = (3y⁴ − δ̂)/2."""
+    excess = _excess(within(approach_ratio <= 0, approach_ratio))
+    near = excess < 0.5
+    eta = _newton_eta(-sqrt(where(near, excess, 0.5) / 3), where(near, excess, 0.5))
+    depth = -where(near, -0.5, approach_ratio)
+    root = depth / 2
+    for _ in range(_NEWTON_STEPS):
+        root = root + (3 * _cube(root) * root + depth - 2 * root) / (2 - 12 * _cube(root))
+    return where(excess >= 0, where(near, (1 + eta) / _CBRT_6, root), float("nan"))
+
+
+def _excess(approach_ratio: Any) -> Any:
+    """6^(1/3)(δ̂ − δ̂_fold), with the digits of δ̂_fold beyond a double; its domain ends at the fold."""
+    beyond_fold = approach_ratio - FOLD_APPROACH
+    return within(beyond_fold >= 0, where(beyond_fold > 0, (beyond_fold - _FOLD_REST) * _CBRT_6, 0.0))
+
+
+def _newton_eta(eta: Any, excess: Any) -> Any:
+    """The root of η²(3 + 2η + η²/2) = excess; the start is no further from the fold than a convex function allows."""
+    for _ in range(_NEWTON_STEPS):
+        slope = eta * (6 + eta * (6 + 2 * eta))
+        step = (eta * eta * (3 + eta * (2 + eta / 2)) - excess) / where(slope == 0, 1.0, slope)
+        eta = eta - step
+    return eta
+
+
+# --- Energies, from Eqs (5) and (6): ∫P dδ = P_cδ0 (24/5 y^10 − 8y^7 + 2y^4), y = √â -----------------------------------
+
+
+def well_energy(*, adhesion_energy: Energy) -> Energy:
+    """Energy that binds the two spheres: released from first touch to equilibrium along the whole of the curve.
+
+        (6/5) P_cδ0
+
+    Source:   Eqs (5) and (6).
+    Valid:    JKR; quasi-static.
+    Accuracy: 1 ulp above P_cδ0.
+
+    >>> well_energy(adhesion_energy=1.0)
+    1.2
+    """
+    return 6 * adhesion_energy / 5
+
+
+def pull_off_work(*, adhesion_energy: Energy) -> Energy:
+    """Work to separate the spheres from P = 0 with fixed grips, which hold on to the fold.
+
+        (6/5 + (2/15)6^(−1/3)) P_cδ0 = 1.2733762 P_cδ0
+
+    Source:   Eqs (5) and (6).
+    Valid:    JKR; quasi-static; the jump at the fold dissipates what is left.
+    Accuracy: 1 ulp above P_cδ0.
+
+    >>> round(pull_off_work(adhesion_energy=1.0), 7)
+    1.2733762
+    """
+    return 1.2733761610867327 * adhesion_energy
+
+
+def pull_off_work_at_dead_load(*, adhesion_energy: Energy) -> Energy:
+    """Work to separate the spheres from P = 0 with a load that grows to P_c.
+
+        (6/5 − (2/5)2^(−1/3)) P_cδ0 = 0.8825198 P_cδ0
+
+    Source:   Eqs (5) and (6).
+    Valid:    JKR; quasi-static up to the jump at P = −P_c.
+    Accuracy: 1 ulp above P_cδ0.
+
+    >>> round(pull_off_work_at_dead_load(adhesion_energy=1.0), 7)
+    0.8825198
+    """
+    return 0.8825197896063601 * adhesion_energy
+
+
+def sticking_energy(*, adhesion_energy: Energy) -> Energy:
+    """Largest energy of a head-on collision after which the spheres stick: what jump-in and the fold dissipate.
+
+        ((2/15)6^(−1/3) + (4/5)(2/3)^(1/3)) P_cδ0 = 0.7722405 P_cδ0
+
+    Source:   Eqs (5) and (6); text below Eq (48) has P_cδ0 as its order of magnitude.
+    Valid:    JKR; no other loss.
+    Accuracy: 1 ulp above P_cδ0.
+
+    >>> round(sticking_energy(adhesion_energy=1.0), 7)
+    0.7722405
+    """
+    return 0.7722405325868756 * adhesion_energy
