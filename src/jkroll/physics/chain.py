@@ -11,7 +11,7 @@ def r_min(*, radius: Length, radius2: Length, yield_displacement: Length) -> Len
 
     Source:   Eq (28); spheres 1 and 2 alternate.
     Valid:    A long chain, every contact bent to its yield angle.
-    Accuracy: 1 ulp.
+    Accuracy: 1.5 ulp.
 
     >>> f"{r_min(radius=1e-7, radius2=1e-7, yield_displacement=2e-10):.4e}"
     '5.0000e-05'
@@ -26,7 +26,7 @@ def gravity_moment(*, mass: Mass, gravity: Acceleration, radius: Length, number:
 
     Source:   Eq (29).
     Valid:    Body 2, to which the chain is fixed, does not move.
-    Accuracy: 2 ulp above its mass.
+    Accuracy: 2.5 ulp above its mass.
 
     >>> gravity_moment(mass=1.0, gravity=9.0, radius=0.5, number=2.0)
     18.0
@@ -41,7 +41,7 @@ def n_grav(*, yield_moment: Moment, mass: Mass, gravity: Acceleration, radius: L
 
     Source:   Eqs (29) and (30).
     Valid:    A straight chain, all of one mass. Below 1, not even one sphere holds.
-    Accuracy: 2.5 ulp.
+    Accuracy: 1.5 ulp above M and m1.
 
     >>> round(n_grav(yield_moment=9.42478e-18, mass=1.0891e-17, gravity=9.80665, radius=1e-7), 1)
     939.4

@@ -100,7 +100,7 @@ def n_roll(*, energy: Energy, mean_rolling_moment: Moment) -> Number:
 
     Source:   Eq (48).
     Valid:    As Eq (47): it dissipates 2/7 of the energy and lets the rest slide away.
-    Accuracy: 1.5 ulp above W0 and M.
+    Accuracy: 2 ulp above W0 and M.
 
     >>> round(n_roll(energy=7 * pi, mean_rolling_moment=1.0), 12)
     1.0
@@ -115,7 +115,7 @@ def n_roll_energy_balance(*, energy: Energy, mean_rolling_moment: Moment) -> Num
 
     Source:   Caption of Fig. 7: "until all energy is dissipated".
     Valid:    No slip at any time.
-    Accuracy: 1.5 ulp above W0 and M.
+    Accuracy: 2 ulp above W0 and M.
 
     >>> round(n_roll_energy_balance(energy=2 * pi, mean_rolling_moment=1.0), 12)
     1.0
@@ -138,7 +138,7 @@ def n_roll_at_energy_ratio(
 
     Source:   Eq (49), which is Eq (48) in other words.
     Valid:    As Eq (48).
-    Accuracy: 4 ulp.
+    Accuracy: 3 ulp above w, R, E* and x.
 
     >>> n = n_roll_at_energy_ratio(energy_ratio=1.0, work_of_adhesion=0.05, contact_modulus=27.804e9,
     ...                            reduced_radius=50e-9, load_factor=1.0, yield_displacement=2e-10)
@@ -165,7 +165,7 @@ def n_roll_energy_balance_at_energy_ratio(
 
     Source:   Caption of Fig. 7, in the terms of Eq (49).
     Valid:    No slip at any time.
-    Accuracy: 4 ulp.
+    Accuracy: 3 ulp above w, R, E* and x.
 
     >>> n = n_roll_energy_balance_at_energy_ratio(energy_ratio=1.0, work_of_adhesion=0.05, contact_modulus=27.804e9,
     ...                                           reduced_radius=50e-9, load_factor=1.0, yield_displacement=2e-10)

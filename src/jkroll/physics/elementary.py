@@ -25,7 +25,20 @@ def _for_numbers_and_arrays(name: str) -> Callable[[Any], Any]:
 
 pi = math.pi
 sqrt = _for_numbers_and_arrays("sqrt")
-cbrt = _for_numbers_and_arrays("cbrt")
+_library_cbrt = _for_numbers_and_arrays("cbrt")
+
+
+def cbrt(value: Any) -> Any:
+    """Cube root to 0.5 ulp, the same for a number and an array.
+
+    The C library's is off by as much as 3 ulp, and another one's by something else. One step of Newton's method from the
+    leading 17 bits of its root, whose cube is exact, mends that.
+    """
+    root = _library_cbrt(value)
+    wide = (2**36 + 1) * root
+    head = wide - (wide - root)
+    slope = root * root + root * head + head * head
+    return where(slope > 0, head + (value - head * head * head) / where(slope > 0, slope, 1.0), root)
 
 
 def one_minus_square(value: Any) -> Any:

@@ -46,7 +46,7 @@ def reduced_radius(*, radius: Length, radius2: Length) -> Length:
 
     Source:   Text below Eq (1).
     Valid:    Positive radii, one of which may be infinite.
-    Accuracy: 2 ulp; exact for identical spheres and on a plane.
+    Accuracy: 1.5 ulp; exact for identical spheres and on a plane.
 
     >>> reduced_radius(radius=1.0, radius2=3.0)
     0.75
@@ -80,7 +80,7 @@ def mass(*, radius: Length, density: Density) -> Mass:
 
     Source:   Text above Eq (41).
     Valid:    No coating, no pores.
-    Accuracy: 3 ulp.
+    Accuracy: 3.5 ulp.
 
     >>> f"{mass(radius=1e-7, density=2600.0):.4e}"
     '1.0891e-17'
@@ -95,7 +95,7 @@ def reduced_mass(*, mass: Mass, mass2: Mass) -> Mass:
 
     Source:   Text below Eq (33).
     Valid:    Free spheres, or one held fixed (its mass infinite).
-    Accuracy: 2 ulp above its masses.
+    Accuracy: 1.5 ulp above its masses.
 
     >>> reduced_mass(mass=2.0, mass2=2.0)
     1.0
@@ -110,7 +110,7 @@ def moment_of_inertia(*, radius: Length, density: Density) -> Inertia:
 
     Source:   Text below Eq (38).
     Valid:    Homogeneous spheres.
-    Accuracy: 3 ulp.
+    Accuracy: 4 ulp.
 
     >>> round(moment_of_inertia(radius=1.0, density=15 / (8 * pi)), 15)
     1.0
@@ -126,7 +126,7 @@ def reduced_moment_of_inertia(*, moment_of_inertia: Inertia, moment_of_inertia2:
 
     Source:   Eq (39).
     Valid:    Spheres that turn about their own centres, or one held fixed (its moment infinite).
-    Accuracy: 2 ulp above its moments.
+    Accuracy: 1.5 ulp above its moments.
 
     >>> reduced_moment_of_inertia(moment_of_inertia=2.0, moment_of_inertia2=2.0)
     1.0
@@ -144,7 +144,7 @@ def rolling_mass(*, mass: Mass, mass2: Mass, radius_ratio: Number) -> Mass:
 
     Source:   Eqs (37)-(40) without their assumption that each sphere turns about its own centre.
     Valid:    Homogeneous spheres, no slip; body 2 may be held (its mass infinite).
-    Accuracy: 4 ulp above its masses.
+    Accuracy: 5 ulp above its masses.
 
     >>> rolling_mass(mass=1.0, mass2=1.0, radius_ratio=1.0)
     0.8

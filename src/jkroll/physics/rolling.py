@@ -43,7 +43,7 @@ def yield_force(
 
     Source:   Eqs (10), (25) and (26); identical spheres need no radius.
     Valid:    As Eq (25).
-    Accuracy: 3 ulp.
+    Accuracy: 3.5 ulp above w and x.
 
     >>> f"{yield_force(work_of_adhesion=0.05, load_factor=1.0, yield_displacement=2e-10, radius_ratio=1.0):.4e}"
     '9.4248e-11'
@@ -58,7 +58,7 @@ def yield_force_ratio(*, load_factor: Number, yield_displacement: Length, radius
 
     Source:   Eq (27).
     Valid:    As Eq (25). Above 1, the contact breaks before it rolls.
-    Accuracy: 1.5 ulp.
+    Accuracy: 1.5 ulp above x.
 
     >>> yield_force_ratio(load_factor=1.0, yield_displacement=2.5, radius=10.0)
     1.0
@@ -88,7 +88,7 @@ def mean_rolling_moment(*, yield_moment: Moment) -> Moment:
 
     Source:   Eq (43).
     Valid:    If the contact springs back to a symmetric one after each step; one that trails at yield gives twice this.
-    Accuracy: That of M.
+    Accuracy: Exact.
 
     >>> mean_rolling_moment(yield_moment=2.0)
     1.0
@@ -146,7 +146,7 @@ def half_circles_moment(
 
     Source:   Eq (19).
     Valid:    ξ < a.
-    Accuracy: Loses the digits by which ξ is smaller than a; a stage of the derivation, not a way to a number.
+    Accuracy: 10 ulp of the larger term of one half: a stage of the derivation, not a way to a number.
 
     >>> half_circles_moment(contact_radius_at_load=2.0, yield_displacement=0.0, approach_at_load=1.0,
     ...                     contact_modulus=1.0, reduced_radius=4.0)
@@ -181,7 +181,7 @@ def linearised_moment(
 
     Source:   Eq (24).
     Valid:    ξ ≪ a. With Eq (6) for δ it is Eq (25).
-    Accuracy: 4 ulp of the larger term.
+    Accuracy: 3 ulp of the larger term.
 
     >>> linearised_moment(contact_radius_at_load=1.0, yield_displacement=1.0, approach_at_load=0.0,
     ...                   contact_modulus=1.0, reduced_radius=1.0)

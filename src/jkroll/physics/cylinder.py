@@ -1,0 +1,217 @@
+"""The same contact in two dimensions, a cylinder on a rigid plane: Eqs 50-78, all per length of the cylinder.
+
+The strip in contact is 2a wide. Its centre, X = 0, lags by ξ behind the contact point, x = X − ξ = 0, below the axis.
+Where the paper has E, this appendix means E′ = E/(1 − ν²). Two parallel cylinders have the reduced R and E′. An area C
+stands for the load; a contact without adhesion has C = a²/2, and p, the pressure, is negative in tension.
+"""
+
+from .dimensions import Area, ForcePerLength, Length, MomentPerLength, Stress
+from .elementary import pi, sqrt
+
+
+def surface_displacement(*, position: Length, approach_at_load: Length, cylinder_radius: Length) -> Length:
+    """Displacement of the cylinder's surface in contact, at a position from the contact point.
+
+        u = δ − x²/(2R)
+
+    Source:   Eqs (50) and (60), which is (50) on a shifted strip; with x = X − ξ it is Eq (62).
+    Valid:    −a − ξ ≤ x ≤ a − ξ, a ≪ R. In two dimensions the load does not determine δ.
+    Accuracy: 2 ulp of the larger term.
+
+    >>> surface_displacement(position=1.0, approach_at_load=1.0, cylinder_radius=2.0)
+    0.75
+    """
+    return approach_at_load - position * position / (2 * cylinder_radius)
+
+
+def symmetric_pressure(
+    *,
+    position: Length,
+    contact_half_width: Length,
+    cylinder_radius: Length,
+    plane_strain_modulus: Stress,
+    load_constant: Area,
+) -> Stress:
+    """Pressure at a position in a strip that is centred on the contact point.
+
+        p_s = (E′/2R)[√(a² − x²) + (C − a²/2)/√(a² − x²)]
+
+    Source:   Eq (56), which solves Eq (51).
+    Valid:    |x| < a ≪ R, C ≤ a²/2; beyond, the surfaces would interpenetrate outside the strip.
+    Accuracy: 5 ulp of the largest term.
+
+    >>> symmetric_pressure(
+    ...     position=3.0, contact_half_width=5.0, cylinder_radius=0.5, plane_strain_modulus=1.0, load_constant=0.5)
+    1.0
+    """
+    depth = sqrt((contact_half_width - position) * (contact_half_width + position))
+    neck = load_constant - contact_half_width * contact_half_width / 2
+    return plane_strain_modulus / (2 * cylinder_radius) * (depth + neck / depth)
+
+
+def asymmetric_pressure(
+    *,
+    position_in_strip: Length,
+    contact_half_width: Length,
+    yield_displacement: Length,
+    cylinder_radius: Length,
+    plane_strain_modulus: Stress,
+    load_constant: Area,
+) -> Stress:
+    """Pressure in a strip that lags by ξ behind the contact point, at a position from the strip's centre.
+
+        p_a = (E′/2R)[√(a² − X²) + (C − a²/2 + ξX)/√(a² − X²)]
+
+    Source:   Eq (64), which solves Eq (51). The C inside Eq (63) is minus this one.
+    Valid:    |X| < a ≪ R, ξ ≤ a/2 − C/a; beyond, the leading edge, X = a, would interpenetrate.
+    Accuracy: 5 ulp of the largest term.
+
+    >>> asymmetric_pressure(position_in_strip=3.0, contact_half_width=5.0, yield_displacement=4.0, cylinder_radius=0.5,
+    ...                     plane_strain_modulus=1.0, load_constant=0.5)
+    4.0
+    """
+    depth = sqrt((contact_half_width - position_in_strip) * (contact_half_width + position_in_strip))
+    neck = load_constant - contact_half_width * contact_half_width / 2 + yield_displacement * position_in_strip
+    return plane_strain_modulus / (2 * cylinder_radius) * (depth + neck / depth)
+
+
+def load_per_length(*, cylinder_radius: Length, plane_strain_modulus: Stress, load_constant: Area) -> ForcePerLength:
+    """Load on the cylinder per length; tension is negative.
+
+        P = πE′C/(2R)
+
+    Source:   Eqs (59) and (65): it does not depend on ξ.
+    Valid:    a ≪ R.
+    Accuracy: 3 ulp.
+
+    >>> round(load_per_length(cylinder_radius=0.5, plane_strain_modulus=1.0, load_constant=1.0), 6)
+    3.141593
+    """
+    return pi / 2 * (plane_strain_modulus / cylinder_radius) * load_constant
+
+
+def load_constant(*, load_per_length: ForcePerLength, cylinder_radius: Length, plane_strain_modulus: Stress) -> Area:
+    """Area that stands for the load in the pressure and the moments.
+
+        C = 2PR/(πE′)
+
+    Source:   Eqs (59) and (65), solved for C.
+    Valid:    a ≪ R.
+    Accuracy: 3 ulp.
+
+    >>> round(load_constant(load_per_length=3.141593, cylinder_radius=0.5, plane_strain_modulus=1.0), 6)
+    1.0
+    """
+    return 2 / pi * (load_per_length / plane_strain_modulus) * cylinder_radius
+
+
+def strip_moment(
+    *, contact_half_width: Length, yield_displacement: Length, cylinder_radius: Length, plane_strain_modulus: Stress
+) -> MomentPerLength:
+    """Moment of the asymmetric pressure about the centre of the strip, per length.
+
+        M(X = 0) = πE′a²ξ/(4R)
+
+    Source:   Eq (68).
+    Valid:    As Eq (64).
+    Accuracy: 4 ulp.
+
+    >>> round(strip_moment(
+    ...     contact_half_width=2.0, yield_displacement=1.0, cylinder_radius=1.0, plane_strain_modulus=1.0), 6)
+    3.141593
+    """
+    area = contact_half_width * contact_half_width
+    return pi / 4 * (plane_strain_modulus / cylinder_radius) * yield_displacement * area
+
+
+def contact_point_moment(
+    *,
+    contact_half_width: Length,
+    yield_displacement: Length,
+    cylinder_radius: Length,
+    plane_strain_modulus: Stress,
+    load_constant: Area,
+) -> MomentPerLength:
+    """Moment with which the strip resists to rolling: that of its pressure about the contact point, per length.
+
+        M(x = 0) = M(X = 0) − ξP = (π/4)(E′/R)ξ(a² − 2C)
+
+    Source:   Eqs (69) and (70), which has +2C for −2C and ≈ for =.
+    Valid:    As Eq (64). Without adhesion it vanishes.
+    Accuracy: 4 ulp of the larger term.
+
+    >>> round(contact_point_moment(contact_half_width=2.0, yield_displacement=1.0, cylinder_radius=1.0,
+    ...                            plane_strain_modulus=1.0, load_constant=1.0), 6)
+    1.570796
+    """
+    area = contact_half_width * contact_half_width - 2 * load_constant
+    return pi / 4 * (plane_strain_modulus / cylinder_radius) * yield_displacement * area
+
+
+# --- The trick of Sect. 4.1 in two dimensions: the strip as two halves at the same load -----------------------------
+
+
+def half_strip_moment(
+    *, half_strip_width: Length, cylinder_radius: Length, plane_strain_modulus: Stress, load_constant: Area
+) -> MomentPerLength:
+    """Moment of one half of a symmetric strip about the contact point, per length.
+
+        M½ = (E′/2R)(C𝒜 − 𝒜³/6)
+
+    Source:   Eq (76).
+    Valid:    𝒜 ≪ R.
+    Accuracy: 4 ulp of the larger term.
+
+    >>> half_strip_moment(half_strip_width=6.0, cylinder_radius=0.5, plane_strain_modulus=1.0, load_constant=7.0)
+    6.0
+    """
+    area = load_constant - half_strip_width * half_strip_width / 6
+    return plane_strain_modulus / (2 * cylinder_radius) * half_strip_width * area
+
+
+def half_strips_moment(
+    *,
+    contact_half_width: Length,
+    yield_displacement: Length,
+    cylinder_radius: Length,
+    plane_strain_modulus: Stress,
+    load_constant: Area,
+) -> MomentPerLength:
+    """Moment of two half-strips of width a + ξ and a − ξ at the same load, per length.
+
+        M = M½(a − ξ) − M½(a + ξ) = (E′/2R)ξ(a² − 2C + ξ²/3)
+
+    Source:   Eqs (76) and (77), multiplied out so that no digit is lost.
+    Valid:    ξ < a. Where ξ ≪ a, Eq (70) is π/2 times this.
+    Accuracy: 4 ulp of the largest term.
+
+    >>> half_strips_moment(contact_half_width=2.0, yield_displacement=3.0, cylinder_radius=0.5,
+    ...                    plane_strain_modulus=1.0, load_constant=1.0)
+    15.0
+    """
+    area = contact_half_width * contact_half_width - 2 * load_constant + yield_displacement * yield_displacement / 3
+    return plane_strain_modulus / (2 * cylinder_radius) * yield_displacement * area
+
+
+def linearised_half_strips_moment(
+    *,
+    contact_half_width: Length,
+    yield_displacement: Length,
+    cylinder_radius: Length,
+    plane_strain_modulus: Stress,
+    load_constant: Area,
+) -> MomentPerLength:
+    """Moment of the two half-strips to first order in ξ, per length.
+
+        M = (E′/2R)ξ(a² − 2C)
+
+    Source:   Eq (78).
+    Valid:    ξ ≪ a. It is 2/π of the exact Eq (70) for any load.
+    Accuracy: 4 ulp of the larger term.
+
+    >>> linearised_half_strips_moment(contact_half_width=2.0, yield_displacement=3.0, cylinder_radius=0.5,
+    ...                               plane_strain_modulus=1.0, load_constant=1.0)
+    6.0
+    """
+    area = contact_half_width * contact_half_width - 2 * load_constant
+    return plane_strain_modulus / (2 * cylinder_radius) * yield_displacement * area

@@ -1,0 +1,341 @@
+"""The strip contact of Appendix A and the integrals of Appendix B: each formula against the integral that it solves."""
+
+# ruff: noqa: N803, N806  (the paper's symbols)
+
+import inspect
+import math
+import re
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache
+from random import Random
+from typing import Any, get_type_hints
+
+import numpy as np
+import pint
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from mpmath import MPContext  # type: ignore[import-untyped]
+
+from jkroll.physics import cylinder, integrals
+from reference import ulp_error
+
+pytestmark = pytest.mark.filterwarnings("error")  # of numpy, too
+
+Values = Mapping[str, Any]
+Exact = Any  # an mpf; mpmath declares no types
+Function = Callable[[Exact], Exact]
+
+FORMULAS: Mapping[str, Callable[..., Any]] = {
+    name: function
+    for module in (cylinder, integrals)
+    for name, function in vars(module).items()
+    if getattr(function, "__module__", None) == module.__name__
+}
+
+digits = MPContext()
+digits.dps = 50
+mpf, pi, sqrt = digits.mpf, +digits.pi, digits.sqrt
+
+
+# --- The equations, as the paper has them, corrected as the docstrings say --------------------------------------------
+
+SYMBOLS = {
+    "x": "position", "X": "position_in_strip", "delta": "approach_at_load", "a": "contact_half_width", "C": "load_constant",
+    "A": "half_strip_width", "A3": "half_circle_radius", "xi": "yield_displacement", "R": "cylinder_radius",
+    "E": "plane_strain_modulus", "P": "load_per_length",
+}  # fmt: skip
+
+EQUATIONS: Mapping[str, Callable[..., Exact]] = {
+    "surface_displacement": lambda x, delta, R: delta - x**2 / (2 * R),
+    "symmetric_pressure": lambda x, a, R, E, C: E / (2 * R) * (sqrt(a**2 - x**2) + (C - a**2 / 2) / sqrt(a**2 - x**2)),
+    "asymmetric_pressure": lambda X, a, xi, R, E, C: (
+        E / (2 * R) * (sqrt(a**2 - X**2) + (C - a**2 / 2 + xi * X) / sqrt(a**2 - X**2))
+    ),
+    "load_per_length": lambda R, E, C: pi * E / (2 * R) * C,
+    "load_constant": lambda P, R, E: 2 * R * P / (pi * E),
+    "strip_moment": lambda a, xi, R, E: pi * a**2 * E / (4 * R) * xi,
+    "contact_point_moment": lambda a, xi, R, E, C: pi / 4 * E / R * xi * (a**2 - 2 * C),
+    "half_strip_moment": lambda A, R, E, C: E / (2 * R) * (-(A**3) / 6 + C * A),
+    "half_strips_moment": lambda a, xi, R, E, C: (
+        E / (2 * R) * ((-((a - xi) ** 3) / 6 + C * (a - xi)) - (-((a + xi) ** 3) / 6 + C * (a + xi)))
+    ),
+    "linearised_half_strips_moment": lambda a, xi, R, E, C: E / R * xi * (a**2 - 2 * C) / 2,
+    "hertz_moment_transform": lambda x, a: pi * (x**2 - a**2 / 2),
+    "hertz_transform": lambda x: pi * x,
+    "punch_integral": lambda: pi,
+    "hertz_integral": lambda a: pi * a**2 / 2,
+    "hertz_half_strip_integral": lambda A: A**3 / 3,
+    "punch_half_strip_integral": lambda A: A,
+    "hertz_half_circle_integral": lambda A3: pi * A3**3 / 16,
+    "punch_half_circle_integral": lambda A3: pi * A3**3 / 4,
+}
+
+# The larger of the terms that may cancel.
+TERMS: Mapping[str, Callable[..., Exact]] = {
+    "surface_displacement": lambda x, delta, R: max(abs(delta), x**2 / (2 * R)),
+    "symmetric_pressure": lambda x, a, R, E, C: E / (2 * R) * max(a**2 - x**2, abs(C), a**2 / 2) / sqrt(a**2 - x**2),
+    "asymmetric_pressure": lambda X, a, xi, R, E, C: (
+        E / (2 * R) * max(a**2 - X**2, abs(C), a**2 / 2, abs(xi * X)) / sqrt(a**2 - X**2)
+    ),
+    "contact_point_moment": lambda a, xi, R, E, C: pi / 4 * E / R * xi * max(a**2, 2 * abs(C)),
+    "half_strip_moment": lambda A, R, E, C: E / (2 * R) * A * max(A**2 / 6, abs(C)),
+    "half_strips_moment": lambda a, xi, R, E, C: E / (2 * R) * xi * max(a**2, 2 * abs(C), xi**2 / 3),
+    "linearised_half_strips_moment": lambda a, xi, R, E, C: E / (2 * R) * xi * max(a**2, 2 * abs(C)),
+    "hertz_moment_transform": lambda x, a: pi * max(x**2, a**2 / 2),
+}
+
+
+def evaluate(equation: Callable[..., Exact], values: Values) -> Exact:
+    """One of the above, at values taken as exact."""
+    return equation(*(mpf(values[SYMBOLS[symbol]]) for symbol in inspect.signature(equation).parameters))
+
+
+def of(name: str, values: Values, **changed: Any) -> Any:
+    """A formula at those of the values that it needs, some of them changed."""
+    given_values = {**values, **changed}
+    return FORMULAS[name](**{name: given_values[name] for name in inspect.signature(FORMULAS[name]).parameters})
+
+
+@cache
+def contacts(count: int) -> Sequence[Values]:
+    """The same contacts every time, of any size, shift and load."""
+    random = Random(1995)
+
+    def log_uniform(low: float, high: float) -> float:
+        return math.exp(random.uniform(math.log(low), math.log(high)))
+
+    def contact() -> Values:
+        R = log_uniform(1e-9, 1e3)
+        a = R * log_uniform(1e-6, 0.3)
+        x = random.choice([-1, 1]) * a * random.choice([random.random(), 1 - log_uniform(1e-14, 1)])
+        C = a**2 / 2 * random.choice([random.uniform(-2, 1), 1 - log_uniform(1e-15, 1), log_uniform(1e-9, 1e9)])
+        return {
+            "position": x, "position_in_strip": x, "contact_half_width": a, "load_constant": C, "cylinder_radius": R,
+            "approach_at_load": a**2 / R * random.uniform(-1, 1), "yield_displacement": a * log_uniform(1e-9, 1),
+            "half_strip_width": a * random.uniform(0.1, 2), "half_circle_radius": a * random.uniform(0.1, 2),
+            "plane_strain_modulus": log_uniform(1e5, 1e13), "load_per_length": C * log_uniform(1e-3, 1e12),
+        }  # fmt: skip
+
+    return [contact() for _ in range(count)]
+
+
+@pytest.mark.parametrize("name", FORMULAS)
+def test_formula_is_as_accurate_as_it_says(name: str) -> None:
+    stated = re.search(r"Accuracy: (?:Exact|([\d.]+) ulp)", FORMULAS[name].__doc__ or "")
+    assert stated
+    bound = float(stated[1] or 0)
+    for values in contacts(1000):
+        exact = evaluate(EQUATIONS[name], values)
+        scale = evaluate(TERMS[name], values) if name in TERMS else abs(exact)
+        assert ulp_error(of(name, values), exact, of=scale) <= bound, values
+
+
+# --- The integrals, taken numerically ---------------------------------------------------------------------------------
+
+# With 50 digits; only the π of a formula remains a double.
+SOME: Sequence[Values] = [{name: mpf(value) for name, value in values.items()} for values in contacts(4)]
+
+
+def integral(function: Function, half_width: Exact, start: int = -1) -> Exact:
+    """Integral over the strip, or from start = 0 over half of it; s = a sin φ takes the root off the edges."""
+    return digits.quad(
+        lambda phi: function(half_width * digits.sin(phi)) * half_width * digits.cos(phi),
+        [start * pi / 2, pi / 2],
+        method="gauss-legendre",
+        maxdegree=5,
+    )
+
+
+def principal_value(function: Function, x: Exact, half_width: Exact) -> Exact:
+    """PV∫ f(s)/(x − s) ds over the strip: f(x) taken off leaves no singularity, and f(x) itself gives a logarithm."""
+    at_x = function(x)
+    rest = integral(lambda s: (function(s) - at_x) / (x - s), half_width)
+    return rest + at_x * digits.log((half_width + x) / (half_width - x))
+
+
+def near(value: Any, other: Any, of: Any = 0) -> bool:
+    """Equal but for a few roundings of a double, of them or of something larger."""
+    return bool(abs(value - other) <= 2e-15 * max(abs(value), abs(other), abs(of)))
+
+
+@pytest.mark.parametrize("values", SOME)
+@pytest.mark.parametrize("shifted", [False, True])
+def test_pressures_satisfy_eq_51(values: Values, shifted: bool) -> None:
+    """PV∫ p(s)/(x − s) ds = −(πE′/2) du/dx, in a symmetric strip and in one that lags by ξ."""
+    a, xi = values["contact_half_width"], values["yield_displacement"]
+    name, place = ("asymmetric_pressure", "position_in_strip") if shifted else ("symmetric_pressure", "position")
+    for X in (-a / 2, a / 7, 0.9 * a):
+        tilt = principal_value(lambda s: of(name, values, **{place: s}), X, a)
+        x = X - xi if shifted else X
+        slope = digits.diff(lambda x: of("surface_displacement", values, position=x), x, h=a / 10**15)
+        wanted = -pi / 2 * values["plane_strain_modulus"] * slope
+        assert near(tilt, wanted, values["plane_strain_modulus"] * a / values["cylinder_radius"])
+
+
+@pytest.mark.parametrize("values", SOME)
+def test_pressures_carry_the_load_and_the_moments(values: Values) -> None:
+    """Eqs 57, 66 and 69: the load does not depend on ξ, and a symmetric strip has no moment."""
+    a, xi = values["contact_half_width"], values["yield_displacement"]
+
+    def symmetric(x: Exact) -> Exact:
+        return of("symmetric_pressure", values, position=x)
+
+    def asymmetric(X: Exact) -> Exact:
+        return of("asymmetric_pressure", values, position_in_strip=X)
+
+    load = of("load_per_length", values)
+    assert near(integral(symmetric, a), load)
+    assert near(integral(asymmetric, a), load)
+    assert near(integral(lambda x: x * symmetric(x), a), 0, a * load)
+    assert near(integral(lambda X: X * asymmetric(X), a), of("strip_moment", values))
+    about_contact_point = integral(lambda X: (X - xi) * asymmetric(X), a)
+    assert near(about_contact_point, of("contact_point_moment", values))
+    assert near(about_contact_point, of("strip_moment", values) - xi * load, xi * load)  # Eq 69
+
+
+@pytest.mark.parametrize("values", SOME)
+def test_two_half_strips_have_the_load_and_the_moment_of_eqs_71_to_77(values: Values) -> None:
+    a, xi = values["contact_half_width"], values["yield_displacement"]
+
+    def half(width: Exact, power: int) -> Exact:
+        return integral(
+            lambda x: x**power * of("symmetric_pressure", values, position=x, contact_half_width=width), width, start=0
+        )
+
+    assert near(half(a + xi, 0) + half(a - xi, 0), of("load_per_length", values))
+    for width in (a + xi, a - xi):
+        assert near(half(width, 1), of("half_strip_moment", values, half_strip_width=width))
+    assert near(half(a - xi, 1) - half(a + xi, 1), of("half_strips_moment", values))
+
+
+@pytest.mark.parametrize("place", [-0.99, -0.3, 0.0, 0.5, 0.8])
+def test_principal_values(place: float) -> None:
+    a = mpf(2)
+    x = a * place
+
+    def root(s: Exact) -> Exact:
+        return sqrt(a * a - s * s)
+
+    assert near(
+        principal_value(lambda s: s * root(s), x, a),
+        of("hertz_moment_transform", {"position": x, "contact_half_width": a}),
+    )
+    assert near(principal_value(root, x, a), of("hertz_transform", {"position": x}), 1e-30)
+
+
+@pytest.mark.parametrize("a", [mpf(1), mpf("3e-9"), mpf(70)])
+@pytest.mark.parametrize(
+    ("name", "start", "integrand"),
+    [
+        ("punch_integral", -1, lambda a, x: 1 / sqrt(a**2 - x**2)),
+        ("hertz_integral", -1, lambda a, x: sqrt(a**2 - x**2)),
+        ("hertz_half_strip_integral", 0, lambda a, x: x * sqrt(a**2 - x**2)),
+        ("punch_half_strip_integral", 0, lambda a, x: x / sqrt(a**2 - x**2)),
+        ("hertz_half_circle_integral", 0, lambda a, x: x**2 * sqrt(1 - (x / a) ** 2)),
+        ("punch_half_circle_integral", 0, lambda a, x: x**2 / sqrt(1 - (x / a) ** 2)),
+    ],
+)
+def test_integrals(name: str, start: int, integrand: Callable[[Exact, Exact], Exact], a: Exact) -> None:
+    of_size = dict.fromkeys(("contact_half_width", "half_strip_width", "half_circle_radius"), a)
+    assert near(integral(lambda x: integrand(a, x), a, start), of(name, of_size))
+
+
+# --- Relations ----------------------------------------------------------------------------------------------------------
+
+any_contact = st.fixed_dictionaries(
+    {
+        "contact_half_width": st.floats(0.01, 0.1),
+        "yield_displacement": st.floats(1e-9, 0.009),
+        "cylinder_radius": st.floats(1, 100),
+        "plane_strain_modulus": st.floats(1e6, 1e12),
+        "load_constant": st.floats(-0.01, 4e-5),  # below a²/2
+    }
+)
+inside = st.floats(-0.999, 0.999)
+
+
+@given(any_contact, inside)
+def test_without_shift_the_asymmetric_pressure_is_the_symmetric_one(values: Values, place: float) -> None:
+    x = place * values["contact_half_width"]
+    symmetric = of("symmetric_pressure", values, position=x)
+    assert of("asymmetric_pressure", values, position_in_strip=x, yield_displacement=0.0) == symmetric
+    assert of("symmetric_pressure", values, position=-x) == symmetric
+
+
+@given(any_contact, inside)
+def test_rolling_the_other_way_mirrors_the_pressure(values: Values, place: float) -> None:
+    X, xi = place * values["contact_half_width"], values["yield_displacement"]
+    there = of("asymmetric_pressure", values, position_in_strip=X)
+    assert of("asymmetric_pressure", values, position_in_strip=-X, yield_displacement=-xi) == there
+
+
+@given(any_contact)
+def test_load_and_its_constant_are_inverse(values: Values) -> None:
+    load = of("load_per_length", values)
+    assert math.isclose(of("load_constant", values, load_per_length=load), values["load_constant"], rel_tol=1e-15)
+
+
+@given(any_contact)
+def test_moment_about_the_contact_point_is_eq_69(values: Values) -> None:
+    shift = values["yield_displacement"] * of("load_per_length", values)
+    moment = of("contact_point_moment", values)
+    assert near(moment, of("strip_moment", values) - shift, shift)
+
+
+@given(any_contact)
+def test_two_half_strips_tend_to_2_over_pi_of_the_exact_moment(values: Values) -> None:
+    """(70)/(78) = π/2, and (77) = (78) + E′ξ³/(6R), of which the first order is (78)."""
+    linear, two = of("linearised_half_strips_moment", values), of("half_strips_moment", values)
+    assert near(of("contact_point_moment", values), math.pi / 2 * linear)
+    xi, R = values["yield_displacement"], values["cylinder_radius"]
+    assert near(two, linear + values["plane_strain_modulus"] * xi**3 / (6 * R))
+    small = {**values, "yield_displacement": 1e-9 * xi}
+    assert near(of("half_strips_moment", small), of("linearised_half_strips_moment", small))
+
+
+@given(any_contact)
+def test_two_half_strips_are_the_difference_of_two_halves(values: Values) -> None:
+    a, xi = values["contact_half_width"], values["yield_displacement"]
+    trailing, leading = (of("half_strip_moment", values, half_strip_width=width) for width in (a + xi, a - xi))
+    scale = evaluate(TERMS["half_strip_moment"], {**values, "half_strip_width": a + xi})
+    assert near(of("half_strips_moment", values), leading - trailing, scale)
+
+
+@given(any_contact)
+def test_without_adhesion_nothing_resists_and_the_contact_is_that_of_hertz(values: Values) -> None:
+    a, R, E = (values[name] for name in ("contact_half_width", "cylinder_radius", "plane_strain_modulus"))
+    hertz = {**values, "load_constant": a * a / 2}
+    assert of("contact_point_moment", hertz) == of("linearised_half_strips_moment", hertz) == 0
+    assert near(of("load_per_length", hertz), math.pi * E * a * a / (4 * R))
+    assert near(of("symmetric_pressure", hertz, position=0.0), E * a / (2 * R))
+
+
+@given(any_contact, st.floats(0.1, 2))
+def test_the_leading_edge_is_pressed_where_the_shift_is_too_large(values: Values, share: float) -> None:
+    """Up to ξ = a/2 − C/a the edge X = a is pulled; beyond, the pressure there is positive and without bound."""
+    a = values["contact_half_width"]
+    limit = a / 2 - values["load_constant"] / a
+    pressure = of("asymmetric_pressure", values, position_in_strip=a * (1 - 1e-12), yield_displacement=share * limit)
+    assert abs(share - 1) < 1e-4 or (pressure > 0) == (share > 1)
+
+
+# --- Arrays and dimensions ----------------------------------------------------------------------------------------------
+
+UREG: Any = pint.UnitRegistry()
+
+
+@pytest.mark.parametrize("name", FORMULAS)
+def test_arrays_equal_floats(name: str) -> None:
+    many = contacts(50)
+    arrays = {key: np.array([values[key] for values in many]) for key in many[0]}
+    assert np.all(of(name, arrays) == np.array([of(name, values) for values in many]))
+
+
+@pytest.mark.parametrize("name", FORMULAS)
+def test_dimensions(name: str) -> None:
+    hints = get_type_hints(FORMULAS[name], include_extras=True)
+    units = {parameter: hint.__metadata__[0] for parameter, hint in hints.items()}
+    wanted = units.pop("return")
+    quantities = {parameter: UREG.Quantity(contacts(1)[0][parameter], unit) for parameter, unit in units.items()}
+    assert UREG.Quantity(of(name, quantities)).is_compatible_with(UREG.Quantity(1.0, wanted))
