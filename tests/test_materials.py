@@ -142,9 +142,13 @@ def test_what_is_no_file(run: Run, tmp_path: Path) -> None:
         assert (ran.code, ran.err) == (2, f"jkroll: materials file '{path}': {problem}\n")
 
 
-def test_a_broken_file_does_not_matter_where_no_material_is_named(run: Run, tmp_path: Path) -> None:
+def test_a_broken_file_does_not_matter_where_no_material_is_named(
+    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     path = write(tmp_path / "broken.toml", "a = ")
-    assert run("r-min", "100nm", "--materials", str(path)).code == 0
+    monkeypatch.setenv("JKROLL_MATERIALS", str(path))
+    assert run("r-min 100nm").code == 0
+    assert run("r-min", "100nm", "--materials", str(path)).code == 2
 
 
 @settings(max_examples=300, suppress_health_check=[HealthCheck.function_scoped_fixture])

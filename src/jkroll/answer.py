@@ -5,9 +5,10 @@ from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from .errors import BeyondFold, BeyondPullOff, JkrollError, MissingInput, NoResult
-from .formatting import amount
+from .formatting import Format, amount
 from .nomenclature import INFINITY, NOMENCLATURE, word_for_infinity
-from .scene import DEFAULTS, Scene, depends_on
+from .scene import DEFAULTS, Scene
+from .wiring import depends_on
 
 
 class Command(NamedTuple):
@@ -129,6 +130,17 @@ def answer(command: Command, scene: Scene) -> Answer:
     notes = (*_assumptions(scene, inputs, planned), *_about_data(scene, inputs), *_about(results))
     no_contact = next((error for error in errors.values() if isinstance(error, (BeyondPullOff, BeyondFold))), None)
     return Answer(inputs, tuple(results), notes, no_contact or (None if known else next(iter(errors.values()))))
+
+
+def in_units(answer: Answer, form: Format) -> Answer:
+    """An answer without the results that their unit takes out of the range of doubles."""
+    results = tuple(
+        result._replace(value=None, reason=f"no value in {form.unit(result.name)} that a double can hold")
+        if result.value and not 0 < abs(form.number(result.name, result.value)) < INFINITY
+        else result
+        for result in answer.results
+    )
+    return answer._replace(results=results)
 
 
 def _concerns(name: str, scene: Scene) -> bool:

@@ -6,9 +6,10 @@ from collections.abc import Sequence
 from typing import Any, TextIO
 
 from .formatting import Format, amount
-from .materials import PROPERTIES, Material
+from .materials import Material
 from .nomenclature import NOMENCLATURE, header
 from .report import say
+from .wiring import PROPERTIES
 
 
 def write_materials(chosen: Sequence[Material], out: TextIO, kind: str, *, whole: bool) -> None:

@@ -17,7 +17,8 @@ from .completion import complete_input, complete_words
 from .errors import JkrollError
 from .nomenclature import NOMENCLATURE
 from .run import Output, run_command, run_materials
-from .scene import DEFAULTS, depends_on
+from .scene import DEFAULTS
+from .wiring import depends_on
 
 USAGE_ERROR = 2
 CANNOT_WRITE = 1

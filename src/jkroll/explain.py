@@ -1,17 +1,18 @@
 """`--explain` and `--cite`: how a number comes about and what to cite for it, worded from the formulas' docstrings."""
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from fractions import Fraction
-from math import isfinite
+from math import isfinite, log
 from typing import Any, TextIO
 
-from .answer import Answer
+from .answer import Answer, Result
 from .errors import JkrollError
 from .formatting import Format, amount
 from .nomenclature import INFINITY, NOMENCLATURE, word_for_infinity
 from .report import say
-from .scene import Scene, Step
+from .scene import Scene
+from .wiring import Step
 
 PAPER = """@article{dominik-tielens-1995,
   author  = {Dominik, C. and Tielens, A. G. G. M.},
@@ -50,36 +51,48 @@ def docstring_fields(formula: Any) -> dict[str, str]:
     return fields
 
 
-def write_explanation(answer: Answer, scene: Scene, out: TextIO, form: Format) -> None:
+def write_explanation(pairs: Iterable[tuple[Scene, Answer]], out: TextIO, form: Format) -> None:
     """For each result: formula, numbers put in, steps, result, equation, validity, accuracy and power law."""
-    for number, result in enumerate(answer.results):
-        quantity = NOMENCLATURE[result.name]
+    if not docstring_fields(power_law)["summary"]:
+        raise NoDocstrings
+    for number, (scene, result) in enumerate((scene, result) for scene, answer in pairs for result in answer.results):
         if number:
             say("", out)
-        say(f"{result.name} — {quantity.sentence}, Eq {quantity.equation}", out)
-        if result.value is None:
-            say(f"  {result.reason}", out)
-            continue
-        steps = scene.plan(result.name).steps
-        last = steps[-1]
-        fields = docstring_fields(last.formula)
-        say(f"  {fields['formula']}", out)
-        say("  given", out)
-        for name in scene.inputs_of(result.name):
-            value = f"{NOMENCLATURE[name].symbol} = {amount(name, _shown(name, scene), form)}"
-            say(f"    {value:22} {NOMENCLATURE[name].sentence}{_origin(name, scene)}", out)
-        if len(steps) > 1:
-            say("  steps", out)
-            for step in steps[:-1]:
-                formula = _of_its_sphere(step, docstring_fields(step.formula)["formula"])
-                value = f"{NOMENCLATURE[step.name].symbol} = {amount(step.name, _shown(step.name, scene), form)}"
-                say(f"    {value:22} {formula}", out)
-        say(f"  result    {quantity.symbol} = {amount(result.name, result.value, form)}", out)
-        for key in ("Source", "Valid", "Accuracy"):
-            say(f"  {key.lower():9} {fields[key]}", out)
-        say(f"  power law {power_law(scene, result.name)}", out)
-        if quantity.note:
-            say(f"  note      {quantity.note}", out)
+        _explain(result, scene, out, form)
+
+
+def _explain(result: Result, scene: Scene, out: TextIO, form: Format) -> None:
+    quantity = NOMENCLATURE[result.name]
+    say(f"{result.name} — {quantity.sentence}, Eq {quantity.equation}", out)
+    if result.value is None:
+        say(f"  {result.reason}", out)
+        return
+    steps = scene.plan(result.name).steps
+    fields = docstring_fields(steps[-1].formula)
+    lines = [f"  {fields['formula']}", "  given"]
+    for name in scene.inputs_of(result.name):
+        value = f"{NOMENCLATURE[name].symbol} = {amount(name, _shown(name, scene), form)}"
+        lines.append(f"    {value:22} {NOMENCLATURE[name].sentence}{_origin(name, scene)}")
+    if len(steps) > 1:
+        lines.append("  steps")
+    for step in steps[:-1]:
+        formula = _of_its_sphere(step, docstring_fields(step.formula)["formula"])
+        value = f"{NOMENCLATURE[step.name].symbol} = {amount(step.name, _shown(step.name, scene), form)}"
+        lines.append(f"    {value:22} {formula}")
+    lines.append(f"  result    {quantity.symbol} = {amount(result.name, result.value, form)}")
+    lines += [f"  {key.lower():9} {fields[key]}" for key in ("Source", "Valid", "Accuracy")]
+    lines.append(f"  power law {power_law(scene, result.name)}")
+    if quantity.note:
+        lines.append(f"  note      {quantity.note}")
+    for line in lines:
+        say(line, out)
+
+
+class NoDocstrings(JkrollError):
+    """Python was told to drop them."""
+
+    def __str__(self) -> str:
+        return "--explain is worded from docstrings, which python -OO drops"
 
 
 def _shown(name: str, scene: Scene) -> float | str:
@@ -94,10 +107,11 @@ def _of_its_sphere(step: Step, formula: str) -> str:
 
 
 def _origin(name: str, scene: Scene) -> str:
-    """Where an input comes from: a material's file, unless it was given."""
-    material = scene.material2 if name.endswith("2") and scene.material2 is not None else scene.material
-    if material is not None and scene.given.get(name) == material.properties.get(name.removesuffix("2")) is not None:
-        return f" ({material.name}, {material.title})"
+    """Where an input comes from: a material's file, unless it was stated."""
+    of_sphere_2 = name.endswith("2")
+    for material, of_material in scene.data_used([name]):
+        if of_material == name.removesuffix("2") and (material is scene.material2 or not of_sphere_2):
+            return f" ({material.name}, {material.title})"
     return "" if name in scene.given else " (assumed)"
 
 
@@ -126,28 +140,34 @@ def power_law(scene: Scene, name: str, step: float = 1e-4) -> str:
 
 
 def _log_derivative(scene: Scene, name: str, given: str, value: float, step: float) -> str:
-    """D ln(name)/d ln(given) as text; empty where it is zero or cannot be had."""
-    from math import log
-
-    try:
-        low, high = (Scene({**scene.given, given: value * factor})[name] for factor in (1 / (1 + step), 1 + step))
-        exponent = log(high / low) / (2 * log(1 + step))
-    except (JkrollError, ValueError, ZeroDivisionError):
-        return ""
+    """Exponent d ln(name)/d ln(given) as text; empty where it is zero, "?" where it cannot be had."""
+    logs = []
+    for factor in (1 / (1 + step), 1.0, 1 + step):
+        try:
+            logs.append((log(factor), log(abs(Scene({**scene.given, given: value * factor})[name]))))
+        except (JkrollError, ValueError):
+            continue
+    if len(logs) < 2:
+        return "?"
+    exponent = (logs[-1][1] - logs[0][1]) / (logs[-1][0] - logs[0][0])
     simple = Fraction(exponent).limit_denominator(12)
     if abs(exponent - simple) < 1e-6:
         return str(simple) if simple else ""
     return f"{exponent:.3g}"
 
 
-def write_citations(answers: Iterable[Answer], scenes: Iterable[Scene], out: TextIO) -> None:
+def write_citations(pairs: Iterable[tuple[Scene, Answer]], out: TextIO, _: Format) -> None:
     """BibTeX of the paper, with the equations used, and of the material data used."""
     equations: dict[str, None] = {}
     references: dict[str, Mapping[str, str]] = {}
-    for answer, scene in zip(answers, scenes, strict=True):
+    failure: JkrollError | None = None
+    for scene, answer in pairs:
+        failure = failure or answer.failure
         known = [result.name for result in answer.results if result.value is not None]
-        equations |= {step_equation: None for name in known for step_equation in _equations(scene, name)}
-        references |= {str(entry["key"]): entry for entry in material_references(scene)}
+        equations |= {equation: None for name in known for equation in _equations(scene, name)}
+        references |= {str(entry["key"]): entry for entry in material_references(scene, answer.inputs)}
+    if failure is not None and not equations:
+        raise failure
     order = sorted(equations, key=int)
     say(PAPER % (("Eq. " if len(order) == 1 else "Eqs. ") + ", ".join(f"({equation})" for equation in order)), out)
     for entry in references.values():
@@ -158,11 +178,9 @@ def _equations(scene: Scene, name: str) -> list[str]:
     return [NOMENCLATURE[step.name].equation for step in scene.plan(name).steps if NOMENCLATURE[step.name].equation]
 
 
-def material_references(scene: Scene) -> list[Mapping[str, str]]:
-    """The references of the materials of a scene."""
-    return [
-        entry for material in (scene.material, scene.material2) if material is not None for entry in material.references
-    ]
+def material_references(scene: Scene, inputs: Collection[str]) -> list[Mapping[str, str]]:
+    """The references of the materials whose data are among the inputs."""
+    return [entry for material, _ in scene.data_used(inputs) for entry in material.references]
 
 
 def bibtex(entry: Mapping[str, str]) -> str:

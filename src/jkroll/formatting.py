@@ -1,7 +1,7 @@
 """A value as text: for people six digits and a fitting prefix, for machines the shortest text that reads back the same."""
 
 from collections.abc import Mapping
-from math import floor, log10
+from math import floor, isinf, log10
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -32,7 +32,7 @@ class Format(NamedTuple):
         if isinstance(value, str):
             return value
         number = self.number(name, value)
-        return repr(number) if self.digits is None else f"{number:.{self.digits}g}"
+        return repr(number + 0.0) if self.digits is None else f"{number + 0.0:.{self.digits}g}"
 
     def header(self, name: str) -> str:
         """A column header: name and unit."""
@@ -60,6 +60,8 @@ def engineering(value: float, unit: str, digits: int = PEOPLE_DIGITS) -> tuple[s
     if unit not in _PREFIXABLE or value == 0:
         return f"{value:.{digits}g}", unit
     rounded = float(f"{value:.{digits}g}")
+    if isinf(rounded):
+        return f"{value:.{digits}g}", unit
     exponent = 3 * floor(log10(abs(rounded)) / 3 + 1e-12)
     prefix = _PREFIXES.get(exponent)
     if prefix is None:

@@ -11,8 +11,8 @@ from .errors import MaterialsFileError, QuantityError, UnknownMaterial, quoted
 from .nomenclature import NOMENCLATURE
 from .suggestions import closest
 from .units import parse_quantity
+from .wiring import PROPERTIES
 
-PROPERTIES = ("surface_energy", "youngs_modulus", "poisson_ratio", "density")
 MAX_BYTES = 1_000_000
 MAX_NAME = 60
 

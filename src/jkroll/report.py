@@ -4,16 +4,18 @@ Nothing a user or a file wrote is ever taken for markup, and nothing is cut wher
 """
 
 import json
-from collections.abc import Iterable, Sequence
-from typing import Any, TextIO
+from collections.abc import Iterable
+from typing import Any, NamedTuple, TextIO
 
 from .answer import Answer, Command
-from .formatting import Format
+from .formatting import AS_USUAL, Format
 from .nomenclature import NOMENCLATURE, header
+
+MAX_TABLE = 10_000  # rows that are set as a table
 
 _ASCII = {
     "γ": "gamma", "δ": "delta", "ν": "nu", "ρ": "rho", "ξ": "xi", "π": "pi", "ω": "omega", "Ω": "Omega", "α": "alpha",
-    "µ": "u", "√": "sqrt", "∛": "cbrt", "⟨": "<", "⟩": ">", "²": "^2", "³": "^3", "⁴": "^4", "⁵": "^5", "½": "1/2 ", "¼": "1/4 ", "â": "ahat",
+    "µ": "u", "√": "sqrt", "∛": "cbrt", "⟨": "<", "⟩": ">", "⁰": "^0", "¹": "^1", "²": "^2", "³": "^3", "⁴": "^4", "⁵": "^5", "⁻": "^-", "½": "1/2 ", "¼": "1/4 ", "â": "ahat",
     "𝒜": "A", "Å": "angstrom", "\u0302": "hat", "−": "-", "–": "-", "—": "-", "·": "*", "×": "x", "≪": "<<", "≥": ">=",
     "≤": "<=", "≈": "~", "→": "->", "∞": "inf",
 }  # fmt: skip
@@ -50,46 +52,77 @@ def say(text: str, out: TextIO) -> None:
     print(fitting(text, out), file=out)
 
 
-def write_plain(answers: Sequence[Answer], out: TextIO, form: Format, command: Command) -> None:
+class Layout(NamedTuple):
+    """What the rows of a call have in common."""
+
+    command: Command
+    inputs: tuple[str, ...]  # of any row
+    results: tuple[str, ...]
+    size: int  # number of rows
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """The columns of a table: inputs, then results."""
+        return self.inputs + tuple(name for name in self.results if name not in self.inputs)
+
+    def headers(self, form: Format) -> list[str]:
+        """Their headers: inputs in SI units, results as they are to be written."""
+        return [header(name) if name in self.inputs else form.header(name) for name in self.columns]
+
+
+def layout(command: Command, samples: Iterable[Answer], count: int) -> Layout:
+    """The layout of rows of which these are samples."""
+    rows = list(samples)
+    inputs = {name for answer in rows for name in answer.inputs}
+    results = {result.name for answer in rows for result in answer.results}
+    return Layout(
+        command,
+        tuple(name for name in NOMENCLATURE if name in inputs),
+        tuple(name for name in command.quantities if name in results),
+        count,
+    )
+
+
+def write_plain(answers: Iterable[Answer], out: TextIO, form: Format, shape: Layout) -> None:
     """One scene: a line `name value unit` a result. Several: a table with tabs, its header first."""
-    if len(answers) > 1:
-        names = columns(answers, command)
-        say("\t".join(headers(answers, names, form)), out)
+    if shape.size > 1:
+        say("\t".join(shape.headers(form)), out)
         for answer in answers:
-            say("\t".join(cell or "-" for cell in row(answer, names, form)), out)
+            say("\t".join(cell or "-" for cell in row(answer, shape.columns, form)), out)
         return
-    for result in answers[0].results:
+    for result in next(iter(answers)).results:
         if result.value is not None:
             say(
                 f"{result.name} {form.text(result.name, result.value)} {form.unit(result.name)}".removesuffix(" 1"), out
             )
 
 
-def write_bare(answers: Sequence[Answer], out: TextIO, form: Format, command: Command) -> None:
+def write_bare(answers: Iterable[Answer], out: TextIO, form: Format, shape: Layout) -> None:
     """A line a scene: the numbers of the quantities that the command is named after, with tabs between them."""
     for answer in answers:
-        say("\t".join(cell or "-" for cell in row(answer, command.headline, form)), out)
+        say("\t".join(cell or "-" for cell in row(answer, shape.command.headline, form)), out)
 
 
-def write_csv(answers: Sequence[Answer], out: TextIO, form: Format, command: Command) -> None:
+def write_csv(answers: Iterable[Answer], out: TextIO, form: Format, shape: Layout) -> None:
     """A header with units and a row a scene: inputs, then results; a cell without a value is empty."""
     import csv
 
-    names = columns(answers, command)
+    rows = list(answers) if shape.size == 1 else answers
+    shape = layout(shape.command, rows, 1) if shape.size == 1 else shape
     writer = csv.writer(out, lineterminator="\n")
-    writer.writerow(headers(answers, names, form))
-    writer.writerows(row(answer, names, form) for answer in answers)
+    writer.writerow([fitting(text, out) for text in shape.headers(form)])
+    for answer in rows:
+        writer.writerow([fitting(cell, out) for cell in row(answer, shape.columns, form)])
 
 
-def write_json(answers: Sequence[Answer], out: TextIO, form: Format, _: Command) -> None:
+def write_json(answers: Iterable[Answer], out: TextIO, form: Format, shape: Layout) -> None:
     """An object a scene; an array of them if there are several."""
-    objects = [as_object(answer, form) for answer in answers]
-    say(
-        json.dumps(
-            objects[0] if len(objects) == 1 else objects, ensure_ascii=out.encoding.lower() != "utf-8", indent=2
-        ),
-        out,
-    )
+    escape = out.encoding.lower() != "utf-8"
+    for place, answer in enumerate(answers):
+        text = json.dumps(as_object(answer, form), ensure_ascii=escape, indent=2)
+        if shape.size > 1:
+            text = ("[\n" if place == 0 else "") + text + ("\n]" if place == shape.size - 1 else ",")
+        say(text, out)
 
 
 def as_object(answer: Answer, form: Format) -> dict[str, Any]:
@@ -99,11 +132,10 @@ def as_object(answer: Answer, form: Format) -> dict[str, Any]:
     results = []
     for result in answer.results:
         quantity = NOMENCLATURE[result.name]
-        number = None if result.value is None else json.loads(form.text(result.name, result.value))
         entry = {
             "name": result.name,
             "symbol": quantity.symbol,
-            "value": number,
+            "value": None if result.value is None else float(form.text(result.name, result.value)),
             "unit": form.unit(result.name),
             "equation": quantity.equation,
             "description": quantity.sentence,
@@ -116,40 +148,28 @@ def as_object(answer: Answer, form: Format) -> dict[str, Any]:
     return {"inputs": dict(answer.inputs), "results": results, "notes": list(answer.notes), "version": __version__}
 
 
-def columns(answers: Sequence[Answer], command: Command) -> list[str]:
-    """The names of a table's columns: all inputs of its rows, then all results."""
-    inputs = {name for answer in answers for name in answer.inputs}
-    results = {result.name for answer in answers for result in answer.results}
-    return [name for name in NOMENCLATURE if name in inputs] + [name for name in command.quantities if name in results]
-
-
-def headers(answers: Sequence[Answer], names: Iterable[str], form: Format) -> list[str]:
-    """The column headers: inputs in SI units, results as they are to be written."""
-    results = {result.name for answer in answers for result in answer.results}
-    return [form.header(name) if name in results else header(name) for name in names]
-
-
 def row(answer: Answer, names: Iterable[str], form: Format) -> list[str]:
     """The cells of one scene; empty where it has no value."""
-    inputs_form = form._replace(units={})
     cells = []
     for name in names:
         if name in answer.inputs:
-            cells.append(inputs_form.text(name, answer.inputs[name]))
+            cells.append(AS_USUAL.text(name, answer.inputs[name]))
         else:
             value = answer.value(name)
             cells.append("" if value is None else form.text(name, value))
     return cells
 
 
-def write_table(answers: Sequence[Answer], out: TextIO, form: Format, command: Command) -> None:
+def write_table(answers: Iterable[Answer], out: TextIO, form: Format, shape: Layout) -> None:
     """A table for a terminal: the results of one scene below each other, or a row a scene."""
     from .table import scene_table, sweep_table
 
-    if len(answers) == 1:
-        scene_table(answers[0], out, form)
+    if shape.size == 1:
+        scene_table(next(iter(answers)), out, form)
+    elif shape.size <= MAX_TABLE:
+        sweep_table(list(answers), out, form, shape)
     else:
-        sweep_table(answers, out, form, command)
+        write_plain(answers, out, form, shape)
 
 
 WRITERS = {"plain": write_plain, "bare": write_bare, "csv": write_csv, "json": write_json, "table": write_table}

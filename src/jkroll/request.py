@@ -3,18 +3,19 @@
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
-from itertools import product
+from itertools import chain, product
+from math import prod
 from pathlib import Path
 from typing import Any
 
-from .errors import BareNumber, JkrollError, MalformedQuantity, QuantityError, quoted
+from .errors import JkrollError, QuantityError, quoted
 from .formatting import Format
 from .materials import Material, Materials, known_materials
 from .nomenclature import NOMENCLATURE
 from .scene import Scene
-from .units import dimension_of, parse_quantity, unit_of
+from .spread import MAX_VALUES, Spread, spreads_of
+from .units import dimension_of, unit_of
 
-MAX_SCENES = 1_000_000
 ENVIRONMENT = "JKROLL_MATERIALS"
 
 
@@ -49,6 +50,8 @@ class Request:
             )
         self.material_words = named[0] if named else ""
         self.material2_words = self.options.pop("material2", "")
+        if options.get("material2") == "":
+            raise BadRequest("--material2 is empty")
         if radii:
             self.options["radius"] = ",".join(radii)
         for alternatives in _EXCLUSIVE:
@@ -61,19 +64,37 @@ class Request:
         """All materials that are known; the files are read when the first is asked for."""
         return known_materials(*self.files)
 
+    @cached_property
+    def _spreads(self) -> dict[str, list[Spread]]:
+        """What was given for each input, in the order of the nomenclature."""
+        spreads = {name: spreads_of(text, name) for name, text in self.options.items()}
+        return {name: spreads[name] for name in NOMENCLATURE if name in spreads}
+
+    @cached_property
+    def _pairs(self) -> list[tuple[Material | None, Material | None]]:
+        return list(product(self._materials(self.material_words), self._materials(self.material2_words)))
+
+    @cached_property
+    def count(self) -> int:
+        """How many scenes there are."""
+        count = len(self._pairs) * prod(sum(map(len, spreads)) for spreads in self._spreads.values())
+        if count > MAX_VALUES:
+            raise BadRequest(f"{count} scenes are more than {MAX_VALUES}")
+        return count
+
     def scenes(self) -> Iterator[Scene]:
         """A scene for each combination of the materials and values that were given."""
-        values = {name: values_of(text, name) for name, text in self.options.items()}
-        materials, materials2 = self._materials(self.material_words), self._materials(self.material2_words)
-        order = sorted(values, key=list(NOMENCLATURE).index)
-        count = len(materials) * len(materials2)
-        for name in order:
-            count *= len(values[name])
-        if count > MAX_SCENES:
-            raise BadRequest(f"{count} scenes are more than {MAX_SCENES}")
-        for material, material2 in product(materials, materials2):
-            for row in product(*(values[name] for name in order)):
-                yield Scene(dict(zip(order, row, strict=True)), material, material2)
+        values = [[*chain.from_iterable(spreads)] for spreads in self._spreads.values()]
+        for material, material2 in self._pairs:
+            for row in product(*values):
+                yield Scene(dict(zip(self._spreads, row, strict=True)), material, material2)
+
+    def samples(self) -> list[Scene]:
+        """A scene for each pair of materials, and one with unlike spheres if there may be any: all kinds that occur."""
+        first = {name: spreads[0].low for name, spreads in self._spreads.items()}
+        last = {name: spreads[-1].high for name, spreads in self._spreads.items()}
+        unlike = {**first, "radius2": last["radius2"]} if "radius2" in last else first
+        return [Scene(values, *pair) for pair in self._pairs for values in (first, last, unlike)]
 
     def _materials(self, words: str) -> list[Material | None]:
         if not words:
@@ -98,64 +119,34 @@ def _is_material(word: str) -> bool:
     return word.casefold() == "all" or (word[:1].isalpha() and word.casefold() != "plane")
 
 
-def values_of(text: str, name: str) -> list[float]:
-    """The values that a text gives: one, several between commas, or a range `FROM:TO:COUNT` with `:lin` or `:log`.
-
-    >>> values_of("1nm:1um:4", "radius")
-    [1e-09, 1e-08, 1e-07, 1e-06]
-    """
-    values: list[float] = []
-    items = text.split(",")
-    for item in items:
-        try:
-            values += _range(item, name) if ":" in item else [parse_quantity(item, name)]
-        except BareNumber:
-            if len(items) > 1:
-                raise MalformedQuantity(
-                    name, text, "has a comma where a number has a point, or a number without a unit"
-                ) from None
-            raise
-    return values
-
-
-def _range(text: str, name: str) -> list[float]:
-    first, last, *rest = text.split(":")
-    scale = rest[1] if len(rest) == 2 else "log"
-    if not 1 <= len(rest) <= 2 or not (rest[0].isascii() and rest[0].isdigit()) or scale not in ("log", "lin"):
-        raise MalformedQuantity(name, text, "is not a range; write FROM:TO:COUNT, with :lin for equal steps")
-    if len(rest[0]) > 7 or not 2 <= (count := int(rest[0])) <= MAX_SCENES:
-        raise MalformedQuantity(name, text, f"needs a count from 2 to {MAX_SCENES}")
-    low, high = parse_quantity(first, name), parse_quantity(last, name)
-    if scale == "log" and not (low > 0 and high > 0):
-        raise MalformedQuantity(name, text, "has an end that is not positive; end it with :lin")
-    if max(abs(low), abs(high)) == float("inf"):
-        raise MalformedQuantity(name, text, "has no end")
-    steps = [place / (count - 1) for place in range(1, count - 1)]
-    if scale == "lin":
-        return [low, *(low + (high - low) * step for step in steps), high]
-    return [low, *(float(f"{low * (high / low) ** step:.15g}") for step in steps), high]
-
-
 def format_of(to: str | None, digits: int | None, quantities: Sequence[str]) -> Format:
     """How results are to be written: each unit of `--to` serves the quantities of its dimension."""
     units: dict[str, Any] = {}
-    for text in to.split(",") if to else []:
+    for text in to.split(",") if to is not None else []:
         try:
             unit = unit_of(text, quantities[0])
         except QuantityError as error:
             raise BadRequest(f"--to: {quoted(text)} {error.problem()}") from None
-        fitting = [name for name in quantities if dimension_of(NOMENCLATURE[name].unit) == unit.dimension]
+        fitting = [
+            name for name in quantities if text.strip() and dimension_of(NOMENCLATURE[name].unit) == unit.dimension
+        ]
         if not fitting:
             kinds = ", ".join(dict.fromkeys(f"{name} in {NOMENCLATURE[name].unit}" for name in quantities))
             raise BadRequest(f"--to: {quoted(text)} fits none of the results: {kinds}")
-        units |= dict.fromkeys(fitting, (text.strip(), unit))
+        units |= dict.fromkeys(fitting, (" ".join(text.split()), unit))
     return Format(units, digits)
 
 
 def materials_files(option: str | None, configuration: Path) -> tuple[Path, ...]:
     """The user's own materials files by rising precedence: configuration directory, environment, option."""
-    files = [configuration] if configuration.exists() else []
+    files = [configuration] if _is_there(configuration) else []
     files += [Path(path) for path in (os.environ.get(ENVIRONMENT), option) if path]
-    if len(files) > 1 and files[-1] == files[-2]:
-        files.pop()
-    return tuple(files)
+    return tuple(dict.fromkeys(files))
+
+
+def _is_there(path: Path) -> bool:
+    """Whether a file exists, as far as one may look."""
+    try:
+        return path.exists()
+    except OSError:
+        return False

@@ -1,13 +1,14 @@
 """One call of the command line, from what was typed to what is printed."""
 
 import sys
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple, TextIO
 
-from .answer import Command, answer
+from .answer import Answer, Command, answer, in_units
+from .errors import JkrollError
 from .materials import known_materials
-from .report import WRITERS, say
+from .report import WRITERS, layout, say
 from .request import BadRequest, Request, format_of, materials_files
 
 MAX_NOTES = 20
@@ -36,39 +37,61 @@ class Output(NamedTuple):
         return chosen[0] if chosen else "table" if out.isatty() else "plain"
 
 
+class Tally:
+    """What is to be said at the end about the answers that went by."""
+
+    def __init__(self) -> None:
+        """Nothing went by yet."""
+        self.notes: dict[str, None] = {}
+        self.failures: list[JkrollError] = []
+        self.failed = 0
+
+    def watch(self, answers: Iterable[Answer]) -> Iterator[Answer]:
+        """Pass answers on."""
+        for one in answers:
+            if len(self.notes) <= MAX_NOTES:
+                self.notes |= dict.fromkeys(one.notes)
+            if one.failure is not None:
+                self.failed += 1
+                self.failures = self.failures or [one.failure]
+            yield one
+
+
 def run_command(command: Command, words: Sequence[str] | None, options: Mapping[str, str], output: Output) -> int:
     """Answer a command for every scene that was described; return the exit code."""
     out = sys.stdout
     kind = output.format_name(out)
     form = format_of(output.to, output.digits, command.quantities)
     request = Request(words or [], options, materials_files(output.materials, output.configuration))
-    scenes = list(request.scenes())
-    answers = [answer(command, scene) for scene in scenes]
-    failures = [one.failure for one in answers if one.failure is not None]
-    if len(answers) == 1 and failures and all(answers[0].value(name) is None for name in command.headline):
-        raise failures[0]
+    if output.materials is not None:
+        request.materials  # noqa: B018  a file that was named is read, whether it is needed or not
+    samples = [in_units(answer(command, scene), form) for scene in request.samples()] if request.count > 1 else []
+    tally = Tally()
     if kind in ("explain", "cite"):
         from .explain import write_citations, write_explanation
 
-        if kind == "cite":
-            write_citations(answers, scenes, out)
-        else:
-            for place, (one, scene) in enumerate(zip(answers, scenes, strict=True)):
-                if place:
-                    say("\n", out)
-                write_explanation(one, scene, out, form)
+        write = write_citations if kind == "cite" else write_explanation
+        write(((scene, one) for scene in request.scenes() for one in tally.watch([answer(command, scene)])), out, form)
     else:
-        WRITERS[kind](answers, out, form, command)
+        answers = tally.watch(in_units(answer(command, scene), form) for scene in request.scenes())
+        if request.count == 1:
+            answers = iter([_unless_failed(next(answers), command)])
+        WRITERS[kind](answers, out, form, layout(command, samples, request.count))
     out.flush()
     if not output.quiet and kind not in ("json", "explain", "cite"):
-        _note([note for one in answers for note in one.notes])
-    if failures:
-        say(
-            f"jkroll: {failures[0] if len(answers) == 1 else f'{len(failures)} of {len(answers)} rows failed'}",
-            sys.stderr,
-        )
+        _note(tally.notes)
+    if tally.failed:
+        count = f"{tally.failed} of {request.count} rows failed"
+        say(f"jkroll: {tally.failures[0] if request.count == 1 else count}", sys.stderr)
         return ROWS_FAILED
     return 0
+
+
+def _unless_failed(one: Answer, command: Command) -> Answer:
+    """The answer of a single scene, unless it has nothing of what the command is named after."""
+    if one.failure is not None and all(one.value(name) is None for name in command.headline):
+        raise one.failure
+    return one
 
 
 def _note(notes: Iterable[str]) -> None:
@@ -77,7 +100,7 @@ def _note(notes: Iterable[str]) -> None:
     for note in different[:MAX_NOTES]:
         say(f"note: {note}", sys.stderr)
     if len(different) > MAX_NOTES:
-        say(f"note: and {len(different) - MAX_NOTES} more", sys.stderr)
+        say("note: and more", sys.stderr)
 
 
 def run_materials(name: str | None, output: Output) -> int:

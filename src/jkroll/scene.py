@@ -1,16 +1,11 @@
-"""What was given → what is asked: which formulas run, in which order, and what is missing.
+"""What was given → what is asked: a scene evaluates the formulas that its questions need, and says what is missing.
 
-A formula's parameters name what it needs, so the wiring needs no code. What a scene assumes is stated here, once:
-
-- sphere 2 is like sphere 1 in everything that is not said of it (`radius2` falls back to `radius`, and so on; a material
-  of its own that lacks a property does not fall back);
-- what belongs to sphere 2 (`mass2`) comes from the same formula as for sphere 1 (`mass`);
-- the names in DEFAULTS have values if nothing else is said.
+What a scene assumes is stated here, once: sphere 2 is like sphere 1 in everything that is not said of it, and the names
+in DEFAULTS have values if nothing else is said.
 """
 
 from collections.abc import Callable, Collection, Iterable, Mapping
-from functools import cache
-from typing import Any, NamedTuple
+from typing import Any
 
 from .errors import (
     BeyondFold,
@@ -22,10 +17,10 @@ from .errors import (
     TwoRigidBodies,
     UnknownQuantity,
 )
-from .materials import PROPERTIES, Material
+from .materials import Material
 from .nomenclature import INFINITY, NOMENCLATURE, RANGES
-from .physics import FORMULAS
 from .physics.jkr import FOLD_APPROACH
+from .wiring import PROPERTIES, STATE, Plan, Step, plan
 
 DEFAULTS = {
     "yield_displacement": 2e-10,
@@ -34,39 +29,6 @@ DEFAULTS = {
     "energy_ratio": 1.0,
     "atomic_spacing": 4e-10,
 }
-
-# Where a quantity can be had in another way: the names of which one is known, and the formula that then serves.
-# The state of the contact follows from the load unless the approach, or x itself, is given.
-_STATE = frozenset({"approach_at_load", "load_factor"})
-_ROUTES = {
-    "load_margin": (_STATE, "load_margin_of_factor"),
-    "load": (_STATE, "load_at_factor"),
-    "load_factor": (frozenset({"approach_at_load"}), "load_factor_at_approach"),
-    "energy": (frozenset({"speed"}), "kinetic_energy"),
-}
-# Where neither an energy nor a speed is given, its ratio to P_cδ0 serves.
-_ENERGY = frozenset({"energy", "speed"})
-_ROUTES_WITHOUT = {
-    "energy": (_ENERGY, "adhesion_energy"),
-    "n_roll": (_ENERGY, "n_roll_at_energy_ratio"),
-    "n_roll_energy_balance": (_ENERGY, "n_roll_energy_balance_at_energy_ratio"),
-}
-
-
-class Step(NamedTuple):
-    """One formula to run: the name of its result, the formula, and the names of its arguments."""
-
-    name: str
-    formula: Any
-    arguments: tuple[tuple[str, str], ...]  # (parameter, name of the value)
-
-
-class Plan(NamedTuple):
-    """The steps that lead to the wanted quantities, and the inputs they start from."""
-
-    steps: tuple[Step, ...]
-    inputs: tuple[str, ...]
-    found: Mapping[str, str]  # wanted name → the name under which its value is known
 
 
 class Scene:
@@ -115,7 +77,7 @@ class Scene:
     def plan(self, *wanted: str) -> Plan:
         """The formulas that lead to the wanted quantities; MissingInput if the scene does not allow one."""
         try:
-            return _plan(wanted, self._known, self.material2 is not None)
+            return plan(wanted, self._known, self.material2 is not None)
         except MissingInput as error:
             raise MissingInput(error.wanted, error.missing, error.instead, self._lacking(error.missing)) from None
 
@@ -198,7 +160,7 @@ _STATED_BY = {"load_margin": "load", "radius_ratio": "radius2", "mass2": "radius
 
 def _assumed(given: Mapping[str, Any]) -> dict[str, float]:
     """The defaults, without a load where something else says in which state the contact is."""
-    return {name: value for name, value in DEFAULTS.items() if name != "load" or not _STATE & given.keys()}
+    return {name: value for name, value in DEFAULTS.items() if name != "load" or not STATE & given.keys()}
 
 
 def _implied(given: Mapping[str, Any]) -> dict[str, Any]:
@@ -209,7 +171,7 @@ def _implied(given: Mapping[str, Any]) -> dict[str, Any]:
     elif isinstance(given["radius2"], float) and given["radius2"] == INFINITY:
         implied |= {"radius_ratio": 0.0, "mass2": INFINITY, "moment_of_inertia2": INFINITY}
     load = given.get("load", 0.0)
-    if isinstance(load, (float, int)) and load == 0 and not _STATE & given.keys():
+    if isinstance(load, (float, int)) and load == 0 and not STATE & given.keys():
         implied["load_margin"] = 1.0
     return implied
 
@@ -249,77 +211,3 @@ _GUARDS: Mapping[str, Callable[..., None]] = {
     "r_min": _guard_r_min,
     "load_factor_at_approach": _guard_fold,
 }
-
-
-@cache
-def _plan(wanted: tuple[str, ...], known: frozenset[str], own_material2: bool) -> Plan:
-    """Order the formulas so that each runs after those whose results it takes."""
-    steps: dict[str, Step] = {}
-    inputs: set[str] = set()
-    missing: list[str] = []
-    instead: list[str] = []
-
-    def source(name: str) -> str:
-        """The name under which a value is known or computed."""
-        base = name.removesuffix("2")
-        if name in known:
-            return name
-        if name in _ROUTES and known & _ROUTES[name][0]:
-            return _ROUTES[name][1]
-        if name in _ROUTES_WITHOUT and not known & _ROUTES_WITHOUT[name][0]:
-            return _ROUTES_WITHOUT[name][1]
-        if base != name and base not in FORMULAS and not (own_material2 and base in PROPERTIES):
-            return base
-        return name
-
-    def visit(asked: str) -> str:
-        name = source(asked)
-        if name in known:
-            inputs.add(name)
-        elif name not in steps:
-            base = name if name in FORMULAS else name.removesuffix("2")
-            if name not in NOMENCLATURE:
-                raise UnknownQuantity(name)
-            if base not in FORMULAS:
-                missing.append(name)
-                return name
-            before = len(missing)
-            suffix = name[len(base) :]
-            arguments = tuple((parameter, visit(parameter + suffix)) for parameter in parameters_of(FORMULAS[base]))
-            if len(missing) > before and (NOMENCLATURE[asked].option or asked in _ROUTES_WITHOUT):
-                instead.append("energy" if asked in _ROUTES_WITHOUT else asked)
-            steps.setdefault(name, Step(name, FORMULAS[base], arguments))
-        return name
-
-    found: dict[str, str] = {}
-    for name in wanted:
-        found[name] = visit(name)
-        if missing:
-            raise MissingInput(name, tuple(dict.fromkeys(missing)), tuple(dict.fromkeys(instead)))
-    order = list(NOMENCLATURE)
-    return Plan(tuple(steps.values()), tuple(sorted(inputs, key=order.index)), found)
-
-
-def depends_on(names: Iterable[str]) -> frozenset[str]:
-    """Every name on which quantities can depend, whatever is given."""
-    found: set[str] = set()
-    pending = list(names)
-    while pending:
-        name = pending.pop()
-        if name not in found:
-            found.add(name)
-            routes = [name, *(table[name][1] for table in (_ROUTES, _ROUTES_WITHOUT) if name in table)]
-            for route in routes:
-                base = route if route in FORMULAS else route.removesuffix("2")
-                pending += (
-                    [parameter + route[len(base) :] for parameter in parameters_of(FORMULAS[base])]
-                    if base in FORMULAS
-                    else []
-                )
-    return frozenset(found)
-
-
-def parameters_of(formula: Any) -> tuple[str, ...]:
-    """Names of a formula's parameters."""
-    code = formula.__code__
-    return tuple(code.co_varnames[: code.co_argcount + code.co_kwonlyargcount])

@@ -9,11 +9,11 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from .answer import Answer, Command
+from .answer import Answer
 from .formatting import Format, amount
-from .materials import PROPERTIES
 from .nomenclature import NOMENCLATURE
-from .report import columns, fitting, say
+from .report import Layout, fitting, say
+from .wiring import PROPERTIES
 
 
 def scene_table(answer: Answer, out: TextIO, form: Format) -> None:
@@ -34,18 +34,18 @@ def scene_table(answer: Answer, out: TextIO, form: Format) -> None:
         say(" ".join(cell for cell in cells[1:4] if cell), out)
 
 
-def sweep_table(answers: Sequence[Answer], out: TextIO, form: Format, command: Command) -> None:
+def sweep_table(answers: Sequence[Answer], out: TextIO, form: Format, shape: Layout) -> None:
     """A row a scene: what differs between the scenes, then the results, in as many tables as the width takes.
 
     What the scenes share stands above.
     """
-    names = columns(answers, command)
+    names = shape.columns
     distinct = {name: {answer.inputs.get(name) for answer in answers} for name in names}
     shared = {name: answers[0].inputs[name] for name in names if name in answers[0].inputs and len(distinct[name]) == 1}
-    silent = {name for name in names if name not in command.quantities and len(distinct[name] - {None}) == 1}
+    silent = {name for name in names if name in shape.inputs and len(distinct[name] - {None}) == 1}
     shown = [name for name in names if name not in silent and not _follows(name, answers)]
-    leading = [name for name in shown if name not in command.quantities]
-    results = [name for name in shown if name in command.quantities]
+    leading = [name for name in shown if name in shape.inputs]
+    results = [name for name in shown if name not in shape.inputs]
     say(_inputs(shared, form), out)
     while results:
         count = len(results)
@@ -129,9 +129,10 @@ def _table(
 
 def _print(table: Table, out: TextIO, *, anyway: bool = False) -> bool:
     """Print a table if the terminal is wide enough to show it whole, or anyway, uncut; whether it was printed."""
-    console = Console(file=out, highlight=False, markup=False, emoji=False)
+    console = Console(file=out, width=get_terminal_size().columns, highlight=False, markup=False, emoji=False)
     width = console.measure(table, options=console.options.update(width=10_000)).maximum
     if width > console.width and not anyway:
         return False
-    console.print(table, width=max(width, console.width), soft_wrap=True)
+    console.width = max(width, console.width)
+    console.print(table)
     return True

@@ -35,10 +35,19 @@ def cbrt(value: Any) -> Any:
     leading 17 bits of its root, whose cube is exact, mends that.
     """
     root = _library_cbrt(value)
+    if isinstance(value, (float, int)):
+        return _polished(root, value) if root and not math.isinf(root) else root
+    import numpy
+
+    with numpy.errstate(divide="ignore", invalid="ignore"):
+        polished = _polished(root, value)
+    return numpy.where(polished == polished, polished, root)  # 0 and infinity, which the step makes nan
+
+
+def _polished(root: Any, value: Any) -> Any:
     wide = (2**36 + 1) * root
     head = wide - (wide - root)
-    slope = root * root + root * head + head * head
-    return where(slope > 0, head + (value - head * head * head) / where(slope > 0, slope, 1.0), root)
+    return head + (value - head * head * head) / (root * root + root * head + head * head)
 
 
 def one_minus_square(value: Any) -> Any:
