@@ -41,7 +41,7 @@ def cbrt(value: Any) -> Any:
 
     with numpy.errstate(divide="ignore", invalid="ignore"):
         polished = _polished(root, value)
-    return numpy.where(polished == polished, polished, root)  # 0 and infinity, which the step makes nan
+    return numpy.where(numpy.isnan(polished), root, polished)  # 0 and infinity have no polish
 
 
 def _polished(root: Any, value: Any) -> Any:
