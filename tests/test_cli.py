@@ -5,8 +5,10 @@ import io
 import json
 import math
 import os
+import signal
 import subprocess
 import sys
+import time
 from fractions import Fraction
 from pathlib import Path
 
@@ -373,3 +375,101 @@ def test_a_locale_without_utf8() -> None:
 def test_debug_shows_where_an_error_comes_from() -> None:
     assert "Traceback" in jkroll("pull-off", "quartz", "100", "--debug").stderr
     assert "Traceback" not in jkroll("pull-off", "quartz", "100").stderr
+
+
+# --- What an adversary found ----------------------------------------------------------------------------------------
+
+
+def test_ranges_over_all_doubles(run: Run) -> None:
+    middle = json.loads(run("yield-force quartz 1m --load 1e200N:1e-200N:3 --json").out)[1]
+    assert middle["inputs"]["load"] == 1.0
+    middle = json.loads(run("pull-off quartz 100nm --radius2 1e-100m:1e300m:3 --json").out)[1]
+    assert middle["inputs"]["radius2"] == 1e100
+    loads = [
+        one["inputs"]["load"] for one in json.loads(run("yield-force quartz 1um --load -3nN:1nN:5:lin --json").out)
+    ]
+    assert loads == [-3e-9, -2e-9, -1e-9, 0.0, 1e-9]
+
+
+def test_a_unit_that_a_double_cannot_express(run: Run) -> None:
+    ran = run("pull-off", "quartz", "100nm", "--to", "N ym12 Ym-12", "--json")
+    assert ran.code == 0
+    result = json.loads(ran.out)["results"][0]
+    assert result["value"] is None
+    assert result["reason"] == "no value in N ym12 Ym-12 that a double can hold"
+
+
+@pytest.mark.parametrize("unit", ["dB", "m°C", "Np", "dBm", "oct", "GPas", "degF"])
+def test_units_that_are_no_plain_factor(run: Run, unit: str) -> None:
+    ran = run("pull-off", "quartz", f"5{unit}")
+    assert ran.code == 2
+    assert f"unknown unit '{unit}'" in ran.err
+
+
+def test_explain_at_the_edge_of_a_range(run: Run) -> None:
+    assert "ν1^-0.222" in run("contact polystyrene 100nm --explain").out
+
+
+def test_control_characters_of_a_file_and_of_arguments_stay_out(run: Run, tmp_path: Path) -> None:
+    path = tmp_path / "mine.toml"
+    path.write_text('title = "my\\u001b[31m\\u202e title\\nsecond"\n[materials.ice]\nsurface_energy = "1 J/m2"\n')
+    for words in (["contact", "ice", "1um"], ["pull-off", "ice", "1um", "--explain"], ["materials"]):
+        ran = run(*words, "--materials", str(path), terminal=True)
+        assert "my?[31m? title?second" in ran.out + ran.err
+        assert "\x1b[31m" not in ran.out + ran.err
+    assert run("pull-off", "1nm", "--\u202efoo").err.isascii()
+    assert "\t" not in run("yield-force", "quartz", "1nm", "--to", "N\tm").out
+
+
+@pytest.mark.parametrize("encoding", ["cp1252", "latin-1", "ascii", "koi8-r"])
+def test_streams_of_other_encodings(run: Run, encoding: str) -> None:
+    for line in ("--help", "report --help", "report quartz 100nm --to µN --csv", "contact quartz 1nm:1um:3 --explain"):
+        assert run(line, encoding=encoding).code == 0
+
+
+def test_closed_streams() -> None:
+    for redirection, code in ((">&-", 1), ("2>&-", 0), (">&- 2>&-", 1)):
+        command = f"{sys.executable} -m jkroll pull-off quartz 100nm {redirection}"
+        assert subprocess.run(["bash", "-c", command], capture_output=True, check=False).returncode == code
+
+
+def test_a_closed_pipe_of_the_help_is_141() -> None:
+    command = f"(sleep 0.3; {sys.executable} -m jkroll --help; echo $? >&2) | true"
+    assert subprocess.run(["bash", "-c", command], capture_output=True, text=True, check=False).stderr == "141\n"
+
+
+@pytest.mark.parametrize("delay", [0.0, 0.01, 0.02, 0.04, 0.08, 0.12])
+def test_an_interrupt_is_130_and_silent(delay: float) -> None:
+    words = [sys.executable, "-m", "jkroll", "pull-off", "quartz", "1nm:1um:300000", "--bare", "--quiet"]
+    with subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as process:
+        time.sleep(0.05 + delay)  # past the interpreter's own start, which no program sees
+        process.send_signal(signal.SIGINT)
+        _, err = process.communicate(timeout=30)
+    assert (process.returncode, err) == (130, b"")
+
+
+def test_rows_are_not_held_in_memory() -> None:
+    program = (
+        "import resource, sys; from jkroll.cli import main; code = main(sys.argv[1:]); "
+        "print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss, file=sys.stderr); sys.exit(code)"
+    )
+    peaks = []
+    for size in (10, 5000):
+        words = [sys.executable, "-c", program, "report", "quartz", f"1nm:1um:{size}", "--json", "--quiet"]
+        peaks.append(int(subprocess.run(words, capture_output=True, text=True, check=True).stderr))
+    assert peaks[1] < 1.1 * peaks[0]
+
+
+def test_docstrings_may_be_missing() -> None:
+    words = [sys.executable, "-OO", "-m", "jkroll", "r-min", "100nm", "--explain"]
+    ran = subprocess.run(words, capture_output=True, text=True, check=False)
+    assert (ran.returncode, ran.stderr) == (2, "jkroll: --explain is worded from docstrings, which python -OO drops\n")
+
+
+def test_completion_survives_its_environment() -> None:
+    environment = {**os.environ, "_JKROLL_COMPLETE": ""}
+    assert jkroll("r-min", "100nm", env=environment).returncode == 0
+    environment |= {"_JKROLL_COMPLETE": "complete_bash", "COMP_WORDS": "jkroll pull-off qu", "COMP_CWORD": "2"}
+    assert jkroll(env=environment).stdout.split() == ["quartz"]
+    environment |= {"COMP_WORDS": "jkroll pull-off quartz 100", "COMP_CWORD": "3"}
+    assert "100nm" in jkroll(env=environment).stdout.split()

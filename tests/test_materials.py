@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 import jkroll
 from conftest import Run
-from jkroll.errors import JkrollError, MaterialsFileError
+from jkroll.errors import JkrollError, MaterialsFileError, quoted
 from jkroll.materials import SHIPPED, Materials, read
 
 ICE = """
@@ -111,9 +111,12 @@ BROKEN = {
     '[materials."a\\u001b[31m"]': "'a?[31m' is no name for a material; one begins with a letter and has no comma",
     '[materials."a\\u202eb"]': "'a?b' is no name for a material; one begins with a letter and has no comma",
     "[materials.a]\nreferences = ['x']": "'a' cites 'x', which [references] does not have",
+    "[materials.ice]\n[materials.Ice]": "'Ice' names both 'ice' and 'Ice'; case makes no difference",
+    "[materials.a]\naliases = ['x']\n[materials.b]\naliases = ['X']": "'X' names both 'a' and 'b'; case makes no difference",
+    "[materials.'a ']": "'a ' is no name for a material; one begins with a letter and has no comma",
     "title = 3": "title is not a text in quotes",
-    "a = " + "[" * 5000: "is not TOML: nested too deeply",
-    "a" + ".a" * 8000 + " = 1": "has a line of more than 10 000 bytes",
+    "a = " + "[\n" * 5000: "is not TOML: nested too deeply",
+    "a" + ".a" * 8000 + " = 1": "has a line of more than 2000 bytes or 20 dots",
     b"\xff\xfe": "is not UTF-8",
     "x = '" + "y" * 1_000_001 + "'": "is larger than 1 MB",
 }
@@ -135,11 +138,11 @@ def test_what_is_no_file(run: Run, tmp_path: Path) -> None:
         ("loop", "Too many levels of symbolic links"),
         (".", "is not a regular file"),
         ("/dev/zero", "is not a regular file"),
-        ("a" * 5000, "File name too long"),
+        ("a" * 300, "File name too long"),
         ("none", "No such file or directory"),
     ):
         ran = run("pull-off", "quartz", "1um", "--materials", path)
-        assert (ran.code, ran.err) == (2, f"jkroll: materials file '{path}': {problem}\n")
+        assert (ran.code, ran.err) == (2, f"jkroll: materials file {quoted(path)}: {problem}\n")
 
 
 def test_a_broken_file_does_not_matter_where_no_material_is_named(

@@ -5,25 +5,42 @@
 '1.1781e-08 N'
 """
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from .errors import JkrollError
-from .materials import Material, Materials, known_materials
-from .nomenclature import NOMENCLATURE, Quantity
-from .physics import FORMULAS
-from .solver import solve
+if TYPE_CHECKING:
+    from .errors import JkrollError
+    from .materials import Material, Materials, known_materials
+    from .nomenclature import NOMENCLATURE, Quantity
+    from .physics import FORMULAS
+    from .solver import solve
 
 __version__ = "0.1.0"
 __all__ = ["FORMULAS", "NOMENCLATURE", "JkrollError", "Material", "Materials", "Quantity", "known_materials", "solve"]
 
+# Imported when first asked for, so that the command line pays for no more than a call uses.
+_HOMES = {
+    "FORMULAS": "physics",
+    "JkrollError": "errors",
+    "Material": "materials",
+    "Materials": "materials",
+    "NOMENCLATURE": "nomenclature",
+    "Quantity": "nomenclature",
+    "known_materials": "materials",
+    "solve": "solver",
+}
+
 
 def __getattr__(name: str) -> Any:
-    """Every formula of `FORMULAS` by its own name: `jkroll.pull_off_force`."""
-    try:
-        return FORMULAS[name]
-    except KeyError:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}") from None
+    """The public names, and every formula of `FORMULAS` by its own name: `jkroll.pull_off_force`."""
+    from importlib import import_module
+
+    if name in _HOMES:
+        value = getattr(import_module(f".{_HOMES[name]}", __name__), name)
+    elif name.startswith("_") or (value := import_module(".physics", __name__).FORMULAS.get(name)) is None:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    globals()[name] = value
+    return value
 
 
 def __dir__() -> list[str]:
-    return [*__all__, *FORMULAS]
+    return [*__all__, *__getattr__("FORMULAS")]

@@ -1,6 +1,18 @@
-"""`python -m jkroll` is `jkroll`."""
+"""The `jkroll` script, and `python -m jkroll`. It imports as late as it can, so that an interrupt is always met."""
 
-from .cli import run
+import sys
+
+
+def run() -> None:
+    """Run the command line and exit with its code."""
+    try:
+        from .cli import main
+
+        code = main()
+    except KeyboardInterrupt:
+        code = 130
+    sys.exit(code)
+
 
 if __name__ == "__main__":
     run()

@@ -1,6 +1,9 @@
 """The command line. The only module that knows typer: it turns an argument list into a call, and errors into one line."""
 
+import errno
+import io
 import os
+import re
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
@@ -9,13 +12,14 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import typer
-from typer.core import TyperCommand
+from typer.core import TyperCommand, TyperGroup
 
 from . import __version__
 from .answer import COMMANDS, Command
 from .completion import complete_input, complete_words
-from .errors import JkrollError
+from .errors import JkrollError, quoted
 from .nomenclature import NOMENCLATURE
+from .report import fitting, say
 from .run import Output, run_command, run_materials
 from .scene import DEFAULTS
 from .wiring import depends_on
@@ -28,8 +32,20 @@ BROKEN_PIPE = 141
 Call = Callable[[], int]
 
 
+class Program(TyperGroup):
+    """The program: its help is written as the stream allows."""
+
+    def get_help(self, ctx: Any) -> str:
+        """The help, in ASCII where it must be."""
+        return fitting(super().get_help(ctx), sys.stdout)
+
+
 class CompactCommand(TyperCommand):
     """A command whose help shows, on one line, the options that share a help text."""
+
+    def get_help(self, ctx: Any) -> str:
+        """The help, in ASCII where it must be."""
+        return fitting(super().get_help(ctx), sys.stdout)
 
     def format_options(self, ctx: Any, formatter: Any) -> None:
         """Write the options; arguments stand in the usage line."""
@@ -45,14 +61,22 @@ class CompactCommand(TyperCommand):
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code; print an error as one line."""
     words = list(sys.argv[1:] if arguments is None else arguments)
-    debug = "--debug" in words
-    words = [_with_minus_sign(word) for word in words if word != "--debug"] or ["--help"]
+    debug = "--debug" in words[:1] + words[-1:]
+    words = [word for place, word in enumerate(words) if not (word == "--debug" and place in (0, len(words) - 1))]
+    words = _with_minus_signs(words) or ["--help"]
+    if sys.stderr is None:
+        sys.stderr = open(os.devnull, "w", encoding="utf-8")  # it was closed: nobody listens
     try:
+        if sys.stdout is None:
+            raise OSError(errno.EBADF, os.strerror(errno.EBADF))
+        for stream in (sys.stdout, sys.stderr):
+            if isinstance(stream, io.TextIOWrapper):
+                stream.reconfigure(errors="jkroll-ascii")
         call = build(_command_of(words))(words, prog_name="jkroll", standalone_mode=False)
         code = call() if callable(call) else int(call or 0)
         sys.stdout.flush()
         return code
-    except BrokenPipeError:
+    except (BrokenPipeError, SystemExit):  # typer turns a closed pipe into SystemExit
         _forget(sys.stdout)
         return BROKEN_PIPE
     except KeyboardInterrupt:
@@ -67,8 +91,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _report(error: Exception) -> int:
     """Print an error as one line on stderr, and return the exit code."""
-    from .report import say
-
     if isinstance(error, JkrollError):
         message, code = str(error), error.exit_code
     elif isinstance(error, OSError):
@@ -76,7 +98,7 @@ def _report(error: Exception) -> int:
         _forget(sys.stdout)
     else:
         text = error.format_message() if hasattr(error, "format_message") else str(error)
-        message, code = " ".join(text.split()), USAGE_ERROR
+        message, code = quoted(" ".join(text.split()), limit=1000)[1:-1], USAGE_ERROR
     try:
         say(f"jkroll: {message}", sys.stderr)
     except OSError:
@@ -92,14 +114,22 @@ def _forget(stream: Any) -> None:
         pass
 
 
-def _with_minus_sign(word: str) -> str:
-    """A negative value with a minus sign in place of the hyphen, so that it is not taken for an option."""
-    return "−" + word[1:] if word[:1] == "-" and word[1:2] in tuple("0123456789.") and word[1:2] else word
+def _with_minus_signs(words: Sequence[str]) -> list[str]:
+    """Negative values with a minus sign in place of the hyphen, so that they are not taken for options."""
+    before = [None, *words][: len(words)]
+    return [
+        "−" + word[1:] if _NEGATIVE.match(word) and option not in _TAKES_NO_QUANTITY else word
+        for option, word in zip(before, words, strict=True)
+    ]
+
+
+_NEGATIVE = re.compile(r"-[0-9.]")
+_TAKES_NO_QUANTITY = ("--to", "--digits", "--materials")
 
 
 def _command_of(words: Sequence[str]) -> str | None:
     """The command that an argument list, or a completion request in the environment, is about."""
-    if "_JKROLL_COMPLETE" in os.environ:
+    if os.environ.get("_JKROLL_COMPLETE"):
         words = os.environ.get("COMP_WORDS", os.environ.get("_TYPER_COMPLETE_ARGS", "")).split()[1:]
     return next((word for word in words if not word.startswith("-")), None)
 
@@ -107,6 +137,7 @@ def _command_of(words: Sequence[str]) -> str | None:
 def build(only: str | None = None) -> typer.Typer:
     """The application. Only the command that is called gets its options; the others are there to be listed."""
     app = typer.Typer(
+        cls=Program,
         add_completion=True,
         no_args_is_help=True,
         rich_markup_mode=None,
@@ -229,8 +260,3 @@ def _default_text(name: str) -> str:
     if name == "material2":
         return ", or --gamma2, --young2, ..."
     return f", default {amount(name, DEFAULTS[name])}" if name in DEFAULTS else ""
-
-
-def run() -> None:
-    """Entry point of the `jkroll` script."""
-    sys.exit(main())

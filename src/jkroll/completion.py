@@ -23,7 +23,7 @@ def complete_words(incomplete: str) -> list[str]:
         return _with_units(incomplete, "m")
     head, comma, word = incomplete.rpartition(",")
     names = [*known_materials().materials, "all"]
-    return [head + comma + name for name in names if name.startswith(word)]
+    return [head + comma + name for name in names if name.casefold().startswith(word.casefold())]
 
 
 def complete_input(name: str) -> Callable[[str], list[str]]:
@@ -40,7 +40,6 @@ def complete_input(name: str) -> Callable[[str], list[str]]:
 
 
 def _with_units(incomplete: str, unit: str) -> list[str]:
-    number = incomplete.rstrip("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ/2345678901") or incomplete
-    digits = len(incomplete) - len(incomplete.lstrip("0123456789.-+"))
+    digits = len(incomplete) - len(incomplete.lstrip("0123456789.-+−"))
     number = incomplete[:digits]
     return [number + candidate for candidate in _UNITS.get(unit, ()) if (number + candidate).startswith(incomplete)]

@@ -4,6 +4,9 @@ from collections.abc import Sequence
 
 from .nomenclature import NOMENCLATURE, word_for_infinity
 
+MAX_QUOTED = 200
+MAX_KNOWN = 20
+
 
 class JkrollError(Exception):
     """Any error that jkroll declares. `exit_code` is what the command line ends with."""
@@ -101,7 +104,9 @@ class UnknownMaterial(JkrollError):
 
     def __str__(self) -> str:
         hint = f"did you mean {self.guess}? " if self.guess else ""
-        return f"material: {quoted(self.name)} is not known; {hint}known are {', '.join(self.known)}"
+        return f"material: {quoted(self.name)} is not known; {hint}known are {', '.join(self.known[:MAX_KNOWN])}" + (
+            f" and {len(self.known) - MAX_KNOWN} more" if len(self.known) > MAX_KNOWN else ""
+        )
 
 
 class MaterialsFileError(JkrollError):
@@ -232,10 +237,11 @@ def expectation(name: str) -> str:
     return kind_of(dimension_of(quantity.unit)) + example + (f", or {word}" if word else "")
 
 
-def quoted(text: str) -> str:
+def quoted(text: str, limit: int = MAX_QUOTED) -> str:
     r"""A user's text in quotes, without the characters that would move the cursor or reverse the line.
 
     >>> quoted("a\x1b[31m\u202e")
     "'a?[31m?'"
     """
-    return "'" + "".join(character if character.isprintable() else "?" for character in text) + "'"
+    shown = text if len(text) <= limit else text[:limit] + "..."
+    return "'" + "".join(character if character.isprintable() else "?" for character in shown) + "'"

@@ -1,5 +1,6 @@
 """Materials: the shipped file and the user's own, read, checked and laid over each other."""
 
+import re
 import tomllib
 from collections.abc import Iterable, Mapping
 from functools import cache
@@ -15,6 +16,9 @@ from .wiring import PROPERTIES
 
 MAX_BYTES = 1_000_000
 MAX_NAME = 60
+MAX_LINE = 2000
+MAX_DOTS = 20  # outside quotes: a dotted key of thousands of parts takes the parser minutes
+_QUOTED = re.compile(rb"\"[^\"]*\"|'[^']*'")
 
 _HERE = Path(__file__).parent
 # The wheel carries the file beside this module; a checkout has it at the top level.
@@ -41,7 +45,7 @@ class Materials:
         """Read the shipped file, then each of `paths`, whose materials shadow those before them."""
         self.materials: dict[str, Material] = {}
         self._by_word: dict[str, str] = {}
-        for path in (SHIPPED, *paths):
+        for path in dict.fromkeys((SHIPPED, *paths)):
             for material in read(path):
                 self._add(material)
 
@@ -98,8 +102,8 @@ def _text(path: Path) -> str:
         raise MaterialsFileError(str(path), getattr(error, "strerror", None) or "is not a path") from None
     if len(content) > MAX_BYTES:
         raise MaterialsFileError(str(path), f"is larger than {MAX_BYTES // 1_000_000} MB")
-    if max(map(len, content.split(b"\n"))) > 10_000:
-        raise MaterialsFileError(str(path), "has a line of more than 10 000 bytes")
+    if any(len(line) > MAX_LINE or _QUOTED.sub(b"", line).count(b".") > MAX_DOTS for line in content.split(b"\n")):
+        raise MaterialsFileError(str(path), f"has a line of more than {MAX_LINE} bytes or {MAX_DOTS} dots")
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError:
@@ -110,7 +114,7 @@ def _checked(data: Mapping[str, Any], path: str) -> list[Material]:
     unknown = set(data) - {"title", "materials", "references"}
     if unknown:
         raise _Malformed(f"has an unknown key {quoted(min(unknown))}; expected [materials.NAME] tables")
-    title = _string(data.get("title", path), "title")
+    title = _string(data.get("title", _clean(path)), "title")
     bibliography = {
         key: {
             "key": key,
@@ -122,6 +126,15 @@ def _checked(data: Mapping[str, Any], path: str) -> list[Material]:
         for key, entry in _table(data.get("references", {}), "references").items()
     }
     entries = _table(data.get("materials", {}), "materials")
+    seen: dict[str, str] = {}
+    for name, entry in entries.items():
+        aliases = entry.get("aliases", []) if isinstance(entry, dict) else []
+        for word in (name, *(aliases if isinstance(aliases, list) else [])):
+            other = seen.setdefault(str(word).casefold(), name)
+            if other != name:
+                raise _Malformed(
+                    f"{quoted(str(word))} names both {quoted(other)} and {quoted(name)}; case makes no difference"
+                )
     return [
         _material(name, _table(entry, f"materials.{name}"), bibliography, title, path)
         for name, entry in entries.items()
@@ -179,6 +192,7 @@ def is_material_name(word: str) -> bool:
     """
     return (
         word[:1].isalpha()
+        and word == word.strip()
         and len(word) <= MAX_NAME
         and word.isprintable()
         and "," not in word
@@ -201,7 +215,7 @@ def _list(value: object, where: str) -> list[Any]:
 def _string(value: object, where: str) -> str:
     if not isinstance(value, str):
         raise _Malformed(f"{_clean(where)} is not a text in quotes")
-    return value
+    return _clean(value)
 
 
 def _clean(text: str) -> str:

@@ -32,14 +32,18 @@ def lookup(name: str) -> tuple[int, int, tuple[int, ...]] | None:
         if not candidates:
             return None
         prefix, unit_name, _ = candidates[0]
-        unit = registry().Unit(prefix + unit_name)
-        if registry().Quantity(Decimal(0), unit).to_root_units().magnitude != 0:
+        symbol = registry().get_symbol(unit_name)
+        if symbol != unit_name and name.endswith(symbol + "s"):
+            return None  # the plural of a symbol: GPas is no unit of pressure
+        try:
+            unit = registry().Unit(prefix + unit_name)
+            zero, one = (registry().Quantity(Decimal(value), unit).to_root_units() for value in (0, 1))
+        except Exception:  # logarithmic units fail in ways of their own; none of them is a plain factor
             return None
-        one = registry().Quantity(Decimal(1), unit).to_root_units()
         powers = {str(base): power for base, power in one.unit_items()}
         kilogram = powers.pop("gram", 0)
         dimension = (kilogram, *(powers.pop(base, 0) for base in BASE_UNITS[1:]))
-        if powers or any(power != int(power) for power in dimension):
+        if powers or any(power != int(power) for power in dimension) or zero.magnitude != 0 or one.magnitude <= 0:
             return None
         factor = Decimal(one.magnitude).scaleb(-3 * int(kilogram))
     numerator, denominator = factor.as_integer_ratio()

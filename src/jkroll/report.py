@@ -3,6 +3,7 @@
 Nothing a user or a file wrote is ever taken for markup, and nothing is cut where it does not fit.
 """
 
+import codecs
 import json
 from collections.abc import Iterable
 from typing import Any, NamedTuple, TextIO
@@ -36,6 +37,15 @@ def ascii_text(text: str) -> str:
             pieces.append(" ")
         pieces.append(piece)
     return "".join(pieces).encode("ascii", "replace").decode()
+
+
+def _by_name(error: UnicodeError) -> tuple[str, int]:
+    """An error handler for streams: what they cannot write, in ASCII."""
+    assert isinstance(error, UnicodeEncodeError)
+    return ascii_text(error.object[error.start : error.end]), error.end
+
+
+codecs.register_error("jkroll-ascii", _by_name)
 
 
 def fitting(text: str, out: TextIO) -> str:

@@ -112,7 +112,7 @@ class Scene:
             guard(**arguments)
         try:
             value = step.formula(**arguments)
-        except (OverflowError, ZeroDivisionError):
+        except (OverflowError, ZeroDivisionError, ValueError):
             value = INFINITY
         if isinstance(value, float) and not is_plausible(step.name, value):
             raise NoFiniteValue(step.name, value)
@@ -143,13 +143,13 @@ def check_range(name: str, value: Any) -> None:
 def is_plausible(name: str, value: float) -> bool:
     """Whether a result is one that doubles hold with all digits, or the zero or infinity that it may be."""
     if value == 0:
-        return name in _MAY_BE_ZERO
+        return name in MAY_BE_ZERO
     return SMALLEST <= abs(value) < INFINITY or (value == INFINITY and name in _MAY_BE_INFINITE)
 
 
 SMALLEST = 2.2250738585072014e-308  # of the doubles that have all their digits
 _MAY_BE_INFINITE = frozenset({"mass2", "moment_of_inertia2"})  # of a plane
-_MAY_BE_ZERO = frozenset(
+MAY_BE_ZERO = frozenset(
     {"load_margin", "stiffness", "vertical_frequency", "approach_at_load"}
 )  # at P = -P_c, -(8/9)P_c
 
@@ -185,7 +185,7 @@ def _guard_contact_modulus(
     *, youngs_modulus: Any, poisson_ratio: Any, youngs_modulus2: Any, poisson_ratio2: Any
 ) -> None:
     def rigid(modulus: Any, ratio: Any) -> bool:
-        return isinstance(modulus, (float, int)) and (modulus == INFINITY or ratio == -1)
+        return any(isinstance(value, float) and value == limit for value, limit in ((modulus, INFINITY), (ratio, -1)))
 
     if rigid(youngs_modulus, poisson_ratio) and rigid(youngs_modulus2, poisson_ratio2):
         raise TwoRigidBodies

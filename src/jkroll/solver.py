@@ -1,13 +1,14 @@
 """The Python face of a scene: names and values in, values out."""
 
+import math
 from collections.abc import Iterable, Mapping
 from contextlib import AbstractContextManager, nullcontext
 from typing import Any
 
-from .errors import MalformedQuantity, UnknownQuantity
+from .errors import MAX_QUOTED, MalformedQuantity, UnknownQuantity
 from .materials import Materials, known_materials
-from .nomenclature import NOMENCLATURE
-from .scene import Scene
+from .nomenclature import INFINITY, NOMENCLATURE
+from .scene import MAY_BE_ZERO, SMALLEST, Scene
 from .units import parse_quantity
 
 
@@ -45,7 +46,7 @@ def solve(
     MissingInput, UnknownMaterial, UnknownQuantity, QuantityError, OutOfRange
         What was given is wrong, or not enough.
     NoResult
-        The physics has no answer: a tension beyond pull-off, two rigid bodies. Arrays hold nan or inf there instead.
+        The physics has no answer: a tension beyond pull-off, two rigid bodies. Arrays hold nan there instead.
 
     Source: the equation of each quantity, see `jkroll.NOMENCLATURE`. Valid: as each formula says.
 
@@ -64,10 +65,21 @@ def solve(
         materials[material2] if materials and material2 is not None else None,
     )
     with _quiet(described.values()):
-        results = {name: scene[name] for name in names}
+        results = {name: _with_nan(name, scene[name]) for name in names}
     if registry is not None:
         results = {name: registry.Quantity(value, NOMENCLATURE[name].unit) for name, value in results.items()}
     return results[names[0]] if isinstance(wanted, str) else results
+
+
+def _with_nan(name: str, value: Any) -> Any:
+    """A result; the elements of an array that are no answer become nan."""
+    if isinstance(value, float):
+        return value
+    import numpy
+
+    size = abs(value)
+    may_be = (size == 0) if name in MAY_BE_ZERO else False
+    return numpy.where((size >= SMALLEST) & (size < INFINITY) | may_be, value, math.nan)
 
 
 def _quiet(values: Iterable[Any]) -> AbstractContextManager[Any]:
@@ -99,13 +111,16 @@ def _number(name: str, value: Any) -> Any:
     """A float or an array of floats, for a number, a text, or a sequence of either."""
     if isinstance(value, str):
         return parse_quantity(value, name)
-    if isinstance(value, (float, int)) and not isinstance(value, bool):
+    if isinstance(value, float):
         return float(value)
     if isinstance(value, (list, tuple)):
         value = [_number(name, item) for item in value]
     import numpy
 
-    array = numpy.asarray(value)
-    if array.dtype.kind not in "fiu":
-        raise MalformedQuantity(name, str(value), "is not a number")
-    return array.astype(float) if array.ndim else float(array)
+    try:
+        array = numpy.asanyarray(value)
+        if array.dtype.kind in "fiu":
+            return array.astype(float) if array.ndim else float(array)
+    except (ValueError, OverflowError):
+        pass
+    raise MalformedQuantity(name, str(value)[:MAX_QUOTED], "is not a number")

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from math import exp, log
 
 from .errors import BareNumber, MalformedQuantity
 from .nomenclature import INFINITY
@@ -31,14 +30,12 @@ class Spread:
         if place in (0, self.size - 1):
             return self.high if place else self.low
         part = place / (self.size - 1)
-        if self.is_log:
-            ratio = self.high / self.low
-            if 0 < ratio < INFINITY:
-                value = self.low * ratio**part
-            else:
-                value = exp(log(self.low) * (1 - part) + log(self.high) * part)
-        else:
+        if not self.is_log:
             value = self.low * (1 - part) + self.high * part
+        elif 0 < (ratio := self.high / self.low) < INFINITY:
+            value = self.low * ratio**part
+        else:
+            value = self.low ** (1 - part) * self.high**part
         is_nothing = abs(value) < 1e-15 * max(abs(self.low), abs(self.high)) and not self.is_log
         return 0.0 if is_nothing else float(f"{value:.15g}")
 

@@ -15,10 +15,10 @@ PREFIXES = """y z a f p n u m c d da h k M G T P E Z Y
 yocto zepto atto femto pico nano micro milli centi deci deca hecto kilo mega giga tera peta exa zetta yotta""".split()
 
 PREFIXABLE = """m meter meters metre metres g gram grams s sec second seconds N newton newtons J joule joules
-Pa pascal pascals Hz hertz eV electron_volt W watt watts bar bars dyn dyne dynes erg ergs rad radian radians
+Pa pascal pascals Hz hertz eV electron_volt W watt watts bar dyn dyne dynes erg ergs rad radian radians
 A ampere K kelvin V volt""".split()
 
-PLAIN = """Å angstrom angstroms micron microns in inch inches ft foot feet mile miles yd yard
+PLAIN = """Å angstrom angstroms bars micron microns in inch inches ft foot feet mile miles yd yard
 min minute minutes h hr hour hours day days yr year years
 deg degree degrees arcmin arcsec turn turns revolution cycle rpm
 lb pound pounds oz ounce t tonne tonnes u amu Da au parsec
