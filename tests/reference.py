@@ -18,19 +18,39 @@ digits = MPContext()  # a context of its own, because other tests set the precis
 digits.dps = 120
 mpf, pi, sqrt, cbrt = digits.mpf, +digits.pi, digits.sqrt, digits.cbrt
 
-DEFAULTS = {"yield_displacement": 2e-10, "load": 0.0, "gravity": 9.80665, "energy_ratio": 1.0}
+DEFAULTS = {
+    "yield_displacement": 2e-10, "load": 0.0, "gravity": 9.80665, "energy_ratio": 1.0, "atomic_spacing": 4e-10,
+}  # fmt: skip
+FOLD = -cbrt(mpf(9) / 16)  # δ̂, where dδ/dâ = 0
+
+BOUND = 4.0  # ulp of a result, times 1 plus its condition
+EXCEPTIONS: Mapping[str, float] = {}
 
 
 def ulp_error(value: float, exact: Exact, of: Exact = None) -> float:
     """Distance of a double from the exact value, in units of the last place of the nearest double (or of another)."""
-    if value == exact:
-        return 0.0
-    unit = math.ulp(float(exact if of is None else of))
-    return float(abs(mpf(value) - exact) / unit) if math.isfinite(value) else math.inf
+    nearest = float(exact)
+    if not math.isfinite(value) or not math.isfinite(nearest):
+        return 0.0 if value == nearest else math.inf
+    unit = math.ulp(nearest if of is None else float(of))
+    return abs((value - nearest) / unit - float(exact - nearest) / unit)
+
+
+def root(approach_ratio: Exact, *, stable: bool = True) -> Exact:
+    """√â at an approach: 3y⁴ − 2y = δ̂ is convex, so that Newton's steps from outside do not pass its root."""
+    y = 1 + sqrt(sqrt(abs(approach_ratio))) if stable else mpf(0)
+    step = mpf(1)
+    while abs(step) > abs(y) * mpf(10) ** -60:  # the last one squares that
+        step = (3 * y**4 - 2 * y - approach_ratio) / (12 * y**3 - 2)
+        y -= step
+    return y
 
 
 def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
-    """Every result for one scene. What is not said of sphere 2 is as for sphere 1; its radius may be infinite."""
+    """Every result for one scene. What is not said of sphere 2 is as for sphere 1; its radius may be infinite.
+
+    The state of the contact is that of a load or, if `approach_at_load` is given, of an approach.
+    """
     known = {name: mpf(value) for name, value in {**DEFAULTS, **given}.items()}
 
     def pair(name: str) -> tuple[Exact, Exact]:
@@ -38,7 +58,7 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
 
     (R1, R2), (E1, E2), (nu1, nu2), (rho1, rho2) = map(pair, ("radius", "youngs_modulus", "poisson_ratio", "density"))
     gamma1, gamma2 = pair("surface_energy")
-    xi, P, g = known["yield_displacement"], known["load"], known["gravity"]
+    xi, g, z0 = known["yield_displacement"], known["gravity"], known["atomic_spacing"]
     on_plane = digits.isinf(R2)
 
     # Eqs 1-3
@@ -50,9 +70,25 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
     delta0 = P_c / (E * a0)
 
     # Eqs 4-9: the larger root of P/P_c = 4(x² - x) with x = â^(3/2), and the slope of P(δ) through those of P(â), δ(â)
-    s = sqrt(1 + P / P_c)
-    x = (1 + s) / 2
+    branches = {}
+    if "approach_at_load" in known:
+        delta = known["approach_at_load"]
+        x = root(delta / delta0) ** 3
+        s = 2 * x - 1
+        P = 4 * P_c * (x**2 - x)
+        if delta <= 0:
+            branches["load_factor_at_approach_unstable"] = root(delta / delta0, stable=False) ** 3
+        branches |= {"load_factor_at_approach": x, "load": P, "load_at_factor": P, "load_over_pull_off": P / P_c}
+    else:
+        P = known["load"]
+        s = sqrt(1 + P / P_c)
+        x = (1 + s) / 2
+        if P:
+            branches["load_over_pull_off"] = P / P_c
+        if P < 0:
+            branches["load_factor_at_load_unstable"] = (1 - s) / 2
     a_ = cbrt(x**2)
+    delta = delta0 * (3 * a_**2 - 2 * sqrt(a_))
     slope = (12 * a_**2 - 6 * sqrt(a_)) / (6 * a_ - 1 / sqrt(a_))
 
     # Eqs 25, 39 and 43
@@ -74,49 +110,106 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
     adhesion_energy = P_c * delta0
     kinetic = {"kinetic_energy": m1 * known["speed"] ** 2 / 2} if "speed" in known else {}
     W0 = known.get("energy", kinetic.get("kinetic_energy", known["energy_ratio"] * adhesion_energy))
+    yield_energy = M**2 / (2 * k)
+    vibration = {"vertical_frequency": sqrt(P_c / delta0 * slope / m) / (2 * pi)} if slope >= 0 else {}
 
-    return kinetic | {
-        "work_of_adhesion": 2 * gamma,
-        "radius_ratio": R1 / R2,
-        "reduced_radius": R,
-        "contact_modulus": E,
-        "mass": m1,
-        "mass2": m2,
-        "moment_of_inertia": I1,
-        "moment_of_inertia2": I2,
-        "reduced_mass": m,
-        "reduced_moment_of_inertia": I,
-        "rolling_mass": m_eff,
-        "pull_off_force": P_c,
-        "pull_off_force_dmt": 4 * pi * gamma * R,
-        "contact_radius": a0,
-        "approach": delta0,
-        "load_margin": s,
-        "load_factor": x,
-        "contact_radius_at_load": a0 * a_,
-        "approach_at_load": delta0 * (3 * a_**2 - 2 * sqrt(a_)),
-        "stiffness": P_c / delta0 * slope,
-        "hertz_pressure": 6 * P_c / (pi * a0**2) * a_,
-        "boussinesq_pressure": -2 * P_c / (pi * a0**2) / sqrt(a_),
-        "yield_moment": M,
-        "rolling_stiffness": k,
-        "yield_force": M / R1,
-        "yield_force_ratio": M / R1 / P_c,
-        "yield_angle": xi / R,
-        "mean_rolling_moment": mean_M,
-        "mean_rolling_force": mean_M / R1,
-        "r_min": R1 * R2 / xi,
-        "n_grav": sqrt(M / (m1 * g * R1)),
-        "vertical_frequency": sqrt(P_c / delta0 * slope / m) / (2 * pi),
-        "rolling_frequency": sqrt(k / I) / (2 * pi),
-        "rolling_frequency_as_printed": 3 / (2 * pi) * sqrt(gamma / (5 * R1**3 * rho1)),
-        "rolling_frequency_no_slip": sqrt(4 * P_c * x / (R * m_eff)) / (2 * pi),
-        "adhesion_energy": adhesion_energy,
-        "n_roll": W0 / (7 * pi * mean_M),
-        "n_roll_energy_balance": W0 / (2 * pi * mean_M),
-        "n_roll_at_energy_ratio": known["energy_ratio"] * adhesion_energy / (7 * pi * mean_M),
-        "n_roll_energy_balance_at_energy_ratio": known["energy_ratio"] * adhesion_energy / (2 * pi * mean_M),
-    }
+    return (
+        kinetic
+        | branches
+        | vibration
+        | {
+            "work_of_adhesion": 2 * gamma,
+            "radius_ratio": R1 / R2,
+            "reduced_radius": R,
+            "contact_modulus": E,
+            "mass": m1,
+            "mass2": m2,
+            "moment_of_inertia": I1,
+            "moment_of_inertia2": I2,
+            "reduced_mass": m,
+            "reduced_moment_of_inertia": I,
+            "rolling_mass": m_eff,
+            "pull_off_force": P_c,
+            "pull_off_force_dmt": 4 * pi * gamma * R,
+            "contact_radius": a0,
+            "approach": delta0,
+            "load_margin": s,
+            "load_margin_of_factor": s,
+            "load_factor": x,
+            "contact_radius_at_load": a0 * a_,
+            "approach_at_load": delta,
+            "stiffness": P_c / delta0 * slope,
+            "hertz_pressure": 6 * P_c / (pi * a0**2) * a_,
+            "boussinesq_pressure": -2 * P_c / (pi * a0**2) / sqrt(a_),
+            "yield_moment": M,
+            "rolling_stiffness": k,
+            "yield_force": M / R1,
+            "yield_force_ratio": M / R1 / P_c,
+            "yield_angle": xi / R,
+            "mean_rolling_moment": mean_M,
+            "mean_rolling_force": mean_M / R1,
+            "r_min": R1 * R2 / xi,
+            "n_grav": sqrt(M / (m1 * g * R1)),
+            "rolling_frequency": sqrt(k / I) / (2 * pi),
+            "rolling_frequency_as_printed": 3 / (2 * pi) * sqrt(gamma / (5 * R1**3 * rho1)),
+            "rolling_frequency_no_slip": sqrt(4 * P_c * x / (R * m_eff)) / (2 * pi),
+            "adhesion_energy": adhesion_energy,
+            **{name: factor * adhesion_energy for name, factor in ENERGIES.items()},
+            "n_roll": W0 / (7 * pi * mean_M),
+            "n_roll_energy_balance": W0 / (2 * pi * mean_M),
+            "n_roll_at_energy_ratio": known["energy_ratio"] * adhesion_energy / (7 * pi * mean_M),
+            "n_roll_energy_balance_at_energy_ratio": known["energy_ratio"] * adhesion_energy / (2 * pi * mean_M),
+            "tabor_parameter": cbrt(4 * R * gamma**2 / (E**2 * z0**3)),
+            "displacement_limit": a0 / (3 * sqrt(a_)),
+            "displacement_ratio": 3 * xi * sqrt(a_) / a0,
+            "contact_radius_in_spacings": a0 * a_ / z0,
+            "approach_in_spacings": delta0 / z0,
+            "yield_energy": yield_energy,
+            "energy_over_yield": W0 / yield_energy,
+        }
+    )
+
+
+def released(y: Exact, y2: Exact) -> Exact:
+    """Energy that the contact gives on its way from √â = y to y2, in P_cδ0: −∫ P̂ (dδ̂/dy) dy with Eqs (5) and (6)."""
+    return _potential(y) - _potential(y2)
+
+
+def _potential(y: Exact) -> Exact:
+    """∫ 4(y⁶ − y³)(12y³ − 2) dy."""
+    return 24 * y**10 / 5 - 8 * y**7 + 2 * y**4
+
+
+FOLD_ROOT, PULL_OFF_ROOT, JUMP_IN_ROOT = 1 / cbrt(mpf(6)), 1 / cbrt(mpf(2)), cbrt(mpf(2) / 3)  # √â of states
+ENERGIES = {  # in P_cδ0
+    "well_energy": released(mpf(0), mpf(1)),
+    "pull_off_work": released(FOLD_ROOT, mpf(1)),
+    "pull_off_work_at_dead_load": released(PULL_OFF_ROOT, mpf(1)),
+    "sticking_energy": released(FOLD_ROOT, JUMP_IN_ROOT),
+}
+
+
+def conditions(given: Mapping[str, float]) -> dict[str, float]:
+    """How many times the relative error of P/P_c, or of δ/δ0 and of x, appears in each result of a scene."""
+    state = "approach_at_load" if "approach_at_load" in given else "load"
+    results = exact_results(given)
+    if not given.get(state):
+        return dict.fromkeys(results, 0.0)
+    step = mpf(10) ** -40
+    moved = exact_results({**given, state: mpf(given[state]) * (1 + step)})
+    by_state = {name: _ratio(moved[name] - value, step * value) for name, value in results.items()}
+    if state == "load":
+        return by_state
+    return {name: value + value / by_state["load_factor"] for name, value in by_state.items()}
+
+
+def _ratio(value: Exact, other: Exact) -> float:
+    return float(abs(value / other)) if other and abs(other) < math.inf else 0.0
+
+
+def bound(name: str) -> float:
+    """What is allowed of a result, in ulp, times 1 plus its condition."""
+    return EXCEPTIONS.get(name, BOUND)
 
 
 def exact(formula: str, arguments: Mapping[str, float]) -> Exact:
@@ -127,6 +220,16 @@ def exact(formula: str, arguments: Mapping[str, float]) -> Exact:
 def scale(formula: str, arguments: Mapping[str, float]) -> Exact:
     """What the error of a formula is measured against: its value or, where two terms may cancel, the larger of them."""
     return abs(_evaluate(TERMS[formula], arguments) if formula in TERMS else exact(formula, arguments))
+
+
+def formula_error(formula: str, arguments: Mapping[str, float], value: float) -> float:
+    """Distance of a formula's value from the exact one, in ulp, in the variable in which its accuracy is stated."""
+    if formula in MEASURED:
+        root = MEASURED[formula]
+        wanted = root(exact(formula, arguments))
+        nearest = float(wanted)
+        return float(abs(root(mpf(value)) - wanted)) / math.ulp(nearest)
+    return ulp_error(value, exact(formula, arguments), of=scale(formula, arguments))
 
 
 def _evaluate(equation: Callable[..., Exact], arguments: Mapping[str, float]) -> Exact:
@@ -146,7 +249,8 @@ SYMBOLS = {
     "a_": "contact_radius_ratio", "r": "distance", "p_H": "hertz_pressure", "p_B": "boussinesq_pressure",
     "K": "stiffness", "k": "rolling_stiffness", "xi": "yield_displacement", "M": "yield_moment",
     "mean_M": "mean_rolling_moment", "A": "half_circle_radius", "angle": "angle", "dz": "displacement", "N": "number",
-    "W0": "energy", "W": "energy_ratio", "v": "speed", "omega": "angular_speed",
+    "W0": "energy", "W": "energy_ratio", "v": "speed",
+    "W_adhesion": "adhesion_energy", "W_yield": "yield_energy", "z0": "atomic_spacing", "limit": "displacement_limit", "omega": "angular_speed",
 }  # fmt: skip
 
 # The equation of each formula, for its own accuracy; `exact_results`, for that of the whole, uses none of them.
@@ -178,6 +282,18 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "pressure": lambda r, a, p_H, p_B: p_H * sqrt(1 - (r / a) ** 2) + p_B / sqrt(1 - (r / a) ** 2),
     "approach_of_pressure": lambda a, E, p_H, p_B: pi * a / (2 * E) * (p_H + 2 * p_B),
     "boussinesq_pressure_at_approach": lambda delta, a, E, p_H: E * delta / (pi * a) - p_H / 2,
+    # the contact at any state
+    "load_margin_of_factor": lambda x: 2 * x - 1,
+    "load_at_factor": lambda P_c, x: 4 * P_c * (x**2 - x),
+    "load_factor_at_approach": lambda delta, delta0: root(mpf(float(delta) / float(delta0))) ** 3,
+    "load_factor_at_load_unstable": lambda P, P_c, s: -P / P_c / (2 * (1 + s)),
+    "load_factor_at_approach_unstable": lambda delta, delta0: (
+        root(mpf(float(delta) / float(delta0)), stable=False) ** 3
+    ),
+    "well_energy": lambda W_adhesion: ENERGIES["well_energy"] * W_adhesion,
+    "pull_off_work": lambda W_adhesion: ENERGIES["pull_off_work"] * W_adhesion,
+    "pull_off_work_at_dead_load": lambda W_adhesion: ENERGIES["pull_off_work_at_dead_load"] * W_adhesion,
+    "sticking_energy": lambda W_adhesion: ENERGIES["sticking_energy"] * W_adhesion,
     # rolling
     "yield_moment": lambda P_c, x, xi: 4 * P_c * x * xi,
     "rolling_stiffness": lambda P_c, x, R: 4 * P_c * x * R,
@@ -213,10 +329,26 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "n_roll_energy_balance": lambda W0, mean_M: W0 / (2 * pi * mean_M),
     "n_roll_at_energy_ratio": lambda W, delta0, x, xi: W * delta0 / (14 * pi * x * xi),
     "n_roll_energy_balance_at_energy_ratio": lambda W, delta0, x, xi: W * delta0 / (4 * pi * x * xi),
+    # validity
+    "tabor_parameter": lambda w, R, E, z0: cbrt(R * w**2 / (E**2 * z0**3)),
+    "displacement_limit": lambda a0, x: a0 / (3 * cbrt(x)),
+    "displacement_ratio": lambda xi, limit: xi / limit,
+    "contact_radius_in_spacings": lambda a, z0: a / z0,
+    "approach_in_spacings": lambda delta0, z0: delta0 / z0,
+    "yield_energy": lambda w, xi, x: 3 * pi * w * x * xi**2,
+    "energy_over_yield": lambda W0, W_yield: W0 / W_yield,
+    "load_over_pull_off": lambda P, P_c: P / P_c,
+}
+
+# What x is the cube of, for formulas whose accuracy is stated in that.
+MEASURED: Mapping[str, Callable[[Exact], Exact]] = {
+    "load_factor_at_approach": cbrt,
+    "load_factor_at_approach_unstable": cbrt,
 }
 
 # The larger of two terms that may cancel.
 TERMS: Mapping[str, Callable[..., Exact]] = {
+    "load_margin_of_factor": lambda x: 2 * x,
     "load_ratio": lambda a_: 4 * max(a_**3, sqrt(a_) ** 3),
     "approach_ratio": lambda a_: max(3 * a_**2, 2 * sqrt(a_)),
     "pressure": lambda r, a, p_H, p_B: max(p_H * sqrt(1 - (r / a) ** 2), abs(p_B) / sqrt(1 - (r / a) ** 2)),

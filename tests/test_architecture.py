@@ -24,6 +24,7 @@ LAYERS = [
     {"spread"},
     {"report"},
     {"answer"},
+    {"judgement"},
     {"solver"},
     {"formatting", "scene"},
     {"materials"},

@@ -171,7 +171,7 @@ def test_json_of_every_command(run: Run, name: str) -> None:
     data = json.loads(ran.out)
     assert ran.code == 0
     assert ran.err == ""
-    assert set(data) == {"inputs", "results", "notes", "version"}
+    assert set(data) == {"inputs", "results", "validity", "notes", "version"}
     assert data["version"] == __version__
     assert data["inputs"].get("radius") == 1e-7
     for result in data["results"]:

@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 
 from .errors import BeyondFold, BeyondPullOff, JkrollError, MissingInput, NoResult
 from .formatting import Format, amount
+from .judgement import Verdict, verdicts
 from .nomenclature import INFINITY, NOMENCLATURE, word_for_infinity
 from .scene import DEFAULTS, Scene
 from .wiring import depends_on
@@ -101,6 +102,7 @@ class Answer(NamedTuple):
     inputs: Mapping[str, float | str]
     results: tuple[Result, ...]
     notes: tuple[str, ...]
+    validity: tuple[Verdict, ...]
     failure: JkrollError | None  # why there is no result, or no contact
 
     def value(self, name: str) -> float | None:
@@ -129,7 +131,8 @@ def answer(command: Command, scene: Scene) -> Answer:
     inputs = _echo(scene, used)
     notes = (*_assumptions(scene, inputs, planned), *_about_data(scene, inputs), *_about(results))
     no_contact = next((error for error in errors.values() if isinstance(error, (BeyondPullOff, BeyondFold))), None)
-    return Answer(inputs, tuple(results), notes, no_contact or (None if known else next(iter(errors.values()))))
+    failure = no_contact or (None if known else next(iter(errors.values())))
+    return Answer(inputs, tuple(results), notes, verdicts(scene, known), failure)
 
 
 def in_units(answer: Answer, form: Format) -> Answer:

@@ -167,6 +167,7 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "displacement_limit": Quantity("ξ_max", "m", "displacement up to which rolling has a meaning", "25"),
         "displacement_ratio": Quantity("ξ/ξ_max", "1", "displacement over its limit", "25"),
         "contact_radius_in_spacings": Quantity("a/z0", "1", "contact radius over the atomic spacing", "2"),
+        "approach_in_spacings": Quantity("δ0/z0", "1", "approach over the atomic spacing", "3"),
         "load_over_pull_off": Quantity("P/P_c", "1", "load over pull-off force", "5"),
         "yield_energy": Quantity("W_yield", "J", "energy to roll to the yield displacement", "25"),
         "energy_over_yield": Quantity("W0/W_yield", "1", "energy over the yield energy", "25"),

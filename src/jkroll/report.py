@@ -155,7 +155,23 @@ def as_object(answer: Answer, form: Format) -> dict[str, Any]:
         if result.value is None:
             entry["reason"] = result.reason
         results.append(entry)
-    return {"inputs": dict(answer.inputs), "results": results, "notes": list(answer.notes), "version": __version__}
+    validity = [
+        {
+            "name": one.name,
+            "symbol": NOMENCLATURE[one.name].symbol,
+            "value": one.value,
+            "holds": one.holds,
+            "text": one.text,
+        }
+        for one in answer.validity
+    ]
+    return {
+        "inputs": dict(answer.inputs),
+        "results": results,
+        "validity": validity,
+        "notes": list(answer.notes),
+        "version": __version__,
+    }
 
 
 def row(answer: Answer, names: Iterable[str], form: Format) -> list[str]:

@@ -7,6 +7,7 @@ from typing import NamedTuple, TextIO
 
 from .answer import Answer, Command, answer, in_units
 from .errors import JkrollError
+from .judgement import sentence
 from .materials import known_materials
 from .report import WRITERS, layout, say
 from .request import BadRequest, Request, format_of, materials_files
@@ -51,6 +52,7 @@ class Tally:
         for one in answers:
             if len(self.notes) <= MAX_NOTES:
                 self.notes |= dict.fromkeys(one.notes)
+                self.notes |= {f"doubtful: {sentence(verdict)}": None for verdict in one.validity if not verdict.holds}
             if one.failure is not None:
                 self.failed += 1
                 self.failures = self.failures or [one.failure]
@@ -79,7 +81,7 @@ def run_command(command: Command, words: Sequence[str] | None, options: Mapping[
         WRITERS[kind](answers, out, form, layout(command, samples, request.count))
     out.flush()
     if not output.quiet and kind not in ("json", "explain", "cite"):
-        _note(tally.notes)
+        _note(note for note in tally.notes if kind != "table" or request.count > 1 or not note.startswith("doubtful"))
     if tally.failed:
         count = f"{tally.failed} of {request.count} rows failed"
         say(f"jkroll: {tally.failures[0] if request.count == 1 else count}", sys.stderr)

@@ -11,6 +11,7 @@ from rich.text import Text
 
 from .answer import Answer
 from .formatting import Format, amount
+from .judgement import sentence
 from .nomenclature import NOMENCLATURE
 from .report import Layout, fitting, say
 from .wiring import PROPERTIES
@@ -29,9 +30,12 @@ def scene_table(answer: Answer, out: TextIO, form: Format) -> None:
     for first, last in ((0, 5), (1, 5), (1, 4)):
         table = _table(heads[first:last], [(cells[first:last], style) for cells, style in rows], out, {"value", "Eq"})
         if _print(table, out):
-            return
-    for cells, _ in rows:
-        say(" ".join(cell for cell in cells[1:4] if cell), out)
+            break
+    else:
+        for cells, _ in rows:
+            say(" ".join(cell for cell in cells[1:4] if cell), out)
+    for verdict in answer.validity:
+        say(f"{'valid' if verdict.holds else 'DOUBT'}: {sentence(verdict)}", out)
 
 
 def sweep_table(answers: Sequence[Answer], out: TextIO, form: Format, shape: Layout) -> None:

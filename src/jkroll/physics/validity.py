@@ -69,6 +69,21 @@ def contact_radius_in_spacings(*, contact_radius_at_load: Length, atomic_spacing
     return contact_radius_at_load / atomic_spacing
 
 
+def approach_in_spacings(*, approach: Length, atomic_spacing: Length) -> Number:
+    """Approach without load over the atomic spacing: contact forces alone need a neck longer than their range.
+
+        δ0/z0
+
+    Source:   Text above Fig. 1 on the assumptions of JKRS.
+    Valid:    Another form of the Tabor parameter.
+    Accuracy: 0.5 ulp above δ0.
+
+    >>> approach_in_spacings(approach=4e-9, atomic_spacing=0.5e-9)
+    8.0
+    """
+    return approach / atomic_spacing
+
+
 def yield_energy(*, work_of_adhesion: SurfaceEnergy, yield_displacement: Length, load_factor: Number) -> Energy:
     """Energy to roll a contact to its yield displacement: with less, it springs back.
 

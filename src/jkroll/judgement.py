@@ -1,0 +1,110 @@
+"""How far an answer can be trusted: the numbers that limit the model, and what they say."""
+
+from collections.abc import Callable, Collection
+from typing import NamedTuple
+
+from .errors import MissingInput, NoResult
+from .nomenclature import NOMENCLATURE
+from .scene import Scene
+
+JKR_FROM = 5.0  # Tabor parameter above which JKR holds, and below which DMT does
+DMT_UP_TO = 0.1
+
+
+class Verdict(NamedTuple):
+    """A number that limits the model, and what follows from it for an answer."""
+
+    name: str
+    value: float
+    holds: bool
+    text: str
+
+
+class Limit(NamedTuple):
+    """A limit of the model: the number, the names whose use it touches, and how it is judged."""
+
+    name: str
+    touches: frozenset[str]
+    judge: Callable[[float], tuple[bool, str]]
+
+
+def _tabor(mu: float) -> tuple[bool, str]:
+    if mu >= JKR_FROM:
+        return True, "large: JKR holds"
+    if mu > DMT_UP_TO:
+        return False, f"between DMT (below {DMT_UP_TO}) and JKR (above {JKR_FROM:g}): neither is exact"
+    return False, "small: DMT is closer than JKR"
+
+
+def _displacement(ratio: float) -> tuple[bool, str]:
+    if ratio < 1:
+        return True, "below 1: the shifted contact is possible"
+    return False, "above 1: the leading edge would interpenetrate, and rolling has no meaning"
+
+
+def _spacings(ratio: float) -> tuple[bool, str]:
+    return (
+        (True, "many atoms in the contact")
+        if ratio >= 3
+        else (False, "few atoms in the contact: elasticity is in doubt")
+    )
+
+
+def _approach(ratio: float) -> tuple[bool, str]:
+    if ratio >= 1:
+        return True, "the neck is longer than the range of the surface forces"
+    return False, "below 1: the neck is shorter than the range of the surface forces"
+
+
+def _load(ratio: float) -> tuple[bool, str]:
+    return (True, "within the paper's range -1 to 1") if ratio <= 1 else (False, "above the paper's range -1 to 1")
+
+
+def _energy(ratio: float) -> tuple[bool, str]:
+    return (True, "above 1: it rolls") if ratio > 1 else (False, "below 1: the contact springs back and does not roll")
+
+
+def _force(ratio: float) -> tuple[bool, str]:
+    return (
+        (True, "below 1: it rolls before it breaks")
+        if ratio < 1
+        else (False, "above 1: the contact breaks before it rolls")
+    )
+
+
+LIMITS = (
+    Limit("tabor_parameter", frozenset({"work_of_adhesion"}), _tabor),
+    Limit(
+        "contact_radius_in_spacings",
+        frozenset({"contact_radius", "contact_radius_at_load", "pull_off_force"}),
+        _spacings,
+    ),
+    Limit("approach_in_spacings", frozenset({"approach", "approach_at_load"}), _approach),
+    Limit("load_over_pull_off", frozenset({"load"}), _load),
+    Limit("displacement_ratio", frozenset({"yield_displacement"}), _displacement),
+    Limit("yield_force_ratio", frozenset({"yield_force"}), _force),
+    Limit("energy_over_yield", frozenset({"n_roll", "n_roll_energy_balance"}), _energy),
+)
+
+
+def verdicts(scene: Scene, names: Collection[str]) -> tuple[Verdict, ...]:
+    """What limits the answers to these names, as far as the scene allows to say."""
+    if not names:
+        return ()
+    plan = scene.plan(*names)
+    used = {*names, *scene.inputs_of(*names), *(step.name for step in plan.steps)}
+    found = []
+    for limit in LIMITS:
+        if limit.touches & used and not (limit.name == "load_over_pull_off" and "load" not in scene.stated):
+            try:
+                value = scene[limit.name]
+            except (MissingInput, NoResult):
+                continue
+            found.append(Verdict(limit.name, value, *limit.judge(value)))
+    return tuple(found)
+
+
+def sentence(verdict: Verdict) -> str:
+    """A verdict as a line: "Tabor parameter μ = 0.14, between DMT and JKR"."""
+    quantity = NOMENCLATURE[verdict.name]
+    return f"{quantity.symbol} = {verdict.value:.3g}, {quantity.sentence}; {verdict.text}"

@@ -1,0 +1,232 @@
+"""LAMMPS, tamaas and Adhesion as the tests need them: two spheres that move, a surface that gives, relations of JKR."""
+
+import ctypes
+import math
+import os
+import sys
+from collections.abc import Callable, Mapping
+from importlib import import_module
+from importlib.util import find_spec, module_from_spec, spec_from_file_location
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import jkroll
+
+Body = Mapping[str, Any]
+Array = Any
+
+
+def third_party(name: str, requirement: str) -> Any:
+    """A module, or a skip that says what to install, or an error where CI is set."""
+    if find_spec(name) is None:
+        message = f"needs {requirement}"
+        if os.environ.get("CI"):
+            raise ModuleNotFoundError(message)
+        pytest.skip(message)
+    return import_module(name)
+
+
+def both(sphere: Body, sphere2: Body) -> dict[str, Any]:
+    """Two spheres as one scene of jkroll."""
+    return {**sphere, **{name + "2": value for name, value in sphere2.items()}}
+
+
+# --- LAMMPS: two spheres by Newton's laws -----------------------------------------------------------------------------
+
+
+def import_lammps() -> Any:
+    """The module, with the MPI library that its wheel is linked to and does not find by itself."""
+    module = third_party("lammps", "lammps[mpi]==2025.7.22.4.0")
+    library = Path(sys.prefix) / "lib" / "libmpi.so.12"
+    if library.exists():
+        ctypes.CDLL(str(library), mode=ctypes.RTLD_GLOBAL)
+    return module
+
+
+class Spheres:
+    """Sphere 1 above sphere 2, in SI units. Their γ is the paper's γ, and mixed geometrically."""
+
+    def __init__(
+        self,
+        lammps: Any,
+        sphere: Body,
+        sphere2: Body,
+        friction: str = "tangential linear_nohistory 0 0",
+        damping: tuple[float, str] = (0.0, "velocity"),
+    ) -> None:
+        self.radius, self.radius2 = sphere["radius"], sphere2["radius"]
+        self.touching = 1e-6 * self.radius  # an approach at which they touch
+        size = 10 * max(self.radius, self.radius2)
+        self.code = lammps.lammps(cmdargs=["-log", "none", "-screen", "none", "-nocite"])
+        self.code.commands_list(
+            [
+                "units si",
+                "atom_style sphere",
+                "atom_modify map array sort 0 0",
+                "boundary f f f",
+                "newton off",
+                "comm_modify vel yes",
+                f"region box block -{size} {size} -{size} {size} -{size} {size}",
+                "create_box 2 box",
+                f"neighbor {size / 10} bin",
+                f"create_atoms 1 single 0 0 {self.radius - self.touching}",
+                f"create_atoms 2 single 0 0 -{self.radius2}",
+                "pair_style granular",
+            ]
+        )
+        for kind, body in (("1", sphere), ("2", sphere2)):
+            jkr = f"jkr {body['youngs_modulus']} {damping[0]} {body['poisson_ratio']} {body['surface_energy']}"
+            self.code.command(f"set type {kind} diameter {2 * body['radius']} density {body['density']}")
+            self.code.command(f"pair_coeff {kind} {kind} {jkr} {friction} damping {damping[1]}")
+        self.code.command("run 0")
+        self.x, self.v, self.omega, self.f = map(self.code.numpy.extract_atom, ("x", "v", "omega", "f"))
+
+    def run(self, steps: int) -> None:
+        """Go on for some steps."""
+        self.code.command(f"run {steps} pre no post no")
+
+    def force(self, approach: float) -> float:
+        """Force between the spheres, once they have touched and then been brought to an approach of their centres."""
+        for overlap in (self.touching, approach):
+            self.x[0, 2] = self.radius - overlap
+            self.run(1)
+        return float(self.f[0, 2])
+
+    def release(self, time_step: float, *, held: bool = False) -> None:
+        """Let the spheres move from now on. A held sphere 2 does not: it is just not integrated."""
+        self.code.command(f"timestep {time_step}")
+        self.code.command(f"group mobile type {'1' if held else '1 2'}")
+        self.code.command("fix motion mobile nve/sphere")
+        self.code.command("run 0")
+
+    def distance(self) -> float:
+        """Distance of the centres."""
+        return float(self.x[0, 2] - self.x[1, 2])
+
+    def spin(self) -> float:
+        """Angular speed of sphere 1 against sphere 2."""
+        return float(self.omega[0, 1] - self.omega[1, 1])
+
+
+def bisect(below: Callable[[float], bool], low: float, high: float) -> float:
+    """Where a condition that holds at the lower end stops to hold, from above."""
+    for _ in range(60):
+        middle = (low + high) / 2
+        low, high = (middle, high) if below(middle) else (low, middle)
+    return high
+
+
+def frequency(samples: list[float], interval: float) -> float:
+    """Frequency of a sine from equidistant samples: x₋ + x₊ = 2 cos(2πfτ) x for any three in a row."""
+    x = np.array(samples)
+    cosine = np.dot(x[:-2] + x[2:], x[1:-1]) / (2 * np.dot(x[1:-1], x[1:-1]))
+    return math.acos(cosine) / (2 * math.pi * interval)
+
+
+def rolling_frequencies(lammps: Any, sphere: Body, sphere2: Body, *, held: bool = False) -> tuple[float, ...]:
+    """What LAMMPS does, and by jkroll Eq (40), Eq (41) and that without slip. A held body 2 is next to infinitely dense.
+
+    The rolling spring, M/R per displacement ξ of the contact, is 4P_c/R. The tangential one prevents slip: with it the
+    contact would vibrate sideways, with 2/7 of the masses, 1000 times as fast. Sphere 1 starts to roll by 1e-5.
+    """
+    scene = both(sphere, {**sphere2, "density": 1e40} if held else sphere2)
+    names = ("pull_off_force", "reduced_radius", "approach", "reduced_mass", "rolling_mass")
+    pull_off, radius, approach, mass, rolling_mass = jkroll.solve(names, **scene).values()
+    rolling = 4 * pull_off / radius
+    tangential = 1000**2 * rolling * (2 / 7) * mass / rolling_mass
+    friction = f"tangential linear_history {tangential} 0 1e9 rolling sds {rolling} 0 1e9"
+    spheres = Spheres(lammps, sphere, sphere2, friction)
+    spheres.force(approach)
+    eq_40, eq_41 = jkroll.solve(("rolling_frequency", "rolling_frequency_as_printed"), **scene).values()
+    no_slip = jkroll.solve("rolling_frequency_no_slip", **scene)
+    period = 1 / no_slip
+    spheres.omega[0, 1] = 1e-5 * 2 * math.pi / period
+    spheres.v[0, 0] = spheres.omega[0, 1] * sphere["radius"]
+    spheres.release(period / 20000, held=held)
+    samples = []
+    for _ in range(80):
+        samples.append(spheres.spin())
+        spheres.run(1000)
+    return frequency(samples, period / 20), eq_40, eq_41, no_slip
+
+
+# --- tamaas: the surface of an elastic body ---------------------------------------------------------------------------
+
+
+def import_tamaas() -> Any:
+    """The module, on one thread and silent."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("OMP_NUM_THREADS", "1")
+        module = third_party("tamaas", "tamaas==2.9.0")
+    module.set_log_level(module.LogLevel.error)
+    return module
+
+
+def surface(tamaas: Any, modulus: float, size: float, shape: tuple[int, ...]) -> Callable[[Array], Array]:
+    """Displacement by a pressure: of a half-space with a square of cells, or of a half-plane whose row of cells repeats."""
+    square = len(shape) == 2
+    kind = tamaas.model_type.basic_2d if square else tamaas.model_type.basic_1d
+    model = tamaas.ModelFactory.createModel(kind, [size] * len(shape), list(shape))
+    model.E, model.nu = modulus, 0.0
+    if square:
+        tamaas.ModelFactory.registerNonPeriodic(model, "alone")
+    else:
+        model.be_engine.registerNeumann()
+
+    def displacement(pressure: Array) -> Array:
+        result = np.zeros(shape if square else (*shape, 1))
+        operator = model.operators["alone" if square else "Westergaard::neumann"]
+        operator(pressure.reshape(result.shape), result)
+        return result.reshape(shape)
+
+    return displacement
+
+
+def pressure(displacement: Callable[[Array], Array], inside: Array, wanted: Array) -> Array:
+    """Pressure inside a contact, and none outside, that displaces it as wanted: by conjugate gradients."""
+    result = np.zeros(inside.shape)
+    residual = direction = np.where(inside, wanted, 0.0)
+    norm = start = np.sum(residual**2)
+    while norm > 1e-24 * start:
+        image = np.where(inside, displacement(direction), 0.0)
+        length = norm / np.sum(direction * image)
+        result = result + length * direction
+        residual = residual - length * image
+        norm, before = np.sum(residual**2), norm
+        direction = residual + norm / before * direction
+    return result
+
+
+def pressure_at_load(displacement: Callable[[Array], Array], inside: Array, wanted: Array, total: float) -> Array:
+    """The same at a given sum of the pressure instead of a given approach: with some of a flat punch."""
+    shaped, punch = (pressure(displacement, inside, field) for field in (wanted, np.ones(inside.shape)))
+    return shaped + (total - shaped.sum()) / punch.sum() * punch
+
+
+# --- Adhesion: the relations of JKR -----------------------------------------------------------------------------------
+
+
+def import_jkr() -> Any:
+    """Its one module that we need, by file: the package as a whole imports 40 others, this one numpy and scipy."""
+    for name in ("Adhesion", "scipy"):
+        if find_spec(name) is None:
+            third_party(name, "Adhesion==0.93 and scipy")
+    package = find_spec("Adhesion")
+    assert package is not None
+    assert package.submodule_search_locations
+    path = Path(package.submodule_search_locations[0]) / "ReferenceSolutions" / "JKR.py"
+    spec = spec_from_file_location("adhesion_jkr", path)
+    assert spec is not None
+    assert spec.loader is not None
+    module = module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def solid(scene: Mapping[str, Any]) -> dict[str, float]:
+    """A scene in the names of Adhesion."""
+    names = ("reduced_radius", "contact_modulus", "work_of_adhesion")
+    return dict(zip(("radius", *names[1:]), jkroll.solve(names, **scene).values(), strict=True))
