@@ -7,9 +7,10 @@ from typing import Any, NamedTuple
 from .errors import BeyondFold, BeyondPullOff, JkrollError, MissingInput, NoResult
 from .formatting import Format, amount
 from .judgement import Verdict, verdicts
+from .ladder import NotGoodEnough, model_error, within
 from .nomenclature import INFINITY, NOMENCLATURE, word_for_infinity
 from .scene import DEFAULTS, Scene
-from .wiring import depends_on
+from .wiring import STATE, depends_on
 
 
 class Command(NamedTuple):
@@ -71,7 +72,14 @@ _COMMANDS = {
     "moment": _command(
         "The moment against rolling when the contact lags by ξ.",
         ("yield_moment",),
-        ("rolling_stiffness", "mean_rolling_moment", "mean_rolling_force"),
+        (
+            "unloaded_moment",
+            "half_circles_moment",
+            "fixed_approach_moment",
+            "rolling_stiffness",
+            "mean_rolling_moment",
+            "mean_rolling_force",
+        ),
         "quartz 100nm --xi 1angstrom",
     ),
 }
@@ -89,11 +97,12 @@ COMMANDS: Mapping[str, Command] = MappingProxyType(
 
 
 class Result(NamedTuple):
-    """A quantity in SI units, or the reason why there is none."""
+    """A quantity in SI units, or the reason why there is none; of a model, its relative error."""
 
     name: str
     value: float | None
     reason: str = ""
+    error: float | None = None
 
 
 class Answer(NamedTuple):
@@ -110,15 +119,15 @@ class Answer(NamedTuple):
         return next((result.value for result in self.results if result.name == name), None)
 
 
-def answer(command: Command, scene: Scene) -> Answer:
-    """Compute what a command shows of a scene, as far as the scene allows."""
+def answer(command: Command, scene: Scene, rtol: float | None = None) -> Answer:
+    """Compute what a command shows of a scene, as far as the scene allows; rolling by the cheapest model within `rtol`."""
     results: list[Result] = []
     errors: dict[str, JkrollError] = {}
     for name in command.quantities:
         if not _concerns(name, scene):
             continue
         try:
-            results.append(Result(name, scene[name]))
+            results.append(Result(name, scene[name], error=model_error(name, scene)))
         except MissingInput as error:
             errors[name] = error
             results.append(Result(name, None, f"needs {error.needs()}"))
@@ -126,10 +135,18 @@ def answer(command: Command, scene: Scene) -> Answer:
             errors[name] = error
             results.append(Result(name, None, str(error).removeprefix(f"{name}: ")))
     known = [result.name for result in results if result.value is not None]
+    chosen: list[str] = []
+    if rtol is not None and known:
+        try:
+            changed, chosen = within({one.name: one.value for one in results if one.value is not None}, scene, rtol)
+        except NotGoodEnough as error:
+            errors, results, known = {"": error}, [Result(one.name, None, str(error)) for one in results], []
+            changed = {}
+        results = [one._replace(value=changed.get(one.name, one.value)) for one in results]
     planned = [result.name for result in results if not isinstance(errors.get(result.name), MissingInput)]
     used = scene.inputs_of(*planned) if planned else depends_on(command.quantities) & scene.given.keys()
     inputs = _echo(scene, used)
-    notes = (*_assumptions(scene, inputs, planned), *_about_data(scene, inputs), *_about(results))
+    notes = (*chosen, *_assumptions(scene, inputs, planned), *_about_data(scene, inputs), *_about(results))
     no_contact = next((error for error in errors.values() if isinstance(error, (BeyondPullOff, BeyondFold))), None)
     failure = no_contact or (None if known else next(iter(errors.values())))
     return Answer(inputs, tuple(results), notes, verdicts(scene, known), failure)
@@ -153,7 +170,7 @@ def _concerns(name: str, scene: Scene) -> bool:
     if name == "rolling_frequency_no_slip":
         return not scene.is_identical
     if name == "load":
-        return "approach_at_load" in scene.stated
+        return bool(STATE & scene.stated.keys())
     return name not in scene.stated
 
 
@@ -212,6 +229,11 @@ def _about(results: list[Result]) -> list[str]:
         f"{result.name}: {NOMENCLATURE[result.name].note}"
         for result in results
         if result.value is not None and NOMENCLATURE[result.name].note
+    ]
+    notes += [
+        f"{result.name}: {result.error:.3g} from the exact moment of this contact"
+        for result in results
+        if result.error is not None
     ]
     reasons: dict[str, list[str]] = {}
     for result in results:

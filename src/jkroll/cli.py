@@ -18,6 +18,7 @@ from . import __version__
 from .answer import COMMANDS, Command
 from .completion import complete_input, complete_words
 from .errors import JkrollError, quoted
+from .ladder import OF_MOMENT, OF_SLOPE
 from .nomenclature import NOMENCLATURE
 from .report import fitting, say
 from .run import Output, run_command, run_materials
@@ -194,7 +195,10 @@ def _command_function(name: str, command: Command, complete: bool) -> Callable[.
 
     def function(**values: Any) -> Call:
         words = values.pop("words")
-        output = Output(**{key: values.pop(key) for key in _OUTPUT if key in values}, configuration=_configuration())
+        output = Output(
+            **{key: values.pop(key) for key in (*_OUTPUT, "rtol", "curve") if key in values},
+            configuration=_configuration(),
+        )
         return partial(
             run_command, command, words, {key: text for key, text in values.items() if text is not None}, output
         )
@@ -215,6 +219,8 @@ _EPILOG = """Lists (1nm,1um) and ranges (1nm:1um:50, or :50:lin) give a row each
 Example: jkroll {name} {example}"""
 _ALWAYS = ("radius2", "material2", "surface_energy", "work_of_adhesion", "youngs_modulus", "poisson_ratio", "density")
 _SPHERE_2 = ("surface_energy2", "youngs_modulus2", "poisson_ratio2", "density2")
+_RTOL = typer.Option("--rtol", metavar="1e-3", min=0.0, max=1.0, help="Cheapest model of rolling that is this good.")
+_CURVE = typer.Option("--curve", help="The whole force curve, both branches, as rows.")
 _OUTPUT: Mapping[str, tuple[Any, Any]] = {
     "to": (str | None, typer.Option("--to", metavar="UNIT", help="Unit of the results; several with commas.")),
     "digits": (int | None, typer.Option("--digits", metavar="N", min=1, max=17, help="Significant digits.")),
@@ -246,6 +252,10 @@ def _parameters(command: Command) -> list[Parameter]:
             show_default=False,
         )
         parameters.append(_parameter(name, str | None, option))
+    if set(command.quantities) & {*OF_MOMENT, *OF_SLOPE} and command is not COMMANDS["report"]:
+        parameters.append(_parameter("rtol", float | None, _RTOL))
+    if command is COMMANDS["contact"]:
+        parameters.append(_parameter("curve", bool, _CURVE))
     return parameters + [_parameter(name, kind, option) for name, (kind, option) in _OUTPUT.items()]
 
 

@@ -92,6 +92,7 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
     {
         # what the user gives
         "material": Quantity("", "", "material of sphere 1"),
+        "state": Quantity("state", "", "state of the contact on its force curve"),
         "material2": Quantity("", "", "material of sphere 2", option="--material2", example="iron"),
         **_BOTH_SPHERES,
         "yield_displacement": Quantity("ξ", "m", "yield displacement", range="positive", option="--xi", example="2angstrom"),
@@ -140,7 +141,9 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         # rolling
         "yield_moment": Quantity("M", "N m", "rolling moment at the displacement ξ", "25"),
         "linearised_moment": Quantity("M", "N m", "moment of two half-circles, to first order", "24"),
-        "half_circles_moment": Quantity("M", "N m", "moment of two half-circles", "19"),
+        "unloaded_moment": Quantity("M_0", "N m", "moment of the contact without load", "26"),
+        "half_circles_moment": Quantity("M_half", "N m", "moment of the two half-circles", "19"),
+        "fixed_approach_moment": Quantity("M_δ", "N m", "exact moment if the approach is held", "25"),
         "rolling_stiffness": Quantity("k", "N m/rad", "rolling moment per angle", "39"),
         "yield_force": Quantity("Q", "N", "force that starts sphere 1 rolling", "26"),
         "yield_force_ratio": Quantity("Q/P_c", "1", "yield force over pull-off force", "27"),

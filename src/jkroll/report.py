@@ -15,7 +15,7 @@ from .nomenclature import NOMENCLATURE, header
 MAX_TABLE = 10_000  # rows that are set as a table
 
 _ASCII = {
-    "γ": "gamma", "δ": "delta", "ν": "nu", "ρ": "rho", "ξ": "xi", "π": "pi", "ω": "omega", "Ω": "Omega", "α": "alpha",
+    "γ": "gamma", "δ": "delta", "μ": "mu", "ν": "nu", "ρ": "rho", "ξ": "xi", "π": "pi", "ω": "omega", "Ω": "Omega", "α": "alpha",
     "µ": "u", "√": "sqrt", "∛": "cbrt", "⟨": "<", "⟩": ">", "⁰": "^0", "¹": "^1", "²": "^2", "³": "^3", "⁴": "^4", "⁵": "^5", "⁻": "^-", "½": "1/2 ", "¼": "1/4 ", "â": "ahat",
     "𝒜": "A", "Å": "angstrom", "\u0302": "hat", "−": "-", "–": "-", "—": "-", "·": "*", "×": "x", "≪": "<<", "≥": ">=",
     "≤": "<=", "≈": "~", "→": "->", "∞": "inf",
@@ -154,6 +154,8 @@ def as_object(answer: Answer, form: Format) -> dict[str, Any]:
             entry["note"] = quantity.note
         if result.value is None:
             entry["reason"] = result.reason
+        if result.error is not None:
+            entry["relative_error"] = result.error
         results.append(entry)
     validity = [
         {

@@ -7,6 +7,7 @@ from typing import NamedTuple, TextIO
 
 from .answer import Answer, Command, answer, in_units
 from .errors import JkrollError
+from .formatting import Format
 from .judgement import sentence
 from .materials import known_materials
 from .report import WRITERS, layout, say
@@ -28,6 +29,8 @@ class Output(NamedTuple):
     cite: bool = False
     materials: str | None = None
     quiet: bool = False
+    rtol: float | None = None
+    curve: bool = False
     configuration: Path = Path()
 
     def format_name(self, out: TextIO) -> str:
@@ -67,15 +70,25 @@ def run_command(command: Command, words: Sequence[str] | None, options: Mapping[
     request = Request(words or [], options, materials_files(output.materials, output.configuration))
     if output.materials is not None:
         request.materials  # noqa: B018  a file that was named is read, whether it is needed or not
-    samples = [in_units(answer(command, scene), form) for scene in request.samples()] if request.count > 1 else []
+    if output.curve:
+        return _run_curve(request, kind, form)
+    samples = (
+        [in_units(answer(command, scene, output.rtol), form) for scene in request.samples()]
+        if request.count > 1
+        else []
+    )
     tally = Tally()
     if kind in ("explain", "cite"):
         from .explain import write_citations, write_explanation
 
         write = write_citations if kind == "cite" else write_explanation
-        write(((scene, one) for scene in request.scenes() for one in tally.watch([answer(command, scene)])), out, form)
+        write(
+            ((scene, one) for scene in request.scenes() for one in tally.watch([answer(command, scene, output.rtol)])),
+            out,
+            form,
+        )
     else:
-        answers = tally.watch(in_units(answer(command, scene), form) for scene in request.scenes())
+        answers = tally.watch(in_units(answer(command, scene, output.rtol), form) for scene in request.scenes())
         if request.count == 1:
             answers = iter([_unless_failed(next(answers), command)])
         WRITERS[kind](answers, out, form, layout(command, samples, request.count))
@@ -86,6 +99,24 @@ def run_command(command: Command, words: Sequence[str] | None, options: Mapping[
         count = f"{tally.failed} of {request.count} rows failed"
         say(f"jkroll: {tally.failures[0] if request.count == 1 else count}", sys.stderr)
         return ROWS_FAILED
+    return 0
+
+
+def _run_curve(request: Request, kind: str, form: Format) -> int:
+    """Write the force curve of every scene; return the exit code."""
+    from .curve import CURVE, curve, states
+
+    if kind in ("explain", "cite"):
+        raise BadRequest(f"--curve and --{kind} exclude each other")
+    if {"load", "approach_at_load"} & request.options.keys():
+        raise BadRequest("--curve goes through all loads and approaches; it takes none")
+    tally = Tally()
+    samples = [row for _, row in curve(iter(request.samples()))]
+    shape = layout(CURVE, samples, request.count * len(states()))
+    WRITERS[kind](tally.watch(in_units(row, form) for _, row in curve(request.scenes())), sys.stdout, form, shape)
+    sys.stdout.flush()
+    if tally.failures:
+        raise tally.failures[0]
     return 0
 
 

@@ -150,8 +150,16 @@ def is_plausible(name: str, value: float) -> bool:
 SMALLEST = 2.2250738585072014e-308  # of the doubles that have all their digits
 _MAY_BE_INFINITE = frozenset({"mass2", "moment_of_inertia2"})  # of a plane
 MAY_BE_ZERO = frozenset(
-    {"load_margin", "stiffness", "vertical_frequency", "approach_at_load"}
-)  # at P = -P_c, -(8/9)P_c
+    {
+        "load_margin",
+        "load_margin_of_factor",
+        "load_at_factor",
+        "load_over_pull_off",
+        "stiffness",
+        "vertical_frequency",
+        "approach_at_load",
+    }
+)  # at P = 0, at P = -P_c, or at P = -(8/9)P_c
 
 
 # The input from which an implied value follows, to be echoed in its place.

@@ -1,6 +1,6 @@
-"""Resistance to rolling: Eqs 10, 16-27, 43 and 44."""
+"""Resistance to rolling: Eqs 10, 25-27, 43 and 44."""
 
-from .dimensions import Angle, Force, Length, Moment, Number, RollingStiffness, Stress, SurfaceEnergy
+from .dimensions import Angle, Force, Length, Moment, Number, RollingStiffness, SurfaceEnergy
 from .elementary import pi
 
 
@@ -109,83 +109,3 @@ def mean_rolling_force(*, mean_rolling_moment: Moment, radius: Length) -> Force:
     0.5
     """
     return mean_rolling_moment / radius
-
-
-# --- How Eq (25) comes about: the contact as two half-circles at the same approach ---------------------------------
-
-
-def half_circle_moment(
-    *, half_circle_radius: Length, approach_at_load: Length, contact_modulus: Stress, reduced_radius: Length
-) -> Moment:
-    """Moment of one half of a symmetric contact about its diameter.
-
-        M½ = ½E*𝒜²δ − (π/8)p_H𝒜³ = ½E*𝒜²δ − (E*/4R)𝒜⁴
-
-    Source:   Eqs (22) and (23), with p_H = 2𝒜E*/(πR); Eq (21) has ¼ for π/4.
-    Valid:    𝒜 ≪ R.
-    Accuracy: 4 ulp of the larger term.
-
-    >>> half_circle_moment(half_circle_radius=2.0, approach_at_load=1.0, contact_modulus=1.0, reduced_radius=4.0)
-    1.0
-    """
-    area = half_circle_radius * half_circle_radius
-    return contact_modulus * area * (approach_at_load / 2 - area / (4 * reduced_radius))
-
-
-def half_circles_moment(
-    *,
-    contact_radius_at_load: Length,
-    yield_displacement: Length,
-    approach_at_load: Length,
-    contact_modulus: Stress,
-    reduced_radius: Length,
-) -> Moment:
-    """Moment of two half-circles of radius a + ξ and a − ξ at the same approach.
-
-        M = M½(a − ξ) − M½(a + ξ)
-
-    Source:   Eq (19).
-    Valid:    ξ < a.
-    Accuracy: 10 ulp of the larger term of one half: a stage of the derivation, not a way to a number.
-
-    >>> half_circles_moment(contact_radius_at_load=2.0, yield_displacement=0.0, approach_at_load=1.0,
-    ...                     contact_modulus=1.0, reduced_radius=4.0)
-    0.0
-    """
-    trailing, leading = (
-        half_circle_moment(
-            half_circle_radius=half_circle_radius,
-            approach_at_load=approach_at_load,
-            contact_modulus=contact_modulus,
-            reduced_radius=reduced_radius,
-        )
-        for half_circle_radius in (
-            contact_radius_at_load + yield_displacement,
-            contact_radius_at_load - yield_displacement,
-        )
-    )
-    return leading - trailing
-
-
-def linearised_moment(
-    *,
-    contact_radius_at_load: Length,
-    yield_displacement: Length,
-    approach_at_load: Length,
-    contact_modulus: Stress,
-    reduced_radius: Length,
-) -> Moment:
-    """Moment of the two half-circles to first order in ξ, in equilibrium or not.
-
-        M = 2ξ(3P_câ³ − E*aδ) = 2ξE*a(a²/R − δ)
-
-    Source:   Eq (24).
-    Valid:    ξ ≪ a. With Eq (6) for δ it is Eq (25).
-    Accuracy: 3 ulp of the larger term.
-
-    >>> linearised_moment(contact_radius_at_load=1.0, yield_displacement=1.0, approach_at_load=0.0,
-    ...                   contact_modulus=1.0, reduced_radius=1.0)
-    2.0
-    """
-    depth = contact_radius_at_load * contact_radius_at_load / reduced_radius
-    return 2 * yield_displacement * contact_modulus * contact_radius_at_load * (depth - approach_at_load)
