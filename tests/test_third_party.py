@@ -36,7 +36,7 @@ FORCE_CURVE = 4e-12  # of P_c, or of the load where it is larger
 EQUILIBRIUM_APPROACH = 8e-8
 CONTACT_RADIUS = 7e-13
 STIFFNESS = 4e-8
-VERTICAL_FREQUENCY = 1e-5  # the time step leaves (2π/2000)²/24 = 4e-7, the amplitude of 0.001 δ0 about as much
+VERTICAL_FREQUENCY = 1e-5  # the time step leaves (2π/2000)²/24 = 4e-7, the amplitude of 0.001 δ0 1e-6
 ROLLING_FREQUENCY = 1e-6
 NO_SLIP = 1e-5  # LAMMPS has the contact δ/2 below the surface: about δ0/R; and there is some slip, 1e-6
 ROLLING_TO_REST = 2e-4

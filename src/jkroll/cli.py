@@ -218,6 +218,7 @@ _EPILOG = """Lists (1nm,1um) and ranges (1nm:1um:50, or :50:lin) give a row each
 
 Example: jkroll {name} {example}"""
 _ALWAYS = ("radius2", "material2", "surface_energy", "work_of_adhesion", "youngs_modulus", "poisson_ratio", "density")
+_HIDDEN = ("atomic_spacing", "energy_ratio")
 _SPHERE_2 = ("surface_energy2", "youngs_modulus2", "poisson_ratio2", "density2")
 _RTOL = typer.Option("--rtol", metavar="1e-3", min=0.0, max=1.0, help="Cheapest model of rolling that is this good.")
 _CURVE = typer.Option("--curve", help="The whole force curve, both branches, as rows.")
@@ -239,7 +240,7 @@ def _parameters(command: Command) -> list[Parameter]:
     argument = typer.Argument(metavar="[MATERIAL] [RADIUS]...", autocompletion=complete_words, show_default=False)
     parameters = [_parameter("words", list[str] | None, argument)]
     depends = depends_on(command.quantities)
-    for name in (*_ALWAYS, *_SPHERE_2, *(name for name in NOMENCLATURE if name in depends)):
+    for name in (*_ALWAYS, *_SPHERE_2, "atomic_spacing", *(name for name in NOMENCLATURE if name in depends)):
         quantity = NOMENCLATURE[name]
         if not quantity.option or any(parameter.name == name for parameter in parameters):
             continue
@@ -247,7 +248,7 @@ def _parameters(command: Command) -> list[Parameter]:
             quantity.option,
             metavar=quantity.example,
             help=f"{quantity.sentence[0].upper()}{quantity.sentence[1:]}{_default_text(name)}.",
-            hidden=name in (*_SPHERE_2, "energy_ratio") or name not in (*depends, "material2", "radius2"),
+            hidden=name in (*_SPHERE_2, *_HIDDEN) or name not in (*depends, "material2", "radius2"),
             autocompletion=complete_input(name),
             show_default=False,
         )
