@@ -149,7 +149,8 @@ def differences(length: int) -> Mapping[str, Worst]:
     for (given, wanted), same in alike.items():
         for start in range(0, len(same), length):
             some = same[start : start + length]
-            columns = solve(wanted, **{name: np.array([scene[name] for scene in some]) for name in given})
+            arrays: Values = {name: np.array([scene[name] for scene in some]) for name in given}
+            columns = solve(wanted, **arrays)
             for row, scene in enumerate(some):
                 for name, value in solve(wanted, **scene).items():
                     error = ulp_error(float(np.broadcast_to(columns[name], len(some))[row]), value)

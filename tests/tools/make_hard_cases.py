@@ -61,6 +61,16 @@ def entries(result: Result) -> Iterator[str]:
 
 def all_cases() -> Iterator[tuple[str, Inputs, Iterable[Result]]]:
     """Every case: what it is about, its inputs, its results."""
+    yield from cases_of_states()
+    yield from cases_of_formulas()
+    for about, scene in scenes():
+        yield about, scene, results_of(scene)
+    for scene in (QUARTZ, QUARTZ | OTHER):
+        yield from ill_conditioned(scene)
+
+
+def cases_of_states() -> Iterator[tuple[str, Inputs, Iterable[Result]]]:
+    """The contact near pull-off, at any load, near P̂ = -8/9, near the fold and at any approach."""
     for load in loads_near_pull_off(PULL_OFF):
         yield "P -> -P_c", CONTACT | {"load": load}, at_load(CONTACT | {"load": load})
     for ratio in powers(10, range(0, 293, 20)) + powers(10, range(-300, 0, 20)):
@@ -72,30 +82,33 @@ def all_cases() -> Iterator[tuple[str, Inputs, Iterable[Result]]]:
         yield "P/P_c = -8/9", inputs, at_load(inputs)
     for ratio in APPROACHES:
         inputs = CONTACT | {"approach_at_load": ratio, "approach": 1.0}
-        yield f"approach {ratio:.6g} from the fold to any", inputs, at_approach(inputs)
-    for a_ in around(1.0, powers(2, range(0, 53, 4))):
-        inputs = {"contact_radius_ratio": a_}
+        yield f"approach {ratio:.6g}", inputs, at_approach(inputs)
+
+
+def cases_of_formulas() -> Iterator[tuple[str, Inputs, Iterable[Result]]]:
+    """Single formulas where two of their terms cancel."""
+    for near_1 in around(1.0, powers(2, range(0, 53, 4))):
+        inputs = {"contact_radius_ratio": near_1}
         yield "a/a0 = 1", inputs, [formula(name, inputs) for name in ("load_ratio", "approach_ratio")]
-    for x in around(1.0, powers(2, range(0, 53, 4))):
-        inputs = {"load_factor": x, "pull_off_force": PULL_OFF}
+        inputs = {"load_factor": near_1, "pull_off_force": PULL_OFF}
         yield "x = 1", inputs, [formula("load_at_factor", inputs)]
     for nu in (*around(-1.0, [1, 2, 1e6, 1e12]), *around(0.5, [1, 2, 1e6]), *around(-0.5, [1, 2, 1e6]), 1e-9, 0.0):
         if -1 < nu <= 0.5:
             inputs = {"youngs_modulus": 1e9, "poisson_ratio": nu, "youngs_modulus2": math.inf, "poisson_ratio2": 0.3}
             yield "1 - nu^2", inputs, [formula("contact_modulus", inputs)]
-    for about, scene in scenes():
-        yield about, scene, results_of(scene)
-    for scene in (QUARTZ, QUARTZ | OTHER):
-        force = float(exact_results(scene)["pull_off_force"])
-        for load in loads_near_pull_off(force)[2:]:
-            inputs = {**scene, "load": load}
-            margin = exact_results(inputs)["load_margin"]
-            yield "P -> -P_c of a scene", inputs, [Result("load_margin", margin**2, of=1, via="square")]
-        delta0 = float(exact_results(scene)["approach"])
-        for distance in (1e-14, 1e-12, 1e-9, 1e-6, 1e-3):
-            inputs = {**scene, "approach_at_load": delta0 * (float(FOLD) + distance)}
-            ratio = inputs["approach_at_load"] / exact_results(scene)["approach"]
-            yield "the fold of a scene", inputs, [Result("load_factor_at_approach", ratio, via="approach ratio")]
+
+
+def ill_conditioned(scene: Inputs) -> Iterator[tuple[str, Inputs, Iterable[Result]]]:
+    """A scene near pull-off and near the fold, where the rounding of P_c and of δ0 is passed on enlarged."""
+    alone = exact_results(scene)
+    for load in loads_near_pull_off(float(alone["pull_off_force"]))[3:]:
+        inputs = {**scene, "load": load}
+        margin = exact_results(inputs)["load_margin"]
+        yield "P -> -P_c of a scene", inputs, [Result("load_margin", margin**2, of=1, via="square")]
+    for distance in (1e-14, 1e-12, 1e-9, 1e-6, 1e-3):
+        inputs = {**scene, "approach_at_load": float(alone["approach"]) * (float(FOLD) + distance)}
+        ratio = inputs["approach_at_load"] / alone["approach"]
+        yield "the fold of a scene", inputs, [Result("load_factor_at_approach", ratio, via="approach ratio")]
 
 
 # --- The contact, of given P, P_c, w, R, E* ---------------------------------------------------------------------------
@@ -103,11 +116,11 @@ def all_cases() -> Iterator[tuple[str, Inputs, Iterable[Result]]]:
 PULL_OFF = 1.1780972450961724e-08
 CONTACT = {
     "work_of_adhesion": 0.05, "reduced_radius": 5e-8, "contact_modulus": 2.78e10, "pull_off_force": PULL_OFF,
-    "yield_displacement": 2e-10, "radius_ratio": 0.7, "reduced_mass": 1e-17, "rolling_mass": 3e-17,
+    "yield_displacement": 2e-10, "radius_ratio": 1.0, "reduced_mass": 1e-17, "rolling_mass": 3e-17,
 }  # fmt: skip
 FOLLOWS_FROM_STATE = (
     "contact_radius_at_load", "stiffness", "hertz_pressure", "boussinesq_pressure", "yield_moment", "rolling_stiffness",
-    "yield_force", "vertical_frequency", "rolling_frequency_no_slip", "displacement_limit", "n_roll_at_energy_ratio",
+    "yield_force", "vertical_frequency", "rolling_frequency_no_slip", "displacement_limit",
 )  # fmt: skip
 APPROACHES = (
     *(float(FOLD) + step * 2.0**-53 for step in (1, 2, 3, 10, 1e3, 1e6, 1e9, 1e12, 1e15)),
@@ -143,7 +156,7 @@ def at_load(inputs: Inputs) -> Iterator[Result]:
     yield from (formula(name, inputs) for name in ("load_margin", "load_factor", "load_over_pull_off"))
     if inputs["load"] < 0:
         yield Result("load_factor_at_load_unstable", exact("load_factor_at_load_unstable", inputs))
-    yield from (Result(name, following(name, inputs)) for name in FOLLOWS_FROM_STATE)
+    yield from (Result(name, exact(name, inputs)) for name in FOLLOWS_FROM_STATE)
     x = exact("load_factor", inputs)
     larger = exact("approach", inputs) * max(3 * digits.cbrt(x) ** 4, 2 * digits.cbrt(x))
     yield Result("approach_at_load", exact("approach_at_load", inputs), of=larger)
@@ -163,12 +176,7 @@ def at_approach(inputs: Inputs) -> Iterator[Result]:
     state = {**inputs, "load_factor": x, "load_margin": 2 * x - 1}
     for name in FOLLOWS_FROM_STATE:
         if name not in ("stiffness", "vertical_frequency"):  # which vanish at pull-off, and are infinite at the fold
-            yield Result(name, following(name, state))
-
-
-def following(name: str, inputs: Inputs) -> Exact:
-    """What follows from a state, for the defaults."""
-    return exact(name, {"energy_ratio": 1.0, **inputs})
+            yield Result(name, exact(name, state))
 
 
 # --- Scenes of any size and material ----------------------------------------------------------------------------------
