@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import pytest
 
-from jkroll.cli import main
+from jkroll.shell import main
 
 
 class Ran(NamedTuple):

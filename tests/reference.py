@@ -38,6 +38,8 @@ def ulp_error(value: float, exact: Exact, of: Exact = None) -> float:
 
 def root(approach_ratio: Exact, *, stable: bool = True) -> Exact:
     """√â at an approach: 3y⁴ − 2y = δ̂ is convex, so that Newton's steps from outside do not pass its root."""
+    if approach_ratio < FOLD:
+        raise ValueError("no contact")
     y = 1 + sqrt(sqrt(abs(approach_ratio))) if stable else mpf(0)
     step = mpf(1)
     while abs(step) > abs(y) * mpf(10) ** -60:  # the last one squares that
@@ -78,13 +80,11 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
         P = 4 * P_c * (x**2 - x)
         if delta <= 0:
             branches["load_factor_at_approach_unstable"] = root(delta / delta0, stable=False) ** 3
-        branches |= {"load_factor_at_approach": x, "load": P, "load_at_factor": P, "load_over_pull_off": P / P_c}
+        branches |= {"load_factor_at_approach": x, "load": P, "load_at_factor": P}
     else:
         P = known["load"]
         s = sqrt(1 + P / P_c)
         x = (1 + s) / 2
-        if P:
-            branches["load_over_pull_off"] = P / P_c
         if P < 0:
             branches["load_factor_at_load_unstable"] = (1 - s) / 2
     a_ = cbrt(x**2)
@@ -136,12 +136,15 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
             "load_margin": s,
             "load_margin_of_factor": s,
             "load_factor": x,
+            "load_over_pull_off": P / P_c,
             "contact_radius_at_load": a0 * a_,
             "approach_at_load": delta,
             "stiffness": P_c / delta0 * slope,
             "hertz_pressure": 6 * P_c / (pi * a0**2) * a_,
             "boussinesq_pressure": -2 * P_c / (pi * a0**2) / sqrt(a_),
             "yield_moment": M,
+            "unloaded_moment": 4 * P_c * xi,
+            "fixed_approach_moment": M + E * a0 * a_ * xi**3 / R,
             "rolling_stiffness": k,
             "yield_force": M / R1,
             "yield_force_ratio": M / R1 / P_c,
@@ -189,18 +192,17 @@ ENERGIES = {  # in P_cδ0
 }
 
 
-def conditions(given: Mapping[str, float]) -> dict[str, float]:
+def conditions(given: Mapping[str, float], results: Mapping[str, Exact]) -> dict[str, float]:
     """How many times the relative error of P/P_c, or of δ/δ0 and of x, appears in each result of a scene."""
     state = "approach_at_load" if "approach_at_load" in given else "load"
-    results = exact_results(given)
     if not given.get(state):
         return dict.fromkeys(results, 0.0)
     step = mpf(10) ** -40
     moved = exact_results({**given, state: mpf(given[state]) * (1 + step)})
-    by_state = {name: _ratio(moved[name] - value, step * value) for name, value in results.items()}
+    passed_on = {name: _ratio(moved[name] - value, step * value) for name, value in results.items()}
     if state == "load":
-        return by_state
-    return {name: value + value / by_state["load_factor"] for name, value in by_state.items()}
+        return passed_on
+    return {name: each + each / passed_on["load_factor"] for name, each in passed_on.items()}
 
 
 def _ratio(value: Exact, other: Exact) -> float:
@@ -296,6 +298,8 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "sticking_energy": lambda W_adhesion: ENERGIES["sticking_energy"] * W_adhesion,
     # rolling
     "yield_moment": lambda P_c, x, xi: 4 * P_c * x * xi,
+    "unloaded_moment": lambda P_c, xi: 4 * P_c * xi,
+    "fixed_approach_moment": lambda M, E, a, xi, R: M + E * a * xi**3 / R,
     "rolling_stiffness": lambda P_c, x, R: 4 * P_c * x * R,
     "yield_force": lambda w, x, xi, q: 6 * pi * w * x * xi / (1 + q),
     "yield_force_ratio": lambda x, xi, R1: 4 * x * xi / R1,
@@ -355,6 +359,6 @@ TERMS: Mapping[str, Callable[..., Exact]] = {
     "approach_of_pressure": lambda a, E, p_H, p_B: pi * a / (2 * E) * max(p_H, 2 * abs(p_B)),
     "boussinesq_pressure_at_approach": lambda delta, a, E, p_H: max(E * abs(delta) / (pi * a), p_H / 2),
     "half_circle_moment": lambda A, delta, E, R: E * A**2 * max(abs(delta) / 2, A**2 / (4 * R)),
-    "half_circles_moment": lambda a, xi, delta, E, R: E * (a + xi) ** 2 * max(abs(delta) / 2, (a + xi) ** 2 / (4 * R)),
+    "half_circles_moment": lambda a, xi, delta, E, R: 2 * xi * E * a * max((a**2 + xi**2) / R, abs(delta)),
     "linearised_moment": lambda a, xi, delta, E, R: 2 * xi * E * a * max(a**2 / R, abs(delta)),
 }

@@ -19,9 +19,11 @@ MODULES = sorted(SOURCE.rglob("*.py"))
 LAYERS = [
     {"__main__"},
     {"cli"},
-    {"run", "completion"},
+    {"shell", "completion"},
+    {"options"},
+    {"run"},
     {"curve"},
-    {"request", "catalogue", "explain", "table"},
+    {"request", "catalogue", "explain", "table", "verify"},
     {"spread"},
     {"report"},
     {"answer"},
@@ -34,7 +36,7 @@ LAYERS = [
     {"pint_names", "unit_table"},
     {"suggestions", "errors"},
     {"nomenclature"},
-    {"physics"},
+    {"claims", "physics"},
 ]
 ONLY = {"typer": {"cli"}, "rich": {"table"}, "pint": {"pint_names"}, "tomllib": {"materials"}}
 

@@ -335,7 +335,7 @@ def jkroll(*words: str, **options: object) -> "subprocess.CompletedProcess[str]"
 
 def test_one_scene_imports_neither_numpy_nor_pint_nor_rich(tmp_path: Path) -> None:
     program = (
-        "import sys; from jkroll.cli import main; main(sys.argv[1:]); "
+        "import sys; from jkroll.shell import main; main(sys.argv[1:]); "
         "print({'numpy', 'pint', 'rich', 'pydantic', 'mpmath'} & set(sys.modules), file=sys.stderr)"
     )
     for how in ("--bare", "--json", "--csv", "--digits=3"):
@@ -454,7 +454,7 @@ def test_an_interrupt_is_130_and_silent(delay: float) -> None:
 
 def test_rows_are_not_held_in_memory() -> None:
     program = (
-        "import resource, sys; from jkroll.cli import main; code = main(sys.argv[1:]); "
+        "import resource, sys; from jkroll.shell import main; code = main(sys.argv[1:]); "
         "print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss, file=sys.stderr); sys.exit(code)"
     )
     peaks = []

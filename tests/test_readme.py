@@ -15,7 +15,7 @@ from unittest import mock
 import pytest
 
 from jkroll.answer import COMMANDS
-from jkroll.cli import main
+from jkroll.shell import main
 
 if __package__ in (None, ""):
     sys.path.insert(0, str(Path(__file__).parent))

@@ -6,7 +6,7 @@ import sys
 def run() -> None:
     """Run the command line and exit with its code."""
     try:
-        from .cli import main
+        from .shell import main
 
         code = main()
     except KeyboardInterrupt:

@@ -1,11 +1,11 @@
 """What a user typed, as scenes: words and options to materials and values, lists and ranges to a row each."""
 
 import os
+import sys
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import chain, product
 from math import prod
-from pathlib import Path
 from typing import Any
 
 from .errors import JkrollError, QuantityError, quoted
@@ -35,7 +35,7 @@ class BadRequest(JkrollError):
 class Request:
     """The words and options of one call, read as far as they are needed."""
 
-    def __init__(self, words: Sequence[str], options: Mapping[str, str], files: Sequence[Path] = ()) -> None:
+    def __init__(self, words: Sequence[str], options: Mapping[str, str], files: Sequence[str] = ()) -> None:
         """`words`: materials and radii; `options`: text by the name of the input; `files`: of materials, by rising precedence."""
         self.options = dict(options)
         self.files = files
@@ -137,16 +137,19 @@ def format_of(to: str | None, digits: int | None, quantities: Sequence[str]) -> 
     return Format(units, digits)
 
 
-def materials_files(option: str | None, configuration: Path) -> tuple[Path, ...]:
+def materials_files(option: str | None) -> tuple[str, ...]:
     """The user's own materials files by rising precedence: configuration directory, environment, option."""
-    files = [configuration] if _is_there(configuration) else []
-    files += [Path(path) for path in (os.environ.get(ENVIRONMENT), option) if path]
-    return tuple(dict.fromkeys(files))
+    configuration = os.path.join(configuration_directory(), "materials.toml")
+    files = [configuration] if os.path.exists(configuration) else []
+    return tuple(dict.fromkeys(files + [path for path in (os.environ.get(ENVIRONMENT), option) if path]))
 
 
-def _is_there(path: Path) -> bool:
-    """Whether a file exists, as far as one may look."""
-    try:
-        return path.exists()
-    except OSError:
-        return False
+def configuration_directory() -> str:
+    """Where the user's configuration is kept on this system: as typer and platformdirs have it, without importing them."""
+    if sys.platform == "win32":
+        parent = os.environ.get("APPDATA") or os.path.expanduser("~")
+    elif sys.platform == "darwin":
+        parent = os.path.expanduser("~/Library/Application Support")
+    else:
+        parent = os.environ.get("XDG_CONFIG_HOME") or os.path.expanduser("~/.config")
+    return os.path.join(parent, "jkroll")

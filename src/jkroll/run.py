@@ -2,7 +2,6 @@
 
 import sys
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from pathlib import Path
 from typing import NamedTuple, TextIO
 
 from .answer import Answer, Command, answer, in_units
@@ -31,7 +30,6 @@ class Output(NamedTuple):
     quiet: bool = False
     rtol: float | None = None
     curve: bool = False
-    configuration: Path = Path()
 
     def format_name(self, out: TextIO) -> str:
         """The one format that was asked for, else what suits where the output goes."""
@@ -67,7 +65,7 @@ def run_command(command: Command, words: Sequence[str] | None, options: Mapping[
     out = sys.stdout
     kind = output.format_name(out)
     form = format_of(output.to, output.digits, command.quantities)
-    request = Request(words or [], options, materials_files(output.materials, output.configuration))
+    request = Request(words or [], options, materials_files(output.materials))
     if output.materials is not None:
         request.materials  # noqa: B018  a file that was named is read, whether it is needed or not
     if output.curve:
@@ -142,7 +140,7 @@ def run_materials(name: str | None, output: Output) -> int:
 
     out = sys.stdout
     kind = output.format_name(out)
-    materials = known_materials(*materials_files(output.materials, output.configuration))
+    materials = known_materials(*materials_files(output.materials))
     chosen = list(materials.materials.values()) if name in (None, "all") else [materials[name]]
     write_materials(chosen, out, kind, whole=name not in (None, "all"))
     if not output.quiet:

@@ -1,7 +1,6 @@
 """Lists and ranges of values, as one option of the command line gives them."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from .errors import BareNumber, MalformedQuantity
 from .nomenclature import INFINITY
@@ -10,14 +9,12 @@ from .units import parse_quantity
 MAX_VALUES = 1_000_000
 
 
-@dataclass(frozen=True)
 class Spread:
     """Values from one end to the other: a single one, or a range."""
 
-    low: float
-    high: float
-    size: int = 1
-    is_log: bool = False
+    def __init__(self, low: float, high: float, size: int = 1, *, is_log: bool = False) -> None:
+        """`size` values from `low` to `high`, in equal steps or equal ratios."""
+        self.low, self.high, self.size, self.is_log = low, high, size, is_log
 
     def __len__(self) -> int:
         return self.size
@@ -75,4 +72,4 @@ def _range(text: str, name: str) -> Spread:
         raise MalformedQuantity(name, text, "has an end that is not positive; end it with :lin")
     if max(abs(low), abs(high)) == INFINITY:
         raise MalformedQuantity(name, text, "has no end")
-    return Spread(low, high, size, scale == "log")
+    return Spread(low, high, size, is_log=scale == "log")

@@ -50,10 +50,11 @@ def main() -> None:
 
 def entries(result: Result) -> Iterator[str]:
     """A result in TOML."""
-    yield f'is = "{digits.nstr(result.value, 60)}"'
+    value = digits.chop(result.value, (result.of or 0) * mpf(10) ** -100)
+    yield f'is = "{digits.nstr(value, 60, min_fixed=0, max_fixed=0)}"'
     if result.within != BOUND:
         yield f"within = {result.within:.4g}"
-    if result.of is not None:
+    if result.of is not None and float(result.of) != abs(float(result.value)):
         yield f"of = {float(result.of)!r}"
     if result.via:
         yield f'via = "{result.via}"'
@@ -225,8 +226,9 @@ def scenes() -> Iterator[tuple[str, Inputs]]:
 
 def results_of(scene: Inputs) -> Iterator[Result]:
     """All results of a scene, of the paper's quantities."""
-    condition = conditions(scene)
-    for name, value in exact_results(scene).items():
+    results = exact_results(scene)
+    condition = conditions(scene, results)
+    for name, value in results.items():
         if 0 < abs(value) < math.inf:
             yield Result(name, value, within=bound(name) * (1 + condition[name]))
 

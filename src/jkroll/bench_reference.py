@@ -1,0 +1,121 @@
+"""What the benchmark measures errors against: the paper's equations in 60 digits, in their plainest form.
+
+The only module that imports mpmath. Inputs are doubles and taken as exact; the state is that of a load and a pull-off
+force, or of an approach in units of the unloaded one.
+"""
+
+# ruff: noqa: N803  (the paper's symbols)
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache
+from typing import Any
+
+DIGITS = 60
+
+SYMBOLS = {
+    "R1": "radius", "R2": "radius2", "w": "work_of_adhesion", "E": "contact_modulus", "rho": "density",
+    "xi": "yield_displacement", "g": "gravity", "P": "load", "P_c": "pull_off_force",
+    "delta": "approach_at_load", "delta0": "approach",
+}  # fmt: skip
+
+
+def arguments_of(way: Callable[..., Any]) -> tuple[str, ...]:
+    """The names of the inputs of a function whose parameters are the paper's symbols."""
+    code = way.__code__
+    return tuple(SYMBOLS[symbol] for symbol in code.co_varnames[: code.co_argcount])
+
+
+@cache
+def digits() -> Any:
+    """Arithmetic of 60 digits, in a context of its own."""
+    from mpmath import MPContext
+
+    context = MPContext()
+    context.dps = DIGITS
+    return context
+
+
+@cache
+def references() -> Mapping[str, Callable[..., Any]]:
+    """The equation of each headline quantity, for arguments of 60 digits in the paper's symbols."""
+    mp = digits()
+    mpf, pi, sqrt, cbrt = mp.mpf, +mp.pi, mp.sqrt, mp.cbrt
+
+    def reduced(one: Any, two: Any) -> Any:
+        return 1 / (1 / one + 1 / two)
+
+    def state(P: Any, P_c: Any) -> Any:
+        """Eq 5: x = â^(3/2), the larger root of P/P_c = 4(x² − x)."""
+        return (1 + sqrt(1 + P / P_c)) / 2
+
+    def force(R1: Any, R2: Any, w: Any) -> Any:
+        return 3 * pi * (w / 2) * reduced(R1, R2)
+
+    def radius(R1: Any, R2: Any, w: Any, E: Any) -> Any:
+        return cbrt(9 * pi * (w / 2) * reduced(R1, R2) ** 2 / E)
+
+    def approach(R1: Any, R2: Any, w: Any, E: Any) -> Any:
+        return force(R1, R2, w) / (E * radius(R1, R2, w, E))
+
+    def stretch(P: Any, P_c: Any) -> Any:
+        return cbrt(state(P, P_c) ** 2)
+
+    def moment(R1: Any, R2: Any, w: Any, xi: Any, P: Any, P_c: Any) -> Any:
+        return 4 * force(R1, R2, w) * state(P, P_c) * xi
+
+    def stiffness(R1: Any, R2: Any, w: Any, E: Any, P: Any, P_c: Any) -> Any:
+        """Slope of P(δ) through those of P(â), Eq 5, and of δ(â), Eq 6."""
+        a_ = stretch(P, P_c)
+        slope = (12 * a_**2 - 6 * sqrt(a_)) / (6 * a_ - 1 / sqrt(a_))
+        return force(R1, R2, w) / approach(R1, R2, w, E) * slope
+
+    def mass(R: Any, rho: Any) -> Any:
+        return 4 * pi / 3 * R**3 * rho
+
+    def inertia(R: Any, rho: Any) -> Any:
+        return 2 * mass(R, rho) * R**2 / 5
+
+    def factor_at_approach(delta: Any, delta0: Any) -> Any:
+        """Eq 6 by Newton's method from beyond the root, past which its steps do not go."""
+        ratio, step = delta / delta0, mpf(1)
+        y = 1 + sqrt(sqrt(abs(ratio)))
+        while abs(step) > abs(y) * mpf(10) ** -(DIGITS // 2):  # the last one squares that
+            step = (3 * y**4 - 2 * y - ratio) / (12 * y**3 - 2)
+            y -= step
+        return y**3
+
+    return {
+        "pull_off_force": force,
+        "contact_radius": radius,
+        "approach": approach,
+        "contact_radius_at_load": lambda R1, R2, w, E, P, P_c: radius(R1, R2, w, E) * stretch(P, P_c),
+        "approach_at_load": lambda R1, R2, w, E, P, P_c: (
+            approach(R1, R2, w, E) * (3 * stretch(P, P_c) ** 2 - 2 * sqrt(stretch(P, P_c)))
+        ),
+        "stiffness": stiffness,
+        "load_factor_at_approach": factor_at_approach,
+        "yield_moment": moment,
+        "yield_force": lambda R1, R2, w, xi, P, P_c: moment(R1, R2, w, xi, P, P_c) / R1,
+        "r_min": lambda R1, R2, xi: R1 * R2 / xi,
+        "n_grav": lambda R1, R2, w, rho, xi, g, P, P_c: sqrt(moment(R1, R2, w, xi, P, P_c) / (mass(R1, rho) * g * R1)),
+        "vertical_frequency": lambda R1, R2, w, E, rho, P, P_c: (
+            sqrt(stiffness(R1, R2, w, E, P, P_c) / reduced(mass(R1, rho), mass(R2, rho))) / (2 * pi)
+        ),
+        "rolling_frequency": lambda R1, R2, w, rho, P, P_c: (
+            sqrt(4 * force(R1, R2, w) * state(P, P_c) * reduced(R1, R2) / reduced(inertia(R1, rho), inertia(R2, rho)))
+            / (2 * pi)
+        ),
+        "n_roll": lambda R1, R2, w, E, xi, P, P_c: approach(R1, R2, w, E) / (14 * pi * state(P, P_c) * xi),
+    }
+
+
+def exact(quantity: str, points: Sequence[Mapping[str, float]]) -> list[tuple[float, float]]:
+    """For each point, the double next to the exact value and what the exact value has beyond it."""
+    return [(float(value), float(value - float(value))) for value in map(at(quantity), points)]
+
+
+def at(quantity: str) -> Callable[[Mapping[str, float]], Any]:
+    """The reference of a quantity as a function of a point."""
+    reference, number = references()[quantity], digits().mpf
+    names = arguments_of(reference)
+    return lambda point: reference(*(number(point[name]) for name in names))

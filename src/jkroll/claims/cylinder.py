@@ -1,0 +1,246 @@
+"""Appendices A and B, Eqs 50-88: the cylinder on a plane, where E means E/(1 − ν²), and the integrals."""
+
+from math import pi, sqrt
+from typing import Final
+
+from .check import Check
+from .quadrature import across, first_order, principal_value, slope, to_rim
+
+# A strip in which no number is special: its half-width, its lag, the load as an area, the cylinder, a place inside.
+A: Final = 0.83
+XI: Final = 0.067
+C: Final = 0.211
+R: Final = 5.9
+E: Final = 3.7
+DELTA: Final = 0.19
+X: Final = 0.31
+A_HALF: Final = A + XI
+
+SYMMETRIC: Final = (
+    Check(
+        "50, 60",
+        "u = δ − x²/(2R)",
+        "holds",
+        "circle, to first order",
+        printed=lambda: DELTA - X**2 / (2 * R),
+        follows=lambda: DELTA - (R - sqrt(R**2 - X**2)),
+        within=(X / R) ** 2 / 10,
+    ),
+    Check(
+        "51-53",
+        "P.V. p/(x − s) = −(πE/2)du/dx",
+        "holds",
+        "(56) and (64), put in",
+        printed=lambda: (-pi * E / 2 * slope(lambda x: -x * x / (2 * R), X), -pi * E / 2 * slope(_lagging_depth, X)),
+        follows=lambda: (_slope_of(0, X), _slope_of(XI, X)),
+    ),
+    Check(
+        "54-56",
+        "p_s of Hertz and (C − a²/2)",
+        "holds",
+        "(53), its C2 being −C",
+        printed=lambda: symmetric(X, A),
+        follows=lambda: -E / (2 * R * sqrt(A**2 - X**2)) * (-C + _hertz_tilt(X) / pi),
+    ),
+    Check(
+        "57-59",
+        "P = πEC/(2R)",
+        "holds",
+        "(56), integrated",
+        printed=lambda: pi * E / (2 * R) * C,
+        follows=lambda: across(lambda x: symmetric(x, A), A),
+    ),
+)
+
+SHIFTED: Final = (
+    Check(
+        "61, 62",
+        "u = δ − (X − ξ)²/(2R)",
+        "holds",
+        "circle, to first order",
+        printed=lambda: DELTA - (X - XI) ** 2 / (2 * R),
+        follows=lambda: DELTA - (R - sqrt(R**2 - (X - XI) ** 2)),
+        within=(X / R) ** 2 / 10,
+    ),
+    Check(
+        "63, 64",
+        "p_a has ξX/√(a² − X²) besides",
+        "holds",
+        "(53), its C being −C",
+        printed=lambda: shifted(X),
+        follows=lambda: -E / (2 * R * sqrt(A**2 - X**2)) * (-C + (_hertz_tilt(X) - XI * _punch_tilt(X)) / pi),
+    ),
+    Check(
+        "65",
+        "P = πEC/(2R)",
+        "holds",
+        "(64), integrated",
+        printed=lambda: pi * E / (2 * R) * C,
+        follows=lambda: across(shifted, A),
+    ),
+    Check(
+        "66-68",
+        "M(X = 0) = πa²Eξ/(4R)",
+        "holds",
+        "X p_a, integrated",
+        printed=lambda: pi * A**2 * E / (4 * R) * XI,
+        follows=lambda: across(lambda x: x * shifted(x), A),
+    ),
+    Check(
+        "69",
+        "M(x = 0) = M(X = 0) − ξP",
+        "holds",
+        "(X − ξ)p_a, integrated",
+        printed=lambda: pi * A**2 * E / (4 * R) * XI - XI * pi * E / (2 * R) * C,
+        follows=lambda: across(lambda x: (x - XI) * shifted(x), A),
+    ),
+    Check(
+        "70",
+        "M(x = 0) ≈ (π/4)(E/R)ξ{a² + 2C}",
+        "sign",
+        "a² − 2C, by (68) and (69)",
+        printed=lambda: (pi / 4 * E / R * XI * A**2, pi / 4 * E / R * XI * 2 * C),
+        follows=lambda: (across(lambda x: x * shifted(x), A), -XI * across(shifted, A)),
+    ),
+)
+
+HALVES: Final = (
+    Check(
+        "71-76",
+        "M½ = (E/2R){−𝒜³/6 + C𝒜}",
+        "holds",
+        "(74), integrated",
+        printed=lambda: E / (2 * R) * (-(A_HALF**3) / 6 + C * A_HALF),
+        follows=lambda: half_moment(A_HALF),
+    ),
+    Check(
+        "77",
+        "M = M½(a − ξ) − M½(a + ξ)",
+        "holds",
+        "x p_s, integrated",
+        printed=lambda: E / (2 * R) * XI * (A**2 - 2 * C + XI**2 / 3),
+        follows=lambda: halves_moment(XI),
+    ),
+    Check(
+        "78",
+        "M ≈ ½(E/R)ξ{a² − 2C}",
+        "holds",
+        "first order of (77) in ξ",
+        printed=lambda: 1 / 2 * E / R * (A**2 - 2 * C),
+        follows=lambda: first_order(halves_moment, XI),
+    ),
+    Check(
+        "78 text",
+        "(70) is π/2 times (78)",
+        "holds",
+        "with the sign put right",
+        printed=lambda: pi / 2,
+        follows=lambda: across(lambda x: (x - XI) * shifted(x), A) / XI / first_order(halves_moment, XI),
+    ),
+)
+
+INTEGRALS: Final = (
+    Check(
+        "79, 84",
+        "W1 integrates to ½πa²",
+        "holds",
+        "(79) should be W1(x, a)",
+        printed=lambda: pi * A**2 / 2,
+        follows=lambda: across(_w1, A),
+    ),
+    Check(
+        "81",
+        "P.V. s W1/(x − s): π(x² − ½a²)",
+        "holds",
+        "quadrature off the pole",
+        printed=lambda: pi * (X**2 - A**2 / 2),
+        follows=lambda: _hertz_tilt(X),
+    ),
+    Check(
+        "82",
+        "P.V. W1/(x − s): πx",
+        "holds",
+        "quadrature off the pole",
+        printed=lambda: pi * X,
+        follows=lambda: _punch_tilt(X),
+    ),
+    Check(
+        "83",
+        "1/W1: π",
+        "holds",
+        "quadrature",
+        printed=lambda: pi,
+        follows=lambda: across(lambda x: 1 / _w1(x), A),
+    ),
+    Check(
+        "85, 86",
+        "x W1: a³/3; x/W1: a",
+        "holds",
+        "quadrature",
+        printed=lambda: (A**3 / 3, A),
+        follows=lambda: (to_rim(lambda x: x * _w1(x), A), to_rim(lambda x: x / _w1(x), A)),
+    ),
+    Check(
+        "80, 87",
+        "r² W2: πa³/16",
+        "holds",
+        "quadrature",
+        printed=lambda: pi / 16 * A**3,
+        follows=lambda: to_rim(lambda r: r**2 * _w2(r), A),
+    ),
+    Check(
+        "80, 88",
+        "r²/W2: πa³/4",
+        "holds",
+        "quadrature",
+        printed=lambda: pi / 4 * A**3,
+        follows=lambda: to_rim(lambda r: r**2 / _w2(r), A),
+    ),
+)
+
+CYLINDER: Final = (*SYMMETRIC, *SHIFTED, *HALVES, *INTEGRALS)
+
+
+def symmetric(x: float, a: float) -> float:
+    """Eq (56)."""
+    return E / (2 * R) * (sqrt(a**2 - x**2) + (C - a**2 / 2) / sqrt(a**2 - x**2))
+
+
+def shifted(x: float) -> float:
+    """Eq (64), x from the centre of the strip."""
+    return symmetric(x, A) + E / (2 * R) * XI * x / sqrt(A**2 - x**2)
+
+
+def half_moment(a: float) -> float:
+    """Eq (74)."""
+    return to_rim(lambda x: x * symmetric(x, a), a)
+
+
+def halves_moment(xi: float) -> float:
+    """Eq (73)."""
+    return half_moment(A - xi) - half_moment(A + xi)
+
+
+def _lagging_depth(x: complex) -> complex:
+    return -((x - XI) ** 2) / (2 * R)
+
+
+def _slope_of(xi: float, x: float) -> float:
+    """Left of Eq (51) for the pressure of a strip that lags by ξ; the root stands beneath all of it."""
+    return principal_value(lambda s: E / (2 * R) * (A**2 - s**2 + C - A**2 / 2 + xi * s), x, A)
+
+
+def _hertz_tilt(x: float) -> float:
+    return principal_value(lambda s: s * (A**2 - s**2), x, A)
+
+
+def _punch_tilt(x: float) -> float:
+    return principal_value(lambda s: A**2 - s**2, x, A)
+
+
+def _w1(x: float) -> float:
+    return sqrt(A**2 - x**2)
+
+
+def _w2(r: float) -> float:
+    return sqrt(1 - r**2 / A**2)

@@ -1,0 +1,110 @@
+"""The options of every command, declared once: typer and the quick reader of `shell` are both made from them."""
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from .answer import COMMANDS, Command
+from .formatting import amount
+from .ladder import OF_MOMENT, OF_SLOPE
+from .nomenclature import NOMENCLATURE
+from .scene import DEFAULTS
+from .wiring import depends_on
+
+
+class Option(NamedTuple):
+    """An option of a command: the name of its value, how it is typed, its kind, and how the help shows it."""
+
+    name: str
+    flag: str
+    kind: type
+    metavar: str
+    help: str
+    low: float | None = None
+    high: float | None = None
+    hidden: bool = False
+
+
+_FORMAT = "Format: numbers only, JSON, or a CSV table."
+_INSTEAD = "Instead: how it comes about; what to cite."
+OUTPUT = (
+    Option("to", "--to", str, "UNIT", "Unit of the results; several with commas."),
+    Option("digits", "--digits", int, "N", "Significant digits.", 1, 17),
+    Option("bare", "--bare", bool, "", _FORMAT),
+    Option("json", "--json", bool, "", _FORMAT),
+    Option("csv", "--csv", bool, "", _FORMAT),
+    Option("explain", "--explain", bool, "", _INSTEAD),
+    Option("cite", "--cite", bool, "", _INSTEAD),
+    Option("materials", "--materials", str, "FILE", "Materials of your own."),
+    Option("quiet", "--quiet", bool, "", "No notes."),
+)
+_RTOL = Option("rtol", "--rtol", float, "1e-3", "Cheapest model of rolling that is this good.", 0.0, 1.0)
+_CURVE = Option("curve", "--curve", bool, "", "The whole force curve, both branches, as rows.")
+OF_MATERIALS = tuple(option for option in OUTPUT if option.name in ("json", "csv", "cite", "materials", "quiet"))
+
+_ALWAYS = ("radius2", "material2", "surface_energy", "work_of_adhesion", "youngs_modulus", "poisson_ratio", "density")
+_HIDDEN = ("surface_energy2", "youngs_modulus2", "poisson_ratio2", "density2", "atomic_spacing", "energy_ratio")
+
+
+def options_of(command: Command) -> tuple[Option, ...]:
+    """The options of a command: the inputs its quantities depend on, and the ways to write the results.
+
+    The properties of a material are taken by every command, but shown only where they are used.
+    """
+    depends = depends_on(command.quantities)
+    names = dict.fromkeys((*_ALWAYS, *_HIDDEN, *(name for name in NOMENCLATURE if name in depends)))
+    shown = {*depends, "material2", "radius2"} - {*_HIDDEN}
+    inputs = [
+        Option(name, quantity.option, str, quantity.example, _help(name), hidden=name not in shown)
+        for name, quantity in ((name, NOMENCLATURE[name]) for name in names)
+        if quantity.option and (name != "energy_ratio" or name in depends)
+    ]
+    has_models = {*OF_MOMENT, *OF_SLOPE} & {*command.quantities} and command is not COMMANDS["report"]
+    models = (_RTOL,) if has_models else ()
+    curve = (_CURVE,) if command is COMMANDS["contact"] else ()
+    return (*inputs, *models, *curve, *OUTPUT)
+
+
+def _help(name: str) -> str:
+    sentence = NOMENCLATURE[name].sentence
+    extra = {"material2": ", or --gamma2, --young2, ..."} | {
+        default: f", default {amount(default, value)}" for default, value in DEFAULTS.items()
+    }
+    return f"{sentence[0].upper()}{sentence[1:]}{extra.get(name, '')}."
+
+
+def read_quickly(words: list[str], options: Mapping[str, Option]) -> tuple[list[str], dict[str, object]] | None:
+    """The arguments and option values of plain words; None for whatever typer had better look at."""
+    arguments: list[str] = []
+    values: dict[str, object] = {}
+    rest = iter(words)
+    for word in rest:
+        if not word.startswith("-"):
+            arguments.append(word)
+            continue
+        flag, has_value, text = word.partition("=")
+        option = options.get(flag)
+        if option is None or (option.kind is bool and has_value):
+            return None
+        if option.kind is bool:
+            values[option.name] = True
+            continue
+        text = text if has_value else next(rest, "-")
+        value = _value(text, option)
+        if value is None:
+            return None
+        values[option.name] = value
+    return arguments, values
+
+
+def _value(text: str, option: Option) -> object:
+    """The value of an option's text; None if it is not plainly one."""
+    if text.startswith("-"):
+        return None
+    if option.kind is str:
+        return text
+    try:
+        number = int(text) if option.kind is int and text.isdecimal() and text.isascii() else float(text)
+    except ValueError:
+        return None
+    is_kind = isinstance(number, option.kind) and option.low is not None and option.high is not None
+    return number if is_kind and option.low <= number <= option.high else None  # type: ignore[operator]
