@@ -24,7 +24,34 @@ DEFAULTS = {
 FOLD = -cbrt(mpf(9) / 16)  # δ̂, where dδ/dâ = 0
 
 BOUND = 4.0  # ulp of a result, times 1 plus its condition
-EXCEPTIONS: Mapping[str, float] = {}
+EXCEPTIONS: Mapping[str, float] = {  # the worst of 100 000 scenes, most of them unequal pairs, and a little more
+    # The masses of two spheres, each off by a few ulp, or their moments.
+    "rolling_mass": 6.1,
+    "moment_of_inertia": 4.6,
+    "moment_of_inertia2": 4.8,
+    "reduced_moment_of_inertia": 5.1,
+    # P_c, in which w and R are rounded, times x, ξ or R, over R1 or the yield energy.
+    "yield_moment": 4.8,
+    "mean_rolling_moment": 4.8,
+    "mean_rolling_force": 5.4,
+    "yield_force": 4.7,
+    "rolling_stiffness": 6.2,
+    "rolling_frequency": 4.4,
+    "yield_energy": 5.0,
+    "energy_over_yield": 5.7,
+    "n_roll": 5.9,
+    "n_roll_energy_balance": 5.8,
+    "n_roll_at_energy_ratio": 4.7,
+    "n_roll_energy_balance_at_energy_ratio": 4.4,
+    # P_cδ0, in which w and R are rounded twice and E* once.
+    "adhesion_energy": 5.9,
+    "well_energy": 7.1,
+    "pull_off_work": 7.4,
+    "pull_off_work_at_dead_load": 6.2,
+    "sticking_energy": 6.7,
+    # δ, as the error of s enters (3s - 1)/2.
+    "approach_at_load": 5.0,
+}
 
 
 def ulp_error(value: float, exact: Exact, of: Exact = None) -> float:
@@ -210,7 +237,7 @@ def _ratio(value: Exact, other: Exact) -> float:
 
 
 def bound(name: str) -> float:
-    """What is allowed of a result, in ulp, times 1 plus its condition."""
+    """What is allowed of a result, in ulp; times 1 plus its condition."""
     return EXCEPTIONS.get(name, BOUND)
 
 

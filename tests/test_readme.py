@@ -15,6 +15,7 @@ from unittest import mock
 import pytest
 
 from jkroll.answer import COMMANDS
+from jkroll.options import EXTRAS
 from jkroll.shell import main
 
 if __package__ in (None, ""):
@@ -51,7 +52,7 @@ def test_transcript(block: str) -> None:
 
 def test_every_command_is_shown() -> None:
     shown = {command.split()[1] for block in BLOCKS for command in commands(block)}
-    assert shown == {*COMMANDS, "materials"}
+    assert shown == {*COMMANDS, *EXTRAS} - {"bench", "verify"}
 
 
 def test_python_examples() -> None:

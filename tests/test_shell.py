@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from jkroll.answer import COMMANDS
 from jkroll.cli import build
-from jkroll.options import OUTPUT, options_of
+from jkroll.options import EXTRAS, OUTPUT, options_of
 from jkroll.shell import quick_call, with_minus_signs
 
 PLAIN = [
@@ -22,6 +22,8 @@ PLAIN = [
     "moment quartz 100nm --xi 1angstrom --rtol 1e-3",
     "materials",
     "materials quartz --json",
+    "verify --csv",
+    "bench --quick --json",
 ]
 NOT_PLAIN = [
     "--help",
@@ -57,6 +59,7 @@ def agree(words: list[str]) -> bool:
         isinstance(quick, partial)
         and isinstance(other, partial)
         and quick.func is other.func
+        and quick.keywords == other.keywords
         and [
             list(item) if isinstance(item, (list, tuple)) and not hasattr(item, "_fields") else item
             for item in quick.args
@@ -105,7 +108,7 @@ VALUES = [
 
 def random_words(source: random.Random) -> list[str]:
     """A command line of plausible and implausible pieces."""
-    words = [source.choice([*COMMANDS, "materials"])]
+    words = [source.choice([*COMMANDS, *EXTRAS])]
     for _ in range(source.randrange(7)):
         flag, value = source.choice(FLAGS), source.choice(VALUES)
         words += source.choice([[flag], [flag, value], [f"{flag}={value}"], [value], [value], [flag[:-1]]])

@@ -7,6 +7,7 @@ import math
 import re
 import subprocess
 import sys
+from typing import Any
 
 import pytest
 
@@ -145,7 +146,7 @@ def test_the_right_form_in_place_of_the_printed_one(equation: str, verdict: str,
 
 # --- What follows is what the program computes -----------------------------------------------------------------------
 
-GIVEN = {
+GIVEN: dict[str, Any] = {
     "radius": pair.r1,
     "radius2": pair.r2,
     "work_of_adhesion": 2 * pair.gamma,
@@ -170,8 +171,7 @@ GIVEN = {
     ],
 )
 def test_the_program_computes_what_follows(wanted: str, loaded: bool, follows: float) -> None:
-    load = {"load": pair.p} if loaded else {}
-    assert solve(wanted, **GIVEN, **load) == pytest.approx(follows, rel=1e-9)
+    assert solve(wanted, load=pair.p if loaded else 0.0, **GIVEN) == pytest.approx(follows, rel=1e-9)
 
 
 # --- What is written -------------------------------------------------------------------------------------------------

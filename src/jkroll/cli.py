@@ -10,7 +10,8 @@ from typer.core import TyperCommand, TyperGroup
 from . import __version__
 from .answer import COMMANDS
 from .completion import complete_input, complete_words
-from .options import OF_MATERIALS, Option, options_of
+from .nomenclature import NOMENCLATURE
+from .options import EXTRAS, Option, options_of
 from .report import fitting
 from .shell import Call, call
 
@@ -63,14 +64,11 @@ def build(only: str | None = None) -> typer.Typer:
         parameters = [_words("[MATERIAL] [RADIUS]...", list[str] | None), *map(_parameter, options_of(command))]
         epilog = _EPILOG.format(name=name, example=command.example)
         _add(app, name, command.sentence, epilog, parameters if name == only else [])
-    parameters = [_words("[NAME]", str | None), *map(_parameter, OF_MATERIALS)]
-    _add(
-        app,
-        "materials",
-        "The materials that are known, or one of them whole.",
-        "Example: jkroll materials quartz",
-        parameters,
-    )
+    for name, extra in EXTRAS.items():
+        words = [_words(extra.argument, str | None)] if extra.argument else []
+        parameters = [*words, *map(_parameter, extra.options)]
+        epilog = f"Example: jkroll {name} {extra.example}"
+        _add(app, name, extra.sentence, epilog, parameters if name == only else [])
     return app
 
 
@@ -101,9 +99,7 @@ def _parameter(option: Option) -> Parameter:
         max=option.high,
         hidden=option.hidden,
         show_default=False,
-        autocompletion=complete_input(option.name)
-        if option.kind is str and option.name not in ("to", "materials")
-        else None,
+        autocompletion=complete_input(option.name) if option.name in NOMENCLATURE else None,
     )
     kind: Any = option.kind
     return _annotated(option.name, kind if kind is bool else kind | None, False if kind is bool else None, declaration)

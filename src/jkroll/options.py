@@ -39,7 +39,39 @@ OUTPUT = (
 )
 _RTOL = Option("rtol", "--rtol", float, "1e-3", "Cheapest model of rolling that is this good.", 0.0, 1.0)
 _CURVE = Option("curve", "--curve", bool, "", "The whole force curve, both branches, as rows.")
-OF_MATERIALS = tuple(option for option in OUTPUT if option.name in ("json", "csv", "cite", "materials", "quiet"))
+
+
+class Extra(NamedTuple):
+    """A command that asks no scene."""
+
+    sentence: str
+    example: str
+    options: tuple[Option, ...]
+    argument: str = ""
+
+
+def _some(*names: str) -> tuple[Option, ...]:
+    return tuple(option for option in OUTPUT if option.name in names)
+
+
+EXTRAS = {
+    "materials": Extra(
+        "The materials that are known, or one of them whole.",
+        "quartz",
+        _some("json", "csv", "cite", "materials", "quiet"),
+        "[NAME]",
+    ),
+    "verify": Extra("The audit of the paper, computed anew: 81 claims.", "--csv", _some("json", "csv")),
+    "bench": Extra(
+        "Speed against error of every way to every number.",
+        "--quick --csv",
+        (
+            Option("quick", "--quick", bool, "", "Fewer points."),
+            Option("plot", "--plot", str, "FILE", "Draw error against cost (needs the plot extra)."),
+            *_some("json", "csv"),
+        ),
+    ),
+}
 
 _ALWAYS = ("radius2", "material2", "surface_energy", "work_of_adhesion", "youngs_modulus", "poisson_ratio", "density")
 _HIDDEN = ("surface_energy2", "youngs_modulus2", "poisson_ratio2", "density2", "atomic_spacing", "energy_ratio")

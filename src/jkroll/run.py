@@ -146,3 +146,21 @@ def run_materials(name: str | None, output: Output) -> int:
     if not output.quiet:
         _note(f"{material.name}: {text}" for material in chosen for text in material.shadows)
     return 0
+
+
+def run_verify(output: Output) -> int:
+    """Compute the audit of the paper; return 1 if a verdict is not the expected one."""
+    from .verify import write_verification
+
+    code = write_verification(sys.stdout, output.format_name(sys.stdout))
+    sys.stdout.flush()
+    return code
+
+
+def run_bench(output: Output, *, quick: bool = False, plot: str | None = None) -> int:
+    """Measure speed against error; return the exit code."""
+    from .bench import write_bench
+
+    code = write_bench(sys.stdout, output.format_name(sys.stdout), quick=quick, plot=plot)
+    sys.stdout.flush()
+    return code

@@ -15,9 +15,9 @@ from typing import Any
 
 from .answer import COMMANDS
 from .errors import JkrollError, quoted
-from .options import OF_MATERIALS, options_of, read_quickly
+from .options import EXTRAS, options_of, read_quickly
 from .report import say
-from .run import Output, run_command, run_materials
+from .run import Output, run_bench, run_command, run_materials, run_verify
 
 USAGE_ERROR = 2
 CANNOT_WRITE = 1
@@ -60,11 +60,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def quick_call(words: list[str]) -> Call | None:
     """The call that plain words ask for; None for whatever typer had better look at."""
     name, *rest = words
-    if "_JKROLL_COMPLETE" in os.environ or (name not in COMMANDS and name != "materials"):
+    if "_JKROLL_COMPLETE" in os.environ or (name not in COMMANDS and name not in EXTRAS):
         return None
-    options = options_of(COMMANDS[name]) if name in COMMANDS else OF_MATERIALS
+    options = options_of(COMMANDS[name]) if name in COMMANDS else EXTRAS[name].options
     read = read_quickly(rest, {option.flag: option for option in options})
-    if read is None or (name == "materials" and len(read[0]) > 1):
+    if read is None or (name in EXTRAS and len(read[0]) > len(EXTRAS[name].argument.split())):
         return None
     arguments, values = read
     return call(name, arguments, values)
@@ -76,6 +76,10 @@ def call(name: str, arguments: Sequence[str], values: dict[str, Any]) -> Call:
     output = Output(**{key: given.pop(key) for key in Output._fields if key in given})
     if name == "materials":
         return partial(run_materials, arguments[0] if arguments else None, output)
+    if name == "verify":
+        return partial(run_verify, output)
+    if name == "bench":
+        return partial(run_bench, output, **given)
     return partial(run_command, COMMANDS[name], arguments, given, output)
 
 

@@ -49,7 +49,7 @@ def _write_table(rows: Sequence[Row], out: TextIO) -> None:
 
 
 def _off_by(row: Row) -> str:
-    return f"{row.difference:.0e}" if row.difference < 1e-3 else f"{row.difference:.2g}"
+    return f"{row.difference:.0e}" if 0 < row.difference < 1e-3 else f"{row.difference:.2g}"
 
 
 def _verdict(row: Row) -> str:

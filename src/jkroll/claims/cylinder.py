@@ -1,10 +1,10 @@
 """Appendices A and B, Eqs 50-88: the cylinder on a plane, where E means E/(1 − ν²), and the integrals."""
 
-from math import pi, sqrt
+from math import cos, pi, sqrt
 from typing import Final
 
 from .check import Check
-from .quadrature import across, first_order, principal_value, slope, to_rim
+from .quadrature import across, first_order, integral, principal_value, slope, to_rim
 
 # A strip in which no number is special: its half-width, its lag, the load as an area, the cylinder, a place inside.
 A: Final = 0.83
@@ -12,7 +12,6 @@ XI: Final = 0.067
 C: Final = 0.211
 R: Final = 5.9
 E: Final = 3.7
-DELTA: Final = 0.19
 X: Final = 0.31
 A_HALF: Final = A + XI
 
@@ -22,17 +21,25 @@ SYMMETRIC: Final = (
         "u = δ − x²/(2R)",
         "holds",
         "circle, to first order",
-        printed=lambda: DELTA - X**2 / (2 * R),
-        follows=lambda: DELTA - (R - sqrt(R**2 - X**2)),
-        within=(X / R) ** 2 / 10,
+        printed=lambda: -(X**2) / (2 * R),
+        follows=lambda: sqrt(R**2 - X**2) - R,
+        within=(X / R) ** 2 / 2,
     ),
     Check(
-        "51-53",
+        "51, 52",
         "P.V. p/(x − s) = −(πE/2)du/dx",
+        "holds",
+        "point loads along each line",
+        printed=lambda: -pi * E / 2 * _dent_slope(XI, X),
+        follows=lambda: _transform(XI, X),
+    ),
+    Check(
+        "53",
+        "that, solved for the pressure",
         "holds",
         "(56) and (64), put in",
         printed=lambda: (-pi * E / 2 * slope(lambda x: -x * x / (2 * R), X), -pi * E / 2 * slope(_lagging_depth, X)),
-        follows=lambda: (_slope_of(0, X), _slope_of(XI, X)),
+        follows=lambda: (_transform(0, X), _transform(XI, X)),
     ),
     Check(
         "54-56",
@@ -58,9 +65,9 @@ SHIFTED: Final = (
         "u = δ − (X − ξ)²/(2R)",
         "holds",
         "circle, to first order",
-        printed=lambda: DELTA - (X - XI) ** 2 / (2 * R),
-        follows=lambda: DELTA - (R - sqrt(R**2 - (X - XI) ** 2)),
-        within=(X / R) ** 2 / 10,
+        printed=lambda: -((X - XI) ** 2) / (2 * R),
+        follows=lambda: sqrt(R**2 - (X - XI) ** 2) - R,
+        within=(X / R) ** 2 / 2,
     ),
     Check(
         "63, 64",
@@ -225,9 +232,14 @@ def _lagging_depth(x: complex) -> complex:
     return -((x - XI) ** 2) / (2 * R)
 
 
-def _slope_of(xi: float, x: float) -> float:
+def _transform(xi: float, x: float) -> float:
     """Left of Eq (51) for the pressure of a strip that lags by ξ; the root stands beneath all of it."""
     return principal_value(lambda s: E / (2 * R) * (A**2 - s**2 + C - A**2 / 2 + xi * s), x, A)
+
+
+def _dent_slope(xi: float, x: float) -> float:
+    """du/dx under that pressure: Boussinesq's 1/(πEr), x − s away, summed along y = (x − s) tan(angle)."""
+    return -integral(cos, -pi / 2, pi / 2) / (pi * E) * _transform(xi, x)
 
 
 def _hertz_tilt(x: float) -> float:
