@@ -61,7 +61,7 @@ EXTRAS = {
         _some("json", "csv", "cite", "materials", "quiet"),
         "[NAME]",
     ),
-    "verify": Extra("The audit of the paper, computed anew: 81 claims.", "--csv", _some("json", "csv")),
+    "verify": Extra("The audit of the paper, computed anew.", "--csv", _some("json", "csv")),
     "bench": Extra(
         "Speed against error of every way to every number.",
         "--quick --csv",
