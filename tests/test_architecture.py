@@ -23,11 +23,14 @@ LAYERS = [
     {"options"},
     {"run"},
     {"curve"},
-    {"request", "catalogue", "explain", "table", "verify"},
+    {"request", "catalogue", "explain", "table", "verify", "bench"},
     {"spread"},
     {"report"},
     {"answer"},
     {"judgement", "ladder"},
+    {"bench_measure"},
+    {"bench_ways"},
+    {"bench_forms", "bench_reference", "bench_scenes", "bench_bare"},
     {"solver"},
     {"formatting", "scene"},
     {"materials"},
@@ -38,7 +41,14 @@ LAYERS = [
     {"nomenclature"},
     {"claims", "physics"},
 ]
-ONLY = {"typer": {"cli"}, "rich": {"table"}, "pint": {"pint_names"}, "tomllib": {"materials"}}
+ONLY = {
+    "typer": {"cli"},
+    "rich": {"table"},
+    "pint": {"pint_names"},
+    "tomllib": {"materials"},
+    "mpmath": {"bench_reference"},
+    "matplotlib": {"bench"},
+}
 
 
 def part(path: Path) -> str:

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 import jkroll
 from jkroll import FORMULAS, NOMENCLATURE, JkrollError, solve
-from jkroll.errors import BeyondPullOff, MissingInput, NoFiniteValue, OutOfRange, TwoRigidBodies
+from jkroll.errors import BeyondPullOff, MissingInput, NoFiniteValue, NoVibration, OutOfRange, TwoRigidBodies
 from jkroll.explain import docstring_fields
 from jkroll.units import dimension_of
 
@@ -394,6 +394,43 @@ def test_work_of_adhesion_needs_no_surface_energy_and_overrides_it() -> None:
     assert solve("pull_off_force", radius=1e-7, work_of_adhesion=0.05, material="iron", material2="gold") == solve(
         "pull_off_force", radius=1e-7, surface_energy=0.025
     )
+
+
+def test_a_value_that_is_given_is_the_value() -> None:
+    assert solve("load_margin", load_margin=0.5, radius=1e-7, **QUARTZ) == 0.5
+    half = solve("yield_force", radius_ratio=3.0, **QUARTZ)
+    assert close(half, solve("yield_force", **QUARTZ) / 2)
+
+
+def test_energy_ratio_and_energy_are_one_scene() -> None:
+    scene: dict[str, Any] = {"radius": 1e-7, **QUARTZ}
+    energy = solve("adhesion_energy", **scene)
+    for name in ("n_roll", "n_roll_energy_balance", "energy_over_yield"):
+        assert close(solve(name, energy_ratio=5.0, **scene), solve(name, energy=5 * energy, **scene))
+
+
+def test_free_spheres_do_not_vibrate_beyond_pull_off() -> None:
+    approach = solve("approach", radius=1e-7, **QUARTZ)
+    with pytest.raises(NoVibration):
+        solve("vertical_frequency", approach_at_load=-0.6 * approach, radius=1e-7, **QUARTZ)
+
+
+def test_energies_between_the_states_of_the_curve() -> None:
+    """By integrating P dδ of Eqs (5) and (6) between the states, with Simpson's rule in y = √â."""
+
+    def work(y0: float, y1: float, pieces: int = 2000) -> float:
+        step = (y1 - y0) / pieces
+        values = [4 * (y**6 - y**3) * (12 * y**3 - 2) for y in (y0 + k * step for k in range(pieces + 1))]
+        return step / 3 * (values[0] + 4 * sum(values[1:-1:2]) + 2 * sum(values[2:-1:2]) + values[-1])
+
+    fold, pull_off, jump_in = (1 / 6) ** (1 / 3), (1 / 2) ** (1 / 3), (2 / 3) ** (1 / 3)
+    for name, expected in (
+        ("well_energy", work(1, 0)),
+        ("pull_off_work", work(1, fold)),
+        ("pull_off_work_at_dead_load", work(1, pull_off)),
+        ("sticking_energy", work(jump_in, fold)),
+    ):
+        assert math.isclose(FORMULAS[name](adhesion_energy=1.0), expected, rel_tol=1e-11), name
 
 
 def test_only_what_is_needed_is_asked_for() -> None:

@@ -187,7 +187,7 @@ def _echo(scene: Scene, used: Collection[str]) -> dict[str, float | str]:
         elif name == "radius2" and "radius" in used:
             echoed[name] = scene.values["radius"]
         elif name == "energy" and "energy_ratio" in used:
-            echoed[name] = scene.values["energy_ratio"] * scene["adhesion_energy"]
+            echoed[name] = scene["energy"]
     return {
         name: word_for_infinity(name) or value if value == INFINITY else value
         for name, value in sorted(echoed.items(), key=lambda item: _ORDER[item[0]])

@@ -14,10 +14,15 @@ HEADS = ("quantity", "way", "ns_per_point", "median_ulp", "worst_ulp", "worst_ul
 RATIO_HEADS = ("case", "scenes", "solve_ns_per_scene", "bare_ns_per_scene", "ratio", "extra_memory_bytes")
 
 
-def write_bench(out: TextIO, kind: str, quick: bool) -> int:
-    """Measure everything and write it as a table, plain lines, CSV or JSON; return the exit code."""
+def write_bench(out: TextIO, kind: str, quick: bool, plot: str | Path | None = None) -> int:
+    """Measure everything and write it as a table, plain lines, CSV or JSON, and draw it into a file if one is named.
+
+    Return the exit code.
+    """
     size = QUICK if quick else FULL
     rows, ratios = measure(size), compare(size)
+    if plot is not None:
+        plot_bench(rows, plot)
     if kind == "json":
         whole = {
             "ways": [dict(zip(HEADS, _bare(row), strict=True)) for row in rows],
@@ -93,7 +98,7 @@ def off_front(rows: Sequence[Row]) -> list[str]:
 
 def plot_bench(rows: Sequence[Row], path: str | Path) -> None:
     """Error against cost, a panel a quantity, with the front; needs matplotlib."""
-    from matplotlib.figure import Figure
+    from matplotlib.figure import Figure  # type: ignore[import-not-found,unused-ignore]
 
     names = list(dict.fromkeys(row.quantity for row in rows))
     columns = math.ceil(math.sqrt(len(names)))
@@ -117,8 +122,9 @@ def _drawn(error: float) -> float:
 
 def _bare(line: Row | Ratio) -> list[str | float | None]:
     """The fields in the order of the heads; what is no number is none."""
+    fields: list[str | float]
     if isinstance(line, Row):
-        fields = list(line)
+        fields = [*line]
     else:
         fields = [line.case, line.scenes, line.solved, line.bare, line.ratio, line.extra_memory]
     return [None if isinstance(field, float) and not math.isfinite(field) else field for field in fields]

@@ -184,7 +184,7 @@ def compare(size: Size) -> list[Ratio]:
     rows = [
         Ratio("arrays", size.scenes, times["solve"] / size.scenes, times["bare"] / size.scenes, _extra_memory(many))
     ]
-    few = [point_maker(many)(place) for place in range(size.numbers)]
+    few: list[dict[str, Any]] = [dict(point_maker(many)(place)) for place in range(size.numbers)]
     times = _best(
         {
             "solve": lambda: [solve(WANTED, **scene) for scene in few],

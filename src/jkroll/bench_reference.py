@@ -28,7 +28,7 @@ def arguments_of(way: Callable[..., Any]) -> tuple[str, ...]:
 @cache
 def digits() -> Any:
     """Arithmetic of 60 digits, in a context of its own."""
-    from mpmath import MPContext
+    from mpmath import MPContext  # type: ignore[import-untyped]
 
     context = MPContext()
     context.dps = DIGITS

@@ -214,6 +214,13 @@ class NoChain(NoResult):
         return "r_min: sphere 2 is a plane; a chain needs two spheres"
 
 
+class NoVibration(NoResult):
+    """A contact between pull-off and the fold: the spheres are free, and it does not hold them."""
+
+    def __str__(self) -> str:
+        return "vertical_frequency: beyond pull-off only fixed grips hold the contact; free spheres fly apart"
+
+
 class NoFiniteValue(NoResult):
     """A result outside the range of doubles, or without limit."""
 

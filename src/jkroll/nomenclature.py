@@ -176,6 +176,7 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "energy_over_yield": Quantity("W0/W_yield", "1", "energy over the yield energy", "25"),
         # collisions
         "adhesion_energy": Quantity("P_cδ0", "J", "energy typical of adhesion", "48"),
+        "energy_at_energy_ratio": Quantity("W0", "J", "energy of sphere 1", "48"),
         "kinetic_energy": Quantity("m1v²/2", "J", "kinetic energy of sphere 1", "45"),
         "n_roll": Quantity("n_roll", "1", "turns until sphere 1 stops", "48"),
         "n_roll_at_energy_ratio": Quantity("n_roll", "1", "turns until sphere 1 stops", "49"),

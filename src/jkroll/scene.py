@@ -13,6 +13,7 @@ from .errors import (
     MissingInput,
     NoChain,
     NoFiniteValue,
+    NoVibration,
     OutOfRange,
     TwoRigidBodies,
     UnknownQuantity,
@@ -50,7 +51,7 @@ class Scene:
         own2 = {name + "2": value for name, value in material2.properties.items()} if material2 is not None else {}
         self.stated = dict(given)
         self.given = {**own, **own2, **given}
-        self.values = {**_assumed(self.given), **self.given, **_implied(self.given)}
+        self.values = {**_assumed(self.given), **_implied(self.given), **self.given}
         self._known = frozenset(self.values)
 
     @property
@@ -158,6 +159,7 @@ MAY_BE_ZERO = frozenset(
         "stiffness",
         "vertical_frequency",
         "approach_at_load",
+        "radius_ratio",
     }
 )  # at P = 0, at P = -P_c, or at P = -(8/9)P_c
 
@@ -208,6 +210,11 @@ def _guard_fold(*, approach_at_load: Any, approach: Any) -> None:
         raise BeyondFold(approach_at_load, FOLD_APPROACH * approach)
 
 
+def _guard_vertical_frequency(*, stiffness: Any, **_: Any) -> None:
+    if isinstance(stiffness, float) and stiffness < 0:
+        raise NoVibration
+
+
 def _guard_r_min(*, radius2: Any, **_: Any) -> None:
     if isinstance(radius2, float) and radius2 == INFINITY:
         raise NoChain
@@ -217,5 +224,6 @@ _GUARDS: Mapping[str, Callable[..., None]] = {
     "load_margin": _guard_load_margin,
     "contact_modulus": _guard_contact_modulus,
     "r_min": _guard_r_min,
+    "vertical_frequency": _guard_vertical_frequency,
     "load_factor_at_approach": _guard_fold,
 }

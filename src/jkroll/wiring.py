@@ -26,7 +26,7 @@ _ROUTES = {
 # Where neither an energy nor a speed is given, its ratio to P_cδ0 serves.
 _ENERGY = frozenset({"energy", "speed"})
 _ROUTES_WITHOUT = {
-    "energy": (_ENERGY, "adhesion_energy"),
+    "energy": (_ENERGY, "energy_at_energy_ratio"),
     "n_roll": (_ENERGY, "n_roll_at_energy_ratio"),
     "n_roll_energy_balance": (_ENERGY, "n_roll_energy_balance_at_energy_ratio"),
 }

@@ -32,6 +32,21 @@ def adhesion_energy(*, pull_off_force: Force, approach: Length) -> Energy:
     return pull_off_force * approach
 
 
+def energy_at_energy_ratio(*, energy_ratio: Number, adhesion_energy: Energy) -> Energy:
+    """Energy given in units of P_cδ0.
+
+        W0 = (W0/P_cδ0) P_cδ0
+
+    Source:   Text below Eq (48).
+    Valid:    Always.
+    Accuracy: 0.5 ulp above P_cδ0.
+
+    >>> energy_at_energy_ratio(energy_ratio=2.0, adhesion_energy=3.0)
+    6.0
+    """
+    return energy_ratio * adhesion_energy
+
+
 def kinetic_energy(*, mass: Mass, speed: Speed) -> Energy:
     """Energy of sphere 1 as it arrives.
 

@@ -151,7 +151,7 @@ def stiffness(*, contact_modulus: Stress, contact_radius_at_load: Length, load_m
 
     Source:   Eqs (5) and (6); Eq (34) without load.
     Valid:    Small vibrations about the load.
-    Accuracy: 3 ulp above E*, a and s.
+    Accuracy: 3 ulp above E*, a and s for s ≥ 0; beyond, 2 + 3s cancels towards the fold.
 
     >>> stiffness(contact_modulus=1.0, contact_radius_at_load=1.0, load_margin=1.0)
     1.2
@@ -272,7 +272,7 @@ def boussinesq_pressure_at_approach(
 
     Source:   Eq (14); put into Eq (12) it is Eq (15).
     Valid:    Any circular contact.
-    Accuracy: 2 ulp of the larger term.
+    Accuracy: 3 ulp of the larger term.
 
     >>> boussinesq_pressure_at_approach(
     ...     approach_at_load=0.0, contact_radius_at_load=1.0, contact_modulus=1.0, hertz_pressure=2.0)

@@ -53,12 +53,12 @@ def load_factor_at_approach(*, approach_at_load: Length, approach: Length) -> Nu
 
     Source:   Eq (6), solved by Newton's method in η = x^(1/3)/x_fold^(1/3) − 1: η²(3 + 2η + η²/2) = 6^(1/3)(δ̂ − δ̂_fold).
     Valid:    δ̂ ≥ −(3/4)^(2/3). Beyond, a float raises ValueError and an array holds NaN.
-    Accuracy: 3 ulp in x^(1/3) for the ratio δ̂ as it is rounded; at the fold the state itself is ill-conditioned.
+    Accuracy: 2 ulp for the ratio δ̂ as it is rounded, also at the fold, where the state itself is ill-conditioned.
 
     >>> load_factor_at_approach(approach_at_load=1.0, approach=1.0)
     1.0
     """
-    return _cube(_root(approach_at_load / approach))
+    return _factor(approach_at_load / approach)
 
 
 def load_factor_at_load_unstable(*, load: Force, pull_off_force: Force, load_margin: Number) -> Number:
@@ -83,35 +83,53 @@ def load_factor_at_approach_unstable(*, approach_at_load: Length, approach: Leng
 
     Source:   Eq (6), solved by Newton's method.
     Valid:    −(3/4)^(2/3) ≤ δ̂ ≤ 0. Elsewhere, a float raises ValueError and an array holds NaN.
-    Accuracy: 3 ulp in x^(1/3) away from the fold.
+    Accuracy: 3 ulp for the ratio δ̂ as it is rounded, also at the fold.
 
     >>> load_factor_at_approach_unstable(approach_at_load=0.0, approach=1.0)
     0.0
     """
-    return _cube(_unstable_root(approach_at_load / approach))
+    return _unstable_factor(approach_at_load / approach)
 
 
-def _cube(value: Any) -> Any:
-    return value * value * value
-
-
-def _root(approach_ratio: Any) -> Any:
-    """√â = x^(1/3) of the stable state at an approach ratio δ̂."""
+def _factor(approach_ratio: Any) -> Any:
+    """State x of the stable branch at an approach ratio δ̂."""
     excess = _excess(approach_ratio)
     start = where(excess < 3, sqrt(excess / 3), sqrt(sqrt(2 * excess)))
-    return (1 + _newton_eta(start, excess)) / _CBRT_6
+    return _factor_of_eta(_newton_eta(start, excess), excess)
 
 
-def _unstable_root(approach_ratio: Any) -> Any:
-    """√â = x^(1/3) of the unstable state at an approach ratio δ̂: near the fold by η, elsewhere by y = (3y⁴ − δ̂)/2."""
+def _unstable_factor(approach_ratio: Any) -> Any:
+    """State x of the unstable branch at an approach ratio δ̂: near the fold by η, elsewhere by y = (3y⁴ − δ̂)/2."""
     excess = _excess(within(approach_ratio <= 0, approach_ratio))
     near = excess < 0.5
-    eta = _newton_eta(-sqrt(where(near, excess, 0.5) / 3), where(near, excess, 0.5))
+    bounded = where(near, excess, 0.5)
+    near_fold = _factor_of_eta(_newton_eta(-sqrt(bounded / 3), bounded), bounded)
     depth = -where(near, -0.5, approach_ratio)
     root = depth / 2
     for _ in range(_NEWTON_STEPS):
-        root = root + (3 * _cube(root) * root + depth - 2 * root) / (2 - 12 * _cube(root))
-    return where(excess >= 0, where(near, (1 + eta) / _CBRT_6, root), float("nan"))
+        root = root + (3 * (root * root) * (root * root) + depth - 2 * root) / (2 - 12 * (root * root * root))
+    head = _leading_bits(root, 41)
+    cube = head * head * head
+    rest = root - head
+    slope = 2 - 3 * (4 * cube + rest * (6 * head * head + rest * (4 * head + rest)))
+    rest = ((depth - 2 * head) + 3 * cube * head) / slope
+    far = cube + rest * (3 * head * (head + rest) + rest * rest)
+    return where(excess >= 0, where(near, near_fold, far), float("nan"))
+
+
+def _factor_of_eta(eta: Any, excess: Any) -> Any:
+    """X = (1 + η)³/6 to 2 ulp, from the 13 leading bits of η, whose quartic is exact, and what the equation leaves."""
+    h = _leading_bits(eta, 40)
+    d = eta - h
+    slope = h * (6 + h * (6 + 2 * h)) + d * (3 + h * (6 + 3 * h) + d * (2 + 2 * h + d / 2))
+    d = where(slope == 0, 0.0, (excess - h * h * (3 + h * (2 + h / 2))) / where(slope == 0, 1.0, slope))
+    return (1 + (h * (3 + h * (3 + h)) + d * (3 * (1 + h) * (1 + h + d) + d * d))) / 6
+
+
+def _leading_bits(value: Any, dropped: int) -> Any:
+    """A value without its last bits, so that its small powers are exact."""
+    wide = (2.0**dropped + 1) * value
+    return wide - (wide - value)
 
 
 def _excess(approach_ratio: Any) -> Any:
@@ -139,12 +157,12 @@ def well_energy(*, adhesion_energy: Energy) -> Energy:
 
     Source:   Eqs (5) and (6).
     Valid:    JKR; quasi-static.
-    Accuracy: 1 ulp above P_cδ0.
+    Accuracy: 1.5 ulp above P_cδ0.
 
     >>> well_energy(adhesion_energy=1.0)
     1.2
     """
-    return 6 * adhesion_energy / 5
+    return 6 / 5 * adhesion_energy
 
 
 def pull_off_work(*, adhesion_energy: Energy) -> Energy:
@@ -159,7 +177,7 @@ def pull_off_work(*, adhesion_energy: Energy) -> Energy:
     >>> round(pull_off_work(adhesion_energy=1.0), 7)
     1.2733762
     """
-    return 1.2733761610867327 * adhesion_energy
+    return 1.2733761610865473 * adhesion_energy
 
 
 def pull_off_work_at_dead_load(*, adhesion_energy: Energy) -> Energy:
@@ -189,4 +207,4 @@ def sticking_energy(*, adhesion_energy: Energy) -> Energy:
     >>> round(sticking_energy(adhesion_energy=1.0), 7)
     0.7722405
     """
-    return 0.7722405325868756 * adhesion_energy
+    return 0.7722405328755864 * adhesion_energy

@@ -31,7 +31,7 @@ def half_circle_moment(
 
     Source:   Eqs (22) and (23), with p_H = 2𝒜E*/(πR); Eq (21) has ¼ for π/4.
     Valid:    𝒜 ≪ R.
-    Accuracy: 4 ulp of the larger term.
+    Accuracy: 5 ulp of the larger term.
 
     >>> half_circle_moment(half_circle_radius=2.0, approach_at_load=1.0, contact_modulus=1.0, reduced_radius=4.0)
     1.0
@@ -54,7 +54,7 @@ def linearised_moment(
 
     Source:   Eq (24).
     Valid:    ξ ≪ a. With Eq (6) for δ it is Eq (25).
-    Accuracy: 3 ulp of the larger term.
+    Accuracy: 4 ulp of the larger term.
 
     >>> linearised_moment(contact_radius_at_load=1.0, yield_displacement=1.0, approach_at_load=0.0,
     ...                   contact_modulus=1.0, reduced_radius=1.0)
@@ -78,7 +78,7 @@ def half_circles_moment(
 
     Source:   Eqs (19) and (23).
     Valid:    ξ < a. In equilibrium it exceeds the exact moment at a fixed approach by E*aξ³/R.
-    Accuracy: 4 ulp of the larger term.
+    Accuracy: 5 ulp of the larger term.
 
     >>> half_circles_moment(contact_radius_at_load=1.0, yield_displacement=1.0, approach_at_load=1.0,
     ...                     contact_modulus=1.0, reduced_radius=1.0)
