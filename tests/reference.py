@@ -372,7 +372,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "contact_radius_in_spacings": lambda a, z0: a / z0,
     "approach_in_spacings": lambda delta0, z0: delta0 / z0,
     "yield_energy": lambda w, xi, x: 3 * pi * w * x * xi**2,
-    "energy_at_energy_ratio": lambda ratio_W, W_adhesion: ratio_W * W_adhesion,
+    "energy_at_energy_ratio": lambda W, W_adhesion: W * W_adhesion,
     "energy_over_yield": lambda W0, W_yield: W0 / W_yield,
     "load_over_pull_off": lambda P, P_c: P / P_c,
 }

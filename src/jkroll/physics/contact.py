@@ -60,7 +60,7 @@ def approach(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact
 
     Source:   Eq (3).
     Valid:    As Eq (2).
-    Accuracy: 1.5 ulp above w, R and E*.
+    Accuracy: 2 ulp above w, R and E*.
 
     >>> f"{approach(work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9) * 1e9:.5f} nm"
     '0.10617 nm'
