@@ -16,7 +16,7 @@ import pytest
 
 from conftest import Run
 from jkroll import NOMENCLATURE, __version__
-from jkroll.answer import COMMANDS
+from jkroll.commands import COMMANDS
 
 REFERENCE = {  # audit.md, the reference point: quartz, R1 = 100 nm
     "pull_off_force": "1.1781e-8",

@@ -14,7 +14,7 @@ from unittest import mock
 
 import pytest
 
-from jkroll.answer import COMMANDS
+from jkroll.commands import COMMANDS
 from jkroll.options import EXTRAS
 from jkroll.shell import main
 

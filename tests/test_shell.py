@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from jkroll.answer import COMMANDS
 from jkroll.cli import build
+from jkroll.commands import COMMANDS
 from jkroll.options import EXTRAS, OUTPUT, options_of
 from jkroll.shell import quick_call, with_minus_signs
 

@@ -17,7 +17,7 @@ from jkroll.claims import CLAIMS, Check
 from jkroll.claims.check import Terms
 from jkroll.claims.cylinder import XI, A, C, E, R
 from jkroll.claims.pair import pair, twins
-from jkroll.report import ascii_text
+from jkroll.streams import ascii_text
 from jkroll.verify import HEADERS, WIDE, run_checks, write_verification
 
 ROWS = run_checks()

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TextIO
 
 from .bench_measure import DEFAULT, FULL, QUICK, Ratio, Row, beats, compare, measure
-from .report import say
+from .streams import say
 
 HEADS = ("quantity", "way", "ns_per_point", "median_ulp", "worst_ulp", "worst_ulp_hard", "on_front")
 RATIO_HEADS = ("case", "scenes", "solve_ns_per_scene", "bare_ns_per_scene", "ratio", "extra_memory_bytes")

@@ -159,9 +159,10 @@ def _best(runs: Mapping[str, Callable[[], Any]], repeats: int) -> dict[str, floa
     best = dict.fromkeys(runs, float("inf"))
     for _ in range(repeats):
         for name, run in runs.items():
-            start = perf_counter_ns()
-            run()
-            best[name] = min(best[name], perf_counter_ns() - start)
+            for _warm in (False, True):
+                start = perf_counter_ns()
+                run()
+                best[name] = min(best[name], perf_counter_ns() - start)
     return best
 
 

@@ -8,7 +8,7 @@ from typing import Any, TextIO
 from .formatting import Format, amount
 from .materials import Material
 from .nomenclature import NOMENCLATURE, header
-from .report import say
+from .streams import say
 from .wiring import PROPERTIES
 
 

@@ -8,12 +8,12 @@ import typer
 from typer.core import TyperCommand, TyperGroup
 
 from . import __version__
-from .answer import COMMANDS
+from .commands import COMMANDS
 from .completion import complete_input, complete_words
 from .nomenclature import NOMENCLATURE
 from .options import EXTRAS, Option, options_of
-from .report import fitting
 from .shell import Call, call
+from .streams import fitting
 
 
 class Program(TyperGroup):
@@ -61,14 +61,14 @@ def build(only: str | None = None) -> typer.Typer:
     )
     app.callback()(_root)
     for name, command in COMMANDS.items():
-        parameters = [_words("[MATERIAL] [RADIUS]...", list[str] | None), *map(_parameter, options_of(command))]
-        epilog = _EPILOG.format(name=name, example=command.example)
-        _add(app, name, command.sentence, epilog, parameters if name == only else [])
+        parameters = []
+        if name == only:
+            parameters = [_words("[MATERIAL] [RADIUS]...", list[str] | None), *map(_parameter, options_of(command))]
+        _add(app, name, command.sentence, _EPILOG.format(name=name, example=command.example), parameters)
     for name, extra in EXTRAS.items():
         words = [_words(extra.argument, str | None)] if extra.argument else []
-        parameters = [*words, *map(_parameter, extra.options)]
-        epilog = f"Example: jkroll {name} {extra.example}"
-        _add(app, name, extra.sentence, epilog, parameters if name == only else [])
+        parameters = [*words, *map(_parameter, extra.options)] if name == only else []
+        _add(app, name, extra.sentence, f"Example: jkroll {name} {extra.example}", parameters)
     return app
 
 

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 
-from .materials import known_materials
 from .nomenclature import NOMENCLATURE
 
 _UNITS = {
@@ -21,6 +20,8 @@ def complete_words(incomplete: str) -> list[str]:
     """Materials for a word that begins with a letter, radii for one that begins with a number."""
     if incomplete[:1].isdigit():
         return _with_units(incomplete, "m")
+    from .materials import known_materials
+
     head, comma, word = incomplete.rpartition(",")
     names = [*known_materials().materials, "all"]
     return [head + comma + name for name in names if name.casefold().startswith(word.casefold())]

@@ -2,7 +2,8 @@
 
 from collections.abc import Iterator
 
-from .answer import Answer, Command, answer
+from .answer import Answer, answer
+from .commands import Command
 from .scene import Scene
 
 CURVE = Command(

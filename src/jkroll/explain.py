@@ -10,8 +10,8 @@ from .answer import Answer, Result
 from .errors import JkrollError
 from .formatting import Format, amount
 from .nomenclature import INFINITY, NOMENCLATURE, word_for_infinity
-from .report import say
 from .scene import Scene
+from .streams import say
 from .wiring import Step
 
 PAPER = """@article{dominik-tielens-1995,

@@ -3,12 +3,9 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from .commands import OF_MOMENT, OF_SLOPE
 from .errors import MissingInput, NoResult
 from .scene import Scene
-
-# Quantities in proportion to the moment, and those that go with the root of its slope.
-OF_MOMENT = ("yield_moment", "yield_force", "yield_force_ratio", "mean_rolling_moment", "mean_rolling_force")
-OF_SLOPE = ("rolling_frequency", "rolling_frequency_no_slip")
 
 
 class Rung(NamedTuple):

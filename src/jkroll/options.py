@@ -3,12 +3,8 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from .answer import COMMANDS, Command
-from .formatting import amount
-from .ladder import OF_MOMENT, OF_SLOPE
+from .commands import COMMANDS, OF_MOMENT, OF_SLOPE, Command
 from .nomenclature import NOMENCLATURE
-from .scene import DEFAULTS
-from .wiring import depends_on
 
 
 class Option(NamedTuple):
@@ -82,6 +78,8 @@ def options_of(command: Command) -> tuple[Option, ...]:
 
     The properties of a material are taken by every command, but shown only where they are used.
     """
+    from .wiring import depends_on
+
     depends = depends_on(command.quantities)
     names = dict.fromkeys((*_ALWAYS, *_HIDDEN, *(name for name in NOMENCLATURE if name in depends)))
     shown = {*depends, "material2", "radius2"} - {*_HIDDEN}
@@ -97,6 +95,9 @@ def options_of(command: Command) -> tuple[Option, ...]:
 
 
 def _help(name: str) -> str:
+    from .formatting import amount
+    from .scene import DEFAULTS
+
     sentence = NOMENCLATURE[name].sentence
     extra = {"material2": ", or --gamma2, --young2, ..."} | {
         default: f", default {amount(default, value)}" for default, value in DEFAULTS.items()

@@ -4,13 +4,15 @@ import sys
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple, TextIO
 
-from .answer import Answer, Command, answer, in_units
+from .answer import Answer, answer, in_units
+from .commands import Command
 from .errors import JkrollError
 from .formatting import Format
 from .judgement import sentence
 from .materials import known_materials
-from .report import WRITERS, layout, say
+from .report import WRITERS, layout
 from .request import BadRequest, Request, format_of, materials_files
+from .streams import say
 
 MAX_NOTES = 20
 ROWS_FAILED = 1

@@ -13,11 +13,10 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
-from .answer import COMMANDS
+from .commands import COMMANDS
 from .errors import JkrollError, quoted
 from .options import EXTRAS, options_of, read_quickly
-from .report import say
-from .run import Output, run_bench, run_command, run_materials, run_verify
+from .streams import say
 
 USAGE_ERROR = 2
 CANNOT_WRITE = 1
@@ -72,6 +71,8 @@ def quick_call(words: list[str]) -> Call | None:
 
 def call(name: str, arguments: Sequence[str], values: dict[str, Any]) -> Call:
     """The call of a command with arguments and the values of its options by name; those not given are None or False."""
+    from .run import Output, run_bench, run_command, run_materials, run_verify
+
     given = {key: value for key, value in values.items() if value is not None and value is not False}
     output = Output(**{key: given.pop(key) for key in Output._fields if key in given})
     if name == "materials":

@@ -13,7 +13,8 @@ from .answer import Answer
 from .formatting import Format, amount
 from .judgement import sentence
 from .nomenclature import NOMENCLATURE
-from .report import Layout, fitting, say
+from .report import Layout
+from .streams import fitting, say
 from .wiring import PROPERTIES
 
 

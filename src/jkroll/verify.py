@@ -8,7 +8,7 @@ from shutil import get_terminal_size
 from typing import Any, TextIO
 
 from .claims import CLAIMS, Check, Row
-from .report import fitting, say
+from .streams import fitting, say
 
 DISAGREES = 1
 WIDE = 120  # columns that the whole table takes

@@ -1,0 +1,51 @@
+"""Writing to streams that may know only ASCII."""
+
+import codecs
+from typing import TextIO
+
+_ASCII = {
+    "γ": "gamma", "δ": "delta", "μ": "mu", "ν": "nu", "ρ": "rho", "ξ": "xi", "π": "pi", "ω": "omega", "Ω": "Omega", "α": "alpha",
+    "µ": "u", "√": "sqrt", "∛": "cbrt", "⟨": "<", "⟩": ">", "⁰": "^0", "¹": "^1", "²": "^2", "³": "^3", "⁴": "^4", "⁵": "^5", "⁻": "^-", "½": "1/2 ", "¼": "1/4 ", "â": "ahat",
+    "𝒜": "A", "Å": "angstrom", "\u0302": "hat", "−": "-", "–": "-", "—": "-", "·": "*", "×": "x", "≪": "<<", "≥": ">=",
+    "≤": "<=", "≈": "~", "→": "->", "∞": "inf",
+}  # fmt: skip
+
+
+def ascii_text(text: str) -> str:
+    """A text in ASCII, Greek letters by their names and apart from what stands beside them.
+
+    >>> ascii_text("P_c = 3πγR, 50 µm")
+    'P_c = 3 pi gamma R, 50 um'
+    """
+    pieces = [""]
+    for character in text:
+        piece = _ASCII.get(character, character)
+        is_spelt = len(piece) > 1 and piece.isalpha()
+        was_spelt = len(pieces[-1]) > 1 and pieces[-1].isalpha()
+        if pieces[-1][-1:].isalnum() and (is_spelt or (was_spelt and character.isalpha())):
+            pieces.append(" ")
+        pieces.append(piece)
+    return "".join(pieces).encode("ascii", "replace").decode()
+
+
+def _by_name(error: UnicodeError) -> tuple[str, int]:
+    """An error handler for streams: what they cannot write, in ASCII."""
+    assert isinstance(error, UnicodeEncodeError)
+    return ascii_text(error.object[error.start : error.end]), error.end
+
+
+codecs.register_error("jkroll-ascii", _by_name)
+
+
+def fitting(text: str, out: TextIO) -> str:
+    """A text as the stream can write it: unchanged, or in ASCII."""
+    try:
+        text.encode(out.encoding or "utf-8")
+    except (UnicodeEncodeError, LookupError):
+        return ascii_text(text)
+    return text
+
+
+def say(text: str, out: TextIO) -> None:
+    """Print a line."""
+    print(fitting(text, out), file=out)
