@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 from .commands import Command
 from .errors import BeyondFold, BeyondPullOff, JkrollError, MissingInput, NoResult
 from .formatting import Format, amount
-from .judgement import Verdict, verdicts
+from .judgement import Verdict, uses_spacing, verdicts
 from .ladder import NotGoodEnough, model_error, within
 from .nomenclature import INFINITY, NOMENCLATURE, word_for_infinity
 from .scene import DEFAULTS, Scene
@@ -54,19 +54,31 @@ def answer(command: Command, scene: Scene, rtol: float | None = None) -> Answer:
     known = [result.name for result in results if result.value is not None]
     chosen: list[str] = []
     if rtol is not None and known:
-        try:
-            changed, chosen = within({one.name: one.value for one in results if one.value is not None}, scene, rtol)
-        except NotGoodEnough as error:
-            errors, results, known = {"": error}, [Result(one.name, None, str(error)) for one in results], []
-            changed = {}
-        results = [one._replace(value=changed.get(one.name, one.value)) for one in results]
+        values = {one.name: one.value for one in results if one.value is not None}
+        changed, chosen = within(values, scene, rtol)
+        errors |= {name: value for name, value in changed.items() if isinstance(value, NotGoodEnough)}
+        results = [_changed(one, changed[one.name]) if one.name in changed else one for one in results]
+        known = [result.name for result in results if result.value is not None]
     planned = [result.name for result in results if not isinstance(errors.get(result.name), MissingInput)]
     used = scene.inputs_of(*planned) if planned else depends_on(command.quantities) & scene.given.keys()
     inputs = _echo(scene, used)
-    notes = (*chosen, *_assumptions(scene, inputs, planned), *_about_data(scene, inputs), *_about(results))
-    no_contact = next((error for error in errors.values() if isinstance(error, (BeyondPullOff, BeyondFold))), None)
-    failure = no_contact or (None if known else next(iter(errors.values())))
-    return Answer(inputs, tuple(results), notes, verdicts(scene, known), failure)
+    validity = verdicts(scene, known)
+    assumed = _assumptions(scene, {*inputs, *(("atomic_spacing",) if uses_spacing(validity) else ())}, planned)
+    notes = (*chosen, *assumed, *_about_data(scene, inputs), *_about(results, scene))
+    fatal = next((error for error in errors.values() if isinstance(error, _FATAL)), None)
+    failure = fatal or (None if known else next(iter(errors.values())))
+    return Answer(inputs, tuple(results), notes, validity, failure)
+
+
+# What leaves nothing to be trusted of a scene, even where something could be computed.
+_FATAL = (BeyondPullOff, BeyondFold, NotGoodEnough)
+
+
+def _changed(result: Result, value: float | NotGoodEnough) -> Result:
+    """A result by the model that was chosen, or the reason why none was."""
+    if isinstance(value, NotGoodEnough):
+        return Result(result.name, None, str(value))
+    return Result(result.name, value)
 
 
 def in_units(answer: Answer, form: Format) -> Answer:
@@ -84,8 +96,6 @@ def _concerns(name: str, scene: Scene) -> bool:
     """Whether a quantity that stands beside another has something to say of this scene."""
     if name == "rolling_frequency_as_printed":
         return scene.is_identical
-    if name == "rolling_frequency_no_slip":
-        return not scene.is_identical
     if name == "load":
         return bool(STATE & scene.stated.keys())
     return name not in scene.stated
@@ -104,7 +114,10 @@ def _echo(scene: Scene, used: Collection[str]) -> dict[str, float | str]:
         elif name == "radius2" and "radius" in used:
             echoed[name] = scene.values["radius"]
         elif name == "energy" and "energy_ratio" in used:
-            echoed[name] = scene["energy"]
+            try:
+                echoed[name] = scene["energy"]
+            except NoResult:
+                continue
     return {
         name: word_for_infinity(name) or value if value == INFINITY else value
         for name, value in sorted(echoed.items(), key=lambda item: _ORDER[item[0]])
@@ -114,7 +127,7 @@ def _echo(scene: Scene, used: Collection[str]) -> dict[str, float | str]:
 _ORDER = {name: place for place, name in enumerate(NOMENCLATURE)}
 
 
-def _assumptions(scene: Scene, inputs: Mapping[str, float | str], names: list[str]) -> list[str]:
+def _assumptions(scene: Scene, inputs: Collection[str], names: list[str]) -> list[str]:
     """What was taken for granted, and the options that say otherwise."""
     assumed = [
         f"{NOMENCLATURE[name].symbol} = {amount(name, DEFAULTS[name])} ({NOMENCLATURE[name].option})"
@@ -123,7 +136,11 @@ def _assumptions(scene: Scene, inputs: Mapping[str, float | str], names: list[st
     ]
     steps = {step.name for name in names for step in scene.plan(name).steps}
     notes = [f"assumed {', '.join(assumed)}"] if assumed else []
-    if "work_of_adhesion" in steps and "surface_energy2" in inputs:
+    if (
+        "work_of_adhesion" in steps
+        and scene.given.get("surface_energy2", 0) != scene.given.get("surface_energy")
+        and "surface_energy2" in inputs
+    ):
         notes.append("w = 2√(γ1γ2) by the geometric mixing rule; a measured one is better (--work-of-adhesion)")
     return notes
 
@@ -140,15 +157,21 @@ def _about_data(scene: Scene, inputs: Mapping[str, float | str]) -> list[str]:
     return list(dict.fromkeys(shadows + notes))
 
 
-def _about(results: list[Result]) -> list[str]:
+def _about(results: list[Result], scene: Scene) -> list[str]:
     """Why something stands beside a headline, and why something is missing; one line for all that miss the same."""
     notes = [
         f"{result.name}: {NOMENCLATURE[result.name].note}"
         for result in results
-        if result.value is not None and NOMENCLATURE[result.name].note
+        if result.value is not None
+        and NOMENCLATURE[result.name].note
+        and not (scene.is_identical and result.name == "rolling_frequency_no_slip")
     ]
+    if not scene.is_identical and any(result.name == "n_grav" and result.value is not None for result in results):
+        notes.append(
+            "n_grav: is what the first contact, on body 2, carries; those between spheres 1 may roll before it"
+        )
     notes += [
-        f"{result.name}: {result.error:.3g} from the exact moment of this contact"
+        f"{result.name}: relative error {result.error:.3g} against the exact moment of this contact"
         for result in results
         if result.error is not None
     ]

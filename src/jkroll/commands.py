@@ -87,6 +87,7 @@ COMMANDS: Mapping[str, Command] = MappingProxyType(
     }
 )
 
-# Quantities in proportion to the moment, and those that go with the root of its slope.
-OF_MOMENT = ("yield_moment", "yield_force", "yield_force_ratio", "mean_rolling_moment", "mean_rolling_force")
+# Quantities in proportion to the largest moment, to the mean one, and those that go with the root of its slope.
+OF_PEAK = ("yield_moment", "yield_force", "yield_force_ratio")
+OF_MEAN = ("mean_rolling_moment", "mean_rolling_force")
 OF_SLOPE = ("rolling_frequency", "rolling_frequency_no_slip")

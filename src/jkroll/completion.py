@@ -21,9 +21,10 @@ def complete_words(incomplete: str) -> list[str]:
     if incomplete[:1].isdigit():
         return _with_units(incomplete, "m")
     from .materials import known_materials
+    from .request import materials_files
 
     head, comma, word = incomplete.rpartition(",")
-    names = [*known_materials().materials, "all"]
+    names = [*known_materials(*materials_files(None)).materials, "all"]
     return [head + comma + name for name in names if name.casefold().startswith(word.casefold())]
 
 

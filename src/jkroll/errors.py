@@ -146,6 +146,28 @@ def _as_typed(name: str) -> str:
     return f"{NOMENCLATURE[name].option} {NOMENCLATURE[name].example}"
 
 
+class Contradiction(JkrollError):
+    """Inputs of which one follows from the other."""
+
+    def __init__(self, names: Sequence[str]) -> None:
+        super().__init__(tuple(names))
+        self.names = tuple(names)
+
+    def __str__(self) -> str:
+        return f"{' and '.join(self.names)} exclude each other: one follows from the other"
+
+
+class ShapeMismatch(JkrollError):
+    """Arrays that do not broadcast."""
+
+    def __init__(self, shapes: Sequence[tuple[str, tuple[int, ...]]]) -> None:
+        super().__init__(tuple(shapes))
+        self.shapes = tuple(shapes)
+
+    def __str__(self) -> str:
+        return "these arrays do not broadcast: " + ", ".join(f"{name} {shape}" for name, shape in self.shapes)
+
+
 class UnknownQuantity(JkrollError):
     """A name that is not in the nomenclature."""
 

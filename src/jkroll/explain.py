@@ -121,10 +121,9 @@ def power_law(scene: Scene, name: str, step: float = 1e-4) -> str:
     An exponent that is a simple fraction is shown as one.
     """
     exponents = []
-    identical = scene.is_identical
     for given in scene.inputs_of(name):
         value = scene.values[given]
-        if not isinstance(value, float) or not isfinite(value) or value == 0 or (given == "radius2" and identical):
+        if not isinstance(value, float) or not isfinite(value) or value == 0:
             continue
         exponent = _log_derivative(scene, name, given, value, step)
         if exponent:
@@ -144,7 +143,12 @@ def _log_derivative(scene: Scene, name: str, given: str, value: float, step: flo
     logs = []
     for factor in (1 / (1 + step), 1.0, 1 + step):
         try:
-            logs.append((log(factor), log(abs(Scene({**scene.given, given: value * factor})[name]))))
+            logs.append(
+                (
+                    log(factor),
+                    log(abs(Scene({**scene.stated, given: value * factor}, scene.material, scene.material2)[name])),
+                )
+            )
         except (JkrollError, ValueError):
             continue
     if len(logs) < 2:

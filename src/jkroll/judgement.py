@@ -6,9 +6,11 @@ from typing import NamedTuple
 from .errors import MissingInput, NoResult
 from .nomenclature import NOMENCLATURE
 from .scene import Scene
+from .wiring import STATE
 
 JKR_FROM = 5.0  # Tabor parameter above which JKR holds, and below which DMT does
 DMT_UP_TO = 0.1
+APPROACH_OF_TABOR = 1.9488  # δ0/z0 = (3π²/4)^(1/3) μ: another form of the Tabor parameter
 
 
 class Verdict(NamedTuple):
@@ -51,9 +53,13 @@ def _spacings(ratio: float) -> tuple[bool, str]:
 
 
 def _approach(ratio: float) -> tuple[bool, str]:
-    if ratio >= 1:
-        return True, "the neck is longer than the range of the surface forces"
-    return False, "below 1: the neck is shorter than the range of the surface forces"
+    if ratio >= APPROACH_OF_TABOR * JKR_FROM:
+        return True, "the neck is much longer than the range of the surface forces"
+    return False, "the neck is not much longer than the range of the surface forces"
+
+
+def _margin(s: float) -> tuple[bool, str]:
+    return (True, "stable at its load") if s >= 0 else (False, "beyond pull-off: only fixed grips hold this state")
 
 
 def _load(ratio: float) -> tuple[bool, str]:
@@ -80,11 +86,24 @@ LIMITS = (
         _spacings,
     ),
     Limit("approach_in_spacings", frozenset({"approach", "approach_at_load"}), _approach),
-    Limit("load_over_pull_off", frozenset({"load"}), _load),
+    Limit("load_over_pull_off", frozenset({"load", "load_factor"}), _load),
+    Limit("load_margin", frozenset({"load_factor"}), _margin),
     Limit("displacement_ratio", frozenset({"yield_displacement"}), _displacement),
     Limit("yield_force_ratio", frozenset({"yield_force"}), _force),
     Limit("energy_over_yield", frozenset({"n_roll", "n_roll_energy_balance"}), _energy),
 )
+
+
+# What is said of the state only where a state was asked for.
+_OF_STATE = ("load_over_pull_off", "load_margin")
+_STATED = STATE | {"load"}
+
+
+def uses_spacing(found: tuple[Verdict, ...]) -> bool:
+    """Whether a verdict rests on the atomic spacing."""
+    return any(
+        verdict.name in ("tabor_parameter", "contact_radius_in_spacings", "approach_in_spacings") for verdict in found
+    )
 
 
 def verdicts(scene: Scene, names: Collection[str]) -> tuple[Verdict, ...]:
@@ -95,7 +114,7 @@ def verdicts(scene: Scene, names: Collection[str]) -> tuple[Verdict, ...]:
     used = {*names, *scene.inputs_of(*names), *(step.name for step in plan.steps)}
     found = []
     for limit in LIMITS:
-        if limit.touches & used and not (limit.name == "load_over_pull_off" and "load" not in scene.stated):
+        if limit.touches & used and (limit.name not in _OF_STATE or _STATED & scene.stated.keys()):
             try:
                 value = scene[limit.name]
             except (MissingInput, NoResult):

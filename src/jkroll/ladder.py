@@ -3,13 +3,24 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from .commands import OF_MOMENT, OF_SLOPE
+from .commands import OF_MEAN, OF_PEAK, OF_SLOPE
 from .errors import MissingInput, NoResult
 from .scene import Scene
 
 
+class Group(NamedTuple):
+    """Quantities that follow from the moment in one way: as a power of it, and with a share of its term in ξ³."""
+
+    names: tuple[str, ...]
+    power: float
+    cubic_share: float
+
+
+GROUPS = (Group(OF_PEAK, 1.0, 1.0), Group(OF_MEAN, 1.0, 0.5), Group(OF_SLOPE, 0.5, 0.0))
+
+
 class Rung(NamedTuple):
-    """A model of the rolling moment, its ratio to Eq (25), and its relative error against the exact moment."""
+    """A model of the rolling moment, the ratio of a quantity by it to that by Eq (25), and its relative error."""
 
     name: str
     equation: str
@@ -47,47 +58,51 @@ def model_error(name: str, scene: Scene) -> float | None:
         return None
 
 
-def ladder(scene: Scene, *, small: bool = False) -> list[Rung]:
-    """The models that a scene allows, from the cheapest on; `small`: for amplitudes that tend to 0."""
-    rungs = []
-    exact = scene["yield_moment"] if small else scene[exact_model(scene)]
-    for name, equation in _MODELS.items():
-        if small and name not in ("unloaded_moment", "yield_moment"):
-            continue
-        try:
-            moment = scene[name]
-        except MissingInput:
-            continue
-        rungs.append(Rung(name, equation, moment / scene["yield_moment"], abs(moment - exact) / exact))
-    return rungs
+def rungs(scene: Scene, group: Group) -> list[Rung]:
+    """The models that a scene allows, from the cheapest on."""
+    ratios = {"unloaded_moment": 1 / scene["load_factor"], "yield_moment": 1.0}
+    try:
+        cubic = group.cubic_share * (scene["fixed_approach_moment"] / scene["yield_moment"] - 1)
+        ratios |= {"half_circles_moment": 1 + 2 * cubic, "fixed_approach_moment": 1 + cubic}
+    except (MissingInput, NoResult):
+        pass
+    exact = ratios[exact_model(scene)] ** group.power
+    powers = {name: ratio**group.power for name, ratio in ratios.items()}
+    return [Rung(name, _MODELS[name], ratio, abs(1 - ratio / exact)) for name, ratio in powers.items()]
 
 
-def cheapest(scene: Scene, rtol: float, *, small: bool = False) -> Rung:
+def cheapest(scene: Scene, rtol: float, group: Group) -> Rung:
     """The cheapest model within a relative tolerance; NotGoodEnough where there is none."""
     try:
         ratio = scene["displacement_ratio"]
-    except MissingInput:
+    except (MissingInput, NoResult):
         ratio = 0.0
-    if ratio >= 1 and not small:
+    if ratio >= 1 and group.cubic_share:
         raise NotGoodEnough(rtol, f"ξ is {ratio:.3g} of the displacement up to which the shifted contact is possible")
-    rungs = ladder(scene, small=small)
-    good = next((rung for rung in rungs if rung.error <= rtol), None)
+    models = rungs(scene, group)
+    good = next((rung for rung in models if rung.error <= rtol), None)
     if good is None:
-        raise NotGoodEnough(rtol, f"the best is off by {min(rung.error for rung in rungs):.3g}")
+        raise NotGoodEnough(rtol, f"the best is off by {min(rung.error for rung in models):.3g}")
     return good
 
 
-def within(values: Mapping[str, float], scene: Scene, rtol: float) -> tuple[dict[str, float], list[str]]:
-    """The values of quantities that follow from the moment, by the cheapest model within a tolerance, and what it is."""
-    changed: dict[str, float] = {}
+def within(
+    values: Mapping[str, float], scene: Scene, rtol: float
+) -> tuple[dict[str, float | NotGoodEnough], list[str]]:
+    """The values of what follows from the moment, by the cheapest model within a tolerance or none, and what it is."""
+    changed: dict[str, float | NotGoodEnough] = {}
     notes: list[str] = []
-    for names, power, small in ((OF_MOMENT, 1.0, False), (OF_SLOPE, 0.5, True)):
-        affected = [name for name in names if name in values]
-        if affected:
-            rung = cheapest(scene, rtol / power, small=small)
-            changed |= {name: values[name] * rung.ratio**power for name in affected}
-            error = f"{rung.error * power:.3g}" if rung.error else "0 (exact)"
-            notes.append(
-                f"{', '.join(affected)}: by {rung.name}, Eq {rung.equation}; relative error {error}, allowed {rtol:g}"
-            )
+    for group in GROUPS:
+        affected = [name for name in group.names if name in values]
+        if not affected:
+            continue
+        try:
+            rung = cheapest(scene, rtol, group)
+        except NotGoodEnough as error:
+            changed |= dict.fromkeys(affected, error)
+            continue
+        changed |= {name: values[name] * rung.ratio for name in affected}
+        error_text = f"{rung.error:.3g}" if rung.error else "0 (exact)"
+        names = ", ".join(affected)
+        notes.append(f"{names}: by {rung.name}, Eq {rung.equation}; relative error {error_text}, allowed {rtol:g}")
     return changed, notes

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 from functools import cache
 from pathlib import Path
 from stat import S_ISREG
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from .errors import MaterialsFileError, QuantityError, UnknownMaterial, quoted
@@ -56,6 +57,8 @@ class Materials:
             if before is not None and before.path != material.path:
                 note = f"{_clean(material.path)} shadows {_clean(word)} of {_clean(before.title)}"
                 material = material._replace(shadows=(*material.shadows, note))
+                if before.name.casefold() == material.name.casefold():
+                    del self.materials[before.name]
             self._by_word[word] = material.name
         self.materials[material.name] = material
 
@@ -68,10 +71,14 @@ class Materials:
         return self.materials[found]
 
 
-@cache
 def known_materials(*paths: str | Path) -> Materials:
-    """The materials of the shipped file and of `paths`, read once."""
-    return Materials(paths)
+    """The materials of the shipped file, which is read once, and of `paths`, which may have changed."""
+    return Materials(paths) if paths else _shipped()
+
+
+@cache
+def _shipped() -> Materials:
+    return Materials()
 
 
 def read(path: str | Path) -> list[Material]:
@@ -171,7 +178,7 @@ def _material(
     if missing:
         raise _Malformed(f"{quoted(name)} cites {quoted(missing[0])}, which [references] does not have")
     cited = tuple(bibliography[key] for key in references)
-    return Material(name, properties, aliases, notes, (), cited, title, path)
+    return Material(name, MappingProxyType(properties), aliases, MappingProxyType(notes), (), cited, title, path)
 
 
 def _property(key: str, value: object, name: str) -> float:

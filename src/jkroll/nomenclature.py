@@ -65,8 +65,8 @@ _PER_SPHERE = {
     ),
     "poisson_ratio": Quantity("ν1", "1", "Poisson's ratio", range="poisson", option="--poisson", example="0.17"),
     "density": Quantity("ρ1", "kg/m^3", "mass density", range="positive", option="--density", example="2.6g/cm3"),
-    "mass": Quantity("m1", "kg", "mass of sphere 1", "41"),
-    "moment_of_inertia": Quantity("I1", "kg m^2", "moment of inertia of sphere 1", "39"),
+    "mass": Quantity("m1", "kg", "mass of sphere 1", "41", range="up to infinite"),
+    "moment_of_inertia": Quantity("I1", "kg m^2", "moment of inertia of sphere 1", "39", range="up to infinite"),
 }
 
 
@@ -96,7 +96,7 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "material2": Quantity("", "", "material of sphere 2", option="--material2", example="iron"),
         **_BOTH_SPHERES,
         "yield_displacement": Quantity("ξ", "m", "yield displacement", range="positive", option="--xi", example="2angstrom"),
-        "load": Quantity("P", "N", "load, tension negative", range="finite", option="--load", example="-5nN"),
+        "load": Quantity("P", "N", "load, tension negative", "5", range="finite", option="--load", example="-5nN"),
         "gravity": Quantity("g", "m/s^2", "gravity", range="positive", option="--gravity", example="1.62m/s2"),
         "energy": Quantity("W0", "J", "energy of sphere 1 as it arrives", range="positive", option="--energy", example="1e-18J"),
         "energy_ratio": Quantity(
@@ -108,20 +108,20 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
             "w", "J/m^2", "work of adhesion, 2γ", "1", range="positive", option="--work-of-adhesion", example="50mJ/m2"
         ),
         "radius_ratio": Quantity("R1/R2", "1", "ratio of the radii", "1"),
-        "reduced_radius": Quantity("R", "m", "reduced radius", "1"),
-        "contact_modulus": Quantity("E*", "Pa", "contact modulus", "2"),
-        "reduced_mass": Quantity("m", "kg", "reduced mass", "33"),
+        "reduced_radius": Quantity("R", "m", "reduced radius", "1", range="positive"),
+        "contact_modulus": Quantity("E*", "Pa", "contact modulus", "2", range="positive"),
+        "reduced_mass": Quantity("m", "kg", "reduced mass", "33", range="positive"),
         "reduced_moment_of_inertia": Quantity("I", "kg m^2", "reduced moment of inertia", "39"),
         "rolling_mass": Quantity("m_eff", "kg", "effective mass of rolling without slip", "40"),
         # the contact
-        "pull_off_force": Quantity("P_c", "N", "pull-off force", "1"),
+        "pull_off_force": Quantity("P_c", "N", "pull-off force", "1", range="positive"),
         "pull_off_force_dmt": Quantity(
             "P_DMT", "N", "pull-off force of small, hard spheres", "1", note="the DMT limit, 4πγR: small, hard spheres tend to it"
         ),
-        "contact_radius": Quantity("a0", "m", "contact radius without load", "2"),
-        "approach": Quantity("δ0", "m", "approach of the centres without load", "3"),
+        "contact_radius": Quantity("a0", "m", "contact radius without load", "2", range="positive"),
+        "approach": Quantity("δ0", "m", "approach of the centres without load", "3", range="positive"),
         "load_margin": Quantity("s", "1", "√(1 + P/P_c)", "5"),
-        "load_factor": Quantity("x", "1", "â^(3/2), by which the load scales the rolling moment", "5"),
+        "load_factor": Quantity("x", "1", "â^(3/2), by which the load scales the rolling moment", "5", range="positive"),
         "contact_radius_at_load": Quantity("a", "m", "contact radius at the load", "5"),
         "approach_at_load": Quantity(
             "δ", "m", "approach of the centres at the load", "6", range="finite", option="--approach", example="0.05nm"
@@ -135,8 +135,8 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "hertz_pressure": Quantity("p_H", "Pa", "Hertz part of the pressure", "8"),
         "boussinesq_pressure": Quantity("p_B", "Pa", "flat-punch part of the pressure", "9"),
         "well_energy": Quantity("U", "J", "energy that binds the spheres", "6"),
-        "pull_off_work": Quantity("U_grips", "J", "work to separate them, fixed grips", "6"),
-        "pull_off_work_at_dead_load": Quantity("U_load", "J", "work to separate them, growing load", "6"),
+        "pull_off_work": Quantity("U_grips", "J", "separation work from P = 0, grips", "6"),
+        "pull_off_work_at_dead_load": Quantity("U_load", "J", "separation work from P = 0, load", "6"),
         "sticking_energy": Quantity("U_stick", "J", "largest impact energy that sticks", "48"),
         # rolling
         "yield_moment": Quantity("M", "N m", "rolling moment at the displacement ξ", "25"),
@@ -152,7 +152,7 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "mean_rolling_force": Quantity("⟨Q⟩", "N", "mean force against steady rolling", "44"),
         # chains
         "r_min": Quantity("R_min", "m", "smallest curvature radius of a chain", "28"),
-        "n_grav": Quantity("N_grav", "1", "spheres that a level chain carries", "30"),
+        "n_grav": Quantity("N_grav", "1", "spheres that the first contact carries", "30"),
         # vibrations
         "vertical_frequency": Quantity("Ω_z", "Hz", "frequency of the vertical vibration", "35"),
         "rolling_frequency": Quantity("Ω_roll", "Hz", "frequency of the rolling vibration", "40"),

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from .commands import COMMANDS, OF_MOMENT, OF_SLOPE, Command
+from .commands import COMMANDS, OF_MEAN, OF_PEAK, OF_SLOPE, Command
 from .nomenclature import NOMENCLATURE
 
 
@@ -88,7 +88,7 @@ def options_of(command: Command) -> tuple[Option, ...]:
         for name, quantity in ((name, NOMENCLATURE[name]) for name in names)
         if quantity.option and (name != "energy_ratio" or name in depends)
     ]
-    has_models = {*OF_MOMENT, *OF_SLOPE} & {*command.quantities} and command is not COMMANDS["report"]
+    has_models = {*OF_PEAK, *OF_MEAN, *OF_SLOPE} & {*command.quantities} and command is not COMMANDS["report"]
     models = (_RTOL,) if has_models else ()
     curve = (_CURVE,) if command is COMMANDS["contact"] else ()
     return (*inputs, *models, *curve, *OUTPUT)

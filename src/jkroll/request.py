@@ -4,7 +4,7 @@ import os
 import sys
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
-from itertools import chain, product
+from itertools import chain, islice, product
 from math import prod
 from typing import Any
 
@@ -12,20 +12,12 @@ from .errors import JkrollError, QuantityError, quoted
 from .formatting import Format
 from .materials import Material, Materials, known_materials
 from .nomenclature import NOMENCLATURE
-from .scene import Scene
+from .scene import EXCLUSIVE, Scene
 from .spread import MAX_VALUES, Spread, spreads_of
 from .units import dimension_of, unit_of
 
 ENVIRONMENT = "JKROLL_MATERIALS"
-
-
-# Inputs of which one follows from the other.
-_EXCLUSIVE = (
-    ("energy", "energy_ratio", "speed"),
-    ("surface_energy", "work_of_adhesion"),
-    ("surface_energy2", "work_of_adhesion"),
-    ("load", "approach_at_load"),
-)
+MAX_SAMPLES = 50
 
 
 class BadRequest(JkrollError):
@@ -54,7 +46,7 @@ class Request:
             raise BadRequest("--material2 is empty")
         if radii:
             self.options["radius"] = ",".join(radii)
-        for alternatives in _EXCLUSIVE:
+        for alternatives in EXCLUSIVE:
             given = [NOMENCLATURE[name].option for name in alternatives if name in options]
             if len(given) > 1:
                 raise BadRequest(" and ".join(given) + " exclude each other")
@@ -90,11 +82,12 @@ class Request:
                 yield Scene(dict(zip(self._spreads, row, strict=True)), material, material2)
 
     def samples(self) -> list[Scene]:
-        """A scene for each pair of materials, and one with unlike spheres if there may be any: all kinds that occur."""
+        """Scenes of all kinds that occur: each pair of materials, the ends of every range, alike and unlike spheres."""
         first = {name: spreads[0].low for name, spreads in self._spreads.items()}
         last = {name: spreads[-1].high for name, spreads in self._spreads.items()}
-        unlike = {**first, "radius2": last["radius2"]} if "radius2" in last else first
-        return [Scene(values, *pair) for pair in self._pairs for values in (first, last, unlike)]
+        radii2 = islice(chain.from_iterable(self._spreads.get("radius2", [])), MAX_SAMPLES)
+        kinds = [first, last, *({**first, "radius2": radius2} for radius2 in radii2)]
+        return [Scene(values, *pair) for pair in self._pairs for values in kinds]
 
     def _materials(self, words: str) -> list[Material | None]:
         if not words:
@@ -139,6 +132,8 @@ def format_of(to: str | None, digits: int | None, quantities: Sequence[str]) -> 
 
 def materials_files(option: str | None) -> tuple[str, ...]:
     """The user's own materials files by rising precedence: configuration directory, environment, option."""
+    if option == "":
+        raise BadRequest("--materials is empty")
     configuration = os.path.join(configuration_directory(), "materials.toml")
     files = [configuration] if os.path.exists(configuration) else []
     return tuple(dict.fromkeys(files + [path for path in (os.environ.get(ENVIRONMENT), option) if path]))

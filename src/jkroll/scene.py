@@ -10,6 +10,7 @@ from typing import Any
 from .errors import (
     BeyondFold,
     BeyondPullOff,
+    Contradiction,
     MissingInput,
     NoChain,
     NoFiniteValue,
@@ -32,6 +33,15 @@ DEFAULTS = {
 }
 
 
+# Inputs of which one follows from the other.
+EXCLUSIVE = (
+    ("energy", "energy_ratio", "speed"),
+    ("surface_energy", "work_of_adhesion"),
+    ("surface_energy2", "work_of_adhesion"),
+    ("load", "approach_at_load", "load_factor"),
+)
+
+
 class Scene:
     """Two spheres, as far as they were described, and everything that follows.
 
@@ -44,6 +54,9 @@ class Scene:
         self, given: Mapping[str, Any], material: Material | None = None, material2: Material | None = None
     ) -> None:
         """Take SI values by name, over those of the materials of sphere 1 and, if it has one of its own, of sphere 2."""
+        for names in EXCLUSIVE:
+            if len(both := [name for name in names if name in given]) > 1:
+                raise Contradiction(both)
         for name, value in given.items():
             check_range(name, value)
         self.material, self.material2 = material, material2
@@ -57,11 +70,10 @@ class Scene:
     @property
     def is_identical(self) -> bool:
         """Whether nothing was said that makes sphere 2 differ from sphere 1."""
-        return self.material2 is None and not any(
-            name.endswith("2")
-            and value is not self.given.get(name.removesuffix("2"))
-            and value != self.given.get(name.removesuffix("2"))
-            for name, value in self.given.items()
+        own = {name.removesuffix("2"): value for name, value in self.given.items() if name.endswith("2")}
+        lacking = self.material2 is not None and any(name in self.given and name not in own for name in PROPERTIES)
+        return not lacking and all(
+            value is self.given.get(name) or value == self.given.get(name) for name, value in own.items()
         )
 
     def data_used(self, inputs: Collection[str]) -> list[tuple[Material, str]]:
@@ -160,6 +172,7 @@ MAY_BE_ZERO = frozenset(
         "vertical_frequency",
         "approach_at_load",
         "radius_ratio",
+        "load_factor_at_approach_unstable",
     }
 )  # at P = 0, at P = -P_c, or at P = -(8/9)P_c
 

@@ -43,7 +43,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         code = (quick_call(words) or _typers_call(words))()
         sys.stdout.flush()
         return code
-    except (BrokenPipeError, SystemExit):  # typer turns a closed pipe into SystemExit
+    except SystemExit as stop:  # typer's: of completions with 0, of a closed pipe with 1
+        _forget(sys.stdout)
+        return BROKEN_PIPE if stop.code else 0
+    except BrokenPipeError:
         _forget(sys.stdout)
         return BROKEN_PIPE
     except KeyboardInterrupt:

@@ -1,15 +1,20 @@
 """The Python face of a scene: names and values in, values out."""
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
+from copy import copy
+from itertools import product
 from typing import Any
 
-from .errors import MAX_QUOTED, MalformedQuantity, UnknownQuantity
-from .materials import Materials, known_materials
+from .errors import MAX_QUOTED, MalformedQuantity, ShapeMismatch, UnknownQuantity
+from .materials import Material, Materials, known_materials
 from .nomenclature import INFINITY, NOMENCLATURE
-from .scene import MAY_BE_ZERO, SMALLEST, Scene
+from .scene import MAY_BE_ZERO, SMALLEST, Scene, check_range
 from .units import parse_quantity
+
+Place = tuple[slice, ...]  # of a block in an array
+BLOCK = 16384  # elements evaluated at once: few enough that what lies between two formulas stays in the cache
 
 
 def solve(
@@ -59,16 +64,89 @@ def solve(
     described, registry = _in_si(given)
     if material is not None or material2 is not None:
         materials = materials or known_materials()
-    scene = Scene(
-        described,
+    spheres = (
         materials[material] if materials and material is not None else None,
         materials[material2] if materials and material2 is not None else None,
     )
     with _quiet(described.values()):
-        results = {name: _with_nan(name, scene[name]) for name in names}
+        if _is_large(described):
+            results = _in_blocks(names, described, spheres)
+        else:
+            scene = Scene(described, *spheres)
+            results = {name: _with_nan(name, scene[name]) for name in names}
     if registry is not None:
         results = {name: registry.Quantity(value, NOMENCLATURE[name].unit) for name, value in results.items()}
     return results[names[0]] if isinstance(wanted, str) else results
+
+
+def _is_large(given: Mapping[str, Any]) -> bool:
+    """Whether the arrays among the inputs, broadcast, have more elements than a block."""
+    arrays = [value for value in given.values() if not isinstance(value, float)]
+    if not arrays:
+        return False
+    import numpy
+
+    try:
+        shape = numpy.broadcast_shapes(*(value.shape for value in arrays))
+    except ValueError:
+        raise ShapeMismatch(
+            [(name, value.shape) for name, value in given.items() if not isinstance(value, float)]
+        ) from None
+    return math.prod(shape) > BLOCK and all(type(value) is numpy.ndarray for value in arrays)
+
+
+def _in_blocks(
+    names: Sequence[str], given: Mapping[str, Any], spheres: tuple[Material | None, Material | None]
+) -> dict[str, Any]:
+    """The results for large arrays, a block of elements at a time: beyond the results, it takes the memory of one."""
+    import numpy
+
+    arrays = {name: value for name, value in given.items() if not isinstance(value, float)}
+    for name, value in arrays.items():
+        for place in _blocks(value.shape):
+            check_range(name, value[place])
+    # One element of each array says what is asked, what of it no array enters, and whether a float forbids it.
+    scene = Scene({**given, **{name: value[(slice(1),) * value.ndim] for name, value in arrays.items()}}, *spheres)
+    results = {name: scene[name] for name in names}
+    plan = scene.plan(*names)
+    shapes = {name: value.shape for name, value in arrays.items() if name in plan.inputs}
+    space = numpy.broadcast_shapes(*shapes.values())
+    for step in plan.steps:
+        entering = [shapes[name] for _, name in step.arguments if name in shapes]
+        if entering:
+            shapes[step.name] = numpy.broadcast_shapes(*entering)
+    varying = [name for name in results if plan.found[name] in shapes]
+    results |= {name: numpy.empty(shapes[plan.found[name]]) for name in varying}
+    constant = {name: value for name, value in scene.values.items() if name not in shapes}
+    for place in _blocks(space) if varying else ():
+        block = copy(scene)
+        block.values = {**constant, **{name: _part(arrays[name], place) for name in arrays if name in shapes}}
+        for name in varying:
+            value = block[name]
+            _part(results[name], place)[...] = value if _has_answers(value) else _with_nan(name, value)
+    return results
+
+
+def _blocks(shape: tuple[int, ...]) -> Iterator[Place]:
+    """Where the blocks of an array are: whole along its last axes, as far as a block reaches."""
+    slices, room = [], BLOCK
+    for length in reversed(shape):
+        step = max(1, min(length, room))
+        slices.append([slice(start, start + step) for start in range(0, length, step)])
+        room //= step
+    return product(*reversed(slices))
+
+
+def _part(array: Any, place: Place) -> Any:
+    """The part of an array that broadcasts to a block."""
+    own = place[len(place) - array.ndim :]
+    return array[tuple(where if length > 1 else slice(1) for where, length in zip(own, array.shape, strict=True))]
+
+
+def _has_answers(values: Any) -> bool:
+    """Whether each element is a number that doubles hold with all digits, and not 0: soon seen, and the usual case."""
+    size = abs(values)
+    return bool(size.min() >= SMALLEST and size.max() < INFINITY)
 
 
 def _with_nan(name: str, value: Any) -> Any:
@@ -119,8 +197,10 @@ def _number(name: str, value: Any) -> Any:
 
     try:
         array = numpy.asanyarray(value)
+        if numpy.ma.isMaskedArray(array):
+            raise MalformedQuantity(name, "a masked array", "has cells without a value; fill it first")
         if array.dtype.kind in "fiu":
-            return array.astype(float) if array.ndim else float(array)
+            return array.astype(float, copy=False) if array.ndim else float(array)
     except (ValueError, OverflowError):
         pass
     raise MalformedQuantity(name, str(value)[:MAX_QUOTED], "is not a number")

@@ -39,6 +39,8 @@ def cbrt(value: Any) -> Any:
         return _polished(root, value) if root and not math.isinf(root) else root
     import numpy
 
+    if not isinstance(value, numpy.ndarray):
+        return root  # a pint Quantity: its units do not survive the step
     with numpy.errstate(divide="ignore", invalid="ignore"):
         polished = _polished(root, value)
     return numpy.where(numpy.isnan(polished), root, polished)  # 0 and infinity have no polish
