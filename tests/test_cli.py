@@ -552,3 +552,68 @@ def test_every_answer_says_how_far_it_can_be_trusted(run: Run) -> None:
     assert "DOUBT: Q/P_c = 1.6" in run("yield-force quartz 0.5nm", terminal=True).out
     assert "does not roll" in run("n-roll quartz 10nm --energy 1e-21J").err
     assert json.loads(run("r-min 100nm --json").out)["validity"] == []
+
+
+# --- What a review found ------------------------------------------------------------------------------------------------
+
+
+def test_rtol_knows_the_mean_moment_from_the_largest(run: Run) -> None:
+    """The mean of cξ + dξ³ over a step holds half of what the cubic term adds to the largest."""
+    words = "moment quartz 20nm --approach 0.06nm --json"
+    plain, fine = (
+        {result["name"]: result for result in json.loads(run(line).out)["results"]}
+        for line in (words, f"{words} --rtol 1e-9")
+    )
+    linear, exact = plain["yield_moment"]["value"], plain["fixed_approach_moment"]["value"]
+    assert math.isclose(fine["yield_moment"]["value"], exact, rel_tol=1e-14)
+    assert math.isclose(fine["mean_rolling_moment"]["value"], linear / 2 + (exact - linear) / 4, rel_tol=1e-14)
+    assert "relative_error" not in fine["yield_moment"]
+
+
+def test_rtol_holds_for_frequencies_far_from_unloaded(run: Run) -> None:
+    assert "by yield_moment, Eq 25" in run("frequencies quartz 100nm --load 1uN --rtol 0.41").err
+
+
+def test_rtol_answers_what_is_answered_without(run: Run) -> None:
+    for line in ("yield-force quartz 100nm --young rigid", "yield-force --gamma 25mJ/m2"):
+        assert run(f"{line} --bare --rtol 1e-3").out == run(f"{line} --bare").out != ""
+    refused = json.loads(run("yield-force quartz 3nm 100nm --rtol 1e-3 --json").out)
+    assert [result["value"] is None for result in refused[0]["results"]] == [True, True, True, False]
+
+
+def test_a_row_that_fails_fails_alone(run: Run) -> None:
+    ran = run("n-roll quartz 100nm --young rigid --young2 54GPa,rigid --bare --quiet")
+    assert ran.code == 1
+    assert [line == "-" for line in ran.out.splitlines()] == [False, True]
+
+
+def test_no_cell_of_a_sweep_is_empty_that_has_a_value(run: Run) -> None:
+    rows = list(csv.DictReader(io.StringIO(run("frequencies quartz 100nm --radius2 50nm,100nm,200nm --csv").out)))
+    assert all(row["rolling_frequency_no_slip [Hz]"] for row in rows)
+    assert [bool(row["rolling_frequency_as_printed [Hz]"]) for row in rows] == [False, True, False]
+
+
+def test_power_law_of_a_stated_second_radius(run: Run) -> None:
+    assert "power law R1^(1/2) R2^(1/2) γ1" in run("pull-off quartz 100nm --radius2 100nm --explain").out
+
+
+def test_states_beyond_pull_off_are_said_to_need_grips(run: Run) -> None:
+    assert "only fixed grips hold this state" in run("n-grav quartz 100nm --approach -0.06nm").err
+
+
+def test_two_spheres_of_one_material_are_identical(run: Run) -> None:
+    assert (
+        run("frequencies quartz 100nm --material2 quartz --bare --quiet").out
+        == run("frequencies quartz 100nm --bare --quiet").out
+    )
+    assert "mixing rule" not in run("pull-off quartz 100nm --material2 SiO2").err
+
+
+def test_show_completion_is_no_closed_pipe() -> None:
+    environment = {
+        **os.environ,
+        "_JKROLL_COMPLETE": "complete_bash",
+        "COMP_WORDS": "jkroll pull-off qu",
+        "COMP_CWORD": "2",
+    }
+    assert jkroll(env=environment).returncode == 0

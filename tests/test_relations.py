@@ -13,8 +13,19 @@ from hypothesis import strategies as st
 
 import jkroll
 from jkroll import FORMULAS, NOMENCLATURE, JkrollError, solve
-from jkroll.errors import BeyondPullOff, MissingInput, NoFiniteValue, NoVibration, OutOfRange, TwoRigidBodies
+from jkroll.errors import (
+    BeyondPullOff,
+    Contradiction,
+    MalformedQuantity,
+    MissingInput,
+    NoFiniteValue,
+    NoVibration,
+    OutOfRange,
+    ShapeMismatch,
+    TwoRigidBodies,
+)
 from jkroll.explain import docstring_fields
+from jkroll.physics.quadrature import quadrature_moment
 from jkroll.units import dimension_of
 
 INFINITY = math.inf
@@ -431,6 +442,58 @@ def test_energies_between_the_states_of_the_curve() -> None:
         ("sticking_energy", work(jump_in, fold)),
     ):
         assert math.isclose(FORMULAS[name](adhesion_energy=1.0), expected, rel_tol=1e-11), name
+
+
+def test_contradictions_and_mismatches_are_refused() -> None:
+    with pytest.raises(Contradiction):
+        solve("stiffness", radius=1e-7, load=5e-9, approach_at_load=5e-11, **QUARTZ)
+    with pytest.raises(ShapeMismatch):
+        solve("reduced_radius", radius=[1e-7, 2e-7], radius2=[1e-7, 2e-7, 3e-7])
+    with pytest.raises(OutOfRange):
+        solve("load", load_factor=-1.0, radius=1e-7, **QUARTZ)
+    with pytest.raises(MalformedQuantity):
+        solve("pull_off_force", radius=np.ma.masked_array([1e-7, 2e-7], [False, True]), **QUARTZ)
+
+
+def test_large_arrays_are_evaluated_in_blocks_to_the_same_bits() -> None:
+    radius = np.geomspace(1e-9, 1e-3, 40_000)
+    load = np.linspace(0, 1e-9, 3)[:, None]
+    large = solve(["yield_force", "vertical_frequency", "r_min"], radius=radius, load=load, **QUARTZ)
+    assert large["yield_force"].shape == (3, 40_000)
+    assert large["r_min"].shape == (40_000,)
+    for part in (slice(0, 7), slice(16_380, 16_390), slice(39_990, 40_000)):
+        small = solve(["yield_force", "vertical_frequency", "r_min"], radius=radius[part], load=load, **QUARTZ)
+        for name, value in small.items():
+            assert (large[name][..., part] == value).all()
+
+
+def test_quadrature_of_eq_17_is_the_two_half_circles() -> None:
+    names = ["contact_radius_at_load", "approach_at_load", "contact_modulus", "reduced_radius"]
+    scene = solve(names, radius=1e-7, **QUARTZ)
+    shift = 0.1 * scene["contact_radius_at_load"]
+    exact = jkroll.half_circles_moment(yield_displacement=shift, **scene)
+    assert math.isclose(quadrature_moment(yield_displacement=shift, points=3, **scene), exact, rel_tol=1e-12)
+    assert not math.isclose(quadrature_moment(yield_displacement=shift, points=1, **scene), exact, rel_tol=1e-2)
+
+
+def test_materials_cannot_be_changed_by_accident_and_files_may_change(tmp_path: Path) -> None:
+    with pytest.raises(TypeError):
+        jkroll.known_materials()["quartz"].properties["surface_energy"] = 9.0  # type: ignore[index]
+    path = tmp_path / "mine.toml"
+    for value in (1.0, 2.0):
+        path.write_text(f"[materials.Quartz]\nsurface_energy = '{value} J/m2'\n")
+        mine = jkroll.known_materials(path)
+        assert mine["quartz"].properties["surface_energy"] == value
+        assert "quartz" not in mine.materials
+
+
+def test_pint_quantities_in_mixed_units_through_a_cube_root() -> None:
+    a0 = jkroll.contact_radius(
+        work_of_adhesion=UREG.Quantity(0.05, "J/m^2"),
+        reduced_radius=UREG.Quantity(50.0, "nm"),
+        contact_modulus=UREG.Quantity(27.804, "GPa"),
+    )
+    assert math.isclose(a0.m_as("nm"), 3.9908, rel_tol=1e-4)
 
 
 def test_only_what_is_needed_is_asked_for() -> None:

@@ -20,7 +20,7 @@ def quadrature_moment(
         M = 2∫r²p(r, a − ξ)dr − 2∫r²p(r, a + ξ)dr, with r = 𝒜 sin θ and the midpoint rule in θ
 
     Source:   Eqs (15), (17) and (18).
-    Valid:    ξ < a. The rule is exact from 3 points on, because the integrand is a polynomial in cos 2θ.
+    Valid:    ξ < a. The rule is exact from 2 points on, because the integrand is a polynomial in cos 2θ.
     Accuracy: Loses the digits by which ξ is smaller than a: for comparison.
 
     >>> round(quadrature_moment(contact_radius_at_load=1.0, yield_displacement=0.5, approach_at_load=1.0,
