@@ -146,6 +146,17 @@ def _as_typed(name: str) -> str:
     return f"{NOMENCLATURE[name].option} {NOMENCLATURE[name].example}"
 
 
+class MissingExtra(JkrollError):
+    """A library that only an extra installs."""
+
+    def __init__(self, library: str, extra: str) -> None:
+        super().__init__(library, extra)
+        self.library, self.extra = library, extra
+
+    def __str__(self) -> str:
+        return f"this needs {self.library.partition('.')[0]}: pip install 'jkroll[{self.extra}]'"
+
+
 class Contradiction(JkrollError):
     """Inputs of which one follows from the other."""
 

@@ -6,7 +6,7 @@ from typing import NamedTuple, TextIO
 
 from .answer import Answer, answer, in_units
 from .commands import Command
-from .errors import JkrollError
+from .errors import JkrollError, MissingExtra
 from .formatting import Format
 from .judgement import sentence
 from .materials import known_materials
@@ -163,6 +163,9 @@ def run_bench(output: Output, *, quick: bool = False, plot: str | None = None) -
     """Measure speed against error; return the exit code."""
     from .bench import write_bench
 
-    code = write_bench(sys.stdout, output.format_name(sys.stdout), quick=quick, plot=plot)
+    try:
+        code = write_bench(sys.stdout, output.format_name(sys.stdout), quick=quick, plot=plot)
+    except ModuleNotFoundError as error:
+        raise MissingExtra(error.name or "", "plot" if plot else "bench") from None
     sys.stdout.flush()
     return code
