@@ -7,7 +7,6 @@ down, the textbook's inversions, tables and quadratures.
 # ruff: noqa: N803  (the paper's symbols)
 
 from collections.abc import Callable, Mapping
-from functools import cache
 from typing import Any
 
 from .bench_forms import (
@@ -65,16 +64,9 @@ def default(quantity: str) -> Callable[[Mapping[str, Any]], Any]:
 
 def with_units(point: Mapping[str, Any]) -> dict[str, Any]:
     """The inputs as pint Quantities, in base units: cube roots of J/m² and Pa have dimensions that round differently."""
-    registry = _registry()
-    return {name: registry.Quantity(value, NOMENCLATURE[name].unit).to_base_units() for name, value in point.items()}
-
-
-@cache
-def _registry() -> Any:
-    """A registry in binary arithmetic: the package's own counts in decimals."""
     from .pint_names import registry
 
-    return type(registry())()
+    return {name: registry().Quantity(value, NOMENCLATURE[name].unit).to_base_units() for name, value in point.items()}
 
 
 # --- All of them ------------------------------------------------------------------------------------------------------

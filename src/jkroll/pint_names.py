@@ -12,11 +12,14 @@ _DIGITS = 60
 
 
 @cache
-def registry() -> Any:
-    """Pint's default registry, in decimal arithmetic so that its factors keep every digit."""
+def registry(number: type = float) -> Any:
+    """Pint's default registry, in an arithmetic of its own.
+
+    That in decimals keeps what it computes to the digits of the context it was asked in: it is `lookup`'s alone.
+    """
     import pint
 
-    return pint.UnitRegistry(non_int_type=Decimal)
+    return pint.UnitRegistry(non_int_type=number)
 
 
 def lookup(name: str) -> tuple[int, int, tuple[int, ...]] | None:
@@ -28,16 +31,17 @@ def lookup(name: str) -> tuple[int, int, tuple[int, ...]] | None:
     (1, 1000000000, (0, 1, 0, 0, 0, 0, 0, 0))
     """
     with localcontext(prec=_DIGITS):
-        candidates = registry().parse_unit_name(name)
+        exact = registry(Decimal)
+        candidates = exact.parse_unit_name(name)
         if not candidates:
             return None
         prefix, unit_name, _ = candidates[0]
-        symbol = registry().get_symbol(unit_name)
+        symbol = exact.get_symbol(unit_name)
         if symbol != unit_name and name.endswith(symbol + "s"):
             return None  # the plural of a symbol: GPas is no unit of pressure
         try:
-            unit = registry().Unit(prefix + unit_name)
-            zero, one = (registry().Quantity(Decimal(value), unit).to_root_units() for value in (0, 1))
+            unit = exact.Unit(prefix + unit_name)
+            zero, one = (exact.Quantity(Decimal(value), unit).to_root_units() for value in (0, 1))
         except Exception:  # logarithmic units fail in ways of their own; none of them is a plain factor
             return None
         powers = {str(base): power for base, power in one.unit_items()}
