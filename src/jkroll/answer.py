@@ -118,13 +118,7 @@ def _echo(scene: Scene, used: Collection[str]) -> dict[str, float | str]:
                 echoed[name] = scene["energy"]
             except NoResult:
                 continue
-    return {
-        name: word_for_infinity(name) or value if value == INFINITY else value
-        for name, value in sorted(echoed.items(), key=lambda item: _ORDER[item[0]])
-    }
-
-
-_ORDER = {name: place for place, name in enumerate(NOMENCLATURE)}
+    return {name: word_for_infinity(name) or value if value == INFINITY else value for name, value in echoed.items()}
 
 
 def _assumptions(scene: Scene, inputs: Collection[str], names: list[str]) -> list[str]:

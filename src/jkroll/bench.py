@@ -1,14 +1,13 @@
 """Speed against error: what every way to a quantity costs, and how many digits it leaves."""
 
 import csv
-import json
 import math
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TextIO
 
 from .bench_measure import DEFAULT, FULL, QUICK, Ratio, Row, beats, compare, measure
-from .streams import say
+from .streams import json_text, say
 
 HEADS = ("quantity", "way", "ns_per_point", "median_ulp", "worst_ulp", "worst_ulp_hard", "on_front")
 RATIO_HEADS = ("case", "scenes", "solve_ns_per_scene", "bare_ns_per_scene", "ratio", "extra_memory_bytes")
@@ -28,7 +27,7 @@ def write_bench(out: TextIO, kind: str, quick: bool, plot: str | Path | None = N
             "ways": [dict(zip(HEADS, _bare(row), strict=True)) for row in rows],
             "solve": [dict(zip(RATIO_HEADS, _bare(ratio), strict=True)) for ratio in ratios],
         }
-        say(json.dumps(whole, ensure_ascii=(out.encoding or "utf-8").lower() != "utf-8", indent=2), out)
+        say(json_text(whole, out), out)
     elif kind == "csv":
         writer = csv.writer(out, lineterminator="\n")
         writer.writerows([HEADS, *map(_bare, rows)])

@@ -1,14 +1,13 @@
 """The materials as text: a table, plain lines, CSV, JSON or BibTeX."""
 
 import csv
-import json
 from collections.abc import Sequence
 from typing import Any, TextIO
 
 from .formatting import Format, amount
 from .materials import Material
 from .nomenclature import NOMENCLATURE, header
-from .streams import say
+from .streams import json_text, say
 from .wiring import PROPERTIES
 
 
@@ -22,10 +21,7 @@ def write_materials(chosen: Sequence[Material], out: TextIO, kind: str, *, whole
             say(bibtex(entry), out)
     elif kind == "json":
         objects = [as_object(material) for material in chosen]
-        say(
-            json.dumps(objects[0] if whole else objects, ensure_ascii=out.encoding.lower() != "utf-8", indent=2),
-            out,
-        )
+        say(json_text(objects[0] if whole else objects, out), out)
     elif kind == "csv":
         writer = csv.writer(out, lineterminator="\n")
         writer.writerow(["material", *map(header, PROPERTIES)])

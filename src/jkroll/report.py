@@ -3,7 +3,6 @@
 Nothing a user or a file wrote is ever taken for markup, and nothing is cut where it does not fit.
 """
 
-import json
 from collections.abc import Iterable
 from typing import Any, NamedTuple, TextIO
 
@@ -11,7 +10,7 @@ from .answer import Answer
 from .commands import Command
 from .formatting import AS_USUAL, Format
 from .nomenclature import NOMENCLATURE, header
-from .streams import fitting, say
+from .streams import fitting, json_text, say
 
 MAX_TABLE = 10_000  # rows that are set as a table
 
@@ -81,9 +80,8 @@ def write_csv(answers: Iterable[Answer], out: TextIO, form: Format, shape: Layou
 
 def write_json(answers: Iterable[Answer], out: TextIO, form: Format, shape: Layout) -> None:
     """An object a scene; an array of them if there are several."""
-    escape = out.encoding.lower() != "utf-8"
     for place, answer in enumerate(answers):
-        text = json.dumps(as_object(answer, form), ensure_ascii=escape, indent=2)
+        text = json_text(as_object(answer, form), out)
         if shape.size > 1:
             text = ("[\n" if place == 0 else "") + text + ("\n]" if place == shape.size - 1 else ",")
         say(text, out)

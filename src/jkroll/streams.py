@@ -1,7 +1,7 @@
 """Writing to streams that may know only ASCII."""
 
 import codecs
-from typing import TextIO
+from typing import Any, TextIO
 
 _ASCII = {
     "γ": "gamma", "δ": "delta", "μ": "mu", "ν": "nu", "ρ": "rho", "ξ": "xi", "π": "pi", "ω": "omega", "Ω": "Omega", "α": "alpha",
@@ -44,6 +44,13 @@ def fitting(text: str, out: TextIO) -> str:
     except (UnicodeEncodeError, LookupError):
         return ascii_text(text)
     return text
+
+
+def json_text(value: Any, out: TextIO) -> str:
+    """A value as JSON, with other than ASCII characters only where the stream takes them all."""
+    import json
+
+    return json.dumps(value, ensure_ascii=(out.encoding or "utf-8").lower() != "utf-8", indent=2)
 
 
 def say(text: str, out: TextIO) -> None:

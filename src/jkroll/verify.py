@@ -1,14 +1,13 @@
 """The audit of the paper, computed as it is asked for: a row a claim, as a table, plain lines, CSV or JSON."""
 
 import csv
-import json
 import sys
 from collections.abc import Iterable, Sequence
 from shutil import get_terminal_size
 from typing import Any, TextIO
 
 from .claims import CLAIMS, Check, Row
-from .streams import fitting, say
+from .streams import fitting, json_text, say
 
 DISAGREES = 1
 WIDE = 120  # columns that the whole table takes
@@ -59,7 +58,7 @@ def _verdict(row: Row) -> str:
 def _summary(rows: Sequence[Row]) -> str:
     """How many claims have which verdict, the most frequent first."""
     verdicts = [row.verdict for row in rows]
-    counts = sorted(set(verdicts), key=lambda verdict: -verdicts.count(verdict))
+    counts = sorted(dict.fromkeys(verdicts), key=lambda verdict: -verdicts.count(verdict))
     return f"{len(rows)} claims: " + ", ".join(f"{verdicts.count(verdict)} {verdict}" for verdict in counts)
 
 
@@ -77,7 +76,7 @@ def _write_csv(rows: Sequence[Row], out: TextIO) -> None:
 
 def _write_json(rows: Sequence[Row], out: TextIO) -> None:
     objects: list[dict[str, Any]] = [row._asdict() for row in rows]
-    say(json.dumps(objects, ensure_ascii=out.encoding.lower() != "utf-8", indent=2), out)
+    say(json_text(objects, out), out)
 
 
 _WRITERS = {"table": _write_table, "plain": _write_plain, "csv": _write_csv, "json": _write_json}

@@ -93,8 +93,7 @@ def plan(wanted: tuple[str, ...], known: frozenset[str], own_material2: bool) ->
         found[name] = visit(name)
         if missing:
             raise MissingInput(name, tuple(dict.fromkeys(missing)), tuple(dict.fromkeys(instead)))
-    order = list(NOMENCLATURE)
-    return Plan(tuple(steps.values()), tuple(sorted(inputs, key=order.index)), found)
+    return Plan(tuple(steps.values()), tuple(name for name in NOMENCLATURE if name in inputs), found)
 
 
 def depends_on(names: Iterable[str]) -> frozenset[str]:
