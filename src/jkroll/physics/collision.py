@@ -4,7 +4,6 @@ from .dimensions import (
     AngularAcceleration,
     AngularSpeed,
     Energy,
-    Force,
     Inertia,
     Length,
     Mass,
@@ -14,22 +13,7 @@ from .dimensions import (
     Stress,
     SurfaceEnergy,
 )
-from .elementary import cbrt, pi, sqrt
-
-
-def adhesion_energy(*, pull_off_force: Force, approach: Length) -> Energy:
-    """Energy typical of adhesion: what a slow head-on collision dissipates, to order of magnitude.
-
-        W = P_c δ0
-
-    Source:   Text below Eq (48).
-    Valid:    The largest energy that sticks is 0.7722 P_cδ0.
-    Accuracy: 0.5 ulp above its factors.
-
-    >>> adhesion_energy(pull_off_force=2.0, approach=3.0)
-    6.0
-    """
-    return pull_off_force * approach
+from .elementary import cbrt, pi, product, sqrt
 
 
 def energy_at_energy_ratio(*, energy_ratio: Number, adhesion_energy: Energy) -> Energy:
@@ -59,7 +43,7 @@ def kinetic_energy(*, mass: Mass, speed: Speed) -> Energy:
     >>> kinetic_energy(mass=4.0, speed=3.0)
     18.0
     """
-    return mass * (speed * speed) / 2
+    return product(mass / 2, speed, speed)
 
 
 def rolling_energy(*, mass: Mass, speed: Speed, moment_of_inertia: Inertia, angular_speed: AngularSpeed) -> Energy:
@@ -108,34 +92,48 @@ def angular_deceleration(*, mean_rolling_moment: Moment, moment_of_inertia: Iner
     return -mean_rolling_moment / moment_of_inertia
 
 
-def n_roll(*, energy: Energy, mean_rolling_moment: Moment) -> Number:
+def n_roll(
+    *,
+    energy: Energy,
+    work_of_adhesion: SurfaceEnergy,
+    reduced_radius: Length,
+    load_factor: Number,
+    yield_displacement: Length,
+) -> Number:
     """Number of full turns sphere 1 rolls over a fixed body 2.
 
-        n = W0/(7π⟨M⟩) = W0/(14π P_c ξ)
+        n = W0/(7π⟨M⟩) = W0/(14π P_c â^(3/2) ξ) = W0/(21π²wR â^(3/2) ξ)
 
     Source:   Eq (48).
     Valid:    As Eq (47): it dissipates 2/7 of the energy and lets the rest slide away.
-    Accuracy: 2 ulp above W0 and M.
+    Accuracy: 2 ulp above W0, w, R and x.
 
-    >>> round(n_roll(energy=7 * pi, mean_rolling_moment=1.0), 12)
+    >>> round(n_roll(energy=21 * pi**2, work_of_adhesion=1.0, reduced_radius=1.0, load_factor=1.0, yield_displacement=1.0), 12)
     1.0
     """
-    return energy / (7 * pi * mean_rolling_moment)
+    return product(energy, over=(21 * pi * pi, work_of_adhesion, reduced_radius, load_factor, yield_displacement))
 
 
-def n_roll_energy_balance(*, energy: Energy, mean_rolling_moment: Moment) -> Number:
+def n_roll_energy_balance(
+    *,
+    energy: Energy,
+    work_of_adhesion: SurfaceEnergy,
+    reduced_radius: Length,
+    load_factor: Number,
+    yield_displacement: Length,
+) -> Number:
     """Number of full turns sphere 1 rolls over a fixed body 2 until rolling has dissipated all of its energy.
 
-        n = W0/(2π⟨M⟩) = W0/(4π P_c ξ), which is 7/2 of Eq (48)
+        n = W0/(2π⟨M⟩) = W0/(4π P_c â^(3/2) ξ) = W0/(6π²wR â^(3/2) ξ), which is 7/2 of Eq (48)
 
     Source:   Caption of Fig. 7: "until all energy is dissipated".
     Valid:    No slip at any time.
-    Accuracy: 2 ulp above W0 and M.
+    Accuracy: 2 ulp above W0, w, R and x.
 
-    >>> round(n_roll_energy_balance(energy=2 * pi, mean_rolling_moment=1.0), 12)
+    >>> round(n_roll_energy_balance(energy=6 * pi**2, work_of_adhesion=1.0, reduced_radius=1.0, load_factor=1.0, yield_displacement=1.0), 12)
     1.0
     """
-    return energy / (2 * pi * mean_rolling_moment)
+    return product(energy, over=(6 * (pi * pi), work_of_adhesion, reduced_radius, load_factor, yield_displacement))
 
 
 def n_roll_at_energy_ratio(
@@ -162,7 +160,7 @@ def n_roll_at_energy_ratio(
     """
     length = work_of_adhesion / contact_modulus
     turned = cbrt(3 / (10976 * pi) * length * length * reduced_radius)
-    return energy_ratio * turned / (yield_displacement * load_factor)
+    return product(energy_ratio, turned, over=(yield_displacement, load_factor))
 
 
 def n_roll_energy_balance_at_energy_ratio(
@@ -189,4 +187,4 @@ def n_roll_energy_balance_at_energy_ratio(
     """
     length = work_of_adhesion / contact_modulus
     turned = cbrt(3 / (256 * pi) * length * length * reduced_radius)
-    return energy_ratio * turned / (yield_displacement * load_factor)
+    return product(energy_ratio, turned, over=(yield_displacement, load_factor))

@@ -5,7 +5,7 @@ s = √(1 + P/P_c) alone (`load_margin`), which is 1 without load and 0 at pull-
 """
 
 from .dimensions import Force, Length, Number, Stiffness, Stress, SurfaceEnergy
-from .elementary import cbrt, pi, sqrt
+from .elementary import cbrt, pi, product, sqrt
 
 
 def pull_off_force(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length) -> Force:
@@ -20,7 +20,7 @@ def pull_off_force(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length) -
     >>> f"{pull_off_force(work_of_adhesion=0.05, reduced_radius=50e-9):.4e}"
     '1.1781e-08'
     """
-    return 3 / 2 * pi * work_of_adhesion * reduced_radius
+    return product(3 / 2 * pi, work_of_adhesion, reduced_radius)
 
 
 def pull_off_force_dmt(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length) -> Force:
@@ -123,25 +123,28 @@ def approach_at_load(
     work_of_adhesion: SurfaceEnergy,
     reduced_radius: Length,
     contact_modulus: Stress,
+    load: Force,
+    pull_off_force: Force,
     load_margin: Number,
     load_factor: Number,
 ) -> Length:
     """Displacement of the two centres towards each other under a load; negative where the neck is stretched.
 
-        δ = δ0(3â² − 2√â) = δ0 x^(1/3) (3s − 1)/2
+        δ = δ0(3â² − 2√â) = δ0 x^(1/3) (3s − 1)/2 = δ0 x^(1/3) [1 + (3/2)(s − 1)], s − 1 = (P/P_c)/(1 + s)
 
     Source:   Eq (6).
     Valid:    The stable branch at dead load, s ≥ 0. It passes through 0 at P = −(8/9)P_c.
     Accuracy: 3.5 ulp above w, R, E* and s.
 
     >>> delta = approach_at_load(
-    ...     work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9, load_margin=1.0, load_factor=1.0)
+    ...     work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9, load=0.0, pull_off_force=1.1781e-8,
+    ...     load_margin=1.0, load_factor=1.0)
     >>> f"{delta * 1e9:.5f} nm"
     '0.10617 nm'
     """
     length = work_of_adhesion / contact_modulus
     at_margin_1 = cbrt(3 / 4 * (pi * pi) * length * length * reduced_radius * load_factor)
-    return at_margin_1 * ((load_margin - 1 / 2) + load_margin / 2)
+    return at_margin_1 * (1 + 3 / 2 * (load / pull_off_force / (1 + load_margin)))
 
 
 def stiffness(*, contact_modulus: Stress, contact_radius_at_load: Length, load_margin: Number) -> Stiffness:
@@ -156,7 +159,7 @@ def stiffness(*, contact_modulus: Stress, contact_radius_at_load: Length, load_m
     >>> stiffness(contact_modulus=1.0, contact_radius_at_load=1.0, load_margin=1.0)
     1.2
     """
-    return 6 * load_margin / (2 + 3 * load_margin) * contact_modulus * contact_radius_at_load
+    return product(6.0, load_margin, contact_modulus, contact_radius_at_load, over=(2 + 3 * load_margin,))
 
 
 def hertz_pressure(

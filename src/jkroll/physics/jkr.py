@@ -7,8 +7,8 @@ two between the fold and 0.
 
 from typing import Any
 
-from .dimensions import Energy, Force, Length, Number
-from .elementary import sqrt, where, within
+from .dimensions import Energy, Force, Length, Number, Stress, SurfaceEnergy
+from .elementary import cbrt, leading_bits, product, sqrt, where, within
 
 FOLD_APPROACH = -0.8254818122236567  # −(3/4)^(2/3), the least δ̂; rounded, and what rounding took:
 _FOLD_REST = 1.4776601947357812e-17
@@ -108,7 +108,7 @@ def _unstable_factor(approach_ratio: Any) -> Any:
     root = depth / 2
     for _ in range(_NEWTON_STEPS):
         root = root + (3 * (root * root) * (root * root) + depth - 2 * root) / (2 - 12 * (root * root * root))
-    head = _leading_bits(root, 41)
+    head = leading_bits(root, 12)
     cube = head * head * head
     rest = root - head
     slope = 2 - 3 * (4 * cube + rest * (6 * head * head + rest * (4 * head + rest)))
@@ -119,17 +119,11 @@ def _unstable_factor(approach_ratio: Any) -> Any:
 
 def _factor_of_eta(eta: Any, excess: Any) -> Any:
     """X = (1 + η)³/6 to 2 ulp, from the 13 leading bits of η, whose quartic is exact, and what the equation leaves."""
-    h = _leading_bits(eta, 40)
+    h = leading_bits(eta, 13)
     d = eta - h
     slope = h * (6 + h * (6 + 2 * h)) + d * (3 + h * (6 + 3 * h) + d * (2 + 2 * h + d / 2))
     d = where(slope == 0, 0.0, (excess - h * h * (3 + h * (2 + h / 2))) / where(slope == 0, 1.0, slope))
     return (1 + (h * (3 + h * (3 + h)) + d * (3 * (1 + h) * (1 + h + d) + d * d))) / 6
-
-
-def _leading_bits(value: Any, dropped: int) -> Any:
-    """A value without its last bits, so that its small powers are exact."""
-    wide = (2.0**dropped + 1) * value
-    return wide - (wide - value)
 
 
 def _excess(approach_ratio: Any) -> Any:
@@ -150,61 +144,84 @@ def _newton_eta(eta: Any, excess: Any) -> Any:
 # --- Energies, from Eqs (5) and (6): ∫P dδ = P_cδ0 (24/5 y^10 − 8y^7 + 2y^4), y = √â -----------------------------------
 
 
-def well_energy(*, adhesion_energy: Energy) -> Energy:
+def adhesion_energy(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress) -> Energy:
+    """Energy typical of adhesion: what a slow head-on collision dissipates, to order of magnitude.
+
+        W = P_c δ0 = (81π⁵w⁵R⁴/(32E*²))^(1/3)
+
+    Source:   Text below Eq (48).
+    Valid:    The largest energy that sticks is 0.7722 P_cδ0.
+    Accuracy: 1 ulp above w, R and E*.
+
+    >>> f"{adhesion_energy(work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9):.4e}"
+    '1.2508e-18'
+    """
+    return _in_adhesion_energies(774.6123271127436, work_of_adhesion, reduced_radius, contact_modulus)
+
+
+def well_energy(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress) -> Energy:
     """Energy that binds the two spheres: released from first touch to equilibrium along the whole of the curve.
 
         (6/5) P_cδ0
 
     Source:   Eqs (5) and (6).
     Valid:    JKR; quasi-static.
-    Accuracy: 1.5 ulp above P_cδ0.
+    Accuracy: 1.5 ulp above w, R and E*.
 
-    >>> well_energy(adhesion_energy=1.0)
-    1.2
+    >>> f"{well_energy(work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9):.4e}"
+    '0'
     """
-    return 6 / 5 * adhesion_energy
+    return _in_adhesion_energies(1338.5301012508212, work_of_adhesion, reduced_radius, contact_modulus)
 
 
-def pull_off_work(*, adhesion_energy: Energy) -> Energy:
+def pull_off_work(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress) -> Energy:
     """Work to separate the spheres from P = 0 with fixed grips, which hold on to the fold.
 
         (6/5 + (2/15)6^(−1/3)) P_cδ0 = 1.2733762 P_cδ0
 
     Source:   Eqs (5) and (6).
     Valid:    JKR; quasi-static; the jump at the fold dissipates what is left.
-    Accuracy: 1 ulp above P_cδ0.
+    Accuracy: 1 ulp above w, R and E*.
 
-    >>> round(pull_off_work(adhesion_energy=1.0), 7)
-    1.2733762
+    >>> f"{pull_off_work(work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9):.4e}"
+    '0'
     """
-    return 1.2733761610865473 * adhesion_energy
+    return _in_adhesion_energies(1599.390637874992, work_of_adhesion, reduced_radius, contact_modulus)
 
 
-def pull_off_work_at_dead_load(*, adhesion_energy: Energy) -> Energy:
+def pull_off_work_at_dead_load(
+    *, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress
+) -> Energy:
     """Work to separate the spheres from P = 0 with a load that grows to P_c.
 
         (6/5 − (2/5)2^(−1/3)) P_cδ0 = 0.8825198 P_cδ0
 
     Source:   Eqs (5) and (6).
     Valid:    JKR; quasi-static up to the jump at P = −P_c.
-    Accuracy: 1 ulp above P_cδ0.
+    Accuracy: 1 ulp above w, R and E*.
 
-    >>> round(pull_off_work_at_dead_load(adhesion_energy=1.0), 7)
-    0.8825198
+    >>> f"{pull_off_work_at_dead_load(work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9):.4e}"
+    '0'
     """
-    return 0.8825197896063601 * adhesion_energy
+    return _in_adhesion_energies(532.4241697888572, work_of_adhesion, reduced_radius, contact_modulus)
 
 
-def sticking_energy(*, adhesion_energy: Energy) -> Energy:
+def sticking_energy(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress) -> Energy:
     """Largest energy of a head-on collision after which the spheres stick: what jump-in and the fold dissipate.
 
         ((2/15)6^(−1/3) + (4/5)(2/3)^(1/3)) P_cδ0 = 0.7722405 P_cδ0
 
     Source:   Eqs (5) and (6); text below Eq (48) has P_cδ0 as its order of magnitude.
     Valid:    JKR; no other loss.
-    Accuracy: 1 ulp above P_cδ0.
+    Accuracy: 1 ulp above w, R and E*.
 
-    >>> round(sticking_energy(adhesion_energy=1.0), 7)
-    0.7722405
+    >>> f"{sticking_energy(work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9):.4e}"
+    '0'
     """
-    return 0.7722405328755864 * adhesion_energy
+    return _in_adhesion_energies(356.73209358051355, work_of_adhesion, reduced_radius, contact_modulus)
+
+
+def _in_adhesion_energies(cube: float, work_of_adhesion: Any, reduced_radius: Any, contact_modulus: Any) -> Any:
+    """A multiple of P_cδ0, with 81π⁵/32 times its cube given: under the root, what rounding takes counts a third."""
+    w, R, E = work_of_adhesion, reduced_radius, contact_modulus  # noqa: N806
+    return cbrt(cube * product(w, w, w, w, w, over=(E, E)) * product(R, R, R, R))

@@ -5,6 +5,7 @@ overshoot it by as much again.
 """
 
 from .dimensions import Force, Length, Moment, Stress
+from .elementary import product
 
 
 def unloaded_moment(*, pull_off_force: Force, yield_displacement: Length) -> Moment:
@@ -108,5 +109,5 @@ def fixed_approach_moment(
     ...                       reduced_radius=1.0)
     3.0
     """
-    square = yield_displacement * yield_displacement
-    return yield_moment + contact_modulus * contact_radius_at_load * (square * yield_displacement) / reduced_radius
+    xi = yield_displacement
+    return yield_moment + product(contact_modulus, contact_radius_at_load, xi, xi, xi) / reduced_radius

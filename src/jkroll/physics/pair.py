@@ -5,7 +5,7 @@ infinite).
 """
 
 from .dimensions import Density, Inertia, Length, Mass, Number, Stress, SurfaceEnergy
-from .elementary import one_minus_square, parallel, pi, sqrt
+from .elementary import geometric_mean, in_order, one_minus_square, over_sum, parallel, pi, product
 
 
 def work_of_adhesion(*, surface_energy: SurfaceEnergy, surface_energy2: SurfaceEnergy) -> SurfaceEnergy:
@@ -21,7 +21,7 @@ def work_of_adhesion(*, surface_energy: SurfaceEnergy, surface_energy2: SurfaceE
     >>> work_of_adhesion(surface_energy=0.025, surface_energy2=0.025)
     0.05
     """
-    return 2 * sqrt(surface_energy * surface_energy2)
+    return 2 * geometric_mean(surface_energy, surface_energy2)
 
 
 def radius_ratio(*, radius: Length, radius2: Length) -> Number:
@@ -68,9 +68,10 @@ def contact_modulus(
     >>> round(contact_modulus(youngs_modulus=54e9, poisson_ratio=0.17, youngs_modulus2=54e9, poisson_ratio2=0.17) / 1e9, 3)
     27.804
     """
-    compliance = one_minus_square(poisson_ratio) / youngs_modulus
-    compliance2 = one_minus_square(poisson_ratio2) / youngs_modulus2
-    return 1 / (compliance + compliance2)
+    compliance = one_minus_square(poisson_ratio, over=youngs_modulus)
+    compliance2 = one_minus_square(poisson_ratio2, over=youngs_modulus2)
+    small, large = in_order(compliance, compliance2)
+    return over_sum(1.0, large, small)
 
 
 def mass(*, radius: Length, density: Density) -> Mass:
@@ -85,7 +86,7 @@ def mass(*, radius: Length, density: Density) -> Mass:
     >>> f"{mass(radius=1e-7, density=2600.0):.4e}"
     '1.0891e-17'
     """
-    return 4 * pi * (radius * radius * radius) * density / 3
+    return product(density, radius, radius, radius, over=(3 / 4 / pi,))
 
 
 def reduced_mass(*, mass: Mass, mass2: Mass) -> Mass:
@@ -103,20 +104,19 @@ def reduced_mass(*, mass: Mass, mass2: Mass) -> Mass:
     return parallel(mass, mass2)
 
 
-def moment_of_inertia(*, radius: Length, density: Density) -> Inertia:
+def moment_of_inertia(*, mass: Mass, radius: Length) -> Inertia:
     """Moment of inertia of a homogeneous sphere about its centre.
 
-        I1 = m1 k1² = (2/5) m1 R1² = (8/15)πR1⁵ρ
+        I1 = m1 k1² = (2/5) m1 R1²
 
     Source:   Text below Eq (38).
     Valid:    Homogeneous spheres.
     Accuracy: 4 ulp.
 
-    >>> round(moment_of_inertia(radius=1.0, density=15 / (8 * pi)), 15)
+    >>> moment_of_inertia(mass=2.5, radius=1.0)
     1.0
     """
-    square = radius * radius
-    return 8 * pi * (square * square * radius) * density / 15
+    return product(mass, radius, radius, over=(5 / 2,))
 
 
 def reduced_moment_of_inertia(*, moment_of_inertia: Inertia, moment_of_inertia2: Inertia) -> Inertia:
@@ -149,5 +149,8 @@ def rolling_mass(*, mass: Mass, mass2: Mass, radius_ratio: Number) -> Mass:
     >>> rolling_mass(mass=1.0, mass2=1.0, radius_ratio=1.0)
     0.8
     """
-    turning = (1 / mass + radius_ratio * radius_ratio / mass2) / ((1 + radius_ratio) * (1 + radius_ratio))
-    return 14 / (25 / (mass + mass2) + 10 * turning)
+    small, large = in_order(radius_ratio, 1.0)
+    of_centres = 1 / mass + radius_ratio * radius_ratio / mass2
+    turning = 10 * over_sum(over_sum(of_centres, large, small), large, small)
+    small, large = in_order(turning, 25 / (mass + mass2))
+    return over_sum(14.0, large, small)

@@ -1,7 +1,7 @@
 """Resistance to rolling: Eqs 10, 25-27, 43 and 44."""
 
 from .dimensions import Angle, Force, Length, Moment, Number, RollingStiffness, SurfaceEnergy
-from .elementary import pi
+from .elementary import pi, product
 
 
 def yield_moment(*, pull_off_force: Force, load_factor: Number, yield_displacement: Length) -> Moment:
@@ -16,22 +16,24 @@ def yield_moment(*, pull_off_force: Force, load_factor: Number, yield_displaceme
     >>> f"{yield_moment(pull_off_force=1.1781e-8, load_factor=1.0, yield_displacement=2e-10):.4e}"
     '9.4248e-18'
     """
-    return 4 * pull_off_force * load_factor * yield_displacement
+    return product(4 * pull_off_force, load_factor, yield_displacement)
 
 
-def rolling_stiffness(*, pull_off_force: Force, load_factor: Number, reduced_radius: Length) -> RollingStiffness:
+def rolling_stiffness(
+    *, work_of_adhesion: SurfaceEnergy, load_factor: Number, reduced_radius: Length
+) -> RollingStiffness:
     """Moment per angle between the spheres while they roll back and forth without yielding.
 
-        k = M/δ_α = 4 P_c â^(3/2) R, with ξ = R δ_α
+        k = M/δ_α = 4 P_c â^(3/2) R = 6πw â^(3/2) R², with ξ = R δ_α
 
     Source:   Eqs (25) and (39).
     Valid:    Angles below the yield angle.
-    Accuracy: 1.5 ulp above P_c, x and R.
+    Accuracy: 1.5 ulp above w, x and R.
 
-    >>> rolling_stiffness(pull_off_force=1.0, load_factor=1.0, reduced_radius=0.5)
-    2.0
+    >>> round(rolling_stiffness(work_of_adhesion=1 / pi, load_factor=1.0, reduced_radius=0.5), 12)
+    1.5
     """
-    return 4 * pull_off_force * load_factor * reduced_radius
+    return product(6 * pi, work_of_adhesion, load_factor, reduced_radius, reduced_radius)
 
 
 def yield_force(
@@ -48,7 +50,7 @@ def yield_force(
     >>> f"{yield_force(work_of_adhesion=0.05, load_factor=1.0, yield_displacement=2e-10, radius_ratio=1.0):.4e}"
     '9.4248e-11'
     """
-    return 6 * pi * work_of_adhesion * load_factor * yield_displacement / (1 + radius_ratio)
+    return product(6 * pi, work_of_adhesion, load_factor, yield_displacement, over=(1 + radius_ratio,))
 
 
 def yield_force_ratio(*, load_factor: Number, yield_displacement: Length, radius: Length) -> Number:

@@ -1,7 +1,7 @@
 """What limits the model, as numbers."""
 
 from .dimensions import Energy, Force, Length, Number, Stress, SurfaceEnergy
-from .elementary import cbrt, pi
+from .elementary import cbrt, pi, product
 
 
 def tabor_parameter(
@@ -36,7 +36,7 @@ def displacement_limit(*, contact_radius: Length, load_factor: Number) -> Length
     >>> displacement_limit(contact_radius=3.0, load_factor=1.0)
     1.0
     """
-    return contact_radius / (3 * cbrt(load_factor))
+    return contact_radius / cbrt(27 * load_factor)
 
 
 def displacement_ratio(*, yield_displacement: Length, displacement_limit: Length) -> Number:
@@ -96,7 +96,7 @@ def yield_energy(*, work_of_adhesion: SurfaceEnergy, yield_displacement: Length,
     >>> f"{yield_energy(work_of_adhesion=0.05, yield_displacement=2e-10, load_factor=1.0):.4e}"
     '1.8850e-20'
     """
-    return 3 * pi * work_of_adhesion * load_factor * yield_displacement * yield_displacement
+    return product(3 * pi, work_of_adhesion, load_factor, yield_displacement, yield_displacement)
 
 
 def energy_over_yield(*, energy: Energy, yield_energy: Energy) -> Number:
