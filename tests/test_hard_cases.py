@@ -112,15 +112,19 @@ def unstable_state(approach_ratio: Any) -> Any:
     return load_factor_at_approach_unstable(approach_at_load=approach_ratio, approach=1.0)
 
 
+def compliance(poisson_ratio: Any) -> Any:
+    return one_minus_square(poisson_ratio, over=1.0)
+
+
 SEAMS: Mapping[str, tuple[Callable[[Any], Any], float, int]] = {  # a function, a place, 1 if it rises there
     "stable state, fold": (state, float(FOLD), 1),
     "stable state, excess 3": (state, 3 / 6 ** (1 / 3) + float(FOLD), 1),
     "stable state, equilibrium": (state, 1.0, 1),
     "unstable state, fold": (unstable_state, float(FOLD), -1),
     "unstable state, excess 1/2": (unstable_state, 0.5 / 6 ** (1 / 3) + float(FOLD), -1),
-    "1 - nu^2 at 1/2": (one_minus_square, 0.5, -1),
-    "1 - nu^2 at -1/2": (one_minus_square, -0.5, 1),
-    "1 - nu^2 at 1": (one_minus_square, 1.0, -1),
+    "1 - nu^2 at 1/2": (compliance, 0.5, -1),
+    "1 - nu^2 at -1/2": (compliance, -0.5, 1),
+    "1 - nu^2 at 1": (compliance, 1.0, -1),
     "cbrt at 1": (cbrt, 1.0, 1),
     "cbrt at 8": (cbrt, 8.0, 1),
     "cbrt of 1e-300": (cbrt, 1e-300, 1),

@@ -441,7 +441,9 @@ def test_energies_between_the_states_of_the_curve() -> None:
         ("pull_off_work_at_dead_load", work(1, pull_off)),
         ("sticking_energy", work(jump_in, fold)),
     ):
-        assert math.isclose(FORMULAS[name](adhesion_energy=1.0), expected, rel_tol=1e-11), name
+        unit = FORMULAS["adhesion_energy"](work_of_adhesion=0.05, reduced_radius=5e-8, contact_modulus=2.8e10)
+        energy = FORMULAS[name](work_of_adhesion=0.05, reduced_radius=5e-8, contact_modulus=2.8e10)
+        assert math.isclose(energy / unit, expected, rel_tol=1e-11), name
 
 
 def test_contradictions_and_mismatches_are_refused() -> None:

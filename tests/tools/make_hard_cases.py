@@ -9,7 +9,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from reference import BOUND, FOLD, Exact, bound, conditions, digits, exact, exact_results, mpf, root, scale
+from reference import BOUND, FOLD, Exact, conditions, digits, exact, exact_results, mpf, root, scale
 
 Inputs = Mapping[str, float]
 
@@ -230,7 +230,7 @@ def results_of(scene: Inputs) -> Iterator[Result]:
     condition = conditions(scene, results)
     for name, value in results.items():
         if 0 < abs(value) < math.inf:
-            yield Result(name, value, within=bound(name) * (1 + condition[name]))
+            yield Result(name, value, within=BOUND * (1 + condition[name]))
 
 
 if __name__ == "__main__":

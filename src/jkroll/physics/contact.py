@@ -15,7 +15,7 @@ def pull_off_force(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length) -
 
     Source:   Eq (1).
     Valid:    Large, soft spheres (JKR); small, hard ones tend to 4πγR (DMT).
-    Accuracy: 2 ulp above w and R.
+    Accuracy: 1 ulp above w and R.
 
     >>> f"{pull_off_force(work_of_adhesion=0.05, reduced_radius=50e-9):.4e}"
     '1.1781e-08'
@@ -154,7 +154,7 @@ def stiffness(*, contact_modulus: Stress, contact_radius_at_load: Length, load_m
 
     Source:   Eqs (5) and (6); Eq (34) without load.
     Valid:    Small vibrations about the load.
-    Accuracy: 3 ulp above E*, a and s for s ≥ 0; beyond, 2 + 3s cancels towards the fold.
+    Accuracy: 1.5 ulp above E*, a and s for s ≥ 0; beyond, 2 + 3s cancels towards the fold.
 
     >>> stiffness(contact_modulus=1.0, contact_radius_at_load=1.0, load_margin=1.0)
     1.2

@@ -85,6 +85,7 @@ def leading_bits(value: Any, bits: int) -> Any:
         return wide - (wide - value)
     import numpy
 
+    value = value.astype(numpy.float64, copy=False)
     return ((value.view(numpy.int64) + (1 << (dropped - 1))) & -(1 << dropped)).view(numpy.float64)
 
 
@@ -143,14 +144,14 @@ def _mended_quotient(result: Any, value: Any, term: Any, term2: Any) -> Any:
 
 
 def _mended(plain: Any, mend: Callable[..., Any], *arguments: Any) -> Any:
-    """A result with its last digit mended; as it was where it is 0 or infinite, and where it has units."""
+    """A result with its last digit mended; as it was where it is 0 or infinite, of units, or of fewer digits."""
     if isinstance(plain, (float, int)):
         mended = mend(plain, *arguments) if plain else plain
         return plain if math.isnan(mended) else mended
     import numpy
 
-    if not isinstance(plain, numpy.ndarray):
-        return plain  # a pint Quantity, whose units do not survive
+    if not isinstance(plain, numpy.ndarray) or plain.dtype != numpy.float64:
+        return plain  # a pint Quantity, whose units do not survive, or single precision
     with numpy.errstate(over="ignore", divide="ignore", invalid="ignore"):
         mended = mend(plain, *arguments)
     return numpy.where(numpy.isnan(mended), plain, mended) if math.isnan(mended.sum()) else mended

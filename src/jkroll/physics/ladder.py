@@ -103,7 +103,7 @@ def fixed_approach_moment(
 
     Source:   Hertz, flat punch and tilted flat punch on one circle; Eq (25) is the exact moment at a fixed load.
     Valid:    ξ < a0/(3√â).
-    Accuracy: 2.5 ulp above its parts.
+    Accuracy: 2 ulp above its parts.
 
     >>> fixed_approach_moment(yield_moment=1.0, contact_modulus=1.0, contact_radius_at_load=2.0, yield_displacement=1.0,
     ...                       reduced_radius=1.0)

@@ -11,7 +11,7 @@ def yield_moment(*, pull_off_force: Force, load_factor: Number, yield_displaceme
 
     Source:   Eq (25); exact in three dimensions at a fixed load.
     Valid:    ξ < a0/(3√â); beyond, the leading edge would interpenetrate.
-    Accuracy: 1.5 ulp above P_c and x.
+    Accuracy: 0.5 ulp above P_c and x.
 
     >>> f"{yield_moment(pull_off_force=1.1781e-8, load_factor=1.0, yield_displacement=2e-10):.4e}"
     '9.4248e-18'
@@ -28,7 +28,7 @@ def rolling_stiffness(
 
     Source:   Eqs (25) and (39).
     Valid:    Angles below the yield angle.
-    Accuracy: 1.5 ulp above w, x and R.
+    Accuracy: 1 ulp above w, x and R.
 
     >>> round(rolling_stiffness(work_of_adhesion=1 / pi, load_factor=1.0, reduced_radius=0.5), 12)
     1.5
@@ -45,7 +45,7 @@ def yield_force(
 
     Source:   Eqs (10), (25) and (26); identical spheres need no radius.
     Valid:    As Eq (25).
-    Accuracy: 3.5 ulp above w and x.
+    Accuracy: 2 ulp above w and x.
 
     >>> f"{yield_force(work_of_adhesion=0.05, load_factor=1.0, yield_displacement=2e-10, radius_ratio=1.0):.4e}"
     '9.4248e-11'
