@@ -305,6 +305,9 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "half_circles_moment": lambda a, xi, delta, E, R: (
         E / 2 * delta * ((a - xi) ** 2 - (a + xi) ** 2) - E / (4 * R) * ((a - xi) ** 4 - (a + xi) ** 4)
     ),
+    "integrated_moment": lambda a, xi, delta, E, R: (
+        E / 2 * delta * ((a - xi) ** 2 - (a + xi) ** 2) - E / (4 * R) * ((a - xi) ** 4 - (a + xi) ** 4)
+    ),
     "linearised_moment": lambda a, xi, delta, E, R: 2 * xi * E * a * (a**2 / R - delta),
     # chains
     "r_min": lambda R1, R2, xi: R1 * R2 / xi,
@@ -357,5 +360,6 @@ TERMS: Mapping[str, Callable[..., Exact]] = {
     "boussinesq_pressure_at_approach": lambda delta, a, E, p_H: max(E * abs(delta) / (pi * a), p_H / 2),
     "half_circle_moment": lambda A, delta, E, R: E * A**2 * max(abs(delta) / 2, A**2 / (4 * R)),
     "half_circles_moment": lambda a, xi, delta, E, R: 2 * xi * E * a * max((a**2 + xi**2) / R, abs(delta)),
+    "integrated_moment": lambda a, xi, delta, E, R: 2 * xi * E * a * max((a**2 + xi**2) / R, abs(delta)),
     "linearised_moment": lambda a, xi, delta, E, R: 2 * xi * E * a * max(a**2 / R, abs(delta)),
 }

@@ -25,7 +25,7 @@ from jkroll.errors import (
     TwoRigidBodies,
 )
 from jkroll.explain import docstring_fields
-from jkroll.physics.quadrature import quadrature_moment
+from jkroll.physics import ladder
 from jkroll.units import dimension_of
 
 INFINITY = math.inf
@@ -469,13 +469,15 @@ def test_large_arrays_are_evaluated_in_blocks_to_the_same_bits() -> None:
             assert (large[name][..., part] == value).all()
 
 
-def test_quadrature_of_eq_17_is_the_two_half_circles() -> None:
+def test_the_integral_of_eq_17_is_that_of_the_two_half_circles(monkeypatch: pytest.MonkeyPatch) -> None:
     names = ["contact_radius_at_load", "approach_at_load", "contact_modulus", "reduced_radius"]
     scene = solve(names, radius=1e-7, **QUARTZ)
     shift = 0.1 * scene["contact_radius_at_load"]
     exact = jkroll.half_circles_moment(yield_displacement=shift, **scene)
-    assert math.isclose(quadrature_moment(yield_displacement=shift, points=3, **scene), exact, rel_tol=1e-12)
-    assert not math.isclose(quadrature_moment(yield_displacement=shift, points=1, **scene), exact, rel_tol=1e-2)
+    for points, is_exact in ((1, False), (2, True), (3, True)):
+        monkeypatch.setattr(ladder, "_POINTS", points)
+        integrated = jkroll.integrated_moment(yield_displacement=shift, **scene)
+        assert math.isclose(integrated, exact, rel_tol=1e-14 if is_exact else 1e-2) == is_exact
 
 
 def test_materials_cannot_be_changed_by_accident_and_files_may_change(tmp_path: Path) -> None:

@@ -80,11 +80,7 @@ def _force(ratio: float) -> tuple[bool, str]:
 
 LIMITS = (
     Limit("tabor_parameter", frozenset({"work_of_adhesion"}), _tabor),
-    Limit(
-        "contact_radius_in_spacings",
-        frozenset({"contact_radius", "contact_radius_at_load", "pull_off_force"}),
-        _spacings,
-    ),
+    Limit("contact_radius_in_spacings", frozenset({"work_of_adhesion"}), _spacings),
     Limit("approach_in_spacings", frozenset({"approach", "approach_at_load"}), _approach),
     Limit("load_over_pull_off", frozenset({"load", "load_factor", "load_factor_at_approach"}), _load),
     Limit("load_margin", frozenset({"load_factor", "load_factor_at_approach"}), _margin),

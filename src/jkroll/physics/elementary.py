@@ -85,7 +85,8 @@ def leading_bits(value: Any, bits: int) -> Any:
         return wide - (wide - value)
     import numpy
 
-    value = value.astype(numpy.float64, copy=False)
+    if value.dtype != numpy.float64:
+        value = value.astype(numpy.float64)
     return ((value.view(numpy.int64) + (1 << (dropped - 1))) & -(1 << dropped)).view(numpy.float64)
 
 
