@@ -22,7 +22,8 @@ class ShippedMaterials(BuildHookInterface[Any]):
         self.folder = tempfile.TemporaryDirectory()
         module = Path(self.folder.name, "shipped.py")
         module.write_text(
-            f'"""What materials.toml says, made from it when the wheel was built."""\n\nDATA = {data!r}\n', encoding="utf-8"
+            f'"""What materials.toml says, made from it when the wheel was built."""\n\nDATA = {data!r}\n',
+            encoding="utf-8",
         )
         build_data["force_include"][str(module)] = "jkroll/shipped.py"
 

@@ -94,10 +94,10 @@ def read(path: Path) -> list[Material]:
 def _shipped_data() -> Mapping[str, Any]:
     """What the shipped file says: the wheel holds it as a module too, made when it was built; a checkout does not."""
     try:
-        from .shipped import DATA  # type: ignore[import-not-found]
+        from .shipped import DATA  # type: ignore  # mypy does not see it, or sees it without types
     except ImportError:
         return _data(SHIPPED)
-    return DATA  # type: ignore[no-any-return]
+    return dict(DATA)
 
 
 def _data(path: str) -> Mapping[str, Any]:

@@ -22,7 +22,8 @@ from typing import NamedTuple
 SCRIPT = "import sys\nfrom {module} import {function}\nif __name__ == '__main__':\n    sys.exit({function}())\n"
 
 HELLO = "import typer\n\napp = typer.Typer()\n" + "".join(
-    f"\n\n@app.command()\ndef {name}() -> None:\n    pass\n" for name in "one two three four five six seven eight".split()
+    f"\n\n@app.command()\ndef {name}() -> None:\n    pass\n"
+    for name in "one two three four five six seven eight".split()
 )
 
 PINT = """import math, pint
@@ -110,7 +111,7 @@ def cpu_seconds(program: Program, folder: Path) -> float:
         os.chdir(folder)
         for descriptor, source in enumerate((nowhere, outputs, nowhere)):
             os.dup2(source, descriptor)
-        os.execvpe(program.words[0], program.words, {**kept, **own, **program.variables})
+        os.execvpe(program.words[0], list(program.words), {**kept, **own, **program.variables})
     _, _, usage = os.wait4(pid, 0)
     for descriptor in {inputs, outputs, nowhere} - {-1}:
         os.close(descriptor)
