@@ -1,5 +1,6 @@
 """The `jkroll` script, and `python -m jkroll`. It imports as late as it can, so that an interrupt is always met."""
 
+import os
 import sys
 
 
@@ -9,9 +10,14 @@ def run() -> None:
         from .shell import main
 
         code = main()
+        for stream in filter(None, (sys.stdout, sys.stderr)):
+            stream.flush()
     except KeyboardInterrupt:
         code = 130
-    sys.exit(code)
+    except OSError:
+        code = 1
+    # All is written. To take the interpreter down piece by piece would cost a tenth of a call, and could be interrupted.
+    os._exit(code)
 
 
 if __name__ == "__main__":

@@ -144,7 +144,7 @@ def _forget(stream: Any) -> None:
     """Keep the interpreter from writing once more what could not be written."""
     try:
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
-    except (OSError, ValueError):
+    except (OSError, ValueError, AttributeError):  # the last: it was closed from the start
         pass
 
 
