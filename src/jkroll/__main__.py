@@ -6,6 +6,7 @@ import sys
 
 def run() -> None:
     """Run the command line and exit with its code."""
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # what needs numpy multiplies no matrices: no thread a core
     try:
         from .shell import main
 

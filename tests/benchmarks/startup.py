@@ -85,7 +85,7 @@ def programs(folder: Path) -> list[Program]:
         Program("... --csv", jkroll(*one, "--csv")),
         Program("... on a terminal: a table", jkroll(*one), {"TERM": "xterm-256color"}, terminal=True),
         Program("... of a file of 50 materials", jkroll("pull-off", "G30", "100nm", "--bare", "--materials", str(own))),
-        Program("... in a unit that only pint knows", jkroll("pull-off", "quartz", "1e-9smoot", "--bare")),
+        Program("... in a unit that only pint knows", jkroll("pull-off", "quartz", "1e-14furlong", "--bare")),
         Program("jkroll --help", jkroll("--help")),
         Program("jkroll pull-off --help", jkroll("pull-off", "--help")),
         Program("a mistyped option", jkroll(*one, "--laod", "5nN")),
