@@ -351,16 +351,6 @@ def jkroll(*words: str, **options: object) -> "subprocess.CompletedProcess[str]"
     )
 
 
-def test_one_scene_imports_neither_numpy_nor_pint_nor_rich(tmp_path: Path) -> None:
-    program = (
-        "import sys; from jkroll.shell import main; main(sys.argv[1:]); "
-        "print({'numpy', 'pint', 'rich', 'pydantic', 'mpmath'} & set(sys.modules), file=sys.stderr)"
-    )
-    for how in ("--bare", "--json", "--csv", "--digits=3"):
-        words = [sys.executable, "-c", program, "pull-off", "quartz", "100nm", how, "--quiet"]
-        assert subprocess.run(words, capture_output=True, text=True, check=True, cwd=tmp_path).stderr.strip() == "set()"
-
-
 def test_a_closed_pipe_is_141() -> None:
     command = (
         f"{sys.executable} -m jkroll pull-off quartz 1nm:1um:100000 --bare --quiet | head -1; exit ${{PIPESTATUS[0]}}"
