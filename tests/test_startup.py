@@ -68,7 +68,7 @@ def test_help_imports_no_library(tmp_path: Path) -> None:
 def test_a_completion_imports_no_library(shell: str, line: str, tmp_path: Path) -> None:
     variables = {
         "_JKROLL_COMPLETE": f"complete_{shell}",
-        "COMP_WORDS": line,
+        "COMP_WORDS": line.replace(" ", "\n"),
         "COMP_CWORD": str(line.count(" ")),
         "_TYPER_COMPLETE_ARGS": line,
         "_TYPER_COMPLETE_FISH_ACTION": "get-args",

@@ -68,7 +68,7 @@ def asked(shell: str, line: str) -> dict[str, str]:
         words = f"jkroll {line}"
         return {
             "_JKROLL_COMPLETE": "complete_bash",
-            "COMP_WORDS": words,
+            "COMP_WORDS": words.replace(" ", "\n"),  # typer's script joins them so
             "COMP_CWORD": str(len(words.split(" ")) - 1),
         }
     if shell == "zsh":

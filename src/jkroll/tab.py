@@ -38,17 +38,17 @@ def quick_answer(environment: Mapping[str, str]) -> Callable[[], int] | None:
 def _asked(shell: str, environment: Mapping[str, str]) -> tuple[list[str], str] | None:
     """The words before the one to be completed, without the program, and that one."""
     line = environment.get("COMP_WORDS" if shell == "bash" else "_TYPER_COMPLETE_ARGS", "")
+    if shell == "bash":
+        line = line.replace("\n", " ")  # typer's script joins the words by line ends
     if any(character in NOT_PLAIN for character in line):
         return None
     words = line.split(" ")
-    if shell == "bash":
-        words = [word for word in words if word]
-        place = environment.get("COMP_CWORD", "")
-        if not (place.isascii() and place.isdigit() and 1 <= int(place) <= len(words)):
-            return None
-        return words[1 : int(place)], "".join(words[int(place) : int(place) + 1])
     if shell in ("zsh", "fish") and len(words) > 1:
         return [word for word in words[1:-1] if word], words[-1]
+    place = environment.get("COMP_CWORD", "")
+    if shell == "bash" and place.isascii() and place.isdigit() and len(place) < 6 and 1 <= int(place) <= len(words):
+        words = [word for word in words if word]
+        return words[1 : int(place)], "".join(words[int(place) : int(place) + 1])
     return None
 
 

@@ -70,7 +70,7 @@ def programs(folder: Path) -> list[Program]:
         return (sys.executable, "jkroll", *words)
 
     def tab(name: str, line: str) -> dict[str, str]:
-        variables = {"COMP_WORDS": line, "COMP_CWORD": str(line.count(" "))}
+        variables = {"COMP_WORDS": line.replace(" ", "\n"), "COMP_CWORD": str(line.count(" "))}
         return {f"_{name.upper()}_COMPLETE": "complete_bash", **variables}
 
     one = ("pull-off", "quartz", "100nm")
