@@ -19,7 +19,9 @@ MODULES = sorted(SOURCE.rglob("*.py"))
 LAYERS = [
     {"__main__"},
     {"cli"},
-    {"shell", "completion"},
+    {"shell"},
+    {"tab"},
+    {"completion", "help", "mistakes"},
     {"run"},
     {"curve"},
     {"request", "catalogue", "explain", "table", "verify", "bench"},

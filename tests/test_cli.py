@@ -129,7 +129,25 @@ MESSAGES = {
     ),
     "pull-off quartz 100nm --json --csv": (2, "--json and --csv exclude each other"),
     "pull-off quartz 100nm --digits 0": (2, "Invalid value for '--digits': 0 is not in the range 1<=x<=17."),
-    "pull-off quartz 100nm --laod 5nN": (2, "No such option: --laod (Possible options: --to)"),
+    "pull-off quartz 100nm --laod 5nN": (
+        2,
+        "pull-off takes no '--laod'; --load is an option of yield-force, n-grav, frequencies, ...",
+    ),
+    "contact quartz 100nm --laod 5nN": (2, "no such option '--laod'; did you mean --load?"),
+    "pull-off quartz 100nm --rtol 1e-3": (
+        2,
+        "pull-off takes no '--rtol'; --rtol is an option of yield-force, frequencies, moment",
+    ),
+    "pull-off 100nm --surface-energy 25mJ/m2": (2, "no such option '--surface-energy'; did you mean --gamma?"),
+    "pull-off 100nm --GAMMA=25mJ/m2": (2, "no such option '--GAMMA'; did you mean --gamma?"),
+    "pull-off 100nm -gamma 25mJ/m2": (2, "no such option '-gamma'; did you mean --gamma?"),
+    "pull-off quartz 100nm --dig 3": (2, "no such option '--dig'; did you mean --digits?"),
+    "pull-off quartz --radius 100nm": (
+        2,
+        "no such option '--radius'; a radius stands alone: jkroll pull-off quartz 100nm",
+    ),
+    "pull-off --\x1b[31m": (2, "no such option '--?[31m'; see jkroll pull-off --help"),
+    "--bare pull-off quartz 100nm": (2, "--bare goes behind a command: jkroll pull-off ... --bare"),
     "pul-off quartz 100nm": (2, "No such command 'pul-off'. Did you mean 'pull-off'?"),
     "pull-off quartz 100nm --materials none.toml": (2, "materials file 'none.toml': No such file or directory"),
     "pull-off quartz 100nm --materials .": (2, "materials file '.': is not a regular file"),
@@ -331,16 +349,6 @@ def jkroll(*words: str, **options: object) -> "subprocess.CompletedProcess[str]"
         encoding="utf-8",
         **options,
     )
-
-
-def test_one_scene_imports_neither_numpy_nor_pint_nor_rich(tmp_path: Path) -> None:
-    program = (
-        "import sys; from jkroll.shell import main; main(sys.argv[1:]); "
-        "print({'numpy', 'pint', 'rich', 'pydantic', 'mpmath'} & set(sys.modules), file=sys.stderr)"
-    )
-    for how in ("--bare", "--json", "--csv", "--digits=3"):
-        words = [sys.executable, "-c", program, "pull-off", "quartz", "100nm", how, "--quiet"]
-        assert subprocess.run(words, capture_output=True, text=True, check=True, cwd=tmp_path).stderr.strip() == "set()"
 
 
 def test_a_closed_pipe_is_141() -> None:

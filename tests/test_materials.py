@@ -53,7 +53,7 @@ def test_there_is_one_copy() -> None:
     root = Path(__file__).parents[1]
     copies = [path for path in root.rglob("materials.toml") if ".venv" not in path.parts[len(root.parts)]]
     assert copies == [root / "materials.toml"]
-    assert SHIPPED.samefile(root / "materials.toml") or "site-packages" in SHIPPED.parts
+    assert Path(SHIPPED).samefile(root / "materials.toml") or "site-packages" in Path(SHIPPED).parts
 
 
 def test_option_environment_and_configuration_add_up(run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

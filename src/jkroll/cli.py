@@ -1,6 +1,7 @@
-"""The command line as typer sees it: help, completion, and words that are not plain. The only module that knows typer."""
+"""The command line as typer sees it: words that are not plain. The only module that knows typer."""
 
-import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from inspect import Parameter, Signature
 from typing import Annotated, Any
 
@@ -10,41 +11,51 @@ from typer.core import TyperCommand, TyperGroup
 from . import __version__
 from .commands import COMMANDS
 from .completion import complete_input, complete_words
+from .help import help_of
+from .mistakes import UnknownOption
 from .nomenclature import NOMENCLATURE
-from .options import EXTRAS, Option, options_of
+from .options import EXTRAS, HELP, Option, options_of, sentence_of
 from .shell import Call, call
-from .streams import fitting
 
 
 class Program(TyperGroup):
-    """The program: its help is written as the stream allows."""
+    """The program, with our help and our words for an option it does not take."""
 
-    def get_help(self, ctx: Any) -> str:
-        """The help, in ASCII where it must be."""
-        return fitting(super().get_help(ctx), sys.stdout)
+    def get_help(self, ctx: Any) -> str:  # noqa: ARG002
+        """What `--help` prints."""
+        return help_of(None)
 
-
-class CompactCommand(TyperCommand):
-    """A command whose help shows, on one line, the options that share a help text."""
-
-    def get_help(self, ctx: Any) -> str:
-        """The help, in ASCII where it must be."""
-        return fitting(super().get_help(ctx), sys.stdout)
-
-    def format_options(self, ctx: Any, formatter: Any) -> None:
-        """Write the options; arguments stand in the usage line."""
-        lines: dict[str, list[str]] = {}
-        for parameter in self.get_params(ctx):
-            record = parameter.get_help_record(ctx) if parameter.param_type_name == "option" else None
-            if record is not None:
-                lines.setdefault(record[1], []).append(record[0])
-        with formatter.section("Options"):
-            formatter.write_dl([(", ".join(names), text) for text, names in lines.items()])
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Read the options before the command."""
+        with _our_words(None, args):
+            return super().parse_args(ctx, args)
 
 
-_EPILOG = """Lists (1nm,1um) and ranges (1nm:1um:50, or :50:lin) give a row each.
+class OneCommand(TyperCommand):
+    """A command, with our help and our words for an option it does not take."""
 
-Example: jkroll {name} {example}"""
+    def get_help(self, ctx: Any) -> str:  # noqa: ARG002
+        """What `--help` prints."""
+        return help_of(self.name)
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Read the words after the command."""
+        with _our_words(self.name, args):
+            return super().parse_args(ctx, args)
+
+
+@contextmanager
+def _our_words(command: str | None, words: Sequence[str]) -> Iterator[None]:
+    """Say of an option that nothing takes what was probably meant, in place of what typer says."""
+    words = tuple(words)
+    try:
+        yield
+    except Exception as error:
+        if not hasattr(error, "possibilities"):
+            raise
+        flag = str(getattr(error, "option_name", ""))
+        typed = next((word.partition("=")[0] for word in words if word.startswith(flag)), flag)
+        raise UnknownOption(typed, command) from None
 
 
 def build(only: str | None = None) -> typer.Typer:
@@ -55,24 +66,22 @@ def build(only: str | None = None) -> typer.Typer:
         no_args_is_help=True,
         rich_markup_mode=None,
         pretty_exceptions_enable=False,
-        context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
-        help="Adhesive contact of two elastic spheres: pull-off, rolling, chains, vibrations.",
-        epilog="Example: jkroll report quartz 100nm",
+        context_settings={"help_option_names": [option.flag for option in HELP]},
     )
     app.callback()(_root)
     for name, command in COMMANDS.items():
         parameters = []
         if name == only:
             parameters = [_words("[MATERIAL] [RADIUS]...", list[str] | None), *map(_parameter, options_of(command))]
-        _add(app, name, command.sentence, _EPILOG.format(name=name, example=command.example), parameters)
+        _add(app, name, command.sentence, parameters)
     for name, extra in EXTRAS.items():
         words = [_words(extra.argument, str | None)] if extra.argument else []
         parameters = [*words, *map(_parameter, extra.options)] if name == only else []
-        _add(app, name, extra.sentence, f"Example: jkroll {name} {extra.example}", parameters)
+        _add(app, name, extra.sentence, parameters)
     return app
 
 
-def _add(app: typer.Typer, name: str, sentence: str, epilog: str, parameters: list[Parameter]) -> None:
+def _add(app: typer.Typer, name: str, sentence: str, parameters: list[Parameter]) -> None:
     """Add a command with a signature of its own."""
 
     def function(words: Any = None, **values: Any) -> Call:
@@ -81,7 +90,7 @@ def _add(app: typer.Typer, name: str, sentence: str, epilog: str, parameters: li
     function.__signature__ = Signature(parameters)  # type: ignore[attr-defined]
     function.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
     function.__name__ = name.replace("-", "_")
-    app.command(name, cls=CompactCommand, help=sentence, epilog=epilog)(function)
+    app.command(name, cls=OneCommand, short_help=sentence)(function)
 
 
 def _words(metavar: str, kind: Any) -> Parameter:
@@ -94,7 +103,7 @@ def _parameter(option: Option) -> Parameter:
     declaration = typer.Option(
         option.flag,
         metavar=option.metavar or None,
-        help=option.help,
+        help=sentence_of(option),
         min=option.low,
         max=option.high,
         hidden=option.hidden,

@@ -1,29 +1,28 @@
 """Materials: the shipped file and the user's own, read, checked and laid over each other."""
 
+import os
 import re
-import tomllib
 from collections.abc import Iterable, Mapping
 from functools import cache
-from pathlib import Path
 from stat import S_ISREG
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from .errors import MaterialsFileError, QuantityError, UnknownMaterial, quoted
 from .nomenclature import NOMENCLATURE
-from .suggestions import closest
 from .units import parse_quantity
 from .wiring import PROPERTIES
 
+Path = str | os.PathLike[str]
 MAX_BYTES = 1_000_000
 MAX_NAME = 60
 MAX_LINE = 2000
 MAX_DOTS = 20  # outside quotes: a dotted key of thousands of parts takes the parser minutes
-_QUOTED = re.compile(rb"\"[^\"]*\"|'[^']*'")
 
-_HERE = Path(__file__).parent
+_HERE = os.path.dirname(__file__)
 # The wheel carries the file beside this module; a checkout has it at the top level.
-SHIPPED = next(path for path in (_HERE / "materials.toml", _HERE.parents[1] / "materials.toml") if path.exists())
+_PLACES = (os.path.join(folder, "materials.toml") for folder in (_HERE, os.path.dirname(os.path.dirname(_HERE))))
+SHIPPED = next(path for path in _PLACES if os.path.exists(path))
 
 
 class Material(NamedTuple):
@@ -42,7 +41,7 @@ class Material(NamedTuple):
 class Materials:
     """All materials that are known, by name or alias in any case."""
 
-    def __init__(self, paths: Iterable[str | Path] = ()) -> None:
+    def __init__(self, paths: Iterable[Path] = ()) -> None:
         """Read the shipped file, then each of `paths`, whose materials shadow those before them."""
         self.materials: dict[str, Material] = {}
         self._by_word: dict[str, str] = {}
@@ -66,12 +65,14 @@ class Materials:
         """The material of a name or alias, in any case; UnknownMaterial with a suggestion if there is none."""
         found = self._by_word.get(name.strip().casefold())
         if found is None:
+            from .suggestions import closest
+
             guess = closest(name.strip().casefold(), self._by_word)
             raise UnknownMaterial(name, sorted(self.materials), guess and self._by_word[guess])
         return self.materials[found]
 
 
-def known_materials(*paths: str | Path) -> Materials:
+def known_materials(*paths: Path) -> Materials:
     """The materials of the shipped file, which is read once, and of `paths`, which may have changed."""
     return Materials(paths) if paths else _shipped()
 
@@ -81,40 +82,61 @@ def _shipped() -> Materials:
     return Materials()
 
 
-def read(path: str | Path) -> list[Material]:
+def read(path: Path) -> list[Material]:
     """Read and check one materials file; MaterialsFileError says what is wrong with it."""
+    name = os.fspath(path)
     try:
-        data = tomllib.loads(_text(Path(path)))
+        return _checked(_shipped_data() if name == SHIPPED else _data(name), name)
+    except _Malformed as error:
+        raise MaterialsFileError(name, str(error)) from None
+
+
+def _shipped_data() -> Mapping[str, Any]:
+    """What the shipped file says: the wheel holds it as a module too, made when it was built; a checkout does not."""
+    try:
+        from .shipped import DATA  # type: ignore  # mypy does not see it, or sees it without types
+    except ImportError:
+        return _data(SHIPPED)
+    return dict(DATA)
+
+
+def _data(path: str) -> Mapping[str, Any]:
+    """What a TOML file says."""
+    import tomllib
+
+    try:
+        return tomllib.loads(_text(path))
     except (ValueError, RecursionError) as error:
         reason = "nested too deeply" if isinstance(error, RecursionError) else _clean(str(error))
-        raise MaterialsFileError(str(path), f"is not TOML: {reason}") from None
-    try:
-        return _checked(data, str(path))
-    except _Malformed as error:
-        raise MaterialsFileError(str(path), str(error)) from None
+        raise MaterialsFileError(path, f"is not TOML: {reason}") from None
 
 
 class _Malformed(Exception):
     """Something in a materials file that is no material."""
 
 
-def _text(path: Path) -> str:
+def _text(path: str) -> str:
     """The text of a regular file of at most MAX_BYTES."""
     try:
-        if not S_ISREG(path.stat().st_mode):
-            raise MaterialsFileError(str(path), "is not a regular file")
-        with path.open("rb") as file:
+        if not S_ISREG(os.stat(path).st_mode):
+            raise MaterialsFileError(path, "is not a regular file")
+        with open(path, "rb") as file:
             content = file.read(MAX_BYTES + 1)
     except (OSError, ValueError) as error:
-        raise MaterialsFileError(str(path), getattr(error, "strerror", None) or "is not a path") from None
+        raise MaterialsFileError(path, getattr(error, "strerror", None) or "is not a path") from None
     if len(content) > MAX_BYTES:
-        raise MaterialsFileError(str(path), f"is larger than {MAX_BYTES // 1_000_000} MB")
-    if any(len(line) > MAX_LINE or _QUOTED.sub(b"", line).count(b".") > MAX_DOTS for line in content.split(b"\n")):
-        raise MaterialsFileError(str(path), f"has a line of more than {MAX_LINE} bytes or {MAX_DOTS} dots")
+        raise MaterialsFileError(path, f"is larger than {MAX_BYTES // 1_000_000} MB")
+    if any(len(line) > MAX_LINE or _dots(line) > MAX_DOTS for line in content.split(b"\n")):
+        raise MaterialsFileError(path, f"has a line of more than {MAX_LINE} bytes or {MAX_DOTS} dots")
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError:
-        raise MaterialsFileError(str(path), "is not UTF-8") from None
+        raise MaterialsFileError(path, "is not UTF-8") from None
+
+
+def _dots(line: bytes) -> int:
+    """The number of dots outside quotes."""
+    return re.sub(rb"\"[^\"]*\"|'[^']*'", b"", line).count(b".") if line.count(b".") > MAX_DOTS else 0
 
 
 def _checked(data: Mapping[str, Any], path: str) -> list[Material]:
@@ -154,6 +176,8 @@ def _material(
     known = {*PROPERTIES, "aliases", "notes", "references"}
     for key in entry:
         if key not in known:
+            from .suggestions import closest
+
             guess = closest(key, known)
             raise _Malformed(
                 f"{quoted(name)} has an unknown key {quoted(key)}" + (f"; did you mean {guess}?" if guess else "")

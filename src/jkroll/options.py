@@ -1,4 +1,4 @@
-"""The options of every command, declared once: typer and the quick reader of `shell` are both made from them."""
+"""The options of every command, declared once: typer, the quick reader of `shell`, help and completion are made from them."""
 
 from collections.abc import Mapping
 from typing import NamedTuple
@@ -8,13 +8,16 @@ from .nomenclature import NOMENCLATURE
 
 
 class Option(NamedTuple):
-    """An option of a command: the name of its value, how it is typed, its kind, and how the help shows it."""
+    """An option of a command: the name of its value, how it is typed, its kind, and how the help shows it.
+
+    Without a text of its own, the help of an input is its sentence in the nomenclature.
+    """
 
     name: str
     flag: str
     kind: type
     metavar: str
-    help: str
+    help: str = ""
     low: float | None = None
     high: float | None = None
     hidden: bool = False
@@ -35,6 +38,22 @@ OUTPUT = (
 )
 _RTOL = Option("rtol", "--rtol", float, "1e-3", "Cheapest model of rolling that is this good.", 0.0, 1.0)
 _CURVE = Option("curve", "--curve", bool, "", "The whole force curve, both branches, as rows.")
+
+
+# What typer adds of its own: to every command, and to the program before any.
+HELP = tuple(Option("help", flag, bool, "", "Show this message and exit.") for flag in ("-h", "--help"))
+PROGRAM = (
+    Option("version", "--version", bool, "", "Show the version and exit."),
+    Option("install_completion", "--install-completion", bool, "", "Install completion for the current shell."),
+    Option(
+        "show_completion",
+        "--show-completion",
+        bool,
+        "",
+        "Show completion for the current shell, to copy it or customize the installation.",
+    ),
+    *HELP,
+)
 
 
 class Extra(NamedTuple):
@@ -84,7 +103,7 @@ def options_of(command: Command) -> tuple[Option, ...]:
     names = dict.fromkeys((*_ALWAYS, *_HIDDEN, *(name for name in NOMENCLATURE if name in depends)))
     shown = {*depends, "material2", "radius2"} - {*_HIDDEN}
     inputs = [
-        Option(name, quantity.option, str, quantity.example, _help(name), hidden=name not in shown)
+        Option(name, quantity.option, str, quantity.example, hidden=name not in shown)
         for name, quantity in ((name, NOMENCLATURE[name]) for name in names)
         if quantity.option and (name != "energy_ratio" or name in depends)
     ]
@@ -94,19 +113,36 @@ def options_of(command: Command) -> tuple[Option, ...]:
     return (*inputs, *models, *curve, *OUTPUT)
 
 
-def _help(name: str) -> str:
+def sentences() -> dict[str, str]:
+    """Every command and what it does."""
+    sentences = {name: command.sentence for name, command in COMMANDS.items()}
+    return sentences | {name: extra.sentence for name, extra in EXTRAS.items()}
+
+
+def flags_of(name: str | None) -> dict[str, Option]:
+    """All that a command takes, or the program before any, by what is typed for it."""
+    if name is None:
+        return {option.flag: option for option in PROGRAM}
+    own = options_of(COMMANDS[name]) if name in COMMANDS else EXTRAS[name].options
+    return {option.flag: option for option in (*own, *HELP)}
+
+
+def sentence_of(option: Option) -> str:
+    """What the help says of an option: of an input its sentence in the nomenclature, and its default."""
+    if option.help:
+        span = "" if option.low is None else f", {option.low:g} to {option.high:g}"
+        return f"{option.help.removesuffix('.')}{span}."
     from .formatting import amount
     from .scene import DEFAULTS
 
-    sentence = NOMENCLATURE[name].sentence
-    extra = {"material2": ", or --gamma2, --young2, ..."} | {
-        default: f", default {amount(default, value)}" for default, value in DEFAULTS.items()
-    }
-    return f"{sentence[0].upper()}{sentence[1:]}{extra.get(name, '')}."
+    name, sentence = option.name, NOMENCLATURE[option.name].sentence
+    default = f", default {amount(name, DEFAULTS[name])}" if name in DEFAULTS else ""
+    others = ", or --gamma2 and the like" if name == "material2" else ""
+    return f"{sentence[0].upper()}{sentence[1:]}{default}{others}."
 
 
 def read_quickly(words: list[str], options: Mapping[str, Option]) -> tuple[list[str], dict[str, object]] | None:
-    """The arguments and option values of plain words; None for whatever typer had better look at."""
+    """The arguments and option values of plain words; None for whatever is not plain."""
     arguments: list[str] = []
     values: dict[str, object] = {}
     rest = iter(words)

@@ -31,7 +31,7 @@ DEFAULTS = {
     "energy_ratio": 1.0,
     "atomic_spacing": 4e-10,
 }
-
+_DEFAULTS_OF_A_STATE = {name: value for name, value in DEFAULTS.items() if name != "load"}
 
 # Inputs of which one follows from the other.
 EXCLUSIVE = (
@@ -40,6 +40,7 @@ EXCLUSIVE = (
     ("surface_energy2", "work_of_adhesion"),
     ("load", "approach_at_load", "load_factor"),
 )
+_MAY_CONTRADICT = frozenset(name for names in EXCLUSIVE for name in names)
 
 
 class Scene:
@@ -54,7 +55,7 @@ class Scene:
         self, given: Mapping[str, Any], material: Material | None = None, material2: Material | None = None
     ) -> None:
         """Take SI values by name, over those of the materials of sphere 1 and, if it has one of its own, of sphere 2."""
-        for names in EXCLUSIVE:
+        for names in () if _MAY_CONTRADICT.isdisjoint(given) else EXCLUSIVE:
             if len(both := [name for name in names if name in given]) > 1:
                 raise Contradiction(both)
         for name, value in given.items():
@@ -104,19 +105,15 @@ class Scene:
 
     def inputs_of(self, *wanted: str) -> tuple[str, ...]:
         """The inputs that the wanted quantities depend on, in the order of the nomenclature."""
-        used = set(self.plan(*wanted).inputs)
-        stated = {
-            name for implied in used & _STATED_BY.keys() for name in (_STATED_BY[implied],) if name in self.values
-        }
-        return tuple(name for name in NOMENCLATURE if name in (used - _STATED_BY.keys()) | stated)
+        return self.plan(*wanted).stated
 
     def __getitem__(self, name: str) -> Any:
         """The value of a quantity. Raises MissingInput, or NoResult where the physics has no answer."""
-        plan = self.plan(name)
+        plan, values = self.plan(name), self.values
         for step in plan.steps:
-            if step.name not in self.values:
-                self.values[step.name] = self._run(step)
-        return self.values[plan.found[name]]
+            if step.name not in values:
+                values[step.name] = self._run(step)
+        return values[plan.found[name]]
 
     def _run(self, step: Step) -> Any:
         arguments = {parameter: self.values[name] for parameter, name in step.arguments}
@@ -177,13 +174,9 @@ MAY_BE_ZERO = frozenset(
 )  # at P = 0, at P = -P_c, or at P = -(8/9)P_c
 
 
-# The input from which an implied value follows, to be echoed in its place.
-_STATED_BY = {"load_margin": "load", "radius_ratio": "radius2", "mass2": "radius2", "moment_of_inertia2": "radius2"}
-
-
-def _assumed(given: Mapping[str, Any]) -> dict[str, float]:
+def _assumed(given: Mapping[str, Any]) -> Mapping[str, float]:
     """The defaults, without a load where something else says in which state the contact is."""
-    return {name: value for name, value in DEFAULTS.items() if name != "load" or not STATE & given.keys()}
+    return DEFAULTS if STATE.isdisjoint(given) else _DEFAULTS_OF_A_STATE
 
 
 def _implied(given: Mapping[str, Any]) -> dict[str, Any]:
@@ -194,7 +187,7 @@ def _implied(given: Mapping[str, Any]) -> dict[str, Any]:
     elif isinstance(given["radius2"], float) and given["radius2"] == INFINITY:
         implied |= {"radius_ratio": 0.0, "mass2": INFINITY, "moment_of_inertia2": INFINITY}
     load = given.get("load", 0.0)
-    if isinstance(load, (float, int)) and load == 0 and not STATE & given.keys():
+    if isinstance(load, (float, int)) and load == 0 and STATE.isdisjoint(given):
         implied["load_margin"] = 1.0
     return implied
 

@@ -1,7 +1,8 @@
 """The command line as a process: arguments to a call, streams, signals and errors to an exit code and one line.
 
-Words that are plainly a command, arguments and known options are read here; everything else (help, completion, mistakes)
-is left to typer, which is imported only then. Both readers are made from `options`.
+Words that are plainly a command, arguments and known options are read here, and so is a plain line to be completed; everything
+else (mistakes, quotes on TAB, the installation of completion) is left to typer, which is imported only then. Both readers are
+made from `options`.
 """
 
 import errno
@@ -15,12 +16,13 @@ from typing import Any
 
 from .commands import COMMANDS
 from .errors import JkrollError, quoted
-from .options import EXTRAS, options_of, read_quickly
+from .options import EXTRAS, flags_of, read_quickly
 from .streams import say
 
 USAGE_ERROR = 2
 CANNOT_WRITE = 1
 INTERRUPTED = 130
+COMPLETE = "_JKROLL_COMPLETE"  # the variable in which a shell asks for completions
 BROKEN_PIPE = 141
 
 Call = Callable[[], int]
@@ -45,6 +47,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return code
     except SystemExit as stop:  # typer's: of completions with 0, of a closed pipe with 1
         _forget(sys.stdout)
+        if os.environ.get(COMPLETE):
+            return int(stop.code or 0)  # whether fish is to offer what it asked for
         return BROKEN_PIPE if stop.code else 0
     except BrokenPipeError:
         _forget(sys.stdout)
@@ -61,15 +65,38 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def quick_call(words: list[str]) -> Call | None:
     """The call that plain words ask for; None for whatever typer had better look at."""
-    name, *rest = words
-    if "_JKROLL_COMPLETE" in os.environ or (name not in COMMANDS and name not in EXTRAS):
-        return None
-    options = options_of(COMMANDS[name]) if name in COMMANDS else EXTRAS[name].options
-    read = read_quickly(rest, {option.flag: option for option in options})
-    if read is None or (name in EXTRAS and len(read[0]) > len(EXTRAS[name].argument.split())):
+    if os.environ.get(COMPLETE):
+        from .tab import quick_answer
+
+        return quick_answer(os.environ)
+    name = words[0] if words[0] in COMMANDS or words[0] in EXTRAS else None
+    read = read_quickly(words[1:] if name else words, flags_of(name))
+    if read is None:
         return None
     arguments, values = read
+    if "help" in values and (name or len(words) == 1):
+        return partial(_show_help, name)
+    if name is None:
+        return _show_version if words == ["--version"] else None
+    if name in EXTRAS and len(arguments) > len(EXTRAS[name].argument.split()):
+        return None
     return call(name, arguments, values)
+
+
+def _show_help(name: str | None) -> int:
+    """Print the help of a command, or of the program."""
+    from .help import help_of
+
+    say(help_of(name), sys.stdout)
+    return 0
+
+
+def _show_version() -> int:
+    """Print the version."""
+    from . import __version__
+
+    say(f"jkroll {__version__}", sys.stdout)
+    return 0
 
 
 def call(name: str, arguments: Sequence[str], values: dict[str, Any]) -> Call:
@@ -117,7 +144,7 @@ def _forget(stream: Any) -> None:
     """Keep the interpreter from writing once more what could not be written."""
     try:
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
-    except (OSError, ValueError):
+    except (OSError, ValueError, AttributeError):  # the last: it was closed from the start
         pass
 
 
@@ -136,6 +163,6 @@ _TAKES_NO_QUANTITY = ("--to", "--digits", "--materials")
 
 def _command_of(words: Sequence[str]) -> str | None:
     """The command that an argument list, or a completion request in the environment, is about."""
-    if os.environ.get("_JKROLL_COMPLETE"):
+    if os.environ.get(COMPLETE):
         words = os.environ.get("COMP_WORDS", os.environ.get("_TYPER_COMPLETE_ARGS", "")).split()[1:]
     return next((word for word in words if not word.startswith("-")), None)

@@ -1,6 +1,8 @@
 """Writing to streams that may know only ASCII."""
 
 import codecs
+import os
+import sys
 from typing import Any, TextIO
 
 _ASCII = {
@@ -56,3 +58,14 @@ def json_text(value: Any, out: TextIO) -> str:
 def say(text: str, out: TextIO) -> None:
     """Print a line."""
     print(fitting(text, out), file=out)
+
+
+def columns() -> int:
+    """Width of the terminal: what the variable COLUMNS says, else what the terminal does, else 80."""
+    stated = os.environ.get("COLUMNS", "")
+    if stated.isascii() and stated.isdigit() and int(stated[:9]):
+        return int(stated[:9])
+    try:
+        return os.get_terminal_size(sys.__stdout__.fileno()).columns or 80  # type: ignore[union-attr]
+    except (AttributeError, ValueError, OSError):
+        return 80

@@ -1,7 +1,6 @@
 """Tables on a terminal. The only module that imports rich."""
 
 from collections.abc import Collection, Mapping, Sequence
-from shutil import get_terminal_size
 from typing import TextIO
 
 from rich import box
@@ -14,7 +13,7 @@ from .formatting import Format, amount
 from .judgement import sentence
 from .nomenclature import NOMENCLATURE
 from .report import Layout
-from .streams import fitting, say
+from .streams import columns, fitting, say
 from .wiring import PROPERTIES
 
 
@@ -100,7 +99,7 @@ def pretty(unit: str) -> str:
 
 def _inputs(inputs: Mapping[str, float | str], form: Format) -> str:
     """The inputs as understood, in lines that end between two of them."""
-    width = get_terminal_size().columns
+    width = columns()
     lines = [""]
     for name, value in inputs.items():
         text = pretty(amount(name, value, form))
@@ -134,7 +133,7 @@ def _table(
 
 def _print(table: Table, out: TextIO, *, anyway: bool = False) -> bool:
     """Print a table if the terminal is wide enough to show it whole, or anyway, uncut; whether it was printed."""
-    console = Console(file=out, width=get_terminal_size().columns, highlight=False, markup=False, emoji=False)
+    console = Console(file=out, width=columns(), highlight=False, markup=False, emoji=False)
     width = console.measure(table, options=console.options.update(width=10_000)).maximum
     if width > console.width and not anyway:
         return False

@@ -4,7 +4,7 @@ What belongs to sphere 2 (`mass2`) comes from the same formula as for sphere 1 (
 not given is that of sphere 1, unless sphere 2 has a material of its own that should have had it.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -40,11 +40,16 @@ class Step(NamedTuple):
     arguments: tuple[tuple[str, str], ...]  # (parameter, name of the value)
 
 
+# The input from which an implied value follows, to be echoed in its place.
+_STATED_BY = {"load_margin": "load", "radius_ratio": "radius2", "mass2": "radius2", "moment_of_inertia2": "radius2"}
+
+
 class Plan(NamedTuple):
-    """The steps that lead to the wanted quantities, and the inputs they start from."""
+    """The steps that lead to the wanted quantities, and the inputs they start from, in the order of the nomenclature."""
 
     steps: tuple[Step, ...]
     inputs: tuple[str, ...]
+    stated: tuple[str, ...]  # the same as a user states them
     found: Mapping[str, str]  # wanted name → the name under which its value is known
 
 
@@ -93,7 +98,13 @@ def plan(wanted: tuple[str, ...], known: frozenset[str], own_material2: bool) ->
         found[name] = visit(name)
         if missing:
             raise MissingInput(name, tuple(dict.fromkeys(missing)), tuple(dict.fromkeys(instead)))
-    return Plan(tuple(steps.values()), tuple(name for name in NOMENCLATURE if name in inputs), found)
+    stated = {_STATED_BY.get(name, name) for name in inputs} & known
+    return Plan(tuple(steps.values()), _in_order(inputs), _in_order(stated), found)
+
+
+def _in_order(names: Collection[str]) -> tuple[str, ...]:
+    """Names in the order of the nomenclature."""
+    return tuple(name for name in NOMENCLATURE if name in names)
 
 
 def depends_on(names: Iterable[str]) -> frozenset[str]:
