@@ -339,7 +339,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "approach_in_spacings": lambda delta0, z0: delta0 / z0,
     "yield_energy": lambda w, xi, x: 3 * pi * w * x * xi**2,
     "energy_at_energy_ratio": lambda W, W_adhesion: W * W_adhesion,
-    "energy_over_yield": lambda W0, W_yield: W0 / W_yield,
+    "energy_over_yield": lambda W0, w, x, xi: W0 / (3 * pi * w * x * xi**2),
     "load_over_pull_off": lambda P, P_c: P / P_c,
 }
 

@@ -99,19 +99,22 @@ def yield_energy(*, work_of_adhesion: SurfaceEnergy, yield_displacement: Length,
     return product(3 * pi, work_of_adhesion, load_factor, yield_displacement, yield_displacement)
 
 
-def energy_over_yield(*, energy: Energy, yield_energy: Energy) -> Number:
+def energy_over_yield(
+    *, energy: Energy, work_of_adhesion: SurfaceEnergy, load_factor: Number, yield_displacement: Length
+) -> Number:
     """Energy of sphere 1 over that which makes the contact yield: below 1 it does not roll.
 
         W0/(3πw â^(3/2) ξ²)
 
     Source:   As the yield energy.
     Valid:    Always.
-    Accuracy: 0.5 ulp above its parts.
+    Accuracy: 1 ulp above W0, w and x.
 
-    >>> energy_over_yield(energy=2.0, yield_energy=4.0)
-    0.5
+    >>> ratio = energy_over_yield(energy=6 * pi, work_of_adhesion=1.0, load_factor=1.0, yield_displacement=1.0)
+    >>> round(ratio, 12)
+    2.0
     """
-    return energy / yield_energy
+    return product(energy, over=(3 * pi, work_of_adhesion, load_factor, yield_displacement, yield_displacement))
 
 
 def load_over_pull_off(*, load: Force, pull_off_force: Force) -> Number:
