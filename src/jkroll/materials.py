@@ -9,7 +9,7 @@ from stat import S_ISREG
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
-from .errors import MaterialsFileError, QuantityError, UnknownMaterial, quoted
+from .errors import MaterialsFileError, QuantityError, UnknownMaterial, quoted, shown
 from .nomenclature import NOMENCLATURE
 from .suggestions import closest
 from .units import parse_quantity
@@ -55,7 +55,7 @@ class Materials:
         for word in dict.fromkeys(word.casefold() for word in (material.name, *material.aliases)):
             before = self.materials.get(self._by_word.get(word, ""))
             if before is not None and before.path != material.path:
-                note = f"{_clean(material.path)} shadows {_clean(word)} of {_clean(before.title)}"
+                note = f"{shown(material.path)} shadows {shown(word)} of {shown(before.title)}"
                 material = material._replace(shadows=(*material.shadows, note))
                 if before.name.casefold() == material.name.casefold():
                     del self.materials[before.name]
@@ -86,7 +86,7 @@ def read(path: str | Path) -> list[Material]:
     try:
         data = tomllib.loads(_text(Path(path)))
     except (ValueError, RecursionError) as error:
-        reason = "nested too deeply" if isinstance(error, RecursionError) else _clean(str(error))
+        reason = "nested too deeply" if isinstance(error, RecursionError) else shown(str(error))
         raise MaterialsFileError(str(path), f"is not TOML: {reason}") from None
     try:
         return _checked(data, str(path))
@@ -121,7 +121,7 @@ def _checked(data: Mapping[str, Any], path: str) -> list[Material]:
     unknown = set(data) - {"title", "materials", "references"}
     if unknown:
         raise _Malformed(f"has an unknown key {quoted(min(unknown))}; expected [materials.NAME] tables")
-    title = _string(data.get("title", _clean(path)), "title")
+    title = _string(data.get("title", shown(path)), "title")
     bibliography = {
         key: {
             "key": key,
@@ -188,7 +188,7 @@ def _property(key: str, value: object, name: str) -> float:
     try:
         return parse_quantity(_string(value, f"{name}.{key}"), key)
     except QuantityError as error:
-        raise _Malformed(f"{_clean(name)}: {error}") from None
+        raise _Malformed(f"{shown(name)}: {error}") from None
 
 
 def is_material_name(word: str) -> bool:
@@ -209,21 +209,18 @@ def is_material_name(word: str) -> bool:
 
 def _table(value: object, where: str) -> Mapping[str, Any]:
     if not isinstance(value, dict):
-        raise _Malformed(f"{_clean(where)} is not a table")
+        raise _Malformed(f"{shown(where)} is not a table")
     return value
 
 
 def _list(value: object, where: str) -> list[Any]:
     if not isinstance(value, list):
-        raise _Malformed(f"{_clean(where)} is not a list")
+        raise _Malformed(f"{shown(where)} is not a list")
     return value
 
 
 def _string(value: object, where: str) -> str:
     if not isinstance(value, str):
-        raise _Malformed(f"{_clean(where)} is not a text in quotes")
-    return _clean(value)
+        raise _Malformed(f"{shown(where)} is not a text in quotes")
+    return shown(value)
 
-
-def _clean(text: str) -> str:
-    return quoted(text)[1:-1]

@@ -14,7 +14,7 @@ from functools import partial
 from typing import Any
 
 from .commands import COMMANDS
-from .errors import JkrollError, quoted
+from .errors import JkrollError, shown
 from .options import EXTRAS, options_of, read_quickly
 from .streams import say
 
@@ -103,7 +103,7 @@ def _report(error: Exception) -> int:
         message, code = f"cannot write: {error.strerror or error}", CANNOT_WRITE
         _forget(sys.stdout)
     elif hasattr(error, "format_message"):  # typer's
-        message, code = quoted(" ".join(error.format_message().split()), limit=1000)[1:-1], USAGE_ERROR
+        message, code = shown(" ".join(error.format_message().split()), limit=1000), USAGE_ERROR
     else:
         raise error
     try:

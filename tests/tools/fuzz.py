@@ -1,0 +1,47 @@
+"""Search, guided by coverage, for an input that breaks an invariant of tests/invariants.py.
+
+    python tests/tools/fuzz.py quantity -max_total_time=600
+
+The targets are quantity, unit, materials and words; what follows is libFuzzer's, and so are the reports: a finding is written
+to the current directory as crash-*. What is found interesting on the way goes to a folder of its own, build/fuzz/TARGET;
+`--keep` puts the smallest inputs that cover as much as all of them into tests/corpus, which a test replays.
+Needs `pip install jkroll[fuzz]`.
+"""
+
+import sys
+import tempfile
+from pathlib import Path
+
+import atheris  # type: ignore[import-not-found,unused-ignore]
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+with atheris.instrument_imports(include=["jkroll", "tomllib"]):
+    import tomllib  # noqa: F401
+
+    import jkroll.cli
+    import jkroll.explain
+    import jkroll.run
+    import jkroll.table  # noqa: F401
+    from invariants import CORPUS, TARGETS, isolate
+
+
+def main() -> None:
+    """Fuzz the target that the command line names."""
+    target, *options = sys.argv[1:] or ["help"]
+    if target not in TARGETS:
+        sys.exit(f"{__doc__}\nno target {target!r}: {', '.join(TARGETS)}")
+    found = Path(tempfile.gettempdir()) / "jkroll-fuzz" / target
+    found.mkdir(parents=True, exist_ok=True)
+    kept = CORPUS / target
+    if "--keep" in options:
+        folders = ["-merge=1", "-max_len=200", str(kept), str(found)]
+    else:
+        folders = [*options, str(found), str(kept)]
+    with tempfile.TemporaryDirectory() as directory:
+        isolate(directory)
+        atheris.Setup([sys.argv[0], *folders], TARGETS[target])
+        atheris.Fuzz()
+
+
+if __name__ == "__main__":
+    main()
