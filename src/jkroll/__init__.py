@@ -5,9 +5,10 @@
 '1.1781e-08 N'
 """
 
-from typing import TYPE_CHECKING, Any
-
+TYPE_CHECKING = False  # as type checkers know it; the module typing costs more than all of this
 if TYPE_CHECKING:
+    from typing import Any
+
     from .errors import JkrollError
     from .materials import Material, Materials, known_materials
     from .nomenclature import NOMENCLATURE, Quantity
@@ -30,7 +31,7 @@ _HOMES = {
 }
 
 
-def __getattr__(name: str) -> Any:
+def __getattr__(name: str) -> "Any":
     """The public names, and every formula of `FORMULAS` by its own name: `jkroll.pull_off_force`."""
     from importlib import import_module
 

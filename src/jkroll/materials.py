@@ -223,4 +223,3 @@ def _string(value: object, where: str) -> str:
     if not isinstance(value, str):
         raise _Malformed(f"{shown(where)} is not a text in quotes")
     return shown(value)
-

@@ -20,6 +20,7 @@ from .streams import say
 
 USAGE_ERROR = 2
 CANNOT_WRITE = 1
+UNFORESEEN = 1
 INTERRUPTED = 130
 BROKEN_PIPE = 141
 
@@ -52,6 +53,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         return INTERRUPTED
     except Exception as error:
+        if isinstance(error.__cause__, KeyboardInterrupt):  # as typer passes it on
+            return INTERRUPTED
         if debug:
             import traceback
 
@@ -96,7 +99,7 @@ def _typers_call(words: list[str]) -> Call:
 
 
 def _report(error: Exception) -> int:
-    """Print an error as one line on stderr, and return the exit code; raise what is none of those that are declared."""
+    """Print an error as one line on stderr, and return the exit code."""
     if isinstance(error, JkrollError):
         message, code = str(error), error.exit_code
     elif isinstance(error, OSError):
@@ -105,7 +108,8 @@ def _report(error: Exception) -> int:
     elif hasattr(error, "format_message"):  # typer's
         message, code = shown(" ".join(error.format_message().split()), limit=1000), USAGE_ERROR
     else:
-        raise error
+        message = f"{type(error).__name__}: {shown(str(error))}; jkroll should have foreseen this: --debug shows where"
+        code = UNFORESEEN
     try:
         say(f"jkroll: {message}", sys.stderr)
     except OSError:
