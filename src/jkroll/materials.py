@@ -1,6 +1,5 @@
 """Materials: the shipped file and the user's own, read, checked and laid over each other."""
 
-import re
 import tomllib
 from collections.abc import Iterable, Mapping
 from functools import cache
@@ -15,11 +14,11 @@ from .suggestions import closest
 from .units import parse_quantity
 from .wiring import PROPERTIES
 
-MAX_BYTES = 1_000_000
+MAX_BYTES = 200_000  # some 500 materials with all their references; the parser takes 0.3 s a megabyte
+MAX_SIGNS = 10_000  # of those that make tables, arrays and dotted keys: a hundred can take 0.1 MB of memory
 MAX_NAME = 60
 MAX_LINE = 2000
-MAX_DOTS = 20  # outside quotes: a dotted key of thousands of parts takes the parser minutes
-_QUOTED = re.compile(rb"\"[^\"]*\"|'[^']*'")
+MAX_DOTS = 100  # in a line: a dotted key takes time and memory as the square of its parts
 
 _HERE = Path(__file__).parent
 # The wheel carries the file beside this module; a checkout has it at the top level.
@@ -108,8 +107,10 @@ def _text(path: Path) -> str:
     except (OSError, ValueError) as error:
         raise MaterialsFileError(str(path), getattr(error, "strerror", None) or "is not a path") from None
     if len(content) > MAX_BYTES:
-        raise MaterialsFileError(str(path), f"is larger than {MAX_BYTES // 1_000_000} MB")
-    if any(len(line) > MAX_LINE or _QUOTED.sub(b"", line).count(b".") > MAX_DOTS for line in content.split(b"\n")):
+        raise MaterialsFileError(str(path), f"is larger than {MAX_BYTES // 1000} kB")
+    if sum(map(content.count, (b"[", b"{", b"."))) > MAX_SIGNS:
+        raise MaterialsFileError(str(path), f"has more than {MAX_SIGNS} brackets, braces and dots")
+    if any(len(line) > MAX_LINE or line.count(b".") > MAX_DOTS for line in content.split(b"\n")):
         raise MaterialsFileError(str(path), f"has a line of more than {MAX_LINE} bytes or {MAX_DOTS} dots")
     try:
         return content.decode("utf-8-sig")
