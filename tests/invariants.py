@@ -2,7 +2,6 @@
 
 import io
 import os
-import sys
 import tempfile
 from collections.abc import Callable
 from contextlib import redirect_stderr, redirect_stdout
@@ -91,6 +90,8 @@ def check_call(arguments: list[str]) -> int:
         code = main(arguments)
     said, complained = (_written(stream) for stream in (out, err))
     lines = complained.splitlines()
+    if "--debug" in arguments[:1] + arguments[-1:] and code:  # a traceback stands before the line
+        lines = lines[-1:]
     errors = [line for line in lines if line.startswith("jkroll: ")]
     assert code in CODES, arguments
     assert all(line.startswith(("jkroll: ", "note: ")) and line.isprintable() for line in lines), (arguments, lines)
@@ -122,4 +123,5 @@ def isolate(directory: str) -> None:
     for name in ("JKROLL_MATERIALS", "_JKROLL_COMPLETE", "FORCE_COLOR"):
         os.environ.pop(name, None)
     os.chdir(directory)
-    sys.dont_write_bytecode = False
+    Path("mine.toml").write_text('[materials.ice]\naliases = ["H2O"]\ndensity = "1 g/cm3"\n', encoding="utf-8")
+    Path("broken.toml").write_text("[materials.ice\n", encoding="utf-8")
