@@ -44,9 +44,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         code = (quick_call(words) or _typers_call(words))()
         sys.stdout.flush()
         return code
-    except SystemExit as stop:  # typer's: of completions with 0, of a closed pipe with 1
+    except SystemExit as stop:  # typer's: of completions with 0, of a closed pipe or an unknown shell with 1
         _forget(sys.stdout)
-        return BROKEN_PIPE if stop.code else 0
+        return BROKEN_PIPE if isinstance(stop.__context__, OSError) else USAGE_ERROR if stop.code else 0
     except BrokenPipeError:
         _forget(sys.stdout)
         return BROKEN_PIPE
@@ -121,7 +121,7 @@ def _forget(stream: Any) -> None:
     """Keep the interpreter from writing once more what could not be written."""
     try:
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
-    except (OSError, ValueError):
+    except (OSError, ValueError, AttributeError):  # it was closed from the start, or it is no file
         pass
 
 
