@@ -3,8 +3,8 @@
     python tests/tools/fuzz.py quantity -max_total_time=600
 
 The targets are quantity, unit, materials and words; what follows is libFuzzer's, and so are the reports: a finding is written
-to the current directory as crash-*. What is found interesting on the way goes to a folder of its own, build/fuzz/TARGET;
-`--keep` puts the smallest inputs that cover as much as all of them into tests/corpus, which a test replays.
+to the current directory as crash-*. What is found interesting on the way goes to a temporary folder, jkroll-fuzz/TARGET;
+`python tests/tools/fuzz.py TARGET --keep` puts the smallest inputs that cover as much as all of them into tests/corpus, which a test replays.
 Needs `pip install jkroll[fuzz]`.
 """
 
@@ -23,6 +23,7 @@ with atheris.instrument_imports(include=["jkroll", "tomllib"]):
     import jkroll.run
     import jkroll.table  # noqa: F401
     from invariants import CORPUS, TARGETS, isolate
+    from jkroll import units
 
 
 def main() -> None:
@@ -37,6 +38,7 @@ def main() -> None:
         folders = ["-merge=1", "-max_len=200", str(kept), str(found)]
     else:
         folders = [*options, str(found), str(kept)]
+    units.unit_of("furlong", "radius")  # pint starts, which is no input's fault
     with tempfile.TemporaryDirectory() as directory:
         isolate(directory)
         atheris.Setup([sys.argv[0], *folders], TARGETS[target])
