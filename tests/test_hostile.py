@@ -69,7 +69,7 @@ def test_what_fuzzing_found_stays_mended(target: str) -> None:
 @pytest.mark.parametrize("shape", SHAPES)
 def test_no_shape_of_a_file_takes_much_memory(shape: str, tmp_path: Path) -> None:
     path = tmp_path / "any.toml"
-    for size in (MEGABYTE, MAX_SIGNS * 2):
+    for size in (MEGABYTE, MAX_SIGNS):
         path.write_bytes(SHAPES[shape](size))
         assert peak_memory(lambda: read(path)) < ALLOWED, size
 
@@ -85,10 +85,10 @@ def test_no_shape_of_the_largest_file_takes_much_memory(shape: str, tmp_path: Pa
 
 def test_no_shape_of_a_file_takes_much_longer_than_an_ordinary_one(tmp_path: Path) -> None:
     path = tmp_path / "any.toml"
-    path.write_bytes(ordinary(MAX_BYTES // 4))
+    path.write_bytes(ordinary(MAX_BYTES // 8))
     usual = seconds(lambda: read(path))
     for name, shape in SHAPES.items():
-        path.write_bytes(shape(MAX_BYTES // 4))
+        path.write_bytes(shape(MAX_BYTES // 8))
         assert seconds(lambda: read(path)) < DENSEST * usual, name
 
 
@@ -149,7 +149,7 @@ def test_names_that_pint_was_asked_for_are_not_kept_for_ever() -> None:
         unit_of("zzzzz", "radius")  # pint starts
 
     def ask() -> None:
-        for number in range(1500):
+        for number in range(1100):
             letters = "".join(chr(ord("a") + digit) for digit in divmod(number, 26)[1:] + divmod(number // 26, 26))
             with pytest.raises(QuantityError):
                 unit_of("zzq" + letters, "radius")
