@@ -45,7 +45,8 @@ said = []
 def listen_and_say_so(*arguments):
     listen(*arguments)
     if not said:
-        said.append(sys.stderr.write("."))
+        said.append("")
+        sys.stderr.write(".")
         sys.stderr.flush()
 signal.signal = listen_and_say_so
 run()

@@ -35,7 +35,7 @@ def main() -> None:
     found.mkdir(parents=True, exist_ok=True)
     kept = CORPUS / target
     if "--keep" in options:
-        folders = ["-merge=1", "-max_len=200", str(kept), str(found)]
+        folders = ["-set_cover_merge=1", "-max_len=500", str(kept), str(found)]
     else:
         folders = [*options, str(found), str(kept)]
     units.unit_of("furlong", "radius")  # pint starts, which is no input's fault
