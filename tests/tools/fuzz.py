@@ -4,10 +4,11 @@
 
 The targets are quantity, unit, materials and words; what follows is libFuzzer's, and so are the reports: a finding is written
 to the current directory as crash-*. What is found interesting on the way goes to a temporary folder, jkroll-fuzz/TARGET;
-`python tests/tools/fuzz.py TARGET --keep` puts the smallest inputs that cover as much as all of them into tests/corpus, which a test replays.
+`python tests/tools/fuzz.py TARGET --keep` puts the small ones into tests/corpus, which a test replays.
 Needs `pip install jkroll[fuzz]`.
 """
 
+import shutil
 import sys
 import tempfile
 from pathlib import Path
@@ -26,22 +27,25 @@ with atheris.instrument_imports(include=["jkroll", "tomllib"]):
     from jkroll import units
 
 
+MAX_KEPT = 100  # bytes
+
+
 def main() -> None:
-    """Fuzz the target that the command line names."""
-    target, *options = sys.argv[1:] or ["help"]
+    """Fuzz the target that the command line names, or keep what was found."""
+    target, *options = sys.argv[1:] or ["none"]
     if target not in TARGETS:
         sys.exit(f"{__doc__}\nno target {target!r}: {', '.join(TARGETS)}")
-    found = Path(tempfile.gettempdir()) / "jkroll-fuzz" / target
+    found, kept = Path(tempfile.gettempdir()) / "jkroll-fuzz" / target, CORPUS / target
     found.mkdir(parents=True, exist_ok=True)
-    kept = CORPUS / target
-    if "--keep" in options:
-        folders = ["-set_cover_merge=1", "-max_len=500", str(kept), str(found)]
-    else:
-        folders = [*options, str(found), str(kept)]
+    if options == ["--keep"]:
+        for path in found.iterdir():
+            if path.stat().st_size <= MAX_KEPT:
+                shutil.copy(path, kept)
+        return
     units.unit_of("furlong", "radius")  # pint starts, which is no input's fault
     with tempfile.TemporaryDirectory() as directory:
         isolate(directory)
-        atheris.Setup([sys.argv[0], *folders], TARGETS[target])
+        atheris.Setup([sys.argv[0], *options, str(found), str(kept)], TARGETS[target])
         atheris.Fuzz()
 
 
