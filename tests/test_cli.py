@@ -5,10 +5,8 @@ import io
 import json
 import math
 import os
-import signal
 import subprocess
 import sys
-import time
 from fractions import Fraction
 from pathlib import Path
 
@@ -351,27 +349,6 @@ def jkroll(*words: str, **options: object) -> "subprocess.CompletedProcess[str]"
     )
 
 
-def test_a_closed_pipe_is_141() -> None:
-    command = (
-        f"{sys.executable} -m jkroll pull-off quartz 1nm:1um:100000 --bare --quiet | head -1; exit ${{PIPESTATUS[0]}}"
-    )
-    ran = subprocess.run(["bash", "-c", command], capture_output=True, text=True, check=False)
-    assert (ran.returncode, ran.stderr) == (141, "")
-
-
-@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="needs /dev/full")
-def test_a_full_disk_is_an_error() -> None:
-    with open("/dev/full", "w") as full:
-        ran = subprocess.run(
-            [sys.executable, "-m", "jkroll", "r-min", "100nm", "--quiet"],
-            stdout=full,
-            stderr=subprocess.PIPE,
-            text=True,
-            check=False,
-        )
-    assert (ran.returncode, ran.stderr) == (1, "jkroll: cannot write: No space left on device\n")
-
-
 def test_a_locale_without_utf8() -> None:
     ran = jkroll(
         "report", "quartz", "100nm", env={**os.environ, "LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONIOENCODING": "ascii"}
@@ -433,31 +410,6 @@ def test_control_characters_of_a_file_and_of_arguments_stay_out(run: Run, tmp_pa
 def test_streams_of_other_encodings(run: Run, encoding: str) -> None:
     for line in ("--help", "report --help", "report quartz 100nm --to µN --csv", "contact quartz 1nm:1um:3 --explain"):
         assert run(line, encoding=encoding).code == 0
-
-
-def test_closed_streams() -> None:
-    for redirection, code in ((">&-", 1), ("2>&-", 0), (">&- 2>&-", 1)):
-        command = f"{sys.executable} -m jkroll pull-off quartz 100nm {redirection}"
-        assert subprocess.run(["bash", "-c", command], capture_output=True, check=False).returncode == code
-
-
-def test_a_closed_pipe_of_the_help_is_141() -> None:
-    command = f"(sleep 0.3; {sys.executable} -m jkroll --help; echo $? >&2) | true"
-    assert subprocess.run(["bash", "-c", command], capture_output=True, text=True, check=False).stderr == "141\n"
-
-
-@pytest.mark.parametrize("delay", [0.0, 0.01, 0.02, 0.04, 0.08, 0.12])
-def test_an_interrupt_is_130_and_silent(delay: float) -> None:
-    words = [sys.executable, "-m", "jkroll", "pull-off", "quartz", "1nm:1um:300000", "--bare", "--quiet"]
-    with subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as process:
-        time.sleep(0.05 + delay)  # past the interpreter's own start, which no program sees
-        process.send_signal(signal.SIGINT)
-        _, err = process.communicate(timeout=30)
-    assert err == b""
-    assert process.returncode in (
-        130,
-        -signal.SIGINT,
-    )  # the latter before our first line runs; a shell says 130 to both
 
 
 def test_rows_are_not_held_in_memory() -> None:

@@ -5,7 +5,7 @@
 '1.1781e-08 N'
 """
 
-TYPE_CHECKING = False  # as a type checker has it; typing itself is ten milliseconds before an interrupt can be met
+TYPE_CHECKING = False  # as type checkers know it; the module typing costs more than all of this
 if TYPE_CHECKING:
     from typing import Any
 

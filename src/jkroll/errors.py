@@ -59,9 +59,8 @@ class AmbiguousUnit(QuantityError):
 
     def problem(self) -> str:
         """Both readings."""
-        return (
-            f"can be read as {self.before}*{self.after} or as {self.before}/{self.after}; write the one that is meant"
-        )
+        before, after = shown(self.before), shown(self.after)
+        return f"can be read as {before}*{after} or as {before}/{after}; write the one that is meant"
 
 
 class UnknownUnit(QuantityError):
@@ -278,10 +277,17 @@ def expectation(name: str) -> str:
 
 
 def quoted(text: str, limit: int = MAX_QUOTED) -> str:
-    r"""A user's text in quotes, without the characters that would move the cursor or reverse the line.
+    r"""A user's text in quotes, as it can be shown.
 
     >>> quoted("a\x1b[31m\u202e")
     "'a?[31m?'"
     """
-    shown = text if len(text) <= limit else text[:limit] + "..."
-    return "'" + "".join(character if character.isprintable() else "?" for character in shown) + "'"
+    return f"'{shown(text, limit)}'"
+
+
+def shown(text: str, limit: int = MAX_QUOTED) -> str:
+    """A user's text without the characters that would move the cursor or reverse the line, and not too long."""
+    text = text if len(text) <= limit else text[:limit] + "..."
+    if text.isprintable():
+        return text
+    return "".join(character if character.isprintable() else "?" for character in text)

@@ -1,23 +1,23 @@
 """Materials: the shipped file and the user's own, read, checked and laid over each other."""
 
 import os
-import re
 from collections.abc import Iterable, Mapping
 from functools import cache
 from stat import S_ISREG
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
-from .errors import MaterialsFileError, QuantityError, UnknownMaterial, quoted
+from .errors import MaterialsFileError, QuantityError, UnknownMaterial, quoted, shown
 from .nomenclature import NOMENCLATURE
 from .units import parse_quantity
 from .wiring import PROPERTIES
 
 Path = str | os.PathLike[str]
-MAX_BYTES = 1_000_000
+MAX_BYTES = 200_000  # some 500 materials with all their references; the parser takes 0.3 s a megabyte
+MAX_SIGNS = 10_000  # of those that make tables, arrays and dotted keys: a hundred can take 0.1 MB of memory
 MAX_NAME = 60
 MAX_LINE = 2000
-MAX_DOTS = 20  # outside quotes: a dotted key of thousands of parts takes the parser minutes
+MAX_DOTS = 100  # in a line: a dotted key takes time and memory as the square of its parts
 
 _HERE = os.path.dirname(__file__)
 # The wheel carries the file beside this module; a checkout has it at the top level.
@@ -54,7 +54,7 @@ class Materials:
         for word in dict.fromkeys(word.casefold() for word in (material.name, *material.aliases)):
             before = self.materials.get(self._by_word.get(word, ""))
             if before is not None and before.path != material.path:
-                note = f"{_clean(material.path)} shadows {_clean(word)} of {_clean(before.title)}"
+                note = f"{shown(material.path)} shadows {shown(word)} of {shown(before.title)}"
                 material = material._replace(shadows=(*material.shadows, note))
                 if before.name.casefold() == material.name.casefold():
                     del self.materials[before.name]
@@ -107,7 +107,7 @@ def _data(path: str) -> Mapping[str, Any]:
     try:
         return tomllib.loads(_text(path))
     except (ValueError, RecursionError) as error:
-        reason = "nested too deeply" if isinstance(error, RecursionError) else _clean(str(error))
+        reason = "nested too deeply" if isinstance(error, RecursionError) else shown(str(error))
         raise MaterialsFileError(path, f"is not TOML: {reason}") from None
 
 
@@ -125,8 +125,10 @@ def _text(path: str) -> str:
     except (OSError, ValueError) as error:
         raise MaterialsFileError(path, getattr(error, "strerror", None) or "is not a path") from None
     if len(content) > MAX_BYTES:
-        raise MaterialsFileError(path, f"is larger than {MAX_BYTES // 1_000_000} MB")
-    if any(len(line) > MAX_LINE or _dots(line) > MAX_DOTS for line in content.split(b"\n")):
+        raise MaterialsFileError(path, f"is larger than {MAX_BYTES // 1000} kB")
+    if sum(map(content.count, (b"[", b"{", b"."))) > MAX_SIGNS:
+        raise MaterialsFileError(path, f"has more than {MAX_SIGNS} brackets, braces and dots")
+    if any(len(line) > MAX_LINE or line.count(b".") > MAX_DOTS for line in content.split(b"\n")):
         raise MaterialsFileError(path, f"has a line of more than {MAX_LINE} bytes or {MAX_DOTS} dots")
     try:
         return content.decode("utf-8-sig")
@@ -134,16 +136,11 @@ def _text(path: str) -> str:
         raise MaterialsFileError(path, "is not UTF-8") from None
 
 
-def _dots(line: bytes) -> int:
-    """The number of dots outside quotes."""
-    return re.sub(rb"\"[^\"]*\"|'[^']*'", b"", line).count(b".") if line.count(b".") > MAX_DOTS else 0
-
-
 def _checked(data: Mapping[str, Any], path: str) -> list[Material]:
     unknown = set(data) - {"title", "materials", "references"}
     if unknown:
         raise _Malformed(f"has an unknown key {quoted(min(unknown))}; expected [materials.NAME] tables")
-    title = _string(data.get("title", _clean(path)), "title")
+    title = _string(data.get("title", shown(path)), "title")
     bibliography = {
         key: {
             "key": key,
@@ -212,7 +209,7 @@ def _property(key: str, value: object, name: str) -> float:
     try:
         return parse_quantity(_string(value, f"{name}.{key}"), key)
     except QuantityError as error:
-        raise _Malformed(f"{_clean(name)}: {error}") from None
+        raise _Malformed(f"{shown(name)}: {error}") from None
 
 
 def is_material_name(word: str) -> bool:
@@ -233,21 +230,17 @@ def is_material_name(word: str) -> bool:
 
 def _table(value: object, where: str) -> Mapping[str, Any]:
     if not isinstance(value, dict):
-        raise _Malformed(f"{_clean(where)} is not a table")
+        raise _Malformed(f"{shown(where)} is not a table")
     return value
 
 
 def _list(value: object, where: str) -> list[Any]:
     if not isinstance(value, list):
-        raise _Malformed(f"{_clean(where)} is not a list")
+        raise _Malformed(f"{shown(where)} is not a list")
     return value
 
 
 def _string(value: object, where: str) -> str:
     if not isinstance(value, str):
-        raise _Malformed(f"{_clean(where)} is not a text in quotes")
-    return _clean(value)
-
-
-def _clean(text: str) -> str:
-    return quoted(text)[1:-1]
+        raise _Malformed(f"{shown(where)} is not a text in quotes")
+    return shown(value)

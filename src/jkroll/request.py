@@ -135,8 +135,19 @@ def materials_files(option: str | None) -> tuple[str, ...]:
     if option == "":
         raise BadRequest("--materials is empty")
     configuration = os.path.join(configuration_directory(), "materials.toml")
-    files = [configuration] if os.path.exists(configuration) else []
+    files = [configuration] if _is_there(configuration) else []
     return tuple(dict.fromkeys(files + [path for path in (os.environ.get(ENVIRONMENT), option) if path]))
+
+
+def _is_there(path: str) -> bool:
+    """Whether there is something at a path, be it only what makes it unreadable."""
+    try:
+        os.lstat(path)
+    except (FileNotFoundError, NotADirectoryError, ValueError):
+        return False
+    except OSError:
+        pass
+    return True
 
 
 def configuration_directory() -> str:

@@ -95,11 +95,7 @@ def run_command(command: Command, words: Sequence[str] | None, options: Mapping[
     out.flush()
     if not output.quiet and kind not in ("json", "explain", "cite"):
         _note(note for note in tally.notes if kind != "table" or request.count > 1 or not note.startswith("doubtful"))
-    if tally.failed:
-        count = f"{tally.failed} of {request.count} rows failed"
-        say(f"jkroll: {tally.failures[0] if request.count == 1 else count}", sys.stderr)
-        return ROWS_FAILED
-    return 0
+    return _say_failures(tally, request.count)
 
 
 def _run_curve(request: Request, kind: str, form: Format) -> int:
@@ -112,12 +108,20 @@ def _run_curve(request: Request, kind: str, form: Format) -> int:
         raise BadRequest("--curve goes through all loads and approaches; it takes none")
     tally = Tally()
     samples = [row for _, row in curve(iter(request.samples()))]
+    if samples[0].failure is not None and all(row.failure is not None for row in samples):
+        raise samples[0].failure
     shape = layout(CURVE, samples, request.count * len(states()))
     WRITERS[kind](tally.watch(in_units(row, form) for _, row in curve(request.scenes())), sys.stdout, form, shape)
     sys.stdout.flush()
-    if tally.failures:
-        raise tally.failures[0]
-    return 0
+    return _say_failures(tally, request.count * len(states()))
+
+
+def _say_failures(tally: Tally, count: int) -> int:
+    """Say how many rows failed, if any did, and return the exit code."""
+    if not tally.failed:
+        return 0
+    say(f"jkroll: {tally.failures[0] if count == 1 else f'{tally.failed} of {count} rows failed'}", sys.stderr)
+    return ROWS_FAILED
 
 
 def _unless_failed(one: Answer, command: Command) -> Answer:

@@ -15,12 +15,13 @@ from functools import partial
 from typing import Any
 
 from .commands import COMMANDS
-from .errors import JkrollError, quoted
+from .errors import JkrollError, shown
 from .options import EXTRAS, flags_of, read_quickly
 from .streams import say
 
 USAGE_ERROR = 2
 CANNOT_WRITE = 1
+UNFORESEEN = 1
 INTERRUPTED = 130
 COMPLETE = "_JKROLL_COMPLETE"  # the variable in which a shell asks for completions
 BROKEN_PIPE = 141
@@ -45,17 +46,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
         code = (quick_call(words) or _typers_call(words))()
         sys.stdout.flush()
         return code
-    except SystemExit as stop:  # typer's: of completions with 0, of a closed pipe with 1
+    except SystemExit as stop:  # typer's: of completions with 0, of a closed pipe or an unknown shell with 1
         _forget(sys.stdout)
-        if os.environ.get(COMPLETE):
-            return int(stop.code or 0)  # whether fish is to offer what it asked for
-        return BROKEN_PIPE if stop.code else 0
+        return _code_of(stop)
     except BrokenPipeError:
         _forget(sys.stdout)
         return BROKEN_PIPE
     except KeyboardInterrupt:
         return INTERRUPTED
     except Exception as error:
+        if isinstance(error.__cause__, KeyboardInterrupt):  # as typer passes it on
+            return INTERRUPTED
         if debug:
             import traceback
 
@@ -123,16 +124,17 @@ def _typers_call(words: list[str]) -> Call:
 
 
 def _report(error: Exception) -> int:
-    """Print an error as one line on stderr, and return the exit code; raise what is none of those that are declared."""
+    """Print an error as one line on stderr, and return the exit code."""
     if isinstance(error, JkrollError):
         message, code = str(error), error.exit_code
     elif isinstance(error, OSError):
         message, code = f"cannot write: {error.strerror or error}", CANNOT_WRITE
         _forget(sys.stdout)
     elif hasattr(error, "format_message"):  # typer's
-        message, code = quoted(" ".join(error.format_message().split()), limit=1000)[1:-1], USAGE_ERROR
+        message, code = shown(" ".join(error.format_message().split()), limit=1000), USAGE_ERROR
     else:
-        raise error
+        message = f"{type(error).__name__}: {shown(str(error))}; jkroll should have foreseen this: --debug shows where"
+        code = UNFORESEEN
     try:
         say(f"jkroll: {message}", sys.stderr)
     except OSError:
@@ -140,11 +142,20 @@ def _report(error: Exception) -> int:
     return code
 
 
+def _code_of(stop: SystemExit) -> int:
+    """The exit code where typer ends the program."""
+    if isinstance(stop.__context__, OSError):
+        return BROKEN_PIPE
+    if os.environ.get(COMPLETE) and isinstance(stop.code, int):
+        return stop.code  # whether fish is to offer what it asked for
+    return USAGE_ERROR if stop.code else 0
+
+
 def _forget(stream: Any) -> None:
     """Keep the interpreter from writing once more what could not be written."""
     try:
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
-    except (OSError, ValueError, AttributeError):  # the last: it was closed from the start
+    except (OSError, ValueError, AttributeError):  # it was closed from the start, or it is no file
         pass
 
 

@@ -56,8 +56,8 @@ def json_text(value: Any, out: TextIO) -> str:
 
 
 def say(text: str, out: TextIO) -> None:
-    """Print a line."""
-    print(fitting(text, out), file=out)
+    """Print a line, in one piece: a stream that is cut off, by whatever, ends with a whole line."""
+    out.write(fitting(text, out) + "\n")
 
 
 def columns() -> int:

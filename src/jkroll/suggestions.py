@@ -3,6 +3,8 @@
 from collections.abc import Iterable
 from difflib import get_close_matches
 
+MAX_WORD = 80  # a longer one is no slip of a finger, and comparing it takes long
+
 
 def closest(word: str, known: Iterable[str], cutoff: float = 0.6) -> str | None:
     """The known word that differs from this one only by case, else the most similar one.
@@ -10,6 +12,8 @@ def closest(word: str, known: Iterable[str], cutoff: float = 0.6) -> str | None:
     >>> closest("Quartz", ["quartz", "iron"]), closest("quarz", ["quartz", "iron"]), closest("x", ["quartz"])
     ('quartz', 'quartz', None)
     """
+    if len(word) > MAX_WORD:
+        return None
     words = list(known)
     same = [candidate for candidate in words if candidate.casefold() == word.casefold()]
     return next(iter(same or get_close_matches(word, words, n=1, cutoff=cutoff)), None)

@@ -6,7 +6,7 @@ not have it. Every value is computed as a ratio of integers and rounded to a dou
 """
 
 import re
-from functools import cache
+from functools import cache, lru_cache
 from typing import NamedTuple
 
 from .errors import AmbiguousUnit, BareNumber, MalformedQuantity, UnknownUnit, WrongDimension
@@ -211,7 +211,7 @@ def _in_table(unit_name: str) -> Unit | None:
     return None
 
 
-@cache
+@lru_cache(maxsize=1000)
 def _in_pint(unit_name: str) -> Unit | None:
     """Pint's meaning of a single validated name; None for a name it does not know or that is not a plain factor."""
     from .pint_names import lookup

@@ -1,0 +1,80 @@
+"""A real shell on a terminal of its own, to which keys are typed."""
+
+import os
+import pty
+import select
+import sys
+import time
+from pathlib import Path
+
+PATIENCE = 30  # seconds until a shell is given up
+
+# What each shell is started with, and what it reads first: nothing of the user's, and jkroll's completion.
+SHELLS = {
+    "bash": (["--norc", "--noprofile", "-i"], "PS1='ready> '; eval \"$(_JKROLL_COMPLETE=source_bash jkroll)\""),
+    "zsh": (
+        ["-f", "-i"],
+        "PS1='ready> '; autoload -U compinit; compinit -u -D; eval \"$(_JKROLL_COMPLETE=source_zsh jkroll)\"",
+    ),
+    "fish": (
+        ["--no-config", "-i"],
+        "function fish_prompt; echo -n 'ready> '; end; _JKROLL_COMPLETE=source_fish jkroll | source",
+    ),
+}
+# Stands for jkroll: it answers completions as jkroll does, and otherwise writes down the words that it is called with.
+STAND_IN = """#!/bin/sh
+if [ -n "$_JKROLL_COMPLETE" ]; then exec {python} -m jkroll "$@"; fi
+for word in "$@"; do printf '%s\\n' "$word"; done > {words}.new
+mv {words}.new {words}
+"""
+
+
+class Shell:
+    """A shell with jkroll's completion, in a directory of its own."""
+
+    def __init__(self, name: str, program: str, directory: Path, **environment: str) -> None:
+        """Start it, and wait until it has read the completion."""
+        self.words, self.screen = directory / "words", b""
+        stand_in = directory / "jkroll"
+        stand_in.write_text(STAND_IN.format(python=sys.executable, words=self.words), encoding="utf-8")
+        stand_in.chmod(0o755)
+        environment |= {
+            "PATH": f"{directory}:{os.environ['PATH']}", "HOME": str(directory), "TERM": "xterm", "LANG": "C.UTF-8",
+            "XDG_CONFIG_HOME": str(directory), "XDG_DATA_HOME": str(directory),
+        }  # fmt: skip
+        options, setup = SHELLS[name]
+        self.process, self.terminal = pty.fork()
+        if self.process == 0:
+            os.chdir(directory)
+            os.execve(program, [name, *options], environment)
+        self.type(f"{setup}; touch {directory}/ready\n")
+        self._wait_for(directory / "ready")
+
+    def type(self, keys: str) -> None:
+        """Press keys."""
+        os.write(self.terminal, keys.encode())
+
+    def words_of(self, keys: str) -> list[str]:
+        """The words of the command that the keys and a return leave to be called."""
+        self.words.unlink(missing_ok=True)
+        self.type(keys + "\n")  # a shell reads on when it has completed
+        self._wait_for(self.words)
+        return self.words.read_text(encoding="utf-8").splitlines()
+
+    def close(self) -> None:
+        """Hang up."""
+        os.close(self.terminal)
+        os.waitpid(self.process, 0)
+
+    def _wait_for(self, path: Path) -> None:
+        deadline = time.monotonic() + PATIENCE
+        while not path.exists():
+            if time.monotonic() > deadline:
+                raise TimeoutError(self.screen.decode("utf-8", "replace"))
+            self._read(0.02)
+
+    def _read(self, patience: float) -> bool:
+        ready, _, _ = select.select([self.terminal], [], [], patience)
+        if ready:
+            self.screen += os.read(self.terminal, 65536)
+        return bool(ready)

@@ -1,0 +1,75 @@
+"""Completion on TAB in the real shells, each on a terminal of its own."""
+
+import json
+import os
+import shutil
+from collections.abc import Iterator
+
+import pytest
+
+from shells import SHELLS, Shell
+
+# What is typed, and the words that the command is then called with. A second TAB goes on where the first has ended.
+TYPED = {
+    "commands": ("yie\t quartz", ["yield-force", "quartz"]),
+    "a material": ("pull-off qua\t 1um", ["pull-off", "quartz", "1um"]),
+    "a material in quotes": ("pull-off 'qua\t", ["pull-off", "quartz"]),
+    "an alias": ("materials Si\t", ["materials", "SiO2"]),
+    "a second material of a list": ("pull-off quartz,ir\t", ["pull-off", "quartz,iron"]),
+    "a unit": ("pull-off quartz 100n\t", ["pull-off", "quartz", "100nm"]),
+    "an option, and its unit": ("r-min 1um --rad\t2n\t", ["r-min", "1um", "--radius2", "2nm"]),
+    "a second material": ("contact quartz 1um --material2 ir\t", ["contact", "quartz", "1um", "--material2", "iron"]),
+    "a file": ("materials --materials mine.to\t", ["materials", "--materials", "mine.toml"]),
+    "nothing that is known": ("pull-off zz\t", ["pull-off", "zz"]),
+}
+# Names that a shell would read as more than a word; the last is none.
+NAMES = [
+    "za$(touch hacked)",
+    "zb`touch hacked`",
+    "zc;touch hacked",
+    "zd two",
+    "ze*",
+    "zf'x'",
+    'zg"x"',
+    "zh>hacked",
+    "zi_+é",
+]
+
+
+@pytest.fixture(scope="module", params=SHELLS)
+def shell(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Shell]:
+    """Each shell, with a materials file of the user's own; where one is missing, that is seen."""
+    program = shutil.which(request.param)
+    if program is None:
+        message = f"{request.param} is not installed: its completion is not tested"
+        if os.environ.get("CI"):
+            pytest.fail(message)
+        pytest.skip(message)
+    directory = tmp_path_factory.mktemp(request.param)
+    text = "".join(f"[materials.{json.dumps(name, ensure_ascii=False)}]\n" for name in NAMES)
+    (directory / "mine.toml").write_text(text, encoding="utf-8")
+    shell = Shell(request.param, program, directory, JKROLL_MATERIALS=str(directory / "mine.toml"))
+    yield shell
+    shell.close()
+
+
+@pytest.mark.parametrize("what", TYPED)
+def test_tab_completes(shell: Shell, what: str) -> None:
+    keys, words = TYPED[what]
+    assert shell.words_of(f"jkroll {keys}") == words
+
+
+def test_no_name_in_a_file_becomes_a_command(shell: Shell) -> None:
+    for name in NAMES[:-1]:
+        assert shell.words_of(f"jkroll pull-off {name[:2]}\t") == ["pull-off", name[:2]], name
+    assert shell.words_of("jkroll pull-off zi\t") == ["pull-off", NAMES[-1]]
+    assert not (shell.words.parent / "hacked").exists()
+
+
+def test_a_broken_file_takes_nothing_from_completion(shell: Shell) -> None:
+    path = shell.words.parent / "mine.toml"
+    content = path.read_bytes()
+    path.write_text("[materials", encoding="utf-8")
+    assert shell.words_of("jkroll pull-off qua\t") == ["pull-off", "quartz"]
+    assert b"materials file" not in shell.screen
+    path.write_bytes(content)

@@ -1,0 +1,53 @@
+"""Search, guided by coverage, for an input that breaks an invariant of tests/invariants.py.
+
+    python tests/tools/fuzz.py quantity -max_total_time=600
+
+The targets are quantity, unit, materials and words; what follows is libFuzzer's, and so are the reports: a finding is written
+to the current directory as crash-*. What is found interesting on the way goes to a temporary folder, jkroll-fuzz/TARGET;
+`python tests/tools/fuzz.py TARGET --keep` puts the small ones into tests/corpus, which a test replays.
+Needs `pip install jkroll[fuzz]`.
+"""
+
+import shutil
+import sys
+import tempfile
+from pathlib import Path
+
+import atheris  # type: ignore[import-untyped,import-not-found,unused-ignore]
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+with atheris.instrument_imports(include=["jkroll", "tomllib"]):
+    import tomllib  # noqa: F401
+
+    import jkroll.cli
+    import jkroll.explain
+    import jkroll.run
+    import jkroll.table  # noqa: F401
+    from invariants import CORPUS, TARGETS, isolate
+    from jkroll import units
+
+
+MAX_KEPT = 100  # bytes
+
+
+def main() -> None:
+    """Fuzz the target that the command line names, or keep what was found."""
+    target, *options = sys.argv[1:] or ["none"]
+    if target not in TARGETS:
+        sys.exit(f"{__doc__}\nno target {target!r}: {', '.join(TARGETS)}")
+    found, kept = Path(tempfile.gettempdir()) / "jkroll-fuzz" / target, CORPUS / target
+    found.mkdir(parents=True, exist_ok=True)
+    if options == ["--keep"]:
+        for path in found.iterdir():
+            if path.stat().st_size <= MAX_KEPT:
+                shutil.copy(path, kept)
+        return
+    units.unit_of("furlong", "radius")  # pint starts, which is no input's fault
+    with tempfile.TemporaryDirectory() as directory:
+        isolate(directory)
+        atheris.Setup([sys.argv[0], *options, str(found), str(kept)], TARGETS[target])
+        atheris.Fuzz()
+
+
+if __name__ == "__main__":
+    main()
