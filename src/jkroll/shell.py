@@ -146,7 +146,7 @@ def _code_of(stop: SystemExit) -> int:
     """The exit code where typer ends the program."""
     if isinstance(stop.__context__, OSError):
         return BROKEN_PIPE
-    if os.environ.get(COMPLETE) and isinstance(stop.code, int):
+    if os.environ.get(COMPLETE) == "complete_fish" and isinstance(stop.code, int):
         return stop.code  # whether fish is to offer what it asked for
     return USAGE_ERROR if stop.code else 0
 
