@@ -11,7 +11,7 @@ from . import __version__
 from .commands import COMMANDS
 from .completion import complete_input, complete_words
 from .nomenclature import NOMENCLATURE
-from .options import EXTRAS, Option, options_of
+from .options import EXTRAS, Option, options_named
 from .shell import Call, call
 from .streams import fitting
 
@@ -63,11 +63,12 @@ def build(only: str | None = None) -> typer.Typer:
     for name, command in COMMANDS.items():
         parameters = []
         if name == only:
-            parameters = [_words("[MATERIAL] [RADIUS]...", list[str] | None), *map(_parameter, options_of(command))]
+            parameters = [_words("[MATERIAL] [RADIUS]...", list[str] | None), *map(_parameter, options_named(name))]
         _add(app, name, command.sentence, _EPILOG.format(name=name, example=command.example), parameters)
     for name, extra in EXTRAS.items():
-        words = [_words(extra.argument, str | None)] if extra.argument else []
-        parameters = [*words, *map(_parameter, extra.options)] if name == only else []
+        kind = list[str] | None if extra.takes_scene else str | None
+        words = [_words(extra.argument, kind)] if extra.argument else []
+        parameters = [*words, *map(_parameter, options_named(name))] if name == only else []
         _add(app, name, extra.sentence, f"Example: jkroll {name} {extra.example}", parameters)
     return app
 

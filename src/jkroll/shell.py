@@ -15,7 +15,7 @@ from typing import Any
 
 from .commands import COMMANDS
 from .errors import JkrollError, quoted
-from .options import EXTRAS, options_of, read_quickly
+from .options import EXTRAS, options_named, read_quickly
 from .streams import say
 
 USAGE_ERROR = 2
@@ -64,9 +64,9 @@ def quick_call(words: list[str]) -> Call | None:
     name, *rest = words
     if "_JKROLL_COMPLETE" in os.environ or (name not in COMMANDS and name not in EXTRAS):
         return None
-    options = options_of(COMMANDS[name]) if name in COMMANDS else EXTRAS[name].options
-    read = read_quickly(rest, {option.flag: option for option in options})
-    if read is None or (name in EXTRAS and len(read[0]) > len(EXTRAS[name].argument.split())):
+    read = read_quickly(rest, {option.flag: option for option in options_named(name)})
+    is_short = name in EXTRAS and not EXTRAS[name].takes_scene
+    if read is None or (is_short and len(read[0]) > len(EXTRAS[name].argument.split())):
         return None
     arguments, values = read
     return call(name, arguments, values)
@@ -84,6 +84,11 @@ def call(name: str, arguments: Sequence[str], values: dict[str, Any]) -> Call:
         return partial(run_verify, output)
     if name == "bench":
         return partial(run_bench, output, **given)
+    if name in ("map", "figure") or "file" in given:
+        from .run_pictures import RUNNERS, Target
+
+        target = Target(**{key: given.pop(key) for key in Target._fields if key in given})
+        return partial(RUNNERS[name], arguments, given, output, target)
     return partial(run_command, COMMANDS[name], arguments, given, output)
 
 

@@ -1,0 +1,242 @@
+"""Maps as data: a quantity over two inputs, its contours, where the model has no meaning, and what is marked.
+
+Nothing is drawn here. Everything is computed by `solve`, on whole arrays.
+"""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from math import log10
+from typing import Any, NamedTuple
+
+from .axes import Axis, in_one_unit, round_values, with_units
+from .errors import MissingInput, NoResult
+from .judgement import DMT_UP_TO, LIMITS
+from .materials import Material, Materials
+from .nomenclature import NOMENCLATURE
+from .scene import Scene
+from .solver import solve
+
+CHUNK = 500_000  # points between two reports of progress
+COARSE = 200  # points a side that are enough for the smooth border of a region
+MOST_BANDS = 12
+_WIDE = 30.0  # ratio of the ends from which contours are logarithmic
+
+Progress = Callable[[float], None]
+
+
+class Setting(NamedTuple):
+    """What is the same all over a map: values, materials, and where materials are looked up."""
+
+    given: Mapping[str, float]
+    material: Material | None = None
+    material2: Material | None = None
+    materials: Materials | None = None
+
+    def solve(self, names: Sequence[str], values: Mapping[str, Any]) -> dict[str, Any]:
+        """Quantities for further values, which are arrays that broadcast."""
+        names1, names2 = ((one.name if one else None) for one in (self.material, self.material2))
+        given = {**self.given, **values}
+        return dict(solve(names, material=names1, material2=names2, materials=self.materials, **given))
+
+    def scene(self, values: Mapping[str, float], material: Material | None = None) -> Scene:
+        """The scene of one point, of another material if one is given."""
+        return Scene({**self.given, **values}, material or self.material, self.material2)
+
+
+class Bound(NamedTuple):
+    """A number that limits the model: how it is computed, and on which side of which value there is no meaning."""
+
+    names: tuple[str, ...]
+    value: Callable[..., Any]
+    limit: float
+    is_least: bool
+    text: str
+
+
+class Region(NamedTuple):
+    """Part of a map: where a margin, on axes of its own, is negative."""
+
+    text: str
+    x: Axis
+    y: Axis
+    margin: Any
+    is_shaded: bool = False
+
+
+class Mark(NamedTuple):
+    """A point of a map, or a place on one of its axes."""
+
+    text: str
+    x: float | None
+    y: float | None
+
+
+class Level(NamedTuple):
+    """A contour: its value, and how it is labelled."""
+
+    value: float
+    text: str
+
+
+class Map(NamedTuple):
+    """A quantity over two inputs."""
+
+    quantity: str
+    x: Axis
+    y: Axis
+    values: Any  # a row for each value of y
+    is_log: bool  # whether the contours are those of the logarithm
+    has_log_labels: bool
+    regions: tuple[Region, ...]
+    marks: tuple[Mark, ...]
+    title: str
+    caption: tuple[str, ...]
+    printed: Any = None  # the same quantity as the paper prints it
+    guides: tuple[Mark, ...] = ()  # straight lines across
+
+    def levels(self, most: int = MOST_BANDS) -> list[Level]:
+        """The contours, at round values."""
+        low, high = extent(self.values)
+        values = [value for value in round_values(low, high, most, is_log=self.is_log) if low <= value <= high]
+        if self.has_log_labels:
+            texts = [f"{log10(value):.3g}".replace("-", "−") for value in values]
+        elif self.is_log:
+            texts = with_units(self.quantity, values)
+        else:
+            numbers, unit = in_one_unit(self.quantity, values)
+            texts = [f"{number} {unit}".strip() for number in numbers]
+        return [Level(value, text) for value, text in zip(values, texts, strict=True)]
+
+
+def extent(values: Any) -> tuple[float, float]:
+    """The least and the largest of the values that are numbers."""
+    import numpy
+
+    known = values[numpy.isfinite(values)]
+    return (float(known.min()), float(known.max())) if known.size else (0.0, 0.0)
+
+
+def is_wide(values: Any) -> bool:
+    """Whether values are positive and of different orders of magnitude."""
+    low, high = extent(values)
+    return low > 0 and high > _WIDE * low
+
+
+def inputs_at(name: str, values: Any) -> dict[str, Any]:
+    """The inputs that a value on an axis stands for."""
+    return {"contact_modulus": values, "surface_energy": 1.0} if name == "modulus_over_energy" else {name: values}
+
+
+def coordinate(axis: Axis, scene: Scene) -> float | None:
+    """Where a scene is on an axis; None if it does not say, or is beyond the ends."""
+    try:
+        if axis.name == "modulus_over_energy":
+            value = 2 * scene["contact_modulus"] / scene["work_of_adhesion"]
+        else:
+            value = scene[axis.name]
+    except (MissingInput, NoResult):
+        return None
+    return value if axis.low <= value <= axis.high else None
+
+
+def evaluate(setting: Setting, quantity: str, x: Axis, y: Axis, progress: Progress | None = None) -> Any:
+    """A quantity over two axes, a row for each value of y; nan where it has no value."""
+    import numpy
+
+    across, up = x.values()[None, :], y.values()[:, None]
+    values = numpy.empty((y.size, x.size))
+    rows = max(1, CHUNK // x.size)
+    progress = progress if y.size > 4 * rows else None
+    for start in range(0, y.size, rows):
+        if progress is not None:
+            progress(start / y.size)
+        here = {**inputs_at(x.name, across), **inputs_at(y.name, up[start : start + rows])}
+        values[start : start + rows] = setting.solve([quantity], here)[quantity]
+    if progress is not None:
+        progress(1.0)
+    return values
+
+
+def along(setting: Setting, quantity: str, x: Axis) -> Any:
+    """A quantity along one axis."""
+    import numpy
+
+    values = x.values()
+    return numpy.broadcast_to(setting.solve([quantity], inputs_at(x.name, values))[quantity], values.shape)
+
+
+def regions(setting: Setting, bounds: Iterable[Bound], x: Axis, y: Axis, *, is_shaded: bool = False) -> list[Region]:
+    """Where bounds are broken, as far as the setting allows to say."""
+    import numpy
+
+    x, y = (axis._replace(size=min(axis.size, COARSE)) for axis in (x, y))
+    here = {**inputs_at(x.name, x.values()[None, :]), **inputs_at(y.name, y.values()[:, None])}
+    found = []
+    for bound in bounds:
+        try:
+            values = bound.value(**setting.solve(bound.names, here))
+        except (MissingInput, NoResult):
+            continue
+        ratio = numpy.broadcast_to(values / bound.limit, (y.size, x.size))
+        margin = numpy.log10(ratio) if bound.is_least else -numpy.log10(ratio)
+        if (margin < 0).any():
+            found.append(Region(bound.text, x, y, margin, is_shaded))
+    return found
+
+
+def _itself(**values: Any) -> Any:
+    (value,) = values.values()
+    return value
+
+
+def _bound(name: str, limit: float, *, is_least: bool) -> Bound:
+    """The bound of a limit of the model, in the words with which `judgement` judges what is beyond it."""
+    judge = next(one.judge for one in LIMITS if one.name == name)
+    words = judge(limit * (0.5 if is_least else 2))[1].partition(": ")[2]
+    text = f"{NOMENCLATURE[name].symbol} {'<' if is_least else '>'} {limit:g}: {words}"
+    return Bound((name,), _itself, limit, is_least, text)
+
+
+def bounds() -> tuple[Bound, ...]:
+    """Where the model has no meaning, the smallest region first."""
+    return (
+        _bound("contact_radius_in_spacings", 1.0, is_least=True),
+        _bound("displacement_ratio", 1.0, is_least=False),
+        _bound("tabor_parameter", DMT_UP_TO, is_least=True),
+    )
+
+
+def bounds_of(scene: Scene, quantity: str) -> list[Bound]:
+    """The bounds that touch a quantity of a scene."""
+    try:
+        plan = scene.plan(quantity)
+    except MissingInput:
+        return []
+    used = {quantity, *scene.inputs_of(quantity), *(step.name for step in plan.steps)}
+    touched = {limit.name for limit in LIMITS if limit.touches & used}
+    return [bound for bound in bounds() if bound.names[0] in touched]
+
+
+def material_marks(materials: Materials, x: Axis, y: Axis) -> list[Mark]:
+    """Where the materials are on an axis that their properties determine, each by its name."""
+    marks = []
+    for material in materials.materials.values():
+        scene = Scene({}, material)
+        mark = Mark(material.name, coordinate(x, scene), coordinate(y, scene))
+        if mark.x is not None or mark.y is not None:
+            marks.append(mark)
+    return marks
+
+
+def rows_of(drawn: Map) -> Iterable[list[float]]:
+    """The numbers of a map: x, y and the quantity, nan where it has no value."""
+    across = drawn.x.values().tolist()
+    for up, row in zip(drawn.y.values().tolist(), drawn.values, strict=True):
+        for place, value in zip(across, row.tolist(), strict=True):
+            yield [place, up, value]
+
+
+def label_of(quantity: str, *, has_log_labels: bool) -> str:
+    """What the labels of the contours say: "log P_c [N]"."""
+    unit = NOMENCLATURE[quantity].unit
+    symbol = NOMENCLATURE[quantity].symbol
+    return f"log {symbol}" + (f" [{unit}]" if unit != "1" else "") if has_log_labels else symbol

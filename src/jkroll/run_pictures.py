@@ -1,0 +1,152 @@
+"""A call of `map`, `figure` or `contact --curve -o`, from what was typed to a terminal or a file."""
+
+import io
+import sys
+from collections.abc import Iterable, Mapping, Sequence
+from math import isnan
+from typing import NamedTuple
+
+from .charts import Picture
+from .errors import MissingExtra, QuantityError, quoted
+from .figures import FIGURES, figure
+from .files import whole_file
+from .maps import Map, Setting, rows_of
+from .materials import known_materials
+from .nomenclature import header
+from .pictures import asked, curves_of, map_of, mark_at, marks_of
+from .request import BadRequest, materials_files
+from .run import Output
+from .streams import say
+from .units import parse_quantity
+
+ON_SCREEN = (241, 121)  # points of a map that is drawn in cells
+IN_FILE = (201, 201)
+ALONG = 1001  # points of a curve
+FORMATS = ("svg", "pdf", "png")
+STYLES = ("light", "dark")
+
+
+class Target(NamedTuple):
+    """Where a picture goes, and how it is to look there."""
+
+    file: str | None = None
+    width: str | None = None
+    style: str = "light"
+    uncaptioned: bool = False
+    data: str | None = None
+
+    def check(self) -> None:
+        """Refuse what cannot be drawn before anything is computed, and say what is missing."""
+        if self.style not in STYLES:
+            raise BadRequest(f"--style: {quoted(self.style)} is not a style; there are {' and '.join(STYLES)}")
+        self.inches()
+        if self.file is None:
+            return
+        if self.file.rpartition(".")[2].lower() not in FORMATS:
+            raise BadRequest(f"-o: {quoted(self.file)} does not end in .{', .'.join(FORMATS[:-1])} or .{FORMATS[-1]}")
+        try:
+            from . import drawing  # noqa: F401
+        except ModuleNotFoundError as error:
+            raise MissingExtra(error.name or "", "plot") from None
+
+    def inches(self) -> float:
+        """The width of the picture."""
+        if self.width is None:
+            return 120 / 25.4
+        try:
+            metres = parse_quantity(self.width, "radius")
+        except QuantityError as error:
+            raise BadRequest(f"--width: {quoted(self.width)} {error.problem()}") from None
+        if not 0.03 <= metres <= 1:
+            raise BadRequest(f"--width: {quoted(self.width)} is not between 30mm and 1m")
+        return metres / 0.0254
+
+
+def run_map(words: Sequence[str], options: Mapping[str, str], output: Output, target: Target) -> int:
+    """Draw a quantity over one or two inputs; return the exit code."""
+    target.check()
+    wish = asked(words, options, materials_files(output.materials))
+    drawn: Map | Picture
+    if wish.y is None:
+        drawn, notes = curves_of(wish, ALONG)
+    else:
+        drawn, notes = map_of(wish, IN_FILE if target.file else ON_SCREEN, _progress)
+    return _deliver(drawn, () if output.quiet else notes, target)
+
+
+def run_figure(words: Sequence[str], options: Mapping[str, str], output: Output, target: Target) -> int:
+    """Draw a figure of the paper; return the exit code."""
+    target.check()
+    if len(words) != 1 or words[0] not in FIGURES:
+        given = f"{quoted(' '.join(words))} is not a figure with data; " if words else ""
+        raise BadRequest(f"{given}there are {', '.join(FIGURES)}")
+    materials = known_materials(*materials_files(output.materials))
+    size = IN_FILE if target.file else ON_SCREEN
+    drawn = figure(words[0], materials, size, as_printed="as_printed" in options)
+    setting = Setting(FIGURES[words[0]].given)
+    marks = [mark_at(text, materials, setting, drawn.x, drawn.y) for text in marks_of(options)]
+    return _deliver(drawn._replace(marks=(*drawn.marks, *marks)), (), target)
+
+
+def _deliver(drawn: Map | Picture, notes: Iterable[str], target: Target) -> int:
+    """Draw into the file, or on the screen, and write the numbers."""
+    if target.data is not None:
+        _write_data(drawn, target.data)
+    if target.file is not None:
+        from .drawing import draw
+
+        content = draw(
+            drawn, target.file.rpartition(".")[2].lower(), target.inches(), target.style, not target.uncaptioned
+        )
+        with whole_file(target.file) as stream:
+            stream.write(content)
+        if target.data != "-":
+            for text in filter(None, (drawn.title, *drawn.caption)):
+                say(text, sys.stdout)
+    elif target.data != "-":
+        from .terminal import draw_map, draw_picture
+
+        if isinstance(drawn, Map):
+            draw_map(drawn, sys.stdout)
+        else:
+            draw_picture(drawn, sys.stdout)
+    sys.stdout.flush()
+    for note in notes:
+        say(f"note: {note}", sys.stderr)
+    return 0
+
+
+def _write_data(drawn: Map | Picture, path: str) -> None:
+    """The numbers as CSV, into a file or, for "-", on stdout."""
+    import csv
+
+    if path == "-":
+        csv.writer(sys.stdout, lineterminator="\n").writerows(_table(drawn))
+        return
+    with whole_file(path) as stream, io.TextIOWrapper(stream, encoding="utf-8", newline="") as text:
+        csv.writer(text, lineterminator="\n").writerows(_table(drawn))
+
+
+def _table(drawn: Map | Picture) -> Iterable[Sequence[str | float]]:
+    """The numbers with a header; a cell without a value is empty."""
+    rows: Iterable[Sequence[str | float]]
+    if isinstance(drawn, Map):
+        yield [header(drawn.x.name), header(drawn.y.name), header(drawn.quantity)]
+        rows = rows_of(drawn)
+    else:
+        panel = drawn.panels[0]
+        yield ["curve", header(panel.x.name), header(panel.y.name)]
+        pairs = ((curve, zip(curve.x.tolist(), curve.y.tolist(), strict=True)) for curve in panel.curves)
+        rows = ([curve.text, x, y] for curve, points in pairs for x, y in points)
+    for row in rows:
+        yield ["" if isinstance(cell, float) and isnan(cell) else cell for cell in row]
+
+
+def _progress(part: float) -> None:
+    """How much of a long map is done, on a terminal; nothing is left of it."""
+    if sys.stderr.isatty():
+        sys.stderr.write(f"\r{100 * part:3.0f} %\r" if part < 1 else "\r     \r")
+        sys.stderr.flush()
+
+
+RUNNERS = {"map": run_map, "figure": run_figure}
