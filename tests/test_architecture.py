@@ -25,6 +25,7 @@ LAYERS = [
     {"pictures"},
     {"curve", "terminal", "figures"},
     {"drawing"},
+    {"on_axes"},
     {"charts"},
     {"maps"},
     {"request", "catalogue", "explain", "table", "verify", "bench"},
@@ -53,7 +54,7 @@ ONLY = {
     "pint": {"pint_names"},
     "tomllib": {"materials"},
     "mpmath": {"bench_reference"},
-    "matplotlib": {"bench"},
+    "matplotlib": {"drawing"},
 }
 
 

@@ -2,9 +2,11 @@
 
 import csv
 import io
+import itertools
 import math
 import re
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -19,7 +21,7 @@ from jkroll.maps import Map
 SIZE = (61, 61)
 MAPS = {name: figure(name, known_materials(), SIZE, as_printed=True) for name in FIGURES}
 FILES = {"3a", "3b", "3c", "3d", "6a", "6b", "8"}
-SOFT = {"youngs_modulus": 1e10, "poisson_ratio": 0.0}
+SOFT: dict[str, Any] = {"youngs_modulus": 1e10, "poisson_ratio": 0.0}
 
 
 def at(drawn: Map, x: float, y: float) -> float:
@@ -80,7 +82,7 @@ def test_fig_3c_50_um_at_100_nm() -> None:
 
 
 def test_fig_3d_a_thousand_spheres_and_a_single_one() -> None:
-    given = {"density": 2000.0, "gravity": 9.80665}
+    given: dict[str, Any] = {"density": 2000.0, "gravity": 9.80665}
     (point,) = [mark for mark in MAPS["3d"].marks if mark.y is not None]
     assert round(solve("n_grav", surface_energy=point.x, radius=point.y, **given)) == int(point.text)
     for material, radius in (("polystyrene", 8e-6), ("iron", 52e-6)):
@@ -90,7 +92,7 @@ def test_fig_3d_a_thousand_spheres_and_a_single_one() -> None:
 
 def test_fig_6_ghz_and_how_much_slower_rolling_is() -> None:
     for gamma, radius in ((1e-3, 35e-9), (1e1, 130e-9)):
-        scene = {**SOFT, "density": 2000.0, "surface_energy": gamma, "radius": radius}
+        scene: dict[str, Any] = {**SOFT, "density": 2000.0, "surface_energy": gamma, "radius": radius}
         assert solve("vertical_frequency", **scene) == pytest.approx(1e9, rel=0.03)
     both = solve(["vertical_frequency", "rolling_frequency"], **SOFT, density=2000.0, surface_energy=0.1, radius=1e-7)
     assert both["vertical_frequency"] / both["rolling_frequency"] == pytest.approx(5.3, abs=0.06)
@@ -126,7 +128,9 @@ def test_regions_end_where_the_limits_are(name: str) -> None:
             continue
         quantity, limit = limits[region.text.split()[0]]
         x, y = np.meshgrid(region.x.values(), region.y.values())
-        given = {"contact_modulus": x, "surface_energy": 1.0} if name == "8" else {"surface_energy": x, **SOFT}
+        given: dict[str, Any] = (
+            {"contact_modulus": x, "surface_energy": 1.0} if name == "8" else {"surface_energy": x, **SOFT}
+        )
         values = solve(quantity, radius=y, **given)
         inside = values > limit if quantity == "displacement_ratio" else values < limit
         assert (inside == (region.margin < 0)).all()
@@ -221,7 +225,7 @@ def test_half_blocks_have_colours_that_can_be_told_in_grey() -> None:
     greys = [
         0.299 * red + 0.587 * green + 0.114 * blue for red, green, blue in (shade(step / 12) for step in range(13))
     ]
-    assert all(second - first > 10 for first, second in zip(greys, greys[1:], strict=False))
+    assert all(second - first > 10 for first, second in itertools.pairwise(greys))
     assert ink_on(shade(0)) == (255, 255, 255)
     assert ink_on(shade(1)) == (0, 0, 0)
 
@@ -261,7 +265,7 @@ def test_the_numbers_go_where_no_value_is(run: Run, tmp_path: Path) -> None:
     rows = list(csv.DictReader(io.StringIO(text)))
     assert len(rows) == 12
     for row in rows:
-        scene = {"radius": float(row["radius [m]"]), "load": float(row["load [N]"])}
+        scene: dict[str, Any] = {"radius": float(row["radius [m]"]), "load": float(row["load [N]"])}
         cell = row["approach_at_load [m]"]
         is_beyond = scene["load"] < -solve("pull_off_force", material="quartz", radius=scene["radius"])
         assert (cell == "") == is_beyond

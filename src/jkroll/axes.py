@@ -11,6 +11,7 @@ from .nomenclature import NOMENCLATURE
 from .units import convert, unit_of
 
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+_FEW_DECADES = 2e4  # so long an axis has room for small ticks
 _STEPS = (1, 2, 5)  # of a decade that has few ticks
 
 
@@ -51,9 +52,9 @@ class Axis(NamedTuple):
         texts = with_units(self.name, values) if self.is_log else in_one_unit(self.name, values)[0]
         return [Tick(value, text) for value, text in zip(values, texts, strict=True)]
 
-    def small_ticks(self, most: int) -> list[float]:
+    def small_ticks(self) -> list[float]:
         """Round values between the ticks, where there is room: those of each decade, of a logarithmic axis."""
-        if not self.is_log or log10(self.high / self.low) > most:
+        if not self.is_log or self.high / self.low > _FEW_DECADES:
             return []
         decades = range(floor(log10(self.low)), ceil(log10(self.high)))
         values = (float(f"{digit}e{decade}") for decade in decades for digit in range(2, 10))

@@ -93,6 +93,13 @@ class Map(NamedTuple):
     printed: Any = None  # the same quantity as the paper prints it
     guides: tuple[Mark, ...] = ()  # straight lines across
 
+    @property
+    def has_gaps(self) -> bool:
+        """Whether there is no value somewhere."""
+        import numpy
+
+        return bool(numpy.isnan(self.values).any())
+
     def levels(self, most: int = MOST_BANDS) -> list[Level]:
         """The contours, at round values."""
         low, high = extent(self.values)

@@ -163,7 +163,9 @@ def map_of(wish: Asked, size: tuple[int, int], progress: Progress | None = None)
     found = regions(setting, bounds_of(scene, wish.quantity), x, y)
     is_log = is_wide(values)
     title = described(wish.quantity, "")
-    return Map(wish.quantity, x, y, values, is_log, False, tuple(found), tuple(marks), title, told), notes
+    return Map(
+        wish.quantity, x, y, values, is_log, False, tuple(found), tuple(marks), title, _caption(wish.quantity, told)
+    ), notes
 
 
 def curves_of(wish: Asked, size: int) -> tuple[Picture, tuple[str, ...]]:
@@ -171,15 +173,24 @@ def curves_of(wish: Asked, size: int) -> tuple[Picture, tuple[str, ...]]:
     x = sized(wish.x, size)
     curves: list[Curve] = []
     notes: dict[str, None] = {}
-    told: tuple[str, ...] = ()
+    shared: list[str] = []
     for number, (text, setting) in enumerate(wish.settings):
         _, told, about = _about(wish.quantity, setting, _one_of(x))
         notes |= dict.fromkeys(about)
+        shared = [part for part in told if part in shared or not number]
         curves.append(Curve(text, x.values(), along(setting, wish.quantity, x), number))
     y = axis_around(wish.quantity, [curve.y for curve in curves])
     points = [mark_at(text, wish.materials, wish.settings[0][1], x, y) for text in wish.marks]
     panel = Panel(x, y, tuple(curves), tuple(points))
-    return Picture("", (panel,), told if len(curves) == 1 else told[:1]), tuple(notes)
+    return Picture("", (panel,), _caption(wish.quantity, shared)), tuple(notes)
+
+
+def _caption(quantity: str, told: Sequence[str]) -> tuple[str, ...]:
+    """What is shown, by which equation, and what is held."""
+    entry = NOMENCLATURE[quantity]
+    equation = f", Eq ({entry.equation})" if entry.equation else ""
+    shown = f"{entry.sentence[0].upper()}{entry.sentence[1:]} {entry.symbol}{equation}."
+    return (shown, f"Held: {', '.join(told)}.") if told else (shown,)
 
 
 def _one_of(axis: Axis) -> dict[str, float]:
@@ -199,6 +210,4 @@ def _about(
         for name, value in one.inputs.items()
         if name not in values and not (name == "radius2" and name not in scene.stated)
     ]
-    equation = NOMENCLATURE[quantity].equation
-    told = (f"Eq ({equation})" if equation else "", ", ".join(shown))
-    return scene, tuple(filter(None, told)), one.notes
+    return scene, tuple(shown), one.notes

@@ -21,6 +21,7 @@ from .units import parse_quantity
 
 ON_SCREEN = (241, 121)  # points of a map that is drawn in cells
 IN_FILE = (201, 201)
+OF_PAPER = (21, 21)  # its contours are of powers, straight on logarithmic axes: few points draw them exactly
 ALONG = 1001  # points of a curve
 FORMATS = ("svg", "pdf", "png")
 STYLES = ("light", "dark")
@@ -81,7 +82,7 @@ def run_figure(words: Sequence[str], options: Mapping[str, str], output: Output,
         given = f"{quoted(' '.join(words))} is not a figure with data; " if words else ""
         raise BadRequest(f"{given}there are {', '.join(FIGURES)}")
     materials = known_materials(*materials_files(output.materials))
-    size = IN_FILE if target.file else ON_SCREEN
+    size = OF_PAPER if target.file else ON_SCREEN
     drawn = figure(words[0], materials, size, as_printed="as_printed" in options)
     setting = Setting(FIGURES[words[0]].given)
     marks = [mark_at(text, materials, setting, drawn.x, drawn.y) for text in marks_of(options)]
@@ -96,7 +97,11 @@ def _deliver(drawn: Map | Picture, notes: Iterable[str], target: Target) -> int:
         from .drawing import draw
 
         content = draw(
-            drawn, target.file.rpartition(".")[2].lower(), target.inches(), target.style, not target.uncaptioned
+            drawn,
+            target.file.rpartition(".")[2].lower(),
+            target.inches(),
+            target.style,
+            has_caption=not target.uncaptioned,
         )
         with whole_file(target.file) as stream:
             stream.write(content)

@@ -23,7 +23,7 @@ def draw_map(drawn: Map, out: TextIO) -> None:
     _paint(canvas, drawn, levels)
     _hatch(canvas, drawn)
     legend = [f"{sign} {region.text}" for sign, region in zip(HATCHES, drawn.regions, strict=False)]
-    if "?" in {sign for row in canvas.signs for sign in row}:
+    if drawn.has_gaps:
         legend.append("? no value" if not screen.colours else "blank: no value")
     for guide in drawn.guides:
         _across(canvas, drawn.y, guide)
