@@ -23,6 +23,7 @@ LAYERS = [
     {"run_pictures"},
     {"run"},
     {"pictures"},
+    {"sections"},
     {"curve", "terminal", "figures"},
     {"drawing"},
     {"on_axes"},

@@ -1,6 +1,6 @@
 """Curves as data: panels with axes, curves and points. Nothing is drawn here."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from math import ceil, floor, log10
 from typing import Any, NamedTuple
 
@@ -45,7 +45,7 @@ def axis_around(name: str, values: Iterable[Any], *, is_log: bool | None = None,
     low, high = extent(known)
     if is_log if is_log is not None else is_wide(known):
         return Axis(name, 10 ** floor(log10(low) + 0.01), 10 ** ceil(log10(high) - 0.01))
-    room = (high - low) * margin or abs(high) * margin or 1.0
+    room = (high - low) * margin if high > low else abs(high) * 0.05 or 1.0
     return Axis(name, low - room, high + room, is_log=False)
 
 
@@ -54,8 +54,3 @@ def clipped(values: Any, low: float, high: float) -> Any:
     import numpy
 
     return numpy.where((values >= low) & (values <= high), values, numpy.nan)
-
-
-def columns_of(panel: Panel) -> tuple[list[str], Sequence[Any]]:
-    """The curves over one common x, as columns: their texts and their values."""
-    return [curve.text for curve in panel.curves], [curve.y for curve in panel.curves]

@@ -177,6 +177,7 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         # axes of figures
         "modulus_over_energy": Quantity("E*/γ", "m^-1", "contact modulus over surface energy", "49", range="positive"),
         "position_across": Quantity("x", "m", "position from the contact point", "16", range="finite"),
+        "position_beside": Quantity("y", "m", "position beside the way", "11", range="finite"),
         "pressure_across": Quantity("p", "Pa", "pressure, tension negative", "12"),
         # collisions
         "adhesion_energy": Quantity("P_cδ0", "J", "energy typical of adhesion", "48"),

@@ -1,5 +1,6 @@
 """Maps and curves on a pair of axes of matplotlib, both of which run from 0 to 1: contours of powers are straight there."""
 
+from textwrap import wrap
 from typing import Any, NamedTuple
 
 from .axes import Axis
@@ -18,11 +19,10 @@ class Style(NamedTuple):
 
     paper: str
     ink: str
-    faint: str
     strength: float
 
 
-STYLES = {"light": Style("#ffffff", "#000000", "#666666", 0.55), "dark": Style("#12151c", "#f2f2f2", "#a0a0a0", 0.75)}
+STYLES = {"light": Style("#ffffff", "#000000", 0.55), "dark": Style("#12151c", "#f2f2f2", 0.75)}
 
 
 def draw_map(axes: Any, drawn: Map, inches: float, style: Style) -> None:
@@ -55,7 +55,7 @@ def draw_map(axes: Any, drawn: Map, inches: float, style: Style) -> None:
         axes.axhline(where, color=style.ink, linewidth=0.6, linestyle=(0, (1, 2)))
         axes.text(0.99, where, guide.text, fontsize=SMALL, ha="right", va="center", bbox=_box(style))
     for mark in drawn.marks:
-        _draw_mark(axes, drawn.x, drawn.y, mark, style)
+        _draw_mark(axes, drawn.x, drawn.y, mark, style, _box(style))
     _set_axes(axes, drawn.x, drawn.y, inches)
     axes.set(xlim=(0, 1), ylim=(0, 1))
 
@@ -93,15 +93,17 @@ def _draw_region(axes: Any, region: Region, hatch: str, style: Style) -> None:
     axes.contour(x, y, region.margin, levels=[0], colors=style.ink, linewidths=0.5, linestyles="dotted")
 
 
-def _draw_mark(axes: Any, x: Axis, y: Axis, mark: Mark, style: Style) -> None:
+def _draw_mark(
+    axes: Any, x: Axis, y: Axis, mark: Mark, style: Style, box: dict[str, Any] | None, drop: float = 3
+) -> None:
     """A point with its text, or a tick on the upper or the right edge."""
     if mark.x is not None and mark.y is not None:
         at = float(x.place(mark.x)), float(y.place(mark.y))
-        axes.plot(*at, "o", markersize=3.5, color=style.ink, markeredgecolor=style.paper, markeredgewidth=0.6)
+        axes.plot(*at, "o", zorder=4, markersize=3.5, color=style.ink, markeredgecolor=style.paper, markeredgewidth=0.6)
         side = 4 if at[0] < 0.75 else -4
         axes.annotate(
-            mark.text, at, xytext=(side, 3), textcoords="offset points", fontsize=SMALL + 0.5,
-            ha="left" if side > 0 else "right", color=style.ink, bbox=_box(style),
+            mark.text, at, xytext=(side, drop), textcoords="offset points", fontsize=SMALL + 0.5,
+            ha="left" if side > 0 else "right", color=style.ink, bbox=box,
         )  # fmt: skip
     elif mark.x is not None:
         at = float(x.place(mark.x)), 1.0
@@ -139,8 +141,8 @@ def draw_panel(axes: Any, panel: Panel, inches: float, style: Style) -> None:
     """Curves that are told apart by colour and by their dashes, and points."""
     for number, curve in enumerate(panel.curves):
         axes.plot(panel.x.place(curve.x), panel.y.place(curve.y), label=curve.text, **line_of(curve, number))
-    for mark in panel.points:
-        _draw_mark(axes, panel.x, panel.y, mark, style)
+    for number, mark in enumerate(panel.points):
+        _draw_mark(axes, panel.x, panel.y, mark, style, None, drop=-9 if number % 2 else 3)
     _set_axes(axes, panel.x, panel.y, inches)
     axes.set(xlim=(0, 1), ylim=(0, 1))
     if panel.title:
@@ -156,5 +158,5 @@ def _set_axes(axes: Any, x: Axis, y: Axis, inches: float) -> None:
         ticks = axis.ticks(most)
         side.set_ticks([float(axis.place(tick.value)) for tick in ticks], labels=[tick.text for tick in ticks])
         side.set_ticks([float(axis.place(value)) for value in axis.small_ticks()], minor=True)
-        side.set_label_text(axis.label(most))
+        side.set_label_text("\n".join(wrap(axis.label(most), int(0.65 * inches * 72 / (0.56 * LABEL)))))
     axes.tick_params(which="both", direction="in", top=False, right=False)

@@ -155,7 +155,7 @@ def map_of(wish: Asked, size: tuple[int, int], progress: Progress | None = None)
         raise BadRequest(f"{x.size} x {y.size} points are more than {MOST_POINTS}")
     setting = wish.settings[0][1]
     middle = {**_one_of(x), **_one_of(y)}
-    scene, told, notes = _about(wish.quantity, setting, middle)
+    scene, told, notes = about(wish.quantity, setting, middle)
     values = evaluate(setting, wish.quantity, x, y, progress)
     marks = [mark_at(text, wish.materials, setting, x, y) for text in wish.marks]
     if setting.material is None and {x.name, y.name} & {*PROPERTIES}:
@@ -175,8 +175,8 @@ def curves_of(wish: Asked, size: int) -> tuple[Picture, tuple[str, ...]]:
     notes: dict[str, None] = {}
     shared: list[str] = []
     for number, (text, setting) in enumerate(wish.settings):
-        _, told, about = _about(wish.quantity, setting, _one_of(x))
-        notes |= dict.fromkeys(about)
+        _, told, noted = about(wish.quantity, setting, _one_of(x))
+        notes |= dict.fromkeys(noted)
         shared = [part for part in told if part in shared or not number]
         curves.append(Curve(text, x.values(), along(setting, wish.quantity, x), number))
     y = axis_around(wish.quantity, [curve.y for curve in curves])
@@ -190,7 +190,12 @@ def _caption(quantity: str, told: Sequence[str]) -> tuple[str, ...]:
     entry = NOMENCLATURE[quantity]
     equation = f", Eq ({entry.equation})" if entry.equation else ""
     shown = f"{entry.sentence[0].upper()}{entry.sentence[1:]} {entry.symbol}{equation}."
-    return (shown, f"Held: {', '.join(told)}.") if told else (shown,)
+    return (shown, held(told)) if told else (shown,)
+
+
+def held(told: Sequence[str]) -> str:
+    """What is the same all over a picture."""
+    return f"Held: {', '.join(told)}."
 
 
 def _one_of(axis: Axis) -> dict[str, float]:
@@ -198,7 +203,7 @@ def _one_of(axis: Axis) -> dict[str, float]:
     return inputs_at(axis.name, axis.high)
 
 
-def _about(
+def about(
     quantity: str, setting: Setting, values: Mapping[str, float]
 ) -> tuple[Scene, tuple[str, ...], tuple[str, ...]]:
     """A scene of a map, what is the same all over it, and the notes on it; MissingInput if something is missing."""

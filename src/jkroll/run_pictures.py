@@ -13,9 +13,10 @@ from .files import whole_file
 from .maps import Map, Setting, rows_of
 from .materials import known_materials
 from .nomenclature import header
-from .pictures import asked, curves_of, map_of, mark_at, marks_of
-from .request import BadRequest, materials_files
+from .pictures import about, asked, curves_of, held, map_of, mark_at, marks_of
+from .request import BadRequest, Request, materials_files
 from .run import Output
+from .sections import DRAWN, curves_of_contact
 from .streams import say
 from .units import parse_quantity
 
@@ -78,15 +79,44 @@ def run_map(words: Sequence[str], options: Mapping[str, str], output: Output, ta
 def run_figure(words: Sequence[str], options: Mapping[str, str], output: Output, target: Target) -> int:
     """Draw a figure of the paper; return the exit code."""
     target.check()
-    if len(words) != 1 or words[0] not in FIGURES:
+    names = sorted({*FIGURES, *DRAWN})
+    if len(words) != 1 or words[0] not in names:
         given = f"{quoted(' '.join(words))} is not a figure with data; " if words else ""
-        raise BadRequest(f"{given}there are {', '.join(FIGURES)}")
+        raise BadRequest(f"{given}there are {', '.join(names)}")
+    name = words[0]
     materials = known_materials(*materials_files(output.materials))
+    if name in DRAWN:
+        if options:
+            raise BadRequest(f"figure {name} takes no {', '.join(map(_flag, options))}")
+        return _deliver(DRAWN[name](materials), (), target)
     size = OF_PAPER if target.file else ON_SCREEN
-    drawn = figure(words[0], materials, size, as_printed="as_printed" in options)
-    setting = Setting(FIGURES[words[0]].given)
+    drawn = figure(name, materials, size, as_printed="as_printed" in options)
+    if "as_printed" in options and drawn.printed is None:
+        raise BadRequest(f"figure {name} is as printed; --as-printed is for 6b")
+    setting = Setting(FIGURES[name].given)
     marks = [mark_at(text, materials, setting, drawn.x, drawn.y) for text in marks_of(options)]
     return _deliver(drawn._replace(marks=(*drawn.marks, *marks)), (), target)
+
+
+def _flag(name: str) -> str:
+    return f"--{name.replace('_', '-')}"
+
+
+def run_contact(words: Sequence[str], options: Mapping[str, str], output: Output, target: Target) -> int:
+    """Draw the curves of a contact; return the exit code."""
+    target.check()
+    if not output.curve:
+        raise BadRequest("-o draws the curve: add --curve")
+    if {"load", "approach_at_load"} & options.keys():
+        raise BadRequest("--curve goes through all loads and approaches; it takes none")
+    request = Request(words, options, materials_files(output.materials))
+    if request.count > 1:
+        raise BadRequest(f"{request.count} scenes are more than one picture of a contact")
+    scene = next(request.scenes())
+    setting = Setting(scene.stated, scene.material, scene.material2, request.materials)
+    told, notes = about("contact_radius", setting, {})[1:]
+    caption = ("The contact without load, both branches of its force curve, and what resists rolling.", held(told))
+    return _deliver(curves_of_contact(setting, caption), () if output.quiet else notes, target)
 
 
 def _deliver(drawn: Map | Picture, notes: Iterable[str], target: Target) -> int:
@@ -133,18 +163,22 @@ def _write_data(drawn: Map | Picture, path: str) -> None:
 
 
 def _table(drawn: Map | Picture) -> Iterable[Sequence[str | float]]:
-    """The numbers with a header; a cell without a value is empty."""
-    rows: Iterable[Sequence[str | float]]
+    """The numbers with a header, those of several panels with an empty line between; a cell without a value is empty."""
     if isinstance(drawn, Map):
         yield [header(drawn.x.name), header(drawn.y.name), header(drawn.quantity)]
-        rows = rows_of(drawn)
-    else:
-        panel = drawn.panels[0]
+        for row in rows_of(drawn):
+            yield [_cell(value) for value in row]
+        return
+    for number, panel in enumerate(drawn.panels):
+        yield from [[]] if number else []
         yield ["curve", header(panel.x.name), header(panel.y.name)]
-        pairs = ((curve, zip(curve.x.tolist(), curve.y.tolist(), strict=True)) for curve in panel.curves)
-        rows = ([curve.text, x, y] for curve, points in pairs for x, y in points)
-    for row in rows:
-        yield ["" if isinstance(cell, float) and isnan(cell) else cell for cell in row]
+        for curve in panel.curves:
+            for x, y in zip(curve.x.tolist(), curve.y.tolist(), strict=True):
+                yield [curve.text, x, _cell(y)]
+
+
+def _cell(value: float) -> str | float:
+    return "" if isnan(value) else value
 
 
 def _progress(part: float) -> None:
@@ -154,4 +188,4 @@ def _progress(part: float) -> None:
         sys.stderr.flush()
 
 
-RUNNERS = {"map": run_map, "figure": run_figure}
+RUNNERS = {"map": run_map, "figure": run_figure, "contact": run_contact}

@@ -84,7 +84,7 @@ def call(name: str, arguments: Sequence[str], values: dict[str, Any]) -> Call:
         return partial(run_verify, output)
     if name == "bench":
         return partial(run_bench, output, **given)
-    if name in ("map", "figure") or "file" in given:
+    if name in ("map", "figure") or {"file", "width", "style", "uncaptioned"} & given.keys():
         from .run_pictures import RUNNERS, Target
 
         target = Target(**{key: given.pop(key) for key in Target._fields if key in given})

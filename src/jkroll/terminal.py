@@ -52,7 +52,7 @@ def draw_picture(drawn: Picture, out: TextIO) -> None:
     if drawn.title:
         say(drawn.title, out)
     for panel in drawn.panels:
-        axis = _Frame(panel.x, panel.y, screen)
+        axis = _Frame(panel.x, panel.y, screen, is_true_to_scale=panel.is_true_to_scale)
         canvas = Canvas(axis.width, axis.height)
         for number, curve in enumerate(panel.curves):
             _trace(canvas, panel, curve, SIGNS[number % len(SIGNS)])
@@ -86,7 +86,7 @@ def _trace(canvas: Canvas, panel: Panel, curve: Curve, sign: str) -> None:
         is_inside = (values >= axis.low) & (values <= axis.high)
         places.append(axis.place(numpy.where(is_inside, values, numpy.nan)))
     colour = LINES[curve.colour % len(LINES)]
-    steps = 4 * (canvas.width + canvas.height)
+    steps = 16 * (canvas.width + canvas.height)
     fine = numpy.linspace(0, len(places[0]) - 1, steps)
     across, up = (numpy.interp(fine, numpy.arange(len(place)), place) for place in places)
     for x, y in zip(across.tolist(), up.tolist(), strict=True):
@@ -99,12 +99,14 @@ def _trace(canvas: Canvas, panel: Panel, curve: Curve, sign: str) -> None:
 class _Frame:
     """The place of the axes on the screen: the ticks of y to the left, those of x below."""
 
-    def __init__(self, x: Axis, y: Axis, screen: Screen) -> None:
+    def __init__(self, x: Axis, y: Axis, screen: Screen, *, is_true_to_scale: bool = False) -> None:
         self.x, self.y, self.screen = x, y, screen
         self.height = max(8, min(MOST_ROWS, screen.height - 8, screen.width // 3))
         self.y_ticks = y.ticks(max(2, self.height // 2))
         self.margin = max((len(tick.text) for tick in self.y_ticks), default=0) + 1
         self.width = screen.width - self.margin - 1
+        if is_true_to_scale:  # a cell is twice as high as it is wide
+            self.width = min(self.width, round(2 * self.height * (x.high - x.low) / (y.high - y.low)))
         self.x_ticks = x.ticks(max(2, self.width // 9))
 
     def column(self, value: float) -> int:

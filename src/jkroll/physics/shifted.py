@@ -4,8 +4,8 @@ The centre of the circle, X = 0, lags by ξ behind the contact point, x = X − 
 """
 
 from .contact import boussinesq_pressure_at_approach, pressure
-from .dimensions import Length, Number, Stress
-from .elementary import pi, sqrt
+from .dimensions import Length, Number, Stress, SurfaceEnergy
+from .elementary import cbrt, pi, sqrt
 
 
 def exact_pressure(
@@ -66,6 +66,23 @@ def half_circle_pressure(
     return pressure(
         distance=distance, contact_radius_at_load=half_circle_radius, hertz_pressure=hertz, boussinesq_pressure=punch
     )
+
+
+def unloaded_half_width(
+    *, work_of_adhesion: SurfaceEnergy, cylinder_radius: Length, plane_strain_modulus: Stress
+) -> Length:
+    """Half the width of the strip in which a cylinder sticks to a rigid plane without load.
+
+        a = (32wR²/(πE′))^(1/3)
+
+    Source:   Griffith's criterion K²/(2E′) = w with the edge of Eq (56), C = 0; the paper leaves a free.
+    Valid:    a ≪ R.
+    Accuracy: 2 ulp.
+
+    >>> round(unloaded_half_width(work_of_adhesion=pi / 4, cylinder_radius=1.0, plane_strain_modulus=1.0), 12)
+    2.0
+    """
+    return cbrt(32 / pi * (work_of_adhesion / plane_strain_modulus) * cylinder_radius * cylinder_radius)
 
 
 def rolled_over_displacement(*, n_roll: Number, radius: Length, yield_displacement: Length) -> Number:

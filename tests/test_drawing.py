@@ -1,0 +1,194 @@
+"""Pictures in files: contours lie where the formula says, bytes do not change, and nothing else is needed but the extra."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from conftest import Run
+from jkroll import known_materials, solve
+from jkroll.figures import FIGURES, figure
+from jkroll.maps import Map, inputs_at
+from jkroll.pictures import asked, map_of
+from jkroll.run_pictures import OF_PAPER
+
+pytest.importorskip("matplotlib")
+from jkroll.canvas import LINES
+from jkroll.drawing import figure_of
+from jkroll.on_axes import STYLES
+
+LIGHT = STYLES["light"]
+KEPT = Path(__file__).parent / "data"
+SVG_TEXT = re.compile(r"<text[^>]*>([^<]*)</text>")
+NUMBER = re.compile(r"-?\d+\.?\d*(?:e-?\d+)?")
+
+
+def contours(drawn: Map) -> list[tuple[float, Any]]:
+    """The levels of a drawn map, and points on their paths, between the vertices too, in SI units."""
+    axes = figure_of(drawn, 4.0, LIGHT, has_caption=True).axes[0]
+    sets = [one for one in axes.collections if hasattr(one, "levels") and len(one.get_paths()) == len(drawn.levels())]
+    found = []
+    for level, path in zip(drawn.levels(), sets[0].get_paths(), strict=True):
+        ends, codes = np.asarray(path.vertices), np.asarray(path.codes)
+        is_drawn = codes[1:] == 2  # a line from the vertex before; others begin anew
+        middles = (ends[1:] + ends[:-1])[is_drawn] / 2
+        parts = np.concatenate([ends, middles])
+        places = []
+        for axis, part in ((drawn.x, parts[:, 0]), (drawn.y, parts[:, 1])):
+            straight = axis.low + (axis.high - axis.low) * part
+            places.append(axis.low * (axis.high / axis.low) ** part if axis.is_log else straight)
+        found.append((level.value, np.array(places)))
+    return found
+
+
+@pytest.mark.parametrize("name", FIGURES)
+def test_a_contour_of_the_paper_is_its_formula(name: str) -> None:
+    drawn = figure(name, known_materials(), OF_PAPER)
+    declared = FIGURES[name]
+    sampled = 0
+    for value, (x, y) in contours(drawn):
+        given: dict[str, Any] = {**declared.given, **inputs_at(drawn.x.name, x), "radius": y}
+        np.testing.assert_allclose(solve(declared.quantity, **given), value, rtol=1e-9)
+        sampled += len(x)
+    assert sampled > 100
+
+
+@pytest.mark.parametrize(
+    ("words", "axes", "given"),
+    [
+        (["contact_radius_at_load", "quartz"], ("radius=50nm:1um", "load=-4nN:50nN:lin"), {"material": "quartz"}),
+        (["n-roll", "quartz"], ("radius=10nm:1um", "speed=1cm/s:1m/s"), {"material": "quartz"}),
+    ],
+)
+def test_a_contour_of_a_users_map_is_its_formula(
+    words: list[str], axes: tuple[str, str], given: dict[str, Any]
+) -> None:
+    drawn, _ = map_of(asked(words, {"x": axes[0], "y": axes[1]}, ()), (201, 201))
+    spacing = (drawn.levels()[-1].value - drawn.levels()[0].value) / len(drawn.levels())
+    for value, (x, y) in contours(drawn):
+        values = solve(drawn.quantity, **given, **{drawn.x.name: x, drawn.y.name: y})
+        assert abs(values / value - 1).max() < 1e-3 or abs(values - value).max() < 1e-3 * spacing
+
+
+@pytest.mark.parametrize("kind", ["svg", "pdf", "png"])
+def test_the_same_bytes_every_time(run: Run, tmp_path: Path, kind: str) -> None:
+    words = ["figure", "8", "--mark", "quartz@100nm", "-o"]
+    assert run(*words, f"one.{kind}").code == 0
+    (tmp_path / "matplotlibrc").write_text("font.size: 20\nlines.linewidth: 9\n", encoding="utf-8")
+    code = [sys.executable, "-m", "jkroll", *words, f"two.{kind}"]
+    subprocess.run(code, check=True, capture_output=True, cwd=tmp_path, timeout=60)
+    assert (tmp_path / f"one.{kind}").read_bytes() == (tmp_path / f"two.{kind}").read_bytes()
+
+
+@pytest.mark.parametrize("name", [*FIGURES, "2", "9"])
+def test_every_figure_is_drawn_and_says_what_it_is(run: Run, tmp_path: Path, name: str) -> None:
+    ran = run("figure", name, "-o", "figure.svg", "--width", "85mm", "--style", "dark")
+    assert (ran.code, ran.err) == (0, "")
+    text = (tmp_path / "figure.svg").read_text(encoding="utf-8")
+    assert f'width="{0.085 / 0.0254 * 72:.5f}'[:14] in text
+    shown = " ".join(SVG_TEXT.findall(text))
+    caption = ran.out.splitlines()[1]
+    assert caption.split()[0] in shown
+    assert STYLES["dark"].paper in text
+    run("figure", name, "-o", "bare.svg", "--no-caption")
+    bare = " ".join(SVG_TEXT.findall((tmp_path / "bare.svg").read_text(encoding="utf-8")))
+    assert "Assumed" not in bare
+
+
+def test_no_letter_stands_outside_of_a_narrow_page() -> None:
+    """At a journal's column width everything is within the sheet, as the renderer measures it."""
+    for name in FIGURES:
+        drawn = figure_of(
+            figure(name, known_materials(), OF_PAPER, as_printed=True), 85 / 25.4, LIGHT, has_caption=True
+        )
+        drawn.draw_without_rendering()
+        box = drawn.get_tightbbox()
+        assert box.x0 > -0.01, name
+        assert box.x1 < 85 / 25.4 + 0.01, name
+        assert box.y0 > -0.01, name
+
+
+def test_curves_are_told_apart_in_grey_by_their_dashes(run: Run, tmp_path: Path) -> None:
+    run("map pull-off quartz,iron,graphite,gold --x radius=1nm:1um -o curves.svg")
+    text = (tmp_path / "curves.svg").read_text(encoding="utf-8")
+    lines = set(re.findall(r"fill: none; (?:stroke-dasharray: ([^;]*); )?(?:stroke-dashoffset: 0; )?stroke: #", text))
+    assert len(lines) >= 4
+    assert len({*LINES}) == len(LINES)
+
+
+def test_the_curves_of_a_contact(run: Run, tmp_path: Path) -> None:
+    ran = run("contact quartz 100nm --curve -o contact.svg --quiet")
+    assert (ran.code, ran.err) == (0, "")
+    shown = SVG_TEXT.findall((tmp_path / "contact.svg").read_text(encoding="utf-8"))
+    assert {"fold", "pull-off", "jump-in", "stable", "unstable", "fixed grips"} <= {*shown}
+    assert all(any(text.startswith(f"{model}:") for text in shown) for model in ("M", "M_0", "M_half", "M_δ"))
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ("contact quartz 100nm -o contact.svg", "add --curve"),
+        ("contact quartz,iron 100nm --curve -o contact.svg", "2 scenes"),
+        ("contact quartz 100nm --curve --load 1nN -o contact.svg", "it takes none"),
+        ("figure 3a -o nowhere/figure.svg", "cannot write"),
+        ("figure 2 --mark quartz@1nm", "takes no --mark"),
+        ("figure 3a --as-printed", "for 6b"),
+    ],
+)
+def test_what_cannot_be_drawn(run: Run, tmp_path: Path, line: str, message: str) -> None:
+    ran = run(line)
+    assert ran.code == (1 if "cannot write" in message else 2)
+    assert message in ran.err
+    assert len(ran.err.splitlines()) == 1
+    assert not list(tmp_path.glob("*.svg"))
+
+
+def test_a_picture_that_cannot_be_written_leaves_the_old_one(
+    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file = tmp_path / "figure.svg"
+    file.write_text("old", encoding="utf-8")
+    monkeypatch.setattr("jkroll.drawing.draw", lambda *_, **__: 1 / 0)
+    with pytest.raises(ZeroDivisionError):
+        run("figure 3a -o figure.svg")
+    assert file.read_text(encoding="utf-8") == "old"
+    assert [path.name for path in tmp_path.iterdir()] == ["figure.svg"]
+
+
+def test_the_absence_of_the_extra_is_one_line(tmp_path: Path) -> None:
+    """Without matplotlib the terminal's picture is drawn; a file is refused before anything is computed."""
+    code = (
+        "import sys; sys.modules['matplotlib'] = None; from jkroll.shell import main; "
+        "sys.exit(main(['figure', '3a', *sys.argv[1:]]))"
+    )
+    shown = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, cwd=tmp_path)
+    assert shown.returncode == 0
+    assert "log P_c [N]" in shown.stdout
+    refused = subprocess.run(
+        [sys.executable, "-c", code, "-o", "figure.svg"], capture_output=True, text=True, check=False, cwd=tmp_path
+    )
+    assert refused.returncode == 2
+    assert refused.stderr == "jkroll: this needs matplotlib: pip install 'jkroll[plot]'\n"
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.slow
+def test_a_million_points_take_less_than_importing_matplotlib() -> None:
+    """In CPU time, each in a process of its own, in turns."""
+    words = ["contact-radius-at-load", "quartz", "--x", "radius=10nm:1mm:1000", "--y", "load=0nN:1uN:1000:lin"]
+    ways = {
+        "map": f"from jkroll.shell import main; main({['map', *words]!r})",
+        "import": "import matplotlib.figure",
+    }
+    costs: dict[str, list[float]] = {way: [] for way in ways}
+    for _ in range(5):
+        for way, code in ways.items():
+            whole = f"{code}\nimport resource, sys\nprint(sum(resource.getrusage(0)[:2]), file=sys.stderr)"
+            ran = subprocess.run([sys.executable, "-c", whole], capture_output=True, text=True, check=True)
+            costs[way].append(float(ran.stderr.splitlines()[-1]))
+    least = {way: min(times) for way, times in costs.items()}
+    assert least["map"] < least["import"]
