@@ -3,6 +3,7 @@
 import re
 import subprocess
 import sys
+from html import unescape
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,7 @@ from jkroll.figures import FIGURES, figure
 from jkroll.maps import Map, inputs_at
 from jkroll.pictures import asked, map_of
 from jkroll.run_pictures import OF_PAPER
+from jkroll.shell import main
 
 pytest.importorskip("matplotlib")
 from jkroll.canvas import LINES
@@ -22,9 +24,7 @@ from jkroll.drawing import figure_of
 from jkroll.on_axes import STYLES
 
 LIGHT = STYLES["light"]
-KEPT = Path(__file__).parent / "data"
 SVG_TEXT = re.compile(r"<text[^>]*>([^<]*)</text>")
-NUMBER = re.compile(r"-?\d+\.?\d*(?:e-?\d+)?")
 
 
 def contours(drawn: Map) -> list[tuple[float, Any]]:
@@ -74,8 +74,11 @@ def test_a_contour_of_a_users_map_is_its_formula(
         assert abs(values / value - 1).max() < 1e-3 or abs(values - value).max() < 1e-3 * spacing
 
 
-@pytest.mark.parametrize("kind", ["svg", "pdf", "png"])
+@pytest.mark.parametrize(
+    "kind", ["svg", pytest.param("pdf", marks=pytest.mark.slow), pytest.param("png", marks=pytest.mark.slow)]
+)
 def test_the_same_bytes_every_time(run: Run, tmp_path: Path, kind: str) -> None:
+    """In another process, an hour later, and whatever the user's own matplotlib settings are."""
     words = ["figure", "8", "--mark", "quartz@100nm", "-o"]
     assert run(*words, f"one.{kind}").code == 0
     (tmp_path / "matplotlibrc").write_text("font.size: 20\nlines.linewidth: 9\n", encoding="utf-8")
@@ -89,27 +92,27 @@ def test_every_figure_is_drawn_and_says_what_it_is(run: Run, tmp_path: Path, nam
     ran = run("figure", name, "-o", "figure.svg", "--width", "85mm", "--style", "dark")
     assert (ran.code, ran.err) == (0, "")
     text = (tmp_path / "figure.svg").read_text(encoding="utf-8")
-    assert f'width="{0.085 / 0.0254 * 72:.5f}'[:14] in text
+    assert f'<svg xmlns:xlink="http://www.w3.org/1999/xlink" width="{0.085 / 0.0254 * 72:.5f}'[:-2] in text
     shown = " ".join(SVG_TEXT.findall(text))
-    caption = ran.out.splitlines()[1]
-    assert caption.split()[0] in shown
+    assert {word for line in ran.out.splitlines()[1:] for word in line.split()} <= {*unescape(shown).split()}
     assert STYLES["dark"].paper in text
-    run("figure", name, "-o", "bare.svg", "--no-caption")
-    bare = " ".join(SVG_TEXT.findall((tmp_path / "bare.svg").read_text(encoding="utf-8")))
-    assert "Assumed" not in bare
 
 
-def test_no_letter_stands_outside_of_a_narrow_page() -> None:
+def test_a_picture_without_a_caption(run: Run, tmp_path: Path) -> None:
+    run("figure 3a -o bare.svg --no-caption")
+    assert "Assumed" not in " ".join(SVG_TEXT.findall((tmp_path / "bare.svg").read_text(encoding="utf-8")))
+
+
+@pytest.mark.parametrize("name", ["6b", "8"])
+def test_no_letter_stands_outside_of_a_narrow_page(name: str) -> None:
     """At a journal's column width everything is within the sheet, as the renderer measures it."""
-    for name in FIGURES:
-        drawn = figure_of(
-            figure(name, known_materials(), OF_PAPER, as_printed=True), 85 / 25.4, LIGHT, has_caption=True
-        )
-        drawn.draw_without_rendering()
-        box = drawn.get_tightbbox()
-        assert box.x0 > -0.01, name
-        assert box.x1 < 85 / 25.4 + 0.01, name
-        assert box.y0 > -0.01, name
+    drawn = figure(name, known_materials(), OF_PAPER, as_printed=True)
+    page = figure_of(drawn, 85 / 25.4, LIGHT, has_caption=True)
+    page.draw_without_rendering()
+    box = page.get_tightbbox()
+    assert box.x0 > -0.01
+    assert box.x1 < 85 / 25.4 + 0.01
+    assert box.y0 > -0.01
 
 
 def test_curves_are_told_apart_in_grey_by_their_dashes(run: Run, tmp_path: Path) -> None:
@@ -192,3 +195,42 @@ def test_a_million_points_take_less_than_importing_matplotlib() -> None:
             costs[way].append(float(ran.stderr.splitlines()[-1]))
     least = {way: min(times) for way, times in costs.items()}
     assert least["map"] < least["import"]
+
+
+# --- The pictures of the README: written anew by `python tests/test_drawing.py` ---------------------------------------------
+
+README = Path(__file__).parents[1] / "README.md"
+KEPT = Path(__file__).parent / "data"
+SHOWN = re.findall(r"^jkroll (.*) -o (\S+\.svg)(.*)$", README.read_text(encoding="utf-8"), re.MULTILINE)
+_NUMBER = re.compile(r"-?\d+\.?\d*")
+
+
+def written(words: str, rest: str, file: Path) -> str:
+    """The picture of a command of the README."""
+    assert main([*words.split(), "-o", str(file), *rest.split()]) == 0
+    return file.read_text(encoding="utf-8")
+
+
+def drawing_of(svg: str) -> list[float]:
+    """All coordinates of the paths of an SVG."""
+    return [float(number) for path in re.findall(r' d="([^"]*)"', svg) for number in _NUMBER.findall(path)]
+
+
+@pytest.mark.parametrize(("words", "file", "rest"), SHOWN, ids=[file for _, file, _ in SHOWN])
+def test_the_pictures_of_the_readme_are_current(words: str, file: str, rest: str, tmp_path: Path) -> None:
+    """The same texts in the same order, and every line within a tenth of a point, whatever version of matplotlib drew it."""
+    assert f"](tests/data/{file})" in README.read_text(encoding="utf-8")
+    kept, new = (KEPT / file).read_text(encoding="utf-8"), written(words, rest, tmp_path / file)
+    assert SVG_TEXT.findall(kept) == SVG_TEXT.findall(new)
+    np.testing.assert_allclose(drawing_of(kept), drawing_of(new), atol=0.1)
+    assert len(kept) < 60_000
+
+
+def test_the_readme_shows_two_pictures() -> None:
+    assert {file for _, file, _ in SHOWN} == {path.name for path in KEPT.glob("*.svg")}
+    assert len(SHOWN) == 2
+
+
+if __name__ == "__main__":
+    for words, file, rest in SHOWN:
+        written(words, rest, KEPT / file)

@@ -9,7 +9,7 @@ from typer.core import TyperCommand, TyperGroup
 
 from . import __version__
 from .commands import COMMANDS
-from .completion import complete_input, complete_words
+from .completion import ARGUMENTS, OPTIONS, complete_input, complete_words
 from .nomenclature import NOMENCLATURE
 from .options import EXTRAS, Option, options_named
 from .shell import Call, call
@@ -67,7 +67,7 @@ def build(only: str | None = None) -> typer.Typer:
         _add(app, name, command.sentence, _EPILOG.format(name=name, example=command.example), parameters)
     for name, extra in EXTRAS.items():
         kind = list[str] | None if extra.takes_scene else str | None
-        words = [_words(extra.argument, kind)] if extra.argument else []
+        words = [_words(extra.argument, kind, name)] if extra.argument else []
         parameters = [*words, *map(_parameter, options_named(name))] if name == only else []
         _add(app, name, extra.sentence, f"Example: jkroll {name} {extra.example}", parameters)
     return app
@@ -85,8 +85,9 @@ def _add(app: typer.Typer, name: str, sentence: str, epilog: str, parameters: li
     app.command(name, cls=CompactCommand, help=sentence, epilog=epilog)(function)
 
 
-def _words(metavar: str, kind: Any) -> Parameter:
-    argument = typer.Argument(metavar=metavar, autocompletion=complete_words, show_default=False)
+def _words(metavar: str, kind: Any, command: str = "") -> Parameter:
+    completer = ARGUMENTS.get(command, complete_words)
+    argument = typer.Argument(metavar=metavar, autocompletion=completer, show_default=False)
     return _annotated("words", kind, None, argument)
 
 
@@ -100,7 +101,7 @@ def _parameter(option: Option) -> Parameter:
         max=option.high,
         hidden=option.hidden,
         show_default=False,
-        autocompletion=complete_input(option.name) if option.name in NOMENCLATURE else None,
+        autocompletion=complete_input(option.name) if option.name in NOMENCLATURE else OPTIONS.get(option.name),
     )
     kind: Any = option.kind
     return _annotated(option.name, kind if kind is bool else kind | None, False if kind is bool else None, declaration)

@@ -33,7 +33,10 @@ def draw_map(drawn: Map, out: TextIO) -> None:
             above.append((axis.column(mark.x), mark.text))
         else:
             _point(canvas, drawn.x, drawn.y, mark)
-    _label(canvas, drawn, levels)
+    _label(canvas, drawn.values, levels, "{}", 0.5)
+    if drawn.printed is not None:
+        _label(canvas, drawn.printed, levels, "({})", 0.8)
+        legend.append("( ) as printed")
     for line in wrapped(drawn.title, screen.width):
         say(line, out)
     for line in stacked(above, axis.width):
@@ -193,24 +196,23 @@ def _point(canvas: Canvas, x: Axis, y: Axis, mark: Mark) -> None:
         canvas.write(column - len(mark.text) - 1, row, f"{mark.text} o")
 
 
-def _label(canvas: Canvas, drawn: Map, levels: list[Level]) -> None:
-    """Each contour's label, on it, as near to the middle as there is room."""
+def _label(canvas: Canvas, values: Any, levels: list[Level], form: str, middle: float) -> None:
+    """Each contour's label, on it, as near to a place in the middle row as there is room."""
     import numpy
 
-    values = _sampled(drawn.values, canvas.width, canvas.height)
-    middle = numpy.array([[(canvas.height - 1) / 2]]), numpy.array([[(canvas.width - 1) / 2]])
+    values = _sampled(values, canvas.width, canvas.height)
     rows, columns = numpy.indices(values.shape)
-    distance = numpy.hypot(2 * (rows - middle[0]), columns - middle[1])
+    distance = numpy.hypot(2 * (rows - (canvas.height - 1) / 2), columns - middle * (canvas.width - 1))
+    known = numpy.isfinite(values)
     for level in levels:
         above = values >= level.value
-        known = numpy.isfinite(values)
         edge = numpy.zeros(values.shape, bool)
         edge[:, :-1] |= (above[:, :-1] != above[:, 1:]) & known[:, :-1] & known[:, 1:]
         edge[:-1] |= (above[:-1] != above[1:]) & known[:-1] & known[1:]
         places = numpy.argwhere(edge)
-        order = numpy.argsort(distance[edge], kind="stable")
-        for row, column in places[order][:200].tolist():
-            if canvas.write(column - len(level.text) // 2, row, level.text):
+        text = form.format(level.text)
+        for row, column in places[numpy.argsort(distance[edge], kind="stable")][:200].tolist():
+            if canvas.write(column - len(text) // 2, row, text):
                 break
 
 
