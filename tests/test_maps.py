@@ -16,7 +16,10 @@ from jkroll import known_materials, solve
 from jkroll.axes import Axis, round_values
 from jkroll.canvas import ink_on, screen_of, shade, stacked
 from jkroll.figures import FIGURES, figure
-from jkroll.maps import Map
+from jkroll.maps import Map, Setting, evaluate
+from jkroll.nomenclature import NOMENCLATURE
+from jkroll.run_pictures import show_progress as progress
+from jkroll.wiring import depends_on
 
 SIZE = (61, 61)
 MAPS = {name: figure(name, known_materials(), SIZE, as_printed=True) for name in FIGURES}
@@ -105,7 +108,7 @@ def test_fig_8_what_does_not_roll_at_10_nm_and_what_turns_at_100_nm() -> None:
     assert 2 * math.pi * 1e-8 * turns(2.6e12, 1e-8) == pytest.approx(2e-10, rel=0.03)
     assert turns(1.5e9, 1e-7) == pytest.approx(1, rel=0.03)
     shaded = MAPS["8"].regions[0]
-    assert shaded.is_shaded
+    assert shaded.kind == "shaded"
     row = int(np.argmin(abs(np.log(shaded.y.values() / 1e-8))))
     inside = shaded.x.values()[shaded.margin[row] < 0]
     assert inside.min() == pytest.approx(2.6e12, rel=0.2)
@@ -124,7 +127,7 @@ def test_regions_end_where_the_limits_are(name: str) -> None:
         "μ": ("tabor_parameter", 0.1),
     }
     for region in drawn.regions:
-        if region.is_shaded:
+        if region.kind != "hatched":
             continue
         quantity, limit = limits[region.text.split()[0]]
         x, y = np.meshgrid(region.x.values(), region.y.values())
@@ -305,8 +308,10 @@ def test_several_materials_are_several_curves(run: Run) -> None:
         ("map pull-off quartz --x radius=1nm:1um -o picture.gif", "does not end in"),
         ("map pull-off quartz --x radius=1nm:1um --width 5N", "is a force"),
         ("map pull-off quartz --x radius=1nm:1um --width 1nm", "is not between"),
+        ("map load --x load=1nN:2nN", "it is no axis"),
+        ("map load quartz 100nm --x load=1nN:2nN --y approach=1nm:2nm", "is no axis"),
         ("map pull-off quartz --x radius=1nm:1um --style gaudy", "is not a style"),
-        ("figure", "there are 3a"),
+        ("figure", "there are 2, 3a"),
         ("figure 1", "is not a figure with data"),
     ],
 )
@@ -316,3 +321,62 @@ def test_what_is_refused_is_said_in_a_line(run: Run, line: str, message: str) ->
     assert ran.out == ""
     assert len(ran.err.splitlines()) == 1
     assert message in ran.err
+
+
+def test_no_value_anywhere_is_a_failure(run: Run) -> None:
+    for axes in ("--x load=-1uN:-0.5uN:lin", "--x load=-1uN:-0.5uN:lin --y xi=1angstrom:2angstrom"):
+        ran = run(f"map yield-force quartz 10nm {axes}")
+        assert (ran.code, ran.out) == (1, "")
+        assert ran.err == "jkroll: yield_force has no value anywhere on these axes\n"
+
+
+def test_progress_of_a_long_map_and_of_no_short_one() -> None:
+    setting = Setting({"surface_energy": 0.025})
+    told: list[float] = []
+    evaluate(
+        setting,
+        "yield_force_ratio",
+        Axis("radius", 1e-9, 1e-6, size=1000),
+        Axis("yield_displacement", 1e-10, 1e-9, size=1000),
+        told.append,
+    )
+    assert told == []
+    evaluate(
+        setting,
+        "yield_force_ratio",
+        Axis("radius", 1e-9, 1e-6, size=2000),
+        Axis("yield_displacement", 1e-10, 1e-9, size=2000),
+        told.append,
+    )
+    assert told == sorted(told)
+    assert (told[0], told[-1], len(told)) == (0.0, 1.0, 9)
+
+
+def test_progress_leaves_nothing_on_the_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    err = Stream(terminal=True)
+    monkeypatch.setattr("sys.stderr", err)
+    progress(0.5)
+    progress(1.0)
+    assert err.text() == "\r 50 %\r\r     \r"
+
+
+_EXAMPLES = {
+    "m": "1nm:1um", "J/m^2": "1mJ/m2:1J/m2", "Pa": "1GPa:100GPa", "1": "0.1:0.4", "kg/m^3": "1g/cm3:8g/cm3", "N": "-5nN:20nN:lin",
+    "m/s^2": "1m/s2:10m/s2", "J": "1e-20J:1e-17J", "m/s": "1cm/s:10m/s", "kg": "1e-18kg:1e-15kg", "N/m": "1N/m:100N/m",
+}  # fmt: skip
+
+
+@pytest.mark.slow
+def test_any_quantity_over_any_input_is_drawn_or_refused_in_a_line(run: Run) -> None:
+    drawn = 0
+    for quantity in NOMENCLATURE:
+        for name in sorted(depends_on([quantity])):
+            if name not in NOMENCLATURE or NOMENCLATURE[name].unit not in _EXAMPLES:
+                continue
+            radius = "" if name == "radius" else "100nm"
+            for axes in (radius, "--y radius=5nm:1um:20"):
+                ran = run(f"map {quantity} quartz {axes} --x {name}={_EXAMPLES[NOMENCLATURE[name].unit]} --quiet")
+                assert ran.code in (0, 1, 2)
+                assert len(ran.err.splitlines()) == (ran.code != 0)
+                drawn += ran.code == 0
+    assert drawn > 1000

@@ -3,6 +3,7 @@
 An axis is logarithmic or linear; a place on it is a fraction of its length.
 """
 
+from collections.abc import Callable
 from math import ceil, floor, log10
 from typing import Any, NamedTuple
 
@@ -111,12 +112,16 @@ def with_units(name: str, values: list[float]) -> list[str]:
     (['1 nm', '100 nm'], ['1000', '10⁶'])
     """
     unit = NOMENCLATURE[name].unit
-    texts = []
-    for value in values:
-        number, shown = engineering(value, unit, 3)
-        is_fitting = unit not in ("", "1") and (shown != unit or 1 <= abs(value) < 1000)
-        texts.append(f"{number} {pretty(shown)}" if is_fitting else power_of_ten(value))
-    return texts if all(" " in text for text in texts) else [power_of_ten(value) for value in values]
+
+    def texts(digits: int) -> list[str]:
+        found = []
+        for value in values:
+            number, shown = engineering(value, unit, digits)
+            is_fitting = unit not in ("", "1") and (shown != unit or 1 <= abs(value) < 1000)
+            found.append(f"{number} {pretty(shown)}" if is_fitting else power_of_ten(value))
+        return found if all(" " in text for text in found) else [power_of_ten(value) for value in values]
+
+    return _told_apart(texts)
 
 
 def in_one_unit(name: str, values: list[float]) -> tuple[list[str], str]:
@@ -128,8 +133,15 @@ def in_one_unit(name: str, values: list[float]) -> tuple[list[str], str]:
     largest = max(values, key=abs, default=0.0)
     unit = engineering(largest, NOMENCLATURE[name].unit, 3)[1]
     if unit in ("", NOMENCLATURE[name].unit):
-        return [f"{value:g}" for value in values], pretty(unit)
-    return [f"{convert(value, unit_of(unit, name)):.6g}" for value in values], pretty(unit)
+        shown = values
+    else:
+        shown = [convert(value, unit_of(unit, name)) for value in values]
+    return _told_apart(lambda digits: [f"{value:.{digits}g}" for value in shown]), pretty(unit)
+
+
+def _told_apart(texts: Callable[[int], list[str]]) -> list[str]:
+    """Texts of different values with six digits, or with as many as it takes to tell them apart."""
+    return next((found for digits in range(6, 16) if len({*(found := texts(digits))}) == len(found)), texts(16))
 
 
 def power_of_ten(value: float) -> str:

@@ -18,7 +18,7 @@ from matplotlib.patches import Patch  # type: ignore[import-not-found,unused-ign
 from . import __version__
 from .charts import Picture
 from .maps import Map
-from .on_axes import HATCHES, LABEL, SMALL, STYLES, TICK, Style, draw_map, draw_panel, line_of
+from .on_axes import HATCHES, LABEL, SHADE, SMALL, STYLES, TICK, Style, draw_map, draw_panel, line_of
 
 _LINE = 1.35  # height of a line of text over the size of its letters
 _LETTER = 0.56  # width of a letter over its size, on average
@@ -132,11 +132,14 @@ def _keys_of_map(drawn: Map, style: Style, letters: int) -> list[Any]:
     """A key for each region, for the dashed contours, and for where there is no value."""
     keys: list[Any] = []
     for place, region in enumerate(drawn.regions):
-        fill = {"facecolor": style.ink, "alpha": 0.25} if region.is_shaded else {"facecolor": "none"}
-        hatch = None if region.is_shaded else HATCHES[place % len(HATCHES)]
-        keys.append(
-            Patch(label="\n".join(wrap(region.text, letters)), hatch=hatch, edgecolor=style.ink, linewidth=0.4, **fill)
-        )
+        text = "\n".join(wrap(region.text, letters))
+        if region.kind == "border":
+            keys.append(Line2D([], [], color=style.ink, linewidth=0.9, linestyle="dashdot", label=text))
+            continue
+        is_shaded = region.kind == "shaded"
+        fill = {"facecolor": style.ink, "alpha": SHADE} if is_shaded else {"facecolor": "none"}
+        hatch = None if is_shaded else HATCHES[place % len(HATCHES)]
+        keys.append(Patch(label=text, hatch=hatch, edgecolor=style.ink, linewidth=0.4, **fill))
     if drawn.printed is not None:
         keys.append(Line2D([], [], color=style.ink, linewidth=0.6, linestyle="dashed", label="as printed"))
     if drawn.has_gaps:

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from .axes import Axis
 from .formatting import amount, pretty
-from .maps import Bound, Map, Mark, Setting, bounds, evaluate, inputs_at, label_of, material_marks, regions
+from .maps import Bound, Map, Mark, Setting, bounds, equation_of, evaluate, inputs_at, label_of, material_marks, regions
 from .materials import Materials
 from .nomenclature import NOMENCLATURE
 from .physics.shifted import rolled_over_displacement
@@ -85,7 +85,7 @@ FIGURES: Mapping[str, Figure] = MappingProxyType(
             guide=(1e-8, "10 nm"),
             shaded=Bound(
                 ("n_roll", "radius", "yield_displacement"), rolled_over_displacement, 1.0, True,
-                "2πR1 n_roll < ξ: it does not roll",
+                "2πR1 n_roll < ξ: it does not roll", "shaded",
             ),
         ),
     }
@@ -98,7 +98,7 @@ def figure(name: str, materials: Materials, size: tuple[int, int], *, as_printed
     setting = Setting(declared.given)
     x, y = declared.x._replace(size=size[0]), RADII._replace(size=size[1])
     printed = evaluate(setting, declared.printed, x, y) if as_printed and declared.printed else None
-    shaded = regions(setting, (declared.shaded,), x, y, is_shaded=True) if declared.shaded else []
+    shaded = regions(setting, (declared.shaded,), x, y) if declared.shaded else []
     points = (Mark(declared.point[2], *declared.point[:2]),) if declared.point else ()
     return Map(
         declared.quantity,
@@ -120,14 +120,14 @@ def _caption(declared: Figure, *, as_printed: bool) -> tuple[str, ...]:
     """What the figure shows, by which equation, what the text says of it, and what is assumed."""
     quantity = NOMENCLATURE[declared.quantity]
     sentence = f"{quantity.sentence[0].upper()}{quantity.sentence[1:]}"
-    shown = f"{sentence} {quantity.symbol}, Eq ({quantity.equation}), of identical spheres."
-    if as_printed:
-        shown += f" Dashed: Eq ({NOMENCLATURE[declared.printed].equation}) as printed."
     at_a_corner = {RADII.name: RADII.high, **inputs_at(declared.x.name, declared.x.low)}
     scene = Setting(declared.given).scene(at_a_corner)
+    shown = f"{sentence} {quantity.symbol}, Eq ({equation_of(declared.quantity, scene)}), of identical spheres."
+    if as_printed:
+        shown += f" Dashed: Eq ({NOMENCLATURE[declared.printed].equation}) as printed."
     used = _assumed(scene, declared, {declared.quantity})
     elsewhere = [text for text in _assumed(scene, declared, {bound.names[0] for bound in bounds()}) if text not in used]
-    assumed = (f"{', '.join(used)}; " if used else "") + f"where hatched also {', '.join(elsewhere)}."
+    assumed = (f"{', '.join(used)}; " if used else "") + f"for hatches and μ also {', '.join(elsewhere)}."
     return shown, declared.remark, f"Assumed: {assumed}"
 
 

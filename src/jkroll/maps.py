@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 from .axes import Axis, in_one_unit, round_values, with_units
 from .errors import MissingInput, NoResult
-from .judgement import DMT_UP_TO, LIMITS
+from .judgement import DMT_UP_TO, JKR_FROM, LIMITS
 from .materials import Material, Materials
 from .nomenclature import NOMENCLATURE
 from .scene import Scene
@@ -50,16 +50,17 @@ class Bound(NamedTuple):
     limit: float
     is_least: bool
     text: str
+    kind: str = "hatched"
 
 
 class Region(NamedTuple):
-    """Part of a map: where a margin, on axes of its own, is negative."""
+    """Part of a map: where a margin, on axes of its own, is negative; hatched, shaded, or only its border drawn."""
 
     text: str
     x: Axis
     y: Axis
     margin: Any
-    is_shaded: bool = False
+    kind: str = "hatched"
 
 
 class Mark(NamedTuple):
@@ -122,6 +123,13 @@ def extent(values: Any) -> tuple[float, float]:
     return (float(known.min()), float(known.max())) if known.size else (0.0, 0.0)
 
 
+def has_values(values: Any) -> bool:
+    """Whether any of the values is a number."""
+    import numpy
+
+    return bool(numpy.isfinite(values).any())
+
+
 def is_wide(values: Any) -> bool:
     """Whether values are positive and of different orders of magnitude."""
     low, high = extent(values)
@@ -171,7 +179,7 @@ def along(setting: Setting, quantity: str, x: Axis) -> Any:
     return numpy.broadcast_to(setting.solve([quantity], inputs_at(x.name, values))[quantity], values.shape)
 
 
-def regions(setting: Setting, bounds: Iterable[Bound], x: Axis, y: Axis, *, is_shaded: bool = False) -> list[Region]:
+def regions(setting: Setting, bounds: Iterable[Bound], x: Axis, y: Axis) -> list[Region]:
     """Where bounds are broken, as far as the setting allows to say."""
     import numpy
 
@@ -185,8 +193,8 @@ def regions(setting: Setting, bounds: Iterable[Bound], x: Axis, y: Axis, *, is_s
             continue
         ratio = numpy.broadcast_to(values / bound.limit, (y.size, x.size))
         margin = numpy.log10(ratio) if bound.is_least else -numpy.log10(ratio)
-        if (margin < 0).any():
-            found.append(Region(bound.text, x, y, margin, is_shaded))
+        if (margin < 0).any() and (bound.kind != "border" or (margin > 0).any()):
+            found.append(Region(bound.text, x, y, margin, bound.kind))
     return found
 
 
@@ -204,11 +212,14 @@ def _bound(name: str, limit: float, *, is_least: bool) -> Bound:
 
 
 def bounds() -> tuple[Bound, ...]:
-    """Where the model has no meaning, the smallest region first."""
+    """Where the model has no meaning, the smallest region first, and from where on it is exact."""
+    symbol = NOMENCLATURE["tabor_parameter"].symbol
+    text = f"{symbol} = {JKR_FROM:g}: JKR holds where it is larger"
     return (
         _bound("contact_radius_in_spacings", 1.0, is_least=True),
         _bound("displacement_ratio", 1.0, is_least=False),
         _bound("tabor_parameter", DMT_UP_TO, is_least=True),
+        Bound(("tabor_parameter",), _itself, JKR_FROM, True, text, "border"),
     )
 
 
@@ -232,6 +243,11 @@ def material_marks(materials: Materials, x: Axis, y: Axis) -> list[Mark]:
         if mark.x is not None or mark.y is not None:
             marks.append(mark)
     return marks
+
+
+def equation_of(quantity: str, scene: Scene) -> str:
+    """The number of the equation by which a scene has a quantity."""
+    return NOMENCLATURE[scene.plan(quantity).found[quantity]].equation
 
 
 def rows_of(drawn: Map) -> Iterable[list[float]]:

@@ -10,6 +10,12 @@ from .maps import Map, Mark, Region
 
 LABEL, TICK, SMALL = 8.0, 7.0, 6.0  # sizes of letters in points, whatever the width of the page
 _DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)))
+SHADE = 0.25
+BORDERS: dict[str, dict[str, Any]] = {
+    "hatched": {"linewidths": 0.5, "linestyles": "dotted"},
+    "shaded": {"linewidths": 0.5, "linestyles": "dotted"},
+    "border": {"linewidths": 0.9, "linestyles": "dashdot"},
+}
 HATCHES = ("xxxx", "////", "\\\\\\\\", "||||")
 Place = tuple[float, float]  # as parts of the axes
 
@@ -84,13 +90,16 @@ def _box(style: Style) -> dict[str, Any]:
 
 
 def _draw_region(axes: Any, region: Region, hatch: str, style: Style) -> None:
-    """A region, hatched or shaded, with its border."""
+    """A region, hatched or shaded, with its border, or the border alone."""
     x, y = region.x.place(region.x.values()), region.y.place(region.y.values())
-    least = float(region.margin.min()) - 1
-    colour = style.ink if region.is_shaded else "none"
-    axes.contourf(x, y, region.margin, levels=[least, 0], colors=[colour], alpha=0.25 if region.is_shaded else None,
-                  hatches=[None if region.is_shaded else hatch])  # fmt: skip
-    axes.contour(x, y, region.margin, levels=[0], colors=style.ink, linewidths=0.5, linestyles="dotted")
+    if region.kind != "border":
+        look = (
+            {"colors": [style.ink], "alpha": SHADE}
+            if region.kind == "shaded"
+            else {"colors": "none", "hatches": [hatch]}
+        )
+        axes.contourf(x, y, region.margin, levels=[float(region.margin.min()) - 1, 0], **look)
+    axes.contour(x, y, region.margin, levels=[0], colors=style.ink, **BORDERS[region.kind])
 
 
 def _draw_mark(

@@ -103,7 +103,7 @@ EXTRAS |= {
             _MARK,
             _DATA,
             *_PICTURE,
-            *_some("materials"),
+            *_some("materials", "quiet"),
         ),
         "NAME",
     ),

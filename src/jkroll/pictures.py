@@ -3,11 +3,11 @@
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from .answer import answer
+from .answer import about_data, assumptions
 from .axes import Axis, described
 from .charts import Curve, Panel, Picture, axis_around
-from .commands import COMMANDS, Command
-from .errors import MalformedQuantity, UnknownQuantity, quoted
+from .commands import COMMANDS
+from .errors import MalformedQuantity, NoResult, UnknownQuantity, quoted
 from .formatting import amount, pretty
 from .maps import (
     Map,
@@ -17,14 +17,16 @@ from .maps import (
     along,
     bounds_of,
     coordinate,
+    equation_of,
     evaluate,
+    has_values,
     inputs_at,
     is_wide,
     material_marks,
     regions,
 )
 from .materials import Materials
-from .nomenclature import NOMENCLATURE
+from .nomenclature import INFINITY, NOMENCLATURE, word_for_infinity
 from .request import BadRequest, Request
 from .scene import Scene
 from .spread import spreads_of
@@ -75,6 +77,17 @@ def quantity_named(word: str) -> str:
     return known
 
 
+class NothingToDraw(NoResult):
+    """A map or curves without a single value."""
+
+    def __init__(self, quantity: str) -> None:
+        super().__init__(quantity)
+        self.quantity = quantity
+
+    def __str__(self) -> str:
+        return f"{self.quantity} has no value anywhere on these axes"
+
+
 class Asked(NamedTuple):
     """A map, or curves, as they were asked for."""
 
@@ -102,6 +115,8 @@ def asked(words: Sequence[str], options: Mapping[str, str], files: Sequence[str]
     for axis in axes:
         if axis.name in request.options:
             raise BadRequest(f"{axis.name} is on an axis; it cannot have one value too")
+        if axis.name == quantity:
+            raise BadRequest(f"{quantity} is what is drawn; it is no axis")
         if axis.name not in within:
             raise BadRequest(f"{quantity} does not depend on {axis.name}")
     if len({axis.name for axis in axes}) < len(axes):
@@ -157,6 +172,8 @@ def map_of(wish: Asked, size: tuple[int, int], progress: Progress | None = None)
     middle = {**_one_of(x), **_one_of(y)}
     scene, told, notes = about(wish.quantity, setting, middle)
     values = evaluate(setting, wish.quantity, x, y, progress)
+    if not has_values(values):
+        raise NothingToDraw(wish.quantity)
     marks = [mark_at(text, wish.materials, setting, x, y) for text in wish.marks]
     if setting.material is None and {x.name, y.name} & {*PROPERTIES}:
         marks = [*material_marks(wish.materials, x, y), *marks]
@@ -164,7 +181,16 @@ def map_of(wish: Asked, size: tuple[int, int], progress: Progress | None = None)
     is_log = is_wide(values)
     title = described(wish.quantity, "")
     return Map(
-        wish.quantity, x, y, values, is_log, False, tuple(found), tuple(marks), title, _caption(wish.quantity, told)
+        wish.quantity,
+        x,
+        y,
+        values,
+        is_log,
+        False,
+        tuple(found),
+        tuple(marks),
+        title,
+        _caption(wish.quantity, scene, told),
     ), notes
 
 
@@ -175,20 +201,22 @@ def curves_of(wish: Asked, size: int) -> tuple[Picture, tuple[str, ...]]:
     notes: dict[str, None] = {}
     shared: list[str] = []
     for number, (text, setting) in enumerate(wish.settings):
-        _, told, noted = about(wish.quantity, setting, _one_of(x))
+        scene, told, noted = about(wish.quantity, setting, _one_of(x))
         notes |= dict.fromkeys(noted)
         shared = [part for part in told if part in shared or not number]
         curves.append(Curve(text, x.values(), along(setting, wish.quantity, x), number))
+    if not any(has_values(curve.y) for curve in curves):
+        raise NothingToDraw(wish.quantity)
     y = axis_around(wish.quantity, [curve.y for curve in curves])
     points = [mark_at(text, wish.materials, wish.settings[0][1], x, y) for text in wish.marks]
     panel = Panel(x, y, tuple(curves), tuple(points))
-    return Picture("", (panel,), _caption(wish.quantity, shared)), tuple(notes)
+    return Picture("", (panel,), _caption(wish.quantity, scene, shared)), tuple(notes)
 
 
-def _caption(quantity: str, told: Sequence[str]) -> tuple[str, ...]:
+def _caption(quantity: str, scene: Scene, told: Sequence[str]) -> tuple[str, ...]:
     """What is shown, by which equation, and what is held."""
-    entry = NOMENCLATURE[quantity]
-    equation = f", Eq ({entry.equation})" if entry.equation else ""
+    entry, number = NOMENCLATURE[quantity], equation_of(quantity, scene)
+    equation = f", Eq ({number})" if number else ""
     shown = f"{entry.sentence[0].upper()}{entry.sentence[1:]} {entry.symbol}{equation}."
     return (shown, held(told)) if told else (shown,)
 
@@ -208,11 +236,14 @@ def about(
 ) -> tuple[Scene, tuple[str, ...], tuple[str, ...]]:
     """A scene of a map, what is the same all over it, and the notes on it; MissingInput if something is missing."""
     scene = setting.scene(values)
-    scene.plan(quantity)
-    one = answer(Command("", (quantity,), (quantity,), ""), scene)
-    shown = [
-        f"{NOMENCLATURE[name].symbol} = {pretty(amount(name, value))}" if name != "material" else str(value)
-        for name, value in one.inputs.items()
-        if name not in values and not (name == "radius2" and name not in scene.stated)
-    ]
-    return scene, tuple(shown), one.notes
+    inputs = scene.inputs_of(quantity)
+    shown = [material.name if not number else f"material2 = {material.name}"
+             for number, material in enumerate((scene.material, scene.material2)) if material is not None]  # fmt: skip
+    for name in inputs:
+        if name not in values:
+            value = scene.values[name]
+            text = amount(name, word_for_infinity(name) or value if value == INFINITY else value)
+            shown.append(f"{NOMENCLATURE[name].symbol} = {pretty(text)}")
+    note = NOMENCLATURE[quantity].note
+    notes = [*assumptions(scene, inputs, [quantity]), *about_data(scene, inputs)]
+    return scene, tuple(shown), (*notes, f"{quantity}: {note}") if note else tuple(notes)

@@ -72,8 +72,8 @@ def run_map(words: Sequence[str], options: Mapping[str, str], output: Output, ta
     if wish.y is None:
         drawn, notes = curves_of(wish, ALONG)
     else:
-        drawn, notes = map_of(wish, IN_FILE if target.file else ON_SCREEN, _progress)
-    return _deliver(drawn, () if output.quiet else notes, target)
+        drawn, notes = map_of(wish, IN_FILE if target.file else ON_SCREEN, show_progress)
+    return _deliver(drawn, notes, target, is_quiet=output.quiet)
 
 
 def run_figure(words: Sequence[str], options: Mapping[str, str], output: Output, target: Target) -> int:
@@ -88,14 +88,14 @@ def run_figure(words: Sequence[str], options: Mapping[str, str], output: Output,
     if name in DRAWN:
         if options:
             raise BadRequest(f"figure {name} takes no {', '.join(map(_flag, options))}")
-        return _deliver(DRAWN[name](materials), (), target)
+        return _deliver(DRAWN[name](materials), (), target, is_quiet=output.quiet)
     size = OF_PAPER if target.file else ON_SCREEN
     drawn = figure(name, materials, size, as_printed="as_printed" in options)
     if "as_printed" in options and drawn.printed is None:
         raise BadRequest(f"figure {name} is as printed; --as-printed is for 6b")
     setting = Setting(FIGURES[name].given)
     marks = [mark_at(text, materials, setting, drawn.x, drawn.y) for text in marks_of(options)]
-    return _deliver(drawn._replace(marks=(*drawn.marks, *marks)), (), target)
+    return _deliver(drawn._replace(marks=(*drawn.marks, *marks)), (), target, is_quiet=output.quiet)
 
 
 def _flag(name: str) -> str:
@@ -116,11 +116,11 @@ def run_contact(words: Sequence[str], options: Mapping[str, str], output: Output
     setting = Setting(scene.stated, scene.material, scene.material2, request.materials)
     told, notes = about("contact_radius", setting, {})[1:]
     caption = ("The contact without load, both branches of its force curve, and what resists rolling.", held(told))
-    return _deliver(curves_of_contact(setting, caption), () if output.quiet else notes, target)
+    return _deliver(curves_of_contact(setting, caption), notes, target, is_quiet=output.quiet)
 
 
-def _deliver(drawn: Map | Picture, notes: Iterable[str], target: Target) -> int:
-    """Draw into the file, or on the screen, and write the numbers."""
+def _deliver(drawn: Map | Picture, notes: Iterable[str], target: Target, *, is_quiet: bool) -> int:
+    """Draw into the file and say what is in it, or draw on the screen, and write the numbers."""
     if target.data is not None:
         _write_data(drawn, target.data)
     if target.file is not None:
@@ -135,7 +135,7 @@ def _deliver(drawn: Map | Picture, notes: Iterable[str], target: Target) -> int:
         )
         with whole_file(target.file) as stream:
             stream.write(content)
-        if target.data != "-":
+        if target.data != "-" and not is_quiet:
             for text in filter(None, (drawn.title, *drawn.caption)):
                 say(text, sys.stdout)
     elif target.data != "-":
@@ -146,7 +146,7 @@ def _deliver(drawn: Map | Picture, notes: Iterable[str], target: Target) -> int:
         else:
             draw_picture(drawn, sys.stdout)
     sys.stdout.flush()
-    for note in notes:
+    for note in () if is_quiet else notes:
         say(f"note: {note}", sys.stderr)
     return 0
 
@@ -181,7 +181,7 @@ def _cell(value: float) -> str | float:
     return "" if isnan(value) else value
 
 
-def _progress(part: float) -> None:
+def show_progress(part: float) -> None:
     """How much of a long map is done, on a terminal; nothing is left of it."""
     if sys.stderr.isatty():
         sys.stderr.write(f"\r{100 * part:3.0f} %\r" if part < 1 else "\r     \r")

@@ -40,7 +40,7 @@ def _force(setting: Setting) -> Panel:
         state = setting.solve(("approach_at_load", "load"), {"load_factor": factor})
         points.append(Mark(text, state["approach_at_load"], state["load"]))
     x = axis_around("approach_at_load", [curve.x for curve in curves], is_log=False)
-    y = axis_around("load", [curve.y for curve in curves], is_log=False)
+    y = axis_around("load", [curve.y for curve in curves], is_log=False, margin=0.08)
     return Panel(x, y, tuple(reversed(curves)), tuple(points), "force, Eqs (5) and (6)")
 
 

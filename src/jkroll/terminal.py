@@ -6,11 +6,12 @@ from typing import Any, TextIO
 from .axes import Axis
 from .canvas import LINES, RAMP, SIGNS, Canvas, Colour, Screen, screen_of, shade, stacked, wrapped
 from .charts import Curve, Panel, Picture
-from .maps import Level, Map, Mark, label_of
+from .maps import Level, Map, Mark, Region, label_of
 from .streams import say
 
 MOST_ROWS = 24
 BAND_STEPS = len(RAMP) - 1  # contours between so many bands
+BORDER = "'"
 HATCHES = "x/\\|"
 
 
@@ -22,7 +23,7 @@ def draw_map(drawn: Map, out: TextIO) -> None:
     canvas = Canvas(axis.width, axis.height)
     _paint(canvas, drawn, levels)
     _hatch(canvas, drawn)
-    legend = [f"{sign} {region.text}" for sign, region in zip(HATCHES, drawn.regions, strict=False)]
+    legend = [f"{sign} {region.text}" for sign, region in _signs(drawn)]
     if drawn.has_gaps:
         legend.append("? no value" if not screen.colours else "blank: no value")
     for guide in drawn.guides:
@@ -168,8 +169,10 @@ def _sampled(values: Any, width: int, height: int) -> Any:
 def _hatch(canvas: Canvas, drawn: Map) -> None:
     """Hatch the regions; where they overlap, their signs take turns with each other and with the band."""
     signs: list[list[str]] = [[""] * canvas.width for _ in range(canvas.height)]
-    for sign, region in zip(HATCHES, drawn.regions, strict=False):
+    for sign, region in _signs(drawn):
         inside = _sampled(region.margin, canvas.width, canvas.height) < 0
+        if region.kind == "border":
+            inside = _edge(inside)
         for row, line in enumerate(inside.tolist()):
             signs[row] = [here + sign if is_inside else here for here, is_inside in zip(signs[row], line, strict=True)]
     for row, line in enumerate(signs):
@@ -177,6 +180,22 @@ def _hatch(canvas: Canvas, drawn: Map) -> None:
             turn = (row + column) % (len(here) + 1)
             if turn:
                 canvas.hatch(column, row, here[turn - 1])
+
+
+def _signs(drawn: Map) -> list[tuple[str, Region]]:
+    """The regions, each with its sign."""
+    hatches = iter(HATCHES)
+    return [(BORDER if region.kind == "border" else next(hatches), region) for region in drawn.regions]
+
+
+def _edge(is_above: Any) -> Any:
+    """Cells whose neighbour to the right or below is on the other side."""
+    import numpy
+
+    edge = numpy.zeros(is_above.shape, bool)
+    edge[:, :-1] |= is_above[:, :-1] != is_above[:, 1:]
+    edge[:-1] |= is_above[:-1] != is_above[1:]
+    return edge
 
 
 def _across(canvas: Canvas, y: Axis, guide: Mark) -> None:
@@ -204,11 +223,9 @@ def _label(canvas: Canvas, values: Any, levels: list[Level], form: str, middle: 
     rows, columns = numpy.indices(values.shape)
     distance = numpy.hypot(2 * (rows - (canvas.height - 1) / 2), columns - middle * (canvas.width - 1))
     known = numpy.isfinite(values)
+    rim = _edge(known)
     for level in levels:
-        above = values >= level.value
-        edge = numpy.zeros(values.shape, bool)
-        edge[:, :-1] |= (above[:, :-1] != above[:, 1:]) & known[:, :-1] & known[:, 1:]
-        edge[:-1] |= (above[:-1] != above[1:]) & known[:-1] & known[1:]
+        edge = _edge(values >= level.value) & known & ~rim
         places = numpy.argwhere(edge)
         text = form.format(level.text)
         for row, column in places[numpy.argsort(distance[edge], kind="stable")][:200].tolist():
