@@ -22,6 +22,7 @@ LAYERS = [
     {"shell", "completion"},
     {"run_pictures"},
     {"run"},
+    {"plots"},
     {"pictures"},
     {"sections"},
     {"curve", "terminal", "figures"},

@@ -14,7 +14,8 @@ from conftest import Run
 from jkroll import known_materials, solve
 from jkroll.figures import FIGURES, figure
 from jkroll.maps import Map, inputs_at
-from jkroll.pictures import asked, map_of
+from jkroll.pictures import asked
+from jkroll.plots import map_of
 from jkroll.run_pictures import OF_PAPER
 from jkroll.shell import main
 

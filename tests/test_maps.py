@@ -224,13 +224,13 @@ def test_a_band_is_bounded_by_its_contours(run: Run) -> None:
     assert cells[edge + 4] == above
 
 
-def test_half_blocks_have_colours_that_can_be_told_in_grey() -> None:
-    greys = [
-        0.299 * red + 0.587 * green + 0.114 * blue for red, green, blue in (shade(step / 12) for step in range(13))
-    ]
+@pytest.mark.parametrize("colours", [256, 2**24])
+def test_half_blocks_have_colours_that_can_be_told_in_grey(colours: int) -> None:
+    bands = [shade(step / 12, colours) for step in range(13)]
+    greys = [0.299 * red + 0.587 * green + 0.114 * blue for red, green, blue in bands]
     assert all(second - first > 10 for first, second in itertools.pairwise(greys))
-    assert ink_on(shade(0)) == (255, 255, 255)
-    assert ink_on(shade(1)) == (0, 0, 0)
+    assert ink_on(bands[0]) == (255, 255, 255)
+    assert ink_on(bands[-1]) == (0, 0, 0)
 
 
 def test_what_a_stream_shows(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -282,6 +282,35 @@ def test_several_materials_are_several_curves(run: Run) -> None:
     rows = list(csv.reader(io.StringIO(run("map pull-off quartz,iron --x radius=1nm:1um:3 --data -").out)))
     assert [row[0] for row in rows[1:]] == ["quartz"] * 3 + ["iron"] * 3
     assert float(rows[5][2]) == solve("pull_off_force", material="iron", radius=float(rows[5][1]))
+
+
+def test_a_material_that_lacks_a_property_leaves_the_others(run: Run) -> None:
+    ran = run("map frequencies all --x radius=10nm:1um:3 --data -")
+    assert ran.code == 0
+    assert {row[0] for row in csv.reader(io.StringIO(ran.out))} == {
+        "curve",
+        "polystyrene",
+        "quartz",
+        "graphite",
+        "iron",
+    }
+    assert "no curve: vertical_frequency needs Young's modulus and Poisson's ratio; gold has none" in ran.err
+
+
+def test_where_a_curve_is_doubtful_is_said(run: Run) -> None:
+    """The radius up to which DMT is closer, as the verdict of one answer has it."""
+    said = run("map contact_radius quartz --x radius=10nm:1um").out
+    radius = re.search(r"R1 = 10 nm to (\d+) nm: μ < 0.1", said)
+    assert radius is not None
+    assert solve("tabor_parameter", material="quartz", radius=float(radius[1]) * 1e-9) == pytest.approx(0.1, rel=0.02)
+    assert "R1 = 10 nm to 1 µm: μ < 5, JKR is not exact" in said
+
+
+def test_limits_that_cannot_be_shown_are_said_to_be_missing(run: Run) -> None:
+    ran = run("map pull-off --x radius=1nm:1um --y gamma=1mJ/m2:1J/m2")
+    assert "its limits are not shown: contact_radius_in_spacings needs Young's modulus" in ran.err
+    line = "map contact-radius-at-load quartz --x radius=10nm:1um --y load=0nN:50nN:lin"
+    assert "everywhere μ < 5, JKR is not exact" in run(line).out
 
 
 @pytest.mark.parametrize(

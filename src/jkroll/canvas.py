@@ -14,7 +14,13 @@ _DARK_TO_LIGHT: tuple[Colour, ...] = (
     (0, 34, 78), (18, 53, 112), (59, 73, 108), (87, 93, 109), (112, 113, 115), (138, 134, 120), (165, 156, 116),
     (195, 179, 105), (225, 204, 85), (254, 232, 56),
 )  # fmt: skip
+# The same where there are 256 colours, whose cube has no steps between greys: from blue through green to yellow.
+_OF_CUBE: tuple[Colour, ...] = (
+    (0, 0, 95), (95, 0, 135), (0, 95, 135), (0, 135, 135), (0, 175, 135), (0, 215, 95), (95, 215, 95), (135, 215, 95),
+    (175, 215, 95), (215, 215, 95), (255, 215, 95), (255, 255, 95), (255, 255, 215),
+)  # fmt: skip
 RAMP = " .:-~=+*oO#%@"
+_CUBE = (0, 95, 135, 175, 215, 255)
 # Okabe and Ito's colours for the colour-blind, those that stand out from white and from black.
 LINES: tuple[Colour, ...] = ((0, 114, 178), (213, 94, 0), (0, 158, 115), (204, 121, 167), (86, 180, 233), (230, 159, 0))
 SIGNS = "*o+x#%"
@@ -37,8 +43,10 @@ def screen_of(out: TextIO) -> Screen:
     return Screen(max(size.columns, NARROWEST), size.lines, (2**24 if is_exact else 256) if has_colour else 0)
 
 
-def shade(place: float) -> Colour:
-    """A colour between the darkest, 0, and the lightest, 1."""
+def shade(place: float, colours: int = 2**24) -> Colour:
+    """A colour between the darkest, 0, and the lightest, 1, of as many as there are."""
+    if colours <= 256:
+        return _OF_CUBE[round(place * (len(_OF_CUBE) - 1))]
     scaled = place * (len(_DARK_TO_LIGHT) - 1)
     first = min(int(scaled), len(_DARK_TO_LIGHT) - 2)
     low, high = _DARK_TO_LIGHT[first], _DARK_TO_LIGHT[first + 1]
@@ -111,8 +119,13 @@ def _part(layer: int, colour: Colour | None, colours: int) -> str:
         return ""
     if colours > 256:
         return f";{layer};2;" + ";".join(map(str, colour))
-    red, green, blue = (round(part / 255 * 5) for part in colour)  # the 6x6x6 cube of 256 colours
-    return f";{layer};5;{16 + 36 * red + 6 * green + blue}"
+    return f";{layer};5;{_of_256(colour)}"
+
+
+def _of_256(colour: Colour) -> int:
+    """The number of the nearest of 256 colours, in their cube of 6 by 6 by 6."""
+    red, green, blue = (min(range(6), key=lambda digit: abs(_CUBE[digit] - part)) for part in colour)
+    return 16 + 36 * red + 6 * green + blue
 
 
 def wrapped(text: str, width: int) -> list[str]:

@@ -136,6 +136,9 @@ def _keys_of_map(drawn: Map, style: Style, letters: int) -> list[Any]:
         if region.kind == "border":
             keys.append(Line2D([], [], color=style.ink, linewidth=0.9, linestyle="dashdot", label=text))
             continue
+        if region.kind == "everywhere":
+            keys.append(Patch(label=text, facecolor="none", edgecolor="none"))
+            continue
         is_shaded = region.kind == "shaded"
         fill = {"facecolor": style.ink, "alpha": SHADE} if is_shaded else {"facecolor": "none"}
         hatch = None if is_shaded else HATCHES[place % len(HATCHES)]

@@ -52,9 +52,28 @@ class Bound(NamedTuple):
     text: str
     kind: str = "hatched"
 
+    @property
+    def broken(self) -> str:
+        """What is said of values beyond it."""
+        return (
+            f"{NOMENCLATURE[self.names[0]].symbol} < {self.limit:g}, JKR is not exact"
+            if self.kind == "border"
+            else self.text
+        )
+
+    def margin(self, setting: Setting, values: Mapping[str, Any]) -> Any:
+        """How far values are from it, in powers of ten; negative beyond it."""
+        import numpy
+
+        ratio = numpy.log10(self.value(**setting.solve(self.names, values)) / self.limit)
+        return ratio if self.is_least else -ratio
+
 
 class Region(NamedTuple):
-    """Part of a map: where a margin, on axes of its own, is negative; hatched, shaded, or only its border drawn."""
+    """Part of a map: where a margin, on axes of its own, is negative; hatched, shaded, or only its border drawn.
+
+    One that is everywhere is only told.
+    """
 
     text: str
     x: Axis
@@ -188,14 +207,22 @@ def regions(setting: Setting, bounds: Iterable[Bound], x: Axis, y: Axis) -> list
     found = []
     for bound in bounds:
         try:
-            values = bound.value(**setting.solve(bound.names, here))
+            margin = numpy.broadcast_to(bound.margin(setting, here), (y.size, x.size))
         except (MissingInput, NoResult):
             continue
-        ratio = numpy.broadcast_to(values / bound.limit, (y.size, x.size))
-        margin = numpy.log10(ratio) if bound.is_least else -numpy.log10(ratio)
-        if (margin < 0).any() and (bound.kind != "border" or (margin > 0).any()):
+        if bound.kind == "border" and (margin < 0).all():
+            found.append(Region(f"everywhere {bound.broken}", x, y, margin, "everywhere"))
+        elif (margin < 0).any():
             found.append(Region(bound.text, x, y, margin, bound.kind))
     return found
+
+
+def margin_along(setting: Setting, bound: Bound, x: Axis) -> Any:
+    """How far a bound is along an axis; negative beyond it."""
+    import numpy
+
+    values = x.values()
+    return numpy.broadcast_to(bound.margin(setting, inputs_at(x.name, values)), values.shape)
 
 
 def _itself(**values: Any) -> Any:

@@ -55,7 +55,8 @@ def draw_map(axes: Any, drawn: Map, inches: float, style: Style) -> None:
             )
             _label(axes, printed, texts, style, (0.75, 0.5), taken)
     for place, region in enumerate(drawn.regions):
-        _draw_region(axes, region, HATCHES[place % len(HATCHES)], style)
+        if region.kind != "everywhere":
+            _draw_region(axes, region, HATCHES[place % len(HATCHES)], style)
     for guide in drawn.guides:
         where = drawn.y.place(guide.y)
         axes.axhline(where, color=style.ink, linewidth=0.6, linestyle=(0, (1, 2)))

@@ -3,35 +3,19 @@
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from .answer import about_data, assumptions
-from .axes import Axis, described
-from .charts import Curve, Panel, Picture, axis_around
+from .axes import Axis
 from .commands import COMMANDS
-from .errors import MalformedQuantity, NoResult, UnknownQuantity, quoted
+from .errors import MalformedQuantity, UnknownQuantity
 from .formatting import amount, pretty
 from .maps import (
-    Map,
-    Mark,
-    Progress,
     Setting,
-    along,
-    bounds_of,
-    coordinate,
-    equation_of,
-    evaluate,
-    has_values,
-    inputs_at,
-    is_wide,
-    material_marks,
-    regions,
 )
 from .materials import Materials
-from .nomenclature import INFINITY, NOMENCLATURE, word_for_infinity
+from .nomenclature import NOMENCLATURE
 from .request import BadRequest, Request
 from .scene import Scene
 from .spread import spreads_of
-from .units import parse_quantity
-from .wiring import PROPERTIES, depends_on
+from .wiring import depends_on
 
 MOST_POINTS = 25_000_000
 MOST_CURVES = 12
@@ -75,17 +59,6 @@ def quantity_named(word: str) -> str:
     if known is None:
         raise UnknownQuantity(word)
     return known
-
-
-class NothingToDraw(NoResult):
-    """A map or curves without a single value."""
-
-    def __init__(self, quantity: str) -> None:
-        super().__init__(quantity)
-        self.quantity = quantity
-
-    def __str__(self) -> str:
-        return f"{self.quantity} has no value anywhere on these axes"
 
 
 class Asked(NamedTuple):
@@ -143,107 +116,3 @@ def _distinction(scene: Scene, request: Request) -> str:
 def marks_of(options: Mapping[str, str]) -> tuple[str, ...]:
     """The marks that were asked for."""
     return tuple(filter(None, options.get("mark", "").split(",")))
-
-
-def mark_at(text: str, materials: Materials, setting: Setting, x: Axis, y: Axis) -> Mark:
-    """The place of `MATERIAL@RADIUS`, `MATERIAL` or `@RADIUS` on a map."""
-    name, _, radius = text.partition("@")
-    material = materials[name] if name else None
-    values = {"radius": parse_quantity(radius, "radius")} if radius else {}
-    scene = setting.scene(values, material)
-    mark = Mark(text, coordinate(x, scene), coordinate(y, scene))
-    if mark.x is None and mark.y is None:
-        raise BadRequest(f"--mark {quoted(text)} is nowhere on {x.name} and {y.name} as they are drawn")
-    return mark
-
-
-def sized(axis: Axis, size: int) -> Axis:
-    """An axis with a number of values, unless it was given one."""
-    return axis if axis.size else axis._replace(size=size)
-
-
-def map_of(wish: Asked, size: tuple[int, int], progress: Progress | None = None) -> tuple[Map, tuple[str, ...]]:
-    """The map that was asked for, of so many points unless told, and notes on it."""
-    assert wish.y is not None
-    x, y = sized(wish.x, size[0]), sized(wish.y, size[1])
-    if x.size * y.size > MOST_POINTS:
-        raise BadRequest(f"{x.size} x {y.size} points are more than {MOST_POINTS}")
-    setting = wish.settings[0][1]
-    middle = {**_one_of(x), **_one_of(y)}
-    scene, told, notes = about(wish.quantity, setting, middle)
-    values = evaluate(setting, wish.quantity, x, y, progress)
-    if not has_values(values):
-        raise NothingToDraw(wish.quantity)
-    marks = [mark_at(text, wish.materials, setting, x, y) for text in wish.marks]
-    if setting.material is None and {x.name, y.name} & {*PROPERTIES}:
-        marks = [*material_marks(wish.materials, x, y), *marks]
-    found = regions(setting, bounds_of(scene, wish.quantity), x, y)
-    is_log = is_wide(values)
-    title = described(wish.quantity, "")
-    return Map(
-        wish.quantity,
-        x,
-        y,
-        values,
-        is_log,
-        False,
-        tuple(found),
-        tuple(marks),
-        title,
-        _caption(wish.quantity, scene, told),
-    ), notes
-
-
-def curves_of(wish: Asked, size: int) -> tuple[Picture, tuple[str, ...]]:
-    """The curves that were asked for, and notes on them."""
-    x = sized(wish.x, size)
-    curves: list[Curve] = []
-    notes: dict[str, None] = {}
-    shared: list[str] = []
-    for number, (text, setting) in enumerate(wish.settings):
-        scene, told, noted = about(wish.quantity, setting, _one_of(x))
-        notes |= dict.fromkeys(noted)
-        shared = [part for part in told if part in shared or not number]
-        curves.append(Curve(text, x.values(), along(setting, wish.quantity, x), number))
-    if not any(has_values(curve.y) for curve in curves):
-        raise NothingToDraw(wish.quantity)
-    y = axis_around(wish.quantity, [curve.y for curve in curves])
-    points = [mark_at(text, wish.materials, wish.settings[0][1], x, y) for text in wish.marks]
-    panel = Panel(x, y, tuple(curves), tuple(points))
-    return Picture("", (panel,), _caption(wish.quantity, scene, shared)), tuple(notes)
-
-
-def _caption(quantity: str, scene: Scene, told: Sequence[str]) -> tuple[str, ...]:
-    """What is shown, by which equation, and what is held."""
-    entry, number = NOMENCLATURE[quantity], equation_of(quantity, scene)
-    equation = f", Eq ({number})" if number else ""
-    shown = f"{entry.sentence[0].upper()}{entry.sentence[1:]} {entry.symbol}{equation}."
-    return (shown, held(told)) if told else (shown,)
-
-
-def held(told: Sequence[str]) -> str:
-    """What is the same all over a picture."""
-    return f"Held: {', '.join(told)}."
-
-
-def _one_of(axis: Axis) -> dict[str, float]:
-    """One value of an axis, to ask what it takes and what it assumes."""
-    return inputs_at(axis.name, axis.high)
-
-
-def about(
-    quantity: str, setting: Setting, values: Mapping[str, float]
-) -> tuple[Scene, tuple[str, ...], tuple[str, ...]]:
-    """A scene of a map, what is the same all over it, and the notes on it; MissingInput if something is missing."""
-    scene = setting.scene(values)
-    inputs = scene.inputs_of(quantity)
-    shown = [material.name if not number else f"material2 = {material.name}"
-             for number, material in enumerate((scene.material, scene.material2)) if material is not None]  # fmt: skip
-    for name in inputs:
-        if name not in values:
-            value = scene.values[name]
-            text = amount(name, word_for_infinity(name) or value if value == INFINITY else value)
-            shown.append(f"{NOMENCLATURE[name].symbol} = {pretty(text)}")
-    note = NOMENCLATURE[quantity].note
-    notes = [*assumptions(scene, inputs, [quantity]), *about_data(scene, inputs)]
-    return scene, tuple(shown), (*notes, f"{quantity}: {note}") if note else tuple(notes)

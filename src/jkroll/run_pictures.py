@@ -13,7 +13,8 @@ from .files import whole_file
 from .maps import Map, Setting, rows_of
 from .materials import known_materials
 from .nomenclature import header
-from .pictures import about, asked, curves_of, held, map_of, mark_at, marks_of
+from .pictures import asked, marks_of
+from .plots import Held, as_held, curves_of, map_of, mark_at
 from .request import BadRequest, Request, materials_files
 from .run import Output
 from .sections import DRAWN, curves_of_contact
@@ -114,9 +115,9 @@ def run_contact(words: Sequence[str], options: Mapping[str, str], output: Output
         raise BadRequest(f"{request.count} scenes are more than one picture of a contact")
     scene = next(request.scenes())
     setting = Setting(scene.stated, scene.material, scene.material2, request.materials)
-    told, notes = about("contact_radius", setting, {})[1:]
-    caption = ("The contact without load, both branches of its force curve, and what resists rolling.", held(told))
-    return _deliver(curves_of_contact(setting, caption), notes, target, is_quiet=output.quiet)
+    held = Held("fixed_approach_moment", setting, {"load": 0.0})
+    caption = ("Both branches of the force curve; pressure; moment without load.", *as_held(held.inputs))
+    return _deliver(curves_of_contact(setting, caption), held.notes, target, is_quiet=output.quiet)
 
 
 def _deliver(drawn: Map | Picture, notes: Iterable[str], target: Target, *, is_quiet: bool) -> int:

@@ -21,9 +21,9 @@ def draw_map(drawn: Map, out: TextIO) -> None:
     axis = _Frame(drawn.x, drawn.y, screen)
     levels = drawn.levels(BAND_STEPS)
     canvas = Canvas(axis.width, axis.height)
-    _paint(canvas, drawn, levels)
+    _paint(canvas, drawn, levels, screen)
     _hatch(canvas, drawn)
-    legend = [f"{sign} {region.text}" for sign, region in _signs(drawn)]
+    legend = [f"{sign} {region.text}".strip() for sign, region in _signs(drawn)]
     if drawn.has_gaps:
         legend.append("? no value" if not screen.colours else "blank: no value")
     for guide in drawn.guides:
@@ -141,7 +141,7 @@ def _cell(axis: Axis, value: float, count: int) -> int:
     return min(max(round(float(axis.place(value)) * (count - 1)), 0), count - 1)
 
 
-def _paint(canvas: Canvas, drawn: Map, levels: list[Level]) -> None:
+def _paint(canvas: Canvas, drawn: Map, levels: list[Level], screen: Screen) -> None:
     """The band of every pixel; where there is no value, none."""
     import numpy
 
@@ -150,7 +150,7 @@ def _paint(canvas: Canvas, drawn: Map, levels: list[Level]) -> None:
         band = numpy.searchsorted([level.value for level in levels], values, side="right")
         return numpy.where(numpy.isnan(values), -1, band)
 
-    colours = [_shade_of(band, levels) for band in range(len(levels) + 1)]
+    colours = [_shade_of(band, levels, screen) for band in range(len(levels) + 1)]
     for row, line in enumerate(bands(2 * canvas.height).tolist()):
         canvas.pixels[row] = [colours[band] if band >= 0 else None for band in line]
     for row, line in enumerate(bands(canvas.height).tolist()):
@@ -170,6 +170,8 @@ def _hatch(canvas: Canvas, drawn: Map) -> None:
     """Hatch the regions; where they overlap, their signs take turns with each other and with the band."""
     signs: list[list[str]] = [[""] * canvas.width for _ in range(canvas.height)]
     for sign, region in _signs(drawn):
+        if region.kind == "everywhere":
+            continue
         inside = _sampled(region.margin, canvas.width, canvas.height) < 0
         if region.kind == "border":
             inside = _edge(inside)
@@ -185,7 +187,8 @@ def _hatch(canvas: Canvas, drawn: Map) -> None:
 def _signs(drawn: Map) -> list[tuple[str, Region]]:
     """The regions, each with its sign."""
     hatches = iter(HATCHES)
-    return [(BORDER if region.kind == "border" else next(hatches), region) for region in drawn.regions]
+    others = {"border": BORDER, "everywhere": " "}
+    return [(others.get(region.kind) or next(hatches), region) for region in drawn.regions]
 
 
 def _edge(is_above: Any) -> Any:
@@ -239,7 +242,7 @@ def _scale(drawn: Map, levels: list[Level], screen: Screen) -> list[str]:
     length = len(lines[0])
     for band in range(len(levels) + 1):
         strip = Canvas(2, 1)
-        strip.pixels = [[_shade_of(band, levels)] * 2] * 2
+        strip.pixels = [[_shade_of(band, levels, screen)] * 2] * 2
         strip.signs = [[RAMP[band]] * 2]
         text = f" {levels[band].text}" if band < len(levels) else ""
         if length + 3 + len(text) > screen.width:
@@ -250,5 +253,5 @@ def _scale(drawn: Map, levels: list[Level], screen: Screen) -> list[str]:
     return lines
 
 
-def _shade_of(band: int, levels: list[Level]) -> Colour:
-    return shade(band / max(1, len(levels)))
+def _shade_of(band: int, levels: list[Level], screen: Screen) -> Colour:
+    return shade(band / max(1, len(levels)), screen.colours)
