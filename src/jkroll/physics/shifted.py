@@ -30,9 +30,9 @@ def exact_pressure(
     ...                yield_displacement=1.0, hertz_pressure=3.0, boussinesq_pressure=-1.0)
     2.0
     """
-    share = position_in_circle / contact_radius_at_load
-    depth = sqrt((1 - share) * (1 + share))
-    tilt = 2 / pi * contact_modulus * (yield_displacement / reduced_radius) * share
+    a, x = contact_radius_at_load, position_in_circle
+    depth = sqrt((a - x) / a * ((a + x) / a))
+    tilt = 2 / pi * contact_modulus * (yield_displacement / reduced_radius) * (x / a)
     return hertz_pressure * depth + (boussinesq_pressure + tilt) / depth
 
 
