@@ -35,14 +35,14 @@ OUTPUT = (
 )
 _RTOL = Option("rtol", "--rtol", float, "1e-3", "Cheapest model of rolling that is this good.", 0.0, 1.0)
 _CURVE = Option("curve", "--curve", bool, "", "The whole force curve, both branches, as rows.")
-_ON_PAPER = "In a file: its width; light or dark; no caption."
+_ON_PAPER = "Of a file: width; light or dark; no caption."
 _PICTURE = (
-    Option("file", "-o", str, "FILE", "Draw into .svg, .pdf or .png (plot extra)."),
+    Option("file", "-o", str, "FILE", "Draw a .svg, .pdf or .png (plot extra)."),
     Option("width", "--width", str, "85mm", _ON_PAPER),
     Option("style", "--style", str, "dark", _ON_PAPER),
     Option("uncaptioned", "--no-caption", bool, "", _ON_PAPER),
 )
-_AXIS = "An axis; :lin at its end for a linear one."
+_AXIS = "NAME=FROM:TO, with :lin if it is not log."
 _DATA = Option("data", "--data", str, "FILE", "The numbers as CSV; - is stdout.")
 _MARK = Option("mark", "--mark", str, "quartz@100nm", "A grain as a point; several with commas.")
 
@@ -85,8 +85,8 @@ EXTRAS |= {
         "Any quantity over two inputs as a map, or over one as curves.",
         "pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2",
         (
-            Option("x", "--x", str, "NAME=FROM:TO", _AXIS),
-            Option("y", "--y", str, "NAME=FROM:TO", _AXIS),
+            Option("x", "--x", str, "AXIS", _AXIS),
+            Option("y", "--y", str, "AXIS", _AXIS),
             _MARK,
             _DATA,
             *_PICTURE,

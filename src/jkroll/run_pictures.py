@@ -7,7 +7,7 @@ from math import isnan
 from typing import NamedTuple
 
 from .charts import Picture
-from .errors import MissingExtra, QuantityError, quoted
+from .errors import MissingExtra, QuantityError, expectation, quoted
 from .figures import FIGURES, figure
 from .files import whole_file
 from .maps import Map, Setting, rows_of
@@ -34,16 +34,19 @@ class Target(NamedTuple):
 
     file: str | None = None
     width: str | None = None
-    style: str = "light"
+    style: str | None = None
     uncaptioned: bool = False
     data: str | None = None
 
     def check(self) -> None:
         """Refuse what cannot be drawn before anything is computed, and say what is missing."""
-        if self.style not in STYLES:
-            raise BadRequest(f"--style: {quoted(self.style)} is not a style; there are {' and '.join(STYLES)}")
+        if self.style not in (None, *STYLES):
+            raise BadRequest(f"--style: {quoted(self.style or '')} is not a style; there are {' and '.join(STYLES)}")
         self.inches()
         if self.file is None:
+            given = [_flag(name) for name in ("width", "style") if self._asdict()[name]]
+            if given or self.uncaptioned:
+                raise BadRequest(f"{', '.join(given) or '--no-caption'}: this is of a file; name one with -o")
             return
         if self.file.rpartition(".")[2].lower() not in FORMATS:
             raise BadRequest(f"-o: {quoted(self.file)} does not end in .{', .'.join(FORMATS[:-1])} or .{FORMATS[-1]}")
@@ -59,9 +62,10 @@ class Target(NamedTuple):
         try:
             metres = parse_quantity(self.width, "radius")
         except QuantityError as error:
-            raise BadRequest(f"--width: {quoted(self.width)} {error.problem()}") from None
-        if not 0.03 <= metres <= 1:
-            raise BadRequest(f"--width: {quoted(self.width)} is not between 30mm and 1m")
+            problem = error.problem().replace(expectation("radius"), "a width such as 85mm")
+            raise BadRequest(f"--width: {quoted(self.width)} {problem}") from None
+        if not 0.05 <= metres <= 1:
+            raise BadRequest(f"--width: {quoted(self.width)} is not between 50mm and 1m")
         return metres / 0.0254
 
 
@@ -131,7 +135,7 @@ def _deliver(drawn: Map | Picture, notes: Iterable[str], target: Target, *, is_q
             drawn,
             target.file.rpartition(".")[2].lower(),
             target.inches(),
-            target.style,
+            target.style or STYLES[0],
             has_caption=not target.uncaptioned,
         )
         with whole_file(target.file) as stream:
