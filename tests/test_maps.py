@@ -152,6 +152,16 @@ def test_materials_are_where_table_1_has_them() -> None:
 # --- Axes ---------------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.parametrize("most", [2, 3, 8])
+@pytest.mark.parametrize(("low", "high"), [(-1.57e-9, 1.17e-9), (0.9, 1.1), (3.0, 3.0000001), (1e-3, 1e6), (1.2, 8.0)])
+def test_an_axis_has_two_ticks_at_least(low: float, high: float, most: int) -> None:
+    for is_log in {False, low > 0}:
+        values = round_values(low, high, most, is_log=is_log)
+        assert len(values) >= 2
+        assert values == sorted({*values})
+        assert all(low * (1 - 1e-9) <= value <= high * (1 + 1e-9) for value in values if low > 0)
+
+
 @pytest.mark.parametrize(
     ("low", "high", "is_log", "wanted"),
     [

@@ -102,6 +102,8 @@ def round_values(low: float, high: float, most: int, *, is_log: bool) -> list[fl
     width = float(f"{factor}e{decade}")
     places = range(ceil(low / width - 1e-9), floor(high / width + 1e-9) + 1)
     values = [float(f"{place * width:.12g}") for place in places]
+    if len(values) < 2 and most < 64:
+        return round_values(low, high, 2 * most, is_log=False)
     return values[:: ceil(len(values) / most)]
 
 

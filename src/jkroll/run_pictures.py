@@ -64,8 +64,8 @@ class Target(NamedTuple):
         except QuantityError as error:
             problem = error.problem().replace(expectation("radius"), "a width such as 85mm")
             raise BadRequest(f"--width: {quoted(self.width)} {problem}") from None
-        if not 0.05 <= metres <= 1:
-            raise BadRequest(f"--width: {quoted(self.width)} is not between 50mm and 1m")
+        if not 0.07 <= metres <= 1:
+            raise BadRequest(f"--width: {quoted(self.width)} is not between 70mm and 1m")
         return metres / 0.0254
 
 
