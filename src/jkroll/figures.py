@@ -80,7 +80,7 @@ FIGURES: Mapping[str, Figure] = MappingProxyType(
             Axis("modulus_over_energy", 1e9, 1e13),
             {},
             "For W0 = P_cδ0; in general these are n_roll/(W0/P_cδ0). An energy balance gives 7/2 of Eq (49). Below 10 nm, spheres "
-            "with E*/γ above 3·10¹² m⁻¹ do not roll; below 100 nm a full turn takes E*/γ below 1.5·10⁹ m⁻¹.",
+            "with E*/γ above 3·10¹² m⁻¹ do not roll; below 100 nm a full turn takes E*/γ below 1.5·10⁹ m⁻¹. Gold has no modulus in Table 1.",
             has_log_labels=False,
             guide=(1e-8, "10 nm"),
             shaded=Bound(

@@ -21,14 +21,15 @@ Place = tuple[float, float]  # as parts of the axes
 
 
 class Style(NamedTuple):
-    """Paper, ink, and how much of a band's colour the paper takes."""
+    """Paper, ink, and how a band's colour is put on the paper: how bright it is, and how much of it the paper takes."""
 
     paper: str
     ink: str
+    brightness: float
     strength: float
 
 
-STYLES = {"light": Style("#ffffff", "#000000", 0.55), "dark": Style("#12151c", "#f2f2f2", 0.75)}
+STYLES = {"light": Style("#ffffff", "#000000", 1.0, 0.55), "dark": Style("#12151c", "#f2f2f2", 0.55, 0.75)}
 
 
 def draw_map(axes: Any, drawn: Map, inches: float, style: Style) -> None:
@@ -136,9 +137,7 @@ def _draw_mark(
 def _tint(colour: Colour, style: Style) -> tuple[float, ...]:
     """A colour of a band, as the paper takes it, so that ink can be read on it."""
     paper = [int(style.paper[place : place + 2], 16) for place in (1, 3, 5)]
-    dark = style.paper == STYLES["dark"].paper
-    parts = [0.55 * part for part in colour] if dark else colour
-    return tuple((p + (c - p) * style.strength) / 255 for c, p in zip(parts, paper, strict=True))
+    return tuple((p + (c * style.brightness - p) * style.strength) / 255 for c, p in zip(colour, paper, strict=True))
 
 
 def line_of(curve: Curve, number: int) -> dict[str, Any]:
