@@ -136,6 +136,7 @@ def test_the_curves_of_a_contact(run: Run, tmp_path: Path) -> None:
     ("line", "message"),
     [
         ("contact quartz 100nm -o contact.svg", "add --curve"),
+        ("contact quartz 100nm --curve --csv -o contact.svg", "-o and --csv exclude each other"),
         ("contact quartz,iron 100nm --curve -o contact.svg", "2 scenes"),
         ("contact quartz 100nm --curve --load 1nN -o contact.svg", "it takes none"),
         ("figure 3a -o nowhere/figure.svg", "cannot write"),

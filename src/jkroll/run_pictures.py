@@ -112,6 +112,8 @@ def run_contact(words: Sequence[str], options: Mapping[str, str], output: Output
     target.check()
     if not output.curve:
         raise BadRequest("-o draws the curve: add --curve")
+    if (kind := output.format_name(sys.stdout)) not in ("table", "plain"):
+        raise BadRequest(f"-o and --{kind} exclude each other")
     if {"load", "approach_at_load"} & options.keys():
         raise BadRequest("--curve goes through all loads and approaches; it takes none")
     request = Request(words, options, materials_files(output.materials))
