@@ -44,9 +44,10 @@ Run = Callable[..., Ran]
 def _alone(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """No configuration, no environment, an empty directory, a plain terminal of 80 columns."""
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "configuration"))
-    for name in ("JKROLL_MATERIALS", "FORCE_COLOR", "NO_COLOR", "LINES"):
+    for name in ("JKROLL_MATERIALS", "FORCE_COLOR", "NO_COLOR", "COLORTERM"):
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setenv("COLUMNS", "80")
+    monkeypatch.setenv("LINES", "24")
     monkeypatch.setenv("TERM", "dumb")
     monkeypatch.chdir(tmp_path)
 

@@ -320,7 +320,7 @@ def test_a_stream_that_knows_only_ascii(run: Run, name: str, how: str) -> None:
 
 
 def test_help_fits_a_screen_and_its_example_works(run: Run) -> None:
-    for name in (*COMMANDS, "materials"):
+    for name in (*COMMANDS, "materials", "map", "figure"):
         text = run(name, "--help").out
         assert len(text.splitlines()) <= 30, name
         assert max(map(len, text.splitlines())) <= 80

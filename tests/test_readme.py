@@ -72,6 +72,8 @@ def test_two_commands_are_all_the_set_up_there_is() -> None:
 
 if __name__ == "__main__":
     text = README.read_text(encoding="utf-8")
-    with mock.patch.dict(os.environ, {"COLUMNS": "80", "TERM": "dumb", "XDG_CONFIG_HOME": "/nonexistent"}):
+    with mock.patch.dict(
+        os.environ, {"COLUMNS": "80", "LINES": "24", "TERM": "dumb", "XDG_CONFIG_HOME": "/nonexistent"}
+    ):
         text = _CONSOLE.sub(lambda match: "```console\n" + "".join(map(transcript, commands(match[1]))) + "```", text)
     README.write_text(text, encoding="utf-8")

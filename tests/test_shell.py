@@ -12,7 +12,6 @@ from hypothesis import strategies as st
 from jkroll.cli import build
 from jkroll.commands import COMMANDS
 from jkroll.options import EXTRAS, OUTPUT, options_of
-from jkroll.run import run_bench, run_command, run_materials, run_verify
 from jkroll.shell import quick_call, with_minus_signs
 
 PLAIN = [
@@ -63,7 +62,7 @@ def typers(words: list[str]) -> object:
 
 def plain(call: object) -> object:
     """A call in a form that can be compared; of help and the version, what they print."""
-    if not isinstance(call, partial) or call.func not in (run_bench, run_command, run_materials, run_verify):
+    if not isinstance(call, partial) or not call.func.__name__.startswith("run_"):
         out = io.StringIO()
         with redirect_stdout(out):
             assert callable(call)

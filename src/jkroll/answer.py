@@ -63,8 +63,8 @@ def answer(command: Command, scene: Scene, rtol: float | None = None) -> Answer:
     used = scene.inputs_of(*planned) if planned else depends_on(command.quantities) & scene.given.keys()
     inputs = _echo(scene, used)
     validity = verdicts(scene, known)
-    assumed = _assumptions(scene, {*inputs, *(("atomic_spacing",) if uses_spacing(validity) else ())}, planned)
-    notes = (*chosen, *assumed, *_about_data(scene, inputs), *_about(results, scene))
+    assumed = assumptions(scene, {*inputs, *(("atomic_spacing",) if uses_spacing(validity) else ())}, planned)
+    notes = (*chosen, *assumed, *about_data(scene, inputs), *_about(results, scene))
     fatal = next((error for error in errors.values() if isinstance(error, _FATAL)), None)
     failure = fatal or (None if known else next(iter(errors.values())))
     return Answer(inputs, tuple(results), notes, validity, failure)
@@ -121,7 +121,7 @@ def _echo(scene: Scene, used: Collection[str]) -> dict[str, float | str]:
     return {name: word_for_infinity(name) or value if value == INFINITY else value for name, value in echoed.items()}
 
 
-def _assumptions(scene: Scene, inputs: Collection[str], names: list[str]) -> list[str]:
+def assumptions(scene: Scene, inputs: Collection[str], names: list[str]) -> list[str]:
     """What was taken for granted, and the options that say otherwise."""
     assumed = [
         f"{NOMENCLATURE[name].symbol} = {amount(name, DEFAULTS[name])} ({NOMENCLATURE[name].option})"
@@ -139,7 +139,7 @@ def _assumptions(scene: Scene, inputs: Collection[str], names: list[str]) -> lis
     return notes
 
 
-def _about_data(scene: Scene, inputs: Mapping[str, float | str]) -> list[str]:
+def about_data(scene: Scene, inputs: Collection[str]) -> list[str]:
     """What is to be known of the material data that were used."""
     used = scene.data_used(inputs)
     shadows = [f"{material.name}: {text}" for material, _ in used for text in material.shadows]

@@ -97,11 +97,11 @@ def off_front(rows: Sequence[Row]) -> list[str]:
 
 def plot_bench(rows: Sequence[Row], path: str | Path) -> None:
     """Error against cost, a panel a quantity, with the front; needs matplotlib."""
-    from matplotlib.figure import Figure  # type: ignore[import-not-found,unused-ignore]
+    from .drawing import sheet
 
     names = list(dict.fromkeys(row.quantity for row in rows))
     columns = math.ceil(math.sqrt(len(names)))
-    figure = Figure(figsize=(4 * columns, 3.2 * math.ceil(len(names) / columns)), layout="constrained")
+    figure = sheet(4 * columns, 3.2 * math.ceil(len(names) / columns))
     for place, name in enumerate(names, 1):
         axes = figure.add_subplot(math.ceil(len(names) / columns), columns, place)
         ways = sorted((row for row in rows if row.quantity == name), key=lambda row: row.cost)

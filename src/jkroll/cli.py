@@ -10,11 +10,10 @@ from typer.core import TyperCommand, TyperGroup
 
 from . import __version__
 from .commands import COMMANDS
-from .completion import complete_input, complete_words
+from .completion import ARGUMENTS, complete_option, complete_words
 from .help import help_of
 from .mistakes import UnknownOption
-from .nomenclature import NOMENCLATURE
-from .options import EXTRAS, HELP, Option, options_of, sentence_of
+from .options import EXTRAS, HELP, Option, options_named, sentence_of
 from .shell import Call, call
 
 
@@ -72,11 +71,12 @@ def build(only: str | None = None) -> typer.Typer:
     for name, command in COMMANDS.items():
         parameters = []
         if name == only:
-            parameters = [_words("[MATERIAL] [RADIUS]...", list[str] | None), *map(_parameter, options_of(command))]
+            parameters = [_words("[MATERIAL] [RADIUS]...", list[str] | None), *map(_parameter, options_named(name))]
         _add(app, name, command.sentence, parameters)
     for name, extra in EXTRAS.items():
-        words = [_words(extra.argument, str | None)] if extra.argument else []
-        parameters = [*words, *map(_parameter, extra.options)] if name == only else []
+        kind = list[str] | None if extra.takes_scene else str | None
+        words = [_words(extra.argument, kind, name)] if extra.argument else []
+        parameters = [*words, *map(_parameter, options_named(name))] if name == only else []
         _add(app, name, extra.sentence, parameters)
     return app
 
@@ -93,8 +93,9 @@ def _add(app: typer.Typer, name: str, sentence: str, parameters: list[Parameter]
     app.command(name, cls=OneCommand, short_help=sentence)(function)
 
 
-def _words(metavar: str, kind: Any) -> Parameter:
-    argument = typer.Argument(metavar=metavar, autocompletion=complete_words, show_default=False)
+def _words(metavar: str, kind: Any, command: str = "") -> Parameter:
+    completer = ARGUMENTS.get(command, complete_words)
+    argument = typer.Argument(metavar=metavar, autocompletion=completer, show_default=False)
     return _annotated("words", kind, None, argument)
 
 
@@ -108,7 +109,7 @@ def _parameter(option: Option) -> Parameter:
         max=option.high,
         hidden=option.hidden,
         show_default=False,
-        autocompletion=complete_input(option.name) if option.name in NOMENCLATURE else None,
+        autocompletion=complete_option(option.name),
     )
     kind: Any = option.kind
     return _annotated(option.name, kind if kind is bool else kind | None, False if kind is bool else None, declaration)

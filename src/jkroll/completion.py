@@ -55,6 +55,44 @@ def _is_plain(character: str) -> bool:
     return character.isalnum() or character in "_-.+"
 
 
+def complete_map(incomplete: str) -> list[str]:
+    """Quantities of a map, and what else it takes."""
+    word = incomplete.replace("-", "_")
+    quantities = [name for name in NOMENCLATURE if name.startswith(word) and NOMENCLATURE[name].equation]
+    return [*quantities, *complete_words(incomplete)] if incomplete else quantities
+
+
+def complete_figure(incomplete: str) -> list[str]:
+    """The figures with data."""
+    from .figures import FIGURES
+    from .sections import DRAWN
+
+    return [name for name in sorted({*FIGURES, *DRAWN}) if name.startswith(incomplete)]
+
+
+def complete_axis(incomplete: str) -> list[str]:
+    """Quantities for an axis, each with a range to be changed."""
+    ends = {name: f"{name}=" for name in NOMENCLATURE if NOMENCLATURE[name].range}
+    return [text for name, text in ends.items() if text.startswith(incomplete)]
+
+
+def complete_mark(incomplete: str) -> list[str]:
+    """Materials, and after an @ radii."""
+    head, at, radius = incomplete.rpartition("@")
+    if at:
+        return [f"{head}@{text}" for text in _with_units(radius, "m")]
+    return [f"{name}@" for name in complete_words(incomplete) if name.rpartition(",")[2] != "all"]
+
+
+ARGUMENTS = {"map": complete_map, "figure": complete_figure}
+OPTIONS = {"x": complete_axis, "y": complete_axis, "mark": complete_mark}
+
+
+def complete_option(name: str) -> Callable[[str], list[str]] | None:
+    """The completer for the value of an option, if there is one."""
+    return OPTIONS.get(name) or (complete_input(name) if name in NOMENCLATURE else None)
+
+
 def complete_input(name: str) -> Callable[[str], list[str]]:
     """The completer for an option: materials, or values in the units of the quantity."""
     if name == "material2":

@@ -83,6 +83,15 @@ def engineering(value: float, unit: str, digits: int = PEOPLE_DIGITS) -> tuple[s
     return f"{convert(rounded, _power_of_ten(exponent)):.{digits}g}", prefix + unit
 
 
+def pretty(unit: str) -> str:
+    """A unit with superscripts.
+
+    >>> pretty("mJ/m^2"), pretty("m^-1")
+    ('mJ/m²', 'm⁻¹')
+    """
+    return unit.replace("^2", "²").replace("^3", "³").replace("^-1", "⁻¹")
+
+
 def _power_of_ten(exponent: int) -> Unit:
     return Unit(10 ** max(exponent, 0), 10 ** max(-exponent, 0), ())
 

@@ -175,6 +175,11 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "load_over_pull_off": Quantity("P/P_c", "1", "load over pull-off force", "5"),
         "yield_energy": Quantity("W_yield", "J", "energy to roll to the yield displacement", "25"),
         "energy_over_yield": Quantity("W0/W_yield", "1", "energy over the yield energy", "25"),
+        # axes of figures
+        "modulus_over_energy": Quantity("E*/γ", "m^-1", "contact modulus over surface energy", "49", range="positive"),
+        "position_across": Quantity("x", "m", "position from the contact point", "16", range="finite"),
+        "position_beside": Quantity("y", "m", "position beside the way", "11", range="finite"),
+        "pressure_across": Quantity("p", "Pa", "pressure, tension negative", "12"),
         # collisions
         "adhesion_energy": Quantity("P_cδ0", "J", "energy typical of adhesion", "48"),
         "energy_at_energy_ratio": Quantity("W0", "J", "energy of sphere 1", "48"),

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from .commands import COMMANDS, OF_MEAN, OF_PEAK, OF_SLOPE, Command
-from .nomenclature import NOMENCLATURE
+from .nomenclature import INFINITY, NOMENCLATURE
 
 
 class Option(NamedTuple):
@@ -38,6 +38,15 @@ OUTPUT = (
 )
 _RTOL = Option("rtol", "--rtol", float, "1e-3", "Cheapest model of rolling that is this good.", 0.0, 1.0)
 _CURVE = Option("curve", "--curve", bool, "", "The whole force curve, both branches, as rows.")
+_PICTURE = (
+    Option("file", "-o", str, "FILE", "Draw a .svg, .pdf or .png (plot extra)."),
+    Option("width", "--width", str, "85mm", "Width of what is drawn."),
+    Option("style", "--style", str, "dark", "Light, or dark."),
+    Option("uncaptioned", "--no-caption", bool, "", "No caption below it."),
+)
+_AXIS = "NAME=FROM:TO, with :lin if it is not log."
+_DATA = Option("data", "--data", str, "FILE", "The numbers as CSV; - is stdout.")
+_MARK = Option("mark", "--mark", str, "quartz@100nm", "A grain as a point; several with commas.")
 
 
 # What typer adds of its own: to every command, and to the program before any.
@@ -63,6 +72,7 @@ class Extra(NamedTuple):
     example: str
     options: tuple[Option, ...]
     argument: str = ""
+    takes_scene: bool = False  # materials, radii and inputs besides
 
 
 def _some(*names: str) -> tuple[Option, ...]:
@@ -88,8 +98,45 @@ EXTRAS = {
     ),
 }
 
+EXTRAS |= {
+    "map": Extra(
+        "Any quantity over two inputs as a map, or over one as curves.",
+        "pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2",
+        (
+            Option("x", "--x", str, "AXIS", _AXIS),
+            Option("y", "--y", str, "AXIS", _AXIS),
+            _MARK,
+            _DATA,
+            *_PICTURE,
+            *_some("materials", "quiet"),
+        ),
+        "QUANTITY [MATERIAL] [RADIUS]...",
+        takes_scene=True,
+    ),
+    "figure": Extra(
+        "A figure of the paper, from its equations.",
+        "3a --mark quartz@100nm",
+        (
+            Option("as_printed", "--as-printed", bool, "", "In 6b, Eq (41) as it is printed, dashed."),
+            _MARK,
+            _DATA,
+            *_PICTURE,
+            *_some("materials", "quiet"),
+        ),
+        "NAME",
+    ),
+}
+
 _ALWAYS = ("radius2", "material2", "surface_energy", "work_of_adhesion", "youngs_modulus", "poisson_ratio", "density")
 _HIDDEN = ("surface_energy2", "youngs_modulus2", "poisson_ratio2", "density2", "atomic_spacing", "energy_ratio")
+
+
+def options_named(name: str) -> tuple[Option, ...]:
+    """The options of a command by its name, whether it asks a scene or not."""
+    if name in COMMANDS:
+        return options_of(COMMANDS[name])
+    extra = EXTRAS[name]
+    return (*extra.options, *_inputs(COMMANDS["report"])) if extra.takes_scene else extra.options
 
 
 def options_of(command: Command) -> tuple[Option, ...]:
@@ -97,20 +144,29 @@ def options_of(command: Command) -> tuple[Option, ...]:
 
     The properties of a material are taken by every command, but shown only where they are used.
     """
+    has_models = {*OF_PEAK, *OF_MEAN, *OF_SLOPE} & {*command.quantities} and command is not COMMANDS["report"]
+    models = (_RTOL,) if has_models else ()
+    curve = (_CURVE, *_of_curve(_PICTURE)) if command is COMMANDS["contact"] else ()
+    return (*_inputs(command), *models, *curve, *OUTPUT)
+
+
+def _of_curve(options: tuple[Option, ...]) -> tuple[Option, ...]:
+    """The options of a picture for a command that mostly draws none: how it looks is not shown."""
+    return tuple(option._replace(hidden=option.name != "file") for option in options)
+
+
+def _inputs(command: Command) -> tuple[Option, ...]:
+    """The inputs that the quantities of a command depend on."""
     from .wiring import depends_on
 
     depends = depends_on(command.quantities)
     names = dict.fromkeys((*_ALWAYS, *_HIDDEN, *(name for name in NOMENCLATURE if name in depends)))
     shown = {*depends, "material2", "radius2"} - {*_HIDDEN}
-    inputs = [
+    return tuple(
         Option(name, quantity.option, str, quantity.example, hidden=name not in shown)
         for name, quantity in ((name, NOMENCLATURE[name]) for name in names)
         if quantity.option and (name != "energy_ratio" or name in depends)
-    ]
-    has_models = {*OF_PEAK, *OF_MEAN, *OF_SLOPE} & {*command.quantities} and command is not COMMANDS["report"]
-    models = (_RTOL,) if has_models else ()
-    curve = (_CURVE,) if command is COMMANDS["contact"] else ()
-    return (*inputs, *models, *curve, *OUTPUT)
+    )
 
 
 def sentences() -> dict[str, str]:
@@ -123,8 +179,13 @@ def flags_of(name: str | None) -> dict[str, Option]:
     """All that a command takes, or the program before any, by what is typed for it."""
     if name is None:
         return {option.flag: option for option in PROGRAM}
-    own = options_of(COMMANDS[name]) if name in COMMANDS else EXTRAS[name].options
-    return {option.flag: option for option in (*own, *HELP)}
+    return {option.flag: option for option in (*options_named(name), *HELP)}
+
+
+def room_for_words(name: str) -> float:
+    """How many words a command takes besides its options."""
+    takes_any = name in COMMANDS or EXTRAS[name].takes_scene
+    return INFINITY if takes_any else len(EXTRAS[name].argument.split())
 
 
 def sentence_of(option: Option) -> str:

@@ -16,7 +16,7 @@ from typing import Any
 
 from .commands import COMMANDS
 from .errors import JkrollError, shown
-from .options import EXTRAS, flags_of, read_quickly
+from .options import EXTRAS, flags_of, read_quickly, room_for_words
 from .streams import say
 
 USAGE_ERROR = 2
@@ -79,7 +79,7 @@ def quick_call(words: list[str]) -> Call | None:
         return partial(_show_help, name)
     if name is None:
         return _show_version if words == ["--version"] else None
-    if name in EXTRAS and len(arguments) > len(EXTRAS[name].argument.split()):
+    if len(arguments) > room_for_words(name):
         return None
     return call(name, arguments, values)
 
@@ -112,6 +112,11 @@ def call(name: str, arguments: Sequence[str], values: dict[str, Any]) -> Call:
         return partial(run_verify, output)
     if name == "bench":
         return partial(run_bench, output, **given)
+    if name in ("map", "figure") or {"file", "width", "style", "uncaptioned"} & given.keys():
+        from .run_pictures import RUNNERS, Target
+
+        target = Target(**{key: given.pop(key) for key in Target._fields if key in given})
+        return partial(RUNNERS[name], arguments, given, output, target)
     return partial(run_command, COMMANDS[name], arguments, given, output)
 
 

@@ -9,9 +9,8 @@ from functools import partial
 from typing import NamedTuple
 
 from .commands import COMMANDS
-from .completion import complete_input, complete_words
-from .nomenclature import NOMENCLATURE
-from .options import EXTRAS, Option, flags_of, read_quickly, sentence_of, sentences
+from .completion import ARGUMENTS, complete_option, complete_words
+from .options import EXTRAS, Option, flags_of, read_quickly, room_for_words, sentence_of, sentences
 from .streams import say
 
 NOT_PLAIN = "'\"\\\t\r\n"
@@ -81,8 +80,8 @@ def _behind(name: str, rest: list[str], begun: str) -> list[Candidate] | None:
         return _flags((option for option in flags.values() if option.name not in taken), begun)
     if pending is not None:
         return _values(pending, begun)
-    room = name in COMMANDS or len(read[0]) < len(EXTRAS[name].argument.split())
-    return _fitting(complete_words(begun), begun) if room else []
+    complete = ARGUMENTS.get(name, complete_words)
+    return _fitting(complete(begun), begun) if len(read[0]) < room_for_words(name) else []
 
 
 def _commands(begun: str) -> list[Candidate]:
@@ -98,7 +97,8 @@ def _flags(options: Iterable[Option], begun: str) -> list[Candidate]:
 
 
 def _values(option: Option, begun: str) -> list[Candidate]:
-    return _fitting(complete_input(option.name)(begun) if option.name in NOMENCLATURE else [], begun)
+    complete = complete_option(option.name)
+    return _fitting(complete(begun) if complete else [], begun)
 
 
 def _fitting(words: Iterable[str], begun: str) -> list[Candidate]:

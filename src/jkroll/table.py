@@ -9,7 +9,7 @@ from rich.table import Table
 from rich.text import Text
 
 from .answer import Answer
-from .formatting import Format, amount
+from .formatting import Format, amount, pretty
 from .judgement import sentence
 from .nomenclature import NOMENCLATURE
 from .report import Layout
@@ -86,15 +86,6 @@ def _follows(name: str, answers: Sequence[Answer]) -> bool:
     return len({(answer.inputs[leader], answer.inputs.get(name)) for answer in answers}) == len(
         {answer.inputs[leader] for answer in answers}
     )
-
-
-def pretty(unit: str) -> str:
-    """A unit with superscripts.
-
-    >>> pretty("mJ/m^2")
-    'mJ/m²'
-    """
-    return unit.replace("^2", "²").replace("^3", "³")
 
 
 def _inputs(inputs: Mapping[str, float | str], form: Format) -> str:

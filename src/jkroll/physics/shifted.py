@@ -1,0 +1,100 @@
+"""The shifted contact as a picture: the pressure along its way, exact and of two half-circles, and how far it rolls.
+
+The centre of the circle, X = 0, lags by ξ behind the contact point, x = X − ξ = 0, as in Fig. 2; x points ahead.
+"""
+
+from .contact import boussinesq_pressure_at_approach, pressure
+from .dimensions import Length, Number, Stress, SurfaceEnergy
+from .elementary import cbrt, pi, sqrt
+
+
+def exact_pressure(
+    *,
+    position_in_circle: Length,
+    contact_radius_at_load: Length,
+    contact_modulus: Stress,
+    reduced_radius: Length,
+    yield_displacement: Length,
+    hertz_pressure: Stress,
+    boussinesq_pressure: Stress,
+) -> Stress:
+    """Exact pressure of a shifted circle at a fixed load, along its diameter in the direction of rolling.
+
+        p = p_H √(1 − X²/a²) + (p_B + (2E*ξ/πR)(X/a))/√(1 − X²/a²)
+
+    Source:   Hertz, flat punch and tilted flat punch on one circle; Eq (64) in three dimensions.
+    Valid:    |X| < a, ξ < a0/(3√â).
+    Accuracy: 6 ulp of the largest term.
+
+    >>> exact_pressure(position_in_circle=0.0, contact_radius_at_load=1.0, contact_modulus=1.0, reduced_radius=1.0,
+    ...                yield_displacement=1.0, hertz_pressure=3.0, boussinesq_pressure=-1.0)
+    2.0
+    """
+    a, x = contact_radius_at_load, position_in_circle
+    depth = sqrt((a - x) / a * ((a + x) / a))
+    tilt = 2 / pi * contact_modulus * (yield_displacement / reduced_radius) * (x / a)
+    return hertz_pressure * depth + (boussinesq_pressure + tilt) / depth
+
+
+def half_circle_pressure(
+    *,
+    distance: Length,
+    half_circle_radius: Length,
+    approach_at_load: Length,
+    contact_modulus: Stress,
+    reduced_radius: Length,
+) -> Stress:
+    """Pressure in one half of a symmetric contact of a given radius and approach: one side of Eq (16).
+
+        p = p_H √(1 − r²/𝒜²) + (E*δ/(π𝒜) − p_H/2)/√(1 − r²/𝒜²), p_H = 2𝒜E*/(πR)
+
+    Source:   Eqs (15) and (16).
+    Valid:    r < 𝒜, which is a + ξ behind the contact point and a − ξ ahead of it.
+    Accuracy: 8 ulp of the largest term.
+
+    >>> round(half_circle_pressure(distance=0.0, half_circle_radius=1.0, approach_at_load=0.0, contact_modulus=pi,
+    ...                            reduced_radius=1.0), 12)
+    1.0
+    """
+    hertz = 2 / pi * contact_modulus * (half_circle_radius / reduced_radius)
+    punch = boussinesq_pressure_at_approach(
+        approach_at_load=approach_at_load,
+        contact_radius_at_load=half_circle_radius,
+        contact_modulus=contact_modulus,
+        hertz_pressure=hertz,
+    )
+    return pressure(
+        distance=distance, contact_radius_at_load=half_circle_radius, hertz_pressure=hertz, boussinesq_pressure=punch
+    )
+
+
+def unloaded_half_width(
+    *, work_of_adhesion: SurfaceEnergy, cylinder_radius: Length, plane_strain_modulus: Stress
+) -> Length:
+    """Half the width of the strip in which a cylinder sticks to a rigid plane without load.
+
+        a = (32wR²/(πE′))^(1/3)
+
+    Source:   Griffith's criterion K²/(2E′) = w with the edge of Eq (56), C = 0; the paper leaves a free.
+    Valid:    a ≪ R.
+    Accuracy: 2 ulp.
+
+    >>> round(unloaded_half_width(work_of_adhesion=pi / 4, cylinder_radius=1.0, plane_strain_modulus=1.0), 12)
+    2.0
+    """
+    return cbrt(32 / pi * (work_of_adhesion / plane_strain_modulus) * cylinder_radius * cylinder_radius)
+
+
+def rolled_over_displacement(*, n_roll: Number, radius: Length, yield_displacement: Length) -> Number:
+    """Distance that sphere 1 rolls, over the yield displacement: below 1 it springs back, as in the corner of Fig. 8.
+
+        2πR1 n_roll/ξ
+
+    Source:   Caption of Fig. 8.
+    Valid:    As Eq (48).
+    Accuracy: 2 ulp above n_roll.
+
+    >>> rolled_over_displacement(n_roll=1.0, radius=1.0, yield_displacement=2 * pi)
+    1.0
+    """
+    return 2 * pi * n_roll * (radius / yield_displacement)
