@@ -92,7 +92,7 @@ def _words(metavar: str, kind: Any) -> Parameter:
 def _parameter(option: Option) -> Parameter:
     """An option as typer wants it."""
     declaration = typer.Option(
-        option.flag,
+        *option.flags,
         metavar=option.metavar or None,
         help=option.help,
         min=option.low,

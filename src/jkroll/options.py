@@ -18,6 +18,12 @@ class Option(NamedTuple):
     low: float | None = None
     high: float | None = None
     hidden: bool = False
+    short: str = ""
+
+    @property
+    def flags(self) -> tuple[str, ...]:
+        """All its spellings."""
+        return (self.flag, self.short) if self.short else (self.flag,)
 
 
 _FORMAT = "Format: numbers only, JSON, or a CSV table."
@@ -50,7 +56,30 @@ def _some(*names: str) -> tuple[Option, ...]:
     return tuple(option for option in OUTPUT if option.name in names)
 
 
+_FILLS = "Fills what a row does not give."
+_SCENE = (
+    Option("material", "--material", str, "NAME", _FILLS),
+    Option("radius", "--radius", str, "R", _FILLS),
+    *(Option(name, quantity.option, str, "", _FILLS) for name, quantity in NOMENCLATURE.items() if quantity.option),
+)
+
 EXTRAS = {
+    "batch": Extra(
+        "Tables of scenes: the same rows with their results.",
+        "grains.csv -o forces.csv",
+        (
+            Option("target", "--output", str, "OUT", "Where to; it appears when it is whole.", short="-o"),
+            Option("format", "--format", str, "FORMAT", "csv, tsv, ndjson or parquet, if no name says so; .gz, .zst."),
+            Option("quantities", "--quantities", str, "NAMES", "What to compute, with commas; else all that is possible."),
+            Option("strict", "--strict", bool, "", "Stop at the first row that fails."),
+            Option("resume", "--resume", bool, "", "Go on after an interrupt."),
+            Option("jobs", "--jobs", int, "N", "Processes; one for each core.", 1, 64),
+            Option("excel_safe", "--excel-safe", bool, "", "No cell of text that a spreadsheet takes for a formula."),
+            *_SCENE,
+            *_some("materials", "quiet"),
+        ),
+        "[IN]",
+    ),
     "materials": Extra(
         "The materials that are known, or one of them whole.",
         "quartz",

@@ -2,7 +2,7 @@
 
 import sys
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import NamedTuple, TextIO
+from typing import Any, NamedTuple, TextIO
 
 from .answer import Answer, answer, in_units
 from .commands import Command
@@ -169,3 +169,10 @@ def run_bench(output: Output, *, quick: bool = False, plot: str | None = None) -
         raise MissingExtra(error.name or "", "plot" if plot else "bench") from None
     sys.stdout.flush()
     return code
+
+
+def run_batch(path: str | None, output: Output, given: Mapping[str, Any]) -> int:
+    """Convert a table of scenes; return the exit code."""
+    from .batch.command import run
+
+    return run(path, {**given, "materials": output.materials, "quiet": output.quiet})

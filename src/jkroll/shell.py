@@ -65,7 +65,7 @@ def quick_call(words: list[str]) -> Call | None:
     if "_JKROLL_COMPLETE" in os.environ or (name not in COMMANDS and name not in EXTRAS):
         return None
     options = options_of(COMMANDS[name]) if name in COMMANDS else EXTRAS[name].options
-    read = read_quickly(rest, {option.flag: option for option in options})
+    read = read_quickly(rest, {flag: option for option in options for flag in option.flags})
     if read is None or (name in EXTRAS and len(read[0]) > len(EXTRAS[name].argument.split())):
         return None
     arguments, values = read
@@ -74,12 +74,14 @@ def quick_call(words: list[str]) -> Call | None:
 
 def call(name: str, arguments: Sequence[str], values: dict[str, Any]) -> Call:
     """The call of a command with arguments and the values of its options by name; those not given are None or False."""
-    from .run import Output, run_bench, run_command, run_materials, run_verify
+    from .run import Output, run_batch, run_bench, run_command, run_materials, run_verify
 
     given = {key: value for key, value in values.items() if value is not None and value is not False}
     output = Output(**{key: given.pop(key) for key in Output._fields if key in given})
     if name == "materials":
         return partial(run_materials, arguments[0] if arguments else None, output)
+    if name == "batch":
+        return partial(run_batch, arguments[0] if arguments else None, output, given)
     if name == "verify":
         return partial(run_verify, output)
     if name == "bench":

@@ -1,0 +1,263 @@
+"""CSV and TSV: blocks of whole records taken apart, and put together again with the results behind each line.
+
+The bytes of a line pass through. A quoted cell may hold separators and line ends; whatever is quoted badly or has a cell too
+many or too few spoils its own row only.
+"""
+
+import csv
+import io
+import re
+from collections.abc import Mapping, Sequence
+from itertools import islice
+from typing import NamedTuple
+
+import numpy
+import orjson
+
+from .cells import Numbers, Reader
+from .columns import STATUS, Header
+from .rows import Block, Evaluator, Results, Task
+
+MAX_LINES = 100  # of one record
+_NUMBER = rb"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
+
+
+class Converted(NamedTuple):
+    """A block as it is written, and what is to be known of it."""
+
+    output: bytes
+    rows: int
+    failed: int
+    lines: int
+    first_failure: tuple[int, str] | None  # line in the block, status
+
+
+class Dialect:
+    """How cells are separated and records end."""
+
+    def __init__(self, separator: bytes) -> None:
+        """`separator`: one byte."""
+        self.separator = separator
+        mark = re.escape(separator)
+        self._closed = re.compile(rb'(?:^|(?<=' + mark + rb'))"(?:[^"]|"")*"(?=' + mark + rb"|\r?\n?\Z)")
+        self._open = re.compile(rb'(?:^|' + mark + rb')"')
+        self.formula = re.compile(
+            rb'(^|' + mark + rb')("?)(?!' + _NUMBER + rb'"?(?:' + mark + rb"|\r?$))(?=[=+\-@\t\r])", re.MULTILINE
+        )
+
+    def is_open(self, record: bytes) -> bool:
+        """Whether a record ends inside quotes."""
+        return b'"' in record and self._open.search(self._closed.sub(b"", record)) is not None
+
+    def records(self, text: bytes, *, is_end: bool) -> tuple[list[bytes], int]:
+        """The whole records of a text with their line ends, and how many bytes they are; at the end, all of it."""
+        lines = text.splitlines(keepends=True) if b"\r" not in text.replace(b"\r\n", b"") else _lines(text)
+        if lines and not is_end and not lines[-1].endswith(b"\n"):
+            lines.pop()
+        if b'"' not in text:
+            return lines, sum(map(len, lines))
+        records: list[bytes] = []
+        place = 0
+        while place < len(lines):
+            record, size = lines[place], 1
+            while self.is_open(record) and size < MAX_LINES and place + size < len(lines):
+                record += lines[place + size]
+                size += 1
+            if self.is_open(record):
+                if size < MAX_LINES and not is_end and size + place == len(lines):
+                    break
+                record, size = lines[place], 1  # never closed: it stands alone
+            records.append(record)
+            place += size
+        return records, sum(map(len, records))
+
+    def cells(self, record: bytes) -> list[bytes] | None:
+        """The cells of a record, unquoted; None if a quote is not closed."""
+        line = record.rstrip(b"\r\n") if b'"' not in record else record
+        if b'"' not in line:
+            return line.split(self.separator)
+        if self.is_open(record):
+            return None
+        text = record.decode("utf-8", "surrogateescape")
+        separator = self.separator.decode()
+        reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator)
+        try:
+            return [cell.encode("utf-8", "surrogateescape") for row in reader for cell in row]
+        except csv.Error:
+            return None
+
+
+def _lines(text: bytes) -> list[bytes]:
+    """Lines that end with a line feed: a carriage return alone ends none."""
+    lines = [line + b"\n" for line in text.split(b"\n")]
+    last = lines.pop()[:-1]
+    return lines + ([last] if last else [])
+
+
+DIALECTS = {"csv": Dialect(b","), "tsv": Dialect(b"\t")}
+
+
+class Converter:
+    """Turns blocks of lines into blocks of lines with results."""
+
+    def __init__(self, dialect: Dialect, header: Header, task: Task, line_end: bytes, *, excel_safe: bool) -> None:
+        """`line_end`: as the header has it."""
+        self.dialect = dialect
+        self.header = header
+        self.line_end = line_end
+        self.excel_safe = excel_safe
+        self.evaluator = Evaluator(task)
+        self.readers = [Reader(column) for column in task.inputs]
+        self.task = task
+        self._last_text = re.compile(re.escape(line_end) + rb"\Z")
+
+    def convert(self, text: bytes) -> Converted:
+        """Whole records with the results behind each."""
+        width = len(self.header.texts)
+        quick = self._quickly(text, width)
+        if quick is not None:
+            lines, columns = quick
+            odd: dict[int, str] = {}
+            count = len(lines)
+        else:
+            lines, columns, odd, blank = self._slowly(text, width)
+            count = len(lines)
+        if not count:
+            return Converted(b"" if quick else self._with_blank([], blank), 0, 0, text.count(b"\n"), None)
+        results = self.evaluator.results(self._block(count, columns, odd))
+        if self.excel_safe:
+            lines = [self.safe(line) for line in lines]
+        pieces = self._pieces(lines, results)
+        output = b"".join(pieces) if quick is not None else self._with_blank(pieces, blank)
+        failure = None
+        if results.status:
+            first = min(results.status)
+            before = text.count(b"\n") if quick is None else first
+            failure = (self._line_of(text, first) if quick is None else before, results.status[first])
+        return Converted(output, count, len(results.status), text.count(b"\n"), failure)
+
+    def _quickly(self, text: bytes, width: int) -> tuple[list[bytes], list[list[bytes]]] | None:
+        """Lines and columns of plain lines without quotes, all of the right width; None if there is anything else."""
+        end = self.line_end
+        if b'"' in text or not text.endswith(end) or (len(end) == 1 and b"\r" in text):
+            return None
+        lines = text.split(end)
+        lines.pop()
+        count = len(lines)
+        if text.count(b"\n") != count or text.count(b"\r") != count * (len(end) - 1):
+            return None
+        separator = self.dialect.separator
+        cells = text.replace(b"\n", b"\n" + separator).split(separator)
+        cells.pop()
+        last = cells[width - 1 :: width]
+        # As many cells as there should be, and each that should end a line does.
+        if len(cells) != count * width or b"".join(last).count(b"\n") != count or (width == 1 and b"" in lines):
+            return None
+        columns = [cells[place::width] for place in range(width - 1)]
+        cut = -len(end)
+        return lines, [*columns, [cell[:cut] for cell in last]]
+
+    def _slowly(
+        self, text: bytes, width: int
+    ) -> tuple[list[bytes], list[list[bytes]], dict[int, str], dict[int, bytes]]:
+        """The same for any lines: records, their columns, those that are no rows and why, and blank lines by place."""
+        lines: list[bytes] = []
+        rows: list[list[bytes]] = []
+        odd: dict[int, str] = {}
+        blank: dict[int, bytes] = {}
+        for record in self.dialect.records(text, is_end=True)[0]:
+            line = record.removesuffix(b"\n").removesuffix(b"\r")
+            if not line:
+                blank[len(lines)] = blank.get(len(lines), b"") + record
+                continue
+            cells = self.dialect.cells(record)
+            if cells is None or len(cells) != width:
+                odd[len(lines)] = (
+                    "a quote is not closed" if cells is None else f"{_cells(len(cells))} where the header has {width}"
+                )
+                line = self._squared(line, cells, width)
+                cells = [b""] * width
+            lines.append(line)
+            rows.append(cells)
+        return lines, [list(column) for column in zip(*rows, strict=True)], odd, blank
+
+    def _squared(self, line: bytes, cells: list[bytes] | None, width: int) -> bytes:
+        """A line with as many cells as the header: empty ones added, or what is too much kept in the last."""
+        separator = self.dialect.separator
+        if cells is None:
+            return b'"' + line.replace(b'"', b'""') + b'"' + separator * (width - 1)
+        if len(cells) < width:
+            return line + separator * (width - len(cells))
+        kept = [_quoted(cell, separator) for cell in cells[: width - 1]]
+        return separator.join([*kept, b'"' + separator.join(cells[width - 1 :]).replace(b'"', b'""') + b'"'])
+
+    def _block(self, count: int, columns: Sequence[Sequence[bytes]], odd: Mapping[int, str]) -> Block:
+        numbers: dict[str, Numbers] = {}
+        for reader in self.readers:
+            numbers[reader.column.name] = reader.numbers(columns[reader.column.place])
+        places = {column.name: column.place for column in self.task.inputs} | dict(self.task.materials_at)
+        return Block(
+            count,
+            numbers,
+            {name: columns[place] for name, place in self.task.materials_at},
+            odd,
+            lambda row, name: columns[places[name]][row].decode("utf-8", "replace"),
+        )
+
+    def _pieces(self, lines: Sequence[bytes], results: Results) -> list[bytes]:
+        """The parts of the output, four to a row: the line, a separator, the results, and the status with the line end."""
+        separator, count = self.dialect.separator, len(lines)
+        text = orjson.dumps(results.numbers, option=orjson.OPT_SERIALIZE_NUMPY)
+        if numpy.isnan(results.numbers).any():
+            text = text.replace(b"null", b"")
+        if separator != b",":
+            text = text.replace(b",", separator)
+        pieces = [separator, separator, separator, separator + self.line_end] * count
+        pieces[0::4] = lines
+        pieces[2::4] = [row[2:] for row in islice(text.split(b"]"), count)]
+        for row, status in results.status.items():
+            said = _quoted(status.encode(), separator)
+            pieces[4 * row + 3] = separator + (self.safe(said) if self.excel_safe else said) + self.line_end
+        return pieces
+
+    def _with_blank(self, pieces: Sequence[bytes], blank: Mapping[int, bytes]) -> bytes:
+        """The output with the blank lines where they were."""
+        if not blank:
+            return b"".join(pieces)
+        parts: list[bytes] = []
+        for row in range(len(pieces) // 4 + 1):
+            parts.append(blank.get(row, b""))
+            parts += pieces[4 * row : 4 * row + 4]
+        return b"".join(parts)
+
+    def _line_of(self, text: bytes, row: int) -> int:
+        """The line, from the start of the block, at which a row begins."""
+        line = 0
+        for record in self.dialect.records(text, is_end=True)[0]:
+            if record.strip(b"\r\n"):
+                if row == 0:
+                    break
+                row -= 1
+            line += record.count(b"\n")
+        return line
+
+    def safe(self, line: bytes) -> bytes:
+        """A line in which no cell of text can be taken for a formula by a spreadsheet."""
+        return self.dialect.formula.sub(rb"\1\2'", line)
+
+    def header_line(self, line: bytes, names: Sequence[str]) -> bytes:
+        """The header of the output."""
+        separator = self.dialect.separator
+        line = self.safe(line) if self.excel_safe else line
+        return line + separator + separator.join(name.encode() for name in (*names, STATUS)) + self.line_end
+
+
+def _cells(count: int) -> str:
+    return f"{count} cell{'s' * (count != 1)}"
+
+
+def _quoted(cell: bytes, separator: bytes) -> bytes:
+    """A cell in quotes if it needs them."""
+    if separator in cell or b'"' in cell or b"\n" in cell or b"\r" in cell:
+        return b'"' + cell.replace(b'"', b'""') + b'"'
+    return cell

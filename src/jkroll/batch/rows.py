@@ -1,0 +1,291 @@
+"""A block of rows to results: all rows of which the same is known at once, and a row that is odd as a scene of its own.
+
+The two ways run the same formulas. Only the second one finds the words for what went wrong.
+"""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy
+
+from ..errors import BeyondFold, BeyondPullOff, JkrollError, MissingInput, NoResult
+from ..materials import Material, Materials
+from ..nomenclature import INFINITY, NOMENCLATURE, RANGES
+from ..scene import MAY_BE_ZERO, SMALLEST, Scene
+from ..wiring import STATE
+from .cells import Floats, Mask, Numbers
+from .columns import Column
+from .materials import UNKNOWN, Codes, Lookup
+
+FATAL = (BeyondPullOff, BeyondFold)  # they leave nothing of a row to be trusted
+
+
+class Task(NamedTuple):
+    """What is computed of every row, and what the command line says of all of them."""
+
+    inputs: tuple[Column, ...]
+    materials_at: tuple[tuple[str, int], ...]
+    quantities: tuple[str, ...]
+    fixed: Mapping[str, float]  # inputs that fill what a row does not give
+    material: Material | None
+    material2: Material | None
+    known: Materials
+
+
+class Block(NamedTuple):
+    """The cells of a block of rows, by the name of the input."""
+
+    size: int
+    numbers: Mapping[str, Numbers]
+    materials: Mapping[str, Sequence[bytes | str]]
+    odd: Mapping[int, str]  # rows that are none, and why
+    text: Callable[[int, str], str]  # the text of a row's cell for an input
+
+
+class Results(NamedTuple):
+    """A row of numbers for each row, nan where there is none, and what is to be said of some of the rows."""
+
+    numbers: Floats
+    status: dict[int, str]
+
+
+class Evaluator:
+    """Computes one block after another."""
+
+    def __init__(self, task: Task) -> None:
+        """`task`: what to compute."""
+        self.task = task
+        self.lookups = {
+            "material": Lookup(task.known, task.material),
+            "material2": Lookup(task.known, task.material2),
+        }
+        self._reasons: dict[tuple[object, ...], str] = {}
+
+    def results(self, block: Block) -> Results:
+        """The results of a block."""
+        numbers = numpy.full((block.size, len(self.task.quantities)), numpy.nan)
+        status: dict[int, str] = dict(block.odd)
+        codes = {name: self.lookups[name].codes(cells) for name, cells in block.materials.items()}
+        with numpy.errstate(all="ignore"):
+            singly = self._in_groups(block, codes, numbers, status)
+        for row in sorted(singly.difference(block.odd)):
+            values, words = self._single(block, row)
+            numbers[row] = values
+            if words:
+                status[row] = words
+            else:
+                status.pop(row, None)
+        return Results(numbers, status)
+
+    def _in_groups(self, block: Block, codes: Mapping[str, Codes], numbers: Floats, status: dict[int, str]) -> set[int]:
+        """Evaluate the groups of rows of which the same is known; return the rows that are to be looked at singly."""
+        singly = {*block.odd, *(row for column in block.numbers.values() for row in column.odd)}
+        singly |= {int(row) for one in codes.values() for row in numpy.flatnonzero(one == UNKNOWN)}
+        for name, column in block.numbers.items():
+            singly |= set(_outside(name, column))
+        everything = numpy.arange(block.size)
+        rest = numpy.delete(everything, sorted(singly)) if singly else everything
+        keys = numpy.zeros(block.size, dtype=numpy.int64)
+        for place, column in enumerate(block.numbers.values()):
+            if column.given is not None:
+                keys |= (~column.given).astype(numpy.int64) << place
+        for place, (name, one) in enumerate(codes.items()):
+            keys |= self.lookups[name].kinds(one) << (40 + 8 * place)
+        if len(rest) == block.size and (keys == keys[0]).all():
+            groups: Iterable[Any] = [slice(None)]
+        else:
+            groups = [rest[keys[rest] == key] for key in numpy.unique(keys[rest])]
+        for rows in groups:
+            singly.update(everything[rows][self._group(block, codes, rows, numbers, status)].tolist())
+        return singly
+
+    def _group(
+        self, block: Block, codes: Mapping[str, Codes], rows: Any, numbers: Floats, status: dict[int, str]
+    ) -> Mask:
+        """Evaluate rows of which the same is known; say which of them have no plausible result."""
+        members = numpy.arange(block.size)[rows]
+        first = int(members[0])
+        given: dict[str, Any] = {
+            name: column.values[rows]
+            for name, column in block.numbers.items()
+            if column.given is None or column.given[first]
+        }
+        given = {**{name: value for name, value in self.task.fixed.items() if name not in given}, **given}
+        spheres = [self._sphere(name, codes, rows) for name in ("material", "material2")]
+        try:
+            scene = Scene(given, *spheres)
+        except JkrollError:
+            return numpy.ones(len(members), dtype=bool)
+        wanted = [name for name in self.task.quantities if concerns(name, scene)]
+        missing = [name for name in wanted if _is_missing(name, scene)]
+        found = [name for name in wanted if name not in missing]
+        values = _values(scene, found)
+        results = numpy.empty((len(members), len(self.task.quantities)))
+        blank = []
+        for place, name in enumerate(self.task.quantities):
+            if name in values:
+                results[:, place] = values[name]
+            else:
+                results[:, place] = numpy.nan
+                blank.append(place)
+        fine = _plausible(results, self.task.quantities)
+        fine[:, blank] = True
+        if "rolling_frequency_as_printed" in values:
+            place = self.task.quantities.index("rolling_frequency_as_printed")
+            unlike = ~_identical(scene, len(members))
+            results[unlike, place] = numpy.nan
+            fine[unlike, place] = True
+        numbers[rows] = results
+        if missing:
+            for row in members.tolist():
+                status[row] = self._missing(block, codes, row, missing, scene)
+        is_fine: Mask = fine.all(axis=1)
+        return ~is_fine
+
+    def _sphere(self, name: str, codes: Mapping[str, Codes], rows: Any) -> Material | None:
+        """The materials of some rows as one, whose properties are arrays."""
+        if name not in codes:
+            return self.task.material if name == "material" else self.task.material2
+        own = codes[name][rows]
+        if self.lookups[name].known[int(own[0])] is None:
+            return None
+        properties: Any = self.lookups[name].properties(own)
+        return Material("", properties, (), {}, (), (), "", "")
+
+    def _missing(
+        self, block: Block, codes: Mapping[str, Codes], row: int, missing: Sequence[str], scene: Scene
+    ) -> str:
+        """What the quantities need that a row cannot give; the same words for all rows of the same materials."""
+        spheres = [self._material(name, int(codes[name][row]) if name in codes else 0) for name in self.lookups]
+        key = (*(one and one.name for one in spheres), frozenset(scene.stated), *missing)
+        if key not in self._reasons:
+            single = Scene({name: _one(value) for name, value in scene.stated.items()}, *spheres)
+            reasons = {name: error for name in missing if (error := _error(name, single)) is not None}
+            self._reasons[key] = worded(reasons)
+        return self._reasons[key]
+
+    def _material(self, name: str, code: int) -> Material | None:
+        return self.lookups[name].known[code]
+
+    def _single(self, block: Block, row: int) -> tuple[list[float], str]:
+        """The results of one row, and what is to be said of it: the words of a one-liner."""
+        nothing = [numpy.nan] * len(self.task.quantities)
+        given: dict[str, float] = {}
+        problems: list[str] = []
+        for column in self.task.inputs:
+            text = block.text(row, column.name)
+            try:
+                if text.strip():
+                    given[column.name] = column.read(text)
+            except JkrollError as error:
+                problems.append(str(error))
+        spheres: dict[str, Material | None] = {"material": self.task.material, "material2": self.task.material2}
+        for name, _ in self.task.materials_at:
+            text = block.text(row, name)
+            try:
+                if text.strip():
+                    spheres[name] = self.task.known[text]
+            except JkrollError as error:
+                problems.append(str(error))
+        if problems:
+            return nothing, "; ".join(problems)
+        try:
+            scene = Scene({**self.task.fixed, **given}, *spheres.values())
+        except JkrollError as error:
+            return nothing, str(error)
+        values: list[float] = []
+        errors: dict[str, JkrollError] = {}
+        for name in self.task.quantities:
+            try:
+                values.append(float(scene[name]) if concerns(name, scene) and _is_said(name, scene) else numpy.nan)
+            except FATAL as error:
+                return nothing, str(error)
+            except (MissingInput, NoResult) as error:
+                errors[name] = error
+                values.append(numpy.nan)
+        return values, worded(errors)
+
+
+def concerns(name: str, scene: Scene) -> bool:
+    """Whether a quantity has something to say of scenes of which this is known."""
+    if name == "load":
+        return bool(STATE & scene.stated.keys())
+    return name not in scene.stated
+
+
+def _is_said(name: str, scene: Scene) -> bool:
+    return name != "rolling_frequency_as_printed" or scene.is_identical
+
+
+def worded(errors: Mapping[str, JkrollError]) -> str:
+    """Why quantities have no value; one clause for all that have the same reason."""
+    reasons: dict[str, list[str]] = {}
+    for name, error in errors.items():
+        reason = f"needs {error.needs()}" if isinstance(error, MissingInput) else str(error).removeprefix(f"{name}: ")
+        reasons.setdefault(reason, []).append(name)
+    return "; ".join(f"{', '.join(names)}: {reason}" for reason, names in reasons.items())
+
+
+def _error(name: str, scene: Scene) -> MissingInput | None:
+    try:
+        scene.plan(name)
+    except MissingInput as error:
+        return error
+    return None
+
+
+def _is_missing(name: str, scene: Scene) -> bool:
+    return _error(name, scene) is not None
+
+
+def _values(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
+    """The quantities that a scene of arrays allows."""
+    plan = scene.plan(*names)
+    values = scene.values
+    for step in plan.steps:
+        try:
+            values[step.name] = step.formula(**{parameter: values[name] for parameter, name in step.arguments})
+        except (OverflowError, ZeroDivisionError, ValueError):
+            values[step.name] = numpy.nan  # of floats alone; each row says it in words
+    return {name: values[plan.found[name]] for name in names}
+
+
+def _plausible(results: Floats, names: Sequence[str]) -> Mask:
+    """Which results are numbers that doubles hold with all digits, or the zero that they may be."""
+    size = numpy.abs(results)
+    fine: Mask = (size >= SMALLEST) & (size < INFINITY)
+    if not fine.all():
+        places = [place for place, name in enumerate(names) if name in MAY_BE_ZERO]
+        fine[:, places] |= size[:, places] == 0
+    return fine
+
+
+def _identical(scene: Scene, size: int) -> Mask:
+    """In which rows nothing was said that makes sphere 2 differ from sphere 1."""
+    same = numpy.ones(size, dtype=bool)
+    for name, value in scene.given.items():
+        if name.endswith("2"):
+            same &= value == scene.given.get(name.removesuffix("2"), numpy.nan)
+    if scene.material2 is not None and scene.material is not None:
+        same &= scene.material2.properties.keys() >= scene.material.properties.keys()
+    return same
+
+
+def _outside(name: str, column: Numbers) -> list[int]:
+    """The rows whose number the quantity cannot have."""
+    limits = RANGES.get(NOMENCLATURE[name].range)
+    if limits is None:
+        return []
+    values = column.values
+    above = values >= limits.low if limits.low_allowed else values > limits.low
+    inside = above & (values <= limits.high if limits.high_allowed else values < limits.high)
+    if inside.all():
+        return []
+    outside = ~inside if column.given is None else ~inside & column.given
+    rows: list[int] = numpy.flatnonzero(outside).tolist()
+    return rows
+
+
+def _one(value: Any) -> Any:
+    """The first of the values of some rows."""
+    return float(value[0]) if isinstance(value, numpy.ndarray) else value
