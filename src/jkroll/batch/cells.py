@@ -48,6 +48,8 @@ class Reader:
         else:
             suffix = b"e%d" % exponent if exponent else b""
             text = (suffix + b",").join(cells) + suffix
+            if exponent and text.count(b"e") != len(cells):
+                text = b",".join([_scaled(cell, exponent) if b"e" in cell else cell + suffix for cell in cells])
         values = plain_numbers(text, len(cells)) if text is not None else None
         return Numbers(values, None, []) if values is not None else self._one_by_one(cells)
 
@@ -95,6 +97,17 @@ class Reader:
         return self.column.read(cell.decode())
 
 
+def _scaled(cell: bytes, exponent: int) -> bytes:
+    """A number with an exponent, times a power of ten; whatever is no such number becomes none.
+
+    >>> _scaled(b"1.5e+3", -9)
+    b'1.5e-6'
+    """
+    mantissa, _, power = cell.partition(b"e")
+    return b"%be%d" % (mantissa, int(power) + exponent) if _POWER.fullmatch(power) else b"?"
+
+
+_POWER = re.compile(rb"[+-]?[0-9]{1,3}")
 _JSON_NUMBER = re.compile(rb"-?[0-9]{1,20}(?:\.[0-9]{1,20})?")
 
 

@@ -16,7 +16,7 @@ INPUTS = ("radius", *(name for name, quantity in NOMENCLATURE.items() if quantit
 STATUS = "status"
 ALIKE = 0.85  # how similar a header is to the name of an input to be taken for a mistake
 _HEADER = re.compile(r"([^\[\]]*?)\s*\[([^\[\]]*)\]")
-_WITH_UNIT = re.compile(r"[\s_(/,:]+\(?(.*?)\)?")
+_WITH_UNIT = re.compile(r"[\s_(/,:\[]+\(?(.*?)\)?")
 
 
 class _Column(NamedTuple):
@@ -140,6 +140,8 @@ def _meant(name: str, unit_text: str | None) -> str | None:
         rest = _WITH_UNIT.fullmatch(name[len(known_name) :]) if name.startswith(known_name) else None
         if rest is not None and known_name in INPUTS and _fits(rest[1], known_name):
             return f"{known_name} [{rest[1]}]"
+        if rest is not None and rest[0].strip()[0] in "[(/":
+            return known_name + _example_unit(known_name)
     guess = closest(plain, known, ALIKE)
     return guess and guess + (unit or _example_unit(guess))
 

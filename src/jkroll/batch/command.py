@@ -165,8 +165,8 @@ class _Run:
         code = 1
         try:
             os.close(end)
-            with os.fdopen(descriptor, "rb") as file, decompressed(file, self.format.compression) as stream:
-                while piece := stream.read(CHUNK):
+            with os.fdopen(descriptor, "rb") as file:
+                for piece in decompressed(file, self.format.compression):
                     rest = memoryview(piece)
                     while rest:
                         rest = rest[os.write(start, rest) :]
@@ -289,17 +289,17 @@ def _task(table: Header, inputs: Mapping[str, str], wanted: str, known: Material
     spheres = {name: known[inputs[name]] if name in inputs else None for name in MATERIALS}
     fixed = {name: parse_quantity(text, name) for name, text in inputs.items() if name not in MATERIALS}
     scene = _as_known(table, fixed, spheres)
-    if wanted:
-        quantities = _named(wanted)
-        for name in quantities:
-            if name in table.names or name in fixed:
-                raise BadRequest(f"--quantities: {name} is an input here")
-            scene.plan(name)
-    else:
-        possible = COMMANDS["report"].quantities
-        quantities = tuple(name for name in possible if name not in table.names and concerns(name, scene) and _is_possible(name, scene))
-        if not quantities:
-            scene.plan(possible[0])
+    explicit, offered = _named(wanted or "report")
+    for name in explicit:
+        if name in table.names or name in fixed:
+            raise BadRequest(f"--quantities: {name} is an input here")
+        scene.plan(name)
+    is_pair = any(name.endswith("2") for name in {*table.names, *inputs})
+    besides = {*table.names, "rolling_frequency_as_printed"} if is_pair else table.names
+    possible = [name for name in offered if name not in besides and concerns(name, scene) and _is_possible(name, scene)]
+    quantities = tuple(dict.fromkeys((*explicit, *possible)))
+    if not quantities:
+        scene.plan(offered[0])
     return Task(table.inputs, table.materials, quantities, fixed, spheres["material"], spheres["material2"], known)
 
 
@@ -317,20 +317,18 @@ def _as_known(table: Header, fixed: Mapping[str, float], spheres: Mapping[str, A
 _SOME = 0.25  # a value that any input can have
 
 
-def _named(text: str) -> tuple[str, ...]:
-    """The quantities of `--quantities`: names of the nomenclature, or of commands for what they show."""
-    from ..physics import FORMULAS
-
-    names: list[str] = []
-    for word in text.split(","):
-        word = word.strip()
+def _named(text: str) -> tuple[list[str], list[str]]:
+    """The quantities of `--quantities`: those that are named, and those that commands show as far as they can."""
+    named: list[str] = []
+    offered: list[str] = []
+    for word in map(str.strip, text.split(",")):
         if word in COMMANDS:
-            names += COMMANDS[word].quantities
-        elif word in NOMENCLATURE and word.removesuffix("2") in FORMULAS:
-            names.append(word)
+            offered += COMMANDS[word].quantities
+        elif word in NOMENCLATURE and NOMENCLATURE[word].unit:
+            named.append(word)
         else:
             raise UnknownQuantity(word)
-    return tuple(dict.fromkeys(names))
+    return named, offered
 
 
 def _is_possible(name: str, scene: Scene) -> bool:

@@ -2,7 +2,7 @@
 
 import gzip
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import BinaryIO, NamedTuple
 
 from ..errors import MissingExtra, quoted
@@ -10,6 +10,9 @@ from .errors import BadTable
 
 KINDS = {"csv": "csv", "tsv": "tsv", "tab": "tsv", "ndjson": "ndjson", "jsonl": "ndjson", "parquet": "parquet"}
 COMPRESSIONS = {"gz": "gzip", "gzip": "gzip", "zst": "zstd", "zstd": "zstd"}
+
+
+PIECE = 1 << 17
 
 
 class Format(NamedTuple):
@@ -52,13 +55,22 @@ def compressor(compression: str) -> Callable[[bytes], bytes]:
     return lambda text: text
 
 
-def decompressed(file: BinaryIO, compression: str) -> BinaryIO:
-    """A stream of the bytes that were compressed."""
+def decompressed(file: BinaryIO, compression: str) -> Iterator[bytes]:
+    """The bytes that were compressed, piece by piece; EOFError if the end is missing."""
     if compression == "gzip":
-        return gzip.open(file, "rb")
+        with gzip.open(file, "rb") as stream:
+            while piece := stream.read(PIECE):
+                yield piece
+        return
     try:
         from zstandard import ZstdDecompressor
     except ModuleNotFoundError as error:
         raise MissingExtra(error.name or "", "zstd") from None
-    reader: BinaryIO = ZstdDecompressor().stream_reader(file, read_across_frames=True)
-    return reader
+    frame, rest = ZstdDecompressor().decompressobj(), b""
+    while rest or (rest := file.read(PIECE)):
+        if frame.eof:
+            frame = ZstdDecompressor().decompressobj()
+        yield frame.decompress(rest)
+        rest = frame.unused_data
+    if not frame.eof:
+        raise EOFError

@@ -140,6 +140,8 @@ class Evaluator:
             for row in members.tolist():
                 status[row] = self._missing(block, codes, row, missing, scene)
         is_fine: Mask = fine.all(axis=1)
+        if missing and "load" in given:
+            is_fine &= given["load"] != 0  # without a load less is needed
         return ~is_fine
 
     def _sphere(self, name: str, codes: Mapping[str, Codes], rows: Any) -> Material | None:
@@ -159,7 +161,7 @@ class Evaluator:
         spheres = [self._material(name, int(codes[name][row]) if name in codes else 0) for name in self.lookups]
         key = (*(one and one.name for one in spheres), frozenset(scene.stated), *missing)
         if key not in self._reasons:
-            single = Scene({name: _one(value) for name, value in scene.stated.items()}, *spheres)
+            single = Scene({name: _one(name, value) for name, value in scene.stated.items()}, *spheres)
             reasons = {name: error for name in missing if (error := _error(name, single)) is not None}
             self._reasons[key] = worded(reasons)
         return self._reasons[key]
@@ -286,6 +288,8 @@ def _outside(name: str, column: Numbers) -> list[int]:
     return rows
 
 
-def _one(value: Any) -> Any:
-    """The first of the values of some rows."""
-    return float(value[0]) if isinstance(value, numpy.ndarray) else value
+def _one(name: str, value: Any) -> Any:
+    """One of the values of some rows; of loads one that is not zero, because without a load less is needed."""
+    if not isinstance(value, numpy.ndarray):
+        return value
+    return 1.0 if name == "load" else float(value[0])
