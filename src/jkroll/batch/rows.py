@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy
 
-from ..errors import BeyondFold, BeyondPullOff, JkrollError, MissingInput, NoResult
+from ..errors import BeyondFold, BeyondPullOff, JkrollError, MissingInput, NoChain, NoResult
 from ..materials import Material, Materials
 from ..nomenclature import INFINITY, NOMENCLATURE, RANGES
 from ..scene import MAY_BE_ZERO, SMALLEST, Scene
@@ -135,10 +135,21 @@ class Evaluator:
             unlike = ~_identical(scene, len(members))
             results[unlike, place] = numpy.nan
             fine[unlike, place] = True
+        failing = {place: missing for place in range(len(members))} if missing else {}
+        if "r_min" in values and isinstance(scene.values.get("radius2"), numpy.ndarray):
+            place = self.task.quantities.index("r_min")
+            for plane in numpy.flatnonzero(scene.values["radius2"] == INFINITY).tolist():
+                results[plane, place] = numpy.nan
+                fine[plane, place] = True
+                failing[plane] = [*missing, "r_min"]
+        for place, names in failing.items():
+            status[int(members[place])] = self._words(codes, int(members[place]), names, scene)
+        for place in _beyond_pull_off(scene):
+            results[place] = numpy.nan
+            fine[place] = True
+            load, pull_off = scene.values["load"], scene.values["pull_off_force"]
+            status[int(members[place])] = str(BeyondPullOff(_at(load, place), _at(pull_off, place)))
         numbers[rows] = results
-        if missing:
-            for row in members.tolist():
-                status[row] = self._missing(block, codes, row, missing, scene)
         is_fine: Mask = fine.all(axis=1)
         if missing and "load" in given:
             is_fine &= given["load"] != 0  # without a load less is needed
@@ -154,16 +165,14 @@ class Evaluator:
         properties: Any = self.lookups[name].properties(own)
         return Material("", properties, (), {}, (), (), "", "")
 
-    def _missing(
-        self, block: Block, codes: Mapping[str, Codes], row: int, missing: Sequence[str], scene: Scene
-    ) -> str:
-        """What the quantities need that a row cannot give; the same words for all rows of the same materials."""
+    def _words(self, codes: Mapping[str, Codes], row: int, names: Sequence[str], scene: Scene) -> str:
+        """Why a row has no value for some quantities; the same words for all rows of the same materials."""
         spheres = [self._material(name, int(codes[name][row]) if name in codes else 0) for name in self.lookups]
-        key = (*(one and one.name for one in spheres), frozenset(scene.stated), *missing)
+        key = (*(one and one.name for one in spheres), frozenset(scene.stated), *names)
         if key not in self._reasons:
             single = Scene({name: _one(name, value) for name, value in scene.stated.items()}, *spheres)
-            reasons = {name: error for name in missing if (error := _error(name, single)) is not None}
-            self._reasons[key] = worded(reasons)
+            in_order = [name for name in self.task.quantities if name in names]
+            self._reasons[key] = worded({name: _error(name, single) or NoChain() for name in in_order})
         return self._reasons[key]
 
     def _material(self, name: str, code: int) -> Material | None:
@@ -202,7 +211,7 @@ class Evaluator:
                 values.append(float(scene[name]) if concerns(name, scene) and _is_said(name, scene) else numpy.nan)
             except FATAL as error:
                 return nothing, str(error)
-            except (MissingInput, NoResult) as error:
+            except (MissingInput, NoChain, NoResult) as error:
                 errors[name] = error
                 values.append(numpy.nan)
         return values, worded(errors)
@@ -286,6 +295,19 @@ def _outside(name: str, column: Numbers) -> list[int]:
     outside = ~inside if column.given is None else ~inside & column.given
     rows: list[int] = numpy.flatnonzero(outside).tolist()
     return rows
+
+
+def _beyond_pull_off(scene: Scene) -> list[int]:
+    """The rows under a tension that their contact does not hold."""
+    if "load_margin" not in scene.values or not {"load", "pull_off_force"} <= scene.values.keys():
+        return []
+    beyond = numpy.atleast_1d(scene.values["load"] < -scene.values["pull_off_force"])
+    rows: list[int] = numpy.flatnonzero(beyond).tolist()
+    return rows
+
+
+def _at(value: Any, place: int) -> float:
+    return float(value[place]) if isinstance(value, numpy.ndarray) else float(value)
 
 
 def _one(name: str, value: Any) -> Any:
