@@ -22,6 +22,7 @@ LAYERS = [
     {"shell", "completion"},
     {"run"},
     {"curve"},
+    {"batch"},
     {"request", "catalogue", "explain", "table", "verify", "bench"},
     {"spread"},
     {"report"},
@@ -49,6 +50,8 @@ ONLY = {
     "tomllib": {"materials"},
     "mpmath": {"bench_reference"},
     "matplotlib": {"bench"},
+    "orjson": {"batch"},
+    "zstandard": {"batch"},
 }
 
 

@@ -26,10 +26,9 @@ GRAINS = "name,material,radius [nm],load [nN]\na,quartz,100,0\nb,iron,50,-2e-3\n
 
 
 @pytest.fixture
-def small_chunks(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+def small_chunks(monkeypatch: pytest.MonkeyPatch) -> None:
     """Blocks of a line or two."""
     monkeypatch.setattr(source, "CHUNK", 64)
-    yield
 
 
 def table(text: str, name: str = "grains.csv") -> str:
@@ -86,11 +85,15 @@ def random_table(size: int, seed: int) -> str:
     import random
 
     draw = random.Random(seed)
-    lines = ["material,radius [nm],material2,radius2 [um],load [nN],yield_displacement,surface_energy [mJ/m2],speed [m/s]"]
+    lines = [
+        "material,radius [nm],material2,radius2 [um],load [nN],yield_displacement,surface_energy [mJ/m2],speed [m/s]"
+    ]
     for _ in range(size):
         cells = [
             draw.choice(["quartz", "iron", "gold", "PS", ""]),
-            draw.choice([f"{10 ** draw.uniform(-1, 5):.{draw.randint(1, 17)}g}", "100", "1e2", f"{draw.uniform(1, 9):.3f} um"]),
+            draw.choice(
+                [f"{10 ** draw.uniform(-1, 5):.{draw.randint(1, 17)}g}", "100", "1e2", f"{draw.uniform(1, 9):.3f} um"]
+            ),
             draw.choice(["", "", "quartz", "graphite"]),
             draw.choice(["", "plane", repr(10 ** draw.uniform(-3, 2))]),
             draw.choice(["", "0", repr(draw.uniform(-5, 20)), "-1e6"]),
@@ -160,9 +163,16 @@ def test_a_column_is_read_as_a_one_liner_reads_it(unit: str, number: str) -> Non
     assert Reader(Column(0, "radius", "", None)).numbers([own, own]).values.tolist() == [expected] * 2
 
 
-@pytest.mark.parametrize("text", ["true", "1 2", "[1]", "1e", "nan", "inf", "--1", "1e+-3", "null", '"1"', "0x1", "1_0", "1 nm2", "1 nm nm", "1 m"])
+@pytest.mark.parametrize(
+    "text",
+    ["true", "1 2", "[1]", "1e", "nan", "inf", "--1", "1e+-3", "null", '"1"', "0x1", "1_0", "1 nm2", "1 nm nm", "1 m"],
+)
 def test_what_is_no_number_is_read_as_none(text: str) -> None:
-    for column, others in ((Column(0, "poisson_ratio", "", None), b"0.1"), (Column(0, "load", "nN", unit_of("nN", "load")), b"1"), (Column(0, "load", "", None), b"1 nN")):
+    for column, others in (
+        (Column(0, "poisson_ratio", "", None), b"0.1"),
+        (Column(0, "load", "nN", unit_of("nN", "load")), b"1"),
+        (Column(0, "load", "", None), b"1 nN"),
+    ):
         found = Reader(column).numbers([others, text.encode()])
         assert found.odd == [1]
         assert math.isnan(found.values[1])
@@ -198,17 +208,25 @@ def test_a_bad_row_says_why_and_spoils_no_other(run: Run, line: str) -> None:
 
 
 def test_a_material_without_a_property_gives_what_needs_none(run: Run) -> None:
-    quartz, gold = batch(run, table("material,radius\nquartz,100 nm\ngold,100 nm\n"), "--quantities", "pull_off_force,contact_radius")
+    quartz, gold = batch(
+        run, table("material,radius\nquartz,100 nm\ngold,100 nm\n"), "--quantities", "pull_off_force,contact_radius"
+    )
     assert gold["pull_off_force [N]"] == "3.722787294503905e-7"
     assert gold["contact_radius [m]"] == ""
-    assert gold["status"] == "contact_radius: needs Young's modulus and Poisson's ratio; gold has none in Table 1; give --young 54GPa --poisson 0.17"
+    assert (
+        gold["status"]
+        == "contact_radius: needs Young's modulus and Poisson's ratio; gold has none in Table 1; give --young 54GPa --poisson 0.17"
+    )
     assert quartz["status"] == ""
 
 
 def test_strict_stops_with_the_line(run: Run) -> None:
     name = table('name,material,radius [nm]\na,quartz,100\n"two\nlines",quartz,100\n\nb,quartz,0\n')
     ran = run("batch", name, "--strict", "-o", "out.csv", "--jobs", "1")
-    assert (ran.code, ran.err) == (1, "jkroll: line 6: radius: '0 nm' must be positive; expected a length such as 100nm\n")
+    assert (ran.code, ran.err) == (
+        1,
+        "jkroll: line 6: radius: '0 nm' must be positive; expected a length such as 100nm\n",
+    )
     assert not Path("out.csv").exists()
 
 
@@ -229,7 +247,9 @@ HEADERS = {
     "youngs_moduls": f"header: 'youngs_moduls' is no input; did you mean youngs_modulus [GPa]? {ANOTHER}",
     "material [m]": "header: 'material [m]': a material has no unit; write material",
     "material;radius": "header: 'material;radius' has semicolons between its columns; write commas, with decimal points",
-    "material\tradius": "header: 'material\\tradius' has tabs between its columns; write --format tsv".replace("\\t", "?"),
+    "material\tradius": "header: 'material\\tradius' has tabs between its columns; write --format tsv".replace(
+        "\\t", "?"
+    ),
     "radius,x": "header: 'radius' has no unit, and neither has its first cell '100'; write radius [nm]",
     "radius [nm],status": "header: there is a column 'status' already; rename it, or choose --quantities",
     "radius [nm],r_min [m]": "header: there is a column 'r_min [m]' already; rename it, or choose --quantities",
@@ -256,7 +276,10 @@ def test_an_empty_file_and_utf_16(run: Run) -> None:
 def test_options_fill_what_a_row_does_not_give(run: Run) -> None:
     name = table("radius [nm],load [nN]\n100,\n100,3\n")
     filled, stated = batch(run, name, "--material", "quartz", "--load", "1nN", "--quantities", "moment")
-    assert filled["yield_moment [N m]"] == batch(run, table("radius [nm]\n100\n"), "--material", "quartz", "--load", "1nN")[0]["yield_moment [N m]"]
+    assert (
+        filled["yield_moment [N m]"]
+        == batch(run, table("radius [nm]\n100\n"), "--material", "quartz", "--load", "1nN")[0]["yield_moment [N m]"]
+    )
     one_liner = rows(run("moment quartz 100nm --load 3nN --csv").out)[0]
     assert float(stated["yield_moment [N m]"]) == float(one_liner["yield_moment [N m]"])
 
@@ -264,7 +287,10 @@ def test_options_fill_what_a_row_does_not_give(run: Run) -> None:
 def test_quantities_are_names_or_commands(run: Run) -> None:
     found = batch(run, table(GRAINS), "--quantities", "r-min,pull_off_force,mass")
     assert [*found[0]][4:] == ["pull_off_force [N]", "mass [kg]", "r_min [m]", "status"]
-    assert run("batch", table(GRAINS), "--quantities", "pulloff").err == "jkroll: 'pulloff' is not a quantity; did you mean pull_off_work?\n"
+    assert (
+        run("batch", table(GRAINS), "--quantities", "pulloff").err
+        == "jkroll: 'pulloff' is not a quantity; did you mean pull_off_work?\n"
+    )
     assert run("batch", table(GRAINS), "--quantities", "load").err == "jkroll: --quantities: load is an input here\n"
 
 
@@ -287,15 +313,19 @@ ODD_TABLES = {
 }
 
 
+@pytest.mark.usefixtures("small_chunks")
 @pytest.mark.parametrize("kind", ODD_TABLES)
-def test_input_passes_through_byte_for_byte(run: Run, kind: str, small_chunks: None) -> None:
+def test_input_passes_through_byte_for_byte(run: Run, kind: str) -> None:
     text = ODD_TABLES[kind].encode()
     Path("grains.csv").write_bytes(text)
     ran = run("batch grains.csv --quantities r_min -o out.csv --jobs 1")
     assert ran.code == 0, Path("out.csv").read_bytes()
     written = Path("out.csv").read_bytes()
     end = b"\r\n" if b"\r\n" in text[:60] else b"\n"
-    kept = b"".join(line.rsplit(b",", 2)[0] + end if line.count(b",") > 1 or len(line) > 12 else line + end for line in written.removesuffix(end).split(end))
+    kept = b"".join(
+        line.rsplit(b",", 2)[0] + end if line.count(b",") > 1 or len(line) > 12 else line + end
+        for line in written.removesuffix(end).split(end)
+    )
     normal = text if text.endswith(b"\n") else text + end
     assert kept.replace(b"\r\n", b"\n") == normal.replace(b"\r\n", b"\n")
 
@@ -331,7 +361,9 @@ def test_compressed_tables(run: Run, compression: str) -> None:
 
 
 def test_tabs_and_formulas(run: Run) -> None:
-    name = table(GRAINS.replace(",", "\t") + "=1+1\tquartz\t100\t-2\n'-x\tquartz\t100\t-2\n-2+3\tquartz\t100\t-2\n", "grains.tsv")
+    name = table(
+        GRAINS.replace(",", "\t") + "=1+1\tquartz\t100\t-2\n'-x\tquartz\t100\t-2\n-2+3\tquartz\t100\t-2\n", "grains.tsv"
+    )
     assert run("batch", name, "--excel-safe", "--quantities", "r_min", "-o", "out.tsv", "--jobs", "1").code == 0
     lines = Path("out.tsv").read_text().splitlines()
     assert lines[0] == "name\tmaterial\tradius [nm]\tload [nN]\tr_min [m]\tstatus"
@@ -360,7 +392,9 @@ def test_a_full_disk_is_an_error(jobs: str) -> None:
     command = [sys.executable, "-m", "jkroll", "batch", name, "--jobs", jobs, "-o"]
     full = subprocess.run([*command, "/dev/full"], capture_output=True, text=True)
     assert (full.returncode, full.stderr) == (1, "jkroll: cannot write: No space left on device\n")
-    limited = subprocess.run(["sh", "-c", f"ulimit -f 100; exec {' '.join(command)} out.csv"], capture_output=True, text=True)
+    limited = subprocess.run(
+        ["sh", "-c", f"ulimit -f 100; exec {' '.join(command)} out.csv"], capture_output=True, text=True
+    )
     assert (limited.returncode, limited.stderr) == (1, "jkroll: cannot write: File too large\n")
     assert not Path("out.csv").exists()
     assert subprocess.run([*command, "out.csv", "--resume"], capture_output=True).returncode == 1
@@ -371,7 +405,10 @@ def test_a_full_disk_is_an_error(jobs: str) -> None:
 
 def test_a_closed_pipe_ends_it() -> None:
     name = table(random_table(3000, 6))
-    ran = subprocess.run(["sh", "-c", f"({sys.executable} -m jkroll batch {name}; echo $? >&2) | head -1"], capture_output=True, text=True)
+    ran = subprocess.run(
+        ["sh", "-c", f"({sys.executable} -m jkroll batch {name}; echo $? >&2) | head -1"],
+        capture_output=True,
+        text=True,
+    )
     assert ran.stderr == "141\n"
     assert ran.stdout.startswith("material,radius [nm],")
-

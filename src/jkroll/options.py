@@ -70,7 +70,9 @@ EXTRAS = {
         (
             Option("target", "--output", str, "OUT", "Where to; it appears when it is whole.", short="-o"),
             Option("format", "--format", str, "FORMAT", "csv, tsv, ndjson or parquet, if no name says so; .gz, .zst."),
-            Option("quantities", "--quantities", str, "NAMES", "What to compute, with commas; else all that is possible."),
+            Option(
+                "quantities", "--quantities", str, "NAMES", "What to compute, with commas; else all that is possible."
+            ),
             Option("strict", "--strict", bool, "", "Stop at the first row that fails."),
             Option("resume", "--resume", bool, "", "Go on after an interrupt."),
             Option("jobs", "--jobs", int, "N", "Processes; one for each core.", 1, 64),

@@ -8,7 +8,6 @@ whichever of gawk, mlr and pandas is to be compared.
 """
 
 import math
-import os
 import resource
 import shutil
 import subprocess
@@ -22,7 +21,13 @@ from typing import NamedTuple
 HERE = Path(__file__).parent
 HEADER = "id,radius [nm],radius2 [nm],surface_energy [mJ/m2],youngs_modulus [GPa],poisson_ratio,density [g/cm3],yield_displacement [nm],load [nN]"
 NAMES = [text.split(" ")[0] for text in HEADER.split(",")][1:]
-SCALES = {"radius": "/ 1e9", "radius2": "/ 1e9", "surface_energy": "/ 1e3", "youngs_modulus": "* 1e9", "poisson_ratio": "* 1"}
+SCALES = {
+    "radius": "/ 1e9",
+    "radius2": "/ 1e9",
+    "surface_energy": "/ 1e3",
+    "youngs_modulus": "* 1e9",
+    "poisson_ratio": "* 1",
+}
 SCALES |= {"density": "* 1e3", "yield_displacement": "/ 1e9", "load": "/ 1e9"}
 ROUNDS = 3
 
@@ -53,8 +58,7 @@ def write_table(path: Path, rows: int) -> None:
             size = min(100_000, rows - start)
             columns = [numpy.round(draw.uniform(*ends, size), 3).tolist() for ends in ranges]
             file.writelines(
-                f"{start + place},{','.join(map(repr, row))}\n"
-                for place, row in enumerate(zip(*columns, strict=True))
+                f"{start + place},{','.join(map(repr, row))}\n" for place, row in enumerate(zip(*columns, strict=True))
             )
 
 
@@ -65,7 +69,17 @@ def write_cpp(folder: Path) -> Path:
     (folder / "formulas.h").write_text("\n".join(lines) + "\n", encoding="utf-8")
     names = ", ".join(f'",{name}"' for name in results())
     program = folder / "rival"
-    command = ["g++", "-std=c++17", "-O2", "-I", str(folder), f"-DNAMES={names}", str(HERE / "rival.cpp"), "-o", str(program)]
+    command = [
+        "g++",
+        "-std=c++17",
+        "-O2",
+        "-I",
+        str(folder),
+        f"-DNAMES={names}",
+        str(HERE / "rival.cpp"),
+        "-o",
+        str(program),
+    ]
     subprocess.run(command, check=True)
     return program
 
@@ -135,10 +149,16 @@ def rivals(folder: Path, table: Path) -> list[Rival]:
     scripts = {"csv module": CSV_MODULE, "pandas": PANDAS}
     found = [
         Rival("jkroll", [sys.executable, "-m", "jkroll", "batch", str(table), "-o", str(folder / "jkroll.csv")]),
-        Rival("jkroll, 1 process", [sys.executable, "-m", "jkroll", "batch", str(table), "-o", str(folder / "one.csv"), "--jobs", "1"]),
+        Rival(
+            "jkroll, 1 process",
+            [sys.executable, "-m", "jkroll", "batch", str(table), "-o", str(folder / "one.csv"), "--jobs", "1"],
+        ),
         Rival("C++", [str(write_cpp(folder))]),
     ]
-    for program, words in (("gawk", ["gawk", awk_program()]), ("mlr", ["mlr", "--icsv", "--ocsv", "put", "-q", miller_program() + ";emit $*"])):
+    for program, words in (
+        ("gawk", ["gawk", awk_program()]),
+        ("mlr", ["mlr", "--icsv", "--ocsv", "put", "-q", miller_program() + ";emit $*"]),
+    ):
         if shutil.which(program):
             found.append(Rival(program, words))
     for name, text in scripts.items():

@@ -102,7 +102,9 @@ def understood(texts: Sequence[str]) -> Header:
         elif name in INPUTS:
             inputs.append(_column(place, name, unit_text, text))
         elif name not in NOMENCLATURE and (guess := _meant(name, unit_text)) is not None:
-            raise BadTable(f"header: {quoted(text)} is no input; did you mean {guess}? A column to pass through needs another name")
+            raise BadTable(
+                f"header: {quoted(text)} is no input; did you mean {guess}? A column to pass through needs another name"
+            )
     return Header(tuple(texts), tuple(inputs), tuple(materials))
 
 
@@ -157,7 +159,7 @@ def _fits(unit_text: str, name: str) -> bool:
 def _example_unit(name: str) -> str:
     """A unit for the header of a quantity, if it needs one: that of its example."""
     quantity = NOMENCLATURE[name]
-    return f" [{quantity.example.lstrip('+-.0123456789')}]" if any(dimension_of(quantity.unit or '1')) else ""
+    return f" [{quantity.example.lstrip('+-.0123456789')}]" if any(dimension_of(quantity.unit or "1")) else ""
 
 
 def check_first(column: Column, texts: Sequence[str]) -> None:

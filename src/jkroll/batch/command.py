@@ -87,7 +87,9 @@ class _Run:
                 raise BadTable(f"header: there is a column {quoted(text)} already; rename it, or choose --quantities")
         line_end = b"\r\n" if head.endswith(b"\r\n") else b"\n"
         converter = Converter(dialect, table, task, line_end, excel_safe=self.settings.excel_safe)
-        first = (BOM if head.startswith(BOM) else b"") + converter.header_line(line, [header(name) for name in task.quantities])
+        first = (BOM if head.startswith(BOM) else b"") + converter.header_line(
+            line, [header(name) for name in task.quantities]
+        )
 
         def convert(text: bytes) -> Any:
             converted = converter.convert(text)
@@ -100,7 +102,11 @@ class _Run:
             parts = {
                 "version": __version__,
                 "input": identity,
-                "options": [self.settings._replace(resume=False, jobs=0, quiet=False, target=""), dict(self.inputs), CHUNK],
+                "options": [
+                    self.settings._replace(resume=False, jobs=0, quiet=False, target=""),
+                    dict(self.inputs),
+                    CHUNK,
+                ],
                 "materials file": [*map(str, self.known.materials.items())],
             }
             if self.settings.resume:
@@ -119,7 +125,9 @@ class _Run:
         bar = Bar(sys.stderr, self.shared, total)
         is_watched = sys.stderr.isatty() and not self.settings.quiet
         try:
-            ring.run(source, convert, sink, self.settings.jobs or os.cpu_count() or 1, bar.show if is_watched else _nothing)
+            ring.run(
+                source, convert, sink, self.settings.jobs or os.cpu_count() or 1, bar.show if is_watched else _nothing
+            )
             self._check_feeder()
         except KeyboardInterrupt:
             bar.clear()
@@ -275,7 +283,9 @@ def _header(source: Source, dialect: Dialect) -> tuple[bytes, bytes, Header]:
         raise BadTable("header: " + ("is empty" if cells is not None else "has a quote that is not closed"))
     for mark, word in ((";", "semicolons"), ("\t", "tabs"), (",", "commas")):
         if len(names) == 1 and mark in names[0] and not names[0].startswith('"'):
-            advice = "--format tsv" if mark == "\t" else "--format csv" if mark == "," else "commas, with decimal points"
+            advice = (
+                "--format tsv" if mark == "\t" else "--format csv" if mark == "," else "commas, with decimal points"
+            )
             raise BadTable(f"header: {quoted(names[0])} has {word} between its columns; write {advice}")
     table = understood(names)
     sample = [row for row in map(dialect.cells, records[1:200]) if row is not None and len(row) == len(names)]

@@ -38,10 +38,10 @@ class Dialect:
         """`separator`: one byte."""
         self.separator = separator
         mark = re.escape(separator)
-        self._closed = re.compile(rb'(?:^|(?<=' + mark + rb'))"(?:[^"]|"")*"(?=' + mark + rb"|\r?\n?\Z)")
-        self._open = re.compile(rb'(?:^|' + mark + rb')"')
+        self._closed = re.compile(rb"(?:^|(?<=" + mark + rb'))"(?:[^"]|"")*"(?=' + mark + rb"|\r?\n?\Z)")
+        self._open = re.compile(rb"(?:^|" + mark + rb')"')
         self.formula = re.compile(
-            rb'(^|' + mark + rb')("?)(?!' + _NUMBER + rb'"?(?:' + mark + rb"|\r?$))(?=[=+\-@\t\r])", re.MULTILINE
+            rb"(^|" + mark + rb')("?)(?!' + _NUMBER + rb'"?(?:' + mark + rb"|\r?$))(?=[=+\-@\t\r])", re.MULTILINE
         )
 
     def is_open(self, record: bytes) -> bool:
@@ -217,7 +217,9 @@ class Converter:
         pieces[1::2] = io.BytesIO(text).readlines()[: len(lines)]
         for row, status in results.status.items():
             said = _quoted(status.encode(), separator)
-            pieces[2 * row + 1] = pieces[2 * row + 1][: -len(end)] + (self.safe(said) if self.excel_safe else said) + end
+            pieces[2 * row + 1] = (
+                pieces[2 * row + 1][: -len(end)] + (self.safe(said) if self.excel_safe else said) + end
+            )
         return pieces
 
     def _with_blank(self, pieces: Sequence[bytes], blank: Mapping[int, bytes]) -> bytes:

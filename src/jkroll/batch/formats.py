@@ -38,7 +38,9 @@ def stated(text: str) -> Format:
     """The format of `--format`."""
     found = format_of(text.lstrip("."))
     if found is None:
-        raise BadTable(f"--format: {quoted(text)} is none of {', '.join(dict.fromkeys(KINDS.values()))}, or these with .gz or .zst")
+        raise BadTable(
+            f"--format: {quoted(text)} is none of {', '.join(dict.fromkeys(KINDS.values()))}, or these with .gz or .zst"
+        )
     return found
 
 

@@ -135,7 +135,7 @@ class Evaluator:
             unlike = ~_identical(scene, len(members))
             results[unlike, place] = numpy.nan
             fine[unlike, place] = True
-        failing = {place: missing for place in range(len(members))} if missing else {}
+        failing = dict.fromkeys(range(len(members)), missing) if missing else {}
         if "r_min" in values and isinstance(scene.values.get("radius2"), numpy.ndarray):
             place = self.task.quantities.index("r_min")
             for plane in numpy.flatnonzero(scene.values["radius2"] == INFINITY).tolist():
@@ -152,7 +152,7 @@ class Evaluator:
         numbers[rows] = results
         is_fine: Mask = fine.all(axis=1)
         if missing and "load" in given:
-            is_fine &= given["load"] != 0  # without a load less is needed
+            is_fine = is_fine & (given["load"] != 0)  # without a load less is needed
         return ~is_fine
 
     def _sphere(self, name: str, codes: Mapping[str, Codes], rows: Any) -> Material | None:

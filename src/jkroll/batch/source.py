@@ -63,7 +63,9 @@ class Source:
                 self.shared.kept = text[size:]
                 return text[:size]
             if len(text) > MAX_RECORD:
-                raise BadTable(f"line {self.shared['lines'] + 1} or a later one is longer than {MAX_RECORD >> 20} MiB: this is no table")
+                raise BadTable(
+                    f"line {self.shared['lines'] + 1} or a later one is longer than {MAX_RECORD >> 20} MiB: this is no table"
+                )
         size = min(len(text), self.cut(text[: CHUNK * 2], len(text) <= CHUNK * 2)) or len(text)
         self.shared.kept = text[size:]
         return text[:size] or None
