@@ -7,6 +7,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -17,7 +18,10 @@ from conftest import Run
 from jkroll.batch import source
 from jkroll.batch.cells import Reader
 from jkroll.batch.columns import Column, understood
-from jkroll.batch.delimited import DIALECTS, Converter
+from jkroll.batch.delimited import DIALECTS, Delimited
+from jkroll.batch.lines import Head
+from jkroll.batch.single import alone
+from jkroll.batch.task import task_of
 from jkroll.errors import QuantityError
 from jkroll.materials import known_materials
 from jkroll.units import unit_of
@@ -107,29 +111,25 @@ def random_table(size: int, seed: int) -> str:
 
 def both_ways(text: str) -> Iterator[tuple[str, list[float], list[float], str, str]]:
     """Each row of a table computed among the others and as a scene of its own: name, values and status."""
-    from jkroll.batch.command import _task
-    from jkroll.batch.rows import Evaluator
-
     known = known_materials()
     lines = text.splitlines()
     header = understood(lines[0].split(","))
-    task = _task(header, {}, "report", known)
-    converter = Converter(DIALECTS["csv"], header, task, b"\n", excel_safe=False)
+    task = task_of(header, {}, "report", known)
+    converter = Delimited(DIALECTS["csv"], Head(b"\n", (), []), header, task, [], excel_safe=False)
     columns = [list(column) for column in zip(*(line.encode().split(b",") for line in lines[1:]), strict=True)]
     block = converter._block(len(lines) - 1, columns, {})
     together = converter.evaluator.results(block)
-    alone = Evaluator(task)
     for row in range(block.size):
-        values, status = alone._single(block, row)
+        values, status = alone(task, partial(block.text, row))
         yield lines[row + 1], values, together.numbers[row].tolist(), status, together.status.get(row, "")
 
 
 def agree(size: int, seed: int) -> None:
     """Among the others and alone a row has the same numbers, to an ulp, and the same status."""
     checked = 0
-    for line, alone, together, status, status_together in both_ways(random_table(size, seed)):
+    for line, singly, together, status, status_together in both_ways(random_table(size, seed)):
         assert status == status_together, line
-        for value, other in zip(alone, together, strict=True):
+        for value, other in zip(singly, together, strict=True):
             assert math.isnan(value) == math.isnan(other), line
             if not math.isnan(value):
                 assert value == other or ulps(other, value) <= 1, line

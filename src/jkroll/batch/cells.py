@@ -5,6 +5,7 @@ So each number is rounded once, as in a one-liner. What orjson does not take for
 
 import re
 from collections.abc import Sequence
+from math import isnan
 from typing import NamedTuple
 
 import numpy
@@ -86,7 +87,7 @@ class Reader:
                 if len(self._kept) < MAX_KEPT:
                     self._kept[cell] = value
             values[place] = value
-            given[place] = value == value
+            given[place] = not isnan(value)
         return Numbers(values, None if given.all() else given, odd)
 
     def _value(self, cell: bytes, suffix: bytes) -> float:

@@ -78,7 +78,7 @@ class Header(NamedTuple):
     @property
     def passing(self) -> list[str]:
         """The columns that are no inputs, though they have names of the nomenclature: a user may think they are."""
-        return [text for text in self.texts if _split(text)[0] in NOMENCLATURE and _split(text)[0] not in self.names]
+        return [text for text in self.texts if split(text)[0] in NOMENCLATURE and split(text)[0] not in self.names]
 
 
 def understood(texts: Sequence[str]) -> Header:
@@ -87,7 +87,7 @@ def understood(texts: Sequence[str]) -> Header:
     materials: list[tuple[str, int]] = []
     seen: dict[str, str] = {}
     for place, text in enumerate(texts):
-        name, unit_text = _split(text)
+        name, unit_text = split(text)
         is_input = name in INPUTS or name in MATERIALS
         key = name if is_input else text
         if key in seen:
@@ -108,7 +108,7 @@ def understood(texts: Sequence[str]) -> Header:
     return Header(tuple(texts), tuple(inputs), tuple(materials))
 
 
-def _split(text: str) -> tuple[str, str | None]:
+def split(text: str) -> tuple[str, str | None]:
     """A header as a name and the text of a unit."""
     match = _HEADER.fullmatch(text.strip())
     return (match[1], match[2].strip()) if match else (text.strip(), None)

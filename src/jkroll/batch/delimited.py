@@ -4,31 +4,32 @@ The bytes of a line pass through. A quoted cell may hold separators and line end
 many or too few spoils its own row only.
 """
 
+from __future__ import annotations
+
 import csv
 import io
 import re
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
 
 import numpy
 import orjson
 
+from ..errors import quoted
 from .cells import Numbers, Reader
 from .columns import STATUS, Header
-from .rows import Block, Evaluator, Results, Task
+from .errors import BadTable
+from .lines import BOM, Converted, Head
+from .rows import Block, Evaluator, Results
+from .single import Task
 
+UTF_16 = (b"\xff\xfe", b"\xfe\xff")
+_MISTAKEN = (
+    (";", "semicolons", "commas, with decimal points"),
+    ("\t", "tabs", "--format tsv"),
+    (",", "commas", "--format csv"),
+)
 MAX_LINES = 100  # of one record
 _NUMBER = rb"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
-
-
-class Converted(NamedTuple):
-    """A block as it is written, and what is to be known of it."""
-
-    output: bytes
-    rows: int
-    failed: int
-    lines: int
-    first_failure: tuple[int, str] | None  # line in the block, status
 
 
 class Dialect:
@@ -43,6 +44,37 @@ class Dialect:
         self.formula = re.compile(
             rb"(^|" + mark + rb')("?)(?!' + _NUMBER + rb'"?(?:' + mark + rb"|\r?$))(?=[=+\-@\t\r])", re.MULTILINE
         )
+
+    def cut(self, text: bytes, *, is_end: bool) -> int:
+        """How many bytes of a text are whole records."""
+        if b'"' in text:
+            return self.records(text, is_end=is_end)[1]
+        return len(text) if is_end else text.rfind(b"\n") + 1
+
+    def head(self, text: bytes) -> Head:
+        """The header line of a table, and the rows after it."""
+        if not text.strip():
+            raise BadTable("the table is empty: it has no header")
+        if text.startswith(UTF_16) or b"\0" in text[:200]:
+            raise BadTable("the table is not UTF-8; save it as UTF-8")
+        first, *others = self.records(text, is_end=True)[0]
+        line = first.removeprefix(BOM)
+        cells = self.cells(line)
+        try:
+            names = tuple(cell.decode() for cell in cells or ())
+        except UnicodeDecodeError:
+            raise BadTable("header: is not UTF-8; save the table as UTF-8") from None
+        if cells is None or not line.strip():
+            raise BadTable("header: " + ("is empty" if cells is not None else "has a quote that is not closed"))
+        for mark, kind, advice in _MISTAKEN:
+            if len(names) == 1 and mark in names[0] and b'"' not in line:
+                raise BadTable(f"header: {quoted(names[0])} has {kind} between its columns; write {advice}")
+        sample = [cells for cells in map(self.cells, others[:200]) if cells is not None and len(cells) == len(names)]
+        return Head(first, names, [[cell.decode("utf-8", "replace") for cell in cells] for cells in sample])
+
+    def converter(self, head: Head, header: Header, task: Task, names: Sequence[str], *, excel_safe: bool) -> Delimited:
+        """What converts the blocks after it; `names` head the results."""
+        return Delimited(self, head, header, task, names, excel_safe=excel_safe)
 
     def is_open(self, record: bytes) -> bool:
         """Whether a record ends inside quotes."""
@@ -96,19 +128,23 @@ def _lines(text: bytes) -> list[bytes]:
 DIALECTS = {"csv": Dialect(b","), "tsv": Dialect(b"\t")}
 
 
-class Converter:
+class Delimited:
     """Turns blocks of lines into blocks of lines with results."""
 
-    def __init__(self, dialect: Dialect, header: Header, task: Task, line_end: bytes, *, excel_safe: bool) -> None:
-        """`line_end`: as the header has it."""
+    def __init__(
+        self, dialect: Dialect, head: Head, header: Header, task: Task, names: Sequence[str], *, excel_safe: bool
+    ) -> None:
+        """Lines end as the header does."""
         self.dialect = dialect
         self.header = header
-        self.line_end = line_end
+        self.line_end = b"\r\n" if head.text.endswith(b"\r\n") else b"\n"
         self.excel_safe = excel_safe
+        line = head.text.removeprefix(BOM).removesuffix(b"\n").removesuffix(b"\r")
+        cells = [self.safe(line) if excel_safe else line, *(name.encode() for name in (*names, STATUS))]
+        self.head = (BOM if head.text.startswith(BOM) else b"") + dialect.separator.join(cells) + self.line_end
         self.evaluator = Evaluator(task)
         self.readers = [Reader(column) for column in task.inputs]
         self.task = task
-        self._last_text = re.compile(re.escape(line_end) + rb"\Z")
 
     def convert(self, text: bytes) -> Converted:
         """Whole records with the results behind each."""
@@ -246,12 +282,6 @@ class Converter:
     def safe(self, line: bytes) -> bytes:
         """A line in which no cell of text can be taken for a formula by a spreadsheet."""
         return self.dialect.formula.sub(rb"\1\2'", line)
-
-    def header_line(self, line: bytes, names: Sequence[str]) -> bytes:
-        """The header of the output."""
-        separator = self.dialect.separator
-        line = self.safe(line) if self.excel_safe else line
-        return line + separator + separator.join(name.encode() for name in (*names, STATUS)) + self.line_end
 
 
 def _cells(count: int) -> str:

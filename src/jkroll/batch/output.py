@@ -16,8 +16,8 @@ from typing import Any, NamedTuple
 from zlib import crc32
 
 from ..errors import quoted
-from .delimited import Converted
 from .errors import BadRow, BadTable, NotTheSame
+from .lines import Converted
 from .source import Shared, Source
 
 LOCK_SECONDS = 10.0  # the processes of a run that was killed end on their own within a block
@@ -54,6 +54,7 @@ class Sink:
         """Write what stands before the first row. `text` is what it was."""
         self._write(output)
         self.shared["lines"] = lines
+        self._done(text)
 
     def write(self, text: bytes, converted: Converted) -> None:
         """Write the next block. `text` is what it was."""
@@ -63,7 +64,10 @@ class Sink:
         self._write(converted.output)
         for name, count in (("rows", converted.rows), ("failed", converted.failed), ("lines", converted.lines)):
             self.shared[name] += count
-        self.shared["blocks"] += 1
+        self._done(text)
+
+    def _done(self, text: bytes) -> None:
+        """A block was written."""
 
     def _write(self, text: bytes) -> None:
         rest = memoryview(text)
@@ -93,17 +97,8 @@ class FileSink(Sink):
         os.ftruncate(self.descriptor, 0)
         os.write(self.journal, json.dumps(identity).encode() + b"\n")
 
-    def head(self, text: bytes, output: bytes, lines: int) -> None:
-        """Write what stands before the first row, then that it was written."""
-        super().head(text, output, lines)
-        self._note(text)
-
-    def write(self, text: bytes, converted: Converted) -> None:
-        """Write the next block, then that it was written."""
-        super().write(text, converted)
-        self._note(text)
-
-    def _note(self, text: bytes) -> None:
+    def _done(self, text: bytes) -> None:
+        """Note that a block was written."""
         shared = self.shared
         progress = (shared["written"], shared["rows"], shared["failed"], shared["lines"], crc32(text))
         os.write(self.journal, (" ".join(map(str, progress)) + "\n").encode())
@@ -121,8 +116,10 @@ class FileSink(Sink):
             if before.get(name) != value:
                 raise NotTheSame(quoted(self.partial), name)
         steps = [step for step in (Progress(*map(int, line.split())) for line in noted) if step.written <= size]
-        if not steps or crc32(head) != steps[0].checksum:
+        if not steps:
             return False
+        if crc32(head) != steps[0].checksum:
+            raise NotTheSame(quoted(self.partial), "input")
         for step in steps[1:]:
             text = source.next()
             if text is None or crc32(text) != step.checksum:
@@ -132,7 +129,6 @@ class FileSink(Sink):
         os.ftruncate(self.journal, len(first) + sum(map(len, noted[: len(steps)])))
         for name in ("written", "rows", "failed", "lines"):
             self.shared[name] = getattr(last, name)
-        self.shared["blocks"] = len(steps) - 1
         return True
 
     def finish(self) -> None:

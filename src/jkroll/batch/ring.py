@@ -14,8 +14,8 @@ from collections.abc import Callable
 from contextlib import suppress
 from typing import NoReturn
 
-from .delimited import Converted
 from .errors import LostWorker
+from .lines import Converted
 from .output import Sink
 from .source import Source
 

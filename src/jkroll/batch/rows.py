@@ -4,32 +4,18 @@ The two ways run the same formulas. Only the second one finds the words for what
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy
 
-from ..errors import BeyondFold, BeyondPullOff, JkrollError, MissingInput, NoChain, NoResult
-from ..materials import Material, Materials
+from ..errors import BeyondPullOff, JkrollError, NoChain
+from ..materials import Material
 from ..nomenclature import INFINITY, NOMENCLATURE, RANGES
 from ..scene import MAY_BE_ZERO, SMALLEST, Scene
-from ..wiring import STATE
 from .cells import Floats, Mask, Numbers
-from .columns import Column
 from .materials import UNKNOWN, Codes, Lookup
-
-FATAL = (BeyondPullOff, BeyondFold)  # they leave nothing of a row to be trusted
-
-
-class Task(NamedTuple):
-    """What is computed of every row, and what the command line says of all of them."""
-
-    inputs: tuple[Column, ...]
-    materials_at: tuple[tuple[str, int], ...]
-    quantities: tuple[str, ...]
-    fixed: Mapping[str, float]  # inputs that fill what a row does not give
-    material: Material | None
-    material2: Material | None
-    known: Materials
+from .single import Task, alone, concerns, lacking, worded
 
 
 class Block(NamedTuple):
@@ -69,7 +55,7 @@ class Evaluator:
         with numpy.errstate(all="ignore"):
             singly = self._in_groups(block, codes, numbers, status)
         for row in sorted(singly.difference(block.odd)):
-            values, words = self._single(block, row)
+            values, words = alone(self.task, partial(block.text, row))
             numbers[row] = values
             if words:
                 status[row] = words
@@ -117,7 +103,7 @@ class Evaluator:
         except JkrollError:
             return numpy.ones(len(members), dtype=bool)
         wanted = [name for name in self.task.quantities if concerns(name, scene)]
-        missing = [name for name in wanted if _is_missing(name, scene)]
+        missing = [name for name in wanted if lacking(name, scene) is not None]
         found = [name for name in wanted if name not in missing]
         values = _values(scene, found)
         results = numpy.empty((len(members), len(self.task.quantities)))
@@ -146,14 +132,15 @@ class Evaluator:
             status[int(members[place])] = self._words(codes, int(members[place]), names, scene)
         for place in _beyond_pull_off(scene):
             results[place] = numpy.nan
-            fine[place] = True
+            fine[place, :] = True
             load, pull_off = scene.values["load"], scene.values["pull_off_force"]
             status[int(members[place])] = str(BeyondPullOff(_at(load, place), _at(pull_off, place)))
         numbers[rows] = results
-        is_fine: Mask = fine.all(axis=1)
+        is_fine: Any = fine.all(axis=1)
         if missing and "load" in given:
-            is_fine = is_fine & (given["load"] != 0)  # without a load less is needed
-        return ~is_fine
+            is_fine &= given["load"] != 0  # without a load less is needed
+        is_odd: Mask = ~is_fine
+        return is_odd
 
     def _sphere(self, name: str, codes: Mapping[str, Codes], rows: Any) -> Material | None:
         """The materials of some rows as one, whose properties are arrays."""
@@ -172,81 +159,11 @@ class Evaluator:
         if key not in self._reasons:
             single = Scene({name: _one(name, value) for name, value in scene.stated.items()}, *spheres)
             in_order = [name for name in self.task.quantities if name in names]
-            self._reasons[key] = worded({name: _error(name, single) or NoChain() for name in in_order})
+            self._reasons[key] = worded({name: lacking(name, single) or NoChain() for name in in_order})
         return self._reasons[key]
 
     def _material(self, name: str, code: int) -> Material | None:
         return self.lookups[name].known[code]
-
-    def _single(self, block: Block, row: int) -> tuple[list[float], str]:
-        """The results of one row, and what is to be said of it: the words of a one-liner."""
-        nothing = [numpy.nan] * len(self.task.quantities)
-        given: dict[str, float] = {}
-        problems: list[str] = []
-        for column in self.task.inputs:
-            text = block.text(row, column.name)
-            try:
-                if text.strip():
-                    given[column.name] = column.read(text)
-            except JkrollError as error:
-                problems.append(str(error))
-        spheres: dict[str, Material | None] = {"material": self.task.material, "material2": self.task.material2}
-        for name, _ in self.task.materials_at:
-            text = block.text(row, name)
-            try:
-                if text.strip():
-                    spheres[name] = self.task.known[text]
-            except JkrollError as error:
-                problems.append(str(error))
-        if problems:
-            return nothing, "; ".join(problems)
-        try:
-            scene = Scene({**self.task.fixed, **given}, *spheres.values())
-        except JkrollError as error:
-            return nothing, str(error)
-        values: list[float] = []
-        errors: dict[str, JkrollError] = {}
-        for name in self.task.quantities:
-            try:
-                values.append(float(scene[name]) if concerns(name, scene) and _is_said(name, scene) else numpy.nan)
-            except FATAL as error:
-                return nothing, str(error)
-            except (MissingInput, NoChain, NoResult) as error:
-                errors[name] = error
-                values.append(numpy.nan)
-        return values, worded(errors)
-
-
-def concerns(name: str, scene: Scene) -> bool:
-    """Whether a quantity has something to say of scenes of which this is known."""
-    if name == "load":
-        return bool(STATE & scene.stated.keys())
-    return name not in scene.stated
-
-
-def _is_said(name: str, scene: Scene) -> bool:
-    return name != "rolling_frequency_as_printed" or scene.is_identical
-
-
-def worded(errors: Mapping[str, JkrollError]) -> str:
-    """Why quantities have no value; one clause for all that have the same reason."""
-    reasons: dict[str, list[str]] = {}
-    for name, error in errors.items():
-        reason = f"needs {error.needs()}" if isinstance(error, MissingInput) else str(error).removeprefix(f"{name}: ")
-        reasons.setdefault(reason, []).append(name)
-    return "; ".join(f"{', '.join(names)}: {reason}" for reason, names in reasons.items())
-
-
-def _error(name: str, scene: Scene) -> MissingInput | None:
-    try:
-        scene.plan(name)
-    except MissingInput as error:
-        return error
-    return None
-
-
-def _is_missing(name: str, scene: Scene) -> bool:
-    return _error(name, scene) is not None
 
 
 def _values(scene: Scene, names: Sequence[str]) -> dict[str, Any]:

@@ -8,7 +8,7 @@ from .errors import BadTable
 
 CHUNK = 1 << 17  # bytes read at a time: enough rows to pay for a call of numpy, few enough to stay in the cache
 MAX_RECORD = 1 << 24
-COUNTERS = ("kept", "ended", "read", "written", "rows", "failed", "lines", "blocks")
+COUNTERS = ("kept", "ended", "read", "written", "rows", "failed", "lines")
 
 Cut = Callable[[bytes, bool], int]  # how many bytes of a text are whole records; all of them at the end
 
