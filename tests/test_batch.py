@@ -121,7 +121,7 @@ def both_ways(text: str) -> Iterator[tuple[str, list[float], list[float], str, s
     together = converter.evaluator.results(block)
     for row in range(block.size):
         values, status = alone(task, partial(block.text, row))
-        yield lines[row + 1], values, together.numbers[row].tolist(), status, together.status.get(row, "")
+        yield lines[row + 1], values, together.numbers[:, row].tolist(), status, together.status.get(row, "")
 
 
 def agree(size: int, seed: int) -> None:

@@ -1,16 +1,27 @@
 """The `batch` command: from what was typed to the exit code."""
 
 import sys
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from typing import Any
 
+from ..errors import MissingExtra
 from ..materials import known_materials
 from ..request import BadRequest, materials_files
 from ..streams import say
 from .columns import STATUS
-from .settings import Order, Settings
+from .settings import Order, Settings, input_format
 
 ROWS_FAILED = 1
+
+
+@contextmanager
+def missing_extra(extra: str) -> Iterator[None]:
+    """Say which extra installs a library that is missing."""
+    try:
+        yield
+    except ModuleNotFoundError as error:
+        raise MissingExtra(error.name or "", extra) from None
 
 
 def run(path: str | None, given: Mapping[str, Any]) -> int:
@@ -20,8 +31,11 @@ def run(path: str | None, given: Mapping[str, Any]) -> int:
     settings = Settings(**{name: value for name, value in given.items() if name in Settings._fields})
     inputs = {name: value for name, value in given.items() if name not in Settings._fields}
     order = Order(settings, inputs, known_materials(*materials_files(settings.materials)))
-    from .stream import convert
-
+    if input_format(path, settings).kind == "parquet":
+        with missing_extra("parquet"):
+            from .parquet import convert
+    else:
+        from .stream import convert
     tally = convert(path, order)
     if tally.failed:
         say(f"jkroll: {tally.failed} of {tally.rows} rows failed; column {STATUS} says why", sys.stderr)

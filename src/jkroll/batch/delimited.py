@@ -241,7 +241,7 @@ class Delimited:
     def _pieces(self, lines: Sequence[bytes], results: Results) -> list[bytes]:
         """The parts of the output, two to a row: the line, and the results with status and line end."""
         separator, end = self.dialect.separator, self.line_end
-        text = orjson.dumps(results.numbers, option=orjson.OPT_SERIALIZE_NUMPY)
+        text = orjson.dumps(numpy.ascontiguousarray(results.numbers.T), option=orjson.OPT_SERIALIZE_NUMPY)
         if results.status or numpy.isnan(results.numbers).any():
             text = text.replace(b"null", b"")
         # [[1,2],[3,4]] becomes ,1,2,\n and ,3,4,\n: the searches for one byte are the quick ones.

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+import numpy
 import orjson
 
 from .cells import Reader
@@ -107,7 +108,7 @@ class NdjsonConverter:
         )
 
     def _output(self, raw: Sequence[bytes], objects: Sequence[Any], results: Results) -> bytes:
-        numbers = orjson.dumps(results.numbers, option=orjson.OPT_SERIALIZE_NUMPY)
+        numbers = orjson.dumps(numpy.ascontiguousarray(results.numbers.T), option=orjson.OPT_SERIALIZE_NUMPY)
         cells = [row.split(b",") for row in numbers.replace(b"[", b"").replace(b"],", b"]")[:-1].split(b"]")]
         output: list[bytes] = []
         row = 0

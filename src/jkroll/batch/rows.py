@@ -23,13 +23,13 @@ class Block(NamedTuple):
 
     size: int
     numbers: Mapping[str, Numbers]
-    materials: Mapping[str, Sequence[bytes | str]]
+    materials: Mapping[str, Sequence[bytes | str] | Codes]  # texts, or numbers of the lookup
     odd: Mapping[int, str]  # rows that are none, and why
     text: Callable[[int, str], str]  # the text of a row's cell for an input
 
 
 class Results(NamedTuple):
-    """A row of numbers for each row, nan where there is none, and what is to be said of some of the rows."""
+    """An array of numbers for each quantity, nan where there is none, and what is to be said of some of the rows."""
 
     numbers: Floats
     status: dict[int, str]
@@ -49,14 +49,17 @@ class Evaluator:
 
     def results(self, block: Block) -> Results:
         """The results of a block."""
-        numbers = numpy.full((block.size, len(self.task.quantities)), numpy.nan)
+        numbers = numpy.full((len(self.task.quantities), block.size), numpy.nan)
         status: dict[int, str] = dict(block.odd)
-        codes = {name: self.lookups[name].codes(cells) for name, cells in block.materials.items()}
+        codes = {
+            name: cells if isinstance(cells, numpy.ndarray) else self.lookups[name].codes(cells)
+            for name, cells in block.materials.items()
+        }
         with numpy.errstate(all="ignore"):
             singly = self._in_groups(block, codes, numbers, status)
         for row in sorted(singly.difference(block.odd)):
             values, words = alone(self.task, partial(block.text, row))
-            numbers[row] = values
+            numbers[:, row] = values
             if words:
                 status[row] = words
             else:
@@ -106,41 +109,51 @@ class Evaluator:
         missing = [name for name in wanted if lacking(name, scene) is not None]
         found = [name for name in wanted if name not in missing]
         values = _values(scene, found)
-        results = numpy.empty((len(members), len(self.task.quantities)))
-        blank = []
+        results = numpy.empty((len(self.task.quantities), len(members)))
         for place, name in enumerate(self.task.quantities):
-            if name in values:
-                results[:, place] = values[name]
-            else:
-                results[:, place] = numpy.nan
-                blank.append(place)
-        fine = _plausible(results, self.task.quantities)
-        fine[:, blank] = True
+            results[place] = values.get(name, numpy.nan)
+        is_odd = None if _is_plausible(results) else ~_plausible(results, self.task.quantities)
+        if is_odd is not None:
+            is_odd[[place for place, name in enumerate(self.task.quantities) if name not in values]] = False
         if "rolling_frequency_as_printed" in values:
-            place = self.task.quantities.index("rolling_frequency_as_printed")
-            unlike = ~_identical(scene, len(members))
-            results[unlike, place] = numpy.nan
-            fine[unlike, place] = True
-        failing = dict.fromkeys(range(len(members)), missing) if missing else {}
-        if "r_min" in values and isinstance(scene.values.get("radius2"), numpy.ndarray):
-            place = self.task.quantities.index("r_min")
-            for plane in numpy.flatnonzero(scene.values["radius2"] == INFINITY).tolist():
-                results[plane, place] = numpy.nan
-                fine[plane, place] = True
-                failing[plane] = [*missing, "r_min"]
-        for place, names in failing.items():
-            status[int(members[place])] = self._words(codes, int(members[place]), names, scene)
-        for place in _beyond_pull_off(scene):
-            results[place] = numpy.nan
-            fine[place, :] = True
-            load, pull_off = scene.values["load"], scene.values["pull_off_force"]
-            status[int(members[place])] = str(BeyondPullOff(_at(load, place), _at(pull_off, place)))
-        numbers[rows] = results
-        is_fine: Any = fine.all(axis=1)
+            results[self.task.quantities.index("rolling_frequency_as_printed"), ~_identical(scene, len(members))] = (
+                numpy.nan
+            )
+        self._explain(scene, results, is_odd, missing, members.tolist(), codes, status)
+        numbers[:, rows] = results
+        odd_rows: Any = numpy.zeros(len(members), dtype=bool) if is_odd is None else is_odd.any(axis=0)
         if missing and "load" in given:
-            is_fine &= given["load"] != 0  # without a load less is needed
-        is_odd: Mask = ~is_fine
-        return is_odd
+            odd_rows |= given["load"] == 0  # without a load less is needed
+        is_single: Mask = odd_rows
+        return is_single
+
+    def _explain(
+        self,
+        scene: Scene,
+        results: Floats,
+        is_odd: Mask | None,
+        missing: Sequence[str],
+        members: Sequence[int],
+        codes: Mapping[str, Codes],
+        status: dict[int, str],
+    ) -> None:
+        """Say what is wrong with rows where that is plain, and that they are not odd."""
+        failing = dict.fromkeys(range(len(members)), list(missing)) if missing else {}
+        if is_odd is None:
+            is_odd = numpy.zeros((1, 0), dtype=bool)
+        elif "r_min" in self.task.quantities and isinstance(scene.values.get("radius2"), numpy.ndarray):
+            place = self.task.quantities.index("r_min")
+            for plane in numpy.flatnonzero((scene.values["radius2"] == INFINITY) & is_odd[place]).tolist():
+                results[place, plane] = numpy.nan
+                is_odd[place, plane] = False
+                failing[plane] = [*missing, "r_min"]
+        for row, names in failing.items():
+            status[int(members[row])] = self._words(codes, int(members[row]), names, scene)
+        for row in _beyond_pull_off(scene):
+            results[:, row] = numpy.nan
+            is_odd[:, row] = False
+            load, pull_off = scene.values["load"], scene.values["pull_off_force"]
+            status[int(members[row])] = str(BeyondPullOff(_at(load, row), _at(pull_off, row)))
 
     def _sphere(self, name: str, codes: Mapping[str, Codes], rows: Any) -> Material | None:
         """The materials of some rows as one, whose properties are arrays."""
@@ -178,13 +191,18 @@ def _values(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
     return {name: values[plan.found[name]] for name in names}
 
 
+def _is_plausible(results: Floats) -> bool:
+    """Whether all results are numbers that doubles hold with all digits, and not 0: soon seen, and the usual case."""
+    size = numpy.abs(results)
+    return bool(size.min() >= SMALLEST and size.max() < INFINITY)
+
+
 def _plausible(results: Floats, names: Sequence[str]) -> Mask:
     """Which results are numbers that doubles hold with all digits, or the zero that they may be."""
     size = numpy.abs(results)
     fine: Mask = (size >= SMALLEST) & (size < INFINITY)
-    if not fine.all():
-        places = [place for place, name in enumerate(names) if name in MAY_BE_ZERO]
-        fine[:, places] |= size[:, places] == 0
+    places = [place for place, name in enumerate(names) if name in MAY_BE_ZERO]
+    fine[places] |= size[places] == 0
     return fine
 
 

@@ -12,7 +12,7 @@ from ..nomenclature import header
 from ..request import BadRequest
 from ..streams import say
 from . import ring
-from .columns import STATUS, Header, check_first, understood
+from .columns import check_first
 from .delimited import DIALECTS
 from .errors import BadTable
 from .files import check_output, feed, identity_of, opened, size_of
@@ -22,25 +22,10 @@ from .ndjson import Ndjson
 from .output import FileSink, Sink, fingerprint
 from .progress import Bar
 from .settings import Order, Tally, input_format, output_format
-from .single import Task
 from .source import CHUNK, Shared, Source
-from .task import task_of
+from .task import understood_task
 
 FORMATS: dict[str, LineFormat] = {**DIALECTS, "ndjson": Ndjson()}
-
-
-def understood_task(names: tuple[str, ...], order: Order) -> tuple[Header, Task]:
-    """What a header and the options ask; BadTable, or an error of the options, before the first row."""
-    table = understood(names)
-    task = task_of(table, order.inputs, order.settings.quantities, order.known)
-    taken = {header(name) for name in task.quantities} | {STATUS}
-    for text in table.texts:
-        if text.strip() in taken:
-            raise BadTable(f"header: there is a column {quoted(text)} already; rename it, or choose --quantities")
-    if table.passing and not order.settings.quiet:
-        names_passing = ", ".join(quoted(text) for text in table.passing)
-        say(f"note: {names_passing}: no input; passed through, not used", sys.stderr)
-    return table, task
 
 
 def convert(path: str, order: Order) -> Tally:

@@ -1,17 +1,21 @@
 """What a table and the options ask: which quantities of which rows, and what fills the gaps."""
 
+import sys
 from collections.abc import Mapping
 from typing import Any
 
 from ..commands import COMMANDS
-from ..errors import UnknownQuantity
+from ..errors import UnknownQuantity, quoted
 from ..materials import Material, Materials
-from ..nomenclature import NOMENCLATURE
+from ..nomenclature import NOMENCLATURE, header
 from ..request import BadRequest
 from ..scene import EXCLUSIVE, Scene
+from ..streams import say
 from ..units import parse_quantity
 from ..wiring import PROPERTIES
-from .columns import MATERIALS, Header
+from .columns import MATERIALS, STATUS, Header, understood
+from .errors import BadTable
+from .settings import Order
 from .single import Task, concerns, lacking
 
 
@@ -62,3 +66,17 @@ def _named(text: str) -> tuple[list[str], list[str]]:
         else:
             raise UnknownQuantity(word)
     return named, offered
+
+
+def understood_task(names: tuple[str, ...], order: Order) -> tuple[Header, Task]:
+    """What a header and the options ask; BadTable, or an error of the options, before the first row."""
+    table = understood(names)
+    task = task_of(table, order.inputs, order.settings.quantities, order.known)
+    taken = {header(name) for name in task.quantities} | {STATUS}
+    for text in table.texts:
+        if text.strip() in taken:
+            raise BadTable(f"header: there is a column {quoted(text)} already; rename it, or choose --quantities")
+    if table.passing and not order.settings.quiet:
+        names_passing = ", ".join(quoted(text) for text in table.passing)
+        say(f"note: {names_passing}: no input; passed through, not used", sys.stderr)
+    return table, task
