@@ -51,6 +51,8 @@ ONLY = {
     "mpmath": {"bench_reference"},
     "matplotlib": {"bench"},
     "orjson": {"batch"},
+    "pyarrow": {"batch"},
+    "distributed": {"batch"},
     "zstandard": {"batch"},
 }
 

@@ -76,6 +76,7 @@ EXTRAS = {
             Option("strict", "--strict", bool, "", "Stop at the first row that fails."),
             Option("resume", "--resume", bool, "", "Go on after an interrupt."),
             Option("jobs", "--jobs", int, "N", "Processes; one for each core.", 1, 64),
+            Option("dask", "--dask", str, "ADDRESS", "Many tables on a Dask cluster, or on a local one."),
             Option("excel_safe", "--excel-safe", bool, "", "No cell of text that a spreadsheet takes for a formula."),
             *_SCENE,
             *_some("materials", "quiet"),

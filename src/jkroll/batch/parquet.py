@@ -7,6 +7,7 @@ import os
 import sys
 from collections.abc import Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
+from math import isnan
 from typing import Any
 
 import numpy
@@ -58,7 +59,7 @@ class _File:
         self.table, self.task = understood_task(tuple(file.schema_arrow.names), order)
         for column in self.task.inputs:
             if pyarrow.types.is_string(file.schema_arrow.types[column.place]) or column.unit is None:
-                first = next(file.iter_batches(200, columns=[column_name(self.table.texts, column.place)]), None)
+                first = next(file.iter_batches(200, columns=[self.table.texts[column.place]]), None)
                 values = [] if first is None else first.column(0).to_pylist()
                 check_first(column, [_text(value) for value in values])
         self.evaluator = Evaluator(self.task)
@@ -148,18 +149,13 @@ class _File:
         )
 
 
-def column_name(texts: tuple[str, ...], place: int) -> str:
-    """The name by which a file is asked for a column."""
-    return texts[place]
-
-
 def _is_float(kind: Any) -> bool:
     return bool(pyarrow.types.is_floating(kind))
 
 
 def _text(value: object) -> str:
     """A value as a cell of text, a float as its shortest; nothing for null or nan."""
-    return "" if value is None or value != value else str(value)
+    return "" if value is None or (isinstance(value, float) and isnan(value)) else str(value)
 
 
 def _numbers(array: Any, reader: Reader) -> Numbers:

@@ -138,7 +138,7 @@ class Evaluator:
         status: dict[int, str],
     ) -> None:
         """Say what is wrong with rows where that is plain, and that they are not odd."""
-        failing = dict.fromkeys(range(len(members)), list(missing)) if missing else {}
+        failing: dict[int, Sequence[str]] = dict.fromkeys(range(len(members)), missing) if missing else {}
         if is_odd is None:
             is_odd = numpy.zeros((1, 0), dtype=bool)
         elif "r_min" in self.task.quantities and isinstance(scene.values.get("radius2"), numpy.ndarray):
