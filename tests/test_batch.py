@@ -120,7 +120,7 @@ def both_ways(text: str) -> Iterator[tuple[str, list[float], list[float], str, s
     block = converter._block(len(lines) - 1, columns, {})
     together = converter.evaluator.results(block)
     for row in range(block.size):
-        values, status = alone(task, partial(block.text, row))
+        values, status, _ = alone(task, partial(block.text, row))
         yield lines[row + 1], values, together.numbers[:, row].tolist(), status, together.status.get(row, "")
 
 

@@ -34,6 +34,7 @@ OUTPUT = (
     Option("bare", "--bare", bool, "", _FORMAT),
     Option("json", "--json", bool, "", _FORMAT),
     Option("csv", "--csv", bool, "", _FORMAT),
+    Option("target", "--output", str, "OUT", "To a file, csv or parquet, of any length.", short="-o"),
     Option("explain", "--explain", bool, "", _INSTEAD),
     Option("cite", "--cite", bool, "", _INSTEAD),
     Option("materials", "--materials", str, "FILE", "Materials of your own."),

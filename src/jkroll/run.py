@@ -16,6 +16,7 @@ from .streams import say
 
 MAX_NOTES = 20
 ROWS_FAILED = 1
+MANY = 20_000  # rows from which on a sweep is streamed by blocks
 
 
 class Output(NamedTuple):
@@ -32,6 +33,7 @@ class Output(NamedTuple):
     quiet: bool = False
     rtol: float | None = None
     curve: bool = False
+    target: str | None = None
 
     def format_name(self, out: TextIO) -> str:
         """The one format that was asked for, else what suits where the output goes."""
@@ -77,6 +79,9 @@ def run_command(command: Command, words: Sequence[str] | None, options: Mapping[
         if request.count > 1
         else []
     )
+    if output.target is not None or (kind == "csv" and request.count > MANY):
+        return _run_stream(command, request, samples, kind, output)
+    request.check_count()
     tally = Tally()
     if kind in ("explain", "cite"):
         from .explain import write_citations, write_explanation
@@ -98,6 +103,25 @@ def run_command(command: Command, words: Sequence[str] | None, options: Mapping[
     if tally.failed:
         count = f"{tally.failed} of {request.count} rows failed"
         say(f"jkroll: {tally.failures[0] if request.count == 1 else count}", sys.stderr)
+        return ROWS_FAILED
+    return 0
+
+
+def _run_stream(command: Command, request: Request, samples: list[Answer], kind: str, output: Output) -> int:
+    """Write a sweep of any length to a file, or as CSV to a pipe; return the exit code."""
+    from .batch.settings import Settings
+    from .batch.sweep import Axis, Sweep, stream
+
+    if output.to or output.digits or output.rtol is not None or kind not in ("csv", "plain", "table"):
+        raise BadRequest("a long sweep is written in SI units with all digits: -o and long ranges take --csv alone")
+    samples = samples or [answer(command, scene) for scene in request.samples()]
+    axes = [Axis(name, spreads) for name, spreads in request.spreads.items()]
+    sweep = Sweep(request.pairs, axes, layout(command, samples, request.count), request.materials)
+    tally = stream(sweep, Settings(target=output.target or "-", quiet=output.quiet))
+    if not output.quiet:
+        _note(note for sample in samples for note in sample.notes)
+    if tally.failed:
+        say(f"jkroll: {tally.failed} of {tally.rows} rows failed", sys.stderr)
         return ROWS_FAILED
     return 0
 

@@ -222,7 +222,7 @@ class Delimited:
             return b'"' + line.replace(b'"', b'""') + b'"' + separator * (width - 1)
         if len(cells) < width:
             return line + separator * (width - len(cells))
-        kept = [_quoted(cell, separator) for cell in cells[: width - 1]]
+        kept = [quoted_cell(cell, separator) for cell in cells[: width - 1]]
         return separator.join([*kept, b'"' + separator.join(cells[width - 1 :]).replace(b'"', b'""') + b'"'])
 
     def _block(self, count: int, columns: Sequence[Sequence[bytes]], odd: Mapping[int, str]) -> Block:
@@ -252,7 +252,7 @@ class Delimited:
         pieces[0::2] = lines
         pieces[1::2] = io.BytesIO(text).readlines()[: len(lines)]
         for row, status in results.status.items():
-            said = _quoted(status.encode(), separator)
+            said = quoted_cell(status.encode(), separator)
             pieces[2 * row + 1] = (
                 pieces[2 * row + 1][: -len(end)] + (self.safe(said) if self.excel_safe else said) + end
             )
@@ -288,7 +288,7 @@ def _cells(count: int) -> str:
     return f"{count} cell{'s' * (count != 1)}"
 
 
-def _quoted(cell: bytes, separator: bytes) -> bytes:
+def quoted_cell(cell: bytes, separator: bytes) -> bytes:
     """A cell in quotes if it needs them."""
     if separator in cell or b'"' in cell or b"\n" in cell or b"\r" in cell:
         return b'"' + cell.replace(b'"', b'""') + b'"'

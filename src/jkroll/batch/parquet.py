@@ -25,7 +25,7 @@ from .files import check_output, opened
 from .output import FileSink
 from .progress import Bar
 from .rows import Block, Evaluator, Results
-from .settings import Order, Tally, input_format, output_format
+from .settings import Order, Settings, Tally, input_format, output_format
 from .source import Shared
 from .task import understood_task
 
@@ -49,6 +49,38 @@ def convert(path: str, order: Order) -> Tally:
         raise BadTable(f"{quoted(path)} is not Parquet, or its end is missing") from None
     with file:
         return _File(file, order).run()
+
+
+def write(settings: Settings, shared: Shared, schema: Any, groups: Iterator[Any]) -> None:
+    """Write groups of rows as one file, which gets its name when it is whole."""
+    sink = FileSink(settings.target, shared, strict=settings.strict)
+    sink.begin({})
+    bar = Bar(sys.stderr, shared, 0)
+    is_watched = sys.stderr.isatty() and not settings.quiet
+    floats = [field.name for field in schema if pyarrow.types.is_floating(field.type)]
+    with (
+        os.fdopen(os.dup(sink.descriptor), "wb") as out,
+        ThreadPoolExecutor(1) as writing,
+        pyarrow.parquet.ParquetWriter(
+            out,
+            schema,
+            compression="snappy",
+            use_dictionary=[name for name in schema.names if name not in floats],
+            column_encoding=dict.fromkeys(floats, "BYTE_STREAM_SPLIT"),
+            write_statistics=False,
+        ) as writer,
+    ):
+        written: Future[None] | None = None
+        for group in groups:
+            if written is not None:
+                written.result()
+            written = writing.submit(writer.write_batch, group, GROUP)
+            if is_watched:
+                bar.show()
+        if written is not None:
+            written.result()
+    bar.clear()
+    sink.finish()
 
 
 class _File:
@@ -75,35 +107,7 @@ class _File:
             pyarrow.field(STATUS, pyarrow.string()),
         ]
         schema = pyarrow.schema(fields)
-        sink = FileSink(self.settings.target, self.shared, strict=self.settings.strict)
-        sink.begin({})
-        bar = Bar(sys.stderr, self.shared, 0)
-        is_watched = sys.stderr.isatty() and not self.settings.quiet
-        encodings = dict.fromkeys(self.names, "BYTE_STREAM_SPLIT")
-        plain = [name for name in self.table.texts if not _is_float(schema.field(name).type)]
-        with (
-            os.fdopen(os.dup(sink.descriptor), "wb") as out,
-            ThreadPoolExecutor(1) as writing,
-            pyarrow.parquet.ParquetWriter(
-                out,
-                schema,
-                compression="snappy",
-                use_dictionary=[*plain, STATUS],
-                column_encoding=encodings,
-                write_statistics=False,
-            ) as writer,
-        ):
-            written: Future[None] | None = None
-            for group in self._groups(schema):
-                if written is not None:
-                    written.result()
-                written = writing.submit(writer.write_batch, group, GROUP)
-                if is_watched:
-                    bar.show()
-            if written is not None:
-                written.result()
-        bar.clear()
-        sink.finish()
+        write(self.settings, self.shared, schema, self._groups(schema))
         return Tally(self.shared["rows"], self.shared["failed"])
 
     def _groups(self, schema: Any) -> Iterator[Any]:
@@ -147,10 +151,6 @@ class _File:
                 lambda row, name: _text(part.column(places[name])[row].as_py()),
             )
         )
-
-
-def _is_float(kind: Any) -> bool:
-    return bool(pyarrow.types.is_floating(kind))
 
 
 def _text(value: object) -> str:

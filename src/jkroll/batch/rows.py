@@ -33,6 +33,7 @@ class Results(NamedTuple):
 
     numbers: Floats
     status: dict[int, str]
+    lost: set[int]  # rows of which nothing is to be trusted
 
 
 class Evaluator:
@@ -46,11 +47,13 @@ class Evaluator:
             "material2": Lookup(task.known, task.material2),
         }
         self._reasons: dict[tuple[object, ...], str] = {}
+        self._lost: set[int] = set()
 
     def results(self, block: Block) -> Results:
         """The results of a block."""
         numbers = numpy.full((len(self.task.quantities), block.size), numpy.nan)
         status: dict[int, str] = dict(block.odd)
+        self._lost = set()
         codes = {
             name: cells if isinstance(cells, numpy.ndarray) else self.lookups[name].codes(cells)
             for name, cells in block.materials.items()
@@ -58,13 +61,14 @@ class Evaluator:
         with numpy.errstate(all="ignore"):
             singly = self._in_groups(block, codes, numbers, status)
         for row in sorted(singly.difference(block.odd)):
-            values, words = alone(self.task, partial(block.text, row))
-            numbers[:, row] = values
+            numbers[:, row], words, is_lost = alone(self.task, partial(block.text, row))
+            if is_lost:
+                self._lost.add(row)
             if words:
                 status[row] = words
             else:
                 status.pop(row, None)
-        return Results(numbers, status)
+        return Results(numbers, status, self._lost)
 
     def _in_groups(self, block: Block, codes: Mapping[str, Codes], numbers: Floats, status: dict[int, str]) -> set[int]:
         """Evaluate the groups of rows of which the same is known; return the rows that are to be looked at singly."""
@@ -150,8 +154,10 @@ class Evaluator:
         for row, names in failing.items():
             status[int(members[row])] = self._words(codes, int(members[row]), names, scene)
         for row in _beyond_pull_off(scene):
-            results[:, row] = numpy.nan
+            if not self.task.keeps:
+                results[:, row] = numpy.nan
             is_odd[:, row] = False
+            self._lost.add(int(members[row]))
             load, pull_off = scene.values["load"], scene.values["pull_off_force"]
             status[int(members[row])] = str(BeyondPullOff(_at(load, row), _at(pull_off, row)))
 

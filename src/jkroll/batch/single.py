@@ -23,10 +23,11 @@ class Task(NamedTuple):
     material: Material | None
     material2: Material | None
     known: Materials
+    keeps: bool = False  # whether what needs no contact is kept where there is none
 
 
-def alone(task: Task, text_of: Callable[[str], str]) -> tuple[list[float], str]:
-    """The results of one row, of which `text_of` gives the cell of an input, and what is to be said of it."""
+def alone(task: Task, text_of: Callable[[str], str]) -> tuple[list[float], str, bool]:
+    """The results of one row, of which `text_of` gives the cell of an input, what is to be said of it, and whether it is lost."""
     nothing = [nan] * len(task.quantities)
     given: dict[str, float] = {}
     problems: list[str] = []
@@ -46,22 +47,23 @@ def alone(task: Task, text_of: Callable[[str], str]) -> tuple[list[float], str]:
         except JkrollError as error:
             problems.append(str(error))
     if problems:
-        return nothing, "; ".join(problems)
+        return nothing, "; ".join(problems), True
     try:
         scene = Scene({**task.fixed, **given}, *spheres.values())
     except JkrollError as error:
-        return nothing, str(error)
+        return nothing, str(error), True
     values: list[float] = []
     errors: dict[str, JkrollError] = {}
     for name in task.quantities:
         try:
             values.append(float(scene[name]) if concerns(name, scene) and _is_said(name, scene) else nan)
-        except FATAL as error:
-            return nothing, str(error)
         except (MissingInput, NoResult) as error:
             errors[name] = error
             values.append(nan)
-    return values, worded(errors)
+    fatal = next((error for error in errors.values() if isinstance(error, FATAL)), None)
+    if fatal is not None:
+        return values if task.keeps else nothing, str(fatal), True
+    return values, worded(errors), len(errors) == len(values)
 
 
 def concerns(name: str, scene: Scene) -> bool:
