@@ -14,12 +14,13 @@ import numpy
 import orjson
 
 from .. import __version__
+from ..answer import answer
 from ..errors import quoted
 from ..materials import Material, Materials
 from ..nomenclature import INFINITY, NOMENCLATURE, header, word_for_infinity
 from ..report import Layout
 from ..request import BadRequest
-from ..scene import DEFAULTS
+from ..scene import DEFAULTS, Scene
 from ..spread import Spread
 from . import ring
 from .cells import Floats, Numbers, plain_numbers
@@ -141,6 +142,9 @@ class _Evaluators:
             Evaluator(Task(columns, (), self.names, {}, *pair, sweep.known, keeps=True)) for pair in sweep.pairs
         ]
 
+        first = {axis.name: axis.spreads[0].low for axis in sweep.axes}
+        self.said = [answer(sweep.shape.command, Scene(first, *pair)).inputs.keys() for pair in sweep.pairs]
+
     def rows(self, start: int, count: int) -> Rows:
         """The rows from a place on, which are of one pair."""
         sweep = self.sweep
@@ -155,13 +159,18 @@ class _Evaluators:
         results = self.evaluators[pair].results(
             Block(count, numbers, {}, {}, lambda row, name: _typed(name, values[name][row]))
         )
-        failed = len(results.lost)
+        wanted = results.numbers[: len(sweep.results)]
+        failed = len(
+            results.lost.union(numpy.flatnonzero(numpy.isnan(wanted).all(axis=0)).tolist()) if results.status else ()
+        )
         materials = [one.name for one in sweep.pairs[pair] if one is not None]
         inputs = [self._input(name, values, pair, results.numbers) for name in sweep.inputs]
-        return Rows(materials, inputs, results.numbers[: len(sweep.results)], failed, count)
+        return Rows(materials, inputs, wanted, failed, count)
 
     def _input(self, name: str, values: dict[str, Floats], pair: int, numbers: Floats) -> Floats | float | None:
-        """A column of an input as it was understood."""
+        """A column of an input as it was understood; None where the results do not depend on it."""
+        if name not in self.said[pair]:
+            return None
         if name in values:
             return values[name]
         if name == "energy":
