@@ -74,11 +74,11 @@ def test_a_long_sweep_is_streamed_to_a_pipe_and_to_parquet(run: Run, monkeypatch
 def test_values_of_a_range_that_is_too_long_to_be_kept() -> None:
     import numpy
 
-    from jkroll.batch.sweep import _of_spread
+    from jkroll.batch.axes import of_spread
 
     for text, name in (("1nm:1um:1000", "radius"), ("-3nN:5nN:1001:lin", "load"), ("1e-9m:1e3m:777", "radius")):
         spread = spreads_of(text, name)[0]
-        found = _of_spread(spread, numpy.arange(len(spread)))
+        found = of_spread(spread, numpy.arange(len(spread)))
         assert found.tolist() == pytest.approx([*spread], rel=1.1e-14, abs=1e-24)
         assert all(value == float(f"{value:.15g}") for value in found.tolist())
 

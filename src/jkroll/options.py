@@ -26,7 +26,7 @@ class Option(NamedTuple):
         return (self.flag, self.short) if self.short else (self.flag,)
 
 
-_FORMAT = "Format: numbers only, JSON, or a CSV table."
+_FORMAT = "Numbers, JSON, CSV; to a file, .csv or .parquet."
 _INSTEAD = "Instead: how it comes about; what to cite."
 OUTPUT = (
     Option("to", "--to", str, "UNIT", "Unit of the results; several with commas."),
@@ -34,7 +34,7 @@ OUTPUT = (
     Option("bare", "--bare", bool, "", _FORMAT),
     Option("json", "--json", bool, "", _FORMAT),
     Option("csv", "--csv", bool, "", _FORMAT),
-    Option("target", "--output", str, "OUT", "To a file, csv or parquet, of any length.", short="-o"),
+    Option("target", "-o", str, "OUT", _FORMAT),
     Option("explain", "--explain", bool, "", _INSTEAD),
     Option("cite", "--cite", bool, "", _INSTEAD),
     Option("materials", "--materials", str, "FILE", "Materials of your own."),
@@ -57,11 +57,15 @@ def _some(*names: str) -> tuple[Option, ...]:
     return tuple(option for option in OUTPUT if option.name in names)
 
 
-_FILLS = "Fills what a row does not give."
+_FILLS = "Fills what rows do not give; so do --radius, --gamma, --load ..."
 _SCENE = (
     Option("material", "--material", str, "NAME", _FILLS),
-    Option("radius", "--radius", str, "R", _FILLS),
-    *(Option(name, quantity.option, str, "", _FILLS) for name, quantity in NOMENCLATURE.items() if quantity.option),
+    Option("radius", "--radius", str, "", _FILLS, hidden=True),
+    *(
+        Option(name, quantity.option, str, "", _FILLS, hidden=True)
+        for name, quantity in NOMENCLATURE.items()
+        if quantity.option
+    ),
 )
 
 EXTRAS = {

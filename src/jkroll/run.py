@@ -109,8 +109,9 @@ def run_command(command: Command, words: Sequence[str] | None, options: Mapping[
 
 def _run_stream(command: Command, request: Request, samples: list[Answer], kind: str, output: Output) -> int:
     """Write a sweep of any length to a file, or as CSV to a pipe; return the exit code."""
+    from .batch.axes import Axis
     from .batch.settings import Settings
-    from .batch.sweep import Axis, Sweep, stream
+    from .batch.sweep import Sweep, stream
 
     if output.to or output.digits or output.rtol is not None or kind not in ("csv", "plain", "table"):
         raise BadRequest("a long sweep is written in SI units with all digits: -o and long ranges take --csv alone")
@@ -199,4 +200,5 @@ def run_batch(path: str | None, output: Output, given: Mapping[str, Any]) -> int
     """Convert a table of scenes; return the exit code."""
     from .batch.command import run
 
-    return run(path, {**given, "materials": output.materials, "quiet": output.quiet})
+    settings = {"target": output.target or "-", "materials": output.materials, "quiet": output.quiet}
+    return run(path, {**given, **settings})
