@@ -138,7 +138,7 @@ def agree(size: int, seed: int) -> None:
 
 
 def test_together_or_alone() -> None:
-    agree(1500, 1)
+    agree(300, 1)
 
 
 @pytest.mark.slow
@@ -147,8 +147,8 @@ def test_together_or_alone_100_000_rows() -> None:
         agree(5000, seed)
 
 
-@pytest.mark.parametrize("unit", ["nm", "um", "m", "mm", "angstrom", "ft"])
-@settings(deadline=None)
+@pytest.mark.parametrize("unit", ["nm", "m", "angstrom", "ft"])
+@settings(deadline=None, max_examples=50)
 @given(number=st.from_regex(r"\A-?[0-9]{1,18}(\.[0-9]{1,17})?([eE][-+]?[0-9]{1,2})?\Z"))
 def test_a_column_is_read_as_a_one_liner_reads_it(unit: str, number: str) -> None:
     column = Column(0, "radius", unit, unit_of(unit, "radius"))
@@ -330,15 +330,15 @@ def test_input_passes_through_byte_for_byte(run: Run, kind: str) -> None:
     assert kept.replace(b"\r\n", b"\n") == normal.replace(b"\r\n", b"\n")
 
 
-@pytest.mark.parametrize("jobs", ["1", "2", "3"])
+@pytest.mark.parametrize("jobs", ["2", "3"])
 def test_any_number_of_processes_writes_the_same_bytes(run: Run, jobs: str) -> None:
-    text = random_table(3000, 3).replace("speed [m/s]", "text")
+    text = random_table(1500, 3).replace("speed [m/s]", "text")
     name = table(text)
     assert run("batch", name, "-o", "one.csv", "--jobs", "1").code == 1
     ran = subprocess.run([sys.executable, "-m", "jkroll", "batch", name, "--jobs", jobs], capture_output=True)
     assert ran.returncode == 1
     assert ran.stdout == Path("one.csv").read_bytes()
-    assert b"of 3000 rows failed" in ran.stderr
+    assert b"of 1500 rows failed" in ran.stderr
 
 
 @pytest.mark.parametrize("compression", ["gz", "zst"])
@@ -386,14 +386,14 @@ def test_the_input_is_not_overwritten(run: Run) -> None:
     assert not Path("elsewhere").exists()
 
 
-@pytest.mark.parametrize("jobs", ["1", "2"])
+@pytest.mark.parametrize("jobs", ["1", pytest.param("2", marks=pytest.mark.slow)])
 def test_a_full_disk_is_an_error(jobs: str) -> None:
-    name = table(random_table(2000, 5))
+    name = table(random_table(500, 5))
     command = [sys.executable, "-m", "jkroll", "batch", name, "--jobs", jobs, "-o"]
     full = subprocess.run([*command, "/dev/full"], capture_output=True, text=True)
     assert (full.returncode, full.stderr) == (1, "jkroll: cannot write: No space left on device\n")
     limited = subprocess.run(
-        ["sh", "-c", f"ulimit -f 100; exec {' '.join(command)} out.csv"], capture_output=True, text=True
+        ["sh", "-c", f"ulimit -f 60; exec {' '.join(command)} out.csv"], capture_output=True, text=True
     )
     assert (limited.returncode, limited.stderr) == (1, "jkroll: cannot write: File too large\n")
     assert not Path("out.csv").exists()
@@ -404,7 +404,7 @@ def test_a_full_disk_is_an_error(jobs: str) -> None:
 
 
 def test_a_closed_pipe_ends_it() -> None:
-    name = table(random_table(3000, 6))
+    name = table(random_table(1000, 6))
     ran = subprocess.run(
         ["sh", "-c", f"({sys.executable} -m jkroll batch {name}; echo $? >&2) | head -1"],
         capture_output=True,

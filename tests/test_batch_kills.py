@@ -77,7 +77,7 @@ def refused(command: list[str], *options: str, what: str) -> None:
 
 
 def test_an_interrupt_leaves_what_resume_goes_on_from() -> None:
-    Path("grains.csv").write_text(grains(60_000), encoding="utf-8")
+    Path("grains.csv").write_text(grains(40_000), encoding="utf-8")
     command = [*BATCH, "grains.csv", "--material", "quartz", "-o", "out.csv"]
     assert interrupted(command, signal.SIGINT) == 130
     assert not Path("out.csv").exists()
@@ -93,7 +93,7 @@ def test_an_interrupt_leaves_what_resume_goes_on_from() -> None:
 
 
 def test_a_pipe_is_read_again_up_to_where_it_was() -> None:
-    Path("grains.csv").write_text(grains(60_000), encoding="utf-8")
+    Path("grains.csv").write_text(grains(40_000), encoding="utf-8")
     command = ["sh", "-c", f'cat grains.csv | exec {" ".join(BATCH)} - --material quartz -o out.csv "$@"', "sh"]
     process = subprocess.Popen(command, stderr=subprocess.DEVNULL, start_new_session=True)
     while not (Path("out.csv.journal").exists() and Path("out.csv.journal").read_bytes().count(b"\n") > 2):
@@ -112,7 +112,7 @@ def test_a_pipe_is_read_again_up_to_where_it_was() -> None:
 
 
 def test_a_lost_process_is_noticed() -> None:
-    Path("grains.csv").write_text(random_table(6000, 7), encoding="utf-8")
+    Path("grains.csv").write_text(random_table(3000, 7), encoding="utf-8")
     process = subprocess.Popen(
         [*BATCH, "grains.csv", "-o", "out.csv", "--jobs", "2"], stderr=subprocess.PIPE, text=True
     )

@@ -17,12 +17,12 @@ parquet = pytest.importorskip("pyarrow.parquet")
 
 def write(columns: dict[str, list[object]], name: str = "grains.parquet") -> str:
     """A Parquet file."""
-    parquet.write_table(pyarrow.table(columns), name, row_group_size=700)
+    parquet.write_table(pyarrow.table(columns), name, row_group_size=100)
     return name
 
 
 def test_the_same_as_in_csv(run: Run) -> None:
-    text = random_table(2000, 8)
+    text = random_table(300, 8)
     Path("grains.csv").write_text(text, encoding="utf-8")
     assert run("batch grains.csv -o out.csv --jobs 1").code == 1
     given = list(csv.DictReader(text.splitlines()))

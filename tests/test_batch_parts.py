@@ -16,7 +16,7 @@ import pytest
 from conftest import Run
 from test_batch import random_table
 
-PARTS = 6
+PARTS = 5
 
 
 @pytest.fixture
@@ -25,7 +25,7 @@ def grains() -> list[str]:
     Path("grains").mkdir()
     names = [f"grains/part-{place}.csv" for place in range(PARTS)]
     for place, name in enumerate(names):
-        Path(name).write_text(random_table(300 + place, place), encoding="utf-8")
+        Path(name).write_text(random_table(20 + place, place), encoding="utf-8")
     return names
 
 
@@ -38,7 +38,7 @@ def test_a_file_for_each_table_and_a_manifest(run: Run, grains: list[str]) -> No
     assert run("batch", "grains/*.csv", "-o", "forces/", "--jobs", "1").code == 1
     found = whole("forces")
     manifest = json.loads(found.pop("manifest.json"))
-    assert manifest["rows"] == sum(300 + place for place in range(PARTS))
+    assert manifest["rows"] == sum(20 + place for place in range(PARTS))
     assert [one["input"] for one in manifest["files"]] == grains
     for name in grains:
         assert run("batch", name, "-o", "one.csv", "--jobs", "1").code == 1
@@ -129,7 +129,7 @@ def test_two_dask_workers_write_what_one_process_writes(
             time.sleep(random.Random(1).uniform(0, 0.5))
             os.kill(workers[0].pid, signal.SIGKILL)
         _, message = batch.communicate()
-        assert re.fullmatch(r"jkroll: \d+ of 24000 rows failed; column status says why\n", message)
+        assert re.fullmatch(r"jkroll: \d+ of 20000 rows failed; column status says why\n", message)
     finally:
         for process in workers:
             process.kill()

@@ -48,6 +48,7 @@ def test_a_streamed_sweep_has_the_rows_of_a_short_one(run: Run, sweep: str) -> N
                 assert cell == streamed_cell, name
 
 
+@pytest.mark.slow
 def test_a_long_sweep_is_streamed_to_a_pipe_and_to_parquet(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     parquet = pytest.importorskip("pyarrow.parquet")
     command = "pull-off quartz,iron 1nm:1um:15000"

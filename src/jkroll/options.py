@@ -26,7 +26,7 @@ class Option(NamedTuple):
         return (self.flag, self.short) if self.short else (self.flag,)
 
 
-_FORMAT = "Numbers, JSON, CSV; to a file, .csv or .parquet."
+_FORMAT = "Numbers only, JSON, CSV; or to a file."
 _INSTEAD = "Instead: how it comes about; what to cite."
 OUTPUT = (
     Option("to", "--to", str, "UNIT", "Unit of the results; several with commas."),

@@ -2,12 +2,13 @@
 
     python tests/benchmarks/rivals.py [ROWS] [NAME...]
 
-Every rival reads the same table and writes the same columns, by the formulas of formulas.txt. They run in turns, three
+Every rival reads the same table and writes the same columns, by the formulas of formulas.txt. They run in turns, ROUNDS (3)
 times; of each the best rate counts, by the clock (a rival has one thread, `jkroll` a process for each core). Needs g++, and
 whichever of gawk, mlr and pandas is to be compared.
 """
 
 import math
+import os
 import resource
 import shutil
 import subprocess
@@ -29,7 +30,6 @@ SCALES = {
     "poisson_ratio": "* 1",
 }
 SCALES |= {"density": "* 1e3", "yield_displacement": "/ 1e9", "load": "/ 1e9"}
-ROUNDS = 3
 
 
 def formulas() -> list[tuple[str, str]]:
@@ -191,7 +191,7 @@ def main(words: Sequence[str]) -> None:
         chosen = [rival for rival in rivals(folder, table) if not words[1:] or rival.name in words[1:]]
         clock: dict[str, float] = {rival.name: math.inf for rival in chosen}
         cpu = dict(clock)
-        for _ in range(ROUNDS):
+        for _ in range(int(os.environ.get("ROUNDS", "3"))):
             for rival in chosen:
                 seconds, used = run(rival, folder, table)
                 clock[rival.name] = min(clock[rival.name], seconds)
