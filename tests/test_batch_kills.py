@@ -79,7 +79,9 @@ def refused(command: list[str], *options: str, what: str) -> None:
 def test_an_interrupt_leaves_what_resume_goes_on_from() -> None:
     Path("grains.csv").write_text(grains(40_000), encoding="utf-8")
     command = [*BATCH, "grains.csv", "--material", "quartz", "-o", "out.csv"]
-    assert interrupted(command, signal.SIGINT) == 130
+    while (code := interrupted(command, signal.SIGINT)) != 130:
+        assert code == 1  # it was done before the signal came
+        Path("out.csv").unlink()
     assert not Path("out.csv").exists()
     refused(command, "--xi", "1nm", what="options")
     refused(command, "--quantities", "r_min", what="options")

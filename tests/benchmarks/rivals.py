@@ -101,8 +101,7 @@ def miller_program() -> str:
     given = "".join(f"num {name}=$[[[{place}]]]{SCALES[name]};" for place, name in enumerate(NAMES, 2))
     steps = "".join(f"num {name}={expression};" for name, expression in formulas() if name not in NAMES)
     steps = steps.replace("fmin(", "min(").replace("fmax(", "max(").replace("pi ", "M_PI ").replace("pi)", "M_PI)")
-    cbrt = "func cbrt(num a): num {return a < 0 ? -((-a) ** (1.0/3)) : a ** (1.0/3)} "
-    return cbrt + given + steps + "".join(f"${name}={name};" for name in results()) + '$status=""'
+    return given + steps + "".join(f"${name}={name};" for name in results()) + '$status=""'
 
 
 def python_source() -> str:
@@ -164,7 +163,7 @@ def rivals(folder: Path, table: Path) -> list[Rival]:
     for name, text in scripts.items():
         if name == "pandas" and subprocess.run([sys.executable, "-c", "import pandas"], capture_output=True).returncode:
             continue
-        path = folder / f"{name.replace(' ', '_')}.py"
+        path = folder / f"rival_{name.split()[0]}.py"
         path.write_text(text.format(source=python_source(), names=results()), encoding="utf-8")
         found.append(Rival(name, [sys.executable, str(path)]))
     return found
