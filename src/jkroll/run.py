@@ -120,7 +120,9 @@ def _run_stream(command: Command, request: Request, samples: list[Answer], kind:
     sweep = Sweep(request.pairs, axes, layout(command, samples, request.count), request.materials)
     tally = stream(sweep, Settings(target=output.target or "-", quiet=output.quiet))
     if not output.quiet:
-        _note(note for sample in samples for note in sample.notes)
+        ends = Tally()
+        list(ends.watch(samples))
+        _note(ends.notes)
     if tally.failed:
         say(f"jkroll: {tally.failed} of {tally.rows} rows failed", sys.stderr)
         return ROWS_FAILED

@@ -156,7 +156,7 @@ def rivals(folder: Path, table: Path) -> list[Rival]:
     ]
     for program, words in (
         ("gawk", ["gawk", awk_program()]),
-        ("mlr", ["mlr", "--icsv", "--ocsv", "put", "-q", miller_program() + ";emit $*"]),
+        ("mlr", ["mlr", "--icsv", "--ocsv", "put", miller_program()]),
     ):
         if shutil.which(program):
             found.append(Rival(program, words))

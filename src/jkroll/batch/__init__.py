@@ -1,6 +1,7 @@
 """Tables of scenes: millions of rows in, the same rows with their results out.
 
-A table is read in blocks of whole records. `columns` says what the header means, `cells` reads a column, `rows` evaluates a
-block, `delimited` and `ndjson` take a block apart and put it together again, `ring` keeps several processes in order,
-`output` writes beside the result and remembers how far it came. Imported by the `batch` command alone.
+A table is read in blocks of whole records. `columns` says what its header means and `task` what is to be computed; `cells` and
+`materials` read columns, `rows` evaluates a block at once, `single` a row by itself. `delimited`, `ndjson` and `parquet` are the
+formats; `source`, `ring` and `output` carry blocks through several processes into a file that appears when it is whole.
+`parts` and `cluster` do many tables, `sweep` rows that no file holds. Imported by `batch` and by long sweeps alone.
 """

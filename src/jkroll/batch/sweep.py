@@ -1,6 +1,6 @@
 """Sweeps of any length: the rows of lists and ranges, computed in blocks and streamed to CSV or Parquet.
 
-The columns are those of a short sweep. A block is a number of rows from a place on, so a sweep is resumed like a table.
+The columns are those of a short sweep. A block is a number of rows from a place on, so any process can make any of them.
 """
 
 import os
