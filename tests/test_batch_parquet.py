@@ -80,3 +80,14 @@ def test_strict_writes_nothing(run: Run) -> None:
         "jkroll: line 2: radius: '0.0 nm' must be positive; expected a length such as 100nm\n",
     )
     assert not Path("y.parquet").exists()
+
+
+def test_without_pyarrow_a_line_says_which_extra_brings_it(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    import sys
+
+    name = write({"radius [nm]": [100.0]})
+    monkeypatch.setitem(sys.modules, "pyarrow", None)
+    monkeypatch.delitem(sys.modules, "jkroll.batch.parquet", raising=False)
+    for command in (f"batch {name} -o y.parquet", "r-min 1nm:1um:3 -o y.parquet", "batch *.parquet -o y/"):
+        ran = run(command)
+        assert (ran.code, ran.err) == (2, "jkroll: this needs pyarrow: pip install 'jkroll[parquet]'\n"), command

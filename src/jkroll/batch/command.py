@@ -2,29 +2,19 @@
 
 import os
 import sys
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Mapping
 from typing import Any
 
-from ..errors import MissingExtra
 from ..materials import known_materials
 from ..request import BadRequest, materials_files
 from ..streams import say
 from .columns import STATUS
+from .errors import missing_extra
 from .parts import Runner, is_many, one_by_one
 from .parts import convert as convert_parts
 from .settings import Order, Settings, input_format
 
 ROWS_FAILED = 1
-
-
-@contextmanager
-def missing_extra(extra: str) -> Iterator[None]:
-    """Say which extra installs a library that is missing."""
-    try:
-        yield
-    except ModuleNotFoundError as error:
-        raise MissingExtra(error.name or "", extra) from None
 
 
 def run(path: str | None, given: Mapping[str, Any]) -> int:

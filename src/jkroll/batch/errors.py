@@ -1,6 +1,9 @@
 """What can go wrong with a table as a whole. A row that goes wrong is no error: it says so in its status."""
 
-from ..errors import JkrollError
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from ..errors import JkrollError, MissingExtra
 
 
 class BadTable(JkrollError):
@@ -49,3 +52,12 @@ class NotTheSame(JkrollError):
 
     def __str__(self) -> str:
         return f"--resume: {self.partial} is of a run with another {self.what}; without --resume it is begun anew"
+
+
+@contextmanager
+def missing_extra(extra: str) -> Iterator[None]:
+    """Say which extra installs a library that is missing."""
+    try:
+        yield
+    except ModuleNotFoundError as error:
+        raise MissingExtra(error.name or "", extra) from None

@@ -18,7 +18,7 @@ from .. import __version__
 from ..errors import JkrollError, quoted
 from ..materials import known_materials
 from ..request import BadRequest
-from .errors import BadTable
+from .errors import BadTable, missing_extra
 from .settings import Order, Settings, Tally, input_format
 
 MANIFEST = "manifest.json"
@@ -72,7 +72,8 @@ def convert_part(part: Part) -> Tally:
     settings = part.settings._replace(target=beside, resume=False)
     order = Order(settings, dict(part.inputs), known_materials(*part.materials))
     if input_format(part.path, settings).kind == "parquet":
-        from .parquet import convert
+        with missing_extra("parquet"):
+            from .parquet import convert
     else:
         from .stream import convert
     try:

@@ -25,6 +25,7 @@ from .axes import Axis
 from .cells import Floats, Numbers
 from .columns import Column
 from .delimited import DIALECTS, quoted_cell
+from .errors import missing_extra
 from .formats import compressor, format_of
 from .lines import Converted
 from .output import FileSink, Sink, fingerprint
@@ -235,9 +236,10 @@ def _nothing() -> None:
 
 def _to_parquet(sweep: Sweep, settings: Settings, shared: Shared) -> Tally:
     """Write all rows as Parquet."""
-    import pyarrow
+    with missing_extra("parquet"):
+        import pyarrow
 
-    from .parquet import GROUP, write
+        from .parquet import GROUP, write
 
     materials = [name for name in sweep.shape.inputs if not NOMENCLATURE[name].unit]
     schema = pyarrow.schema(
