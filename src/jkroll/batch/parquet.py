@@ -29,7 +29,7 @@ from .settings import Order, Settings, Tally, input_format, output_format
 from .source import Shared
 from .task import understood_task
 
-GROUP = 1 << 16  # rows written together
+GROUP = 1 << 15  # rows written together
 ROWS = 1 << 13  # rows computed together: what lies between two formulas stays in the cache
 _DECIMALS = (0, 3, 6, 9)
 
