@@ -153,7 +153,7 @@ def read_quickly(words: list[str], options: Mapping[str, Option]) -> tuple[list[
             continue
         flag, has_value, text = word.partition("=")
         option = options.get(flag)
-        if option is None or (option.kind is bool and has_value):
+        if option is None or (has_value and (option.kind is bool or not flag.startswith("--"))):
             return None
         if option.kind is bool:
             values[option.name] = True
