@@ -32,6 +32,7 @@ LAYERS = [
     {"on_axes"},
     {"charts"},
     {"maps"},
+    {"batch"},
     {"request", "catalogue", "explain", "table", "verify", "bench"},
     {"spread"},
     {"report"},
@@ -59,6 +60,10 @@ ONLY = {
     "tomllib": {"materials"},
     "mpmath": {"bench_reference"},
     "matplotlib": {"drawing"},
+    "orjson": {"batch"},
+    "pyarrow": {"batch"},
+    "distributed": {"batch"},
+    "zstandard": {"batch"},
 }
 
 

@@ -107,7 +107,7 @@ MESSAGES = {
     ),
     "pull-off quartz 1nm:1um:1": (
         2,
-        "radius: '1nm:1um:1' needs a count from 2 to 1000000; expected a length such as 100nm",
+        "radius: '1nm:1um:1' needs a count from 2 to 1000000000; expected a length such as 100nm",
     ),
     "yield-force quartz 100nm --load -1nN:1nN:3": (
         2,

@@ -8,7 +8,8 @@ import io
 import os
 import re
 import sys
-from contextlib import redirect_stderr, redirect_stdout
+import tempfile
+from contextlib import chdir, redirect_stderr, redirect_stdout
 from pathlib import Path
 from unittest import mock
 
@@ -31,9 +32,18 @@ def commands(block: str) -> list[str]:
     return [line.removeprefix("$ ") for line in block.splitlines() if line.startswith("$ ")]
 
 
+def with_file(block: str) -> str:
+    """A block, after the file with whose text it begins was written."""
+    if match := re.match(r"\$ cat (\S+)\n((?:(?!\$ ).*\n)*)", block):
+        Path(match[1]).write_text(match[2], encoding="utf-8")
+    return block
+
+
 def transcript(command: str) -> str:
     """A command and what it prints on a terminal, results and notes."""
     program, *words = command.split()
+    if program == "cat":
+        return f"$ {command}\n{Path(words[0]).read_text(encoding='utf-8')}"
     assert program == "jkroll"
     stream = Stream(terminal=True)
     with redirect_stdout(stream), redirect_stderr(stream):
@@ -47,11 +57,11 @@ BLOCKS = _CONSOLE.findall(README.read_text(encoding="utf-8"))
 
 @pytest.mark.parametrize("block", BLOCKS, ids=lambda block: commands(block)[0])
 def test_transcript(block: str) -> None:
-    assert block == "".join(transcript(command) for command in commands(block))
+    assert block == "".join(transcript(command) for command in commands(with_file(block)))
 
 
 def test_every_command_is_shown() -> None:
-    shown = {command.split()[1] for block in BLOCKS for command in commands(block)}
+    shown = {command.split()[1] for block in BLOCKS for command in commands(block) if not command.startswith("cat ")}
     assert shown == {*COMMANDS, *EXTRAS} - {"bench", "verify"}
 
 
@@ -72,8 +82,9 @@ def test_two_commands_are_all_the_set_up_there_is() -> None:
 
 if __name__ == "__main__":
     text = README.read_text(encoding="utf-8")
-    with mock.patch.dict(
-        os.environ, {"COLUMNS": "80", "LINES": "24", "TERM": "dumb", "XDG_CONFIG_HOME": "/nonexistent"}
-    ):
-        text = _CONSOLE.sub(lambda match: "```console\n" + "".join(map(transcript, commands(match[1]))) + "```", text)
+    environment = {"COLUMNS": "80", "LINES": "24", "TERM": "dumb", "XDG_CONFIG_HOME": "/nonexistent"}
+    with tempfile.TemporaryDirectory() as folder, chdir(folder), mock.patch.dict(os.environ, environment):
+        text = _CONSOLE.sub(
+            lambda match: "```console\n" + "".join(map(transcript, commands(with_file(match[1])))) + "```", text
+        )
     README.write_text(text, encoding="utf-8")

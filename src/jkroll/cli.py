@@ -102,7 +102,7 @@ def _words(metavar: str, kind: Any, command: str = "") -> Parameter:
 def _parameter(option: Option) -> Parameter:
     """An option as typer wants it."""
     declaration = typer.Option(
-        option.flag,
+        *option.flags,
         metavar=option.metavar or None,
         help=sentence_of(option),
         min=option.low,

@@ -4,7 +4,7 @@ import sys
 from collections.abc import Iterable, Sequence
 
 from .commands import COMMANDS
-from .options import EXTRAS, PROGRAM, Option, flags_of, sentence_of, sentences
+from .options import EXTRAS, Option, flags_of, sentence_of, sentences
 from .streams import columns, fitting
 
 TITLE = "Adhesive contact of two elastic spheres: pull-off, rolling, chains, vibrations."
@@ -27,7 +27,7 @@ def help_of(name: str | None) -> str:
         extra = EXTRAS[name]
         usage, sentence = f"{name} [OPTIONS] {extra.argument}".rstrip(), extra.sentence
         ends = [f"Example: jkroll {name} {extra.example}"]
-    options = PROGRAM if name is None else flags_of(name).values()
+    options = dict.fromkeys(flags_of(name).values())
     parts = [
         _wrapped(f"Usage: jkroll {usage}", width),
         _wrapped(sentence, width, "  "),
@@ -43,7 +43,9 @@ def _rows(options: Iterable[Option]) -> list[tuple[str, str]]:
     rows: dict[str, list[str]] = {}
     for option in options:
         if not option.hidden:
-            rows.setdefault(sentence_of(option), []).append(f"{option.flag} {option.metavar}".rstrip())
+            rows.setdefault(sentence_of(option), []).append(
+                f"{', '.join(reversed(option.flags))} {option.metavar}".rstrip()
+            )
     return [(", ".join(flags), text) for text, flags in rows.items()]
 
 

@@ -21,9 +21,15 @@ class Option(NamedTuple):
     low: float | None = None
     high: float | None = None
     hidden: bool = False
+    short: str = ""
+
+    @property
+    def flags(self) -> tuple[str, ...]:
+        """All its spellings."""
+        return (self.flag, self.short) if self.short else (self.flag,)
 
 
-_FORMAT = "Format: numbers only, JSON, or a CSV table."
+_FORMAT = "Numbers only, JSON, CSV; or to a file."
 _INSTEAD = "Instead: how it comes about; what to cite."
 OUTPUT = (
     Option("to", "--to", str, "UNIT", "Unit of the results; several with commas."),
@@ -31,15 +37,16 @@ OUTPUT = (
     Option("bare", "--bare", bool, "", _FORMAT),
     Option("json", "--json", bool, "", _FORMAT),
     Option("csv", "--csv", bool, "", _FORMAT),
+    Option("target", "-o", str, "OUT", _FORMAT),
     Option("explain", "--explain", bool, "", _INSTEAD),
     Option("cite", "--cite", bool, "", _INSTEAD),
     Option("materials", "--materials", str, "FILE", "Materials of your own."),
     Option("quiet", "--quiet", bool, "", "No notes."),
 )
 _RTOL = Option("rtol", "--rtol", float, "1e-3", "Cheapest model of rolling that is this good.", 0.0, 1.0)
-_CURVE = Option("curve", "--curve", bool, "", "The whole force curve, both branches, as rows.")
+_CURVE = Option("curve", "--curve", bool, "", "The whole force curve: rows, or a picture (-o).")
+_INTO_FILE = Option("target", "-o", str, "FILE", "Draw a .svg, .pdf or .png (plot extra).")
 _PICTURE = (
-    Option("file", "-o", str, "FILE", "Draw a .svg, .pdf or .png (plot extra)."),
     Option("width", "--width", str, "85mm", "Width of what is drawn."),
     Option("style", "--style", str, "dark", "Light, or dark."),
     Option("uncaptioned", "--no-caption", bool, "", "No caption below it."),
@@ -79,7 +86,37 @@ def _some(*names: str) -> tuple[Option, ...]:
     return tuple(option for option in OUTPUT if option.name in names)
 
 
+_FILLS = "Fills what rows do not give; so do --radius, --gamma, --load ..."
+_SCENE = (
+    Option("material", "--material", str, "NAME", _FILLS),
+    Option("radius", "--radius", str, "", _FILLS, hidden=True),
+    *(
+        Option(name, quantity.option, str, "", _FILLS, hidden=True)
+        for name, quantity in NOMENCLATURE.items()
+        if quantity.option
+    ),
+)
+
 EXTRAS = {
+    "batch": Extra(
+        "Tables of scenes: the same rows with their results.",
+        "grains.csv -o forces.csv",
+        (
+            Option("target", "--output", str, "OUT", "Where to; it appears when it is whole.", short="-o"),
+            Option("format", "--format", str, "FORMAT", "csv, tsv, ndjson or parquet, if no name says so; .gz, .zst."),
+            Option(
+                "quantities", "--quantities", str, "NAMES", "What to compute, with commas; else all that is possible."
+            ),
+            Option("strict", "--strict", bool, "", "Stop at the first row that fails."),
+            Option("resume", "--resume", bool, "", "Go on after an interrupt."),
+            Option("jobs", "--jobs", int, "N", "Processes; one for each core.", 1, 64),
+            Option("dask", "--dask", str, "ADDRESS", "Many tables on a Dask cluster, or on a local one."),
+            Option("excel_safe", "--excel-safe", bool, "", "No cell of text that a spreadsheet takes for a formula."),
+            *_SCENE,
+            *_some("materials", "quiet"),
+        ),
+        "[IN]",
+    ),
     "materials": Extra(
         "The materials that are known, or one of them whole.",
         "quartz",
@@ -107,6 +144,7 @@ EXTRAS |= {
             Option("y", "--y", str, "AXIS", _AXIS),
             _MARK,
             _DATA,
+            _INTO_FILE,
             *_PICTURE,
             *_some("materials", "quiet"),
         ),
@@ -120,6 +158,7 @@ EXTRAS |= {
             Option("as_printed", "--as-printed", bool, "", "In 6b, Eq (41) as it is printed, dashed."),
             _MARK,
             _DATA,
+            _INTO_FILE,
             *_PICTURE,
             *_some("materials", "quiet"),
         ),
@@ -146,13 +185,9 @@ def options_of(command: Command) -> tuple[Option, ...]:
     """
     has_models = {*OF_PEAK, *OF_MEAN, *OF_SLOPE} & {*command.quantities} and command is not COMMANDS["report"]
     models = (_RTOL,) if has_models else ()
-    curve = (_CURVE, *_of_curve(_PICTURE)) if command is COMMANDS["contact"] else ()
+    looks = tuple(option._replace(hidden=True) for option in _PICTURE)
+    curve = (_CURVE, *looks) if command is COMMANDS["contact"] else ()
     return (*_inputs(command), *models, *curve, *OUTPUT)
-
-
-def _of_curve(options: tuple[Option, ...]) -> tuple[Option, ...]:
-    """The options of a picture for a command that mostly draws none: how it looks is not shown."""
-    return tuple(option._replace(hidden=option.name != "file") for option in options)
 
 
 def _inputs(command: Command) -> tuple[Option, ...]:
@@ -179,7 +214,7 @@ def flags_of(name: str | None) -> dict[str, Option]:
     """All that a command takes, or the program before any, by what is typed for it."""
     if name is None:
         return {option.flag: option for option in PROGRAM}
-    return {option.flag: option for option in (*options_named(name), *HELP)}
+    return {flag: option for option in (*options_named(name), *HELP) for flag in option.flags}
 
 
 def room_for_words(name: str) -> float:
@@ -213,7 +248,7 @@ def read_quickly(words: list[str], options: Mapping[str, Option]) -> tuple[list[
             continue
         flag, has_value, text = word.partition("=")
         option = options.get(flag)
-        if option is None or (option.kind is bool and has_value):
+        if option is None or (has_value and (option.kind is bool or not flag.startswith("--"))):
             return None
         if option.kind is bool:
             values[option.name] = True

@@ -13,11 +13,12 @@ from .formatting import Format
 from .materials import Material, Materials, known_materials
 from .nomenclature import NOMENCLATURE
 from .scene import EXCLUSIVE, Scene
-from .spread import MAX_VALUES, Spread, spreads_of
+from .spread import Spread, spreads_of
 from .units import dimension_of, unit_of
 
 ENVIRONMENT = "JKROLL_MATERIALS"
 MAX_SAMPLES = 50
+MAX_SCENES = 1_000_000  # answered one by one
 
 
 class BadRequest(JkrollError):
@@ -57,37 +58,40 @@ class Request:
         return known_materials(*self.files)
 
     @cached_property
-    def _spreads(self) -> dict[str, list[Spread]]:
+    def spreads(self) -> dict[str, list[Spread]]:
         """What was given for each input, in the order of the nomenclature."""
         spreads = {name: spreads_of(text, name) for name, text in self.options.items()}
         return {name: spreads[name] for name in NOMENCLATURE if name in spreads}
 
     @cached_property
-    def _pairs(self) -> list[tuple[Material | None, Material | None]]:
+    def pairs(self) -> list[tuple[Material | None, Material | None]]:
+        """The materials of the two spheres, in all combinations."""
         return list(product(self._materials(self.material_words), self._materials(self.material2_words)))
 
     @cached_property
     def count(self) -> int:
         """How many scenes there are."""
-        count = len(self._pairs) * prod(sum(map(len, spreads)) for spreads in self._spreads.values())
-        if count > MAX_VALUES:
-            raise BadRequest(f"{count} scenes are more than {MAX_VALUES}")
-        return count
+        return len(self.pairs) * prod(sum(map(len, spreads)) for spreads in self.spreads.values())
+
+    def check_count(self) -> None:
+        """Refuse more scenes than are answered one by one."""
+        if self.count > MAX_SCENES:
+            raise BadRequest(f"{self.count} scenes are more than {MAX_SCENES}; --csv and -o FILE write any number")
 
     def scenes(self) -> Iterator[Scene]:
         """A scene for each combination of the materials and values that were given."""
-        values = [[*chain.from_iterable(spreads)] for spreads in self._spreads.values()]
-        for material, material2 in self._pairs:
+        values = [[*chain.from_iterable(spreads)] for spreads in self.spreads.values()]
+        for material, material2 in self.pairs:
             for row in product(*values):
-                yield Scene(dict(zip(self._spreads, row, strict=True)), material, material2)
+                yield Scene(dict(zip(self.spreads, row, strict=True)), material, material2)
 
     def samples(self) -> list[Scene]:
         """Scenes of all kinds that occur: each pair of materials, the ends of every range, alike and unlike spheres."""
-        first = {name: spreads[0].low for name, spreads in self._spreads.items()}
-        last = {name: spreads[-1].high for name, spreads in self._spreads.items()}
-        radii2 = islice(chain.from_iterable(self._spreads.get("radius2", [])), MAX_SAMPLES)
+        first = {name: spreads[0].low for name, spreads in self.spreads.items()}
+        last = {name: spreads[-1].high for name, spreads in self.spreads.items()}
+        radii2 = islice(chain.from_iterable(self.spreads.get("radius2", [])), MAX_SAMPLES)
         kinds = [first, last, *({**first, "radius2": radius2} for radius2 in radii2)]
-        return [Scene(values, *pair) for pair in self._pairs for values in kinds]
+        return [Scene(values, *pair) for pair in self.pairs for values in kinds]
 
     def _materials(self, words: str) -> list[Material | None]:
         if not words:

@@ -2,7 +2,7 @@
 
 import sys
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import NamedTuple, TextIO
+from typing import Any, NamedTuple, TextIO
 
 from .answer import Answer, answer, in_units
 from .commands import Command
@@ -16,6 +16,7 @@ from .streams import say
 
 MAX_NOTES = 20
 ROWS_FAILED = 1
+MANY = 20_000  # rows from which on a sweep is streamed by blocks
 
 
 class Output(NamedTuple):
@@ -32,6 +33,7 @@ class Output(NamedTuple):
     quiet: bool = False
     rtol: float | None = None
     curve: bool = False
+    target: str | None = None
 
     def format_name(self, out: TextIO) -> str:
         """The one format that was asked for, else what suits where the output goes."""
@@ -77,6 +79,9 @@ def run_command(command: Command, words: Sequence[str] | None, options: Mapping[
         if request.count > 1
         else []
     )
+    if output.target is not None or (kind == "csv" and request.count > MANY):
+        return _run_stream(command, request, samples, kind, output)
+    request.check_count()
     tally = Tally()
     if kind in ("explain", "cite"):
         from .explain import write_citations, write_explanation
@@ -96,6 +101,28 @@ def run_command(command: Command, words: Sequence[str] | None, options: Mapping[
     if not output.quiet and kind not in ("json", "explain", "cite"):
         _note(note for note in tally.notes if kind != "table" or request.count > 1 or not note.startswith("doubtful"))
     return _say_failures(tally, request.count)
+
+
+def _run_stream(command: Command, request: Request, samples: list[Answer], kind: str, output: Output) -> int:
+    """Write a sweep of any length to a file, or as CSV to a pipe; return the exit code."""
+    from .batch.axes import Axis
+    from .batch.settings import Settings
+    from .batch.sweep import Sweep, stream
+
+    if output.to or output.digits or output.rtol is not None or kind not in ("csv", "plain", "table"):
+        raise BadRequest("a long sweep is written in SI units with all digits: -o and long ranges take --csv alone")
+    samples = samples or [answer(command, scene) for scene in request.samples()]
+    axes = [Axis(name, spreads) for name, spreads in request.spreads.items()]
+    sweep = Sweep(request.pairs, axes, layout(command, samples, request.count), request.materials)
+    tally = stream(sweep, Settings(target=output.target or "-", quiet=output.quiet))
+    if not output.quiet:
+        ends = Tally()
+        list(ends.watch(samples))
+        _note(ends.notes)
+    if tally.failed:
+        say(f"jkroll: {tally.failed} of {tally.rows} rows failed", sys.stderr)
+        return ROWS_FAILED
+    return 0
 
 
 def _run_curve(request: Request, kind: str, form: Format) -> int:
@@ -173,3 +200,11 @@ def run_bench(output: Output, *, quick: bool = False, plot: str | None = None) -
         raise MissingExtra(error.name or "", "plot" if plot else "bench") from None
     sys.stdout.flush()
     return code
+
+
+def run_batch(path: str | None, output: Output, given: Mapping[str, Any]) -> int:
+    """Convert a table of scenes; return the exit code."""
+    from .batch.command import run
+
+    settings = {"target": output.target or "-", "materials": output.materials, "quiet": output.quiet}
+    return run(path, {**given, **settings})

@@ -102,20 +102,26 @@ def _show_version() -> int:
 
 def call(name: str, arguments: Sequence[str], values: dict[str, Any]) -> Call:
     """The call of a command with arguments and the values of its options by name; those not given are None or False."""
-    from .run import Output, run_bench, run_command, run_materials, run_verify
+    from .run import Output, run_batch, run_bench, run_command, run_materials, run_verify
 
     given = {key: value for key, value in values.items() if value is not None and value is not False}
     output = Output(**{key: given.pop(key) for key in Output._fields if key in given})
     if name == "materials":
         return partial(run_materials, arguments[0] if arguments else None, output)
+    if name == "batch":
+        return partial(run_batch, arguments[0] if arguments else None, output, given)
     if name == "verify":
         return partial(run_verify, output)
     if name == "bench":
         return partial(run_bench, output, **given)
-    if name in ("map", "figure") or {"file", "width", "style", "uncaptioned"} & given.keys():
+    if (
+        name in ("map", "figure")
+        or {"width", "style", "uncaptioned"} & given.keys()
+        or (output.curve and output.target)
+    ):
         from .run_pictures import RUNNERS, Target
 
-        target = Target(**{key: given.pop(key) for key in Target._fields if key in given})
+        target = Target(output.target, **{key: given.pop(key) for key in Target._fields if key in given})
         return partial(RUNNERS[name], arguments, given, output, target)
     return partial(run_command, COMMANDS[name], arguments, given, output)
 

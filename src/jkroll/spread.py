@@ -6,7 +6,7 @@ from .errors import BareNumber, MalformedQuantity
 from .nomenclature import INFINITY
 from .units import parse_quantity
 
-MAX_VALUES = 1_000_000
+MAX_VALUES = 1_000_000_000
 
 
 class Spread:
@@ -65,7 +65,7 @@ def _range(text: str, name: str) -> Spread:
     scale = rest[1] if len(rest) == 2 else "log"
     if not 1 <= len(rest) <= 2 or not (rest[0].isascii() and rest[0].isdigit()) or scale not in ("log", "lin"):
         raise MalformedQuantity(name, text, "is not a range; write FROM:TO:COUNT, with :lin for equal steps")
-    if len(rest[0]) > 7 or not 2 <= (size := int(rest[0])) <= MAX_VALUES:
+    if len(rest[0]) > 10 or not 2 <= (size := int(rest[0])) <= MAX_VALUES:
         raise MalformedQuantity(name, text, f"needs a count from 2 to {MAX_VALUES}")
     low, high = parse_quantity(first, name), parse_quantity(last, name)
     if scale == "log" and not (low > 0 and high > 0):

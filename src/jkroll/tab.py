@@ -54,7 +54,7 @@ def _asked(shell: str, environment: Mapping[str, str]) -> tuple[list[str], str] 
 def candidates(words: Sequence[str], begun: str) -> list[Candidate] | None:
     """What can stand where a word was begun behind others; None where that is not plain."""
     if not words:
-        return _flags(flags_of(None).values(), begun) if begun.startswith("-") else _commands(begun)
+        return _flags(flags_of(None).items(), begun) if begun.startswith("-") else _commands(begun)
     name, *rest = words
     return _behind(name, rest, begun) if name in COMMANDS or name in EXTRAS else None
 
@@ -77,7 +77,7 @@ def _behind(name: str, rest: list[str], begun: str) -> list[Candidate] | None:
         return None
     if begun.startswith("-"):
         taken = read[1]
-        return _flags((option for option in flags.values() if option.name not in taken), begun)
+        return _flags(((flag, option) for flag, option in flags.items() if option.name not in taken), begun)
     if pending is not None:
         return _values(pending, begun)
     complete = ARGUMENTS.get(name, complete_words)
@@ -88,11 +88,9 @@ def _commands(begun: str) -> list[Candidate]:
     return [Candidate(name, sentence) for name, sentence in sentences().items() if name.startswith(begun)]
 
 
-def _flags(options: Iterable[Option], begun: str) -> list[Candidate]:
+def _flags(flags: Iterable[tuple[str, Option]], begun: str) -> list[Candidate]:
     return [
-        Candidate(option.flag, sentence_of(option))
-        for option in options
-        if option.flag.startswith(begun) and not option.hidden
+        Candidate(flag, sentence_of(option)) for flag, option in flags if flag.startswith(begun) and not option.hidden
     ]
 
 

@@ -1,0 +1,7 @@
+"""Tables of scenes: millions of rows in, the same rows with their results out.
+
+A table is read in blocks of whole records. `columns` says what its header means and `task` what is to be computed; `cells` and
+`materials` read columns, `rows` evaluates a block at once, `single` a row by itself. `delimited`, `ndjson` and `parquet` are the
+formats; `source`, `ring` and `output` carry blocks through several processes into a file that appears when it is whole.
+`parts` and `cluster` do many tables, `sweep` rows that no file holds. Imported by `batch` and by long sweeps alone.
+"""

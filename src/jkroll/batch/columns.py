@@ -1,0 +1,179 @@
+"""What the header of a table means: which columns are inputs, in which unit, and which only pass through."""
+
+import re
+from collections.abc import Sequence
+from functools import cached_property
+from typing import NamedTuple
+
+from ..errors import BareNumber, MalformedQuantity, QuantityError, UnknownUnit, WrongDimension, quoted
+from ..nomenclature import NOMENCLATURE
+from ..suggestions import closest
+from ..units import Unit, dimension_of, parse_quantity, unit_of
+from .errors import BadTable
+
+MATERIALS = ("material", "material2")
+INPUTS = ("radius", *(name for name, quantity in NOMENCLATURE.items() if quantity.option and name not in MATERIALS))
+STATUS = "status"
+ALIKE = 0.85  # how similar a header is to the name of an input to be taken for a mistake
+_HEADER = re.compile(r"([^\[\]]*?)\s*\[([^\[\]]*)\]")
+_WITH_UNIT = re.compile(r"[\s_(/,:\[]+\(?(.*?)\)?")
+
+
+class _Column(NamedTuple):
+    place: int
+    name: str
+    unit_text: str
+    unit: Unit | None
+
+
+class Column(_Column):
+    """An input of the scenes: where it stands, and the unit of the cells that carry none."""
+
+    @cached_property
+    def exponent(self) -> int | None:
+        """The unit as a power of ten of the SI unit; None if it is none, or if there is no unit."""
+        if self.unit is None:
+            return 0 if NOMENCLATURE[self.name].unit == "1" else None
+        return power_of_ten(self.unit)
+
+    def read(self, text: str) -> float:
+        """The SI value of a cell: a number in the unit of the column, or a number with a unit of its own."""
+        try:
+            return parse_quantity(text, self.name)
+        except BareNumber:
+            if not self.unit_text:
+                raise
+            return parse_quantity(f"{text.strip()} {self.unit_text}", self.name)
+
+
+def power_of_ten(unit: Unit) -> int | None:
+    """The exponent of a unit that is a power of ten times the SI unit.
+
+    >>> power_of_ten(unit_of("nm", "radius")), power_of_ten(unit_of("ft", "radius"))
+    (-9, None)
+    """
+    above, below = str(unit.numerator), str(unit.denominator)
+    if above.rstrip("0") != "1" or below.rstrip("0") != "1":
+        from fractions import Fraction
+
+        ratio = Fraction(unit.numerator, unit.denominator)
+        above, below = str(ratio.numerator), str(ratio.denominator)
+        if above.rstrip("0") != "1" or below.rstrip("0") != "1":
+            return None
+    return len(above) - len(below)
+
+
+class Header(NamedTuple):
+    """A header that was understood."""
+
+    texts: tuple[str, ...]
+    inputs: tuple[Column, ...]
+    materials: tuple[tuple[str, int], ...]  # name and place of the columns that name materials
+
+    @property
+    def names(self) -> frozenset[str]:
+        """The names of the nomenclature for which there are columns."""
+        return frozenset({column.name for column in self.inputs} | {name for name, _ in self.materials})
+
+    @property
+    def passing(self) -> list[str]:
+        """The columns that are no inputs, though they have names of the nomenclature: a user may think they are."""
+        return [text for text in self.texts if split(text)[0] in NOMENCLATURE and split(text)[0] not in self.names]
+
+
+def understood(texts: Sequence[str]) -> Header:
+    """Read a header whole; BadTable says what is wrong with it."""
+    inputs: list[Column] = []
+    materials: list[tuple[str, int]] = []
+    seen: dict[str, str] = {}
+    for place, text in enumerate(texts):
+        name, unit_text = split(text)
+        is_input = name in INPUTS or name in MATERIALS
+        key = name if is_input else text
+        if key in seen:
+            other = seen[key]
+            both = f"two columns {quoted(text)}" if other == text else f"the columns {quoted(other)} and {quoted(text)}"
+            raise BadTable(f"header: {both}, of which one must go")
+        seen[key] = text
+        if name in MATERIALS:
+            if unit_text is not None:
+                raise BadTable(f"header: {quoted(text)}: a material has no unit; write {name}")
+            materials.append((name, place))
+        elif name in INPUTS:
+            inputs.append(_column(place, name, unit_text, text))
+        elif name not in NOMENCLATURE and (guess := _meant(name, unit_text)) is not None:
+            raise BadTable(
+                f"header: {quoted(text)} is no input; did you mean {guess}? A column to pass through needs another name"
+            )
+    return Header(tuple(texts), tuple(inputs), tuple(materials))
+
+
+def split(text: str) -> tuple[str, str | None]:
+    """A header as a name and the text of a unit."""
+    match = _HEADER.fullmatch(text.strip())
+    return (match[1], match[2].strip()) if match else (text.strip(), None)
+
+
+def _column(place: int, name: str, unit_text: str | None, text: str) -> Column:
+    """The column of an input; without a unit its cells carry their own, or are plain numbers where that is enough."""
+    wanted = dimension_of(NOMENCLATURE[name].unit)
+    if unit_text is None or (unit_text in ("1", "-") and not any(wanted)):
+        return Column(place, name, "", None)
+    try:
+        unit = unit_of(unit_text, name)
+        if unit.dimension != wanted:
+            raise WrongDimension(name, unit_text, unit.dimension)
+    except QuantityError as error:
+        raise BadTable(f"header: {quoted(text)}: {quoted(unit_text)} {error.problem()}") from None
+    return Column(place, name, unit_text, unit)
+
+
+def _meant(name: str, unit_text: str | None) -> str | None:
+    """The header that a mistaken one was probably meant to be; None if it does not look like one."""
+    unit = f" [{unit_text}]" if unit_text else ""
+    plain = name.casefold().replace("-", "_").replace(" ", "_")
+    known = (*INPUTS, *MATERIALS)
+    if plain in known:
+        return plain + unit
+    for known_name in sorted(known, key=len, reverse=True):
+        quantity = NOMENCLATURE[known_name]
+        if quantity.option == f"--{plain}" or (name == quantity.symbol and (len(name) > 1 or unit)):
+            return known_name + (unit or _example_unit(known_name))
+        rest = _WITH_UNIT.fullmatch(name[len(known_name) :]) if name.startswith(known_name) else None
+        if rest is not None and known_name in INPUTS and _fits(rest[1], known_name):
+            return f"{known_name} [{rest[1]}]"
+        if rest is not None and rest[0].strip()[0] in "[(/":
+            return known_name + _example_unit(known_name)
+    guess = closest(plain, known, ALIKE)
+    return guess and guess + (unit or _example_unit(guess))
+
+
+def _fits(unit_text: str, name: str) -> bool:
+    """Whether a text is a unit of a quantity."""
+    try:
+        return bool(unit_text) and unit_of(unit_text, name).dimension == dimension_of(NOMENCLATURE[name].unit)
+    except (MalformedQuantity, UnknownUnit, QuantityError):
+        return False
+
+
+def _example_unit(name: str) -> str:
+    """A unit for the header of a quantity, if it needs one: that of its example."""
+    quantity = NOMENCLATURE[name]
+    return f" [{quantity.example.lstrip('+-.0123456789')}]" if any(dimension_of(quantity.unit or "1")) else ""
+
+
+def check_first(column: Column, texts: Sequence[str]) -> None:
+    """Refuse a column whose first cells have no unit, as its header has none: BadTable."""
+    if column.unit is not None or column.exponent is not None:
+        return
+    first = next((text for text in texts if text.strip()), None)
+    try:
+        if first is not None:
+            parse_quantity(first, column.name)
+    except BareNumber:
+        example = _example_unit(column.name)
+        raise BadTable(
+            f"header: {quoted(column.name)} has no unit, and neither has its first cell {quoted(first or '')}; write {column.name}{example}"
+        ) from None
+    except QuantityError:
+        pass  # a bad row, not a bad header

@@ -1,0 +1,69 @@
+"""The input as a file, and what must not be written over."""
+
+import errno
+import os
+import stat
+import sys
+from contextlib import suppress
+
+from ..errors import quoted
+from ..request import BadRequest
+from .errors import BadTable
+from .formats import decompressed
+
+
+def opened(path: str) -> int:
+    """The descriptor of the input."""
+    if path == "-":
+        return 0
+    try:
+        descriptor = os.open(path, os.O_RDONLY | os.O_CLOEXEC)
+        if stat.S_ISDIR(os.fstat(descriptor).st_mode):
+            raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
+    except OSError as error:
+        raise BadTable(f"{quoted(path)}: {error.strerror}") from None
+    return descriptor
+
+
+def size_of(descriptor: int) -> int:
+    """The bytes of a file; 0 for a pipe."""
+    about = os.fstat(descriptor)
+    return about.st_size if stat.S_ISREG(about.st_mode) else 0
+
+
+def identity_of(descriptor: int) -> list[int]:
+    """What tells one input from another before it is read; of a pipe, nothing."""
+    about = os.fstat(descriptor)
+    return [about.st_size, about.st_mtime_ns] if stat.S_ISREG(about.st_mode) else []
+
+
+def check_output(descriptor: int, target: str) -> None:
+    """Refuse to write over the input."""
+    if target == "-":
+        return
+    read = os.fstat(descriptor)
+    for path in (target, f"{target}.partial", f"{target}.journal"):
+        with suppress(OSError):
+            if os.path.samestat(read, os.stat(path)) and stat.S_ISREG(read.st_mode):
+                raise BadRequest(f"-o: {quoted(path)} is the input; it is not overwritten")
+
+
+def feed(descriptor: int, compression: str) -> tuple[int, int]:
+    """A pipe from a process that decompresses: its end, and the process."""
+    end, start = os.pipe()
+    sys.stdout.flush()
+    process = os.fork()
+    if process:
+        os.close(start)
+        return end, process
+    code = 1
+    try:
+        os.close(end)
+        with os.fdopen(descriptor, "rb") as file:
+            for piece in decompressed(file, compression):
+                rest = memoryview(piece)
+                while rest:
+                    rest = rest[os.write(start, rest) :]
+        code = 0
+    finally:
+        os._exit(code)

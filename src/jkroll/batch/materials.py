@@ -1,0 +1,76 @@
+"""Columns that name materials: the properties of each row by lookup, with the materials looked up once."""
+
+from collections.abc import Sequence
+
+import numpy
+
+from ..errors import UnknownMaterial
+from ..materials import Material, Materials
+from ..wiring import PROPERTIES
+from .cells import Floats
+
+MAX_KEPT = 10_000  # different texts that are remembered
+UNKNOWN = -1
+
+Codes = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.int64]]
+
+
+class Lookup:
+    """The materials of one column, numbered as they come: number 0 is none."""
+
+    def __init__(self, materials: Materials, otherwise: Material | None) -> None:
+        """`otherwise`: the material of a row whose cell is empty."""
+        self.materials = materials
+        self.known: list[Material | None] = [otherwise]
+        self._codes: dict[bytes | str, int] = {b"": 0, "": 0}
+        self._tables: dict[str, Floats] = {}
+        self._kinds: Codes = numpy.zeros(0, dtype=numpy.int64)
+
+    def codes(self, cells: Sequence[bytes | str]) -> Codes:
+        """The numbers of the materials that cells name; UNKNOWN for what names none."""
+        try:
+            return numpy.array([self._codes[cell] for cell in cells], dtype=numpy.int64)
+        except KeyError:
+            return numpy.array([self._code(cell) for cell in cells], dtype=numpy.int64)
+
+    def _code(self, cell: bytes | str) -> int:
+        code = self._codes.get(cell)
+        if code is None:
+            text = cell.decode(errors="replace") if isinstance(cell, bytes) else cell
+            try:
+                found = self.materials[text] if text.strip() else self.known[0]
+                code = self.known.index(found) if found in self.known else len(self.known)
+                if code == len(self.known):
+                    self.known.append(found)
+                    self._tables.clear()
+            except UnknownMaterial:
+                code = UNKNOWN
+            if len(self._codes) < MAX_KEPT:
+                self._codes[cell] = code
+        return code
+
+    def kinds(self, codes: Codes) -> Codes:
+        """For each row, which properties its material has, as bits above that of having a material at all."""
+        self._fill()
+        return self._kinds[codes]
+
+    def properties(self, codes: Codes) -> dict[str, Floats]:
+        """The properties of rows whose materials are of one kind."""
+        self._fill()
+        first = self.known[int(codes[0])]
+        return {name: self._tables[name][codes] for name in (first.properties if first is not None else ())}
+
+    def _fill(self) -> None:
+        if self._tables:
+            return
+        self._tables = {
+            name: numpy.array([one.properties.get(name, numpy.nan) if one else numpy.nan for one in self.known])
+            for name in PROPERTIES
+        }
+        self._kinds = numpy.array(
+            [
+                0 if one is None else 1 + sum(2 << bit for bit, name in enumerate(PROPERTIES) if name in one.properties)
+                for one in self.known
+            ],
+            dtype=numpy.int64,
+        )

@@ -1,0 +1,258 @@
+"""A block of rows to results: all rows of which the same is known at once, and a row that is odd as a scene of its own.
+
+The two ways run the same formulas. Only the second one finds the words for what went wrong.
+"""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
+from typing import Any, NamedTuple
+
+import numpy
+
+from ..errors import BeyondPullOff, JkrollError, NoChain
+from ..materials import Material
+from ..nomenclature import INFINITY, NOMENCLATURE, RANGES
+from ..scene import MAY_BE_ZERO, SMALLEST, Scene
+from .cells import Floats, Mask, Numbers
+from .materials import UNKNOWN, Codes, Lookup
+from .single import Task, alone, concerns, lacking, worded
+
+
+class Block(NamedTuple):
+    """The cells of a block of rows, by the name of the input."""
+
+    size: int
+    numbers: Mapping[str, Numbers]
+    materials: Mapping[str, Sequence[bytes | str] | Codes]  # texts, or numbers of the lookup
+    odd: Mapping[int, str]  # rows that are none, and why
+    text: Callable[[int, str], str]  # the text of a row's cell for an input
+
+
+class Results(NamedTuple):
+    """An array of numbers for each quantity, nan where there is none, and what is to be said of some of the rows."""
+
+    numbers: Floats
+    status: dict[int, str]
+    lost: set[int]  # rows of which nothing is to be trusted
+
+
+class Evaluator:
+    """Computes one block after another."""
+
+    def __init__(self, task: Task) -> None:
+        """`task`: what to compute."""
+        self.task = task
+        self.lookups = {
+            "material": Lookup(task.known, task.material),
+            "material2": Lookup(task.known, task.material2),
+        }
+        self._reasons: dict[tuple[object, ...], str] = {}
+        self._lost: set[int] = set()
+
+    def results(self, block: Block) -> Results:
+        """The results of a block."""
+        numbers = numpy.full((len(self.task.quantities), block.size), numpy.nan)
+        status: dict[int, str] = dict(block.odd)
+        self._lost = set()
+        codes = {
+            name: cells if isinstance(cells, numpy.ndarray) else self.lookups[name].codes(cells)
+            for name, cells in block.materials.items()
+        }
+        with numpy.errstate(all="ignore"):
+            singly = self._in_groups(block, codes, numbers, status)
+        for row in sorted(singly.difference(block.odd)):
+            numbers[:, row], words, is_lost = alone(self.task, partial(block.text, row))
+            if is_lost:
+                self._lost.add(row)
+            if words:
+                status[row] = words
+            else:
+                status.pop(row, None)
+        return Results(numbers, status, self._lost)
+
+    def _in_groups(self, block: Block, codes: Mapping[str, Codes], numbers: Floats, status: dict[int, str]) -> set[int]:
+        """Evaluate the groups of rows of which the same is known; return the rows that are to be looked at singly."""
+        singly = {*block.odd, *(row for column in block.numbers.values() for row in column.odd)}
+        singly |= {int(row) for one in codes.values() for row in numpy.flatnonzero(one == UNKNOWN)}
+        for name, column in block.numbers.items():
+            singly |= set(_outside(name, column))
+        everything = numpy.arange(block.size)
+        rest = numpy.delete(everything, sorted(singly)) if singly else everything
+        keys = numpy.zeros(block.size, dtype=numpy.int64)
+        for place, column in enumerate(block.numbers.values()):
+            if column.given is not None:
+                keys |= (~column.given).astype(numpy.int64) << place
+        for place, (name, one) in enumerate(codes.items()):
+            keys |= self.lookups[name].kinds(one) << (40 + 8 * place)
+        if len(rest) == block.size and (keys == keys[0]).all():
+            groups: Iterable[Any] = [slice(None)]
+        else:
+            groups = [rest[keys[rest] == key] for key in numpy.unique(keys[rest])]
+        for rows in groups:
+            singly.update(everything[rows][self._group(block, codes, rows, numbers, status)].tolist())
+        return singly
+
+    def _group(
+        self, block: Block, codes: Mapping[str, Codes], rows: Any, numbers: Floats, status: dict[int, str]
+    ) -> Mask:
+        """Evaluate rows of which the same is known; say which of them have no plausible result."""
+        members = numpy.arange(block.size)[rows]
+        first = int(members[0])
+        given: dict[str, Any] = {
+            name: column.values[rows]
+            for name, column in block.numbers.items()
+            if column.given is None or column.given[first]
+        }
+        given = {**{name: value for name, value in self.task.fixed.items() if name not in given}, **given}
+        spheres = [self._sphere(name, codes, rows) for name in ("material", "material2")]
+        try:
+            scene = Scene(given, *spheres)
+        except JkrollError:
+            return numpy.ones(len(members), dtype=bool)
+        wanted = [name for name in self.task.quantities if concerns(name, scene)]
+        missing = [name for name in wanted if lacking(name, scene) is not None]
+        found = [name for name in wanted if name not in missing]
+        values = _values(scene, found)
+        results = numpy.empty((len(self.task.quantities), len(members)))
+        for place, name in enumerate(self.task.quantities):
+            results[place] = values.get(name, numpy.nan)
+        is_odd = None if _is_plausible(results) else ~_plausible(results, self.task.quantities)
+        if is_odd is not None:
+            is_odd[[place for place, name in enumerate(self.task.quantities) if name not in values]] = False
+        if "rolling_frequency_as_printed" in values:
+            results[self.task.quantities.index("rolling_frequency_as_printed"), ~_identical(scene, len(members))] = (
+                numpy.nan
+            )
+        self._explain(scene, results, is_odd, missing, members.tolist(), codes, status)
+        numbers[:, rows] = results
+        odd_rows: Any = numpy.zeros(len(members), dtype=bool) if is_odd is None else is_odd.any(axis=0)
+        if missing and "load" in given:
+            odd_rows |= given["load"] == 0  # without a load less is needed
+        is_single: Mask = odd_rows
+        return is_single
+
+    def _explain(
+        self,
+        scene: Scene,
+        results: Floats,
+        is_odd: Mask | None,
+        missing: Sequence[str],
+        members: Sequence[int],
+        codes: Mapping[str, Codes],
+        status: dict[int, str],
+    ) -> None:
+        """Say what is wrong with rows where that is plain, and that they are not odd."""
+        failing: dict[int, Sequence[str]] = dict.fromkeys(range(len(members)), missing) if missing else {}
+        if is_odd is None:
+            is_odd = numpy.zeros((1, 0), dtype=bool)
+        elif "r_min" in self.task.quantities and isinstance(scene.values.get("radius2"), numpy.ndarray):
+            place = self.task.quantities.index("r_min")
+            for plane in numpy.flatnonzero((scene.values["radius2"] == INFINITY) & is_odd[place]).tolist():
+                results[place, plane] = numpy.nan
+                is_odd[place, plane] = False
+                failing[plane] = [*missing, "r_min"]
+        for row, names in failing.items():
+            status[int(members[row])] = self._words(codes, int(members[row]), names, scene)
+        for row in _beyond_pull_off(scene):
+            if not self.task.keeps:
+                results[:, row] = numpy.nan
+            is_odd[:, row] = False
+            self._lost.add(int(members[row]))
+            load, pull_off = scene.values["load"], scene.values["pull_off_force"]
+            status[int(members[row])] = str(BeyondPullOff(_at(load, row), _at(pull_off, row)))
+
+    def _sphere(self, name: str, codes: Mapping[str, Codes], rows: Any) -> Material | None:
+        """The materials of some rows as one, whose properties are arrays."""
+        if name not in codes:
+            return self.task.material if name == "material" else self.task.material2
+        own = codes[name][rows]
+        if self.lookups[name].known[int(own[0])] is None:
+            return None
+        properties: Any = self.lookups[name].properties(own)
+        return Material("", properties, (), {}, (), (), "", "")
+
+    def _words(self, codes: Mapping[str, Codes], row: int, names: Sequence[str], scene: Scene) -> str:
+        """Why a row has no value for some quantities; the same words for all rows of the same materials."""
+        spheres = [self._material(name, int(codes[name][row]) if name in codes else 0) for name in self.lookups]
+        key = (*(one and one.name for one in spheres), frozenset(scene.stated), *names)
+        if key not in self._reasons:
+            single = Scene({name: _one(name, value) for name, value in scene.stated.items()}, *spheres)
+            in_order = [name for name in self.task.quantities if name in names]
+            self._reasons[key] = worded({name: lacking(name, single) or NoChain() for name in in_order})
+        return self._reasons[key]
+
+    def _material(self, name: str, code: int) -> Material | None:
+        return self.lookups[name].known[code]
+
+
+def _values(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
+    """The quantities that a scene of arrays allows."""
+    plan = scene.plan(*names)
+    values = scene.values
+    for step in plan.steps:
+        try:
+            values[step.name] = step.formula(**{parameter: values[name] for parameter, name in step.arguments})
+        except (OverflowError, ZeroDivisionError, ValueError):
+            values[step.name] = numpy.nan  # of floats alone; each row says it in words
+    return {name: values[plan.found[name]] for name in names}
+
+
+def _is_plausible(results: Floats) -> bool:
+    """Whether all results are numbers that doubles hold with all digits, and not 0: soon seen, and the usual case."""
+    size = numpy.abs(results)
+    return bool(size.min() >= SMALLEST and size.max() < INFINITY)
+
+
+def _plausible(results: Floats, names: Sequence[str]) -> Mask:
+    """Which results are numbers that doubles hold with all digits, or the zero that they may be."""
+    size = numpy.abs(results)
+    fine: Mask = (size >= SMALLEST) & (size < INFINITY)
+    places = [place for place, name in enumerate(names) if name in MAY_BE_ZERO]
+    fine[places] |= size[places] == 0
+    return fine
+
+
+def _identical(scene: Scene, size: int) -> Mask:
+    """In which rows nothing was said that makes sphere 2 differ from sphere 1."""
+    same = numpy.ones(size, dtype=bool)
+    for name, value in scene.given.items():
+        if name.endswith("2"):
+            same &= value == scene.given.get(name.removesuffix("2"), numpy.nan)
+    if scene.material2 is not None and scene.material is not None:
+        same &= scene.material2.properties.keys() >= scene.material.properties.keys()
+    return same
+
+
+def _outside(name: str, column: Numbers) -> list[int]:
+    """The rows whose number the quantity cannot have."""
+    limits = RANGES.get(NOMENCLATURE[name].range)
+    if limits is None:
+        return []
+    values = column.values
+    above = values >= limits.low if limits.low_allowed else values > limits.low
+    inside = above & (values <= limits.high if limits.high_allowed else values < limits.high)
+    if inside.all():
+        return []
+    outside = ~inside if column.given is None else ~inside & column.given
+    rows: list[int] = numpy.flatnonzero(outside).tolist()
+    return rows
+
+
+def _beyond_pull_off(scene: Scene) -> list[int]:
+    """The rows under a tension that their contact does not hold."""
+    if "load_margin" not in scene.values or not {"load", "pull_off_force"} <= scene.values.keys():
+        return []
+    beyond = numpy.atleast_1d(scene.values["load"] < -scene.values["pull_off_force"])
+    rows: list[int] = numpy.flatnonzero(beyond).tolist()
+    return rows
+
+
+def _at(value: Any, place: int) -> float:
+    return float(value[place]) if isinstance(value, numpy.ndarray) else float(value)
+
+
+def _one(name: str, value: Any) -> Any:
+    """One of the values of some rows; of loads one that is not zero, because without a load less is needed."""
+    if not isinstance(value, numpy.ndarray):
+        return value
+    return 1.0 if name == "load" else float(value[0])

@@ -1,0 +1,61 @@
+"""What the options of a batch say, and the formats that follow from them."""
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from ..errors import quoted
+from ..materials import Materials
+from .errors import BadTable
+from .formats import Format, format_of, stated
+
+
+class Settings(NamedTuple):
+    """The options, but for those that describe a scene."""
+
+    target: str = "-"
+    format: str = ""
+    quantities: str = ""
+    strict: bool = False
+    resume: bool = False
+    jobs: int = 0
+    excel_safe: bool = False
+    dask: str = ""
+    materials: str | None = None
+    quiet: bool = False
+
+
+class Order(NamedTuple):
+    """All that was said of a run: the options, what fills the gaps of rows, and the materials that are known."""
+
+    settings: Settings
+    inputs: Mapping[str, str]
+    known: Materials
+
+
+class Tally(NamedTuple):
+    """What became of the rows."""
+
+    rows: int
+    failed: int
+
+
+def input_format(path: str, settings: Settings) -> Format:
+    """The format of the input."""
+    if settings.format:
+        return stated(settings.format)
+    found = format_of(path if path != "-" else settings.target)
+    if found is not None:
+        return found
+    if path == "-":
+        return Format("csv")
+    raise BadTable(f"{quoted(path)}: its name says no format; give --format csv, tsv, ndjson or parquet")
+
+
+def output_format(settings: Settings, of_input: Format) -> Format:
+    """The format of the output: as its name says, else that of the input without compression."""
+    found = format_of(settings.target)
+    if found is None:
+        return Format(of_input.kind)
+    if found.kind != of_input.kind:
+        raise BadTable(f"-o: a table of {of_input.kind} is written as {of_input.kind}, not as {found.kind}")
+    return found

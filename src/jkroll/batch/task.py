@@ -1,0 +1,82 @@
+"""What a table and the options ask: which quantities of which rows, and what fills the gaps."""
+
+import sys
+from collections.abc import Mapping
+from typing import Any
+
+from ..commands import COMMANDS
+from ..errors import UnknownQuantity, quoted
+from ..materials import Material, Materials
+from ..nomenclature import NOMENCLATURE, header
+from ..request import BadRequest
+from ..scene import EXCLUSIVE, Scene
+from ..streams import say
+from ..units import parse_quantity
+from ..wiring import PROPERTIES
+from .columns import MATERIALS, STATUS, Header, understood
+from .errors import BadTable
+from .settings import Order
+from .single import Task, concerns, lacking
+
+
+def task_of(table: Header, inputs: Mapping[str, str], wanted: str, known: Materials) -> Task:
+    """What is to be computed of each row, as the columns and options allow."""
+    spheres = {name: known[inputs[name]] if name in inputs else None for name in MATERIALS}
+    fixed = {name: parse_quantity(text, name) for name, text in inputs.items() if name not in MATERIALS}
+    scene = _as_known(table, fixed, spheres)
+    explicit, offered = _named(wanted or "report")
+    for name in explicit:
+        if name in table.names or name in fixed:
+            raise BadRequest(f"--quantities: {name} is an input here")
+        scene.plan(name)
+    is_pair = any(name.endswith("2") for name in {*table.names, *inputs})
+    besides = {*table.names, "rolling_frequency_as_printed"} if is_pair else table.names
+    possible = [
+        name for name in offered if name not in besides and concerns(name, scene) and lacking(name, scene) is None
+    ]
+    quantities = tuple(dict.fromkeys((*explicit, *possible)))
+    if not quantities:
+        scene.plan(offered[0])
+    return Task(table.inputs, table.materials, quantities, fixed, spheres["material"], spheres["material2"], known)
+
+
+def _as_known(table: Header, fixed: Mapping[str, float], spheres: Mapping[str, Any]) -> Scene:
+    """A scene of which all is known that a row may say; of columns that exclude each other, the first."""
+    some = Material("", dict.fromkeys(PROPERTIES, _SOME), (), {}, (), (), "", "")
+    given: dict[str, float] = {}
+    for column in table.inputs:
+        if not any(column.name in names and given.keys() & names for names in EXCLUSIVE):
+            given[column.name] = _SOME
+    places = dict(table.materials)
+    return Scene({**fixed, **given}, *(some if name in places else spheres[name] for name in MATERIALS))
+
+
+_SOME = 0.25  # a value that any input can have
+
+
+def _named(text: str) -> tuple[list[str], list[str]]:
+    """The quantities of `--quantities`: those that are named, and those that commands show as far as they can."""
+    named: list[str] = []
+    offered: list[str] = []
+    for word in map(str.strip, text.split(",")):
+        if word in COMMANDS:
+            offered += COMMANDS[word].quantities
+        elif word in NOMENCLATURE and NOMENCLATURE[word].unit:
+            named.append(word)
+        else:
+            raise UnknownQuantity(word)
+    return named, offered
+
+
+def understood_task(names: tuple[str, ...], order: Order) -> tuple[Header, Task]:
+    """What a header and the options ask; BadTable, or an error of the options, before the first row."""
+    table = understood(names)
+    task = task_of(table, order.inputs, order.settings.quantities, order.known)
+    taken = {header(name) for name in task.quantities} | {STATUS}
+    for text in table.texts:
+        if text.strip() in taken:
+            raise BadTable(f"header: there is a column {quoted(text)} already; rename it, or choose --quantities")
+    if table.passing and not order.settings.quiet:
+        names_passing = ", ".join(quoted(text) for text in table.passing)
+        say(f"note: {names_passing}: no input; passed through, not used", sys.stderr)
+    return table, task

@@ -1,0 +1,93 @@
+"""Parquet: the rows of a CSV table, to the bit, and columns that carry units, nulls or nothing that can be read."""
+
+import csv
+import math
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from conftest import Run
+from test_batch import random_table
+
+pyarrow = pytest.importorskip("pyarrow")
+parquet = pytest.importorskip("pyarrow.parquet")
+
+
+def write(columns: dict[str, list[object]], name: str = "grains.parquet") -> str:
+    """A Parquet file."""
+    parquet.write_table(pyarrow.table(columns), name, row_group_size=100)
+    return name
+
+
+def test_the_same_as_in_csv(run: Run) -> None:
+    text = random_table(300, 8)
+    Path("grains.csv").write_text(text, encoding="utf-8")
+    assert run("batch grains.csv -o out.csv --jobs 1").code == 1
+    given = list(csv.DictReader(text.splitlines()))
+    columns: dict[str, list[object]] = {name: [row[name] or None for row in given] for name in given[0]}
+    for name in ("load [nN]", "surface_energy [mJ/m2]"):
+        columns[name] = [float(row[name]) if row[name] else None for row in given]
+    assert run("batch", write(columns), "-o", "out.parquet").code == 1
+    found = parquet.read_table("out.parquet").to_pylist()
+    for row, line in zip(found, csv.DictReader(Path("out.csv").read_text(encoding="utf-8").splitlines()), strict=True):
+        for name in list(line)[len(columns) : -1]:
+            assert row[name] == (float(line[name]) if line[name] else None), name
+        assert bool(row["status"]) == bool(line["status"])
+    assert [row["material"] for row in found] == columns["material"]
+
+
+@settings(deadline=None)
+@given(
+    st.lists(
+        st.one_of(
+            st.integers(-(10**6), 10**6).map(lambda whole: whole / 1000),
+            st.floats(1e-200, 1e200),
+            st.just(math.nan),
+        ),
+        min_size=1,
+    ),
+    st.sampled_from([-9, -3, 3, 9, -21, 12]),
+)
+def test_a_double_in_a_unit_is_read_as_its_text(values: list[float], exponent: int) -> None:
+    import numpy
+
+    from jkroll.batch.parquet import times_power_of_ten
+
+    array = numpy.array(values)
+    found = times_power_of_ten(array, exponent, ~numpy.isnan(array))
+    for value, scaled in zip(values, found.tolist(), strict=True):
+        mantissa, _, power = repr(value).partition("e")
+        assert math.isnan(scaled) if math.isnan(value) else scaled == float(f"{mantissa}e{int(power or 0) + exponent}")
+
+
+def test_what_is_no_parquet(run: Run) -> None:
+    Path("x.parquet").write_bytes(b"PAR1 no")
+    assert run("batch x.parquet -o y.parquet").err == "jkroll: 'x.parquet' is not Parquet, or its end is missing\n"
+    name = write({"radius [nm]": [100.0]})
+    assert run("batch", name).err == "jkroll: Parquet is read from a file and written to a file: -o FILE\n"
+    assert run("batch", name, "-o", "y.csv").err == "jkroll: -o: a table of parquet is written as parquet, not as csv\n"
+    assert run("batch", name, "-o", name).err == f"jkroll: -o: '{name}' is the input; it is not overwritten\n"
+    assert not Path("y.parquet").exists()
+
+
+def test_strict_writes_nothing(run: Run) -> None:
+    name = write({"radius [nm]": [100.0, 0.0]})
+    ran = run("batch", name, "-o", "y.parquet", "--strict")
+    assert (ran.code, ran.err) == (
+        1,
+        "jkroll: line 2: radius: '0.0 nm' must be positive; expected a length such as 100nm\n",
+    )
+    assert not Path("y.parquet").exists()
+
+
+def test_without_pyarrow_a_line_says_which_extra_brings_it(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    import sys
+
+    name = write({"radius [nm]": [100.0]})
+    monkeypatch.setitem(sys.modules, "pyarrow", None)
+    monkeypatch.delitem(sys.modules, "jkroll.batch.parquet", raising=False)
+    for command in (f"batch {name} -o y.parquet", "r-min 1nm:1um:3 -o y.parquet", "batch *.parquet -o y/"):
+        ran = run(command)
+        assert (ran.code, ran.err) == (2, "jkroll: this needs pyarrow: pip install 'jkroll[parquet]'\n"), command
