@@ -1,12 +1,13 @@
 """One call of the command line, from what was typed to what is printed."""
 
+import os
 import sys
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple, TextIO
 
 from .answer import Answer, answer, in_units
 from .commands import Command
-from .errors import JkrollError, MissingExtra
+from .errors import JkrollError, MissingExtra, quoted
 from .formatting import Format
 from .judgement import sentence
 from .materials import known_materials
@@ -109,6 +110,8 @@ def _run_stream(command: Command, request: Request, samples: list[Answer], kind:
     from .batch.settings import Settings
     from .batch.sweep import Sweep, stream
 
+    if output.target and os.path.splitext(output.target)[1].casefold() in (".svg", ".pdf", ".png"):
+        raise BadRequest(f"-o: {quoted(output.target)} is a picture; add --curve to contact, or see jkroll map --help")
     if output.to or output.digits or output.rtol is not None or kind not in ("csv", "plain", "table"):
         raise BadRequest("a long sweep is written in SI units with all digits: -o and long ranges take --csv alone")
     samples = samples or [answer(command, scene) for scene in request.samples()]
