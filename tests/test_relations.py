@@ -383,7 +383,7 @@ def test_texts_with_units_in() -> None:
         ({"radius": np.array([1e-7, -1e-7])}, OutOfRange),
         ({**QUARTZ, "radius": 1e-7, "youngs_modulus": INFINITY}, TwoRigidBodies),
         ({**QUARTZ, "radius": 1e-7, "load": -1.2e-8}, BeyondPullOff),
-        ({**QUARTZ, "radius": 1e200}, NoFiniteValue),
+        ({**QUARTZ, "radius": 1e300}, NoFiniteValue),
     ],
 )
 def test_what_cannot_be_answered_raises(scene: dict[str, Any], error: type[Exception]) -> None:

@@ -24,12 +24,13 @@ def run() -> None:
 
         code = main()
         for stream in filter(None, (sys.stdout, sys.stderr)):
-            stream.flush()
+            try:
+                stream.flush()
+            except OSError:
+                code = code or CANNOT_WRITE
         signal(SIGINT, _end)
     except KeyboardInterrupt:
         code = INTERRUPTED
-    except OSError:
-        code = CANNOT_WRITE
     # All is written. To take the interpreter down piece by piece would cost a tenth of a call, and could be interrupted.
     os._exit(code)
 

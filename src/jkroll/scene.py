@@ -110,23 +110,77 @@ class Scene:
     def __getitem__(self, name: str) -> Any:
         """The value of a quantity. Raises MissingInput, or NoResult where the physics has no answer."""
         plan, values = self.plan(name), self.values
+        found = plan.found[name]
+        if found not in values and _is_extreme(values):
+            self._widely(plan)
         for step in plan.steps:
             if step.name not in values:
-                values[step.name] = self._run(step)
-        return values[plan.found[name]]
+                values[step.name] = _checked(step.name, self._run(step, values))
+        return values[found] if found in self._known else _checked(found, values[found])
 
-    def _run(self, step: Step) -> Any:
-        arguments = {parameter: self.values[name] for parameter, name in step.arguments}
+    def _widely(self, plan: Plan) -> None:
+        """Run the formulas with numbers of any magnitude, so that only what a user sees need be a double."""
+        from .physics.wide import Wide
+
+        wide: dict[str, Any] = {name: Wide(self.values[name]) for name in plan.inputs}
+        for step in plan.steps:
+            wide[step.name] = Wide.of(self._run(step, wide))
+            value = float(wide[step.name])
+            self.values[step.name] = value or (_UNDERFLOW if wide[step.name] else 0.0)
+
+    def _run(self, step: Step, values: Mapping[str, Any]) -> Any:
+        """The result of a formula."""
+        arguments = {parameter: values[name] for parameter, name in step.arguments}
         guard = _GUARDS.get(step.name)
         if guard is not None:
-            guard(**arguments)
+            guard(**{parameter: self.values[name] for parameter, name in step.arguments})
         try:
-            value = step.formula(**arguments)
+            return step.formula(**arguments)
         except (OverflowError, ZeroDivisionError, ValueError):
-            value = INFINITY
-        if isinstance(value, float) and not is_plausible(step.name, value):
-            raise NoFiniteValue(step.name, value)
-        return value
+            return INFINITY
+
+
+# Products as high as w⁵R⁴/E² and ρR⁵ occur on the way; from such inputs within these limits, they are doubles.
+EXTREMES = frozenset(
+    {
+        *("radius", "surface_energy", "youngs_modulus", "density", "reduced_radius", "contact_modulus", "gravity"),
+        *(
+            "radius2",
+            "surface_energy2",
+            "youngs_modulus2",
+            "density2",
+            "work_of_adhesion",
+            "yield_displacement",
+            "speed",
+        ),
+    }
+)
+_SMALL, _LARGE = 2.0**-90, 2.0**90
+
+
+def is_ordinary(value: Any) -> bool:
+    """Whether formulas cannot leave the doubles because of an input, or of an array of them."""
+    if isinstance(value, float):
+        return _SMALL < value < _LARGE or value == INFINITY
+    import numpy
+
+    if value.size and value.min() > _SMALL and value.max() < _LARGE:
+        return True
+    return bool(((value > _SMALL) & ((value < _LARGE) | numpy.isinf(value))).all())
+
+
+def _is_extreme(values: Mapping[str, Any]) -> bool:
+    """Whether all values are numbers, and one of them so large or small that formulas might leave the doubles."""
+    if any(not isinstance(value, float) for value in values.values()):
+        return False
+    return not all(is_ordinary(value) for name, value in values.items() if name in EXTREMES)
+
+
+def _checked(name: str, value: Any) -> Any:
+    """A value, unless it is a number that is no answer: NoFiniteValue."""
+    if isinstance(value, float) and not is_plausible(name, value):
+        raise NoFiniteValue(name, value)
+    return value
 
 
 def check_range(name: str, value: Any) -> None:
@@ -151,14 +205,14 @@ def check_range(name: str, value: Any) -> None:
 
 
 def is_plausible(name: str, value: float) -> bool:
-    """Whether a result is one that doubles hold with all digits, or the zero or infinity that it may be."""
+    """Whether a result is one that doubles hold with all digits, or the zero that it may be."""
     if value == 0:
         return name in MAY_BE_ZERO
-    return SMALLEST <= abs(value) < INFINITY or (value == INFINITY and name in _MAY_BE_INFINITE)
+    return SMALLEST <= abs(value) < INFINITY
 
 
+_UNDERFLOW = 5e-324  # in place of what is smaller, and like it no answer
 SMALLEST = 2.2250738585072014e-308  # of the doubles that have all their digits
-_MAY_BE_INFINITE = frozenset({"mass2", "moment_of_inertia2"})  # of a plane
 MAY_BE_ZERO = frozenset(
     {
         "load_margin",

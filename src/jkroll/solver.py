@@ -7,10 +7,10 @@ from copy import copy
 from itertools import product
 from typing import Any
 
-from .errors import MAX_QUOTED, MalformedQuantity, ShapeMismatch, UnknownQuantity
+from .errors import MAX_QUOTED, MalformedQuantity, NoResult, ShapeMismatch, UnknownQuantity
 from .materials import Material, Materials, known_materials
 from .nomenclature import INFINITY, NOMENCLATURE
-from .scene import MAY_BE_ZERO, SMALLEST, Scene, check_range
+from .scene import EXTREMES, MAY_BE_ZERO, SMALLEST, Scene, check_range, is_ordinary
 from .units import parse_quantity
 
 Place = tuple[slice, ...]  # of a block in an array
@@ -74,9 +74,33 @@ def solve(
         else:
             scene = Scene(described, *spheres)
             results = {name: _with_nan(name, scene[name]) for name in names}
+        results = _with_extremes(results, described, spheres)
     if registry is not None:
         results = {name: registry.Quantity(value, NOMENCLATURE[name].unit) for name, value in results.items()}
     return results[names[0]] if isinstance(wanted, str) else results
+
+
+def _with_extremes(
+    results: dict[str, Any], given: Mapping[str, Any], spheres: tuple[Material | None, Material | None]
+) -> dict[str, Any]:
+    """The results, those of elements with very large or small inputs computed as single numbers, which may be any."""
+    arrays = {name: value for name, value in given.items() if not isinstance(value, float)}
+    if not arrays or all(is_ordinary(given[name]) for name in given if name in EXTREMES):
+        return results
+    import numpy
+
+    shape = numpy.broadcast_shapes(*(value.shape for value in arrays.values()))
+    everywhere = {name: numpy.broadcast_to(value, shape) for name, value in given.items()}
+    results = {name: numpy.array(numpy.broadcast_to(value, shape)) for name, value in results.items()}
+    for place in numpy.ndindex(shape):
+        scene = {name: float(value[place]) for name, value in everywhere.items()}
+        if not all(is_ordinary(scene[name]) for name in scene if name in EXTREMES):
+            for name, values in results.items():
+                try:
+                    values[place] = Scene(scene, *spheres)[name]
+                except NoResult:
+                    values[place] = math.nan
+    return results
 
 
 def _is_large(given: Mapping[str, Any]) -> bool:

@@ -115,9 +115,8 @@ class _Ring:
         if report:
             error: BaseException = pickle.loads(report)
             raise error
-        for process in self.processes:
-            _check(os.waitpid(process, 0)[1])
-        self.processes.clear()
+        while self.processes:
+            _check(os.waitpid(self.processes.pop(), 0)[1])
 
     def _reap(self) -> None:
         """Notice a process that was ended from outside."""

@@ -9,12 +9,19 @@ from collections.abc import Callable
 from typing import Any
 
 
-def _for_numbers_and_arrays(name: str) -> Callable[[Any], Any]:
+def _is_number(value: Any) -> bool:
+    """Whether a value is a single number: a double, or one of any magnitude (`wide.Wide`)."""
+    return isinstance(value, (float, int)) or hasattr(value, "root")
+
+
+def _for_numbers_and_arrays(name: str, degree: int) -> Callable[[Any], Any]:
     of_number = getattr(math, name)
 
     def function(value: Any) -> Any:
         if isinstance(value, (float, int)):
             return of_number(value)
+        if _is_number(value):
+            return value.root(degree)
         import numpy
 
         return getattr(numpy, name)(value)
@@ -24,8 +31,8 @@ def _for_numbers_and_arrays(name: str) -> Callable[[Any], Any]:
 
 
 pi = math.pi
-sqrt = _for_numbers_and_arrays("sqrt")
-_library_cbrt = _for_numbers_and_arrays("cbrt")
+sqrt = _for_numbers_and_arrays("sqrt", 2)
+_library_cbrt = _for_numbers_and_arrays("cbrt", 3)
 
 
 def cbrt(value: Any) -> Any:
@@ -60,7 +67,7 @@ def parallel(value: Any, value2: Any) -> Any:
 
 def in_order(value: Any, value2: Any) -> tuple[Any, Any]:
     """The smaller of two values and the larger."""
-    if isinstance(value, (float, int)) and isinstance(value2, (float, int)):
+    if _is_number(value) and _is_number(value2):
         return min(value, value2), max(value, value2)
     import numpy
 
@@ -80,7 +87,7 @@ def over_sum(value: Any, term: Any, term2: Any) -> Any:
 def leading_bits(value: Any, bits: int) -> Any:
     """A value rounded to fewer bits; nan where it is infinite, and of a number close to overflow."""
     dropped = 53 - bits
-    if isinstance(value, (float, int)):
+    if _is_number(value):
         wide = (2.0**dropped + 1) * value
         return wide - (wide - value)
     import numpy
@@ -146,7 +153,7 @@ def _mended_quotient(result: Any, value: Any, term: Any, term2: Any) -> Any:
 
 def _mended(plain: Any, mend: Callable[..., Any], *arguments: Any) -> Any:
     """A result with its last digit mended; as it was where it is 0 or infinite, of units, or of fewer digits."""
-    if isinstance(plain, (float, int)):
+    if _is_number(plain):
         mended = mend(plain, *arguments) if plain else plain
         return plain if math.isnan(mended) else mended
     import numpy
