@@ -56,7 +56,7 @@ class Wide:
         return self.__add__(-Wide.of(other))
 
     def __rsub__(self, other: Any) -> "Wide":
-        return -self + other
+        return self.__neg__().__add__(other)
 
     def __mul__(self, other: Any) -> "Wide":
         other = Wide.of(other)
