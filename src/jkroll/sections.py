@@ -14,7 +14,7 @@ from .physics.cylinder import asymmetric_pressure, contact_point_moment, half_st
 from .physics.shifted import exact_pressure, half_circle_pressure, unloaded_half_width
 
 POINTS = 401
-RUNGS = ("yield_moment", "unloaded_moment", "half_circles_moment", "fixed_approach_moment")
+RUNGS = ("yield_moment", "unloaded_moment", "half_circles_moment", "integrated_moment", "fixed_approach_moment")
 SIZE = {"radius": 2e-8}  # of the spheres of Fig. 2, small enough for ξ to be seen
 _STATE = ("contact_radius_at_load", "hertz_pressure", "boussinesq_pressure")
 
