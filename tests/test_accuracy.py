@@ -19,7 +19,7 @@ pytestmark = pytest.mark.filterwarnings("error")  # of numpy, too
 
 Values = dict[str, Any]  # SI numbers by name, and `solve` takes texts too
 
-SCENES = 2000
+SCENES = 1000
 MANY_SCENES = (100_000,)
 FEWER_SCENES = 400  # for each formula, and for arrays
 INPUTS = ("radius", "surface_energy", "youngs_modulus", "poisson_ratio", "density", "speed")

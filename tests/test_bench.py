@@ -177,6 +177,7 @@ def test_what_is_written(kind: str) -> None:
         assert "8(P+P_c)+P" in text
 
 
+@pytest.mark.slow
 def test_a_plot(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     file = tmp_path / "bench.svg"
