@@ -133,9 +133,6 @@ EXTRAS = {
             *_some("json", "csv"),
         ),
     ),
-}
-
-EXTRAS |= {
     "map": Extra(
         "Any quantity over two inputs as a map, or over one as curves.",
         "pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2",

@@ -95,9 +95,10 @@ def _with_extremes(
     for place in numpy.ndindex(shape):
         scene = {name: float(value[place]) for name, value in everywhere.items()}
         if not all(is_ordinary(scene[name]) for name in scene if name in EXTREMES):
+            one = Scene(scene, *spheres)
             for name, values in results.items():
                 try:
-                    values[place] = Scene(scene, *spheres)[name]
+                    values[place] = one[name]
                 except NoResult:
                     values[place] = math.nan
     return results
