@@ -5,6 +5,7 @@ in DEFAULTS have values if nothing else is said.
 """
 
 from collections.abc import Callable, Collection, Iterable, Mapping
+from functools import cached_property
 from typing import Any
 
 from .errors import (
@@ -111,12 +112,19 @@ class Scene:
         """The value of a quantity. Raises MissingInput, or NoResult where the physics has no answer."""
         plan, values = self.plan(name), self.values
         found = plan.found[name]
-        if found not in values and _is_extreme(values):
+        if found not in values and self._is_extreme:
             self._widely(plan)
         for step in plan.steps:
             if step.name not in values:
                 values[step.name] = _checked(step.name, self._run(step, values))
         return values[found] if found in self._known else _checked(found, values[found])
+
+    @cached_property
+    def _is_extreme(self) -> bool:
+        """Whether all inputs are numbers, and one of them so large or small that formulas might leave the doubles."""
+        if any(not isinstance(value, float) for value in self.values.values()):
+            return False
+        return not all(is_ordinary(self.values[name]) for name in EXTREMES & self._known)
 
     def _widely(self, plan: Plan) -> None:
         """Run the formulas with numbers of any magnitude, so that only what a user sees need be a double."""
@@ -167,13 +175,6 @@ def is_ordinary(value: Any) -> bool:
     if value.size and value.min() > _SMALL and value.max() < _LARGE:
         return True
     return bool(((value > _SMALL) & ((value < _LARGE) | numpy.isinf(value))).all())
-
-
-def _is_extreme(values: Mapping[str, Any]) -> bool:
-    """Whether all values are numbers, and one of them so large or small that formulas might leave the doubles."""
-    if any(not isinstance(value, float) for value in values.values()):
-        return False
-    return not all(is_ordinary(value) for name, value in values.items() if name in EXTREMES)
 
 
 def _checked(name: str, value: Any) -> Any:
