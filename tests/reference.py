@@ -270,7 +270,9 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "load_margin": lambda P, P_c: sqrt(1 + P / P_c),
     "load_factor": lambda s: (1 + s) / 2,
     "contact_radius_at_load": lambda a0, x: a0 * cbrt(x**2),
-    "approach_at_load": lambda delta0, x, s, P, P_c: delta0 * cbrt(x) * (1 + 3 * P / P_c / (1 + s) / 2),
+    "approach_at_load": lambda delta0, x, s, P, P_c: (
+        delta0 * cbrt(x) * ((3 * s - 1) / 2 if s < 0 else (8 * P_c + 9 * P) / (2 * P_c * (1 + 3 * s)))
+    ),
     "stiffness": lambda E, a, s: 6 * E * a * s / (2 + 3 * s),
     "hertz_pressure": lambda a, E, R: 2 * a * E / (pi * R),
     "boussinesq_pressure": lambda p_H, x: -p_H / (3 * x),
@@ -352,7 +354,6 @@ MEASURED: Mapping[str, Callable[[Exact], Exact]] = {
 # The larger of two terms that may cancel.
 TERMS: Mapping[str, Callable[..., Exact]] = {
     "load_margin_of_factor": lambda x: 2 * x,
-    "approach_at_load": lambda delta0, x, s, P, P_c: delta0 * cbrt(x) * max(1, abs(3 * P / P_c / (1 + s) / 2)),
     "load_ratio": lambda a_: 4 * max(a_**3, sqrt(a_) ** 3),
     "approach_ratio": lambda a_: max(3 * a_**2, 2 * sqrt(a_)),
     "pressure": lambda r, a, p_H, p_B: max(p_H * sqrt(1 - (r / a) ** 2), abs(p_B) / sqrt(1 - (r / a) ** 2)),

@@ -4,12 +4,16 @@ from collections.abc import Mapping
 from math import cbrt, pi, sqrt
 from typing import Any
 
+from .physics.elementary import Constant
+
 WANTED = (
     "pull_off_force", "contact_radius", "approach", "yield_force", "yield_force_ratio", "yield_moment", "yield_angle",
     "r_min", "n_grav", "vertical_frequency", "rolling_frequency", "n_roll",
 )  # fmt: skip
 XI, G = 2e-10, 9.80665
-_SCRATCH = 20
+_SCRATCH = 22
+_THREE_HALVES_PI, _SIX_PI, _FOUR_THIRDS_PI = (Constant(*ratio, 1) for ratio in ((3, 2), (6, 1), (4, 3)))
+_TWO_FIFTHS = Constant(2, 5)
 
 
 class BareArrays:
@@ -27,15 +31,17 @@ class BareArrays:
 
         R1, R2, rho, P = (given[name] for name in ("radius", "radius2", "density", "load"))  # noqa: N806
         out = self.out
-        w, R, E, s, x, c, a, m1, m2, i1, i2, t, u = self.scratch[:13]  # noqa: N806
+        w, R, E, s, x, c, a, m1, m2, i1, i2, t, u, v = self.scratch[:14]  # noqa: N806
         # the pair
-        self._mean(given["surface_energy"], w)
-        np.multiply(w, 2, out=w)
-        self._parallel(R1, R2, R)
-        self._compliance(given["poisson_ratio"], given["youngs_modulus"], t)
-        np.divide(1 / 2, t, out=E)
+        np.multiply(given["surface_energy"], 2, out=w)
+        self._product((R1, R2), R, over=(self._sum(R1, R2, u, v),))
+        nu = given["poisson_ratio"]
+        less, more = self._sum(1.0, np.negative(nu, out=t), a, c), self._sum(1.0, nu, u, v)
+        self._product((more, less), E, over=(given["youngs_modulus"],))
+        np.multiply(E, 2, out=E)
+        np.divide(1, E, out=E)
         # the contact
-        P_c = self._product((3 / 2 * pi, w, R), out["pull_off_force"])  # noqa: N806
+        P_c = self._product((_THREE_HALVES_PI, w, R), out["pull_off_force"])  # noqa: N806
         np.divide(w, E, out=c)
         np.multiply(c, 9 / 2 * pi, out=t)
         np.multiply(t, R, out=t)
@@ -51,205 +57,140 @@ class BareArrays:
         np.add(1, s, out=x)
         np.divide(x, 2, out=x)
         # rolling and chains
+        Q = self._product((_SIX_PI, w, x, XI), out["yield_force"])  # noqa: N806
         np.divide(R1, R2, out=t)
         np.add(1, t, out=t)
-        self._product((6 * pi, w, x, XI), out["yield_force"], over=t)
+        np.divide(Q, t, out=Q)
         np.divide(XI, R1, out=t)
         np.multiply(x, 4, out=u)
         np.multiply(u, t, out=out["yield_force_ratio"])
-        np.multiply(P_c, 4, out=t)
-        M = self._product((t, x, XI), out["yield_moment"])  # noqa: N806
+        M = np.multiply(P_c, 4, out=out["yield_moment"])  # noqa: N806
+        np.multiply(M, x, out=M)
+        np.multiply(M, XI, out=M)
         np.divide(XI, R, out=out["yield_angle"])
         np.divide(R2, XI, out=t)
         np.multiply(R1, t, out=out["r_min"])
         # masses, and what vibrates
         for radius, mass, inertia in ((R1, m1, i1), (R2, m2, i2)):
-            self._product((rho, radius, radius, radius), mass, over=3 / 4 / pi)
-            self._product((mass, radius, radius), inertia, over=5 / 2)
+            self._product((_FOUR_THIRDS_PI, rho, radius, radius, radius), mass)
+            self._product((_TWO_FIFTHS, mass, radius, radius), inertia)
         n = np.multiply(m1, G, out=out["n_grav"])
         np.multiply(n, R1, out=n)
         np.divide(M, n, out=n)
         np.sqrt(n, out=n)
-        self._parallel(i1, i2, a)
-        self._product((6 * pi, w, x, R, R), t)
-        self._frequency(t, a, out["rolling_frequency"])
+        self._product((_SIX_PI, w, x, R, R), t)
+        self._frequency(t, i1, i2, out["rolling_frequency"])
         np.multiply(R, x, out=u)
         np.multiply(c, 9 / 2 * pi, out=t)
         np.multiply(t, u, out=t)
         np.multiply(t, u, out=t)
         self._cbrt(t, a)
-        np.multiply(s, 3, out=u)
-        np.add(u, 2, out=u)
-        self._product((6.0, s, E, a), t, over=u)
-        self._parallel(m1, m2, a)
-        self._frequency(t, a, out["vertical_frequency"])
+        np.multiply(s, 3, out=t)
+        self._product((6.0, s, E, a), E, over=(self._sum(2.0, t, u, v),))
+        self._frequency(E, m1, m2, out["vertical_frequency"])
         np.multiply(c, 3 / (10976 * pi), out=t)
         np.multiply(t, c, out=t)
         np.multiply(t, R, out=t)
         self._cbrt(t, u)
-        np.multiply(x, XI, out=t)
-        self._product((1.0, u), out["n_roll"], over=t)
+        self._product((1.0, u), out["n_roll"], over=(XI, x))
         return out
 
     @staticmethod
     def _head(value: Any, bits: int, out: Any) -> Any:
         import numpy as np
 
+        if not isinstance(value, np.ndarray):
+            wide = (2.0 ** (53 - bits) + 1) * value
+            return wide - (wide - value)
         dropped = 53 - bits
         whole = out.view(np.int64)
         np.add(value.view(np.int64), 1 << (dropped - 1), out=whole)
         np.bitwise_and(whole, -(1 << dropped), out=whole)
         return out
 
-    def _parts(self, factors: tuple[Any, ...], bits: int, exact: Any, rest: Any) -> None:
+    def _sum(self, one: Any, two: Any, total: Any, lost: Any) -> tuple[Any, Any]:
+        """A sum and what rounding takes from it."""
+        import numpy as np
+
+        t = self.scratch[14]
+        np.add(one, two, out=total)
+        np.subtract(total, one, out=lost)
+        np.subtract(total, lost, out=t)
+        np.subtract(one, t, out=t)
+        np.subtract(two, lost, out=lost)
+        np.add(t, lost, out=lost)
+        return total, lost
+
+    def _parts(self, factors: tuple[Any, ...], bits: int, exact: Any, rest: Any) -> tuple[Any, Any]:
         """The product of the leading bits of factors, and what the whole has besides."""
         import numpy as np
 
-        head, less, t = self.scratch[17:20]
-        first, *others = sorted(factors, key=lambda factor: not isinstance(factor, np.ndarray))
-        self._head(first, bits, exact)
-        np.subtract(first, exact, out=rest)
-        for factor in others:
-            if isinstance(factor, float):
-                number = (2.0 ** (53 - bits) + 1) * factor
-                number -= number - factor
-                np.multiply(exact, factor - number, out=t)
-                leading: Any = number
-            else:
-                leading = self._head(factor, bits, head)
-                np.subtract(factor, head, out=less)
-                np.multiply(exact, less, out=t)
-            np.multiply(rest, factor, out=rest)
-            np.add(rest, t, out=rest)
-            np.multiply(exact, leading, out=exact)
+        head, less, t = self.scratch[15:18]
+        e: Any = None
+        r: Any = None
+        for factor in factors:
+            value, lost = factor if isinstance(factor, tuple) else (factor, getattr(factor, "rest", None))
+            is_array = isinstance(value, np.ndarray)
+            first = e is None
+            h = self._head(value, bits, exact if first else head)
+            lower = np.subtract(value, h, out=(rest if first else less) if is_array else None)
+            if lost is not None:
+                lower = np.add(lower, lost, out=(rest if first else less) if is_array else None)
+            if first:
+                e, r = h, lower
+                continue
+            into = (t, exact, rest) if is_array or isinstance(e, np.ndarray) else (None, None, None)
+            missing = np.multiply(e, lower, out=into[0])
+            r = np.add(np.multiply(r, value, out=into[2]), missing, out=into[2])
+            e = np.multiply(e, h, out=into[1])
+        return e, r
 
-    def _product(self, factors: tuple[Any, ...], out: Any, over: Any = None) -> Any:
+    def _product(self, factors: tuple[Any, ...], out: Any, over: tuple[Any, ...] = ()) -> Any:
         import numpy as np
 
-        exact, rest, head, t = self.scratch[13:17]
-        bits = 53 // max(len(factors), 1 if over is None else 2)
+        exact, rest, divisor, divisor_rest = self.scratch[18:22]
+        bits = 53 // max(len(factors), len(over) + 1)
         self._parts(factors, bits, exact, rest)
+        if not over:
+            return np.add(exact, rest, out=out)
+        self._parts(over, bits, divisor, divisor_rest)
+        head, whole = self.scratch[15:17]
+        np.add(divisor, divisor_rest, out=whole)
         np.add(exact, rest, out=out)
-        if over is None:
-            return out
-        np.divide(out, over, out=out)
+        np.divide(out, whole, out=out)
         self._head(out, bits, head)
-        divisor = over if isinstance(over, float) else self._head(over, bits, self.scratch[17])
-        if isinstance(over, float):
-            wide = (2.0 ** (53 - bits) + 1) * over
-            divisor = wide - (wide - over)
-        np.multiply(head, divisor, out=t)
-        np.subtract(exact, t, out=exact)
-        np.subtract(over, divisor, out=t)
-        np.multiply(head, t, out=t)
-        np.subtract(rest, t, out=rest)
+        np.multiply(head, divisor, out=divisor)
+        np.subtract(exact, divisor, out=exact)
+        np.multiply(head, divisor_rest, out=divisor_rest)
+        np.subtract(rest, divisor_rest, out=rest)
         np.add(exact, rest, out=exact)
-        np.divide(exact, over, out=exact)
-        return np.add(head, exact, out=out)
-
-    def _mean(self, value: Any, out: Any) -> None:
-        """The geometric mean of a value and itself, as if the two were not the same."""
-        import numpy as np
-
-        head, less, root, t = self.scratch[13:17]
-        np.multiply(value, value, out=out)
-        np.sqrt(out, out=out)
-        self._head(out, 26, root)
-        self._head(value, 26, head)
-        np.subtract(value, head, out=less)
-        np.multiply(less, value, out=t)
-        np.multiply(less, head, out=less)
-        np.add(less, t, out=less)
-        np.multiply(head, head, out=head)
-        np.multiply(root, root, out=t)
-        np.subtract(head, t, out=head)
-        np.add(head, less, out=head)
-        np.add(out, root, out=t)
-        np.divide(head, t, out=head)
-        np.add(root, head, out=out)
-
-    def _compliance(self, ratio: Any, modulus: Any, out: Any) -> None:
-        """(1 − ν²)/E."""
-        import numpy as np
-
-        less, more, exact, rest, t, head = self.scratch[6:12]
-        np.subtract(1, ratio, out=less)
-        np.add(1, ratio, out=more)
-        np.subtract(1, more, out=t)
-        np.add(t, ratio, out=t)
-        np.multiply(less, t, out=t)
-        np.subtract(1, less, out=head)
-        np.subtract(head, ratio, out=head)
-        np.multiply(more, head, out=head)
-        np.add(t, head, out=t)
-        self._parts((less, more), 26, exact, rest)
-        np.add(rest, t, out=rest)
-        np.multiply(less, more, out=out)
-        np.divide(out, modulus, out=out)
-        self._head(out, 26, head)
-        self._head(modulus, 26, less)
-        np.multiply(head, less, out=t)
-        np.subtract(exact, t, out=exact)
-        np.subtract(modulus, less, out=less)
-        np.multiply(head, less, out=less)
-        np.subtract(rest, less, out=rest)
-        np.add(exact, rest, out=exact)
-        np.divide(exact, modulus, out=exact)
-        np.add(head, exact, out=out)
-
-    def _parallel(self, one: Any, two: Any, out: Any) -> None:
-        import numpy as np
-
-        small, large, ratio, head, leading, u, v = self.scratch[13:20]
-        np.minimum(one, two, out=small)
-        np.maximum(one, two, out=large)
-        np.divide(small, large, out=ratio)
-        np.add(1, ratio, out=u)
-        np.divide(small, u, out=out)
-        self._head(out, 26, head)
-        self._head(ratio, 26, leading)
-        self._head(large, 26, u)
-        np.multiply(leading, u, out=v)
-        np.subtract(small, v, out=v)
-        np.subtract(large, u, out=u)
-        np.multiply(leading, u, out=u)
-        np.subtract(v, u, out=v)
-        np.subtract(ratio, leading, out=u)  # the rest of the ratio
-        np.multiply(u, large, out=out)
-        np.subtract(v, out, out=v)
-        np.divide(v, large, out=v)  # what is missing of the ratio
-        np.subtract(small, head, out=out)
-        np.multiply(head, leading, out=leading)
-        np.subtract(out, leading, out=out)
-        np.multiply(head, u, out=u)
-        np.subtract(out, u, out=out)
-        np.multiply(head, v, out=v)
-        np.subtract(out, v, out=out)
-        np.add(1, ratio, out=ratio)
-        np.divide(out, ratio, out=out)
-        np.add(head, out, out=out)
+        np.divide(exact, whole, out=exact)
+        return np.add(exact, head, out=out)
 
     def _cbrt(self, value: Any, out: Any) -> None:
         """Cube root with its last digit, of `value`, which is lost."""
         import numpy as np
 
-        head, u, v = self.scratch[13:16]
+        head, u, v = self.scratch[15:18]
         np.cbrt(value, out=out)
         self._head(out, 17, head)
         np.multiply(head, head, out=u)
-        np.multiply(u, head, out=v)
-        np.subtract(value, v, out=value)
         np.add(out, head, out=v)
         np.multiply(v, out, out=v)
         np.add(v, u, out=v)
+        np.multiply(u, head, out=u)
+        np.subtract(value, u, out=value)
         np.divide(value, v, out=value)
         np.add(head, value, out=out)
 
-    @staticmethod
-    def _frequency(stiffness: Any, mass: Any, out: Any) -> None:
+    def _frequency(self, stiffness: Any, one: Any, two: Any, out: Any) -> None:
+        """(1/2π)√(k/m) of the mass, or the moment of inertia, of two bodies."""
         import numpy as np
 
-        np.multiply(mass, 4 * (pi * pi), out=out)
+        np.divide(one, two, out=out)
+        np.add(1, out, out=out)
+        np.divide(one, out, out=out)
+        np.multiply(out, 4 * (pi * pi), out=out)
         np.divide(stiffness, out, out=out)
         np.sqrt(out, out=out)
 

@@ -88,6 +88,8 @@ def plan(wanted: tuple[str, ...], known: frozenset[str], own_material2: bool) ->
             before = len(missing)
             suffix = name[len(base) :]
             arguments = tuple((parameter, visit(parameter + suffix)) for parameter in parameters_of(FORMULAS[base]))
+            if suffix and not any(source.endswith("2") for _, source in arguments):
+                return visit(base)  # in this, sphere 2 is sphere 1
             if len(missing) > before and (NOMENCLATURE[asked].option or asked in _ROUTES_WITHOUT):
                 instead.append("energy" if asked in _ROUTES_WITHOUT else asked)
             steps.setdefault(name, Step(name, FORMULAS[base], arguments))

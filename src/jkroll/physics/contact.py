@@ -5,7 +5,9 @@ s = √(1 + P/P_c) alone (`load_margin`), which is 1 without load and 0 at pull-
 """
 
 from .dimensions import Force, Length, Number, Stiffness, Stress, SurfaceEnergy
-from .elementary import cbrt, pi, product, sqrt
+from .elementary import Constant, Sum, cbrt, pi, product, sqrt, where
+
+_THREE_HALVES_PI = Constant(3, 2, 1)
 
 
 def pull_off_force(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length) -> Force:
@@ -20,7 +22,7 @@ def pull_off_force(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length) -
     >>> f"{pull_off_force(work_of_adhesion=0.05, reduced_radius=50e-9):.4e}"
     '1.1781e-08'
     """
-    return product(3 / 2 * pi, work_of_adhesion, reduced_radius)
+    return product(_THREE_HALVES_PI, work_of_adhesion, reduced_radius)
 
 
 def pull_off_force_dmt(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length) -> Force:
@@ -130,11 +132,11 @@ def approach_at_load(
 ) -> Length:
     """Displacement of the two centres towards each other under a load; negative where the neck is stretched.
 
-        δ = δ0(3â² − 2√â) = δ0 x^(1/3) (3s − 1)/2 = δ0 x^(1/3) [1 + (3/2)(s − 1)], s − 1 = (P/P_c)/(1 + s)
+        δ = δ0(3â² − 2√â) = δ0 x^(1/3) (3s − 1)/2 = δ0 x^(1/3) (8P_c + 9P)/(2P_c(1 + 3s))
 
     Source:   Eq (6).
-    Valid:    The stable branch at dead load, s ≥ 0. It passes through 0 at P = −(8/9)P_c.
-    Accuracy: 3.5 ulp above w, R, E* and s.
+    Valid:    x > 0. It passes through 0 at P = −(8/9)P_c, where the last form keeps its digits.
+    Accuracy: 2.5 ulp above w, R, E*, P, P_c and s.
 
     >>> delta = approach_at_load(
     ...     work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9, load=0.0, pull_off_force=1.1781e-8,
@@ -144,7 +146,9 @@ def approach_at_load(
     """
     length = work_of_adhesion / contact_modulus
     at_margin_1 = cbrt(3 / 4 * (pi * pi) * length * length * reduced_radius * load_factor)
-    return at_margin_1 * (1 + 3 / 2 * (load / pull_off_force / (1 + load_margin)))
+    slope = Sum(1 / 4, 3 / 4 * abs(load_margin))
+    ratio = product(Sum(load + pull_off_force, load / 8), over=(pull_off_force, slope))
+    return at_margin_1 * where(load_margin < 0, (3 * load_margin - 1) / 2, ratio)
 
 
 def stiffness(*, contact_modulus: Stress, contact_radius_at_load: Length, load_margin: Number) -> Stiffness:
@@ -159,7 +163,7 @@ def stiffness(*, contact_modulus: Stress, contact_radius_at_load: Length, load_m
     >>> stiffness(contact_modulus=1.0, contact_radius_at_load=1.0, load_margin=1.0)
     1.2
     """
-    return product(6.0, load_margin, contact_modulus, contact_radius_at_load, over=(2 + 3 * load_margin,))
+    return product(6.0, load_margin, contact_modulus, contact_radius_at_load, over=(Sum(2.0, 3 * load_margin),))
 
 
 def hertz_pressure(

@@ -1,12 +1,203 @@
-"""The elementary functions the formulas need: `math` for a number, numpy for anything else.
+"""The elementary functions the formulas need, each to 0.5 ulp: `math` for a number, numpy for anything else.
 
 The value itself decides, so that a float costs no import of numpy and an array (or a pint Quantity, which answers
-numpy's protocol) costs no loop.
+numpy's protocol) costs no loop. Both run the same operations, so that they give the same digits.
 """
 
 import math
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NamedTuple
+
+pi = math.pi
+_PI = 4175892906503776358826876457663557747, 2**120  # the same to 36 digits
+
+
+class Constant(float):
+    """The double next to a number, and what the number has besides.
+
+    >>> two_fifths = Constant(2, 5)
+    >>> two_fifths, two_fifths.rest
+    (0.4, -2.2204460492503132e-17)
+    """
+
+    rest: float
+
+    def __new__(cls, numerator: int, denominator: int = 1, power: int = 0) -> "Constant":
+        """Of a fraction, times a power of π."""
+        above, below = numerator * _PI[0] ** power, denominator * _PI[1] ** power
+        constant = super().__new__(cls, above / below)
+        rounded, scale = constant.as_integer_ratio()
+        constant.rest = (above * scale - rounded * below) / (below * scale)
+        return constant
+
+
+class Sum(NamedTuple):
+    """A sum that is not rounded: a factor of a product."""
+
+    term: Any
+    term2: Any
+
+
+def product(*factors: Any, over: tuple[Any, ...] = ()) -> Any:
+    """The product of up to five factors, over that of up to four others; it costs less if equal ones are adjacent."""
+    count = len(factors)
+    return _mended(
+        (*factors, *over),
+        lambda *values: _product(values[:count], values[count:]),
+        lambda *values: _plain_product(values[:count], values[count:]),
+    )
+
+
+def parallel(value: Any, value2: Any) -> Any:
+    """1/(1/value + 1/value2); the other where one of them is infinite."""
+    return _mended((value, value2), lambda *values: _product(values, (Sum(*values),)), _plain_parallel)
+
+
+def geometric_mean(value: Any, value2: Any) -> Any:
+    """√(value·value2)."""
+    return value if value is value2 else _mended((value, value2), _mean, lambda *values: sqrt(math.prod(values)))
+
+
+def cbrt(value: Any) -> Any:
+    """Cube root, the same for a number and an array: one C library's is off by as much as 3 ulp, another's by else."""
+    return _mended((value,), _cube_root, _library_cbrt)
+
+
+# --- The last digit -------------------------------------------------------------------------------------------------
+# A product of numbers of at most 53 bits together is exact. So the leading bits of a rounded result say exactly by how
+# much they miss the equation, and what is missing is so small that its own rounding does not count. Operations in
+# place spare arrays memory, whose first touch costs more than the arithmetic.
+
+_FLOATS = frozenset({float, int, Constant})
+
+
+def leading_bits(value: Any, bits: int) -> Any:
+    """A value rounded to fewer bits; nan where it is infinite, and of a number close to overflow."""
+    dropped = 53 - bits
+    if _is_number(value):
+        wide = (2.0**dropped + 1) * value
+        return wide - (wide - value)
+    import numpy
+
+    if value.dtype != numpy.float64:
+        value = value.astype(numpy.float64)
+    whole = value.view(numpy.int64) + (1 << (dropped - 1))
+    whole &= -(1 << dropped)
+    return whole.view(numpy.float64)
+
+
+def _product(factors: tuple[Any, ...], over: tuple[Any, ...]) -> Any:
+    bits = 53 // max(len(factors), len(over) + 1)
+    result, rest = _parts(factors, bits)
+    if over:
+        divisor, divisor_rest = _parts(over, bits)
+        whole = divisor + divisor_rest
+        head = leading_bits((result + rest) / whole, bits)
+        result = result - head * divisor
+        result += rest - head * divisor_rest
+        result /= whole
+        rest = head
+    result += rest
+    return result
+
+
+def _parts(factors: tuple[Any, ...], bits: int) -> tuple[Any, Any]:
+    """The product of the leading bits of factors, which is exact, and what the whole product has besides."""
+    first, *others = factors
+    _, exact, rest = _halves(first, bits)
+    scale = 2.0 ** (53 - bits) + 1
+    before = None
+    for factor in others:
+        if type(factor) is float:  # as in the two functions below, without their calls
+            value, wide = factor, scale * factor
+            head = wide - (wide - factor)
+            less = factor - head
+        elif factor is not before:
+            value, head, less = _halves(factor, bits)
+        before = factor
+        rest *= value
+        rest += exact * less
+        exact *= head
+    return exact, rest
+
+
+def _halves(factor: Any, bits: int) -> tuple[Any, Any, Any]:
+    """A factor, its leading bits, and the rest."""
+    if isinstance(factor, Sum):
+        value = factor.term + factor.term2
+        own = value - factor.term
+        head = leading_bits(value, bits)
+        return value, head, (value - head) + ((factor.term - (value - own)) + (factor.term2 - own))
+    head = leading_bits(factor, bits)
+    return factor, head, factor - head + factor.rest if isinstance(factor, Constant) else factor - head
+
+
+def _mean(value: Any, value2: Any) -> Any:
+    root = sqrt(value * value2)
+    head = leading_bits(root, 26)
+    exact, rest = _parts((value, value2), 26)
+    return head + (exact - head * head + rest) / (root + head)
+
+
+def _cube_root(value: Any) -> Any:
+    root = _library_cbrt(value)
+    head = leading_bits(root, 17)
+    square = head * head
+    slope = root + head
+    slope *= root
+    slope += square
+    return head + (value - square * head) / slope
+
+
+def _plain_product(factors: tuple[Any, ...], over: tuple[Any, ...]) -> Any:
+    above, below = (
+        math.prod(sum(each) if isinstance(each, Sum) else each for each in side) for side in (factors, over)
+    )
+    return above / below
+
+
+def _plain_parallel(value: Any, value2: Any) -> Any:
+    if _is_number(value) and _is_number(value2):
+        small, large = min(value, value2), max(value, value2)
+    else:
+        import numpy
+
+        small, large = numpy.minimum(value, value2), numpy.maximum(value, value2)
+    return small / (1 + small / large)
+
+
+def _mended(values: tuple[Any, ...], mended: Callable[..., Any], plain: Callable[..., Any]) -> Any:
+    """A result with its last digit mended; the plain one where it is 0 or infinite, of units, or of fewer digits."""
+    terms = values
+    if not _FLOATS.issuperset(map(type, values)):
+        terms = tuple(term for value in values for term in (value if isinstance(value, Sum) else (value,)))
+    if all(map(_is_number, terms)):
+        result = mended(*values) if all(values) else plain(*values)
+        return result if result == result else plain(*values)  # noqa: PLR0124  (it is not where it is nan)
+    import numpy
+
+    if not all(_is_number(term) or (type(term) is numpy.ndarray and term.dtype == numpy.float64) for term in terms):
+        return plain(*values)  # the units of a pint Quantity do not survive
+    shapes = {term.shape for term in terms if not _is_number(term)}
+    if len(shapes) > 1:
+        values = _spread(values, numpy.broadcast_shapes(*shapes))
+    with numpy.errstate(all="ignore"):
+        result = mended(*values)
+        return numpy.where(numpy.isnan(result), plain(*values), result) if math.isnan(result.sum()) else result
+
+
+def _spread(values: tuple[Any, ...], shape: tuple[int, ...]) -> tuple[Any, ...]:
+    """Values with arrays of one shape."""
+    import numpy
+
+    return tuple(
+        Sum(*_spread(value, shape))
+        if isinstance(value, Sum)
+        else value
+        if _is_number(value)
+        else numpy.broadcast_to(value, shape)
+        for value in values
+    )
 
 
 def _is_number(value: Any) -> bool:
@@ -30,139 +221,8 @@ def _for_numbers_and_arrays(name: str, degree: int) -> Callable[[Any], Any]:
     return function
 
 
-pi = math.pi
 sqrt = _for_numbers_and_arrays("sqrt", 2)
 _library_cbrt = _for_numbers_and_arrays("cbrt", 3)
-
-
-def cbrt(value: Any) -> Any:
-    """Cube root to 0.5 ulp, the same for a number and an array.
-
-    The C library's is off by as much as 3 ulp, and another one's by something else.
-    """
-    return _mended(_library_cbrt(value), _mended_root, value)
-
-
-def product(*factors: Any, over: tuple[Any, ...] = ()) -> Any:
-    """The product of up to five factors, over that of up to four others, to 0.5 ulp."""
-    plain = math.prod(factors)
-    return _mended(plain / math.prod(over) if over else plain, _mended_product, factors, over)
-
-
-def geometric_mean(value: Any, value2: Any) -> Any:
-    """√(value·value2) to 0.5 ulp."""
-    return _mended(sqrt(value * value2), _mended_mean, value, value2)
-
-
-def one_minus_square(value: Any, over: Any) -> Any:
-    """(1 − value²)/over to 0.5 ulp, for any value between −1 and 1."""
-    return _mended((1 - value) * (1 + value) / over, _mended_one_minus_square, value, over)
-
-
-def parallel(value: Any, value2: Any) -> Any:
-    """1/(1/value + 1/value2) to 1 ulp, exact where one of them is infinite or both are equal, and the same under exchange."""
-    small, large = in_order(value, value2)
-    return _mended(small / (1 + small / large), _mended_parallel, small, large)
-
-
-def in_order(value: Any, value2: Any) -> tuple[Any, Any]:
-    """The smaller of two values and the larger."""
-    if _is_number(value) and _is_number(value2):
-        return min(value, value2), max(value, value2)
-    import numpy
-
-    return numpy.minimum(value, value2), numpy.maximum(value, value2)
-
-
-def over_sum(value: Any, term: Any, term2: Any) -> Any:
-    """value/(term + term2) to 0.5 ulp; the second term must not be larger than the first."""
-    return _mended(value / (term + term2), _mended_quotient, value, term, term2)
-
-
-# --- The last digit -------------------------------------------------------------------------------------------------
-# A product of two numbers of at most 26 bits is exact. So the leading bits of a rounded result say exactly by how much
-# they miss the equation, and what is missing is so small that its own rounding does not count.
-
-
-def leading_bits(value: Any, bits: int) -> Any:
-    """A value rounded to fewer bits; nan where it is infinite, and of a number close to overflow."""
-    dropped = 53 - bits
-    if _is_number(value):
-        wide = (2.0**dropped + 1) * value
-        return wide - (wide - value)
-    import numpy
-
-    if value.dtype != numpy.float64:
-        value = value.astype(numpy.float64)
-    return ((value.view(numpy.int64) + (1 << (dropped - 1))) & -(1 << dropped)).view(numpy.float64)
-
-
-def _mended_root(root: Any, value: Any) -> Any:
-    head = leading_bits(root, 17)
-    return head + (value - head * head * head) / (root * root + root * head + head * head)
-
-
-def _mended_mean(root: Any, value: Any, value2: Any) -> Any:
-    head, one, two = leading_bits(root, 26), leading_bits(value, 26), leading_bits(value2, 26)
-    return head + ((one * two - head * head) + one * (value2 - two) + (value - one) * value2) / (root + head)
-
-
-def _mended_one_minus_square(result: Any, value: Any, over: Any) -> Any:
-    less, more = 1 - value, 1 + value
-    missing = less * ((1 - more) + value) + more * ((1 - less) - value)
-    exact, rest = _parts((less, more), 26)
-    head, over_head = leading_bits(result, 26), leading_bits(over, 26)
-    return head + ((exact - head * over_head) + (rest + missing - head * (over - over_head))) / over
-
-
-def _mended_parallel(result: Any, small: Any, large: Any) -> Any:
-    ratio = small / large
-    head, ratio_head, large_head = leading_bits(result, 26), leading_bits(ratio, 26), leading_bits(large, 26)
-    rest = ratio - ratio_head
-    missing = (small - ratio_head * large_head) - ratio_head * (large - large_head) - rest * large
-    return head + ((small - head) - head * ratio_head - head * rest - head * (missing / large)) / (1 + ratio)
-
-
-def _mended_product(result: Any, factors: tuple[Any, ...], over: tuple[Any, ...]) -> Any:
-    bits = 53 // max(len(factors), len(over) + 1)
-    exact, rest = _parts(factors, bits)
-    if not over:
-        return exact + rest
-    divisor, divisor_rest = _parts(over, bits)
-    head = leading_bits(result, bits)
-    return head + ((exact - head * divisor) + (rest - head * divisor_rest)) / (divisor + divisor_rest)
-
-
-def _parts(factors: tuple[Any, ...], bits: int) -> tuple[Any, Any]:
-    """The product of the leading bits of factors, which is exact, and what the whole product has besides."""
-    heads = {id(factor): leading_bits(factor, bits) for factor in factors}
-    rests = {key: factor - heads[key] for key, factor in zip(map(id, factors), factors, strict=True)}
-    exact, rest = heads[id(factors[0])], rests[id(factors[0])]
-    for factor in factors[1:]:
-        rest = rest * factor + exact * rests[id(factor)]
-        exact = exact * heads[id(factor)]
-    return exact, rest
-
-
-def _mended_quotient(result: Any, value: Any, term: Any, term2: Any) -> Any:
-    divisor = term + term2
-    head, divisor_head = leading_bits(result, 26), leading_bits(divisor, 26)
-    missing = (divisor - divisor_head) - ((divisor - term) - term2)
-    return head + ((value - head * divisor_head) - head * missing) / divisor
-
-
-def _mended(plain: Any, mend: Callable[..., Any], *arguments: Any) -> Any:
-    """A result with its last digit mended; as it was where it is 0 or infinite, of units, or of fewer digits."""
-    if _is_number(plain):
-        mended = mend(plain, *arguments) if plain else plain
-        return plain if math.isnan(mended) else mended
-    import numpy
-
-    if not isinstance(plain, numpy.ndarray) or plain.dtype != numpy.float64:
-        return plain  # a pint Quantity, whose units do not survive, or single precision
-    with numpy.errstate(over="ignore", divide="ignore", invalid="ignore"):
-        mended = mend(plain, *arguments)
-    return numpy.where(numpy.isnan(mended), plain, mended) if math.isnan(mended.sum()) else mended
 
 
 def where(condition: Any, value: Any, otherwise: Any) -> Any:

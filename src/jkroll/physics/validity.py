@@ -1,7 +1,9 @@
 """What limits the model, as numbers."""
 
 from .dimensions import Energy, Force, Length, Number, Stress, SurfaceEnergy
-from .elementary import cbrt, pi, product
+from .elementary import Constant, cbrt, product
+
+_THREE_PI = Constant(3, 1, 1)
 
 
 def tabor_parameter(
@@ -96,7 +98,7 @@ def yield_energy(*, work_of_adhesion: SurfaceEnergy, yield_displacement: Length,
     >>> f"{yield_energy(work_of_adhesion=0.05, yield_displacement=2e-10, load_factor=1.0):.4e}"
     '1.8850e-20'
     """
-    return product(3 * pi, work_of_adhesion, load_factor, yield_displacement, yield_displacement)
+    return product(_THREE_PI, work_of_adhesion, load_factor, yield_displacement, yield_displacement)
 
 
 def energy_over_yield(
@@ -110,11 +112,11 @@ def energy_over_yield(
     Valid:    Always.
     Accuracy: 1 ulp above W0, w and x.
 
-    >>> ratio = energy_over_yield(energy=6 * pi, work_of_adhesion=1.0, load_factor=1.0, yield_displacement=1.0)
+    >>> ratio = energy_over_yield(energy=18.849555921538759, work_of_adhesion=1.0, load_factor=1.0, yield_displacement=1.0)
     >>> round(ratio, 12)
     2.0
     """
-    return product(energy, over=(3 * pi, work_of_adhesion, load_factor, yield_displacement, yield_displacement))
+    return product(energy, over=(_THREE_PI, work_of_adhesion, load_factor, yield_displacement, yield_displacement))
 
 
 def load_over_pull_off(*, load: Force, pull_off_force: Force) -> Number:
