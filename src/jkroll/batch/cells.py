@@ -68,7 +68,10 @@ class Reader:
                 return None
             self._own = (match[1], b"e%d" % exponent if exponent else b"")
         unit_text, suffix = self._own
-        return (b",".join(cells) + b",").replace(unit_text + b",", suffix + b",")[:-1]
+        text = b",".join(cells) + b","
+        if text.count(unit_text + b",") != len(cells):
+            return None
+        return text.replace(unit_text + b",", suffix + b",")[:-1]
 
     def _one_by_one(self, cells: Sequence[bytes]) -> Numbers:
         """The same, a cell at a time: with empty ones, spellings and units of their own, and what cannot be read."""
