@@ -20,11 +20,15 @@ from .output import Sink
 from .source import Source
 
 TICK = 0.2  # seconds between two looks at how far it is
+KEPT = (
+    1 << 24
+)  # bytes: once as many are given back, glibc keeps as many, where it would return and fault in those of each block
 Watch = Callable[[], None]
 
 
 def run(source: Source, convert: Callable[[bytes], Converted], sink: Sink, jobs: int, watch: Watch) -> None:
     """Convert all blocks of a source into a sink; `watch` is called now and then."""
+    bytes(KEPT)
     gc.collect()
     gc.freeze()
     gc.disable()
