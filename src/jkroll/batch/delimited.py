@@ -160,8 +160,7 @@ class Delimited:
     def convert(self, text: bytes) -> Converted:
         """Whole records with the results behind each."""
         quick = self._quickly(text)
-        records = quick or self._slowly(text)
-        lines, columns, odd, blank = records
+        lines, columns, odd, blank = quick or self._slowly(text)
         count = len(lines)
         if not count:
             return Converted(blank.get(0, b""), 0, 0, text.count(b"\n"), None)
