@@ -178,6 +178,12 @@ def test_what_is_no_number_is_read_as_none(text: str) -> None:
         assert math.isnan(found.values[1])
 
 
+@pytest.mark.parametrize("unit", ["nN", "N"])
+def test_a_bare_number_among_cells_with_units_is_none(unit: str) -> None:
+    found = Reader(Column(0, "load", "", None)).numbers([f"1 {unit}".encode(), b"5", b"2 nN"])
+    assert found.odd == [1]
+
+
 # --- Rows that go wrong ---------------------------------------------------------------------------------------------------
 
 STATUS = {

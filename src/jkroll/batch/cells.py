@@ -4,6 +4,7 @@ So each number is rounded once, as in a one-liner. What orjson does not take for
 """
 
 import re
+import struct
 from collections.abc import Sequence
 from math import isnan
 from typing import NamedTuple
@@ -68,7 +69,10 @@ class Reader:
                 return None
             self._own = (match[1], b"e%d" % exponent if exponent else b"")
         unit_text, suffix = self._own
-        return (b",".join(cells) + b",").replace(unit_text + b",", suffix + b",")[:-1]
+        text = b",".join(cells) + b","
+        if text.count(unit_text + b",") != len(cells):
+            return None
+        return text.replace(unit_text + b",", suffix + b",")[:-1]
 
     def _one_by_one(self, cells: Sequence[bytes]) -> Numbers:
         """The same, a cell at a time: with empty ones, spellings and units of their own, and what cannot be read."""
@@ -116,8 +120,9 @@ def plain_numbers(text: bytes, count: int) -> Floats | None:
     """Numbers between commas; None if there is anything else between them, or not as many."""
     if text.translate(None, PLAIN):
         return None
+    values = numpy.empty(count)
     try:
-        numbers = orjson.loads(b"[" + text + b"]")
-    except orjson.JSONDecodeError:
+        struct.pack_into(f"{count}d", values.data, 0, *orjson.loads(b"[" + text + b"]"))
+    except (orjson.JSONDecodeError, struct.error):
         return None
-    return numpy.array(numbers, dtype=float) if len(numbers) == count else None
+    return values

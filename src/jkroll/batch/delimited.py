@@ -9,7 +9,8 @@ from __future__ import annotations
 import csv
 import io
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
 
 import numpy
 import orjson
@@ -29,6 +30,7 @@ _MISTAKEN = (
     (",", "commas", "--format csv"),
 )
 MAX_LINES = 100  # of one record
+STRIP = 128  # rows written at once: their text stays in the cache
 _NUMBER = rb"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 
 
@@ -128,6 +130,15 @@ def _lines(text: bytes) -> list[bytes]:
 DIALECTS = {"csv": Dialect(b","), "tsv": Dialect(b"\t")}
 
 
+class Records(NamedTuple):
+    """A block taken apart."""
+
+    lines: list[bytes]  # without line ends
+    columns: list[list[bytes]]
+    odd: Mapping[int, str]  # those that are no rows, and why
+    blank: Mapping[int, bytes]  # lines without a cell, by the row before which they stand
+
+
 class Delimited:
     """Turns blocks of lines into blocks of lines with results."""
 
@@ -148,53 +159,42 @@ class Delimited:
 
     def convert(self, text: bytes) -> Converted:
         """Whole records with the results behind each."""
-        width = len(self.header.texts)
-        quick = self._quickly(text, width)
-        if quick is not None:
-            lines, columns = quick
-            odd: dict[int, str] = {}
-            count = len(lines)
-        else:
-            lines, columns, odd, blank = self._slowly(text, width)
-            count = len(lines)
+        quick = self._quickly(text)
+        lines, columns, odd, blank = quick or self._slowly(text)
+        count = len(lines)
         if not count:
-            return Converted(b"" if quick else self._with_blank([], blank), 0, 0, text.count(b"\n"), None)
+            return Converted(blank.get(0, b""), 0, 0, text.count(b"\n"), None)
         results = self.evaluator.results(self._block(count, columns, odd))
         if self.excel_safe:
             lines = [self.safe(line) for line in lines]
-        pieces = self._pieces(lines, results)
-        output = b"".join(pieces) if quick is not None else self._with_blank(pieces, blank)
+        if blank:
+            lines = [blank.get(row, b"") + line for row, line in enumerate(lines)]
+        output = b"".join([*self._strips(lines, results), blank.get(count, b"")])
         failure = None
         if results.status:
             first = min(results.status)
-            before = text.count(b"\n") if quick is None else first
-            failure = (self._line_of(text, first) if quick is None else before, results.status[first])
+            failure = (first if quick else self._line_of(text, first), results.status[first])
         return Converted(output, count, len(results.status), text.count(b"\n"), failure)
 
-    def _quickly(self, text: bytes, width: int) -> tuple[list[bytes], list[list[bytes]]] | None:
-        """Lines and columns of plain lines without quotes, all of the right width; None if there is anything else."""
-        end = self.line_end
-        if b'"' in text or not text.endswith(end) or (len(end) == 1 and b"\r" in text):
+    def _quickly(self, text: bytes) -> Records | None:
+        """Plain lines without quotes, all of the right width; None if there is anything else."""
+        width, separator, end = len(self.header.texts), self.dialect.separator, self.line_end
+        if b'"' in text or not text.endswith(end):
             return None
         lines = text.split(end)
         lines.pop()
         count = len(lines)
-        if text.count(b"\n") != count or text.count(b"\r") != count * (len(end) - 1):
+        if text.count(b"\n") != count or text.count(b"\r") != count * (len(end) - 1) or (width == 1 and b"" in lines):
             return None
-        separator = self.dialect.separator
-        cells = text.replace(b"\n", b"\n" + separator).split(separator)
-        cells.pop()
-        last = cells[width - 1 :: width]
-        # As many cells as there should be, and each that should end a line does.
-        ends = b"".join(last)
-        if len(cells) != count * width or ends.count(b"\n") != count or (width == 1 and b"" in lines):
+        cells = text.replace(end, separator + b"\n" + separator).split(separator)
+        # As many cells as there should be, and a line feed behind each that should end a line.
+        if len(cells) != count * (width + 1) + 1 or cells[width :: width + 1].count(b"\n") != count:
             return None
-        return lines, [*(cells[place::width] for place in range(width - 1)), ends[: -len(end)].split(end)]
+        return Records(lines, [cells[place : -1 : width + 1] for place in range(width)], {}, {})
 
-    def _slowly(
-        self, text: bytes, width: int
-    ) -> tuple[list[bytes], list[list[bytes]], dict[int, str], dict[int, bytes]]:
-        """The same for any lines: records, their columns, those that are no rows and why, and blank lines by place."""
+    def _slowly(self, text: bytes) -> Records:
+        """The same for any lines."""
+        width = len(self.header.texts)
         lines: list[bytes] = []
         rows: list[list[bytes]] = []
         odd: dict[int, str] = {}
@@ -213,7 +213,7 @@ class Delimited:
                 cells = [b""] * width
             lines.append(line)
             rows.append(cells)
-        return lines, [list(column) for column in zip(*rows, strict=True)], odd, blank
+        return Records(lines, [list(column) for column in zip(*rows, strict=True)], odd, blank)
 
     def _squared(self, line: bytes, cells: list[bytes] | None, width: int) -> bytes:
         """A line with as many cells as the header: empty ones added, or what is too much kept in the last."""
@@ -238,35 +238,27 @@ class Delimited:
             lambda row, name: columns[places[name]][row].decode("utf-8", "replace"),
         )
 
-    def _pieces(self, lines: Sequence[bytes], results: Results) -> list[bytes]:
-        """The parts of the output, two to a row: the line, and the results with status and line end."""
+    def _strips(self, lines: Sequence[bytes], results: Results) -> Iterator[bytes]:
+        """The output, some rows at a time: each line, and behind it its results, status and line end."""
         separator, end = self.dialect.separator, self.line_end
-        text = orjson.dumps(numpy.ascontiguousarray(results.numbers.T), option=orjson.OPT_SERIALIZE_NUMPY)
-        if results.status or numpy.isnan(results.numbers).any():
-            text = text.replace(b"null", b"")
-        # [[1,2],[3,4]] becomes ,1,2,\n and ,3,4,\n: the searches for one byte are the quick ones.
-        text = b"," + text.replace(b"[", b"").replace(b"]", b"," + end)
-        if separator != b",":
-            text = text.replace(b",", separator)
-        pieces = [b""] * (2 * len(lines))
-        pieces[0::2] = lines
-        pieces[1::2] = io.BytesIO(text).readlines()[: len(lines)]
-        for row, status in results.status.items():
-            said = quoted_cell(status.encode(), separator)
-            pieces[2 * row + 1] = (
-                pieces[2 * row + 1][: -len(end)] + (self.safe(said) if self.excel_safe else said) + end
-            )
-        return pieces
-
-    def _with_blank(self, pieces: Sequence[bytes], blank: Mapping[int, bytes]) -> bytes:
-        """The output with the blank lines where they were."""
-        if not blank:
-            return b"".join(pieces)
-        parts: list[bytes] = []
-        for row in range(len(pieces) // 2 + 1):
-            parts.append(blank.get(row, b""))
-            parts += pieces[2 * row : 2 * row + 2]
-        return b"".join(parts)
+        said = {row: quoted_cell(status.encode(), separator) for row, status in results.status.items()}
+        for start in range(0, len(lines), STRIP):
+            numbers = numpy.ascontiguousarray(results.numbers[:, start : start + STRIP].T)
+            text = orjson.dumps(numbers, option=orjson.OPT_SERIALIZE_NUMPY)
+            if b"n" in text:
+                text = text.replace(b"null", b"")
+            # [[1,2],[3,4]] becomes ,1,2,\n and ,3,4,\n: the searches for one byte are the quick ones.
+            text = b"," + text.replace(b"[", b"").replace(b"]", b"," + end)
+            if separator != b",":
+                text = text.replace(b",", separator)
+            pieces = [b""] * (2 * len(numbers))
+            pieces[0::2] = lines[start : start + STRIP]
+            pieces[1::2] = io.BytesIO(text).readlines()[: len(numbers)]
+            for row in said.keys() & range(start, start + STRIP) if said else ():
+                status = self.safe(said[row]) if self.excel_safe else said[row]
+                place = 2 * (row - start) + 1
+                pieces[place] = pieces[place].removesuffix(end) + status + end
+            yield b"".join(pieces)
 
     def _line_of(self, text: bytes, row: int) -> int:
         """The line, from the start of the block, at which a row begins."""

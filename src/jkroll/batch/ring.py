@@ -25,6 +25,7 @@ Watch = Callable[[], None]
 
 def run(source: Source, convert: Callable[[bytes], Converted], sink: Sink, jobs: int, watch: Watch) -> None:
     """Convert all blocks of a source into a sink; `watch` is called now and then."""
+    _keep_memory()
     gc.collect()
     gc.freeze()
     gc.disable()
@@ -36,6 +37,14 @@ def run(source: Source, convert: Callable[[bytes], Converted], sink: Sink, jobs:
     finally:
         gc.enable()
         gc.unfreeze()
+
+
+def _keep_memory() -> None:
+    """Have glibc keep the memory that a block gives back, or each block would be faulted in anew: 0.3 pages a row.
+
+    It keeps as much as it was once given back in one piece.
+    """
+    bytes(1 << 24)
 
 
 def _alone(source: Source, convert: Callable[[bytes], Converted], sink: Sink, watch: Watch) -> None:

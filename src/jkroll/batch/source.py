@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from .errors import BadTable
 
-CHUNK = 1 << 17  # bytes read at a time: enough rows to pay for a call of numpy, few enough to stay in the cache
+CHUNK = 1 << 18  # bytes read at a time: enough rows to pay for a call of numpy, few enough to stay in the cache
 MAX_RECORD = 1 << 24
 COUNTERS = ("kept", "ended", "read", "written", "rows", "failed", "lines")
 
