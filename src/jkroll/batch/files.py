@@ -11,6 +11,8 @@ from ..request import BadRequest
 from .errors import BadTable
 from .formats import decompressed
 
+BESIDE = (".partial", ".journal", ".piece")  # what may stand beside the output until it is whole
+
 
 def opened(path: str) -> int:
     """The descriptor of the input."""
@@ -42,7 +44,7 @@ def check_output(descriptor: int, target: str) -> None:
     if target == "-":
         return
     read = os.fstat(descriptor)
-    for path in (target, f"{target}.partial", f"{target}.journal"):
+    for path in (target, *(target + end for end in BESIDE)):
         with suppress(OSError):
             if os.path.samestat(read, os.stat(path)) and stat.S_ISREG(read.st_mode):
                 raise BadRequest(f"-o: {quoted(path)} is the input; it is not overwritten")

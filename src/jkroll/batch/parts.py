@@ -19,6 +19,7 @@ from ..errors import JkrollError, quoted
 from ..materials import known_materials
 from ..request import BadRequest
 from .errors import BadTable, missing_extra
+from .files import BESIDE
 from .settings import Order, Settings, Tally, input_format
 
 MANIFEST = "manifest.json"
@@ -82,7 +83,7 @@ def convert_part(part: Part) -> Tally:
     except JkrollError as error:
         raise PartFailed(part.path, str(error), error.exit_code) from None
     finally:
-        for left in (beside, f"{beside}.partial", f"{beside}.journal"):
+        for left in (beside, *(beside + end for end in BESIDE)):
             with suppress(OSError):
                 os.unlink(left)
     return tally
@@ -164,9 +165,7 @@ def _finish(directory: str, done: list[tuple[Part, Tally]]) -> Tally:
             os.unlink(_note_of(part))
     for name in os.listdir(directory):
         if name.startswith(".") and any(
-            name.endswith(f".{os.path.basename(part.target)}{end}")
-            for part, _ in done
-            for end in ("", ".partial", ".journal")
+            name.endswith(f".{os.path.basename(part.target)}{end}") for part, _ in done for end in ("", *BESIDE)
         ):
             os.unlink(os.path.join(directory, name))
     with suppress(OSError):
