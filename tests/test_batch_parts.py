@@ -61,6 +61,20 @@ def test_resume_leaves_out_what_is_done(run: Run, grains: list[str]) -> None:
     assert whole("forces") == whole("whole")
 
 
+def test_no_file_stays_open(run: Run) -> None:
+    import gzip
+
+    Path("grains").mkdir()
+    for place in range(5):
+        Path(f"grains/{place}.csv").write_text("radius [nm]\n100\n")
+        Path(f"grains/{place}.csv.gz").write_bytes(gzip.compress(b"radius [nm]\n100\n"))
+    before = os.listdir("/proc/self/fd")
+    for jobs in ("1", "2"):
+        ran = run("batch", "grains/*", "-o", "forces/", "--material", "quartz", "--jobs", jobs)
+        assert ran == (0, "", "")
+    assert len(os.listdir("/proc/self/fd")) <= len(before)
+
+
 def whole_names(directory: str) -> list[str]:
     """The names of what a directory holds."""
     return [path.name for path in Path(directory).iterdir()]

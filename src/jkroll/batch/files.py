@@ -57,6 +57,8 @@ def feed(descriptor: int, compression: str) -> tuple[int, int]:
     process = os.fork()
     if process:
         os.close(start)
+        if descriptor:
+            os.close(descriptor)
         return end, process
     code = 1
     try:
