@@ -52,6 +52,8 @@ def check_output(descriptor: int, target: str) -> None:
 
 def feed(descriptor: int, compression: str) -> tuple[int, int]:
     """A pipe from a process that decompresses: its end, and the process."""
+    if not hasattr(os, "fork"):
+        raise BadTable("this system has no fork, which it takes to read a compressed table; decompress it first")
     end, start = os.pipe()
     sys.stdout.flush()
     process = os.fork()
