@@ -4,12 +4,13 @@ import errno
 import os
 import stat
 import sys
+from collections.abc import Callable, Iterator
 from contextlib import suppress
+from typing import BinaryIO
 
 from ..errors import quoted
 from ..request import BadRequest
 from .errors import BadTable
-from .formats import decompressed
 
 BESIDE = (".partial", ".journal", ".piece")  # what may stand beside the output until it is whole
 
@@ -50,8 +51,8 @@ def check_output(descriptor: int, target: str) -> None:
                 raise BadRequest(f"-o: {quoted(path)} is the input; it is not overwritten")
 
 
-def feed(descriptor: int, compression: str) -> tuple[int, int]:
-    """A pipe from a process that decompresses: its end, and the process."""
+def feed(descriptor: int, pieces: Callable[[BinaryIO], Iterator[bytes]]) -> tuple[int, int]:
+    """A pipe from a process that makes of a file what is to be read: its end, and the process."""
     if not hasattr(os, "fork"):
         raise BadTable("this system has no fork, which it takes to read a compressed table; decompress it first")
     end, start = os.pipe()
@@ -66,7 +67,7 @@ def feed(descriptor: int, compression: str) -> tuple[int, int]:
     try:
         os.close(end)
         with os.fdopen(descriptor, "rb") as file:
-            for piece in decompressed(file, compression):
+            for piece in pieces(file):
                 rest = memoryview(piece)
                 while rest:
                     rest = rest[os.write(start, rest) :]

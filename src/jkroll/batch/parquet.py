@@ -26,6 +26,7 @@ from .pieces import NUMBERS, PIECE, Group, rows_of_group, write
 from .rows import Block, Evaluator, Results
 from .settings import Order, Tally, input_format, output_format
 from .source import Shared
+from .spans import Span, groups_together
 from .task import understood_task
 
 BUFFER = 1 << 16  # bytes read at a time of each column
@@ -33,8 +34,8 @@ ROWS = 1 << 13  # rows computed together: what lies between two formulas stays i
 _DECIMALS = (0, 3, 6, 9)
 
 
-def convert(path: str, order: Order) -> Tally:
-    """Convert a Parquet file."""
+def convert(path: str, order: Order, span: Span | None = None) -> Tally:
+    """Convert a Parquet file, or a part of it."""
     settings = order.settings
     output_format(settings, input_format(path, settings))
     if "-" in (path, settings.target):
@@ -43,18 +44,22 @@ def convert(path: str, order: Order) -> Tally:
     check_output(descriptor, settings.target)
     identity = identity_of(descriptor)
     os.close(descriptor)
+    with opened_parquet(path) as file:
+        return _File(file, order, span or Span(0, file.metadata.num_row_groups)).run(identity)
+
+
+def opened_parquet(path: str) -> Any:
+    """A Parquet file; BadTable if it is none."""
     try:
-        file = pyarrow.parquet.ParquetFile(path, buffer_size=BUFFER)
+        return pyarrow.parquet.ParquetFile(path, buffer_size=BUFFER)
     except pyarrow.ArrowException:
         raise BadTable(f"{quoted(path)} is not Parquet, or its end is missing") from None
-    with file:
-        return _File(file, order).run(identity)
 
 
 class _File:
     """One run over one file, whose groups of rows are put together to pieces."""
 
-    def __init__(self, file: Any, order: Order) -> None:
+    def __init__(self, file: Any, order: Order, span: Span) -> None:
         self.file, self.order, self.settings = file, order, order.settings
         self.table, self.task = understood_task(tuple(file.schema_arrow.names), order)
         for column in self.task.inputs:
@@ -66,7 +71,8 @@ class _File:
         self.readers = [Reader(column) for column in self.task.inputs]
         self.names = [header(name) for name in self.task.quantities]
         self.shared = Shared()
-        self.total = file.metadata.num_row_groups
+        self.pieces = [*groups_together(file.metadata, PIECE, span)]
+        self.total = len(self.pieces)
 
     def run(self, identity: list[int]) -> Tally:
         """Convert it."""
@@ -82,13 +88,11 @@ class _File:
 
     def next(self) -> bytes | None:
         """The next groups of rows in the file that make up a piece."""
-        first = last = self.shared["read"]
-        rows = 0
-        while last < self.total and rows < PIECE:
-            rows += self.file.metadata.row_group(last).num_rows
-            last += 1
-        self.shared["read"] = last
-        return b"%d %d" % (first, last) if first < last else None
+        place = self.shared["read"]
+        if place == self.total:
+            return None
+        self.shared["read"] = place + 1
+        return b"%d %d" % (self.pieces[place].start, self.pieces[place].end)
 
     def groups(self, text: bytes) -> Iterator[Group]:
         """The rows of a piece with their results, as many together as are written together."""

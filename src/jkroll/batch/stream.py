@@ -5,6 +5,7 @@ import signal
 import sys
 from collections.abc import Callable
 from contextlib import closing, suppress
+from functools import partial
 
 from .. import __version__
 from ..errors import quoted
@@ -15,21 +16,22 @@ from .columns import check_first
 from .delimited import DIALECTS
 from .errors import BadTable
 from .files import check_output, feed, identity_of, opened, size_of
-from .formats import compressor
+from .formats import compressor, decompressed
 from .lines import Converted, LineFormat
 from .ndjson import Ndjson
 from .output import FileSink, Sink, fingerprint
 from .progress import watched
 from .settings import Order, Tally, input_format, output_format
 from .source import CHUNK, Shared, Source
+from .spans import Span
 from .task import understood_task
 
 FORMATS: dict[str, LineFormat] = {**DIALECTS, "ndjson": Ndjson()}
 
 
-def convert(path: str, order: Order) -> Tally:
-    """Convert a table of lines."""
-    return _Stream(path, order).run()
+def convert(path: str, order: Order, span: Span | None = None) -> Tally:
+    """Convert a table of lines, or a part of it."""
+    return _Stream(path, order).run(span)
 
 
 class _Stream:
@@ -40,18 +42,20 @@ class _Stream:
         self.shared = Shared()
         self.feeder = 0
 
-    def run(self) -> Tally:
+    def run(self, span: Span | None) -> Tally:
         """Convert it."""
         form = input_format(self.path, self.settings)
         kind = FORMATS[form.kind]
         compress = compressor(output_format(self.settings, form).compression)
         descriptor = opened(self.path)
         check_output(descriptor, self.settings.target)
-        total = 0 if form.compression else size_of(descriptor)
+        total = 0 if form.compression or span else size_of(descriptor)
         identity = identity_of(descriptor)
         if form.compression:
             compressor(form.compression)  # if a library is missing, it is missed here
-            descriptor, self.feeder = feed(descriptor, form.compression)
+            descriptor, self.feeder = feed(descriptor, partial(decompressed, compression=form.compression))
+        elif span:
+            descriptor, self.feeder = feed(descriptor, span.read)
         try:
             source = Source(descriptor, lambda text, is_end: kind.cut(text, is_end=is_end), self.shared)
             head = kind.head(source.head())
