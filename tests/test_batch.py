@@ -418,3 +418,23 @@ def test_a_closed_pipe_ends_it() -> None:
     )
     assert ran.stderr == "141\n"
     assert ran.stdout.startswith("material,radius [nm],")
+
+
+def test_where_there_is_no_fork_one_process_does_it(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    import gzip
+
+    wanted = batch(run, table(GRAINS))
+    Path("grains.csv.gz").write_bytes(gzip.compress(GRAINS.encode()))
+    monkeypatch.delattr(os, "fork")
+    assert run("batch grains.csv -o out.csv --jobs 2").code == 0
+    assert rows(Path("out.csv").read_text(encoding="utf-8")) == wanted
+    assert run("batch grains.csv.gz -o out.csv").err == (
+        "jkroll: this system has no fork, which it takes to read a compressed table; decompress it first\n"
+    )
+
+
+def test_one_liners_need_nothing_that_only_posix_has() -> None:
+    script = "import sys; sys.modules.update(dict.fromkeys(['fcntl', 'resource', 'termios', 'pwd', 'grp', 'pty']));"
+    script += "import jkroll; from jkroll.shell import main; sys.exit(main(sys.argv[1:]))"
+    for words in ("pull-off quartz 100nm --bare", "report quartz 1nm:1um:3 --csv", "materials quartz", "batch --help"):
+        assert subprocess.run([sys.executable, "-c", script, *words.split()], capture_output=True).returncode == 0

@@ -42,21 +42,39 @@ def kill_until_done(command: list[str], draw: random.Random, longest: float, *, 
             return kills
 
 
+SWEEP = "yield-force quartz 100nm --load -20nN:20nN:{}:lin"
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("whole_group", [True, False])
-def test_kills_lose_nothing(*, whole_group: bool) -> None:
-    Path("grains.csv").write_text(grains(100_000), encoding="utf-8")
-    command = [*BATCH, "grains.csv", "--material", "quartz", "-o"]
+@pytest.mark.parametrize(
+    ("words", "end"),
+    [
+        ("batch grains.csv --material quartz", "csv"),
+        ("batch grains.parquet --material quartz", "parquet"),
+        (SWEEP.format(200_000), "csv"),
+        (SWEEP.format(1_000_000), "parquet"),
+    ],
+)
+def test_kills_lose_nothing(words: str, end: str, *, whole_group: bool) -> None:
+    if "grains" in words:
+        Path("grains.csv").write_text(grains(100_000), encoding="utf-8")
+    if "grains.parquet" in words:
+        csv, parquet = pytest.importorskip("pyarrow.csv"), pytest.importorskip("pyarrow.parquet")
+        parquet.write_table(csv.read_csv("grains.csv"), "grains.parquet", row_group_size=20_000)
+    before = {path.name for path in Path().iterdir()}
+    whole, out = Path(f"whole.{end}"), Path(f"out.{end}")
+    command = [sys.executable, "-m", "jkroll", *words.split(), "-o"]
     began = time.monotonic()
-    assert subprocess.run([*command, "whole.csv"], capture_output=True).returncode == 1
+    assert subprocess.run([*command, whole], capture_output=True).returncode == 1
     taken = time.monotonic() - began
     draw = random.Random(1)
     kills = 0
-    while kills < KILLS / 2:
-        kills += kill_until_done([*command, "out.csv"], draw, taken * 0.9, whole_group=whole_group)
-        assert Path("out.csv").read_bytes() == Path("whole.csv").read_bytes()
-        assert sorted(path.name for path in Path().iterdir()) == ["grains.csv", "out.csv", "whole.csv"]
-        Path("out.csv").unlink()
+    while kills < KILLS / 8:
+        kills += kill_until_done([*command, out.name], draw, taken * 0.9, whole_group=whole_group)
+        assert out.read_bytes() == whole.read_bytes()
+        assert {path.name for path in Path().iterdir()} == {*before, out.name, whole.name}
+        out.unlink()
 
 
 def interrupted(command: list[str], how: int) -> int:

@@ -82,12 +82,60 @@ def test_strict_writes_nothing(run: Run) -> None:
     assert not Path("y.parquet").exists()
 
 
+@pytest.mark.parametrize("rows", [0, 1000])
+def test_a_run_of_several_pieces_has_all_rows(run: Run, monkeypatch: pytest.MonkeyPatch, rows: int) -> None:
+    from jkroll.batch import parquet as batch
+
+    name = write({"radius [nm]": [100.0 + row for row in range(rows)], "id": [*range(rows)]})
+    assert run("batch", name, "-o", "one.parquet") == (0, "", "")
+    monkeypatch.setattr(batch, "PIECE", 300)
+    assert run("batch", name, "-o", "several.parquet") == (0, "", "")
+    found = parquet.ParquetFile("several.parquet")
+    assert found.read().equals(parquet.read_table("one.parquet"))
+    assert found.metadata.num_row_groups == (4 if rows else 0)
+    assert found.read(["id"]).column(0).to_pylist() == [*range(rows)]
+
+
+@pytest.mark.parametrize("command", ["batch grains.parquet --strict", "pull-off quartz,iron 1nm:1um:600"])
+def test_resume_makes_only_the_pieces_that_are_missing(run: Run, monkeypatch: pytest.MonkeyPatch, command: str) -> None:
+    from jkroll.batch import parquet as batch
+    from jkroll.batch import pieces, sweep_parquet
+
+    write({"radius [nm]": [100.0 + row for row in range(1000)]})
+    monkeypatch.setattr(batch, "PIECE", 300)
+    monkeypatch.setattr(sweep_parquet, "PIECE", 300)
+    assert run(f"{command} -o whole.parquet --quiet") == (0, "", "")
+    finish = pieces._Piece.finish
+    written: list[int] = []
+    most = 4
+
+    def stopping(piece: pieces._Piece, text: bytes) -> None:
+        if len(written) == most:
+            raise KeyboardInterrupt
+        written.append(piece.rows)
+        finish(piece, text)
+
+    monkeypatch.setattr(pieces._Piece, "finish", stopping)
+    for most in range(4):
+        written.clear()
+        stopped = run(f"{command} -o out.parquet --quiet")
+        assert stopped.code == 130
+        assert f"jkroll: interrupted after {300 * most} rows; --resume goes on\n" in stopped.err
+        before, most = [*written], 4
+        assert run(f"{command} -o out.parquet --quiet --resume") == (0, "", "")
+        assert written == [300, 300, 300, 1000 - 900 if "batch" in command else 300]
+        assert before == written[: len(before)]
+        assert Path("out.parquet").read_bytes() == Path("whole.parquet").read_bytes()
+        assert {path.name for path in Path().iterdir()} == {"grains.parquet", "out.parquet", "whole.parquet"}
+
+
 def test_without_pyarrow_a_line_says_which_extra_brings_it(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     import sys
 
     name = write({"radius [nm]": [100.0]})
     monkeypatch.setitem(sys.modules, "pyarrow", None)
-    monkeypatch.delitem(sys.modules, "jkroll.batch.parquet", raising=False)
+    for module in ("parquet", "pieces", "sweep_parquet"):
+        monkeypatch.delitem(sys.modules, f"jkroll.batch.{module}", raising=False)
     for command in (f"batch {name} -o y.parquet", "r-min 1nm:1um:3 -o y.parquet", "batch *.parquet -o y/"):
         ran = run(command)
         assert (ran.code, ran.err) == (2, "jkroll: this needs pyarrow: pip install 'jkroll[parquet]'\n"), command

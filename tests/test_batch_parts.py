@@ -1,5 +1,6 @@
 """Many tables: one after the other, or by workers that may be killed."""
 
+import csv
 import json
 import os
 import random
@@ -61,6 +62,20 @@ def test_resume_leaves_out_what_is_done(run: Run, grains: list[str]) -> None:
     assert whole("forces") == whole("whole")
 
 
+def test_no_file_stays_open(run: Run) -> None:
+    import gzip
+
+    Path("grains").mkdir()
+    for place in range(5):
+        Path(f"grains/{place}.csv").write_text("radius [nm]\n100\n")
+        Path(f"grains/{place}.csv.gz").write_bytes(gzip.compress(b"radius [nm]\n100\n"))
+    before = os.listdir("/proc/self/fd")
+    for jobs in ("1", "2"):
+        ran = run("batch", "grains/*", "-o", "forces/", "--material", "quartz", "--jobs", jobs)
+        assert ran == (0, "", "")
+    assert len(os.listdir("/proc/self/fd")) <= len(before)
+
+
 def whole_names(directory: str) -> list[str]:
     """The names of what a directory holds."""
     return [path.name for path in Path(directory).iterdir()]
@@ -71,6 +86,44 @@ def test_what_makes_no_directory(run: Run, grains: list[str]) -> None:
     assert run("batch", "none/*.csv", "-o", "forces/").err == "jkroll: 'none/*.csv': no such file\n"
     assert "not overwritten" in run("batch", "grains/*.csv", "-o", "grains").err
     assert all(Path(name).read_text().startswith("material,") for name in grains)
+
+
+@pytest.mark.parametrize("end", ["csv", "ndjson", "parquet"])
+def test_a_large_table_is_split(run: Run, monkeypatch: pytest.MonkeyPatch, end: str) -> None:
+    from jkroll.batch import parts, spans
+    from jkroll.batch.settings import Settings
+
+    name = f"grains.{end}"
+    rows = [{"radius [nm]": 100.0 + row, "text": 'a\n"b"' if row % 3 else ""} for row in range(300)]
+    if end == "csv":
+        with Path(name).open("w", newline="") as file:
+            writer = csv.DictWriter(file, rows[0])
+            writer.writeheader()
+            writer.writerows(rows)
+    elif end == "ndjson":
+        Path(name).write_text("".join(json.dumps(row) + "\n" for row in rows))
+    else:
+        pyarrow, parquet = pytest.importorskip("pyarrow"), pytest.importorskip("pyarrow.parquet")
+        parquet.write_table(pyarrow.Table.from_pylist(rows), name, row_group_size=7)
+    monkeypatch.setattr(spans, "BYTES", 1000)
+    monkeypatch.setattr(spans, "MAX_RECORD", 100)
+    monkeypatch.setattr(spans, "ROWS", 50)
+    assert run("batch", name, "-o", f"whole.{end}", "--quantities", "r_min").code == 0
+    tally = parts.convert(name, Settings("out/", quantities="r_min", dask="local"), {}, (), parts.one_by_one)
+    assert tally == (300, 0)
+    manifest = json.loads(Path("out/manifest.json").read_text())["files"]
+    found = [Path("out") / one["output"] for one in manifest]
+    assert len(found) >= 5
+    assert [path.name for path in found] == [f"grains-{place:05}.{end}" for place in range(len(found))]
+    if end == "parquet":
+        whole, *others = (parquet.read_table(path) for path in ("whole.parquet", *found))
+        assert pyarrow.concat_tables(others).equals(whole)
+        return
+    texts = [path.read_bytes() for path in found]
+    if end == "csv":
+        head = texts[0].partition(b"\n")[0] + b"\n"
+        texts = [head, *(text.removeprefix(head) for text in texts)]
+    assert b"".join(texts) == Path(f"whole.{end}").read_bytes()
 
 
 @pytest.fixture

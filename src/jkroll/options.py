@@ -38,6 +38,7 @@ OUTPUT = (
     Option("json", "--json", bool, "", _FORMAT),
     Option("csv", "--csv", bool, "", _FORMAT),
     Option("target", "-o", str, "OUT", _FORMAT),
+    Option("resume", "--resume", bool, "", "Go on with that file after an interrupt.", hidden=True),
     Option("explain", "--explain", bool, "", _INSTEAD),
     Option("cite", "--cite", bool, "", _INSTEAD),
     Option("materials", "--materials", str, "FILE", "Materials of your own."),

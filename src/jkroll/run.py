@@ -35,6 +35,7 @@ class Output(NamedTuple):
     rtol: float | None = None
     curve: bool = False
     target: str | None = None
+    resume: bool = False
 
     def format_name(self, out: TextIO) -> str:
         """The one format that was asked for, else what suits where the output goes."""
@@ -69,6 +70,8 @@ def run_command(command: Command, words: Sequence[str] | None, options: Mapping[
     """Answer a command for every scene that was described; return the exit code."""
     out = sys.stdout
     kind = output.format_name(out)
+    if output.resume and output.target is None:
+        raise BadRequest("--resume needs a file to go on with: -o FILE")
     form = format_of(output.to, output.digits, command.quantities)
     request = Request(words or [], options, materials_files(output.materials))
     if output.materials is not None:
@@ -117,7 +120,7 @@ def _run_stream(command: Command, request: Request, samples: list[Answer], kind:
     samples = samples or [answer(command, scene) for scene in request.samples()]
     axes = [Axis(name, spreads) for name, spreads in request.spreads.items()]
     sweep = Sweep(request.pairs, axes, layout(command, samples, request.count), request.materials)
-    tally = stream(sweep, Settings(target=output.target or "-", quiet=output.quiet))
+    tally = stream(sweep, Settings(target=output.target or "-", resume=output.resume, quiet=output.quiet))
     if not output.quiet:
         ends = Tally()
         list(ends.watch(samples))
@@ -209,5 +212,6 @@ def run_batch(path: str | None, output: Output, given: Mapping[str, Any]) -> int
     """Convert a table of scenes; return the exit code."""
     from .batch.command import run
 
-    settings = {"target": output.target or "-", "materials": output.materials, "quiet": output.quiet}
+    names = ("materials", "resume", "quiet")
+    settings = {"target": output.target or "-", **{name: getattr(output, name) for name in names}}
     return run(path, {**given, **settings})

@@ -4,12 +4,15 @@ import errno
 import os
 import stat
 import sys
+from collections.abc import Callable, Iterator
 from contextlib import suppress
+from typing import BinaryIO
 
 from ..errors import quoted
 from ..request import BadRequest
 from .errors import BadTable
-from .formats import decompressed
+
+BESIDE = (".partial", ".journal", ".piece")  # what may stand beside the output until it is whole
 
 
 def opened(path: str) -> int:
@@ -42,25 +45,29 @@ def check_output(descriptor: int, target: str) -> None:
     if target == "-":
         return
     read = os.fstat(descriptor)
-    for path in (target, f"{target}.partial", f"{target}.journal"):
+    for path in (target, *(target + end for end in BESIDE)):
         with suppress(OSError):
             if os.path.samestat(read, os.stat(path)) and stat.S_ISREG(read.st_mode):
                 raise BadRequest(f"-o: {quoted(path)} is the input; it is not overwritten")
 
 
-def feed(descriptor: int, compression: str) -> tuple[int, int]:
-    """A pipe from a process that decompresses: its end, and the process."""
+def feed(descriptor: int, pieces: Callable[[BinaryIO], Iterator[bytes]]) -> tuple[int, int]:
+    """A pipe from a process that makes of a file what is to be read: its end, and the process."""
+    if not hasattr(os, "fork"):
+        raise BadTable("this system has no fork, which it takes to read a compressed table; decompress it first")
     end, start = os.pipe()
     sys.stdout.flush()
     process = os.fork()
     if process:
         os.close(start)
+        if descriptor:
+            os.close(descriptor)
         return end, process
     code = 1
     try:
         os.close(end)
         with os.fdopen(descriptor, "rb") as file:
-            for piece in decompressed(file, compression):
+            for piece in pieces(file):
                 rest = memoryview(piece)
                 while rest:
                     rest = rest[os.write(start, rest) :]

@@ -12,13 +12,14 @@ import os
 import stat
 import time
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Protocol
 from zlib import crc32
 
 from ..errors import quoted
 from .errors import BadRow, BadTable, NotTheSame
+from .files import BESIDE
 from .lines import Converted
-from .source import Shared, Source
+from .source import Shared
 
 LOCK_SECONDS = 10.0  # the processes of a run that was killed end on their own within a block
 
@@ -31,6 +32,13 @@ class Progress(NamedTuple):
     failed: int
     lines: int
     checksum: int
+
+
+class Blocks(Protocol):
+    """What comes in blocks, the same ones every time."""
+
+    def next(self) -> bytes | None:
+        """The next block; None at the end."""
 
 
 def fingerprint(parts: Mapping[str, Any]) -> dict[str, str]:
@@ -52,31 +60,38 @@ class Sink:
 
     def head(self, text: bytes, output: bytes, lines: int) -> None:
         """Write what stands before the first row. `text` is what it was."""
-        self._write(output)
-        self.shared["lines"] = lines
-        self._done(text)
+        self.append(output)
+        self.done(text, lines=lines)
 
     def write(self, text: bytes, converted: Converted) -> None:
         """Write the next block. `text` is what it was."""
         if self.strict and converted.first_failure is not None:
             line, status = converted.first_failure
             raise BadRow(self.shared["lines"] + 1 + line, status)
-        self._write(converted.output)
-        for name, count in (("rows", converted.rows), ("failed", converted.failed), ("lines", converted.lines)):
-            self.shared[name] += count
-        self._done(text)
+        self.append(converted.output)
+        self.done(text, rows=converted.rows, failed=converted.failed, lines=converted.lines)
 
-    def _done(self, text: bytes) -> None:
-        """A block was written."""
-
-    def _write(self, text: bytes) -> None:
-        rest = memoryview(text)
+    def append(self, output: bytes) -> None:
+        """Write bytes that belong to the next block."""
+        rest = memoryview(output)
         while rest:
             rest = rest[os.write(self.descriptor, rest) :]
-        self.shared["written"] += len(text)
+        self.shared["written"] += len(output)
+
+    def done(self, text: bytes, **counts: int) -> None:
+        """Count a block that was written: its rows, those that failed, its lines. `text` is what it was."""
+        for name, count in counts.items():
+            self.shared[name] += count
+        self._note(text)
+
+    def _note(self, text: bytes) -> None:
+        """A block was written."""
 
     def finish(self) -> None:
         """Nothing more comes."""
+
+    def close(self) -> None:
+        """Let go of what is open: another run may go on."""
 
 
 class FileSink(Sink):
@@ -85,7 +100,7 @@ class FileSink(Sink):
     def __init__(self, path: str, shared: Shared, *, strict: bool) -> None:
         """Open and lock what is written beside."""
         self.path = path
-        self.partial, self.journal_path = f"{path}.partial", f"{path}.journal"
+        self.partial, self.journal_path, self.piece = (path + end for end in BESIDE)
         descriptor = _opened(self.partial)
         super().__init__(descriptor, shared, strict=strict)
         _locked(descriptor, self.partial)
@@ -97,17 +112,24 @@ class FileSink(Sink):
         os.ftruncate(self.descriptor, 0)
         os.write(self.journal, json.dumps(identity).encode() + b"\n")
 
-    def _done(self, text: bytes) -> None:
+    def _note(self, text: bytes) -> None:
         """Note that a block was written."""
         shared = self.shared
         progress = (shared["written"], shared["rows"], shared["failed"], shared["lines"], crc32(text))
         os.write(self.journal, (" ".join(map(str, progress)) + "\n").encode())
 
-    def resume(self, identity: Mapping[str, str], head: bytes, source: Source) -> bool:
-        """Go to where the run that was interrupted came to; False if there is nothing to go on from."""
+    def _lines(self) -> tuple[bytes, list[bytes]]:
+        """The first line of the journal, and the others that are whole."""
         with open(self.journal_path, "rb") as file:
-            first = file.readline()
-            noted = [line for line in file if line.endswith(b"\n")]
+            return file.readline(), [line for line in file if line.endswith(b"\n")]
+
+    def noted(self) -> list[Progress]:
+        """How far the run came, block by block."""
+        return [Progress(*map(int, line.split())) for line in self._lines()[1]]
+
+    def resume(self, identity: Mapping[str, str], head: bytes, source: Blocks) -> bool:
+        """Go to where the run that was interrupted came to; False if there is nothing to go on from."""
+        first, noted = self._lines()
         size = os.fstat(self.descriptor).st_size
         if not first.endswith(b"\n") or not noted:
             return False
@@ -136,6 +158,11 @@ class FileSink(Sink):
         os.fsync(self.descriptor)
         os.replace(self.partial, self.path)
         os.unlink(self.journal_path)
+
+    def close(self) -> None:
+        """Let go of the files: another run may go on."""
+        os.close(self.journal)
+        os.close(self.descriptor)
 
 
 def _opened(path: str) -> int:

@@ -1,12 +1,10 @@
 """Parquet to Parquet: the columns of a file, block by block, with the results beside them.
 
-One thread reads and computes while another encodes and writes. A Parquet file has its index at the end and cannot be gone on with.
+A piece of it is some of the groups of rows that it was written in.
 """
 
 import os
-import sys
 from collections.abc import Iterator
-from concurrent.futures import Future, ThreadPoolExecutor
 from math import isnan
 from typing import Any
 
@@ -15,78 +13,53 @@ import orjson
 import pyarrow
 import pyarrow.parquet
 
+from .. import __version__
 from ..errors import quoted
 from ..nomenclature import header
 from ..request import BadRequest
 from .cells import Floats, Numbers, Reader, plain_numbers
 from .columns import STATUS, check_first
 from .errors import BadRow, BadTable
-from .files import check_output, opened
-from .output import FileSink
-from .progress import Bar
+from .files import check_output, identity_of, opened
+from .output import fingerprint
+from .pieces import NUMBERS, PIECE, Group, rows_of_group, write
 from .rows import Block, Evaluator, Results
-from .settings import Order, Settings, Tally, input_format, output_format
+from .settings import Order, Tally, input_format, output_format
 from .source import Shared
+from .spans import Span, groups_together
 from .task import understood_task
 
-GROUP = 1 << 15  # rows written together
+BUFFER = 1 << 16  # bytes read at a time of each column
 ROWS = 1 << 13  # rows computed together: what lies between two formulas stays in the cache
 _DECIMALS = (0, 3, 6, 9)
 
 
-def convert(path: str, order: Order) -> Tally:
-    """Convert a Parquet file."""
+def convert(path: str, order: Order, span: Span | None = None) -> Tally:
+    """Convert a Parquet file, or a part of it."""
     settings = order.settings
     output_format(settings, input_format(path, settings))
     if "-" in (path, settings.target):
         raise BadRequest("Parquet is read from a file and written to a file: -o FILE")
     descriptor = opened(path)
     check_output(descriptor, settings.target)
+    identity = identity_of(descriptor)
     os.close(descriptor)
+    with opened_parquet(path) as file:
+        return _File(file, order, span or Span(0, file.metadata.num_row_groups)).run(identity)
+
+
+def opened_parquet(path: str) -> Any:
+    """A Parquet file; BadTable if it is none."""
     try:
-        file = pyarrow.parquet.ParquetFile(path)
+        return pyarrow.parquet.ParquetFile(path, buffer_size=BUFFER)
     except pyarrow.ArrowException:
         raise BadTable(f"{quoted(path)} is not Parquet, or its end is missing") from None
-    with file:
-        return _File(file, order).run()
-
-
-def write(settings: Settings, shared: Shared, schema: Any, groups: Iterator[Any]) -> None:
-    """Write groups of rows as one file, which gets its name when it is whole."""
-    sink = FileSink(settings.target, shared, strict=settings.strict)
-    sink.begin({})
-    bar = Bar(sys.stderr, shared, 0)
-    is_watched = sys.stderr.isatty() and not settings.quiet
-    floats = [field.name for field in schema if pyarrow.types.is_floating(field.type)]
-    with (
-        os.fdopen(os.dup(sink.descriptor), "wb") as out,
-        ThreadPoolExecutor(1) as writing,
-        pyarrow.parquet.ParquetWriter(
-            out,
-            schema,
-            compression="snappy",
-            use_dictionary=[name for name in schema.names if name not in floats],
-            column_encoding=dict.fromkeys(floats, "BYTE_STREAM_SPLIT"),
-            write_statistics=False,
-        ) as writer,
-    ):
-        written: Future[None] | None = None
-        for group in groups:
-            if written is not None:
-                written.result()
-            written = writing.submit(writer.write_batch, group, GROUP)
-            if is_watched:
-                bar.show()
-        if written is not None:
-            written.result()
-    bar.clear()
-    sink.finish()
 
 
 class _File:
-    """One run over one file."""
+    """One run over one file, whose groups of rows are put together to pieces."""
 
-    def __init__(self, file: Any, order: Order) -> None:
+    def __init__(self, file: Any, order: Order, span: Span) -> None:
         self.file, self.order, self.settings = file, order, order.settings
         self.table, self.task = understood_task(tuple(file.schema_arrow.names), order)
         for column in self.task.inputs:
@@ -98,21 +71,34 @@ class _File:
         self.readers = [Reader(column) for column in self.task.inputs]
         self.names = [header(name) for name in self.task.quantities]
         self.shared = Shared()
+        self.pieces = [*groups_together(file.metadata, PIECE, span)]
+        self.total = len(self.pieces)
 
-    def run(self) -> Tally:
+    def run(self, identity: list[int]) -> Tally:
         """Convert it."""
         fields = [
             *self.file.schema_arrow,
             *(pyarrow.field(name, pyarrow.float64()) for name in self.names),
             pyarrow.field(STATUS, pyarrow.string()),
         ]
-        schema = pyarrow.schema(fields)
-        write(self.settings, self.shared, schema, self._groups(schema))
+        self.schema = pyarrow.schema(fields)
+        parts = self.order.parts([__version__, pyarrow.__version__, PIECE, NUMBERS], identity)
+        write(self.settings, self.shared, self.schema, fingerprint(parts), self)
         return Tally(self.shared["rows"], self.shared["failed"])
 
-    def _groups(self, schema: Any) -> Iterator[Any]:
-        """The rows with their results, as many together as are written together."""
-        for batch in self.file.iter_batches(GROUP):
+    def next(self) -> bytes | None:
+        """The next groups of rows in the file that make up a piece."""
+        place = self.shared["read"]
+        if place == self.total:
+            return None
+        self.shared["read"] = place + 1
+        return b"%d %d" % (self.pieces[place].start, self.pieces[place].end)
+
+    def groups(self, text: bytes) -> Iterator[Group]:
+        """The rows of a piece with their results, as many together as are written together."""
+        first, last = map(int, text.split())
+        done = sum(self.file.metadata.row_group(place).num_rows for place in range(first))
+        for batch in self.file.iter_batches(rows_of_group(len(self.schema)), row_groups=range(first, last)):
             size = batch.num_rows
             columns = numpy.empty((len(self.names), size))
             status: dict[int, str] = {}
@@ -122,15 +108,16 @@ class _File:
                 columns[:, start : start + part.num_rows] = results.numbers
                 status |= {start + row: words for row, words in results.status.items()}
             if status and self.settings.strict:
-                first = min(status)
-                raise BadRow(self.shared["rows"] + first + 1, status[first])
-            self.shared["rows"] += size
-            self.shared["failed"] += len(status)
+                row = min(status)
+                raise BadRow(done + row + 1, status[row])
+            done += size
             words = pyarrow.nulls(size, pyarrow.string())
             if status:
                 words = pyarrow.array([status.get(row) for row in range(size)], pyarrow.string())
             arrays = [pyarrow.array(column, from_pandas=bool(numpy.isnan(column.min()))) for column in columns]
-            yield pyarrow.RecordBatch.from_arrays([*batch.columns, *arrays, words], schema=schema)
+            yield Group(
+                pyarrow.RecordBatch.from_arrays([*batch.columns, *arrays, words], schema=self.schema), len(status)
+            )
 
     def _results(self, part: Any) -> Results:
         numbers = {reader.column.name: _numbers(part.column(reader.column.place), reader) for reader in self.readers}

@@ -9,7 +9,7 @@ import hashlib
 import json
 import os
 import uuid
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
 from typing import NamedTuple
@@ -19,7 +19,9 @@ from ..errors import JkrollError, quoted
 from ..materials import known_materials
 from ..request import BadRequest
 from .errors import BadTable, missing_extra
+from .files import BESIDE
 from .settings import Order, Settings, Tally, input_format
+from .spans import Span, spans_of
 
 MANIFEST = "manifest.json"
 DONE = ".done"  # a directory of what is done, until the manifest says it
@@ -37,9 +39,10 @@ class PartFailed(JkrollError):
 
 
 class Part(NamedTuple):
-    """One of the tables, and all that says what becomes of it."""
+    """One of the tables, or a part of one, and all that says what becomes of it."""
 
     path: str
+    span: Span | None  # None: all of it
     target: str
     settings: Settings
     inputs: tuple[tuple[str, str], ...]
@@ -51,7 +54,7 @@ class Part(NamedTuple):
         about = os.stat(self.path)
         settings = self.settings._replace(resume=False, jobs=0, dask="", quiet=False)
         materials = [Path(path).read_bytes().hex() for path in self.materials]
-        told = [__version__, about.st_size, about.st_mtime_ns, settings, self.inputs, materials]
+        told = [__version__, about.st_size, about.st_mtime_ns, self.span, settings, self.inputs, materials]
         return hashlib.sha256(json.dumps(told, sort_keys=True).encode()).hexdigest()
 
 
@@ -77,12 +80,12 @@ def convert_part(part: Part) -> Tally:
     else:
         from .stream import convert
     try:
-        tally = convert(part.path, order)
+        tally = convert(part.path, order, part.span)
         os.replace(beside, part.target)
     except JkrollError as error:
         raise PartFailed(part.path, str(error), error.exit_code) from None
     finally:
-        for left in (beside, f"{beside}.partial", f"{beside}.journal"):
+        for left in (beside, *(beside + end for end in BESIDE)):
             with suppress(OSError):
                 os.unlink(left)
     return tally
@@ -102,7 +105,12 @@ def convert(path: str, settings: Settings, inputs: Mapping[str, str], materials:
     paths = sorted(glob.glob(path)) if glob.has_magic(path) else [path]
     if not paths:
         raise BadTable(f"{quoted(path)}: no such file")
-    names = [os.path.basename(one) for one in paths]
+    tables = [
+        (one, name, span)
+        for one in paths
+        for name, span in _named(one, spans_of(one, settings) if settings.dask else [])
+    ]
+    names = [name for _, name, _ in tables]
     if len({*names}) < len(names):
         raise BadTable(f"{quoted(path)}: two tables have the same name")
     if os.path.exists(directory) and any(os.path.samefile(os.path.dirname(one) or ".", directory) for one in paths):
@@ -111,14 +119,21 @@ def convert(path: str, settings: Settings, inputs: Mapping[str, str], materials:
     with suppress(FileNotFoundError):
         os.unlink(os.path.join(directory, MANIFEST))
     parts = [
-        Part(one, os.path.join(directory, name), settings, tuple(sorted(inputs.items())), materials)
-        for one, name in zip(paths, names, strict=True)
+        Part(one, span, os.path.join(directory, name), settings, tuple(sorted(inputs.items())), materials)
+        for one, name, span in tables
     ]
     tallies = {part: tally for part in parts if settings.resume and (tally := _done(part)) is not None}
     for part, tally in run([part for part in parts if part not in tallies] if tallies else parts):
         tallies[part] = tally
         _note(part, tally)
     return _finish(directory, [(part, tallies[part]) for part in parts])
+
+
+def _named(path: str, spans: Sequence[Span]) -> list[tuple[str, Span | None]]:
+    """What the results of a table are called: as the table, with a number if there are several."""
+    name = os.path.basename(path)
+    start, dot, end = name.partition(".")
+    return [(f"{start}-{place:05}{dot}{end}", span) for place, span in enumerate(spans)] or [(name, None)]
 
 
 def _note(part: Part, tally: Tally) -> None:
@@ -164,9 +179,7 @@ def _finish(directory: str, done: list[tuple[Part, Tally]]) -> Tally:
             os.unlink(_note_of(part))
     for name in os.listdir(directory):
         if name.startswith(".") and any(
-            name.endswith(f".{os.path.basename(part.target)}{end}")
-            for part, _ in done
-            for end in ("", ".partial", ".journal")
+            name.endswith(f".{os.path.basename(part.target)}{end}") for part, _ in done for end in ("", *BESIDE)
         ):
             os.unlink(os.path.join(directory, name))
     with suppress(OSError):

@@ -1,9 +1,13 @@
 """How far a run is, as one line on a terminal."""
 
 import os
+import sys
 import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import TextIO
 
+from ..streams import say
 from .source import Shared
 
 WIDTH = 24
@@ -43,6 +47,25 @@ class Bar:
             columns = int(os.environ.get("COLUMNS") or 0) or 80
             self.out.write("\r" + " " * (columns - 1) + "\r")
             self.out.flush()
+
+
+@contextmanager
+def watched(shared: Shared, total: int, *, is_quiet: bool, goes_on: bool) -> Iterator[Callable[[], None]]:
+    """What shows how far a run is, on a terminal; after an interrupt a line says where `--resume` goes on, if it does."""
+    bar = Bar(sys.stderr, shared, total)
+    try:
+        yield bar.show if sys.stderr.isatty() and not is_quiet else _nothing
+    except KeyboardInterrupt:
+        bar.clear()
+        if goes_on:
+            say(f"jkroll: interrupted after {shared['rows']} rows; --resume goes on", sys.stderr)
+        raise
+    finally:
+        bar.clear()
+
+
+def _nothing() -> None:
+    pass
 
 
 def _duration(seconds: float) -> str:

@@ -1,6 +1,6 @@
 """What the options of a batch say, and the formats that follow from them."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from ..errors import quoted
@@ -30,6 +30,16 @@ class Order(NamedTuple):
     settings: Settings
     inputs: Mapping[str, str]
     known: Materials
+
+    def parts(self, version: Sequence[object], read: Sequence[int]) -> dict[str, object]:
+        """What the result depends on: the version of all that makes it, the identity of the input, and what was said."""
+        options = self.settings._replace(resume=False, jobs=0, quiet=False, target="")
+        return {
+            "version": version,
+            "input": read,
+            "options": [options._asdict(), dict(self.inputs)],
+            "materials file": [*map(str, self.known.materials.items())],
+        }
 
 
 class Tally(NamedTuple):

@@ -4,33 +4,34 @@ import os
 import signal
 import sys
 from collections.abc import Callable
-from contextlib import suppress
+from contextlib import closing, suppress
+from functools import partial
 
 from .. import __version__
 from ..errors import quoted
 from ..nomenclature import header
 from ..request import BadRequest
-from ..streams import say
 from . import ring
 from .columns import check_first
 from .delimited import DIALECTS
 from .errors import BadTable
 from .files import check_output, feed, identity_of, opened, size_of
-from .formats import compressor
+from .formats import compressor, decompressed
 from .lines import Converted, LineFormat
 from .ndjson import Ndjson
 from .output import FileSink, Sink, fingerprint
-from .progress import Bar
+from .progress import watched
 from .settings import Order, Tally, input_format, output_format
 from .source import CHUNK, Shared, Source
+from .spans import Span
 from .task import understood_task
 
 FORMATS: dict[str, LineFormat] = {**DIALECTS, "ndjson": Ndjson()}
 
 
-def convert(path: str, order: Order) -> Tally:
-    """Convert a table of lines."""
-    return _Stream(path, order).run()
+def convert(path: str, order: Order, span: Span | None = None) -> Tally:
+    """Convert a table of lines, or a part of it."""
+    return _Stream(path, order).run(span)
 
 
 class _Stream:
@@ -41,18 +42,20 @@ class _Stream:
         self.shared = Shared()
         self.feeder = 0
 
-    def run(self) -> Tally:
+    def run(self, span: Span | None) -> Tally:
         """Convert it."""
         form = input_format(self.path, self.settings)
         kind = FORMATS[form.kind]
         compress = compressor(output_format(self.settings, form).compression)
         descriptor = opened(self.path)
         check_output(descriptor, self.settings.target)
-        total = 0 if form.compression else size_of(descriptor)
+        total = 0 if form.compression or span else size_of(descriptor)
         identity = identity_of(descriptor)
         if form.compression:
             compressor(form.compression)  # if a library is missing, it is missed here
-            descriptor, self.feeder = feed(descriptor, form.compression)
+            descriptor, self.feeder = feed(descriptor, partial(decompressed, compression=form.compression))
+        elif span:
+            descriptor, self.feeder = feed(descriptor, span.read)
         try:
             source = Source(descriptor, lambda text, is_end: kind.cut(text, is_end=is_end), self.shared)
             head = kind.head(source.head())
@@ -67,51 +70,36 @@ class _Stream:
                 block = converter.convert(text)
                 return block._replace(output=compress(block.output))
 
-            sink = self._sink()
-            if not (isinstance(sink, FileSink) and self._goes_on(sink, identity, head.text, source)):
-                sink.head(head.text, compress(converter.head) if converter.head else b"", head.text.count(b"\n"))
-            self._convert(source, converted, sink, total)
-            sink.finish()
+            with closing(self._sink()) as sink:
+                if not (isinstance(sink, FileSink) and self._goes_on(sink, identity, head.text, source)):
+                    sink.head(head.text, compress(converter.head) if converter.head else b"", head.text.count(b"\n"))
+                self._convert(source, converted, sink, total)
+                sink.finish()
         finally:
             self._stop_feeder()
+            if descriptor:
+                os.close(descriptor)
         return Tally(self.shared["rows"], self.shared["failed"])
 
     def _goes_on(self, sink: FileSink, identity: list[int], head: bytes, source: Source) -> bool:
         """Go on from an interrupted run if that is asked for; else begin."""
-        options = [
-            self.settings._replace(resume=False, jobs=0, quiet=False, target="")._asdict(),
-            dict(self.order.inputs),
-        ]
-        parts = {
-            "version": [__version__, CHUNK],
-            "input": identity,
-            "options": options,
-            "materials file": [*map(str, self.order.known.materials.items())],
-        }
-        if self.settings.resume and sink.resume(fingerprint(parts), head, source):
+        parts = fingerprint(self.order.parts([__version__, CHUNK], identity))
+        if self.settings.resume and sink.resume(parts, head, source):
             return True
-        sink.begin(fingerprint(parts))
+        sink.begin(parts)
         return False
 
     def _convert(self, source: Source, converted: Callable[[bytes], Converted], sink: Sink, total: int) -> None:
         """Run the processes, with a bar on a terminal."""
-        bar = Bar(sys.stderr, self.shared, total)
-        is_watched = sys.stderr.isatty() and not self.settings.quiet
         jobs = self.settings.jobs or os.cpu_count() or 1
-        try:
-            ring.run(source, converted, sink, jobs, bar.show if is_watched else _nothing)
+        goes_on = isinstance(sink, FileSink)
+        with watched(self.shared, total, is_quiet=self.settings.quiet, goes_on=goes_on) as show:
+            ring.run(source, converted, sink, jobs, show)
             if self.feeder:
                 _, status = os.waitpid(self.feeder, 0)
                 self.feeder = 0
                 if status:
                     raise BadTable(f"{quoted(self.path)} is not what its name says, or its end is missing")
-        except KeyboardInterrupt:
-            bar.clear()
-            if isinstance(sink, FileSink):
-                say(f"jkroll: interrupted after {self.shared['rows']} rows; --resume goes on", sys.stderr)
-            raise
-        finally:
-            bar.clear()
 
     def _stop_feeder(self) -> None:
         if self.feeder:
@@ -132,7 +120,3 @@ class _Stream:
                 raise BadRequest(f"-o: {quoted(path)} is a directory")
             return Sink(os.open(path, os.O_WRONLY), self.shared, strict=self.settings.strict)
         return FileSink(path, self.shared, strict=self.settings.strict)
-
-
-def _nothing() -> None:
-    pass

@@ -5,7 +5,8 @@ The columns are those of a short sweep. A block is a number of rows from a place
 
 import os
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
+from contextlib import closing
 from math import prod
 from typing import Any, NamedTuple
 
@@ -29,7 +30,7 @@ from .errors import missing_extra
 from .formats import compressor, format_of
 from .lines import Converted
 from .output import FileSink, Sink, fingerprint
-from .progress import Bar
+from .progress import watched
 from .rows import Block, Evaluator
 from .settings import Settings, Tally
 from .single import Task
@@ -47,9 +48,18 @@ class Sweep(NamedTuple):
     known: Materials
 
     @property
+    def size(self) -> int:
+        """All rows."""
+        return len(self.pairs) * self.rows_of_pair
+
+    @property
     def rows_of_pair(self) -> int:
         """Rows of one pair of materials."""
         return prod(axis.size for axis in self.axes)
+
+    def block(self, start: int) -> int:
+        """How many rows the block has that begins at a place; none has rows of two pairs."""
+        return min(ROWS, self.rows_of_pair - start % self.rows_of_pair)
 
     @property
     def inputs(self) -> list[str]:
@@ -60,6 +70,12 @@ class Sweep(NamedTuple):
     def results(self) -> list[str]:
         """The columns of results."""
         return [name for name in self.shape.columns if name not in self.shape.inputs]
+
+    def identity(self, *version: object) -> dict[str, str]:
+        """What tells this sweep from any other, and how it is written."""
+        axes = [(axis.name, [list(vars(spread).values()) for spread in axis.spreads]) for axis in self.axes]
+        options = [self.shape.columns, axes, [*map(str, self.pairs)]]
+        return fingerprint({"version": [__version__, ROWS, *version], "options": options})
 
 
 class Rows(NamedTuple):
@@ -72,7 +88,7 @@ class Rows(NamedTuple):
     size: int
 
 
-class _Evaluators:
+class Evaluators:
     """What computes the rows of each pair."""
 
     def __init__(self, sweep: Sweep) -> None:
@@ -139,14 +155,13 @@ class _Places:
 
     def __init__(self, sweep: Sweep, shared: Shared) -> None:
         self.sweep, self.shared = sweep, shared
-        self.total = len(sweep.pairs) * sweep.rows_of_pair
 
     def next(self) -> bytes | None:
-        """The next block; none of them has rows of two pairs."""
+        """The next block."""
         start = self.shared["read"]
-        if start >= self.total:
+        if start >= self.sweep.size:
             return None
-        count = min(ROWS, self.sweep.rows_of_pair - start % self.sweep.rows_of_pair)
+        count = self.sweep.block(start)
         self.shared["read"] = start + count
         return b"%d %d" % (start, count)
 
@@ -157,7 +172,7 @@ class _Lines:
     def __init__(self, sweep: Sweep, kind: str) -> None:
         self.sweep = sweep
         self.separator = DIALECTS[kind].separator
-        self.evaluators = _Evaluators(sweep)
+        self.evaluators = Evaluators(sweep)
         self.head = self.separator.join(header(name).encode() for name in sweep.shape.columns) + b"\n"
 
     def convert(self, text: bytes) -> Converted:
@@ -199,7 +214,9 @@ def stream(sweep: Sweep, settings: Settings) -> Tally:
     shared = Shared()
     form = format_of(settings.target)
     if form is not None and form.kind == "parquet":
-        return _to_parquet(sweep, settings, shared)
+        with missing_extra("parquet"):
+            from .sweep_parquet import write_sweep
+        return write_sweep(sweep, settings, shared)
     if form is not None and form.kind not in DIALECTS:
         raise BadRequest(f"-o: a sweep is written as csv, tsv or parquet, not as {form.kind}")
     compress = compressor(form.compression if form else "")
@@ -210,67 +227,25 @@ def stream(sweep: Sweep, settings: Settings) -> Tally:
         block = lines.convert(text)
         return block._replace(output=compress(block.output))
 
+    jobs, goes_on = settings.jobs or os.cpu_count() or 1, settings.target != "-"
+    with closing(_sink(sweep, settings, shared, source)) as sink:
+        if not shared["lines"]:
+            sink.head(b"", compress(lines.head), 1)
+        with watched(shared, sweep.size, is_quiet=settings.quiet or not goes_on, goes_on=goes_on) as show:
+            ring.run(source, converted, sink, jobs, show)
+        sink.finish()
+    return Tally(shared["rows"], shared["failed"])
+
+
+def _sink(sweep: Sweep, settings: Settings, shared: Shared, source: _Places) -> Sink:
+    """Where the lines go: stdout, or a file, at its beginning or where an interrupted run came to."""
     if settings.target == "-":
         sys.stdout.flush()
-        sink = Sink(sys.stdout.fileno(), shared, strict=False)
-        sink.head(b"", compress(lines.head), 1)
-    else:
-        if os.path.exists(settings.target) and not os.path.isfile(settings.target):
-            raise BadRequest(f"-o: {quoted(settings.target)} is no file")
-        sink = FileSink(settings.target, shared, strict=False)
-        sink.begin(fingerprint({"version": __version__}))
-        sink.head(b"", compress(lines.head), 1)
-    bar = Bar(sys.stderr, shared, source.total)
-    is_watched = sys.stderr.isatty() and settings.target != "-" and not settings.quiet
-    try:
-        ring.run(source, converted, sink, settings.jobs or os.cpu_count() or 1, bar.show if is_watched else _nothing)
-    finally:
-        bar.clear()
-    sink.finish()
-    return Tally(shared["rows"], shared["failed"])
-
-
-def _nothing() -> None:
-    pass
-
-
-def _to_parquet(sweep: Sweep, settings: Settings, shared: Shared) -> Tally:
-    """Write all rows as Parquet."""
-    with missing_extra("parquet"):
-        import pyarrow
-
-        from .parquet import GROUP, write
-
-    materials = [name for name in sweep.shape.inputs if not NOMENCLATURE[name].unit]
-    schema = pyarrow.schema(
-        [
-            *(pyarrow.field(name, pyarrow.string()) for name in materials),
-            *(pyarrow.field(header(name), pyarrow.float64()) for name in (*sweep.inputs, *sweep.results)),
-        ]
-    )
-
-    def groups() -> Iterator[Any]:
-        evaluators, places = _Evaluators(sweep), _Places(sweep, shared)
-        parts: list[Any] = []
-        while (text := places.next()) is not None:
-            rows = evaluators.rows(*map(int, text.split()))
-            columns = [
-                numpy.full(rows.size, numpy.nan if one is None else one) if not isinstance(one, numpy.ndarray) else one
-                for one in rows.inputs
-            ]
-            arrays = [
-                pyarrow.array(column, from_pandas=bool(numpy.isnan(column.min())))
-                for column in [*columns, *rows.results]
-            ]
-            names = [pyarrow.array([name] * rows.size) for name in rows.materials]
-            parts.append(pyarrow.RecordBatch.from_arrays([*names, *arrays], schema=schema))
-            shared["rows"] += rows.size
-            shared["failed"] += rows.failed
-            if sum(part.num_rows for part in parts) >= GROUP:
-                yield pyarrow.Table.from_batches(parts).combine_chunks().to_batches()[0]
-                parts = []
-        if parts:
-            yield pyarrow.Table.from_batches(parts).combine_chunks().to_batches()[0]
-
-    write(settings, shared, schema, groups())
-    return Tally(shared["rows"], shared["failed"])
+        return Sink(sys.stdout.fileno(), shared, strict=False)
+    if os.path.exists(settings.target) and not os.path.isfile(settings.target):
+        raise BadRequest(f"-o: {quoted(settings.target)} is no file")
+    sink = FileSink(settings.target, shared, strict=False)
+    identity = sweep.identity()
+    if not (settings.resume and sink.resume(identity, b"", source)):
+        sink.begin(identity)
+    return sink
