@@ -165,7 +165,8 @@ def _code_of(stop: SystemExit) -> int:
 def _forget(stream: Any) -> None:
     """Keep the interpreter from writing once more what could not be written."""
     try:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+        with open(os.devnull, "wb") as nothing:
+            os.dup2(nothing.fileno(), stream.fileno())
     except (OSError, ValueError, AttributeError):  # it was closed from the start, or it is no file
         pass
 

@@ -13,11 +13,9 @@ from .formats import decompressed
 
 
 def opened(path: str) -> int:
-    """The descriptor of the input."""
-    if path == "-":
-        return 0
+    """A descriptor of the input."""
     try:
-        descriptor = os.open(path, os.O_RDONLY | os.O_CLOEXEC)
+        descriptor = os.dup(0) if path == "-" else os.open(path, os.O_RDONLY | os.O_CLOEXEC)
         if stat.S_ISDIR(os.fstat(descriptor).st_mode):
             raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
     except OSError as error:

@@ -5,8 +5,9 @@ One thread reads and computes while another encodes and writes. A Parquet file h
 
 import os
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import closing
 from math import isnan
 from typing import Any
 
@@ -53,10 +54,16 @@ def convert(path: str, order: Order) -> Tally:
 
 def write(settings: Settings, shared: Shared, schema: Any, groups: Iterator[Any]) -> None:
     """Write groups of rows as one file, which gets its name when it is whole."""
-    sink = FileSink(settings.target, shared, strict=settings.strict)
-    sink.begin({})
-    bar = Bar(sys.stderr, shared, 0)
-    is_watched = sys.stderr.isatty() and not settings.quiet
+    with closing(FileSink(settings.target, shared, strict=settings.strict)) as sink:
+        sink.begin({})
+        bar = Bar(sys.stderr, shared, 0)
+        _write(sink, schema, groups, bar.show if sys.stderr.isatty() and not settings.quiet else None)
+        bar.clear()
+        sink.finish()
+
+
+def _write(sink: FileSink, schema: Any, groups: Iterator[Any], watch: Callable[[], None] | None) -> None:
+    """Write groups of rows, each while the next is computed."""
     floats = [field.name for field in schema if pyarrow.types.is_floating(field.type)]
     with (
         os.fdopen(os.dup(sink.descriptor), "wb") as out,
@@ -75,12 +82,10 @@ def write(settings: Settings, shared: Shared, schema: Any, groups: Iterator[Any]
             if written is not None:
                 written.result()
             written = writing.submit(writer.write_batch, group, GROUP)
-            if is_watched:
-                bar.show()
+            if watch is not None:
+                watch()
         if written is not None:
             written.result()
-    bar.clear()
-    sink.finish()
 
 
 class _File:

@@ -4,7 +4,7 @@ import os
 import signal
 import sys
 from collections.abc import Callable
-from contextlib import suppress
+from contextlib import ExitStack, closing, suppress
 
 from .. import __version__
 from ..errors import quoted
@@ -44,36 +44,42 @@ class _Stream:
     def run(self) -> Tally:
         """Convert it."""
         form = input_format(self.path, self.settings)
-        kind = FORMATS[form.kind]
         compress = compressor(output_format(self.settings, form).compression)
-        descriptor = opened(self.path)
-        check_output(descriptor, self.settings.target)
-        total = 0 if form.compression else size_of(descriptor)
-        identity = identity_of(descriptor)
-        if form.compression:
-            compressor(form.compression)  # if a library is missing, it is missed here
-            descriptor, self.feeder = feed(descriptor, form.compression)
-        try:
-            source = Source(descriptor, lambda text, is_end: kind.cut(text, is_end=is_end), self.shared)
-            head = kind.head(source.head())
-            source.skip(len(head.text))
-            table, task = understood_task(head.names, self.order)
-            for column in table.inputs:
-                check_first(column, [row[column.place] for row in head.sample])
-            names = [header(name) for name in task.quantities]
-            converter = kind.converter(head, table, task, names, excel_safe=self.settings.excel_safe)
+        with ExitStack() as at_end:
+            descriptor = opened(self.path)
+            at_end.callback(os.close, descriptor)
+            check_output(descriptor, self.settings.target)
+            total = 0 if form.compression else size_of(descriptor)
+            identity = identity_of(descriptor)
+            if form.compression:
+                compressor(form.compression)  # if a library is missing, it is missed here
+                descriptor, self.feeder = feed(descriptor, form.compression)
+                at_end.callback(self._stop_feeder)
+                at_end.callback(os.close, descriptor)
+            return self._run(FORMATS[form.kind], descriptor, compress, identity, total)
 
-            def converted(text: bytes) -> Converted:
-                block = converter.convert(text)
-                return block._replace(output=compress(block.output))
+    def _run(
+        self, kind: LineFormat, descriptor: int, compress: Callable[[bytes], bytes], identity: list[int], total: int
+    ) -> Tally:
+        """Convert what a descriptor gives."""
+        source = Source(descriptor, lambda text, is_end: kind.cut(text, is_end=is_end), self.shared)
+        head = kind.head(source.head())
+        source.skip(len(head.text))
+        table, task = understood_task(head.names, self.order)
+        for column in table.inputs:
+            check_first(column, [row[column.place] for row in head.sample])
+        names = [header(name) for name in task.quantities]
+        converter = kind.converter(head, table, task, names, excel_safe=self.settings.excel_safe)
 
-            sink = self._sink()
+        def converted(text: bytes) -> Converted:
+            block = converter.convert(text)
+            return block._replace(output=compress(block.output))
+
+        with closing(self._sink()) as sink:
             if not (isinstance(sink, FileSink) and self._goes_on(sink, identity, head.text, source)):
                 sink.head(head.text, compress(converter.head) if converter.head else b"", head.text.count(b"\n"))
             self._convert(source, converted, sink, total)
             sink.finish()
-        finally:
-            self._stop_feeder()
         return Tally(self.shared["rows"], self.shared["failed"])
 
     def _goes_on(self, sink: FileSink, identity: list[int], head: bytes, source: Source) -> bool:
@@ -126,7 +132,7 @@ class _Stream:
             if self.settings.resume:
                 raise BadRequest("--resume needs a file to go on with: -o FILE")
             sys.stdout.flush()
-            return Sink(sys.stdout.fileno(), self.shared, strict=self.settings.strict)
+            return Sink(os.dup(sys.stdout.fileno()), self.shared, strict=self.settings.strict)
         if os.path.exists(path) and not os.path.isfile(path):
             if os.path.isdir(path):
                 raise BadRequest(f"-o: {quoted(path)} is a directory")

@@ -6,6 +6,7 @@ The columns are those of a short sweep. A block is a number of rows from a place
 import os
 import sys
 from collections.abc import Iterator, Sequence
+from contextlib import closing
 from math import prod
 from typing import Any, NamedTuple
 
@@ -210,24 +211,29 @@ def stream(sweep: Sweep, settings: Settings) -> Tally:
         block = lines.convert(text)
         return block._replace(output=compress(block.output))
 
-    if settings.target == "-":
-        sys.stdout.flush()
-        sink = Sink(sys.stdout.fileno(), shared, strict=False)
-        sink.head(b"", compress(lines.head), 1)
-    else:
-        if os.path.exists(settings.target) and not os.path.isfile(settings.target):
-            raise BadRequest(f"-o: {quoted(settings.target)} is no file")
-        sink = FileSink(settings.target, shared, strict=False)
-        sink.begin(fingerprint({"version": __version__}))
-        sink.head(b"", compress(lines.head), 1)
     bar = Bar(sys.stderr, shared, source.total)
     is_watched = sys.stderr.isatty() and settings.target != "-" and not settings.quiet
-    try:
-        ring.run(source, converted, sink, settings.jobs or os.cpu_count() or 1, bar.show if is_watched else _nothing)
-    finally:
-        bar.clear()
-    sink.finish()
+    watch = bar.show if is_watched else _nothing
+    with closing(_sink(settings.target, shared)) as sink:
+        sink.head(b"", compress(lines.head), 1)
+        try:
+            ring.run(source, converted, sink, settings.jobs or os.cpu_count() or 1, watch)
+        finally:
+            bar.clear()
+        sink.finish()
     return Tally(shared["rows"], shared["failed"])
+
+
+def _sink(target: str, shared: Shared) -> Sink:
+    """Where the rows go."""
+    if target == "-":
+        sys.stdout.flush()
+        return Sink(os.dup(sys.stdout.fileno()), shared, strict=False)
+    if os.path.exists(target) and not os.path.isfile(target):
+        raise BadRequest(f"-o: {quoted(target)} is no file")
+    sink = FileSink(target, shared, strict=False)
+    sink.begin(fingerprint({"version": __version__}))
+    return sink
 
 
 def _nothing() -> None:
