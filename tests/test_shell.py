@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from conftest import Run
 from jkroll.cli import build
 from jkroll.commands import COMMANDS
 from jkroll.options import EXTRAS, OUTPUT, options_of
@@ -147,3 +148,8 @@ def test_readers_agree_on_any_text(command: str, words: list[str]) -> None:
 def test_every_command_takes_the_ways_to_write() -> None:
     for command in COMMANDS.values():
         assert set(OUTPUT) <= set(options_of(command))
+
+
+def test_a_nul_is_in_no_word(run: Run) -> None:
+    ran = run("pull-off", "quartz", "1um", "-o", "a\0.csv")
+    assert ran == (2, "", "jkroll: 'a?.csv' has a NUL in it, which no word has\n")

@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from conftest import Run
 from jkroll.cli import build
 from jkroll.commands import COMMANDS
 from jkroll.options import EXTRAS, flags_of
@@ -130,8 +131,6 @@ def test_other_lines_are_left_to_typer(shell: str, line: str) -> None:
 @pytest.mark.parametrize(
     "environment",
     [
-        {"_JKROLL_COMPLETE": "complete_bash"},
-        {"_JKROLL_COMPLETE": "complete_bash", "COMP_WORDS": "jkroll p", "COMP_CWORD": "x"},
         {"_JKROLL_COMPLETE": "complete_bash", "COMP_WORDS": "jkroll p", "COMP_CWORD": "9"},
         {"_JKROLL_COMPLETE": "complete_zsh"},
         {"_JKROLL_COMPLETE": "complete_powershell", "_TYPER_COMPLETE_ARGS": "jkroll p"},
@@ -194,3 +193,17 @@ def test_the_program_answers(monkeypatch: pytest.MonkeyPatch, capsys: pytest.Cap
         monkeypatch.setenv(name, value)
     assert main([]) == 0
     assert capsys.readouterr().out.startswith('_arguments \'*: :(("10nm"\n')
+
+
+@pytest.mark.parametrize(
+    "said", [{}, {"COMP_WORDS": "jkroll pull"}, {"COMP_WORDS": "jkroll '", "COMP_CWORD": "x"}, {"COMP_CWORD": "1"}]
+)
+def test_what_no_bash_asks_is_refused_in_a_line(
+    run: Run, monkeypatch: pytest.MonkeyPatch, said: dict[str, str]
+) -> None:
+    for name in ("COMP_WORDS", "COMP_CWORD"):
+        monkeypatch.delenv(name, raising=False)
+    for name, text in (said | {"_JKROLL_COMPLETE": "complete_bash"}).items():
+        monkeypatch.setenv(name, text)
+    problem = "_JKROLL_COMPLETE=complete_bash is for bash: it sets COMP_WORDS, and COMP_CWORD to a number"
+    assert run("pull-off") == (2, "", f"jkroll: {problem}\n")

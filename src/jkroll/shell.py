@@ -15,7 +15,7 @@ from functools import partial
 from typing import Any
 
 from .commands import COMMANDS
-from .errors import JkrollError, shown
+from .errors import JkrollError, quoted, shown
 from .options import EXTRAS, flags_of, read_quickly, room_for_words
 from .streams import say
 
@@ -27,6 +27,17 @@ COMPLETE = "_JKROLL_COMPLETE"  # the variable in which a shell asks for completi
 BROKEN_PIPE = 141
 
 Call = Callable[[], int]
+
+
+class Impossible(JkrollError):
+    """A word that no shell can hand over."""
+
+    def __init__(self, word: str) -> None:
+        super().__init__(word)
+        self.word = word
+
+    def __str__(self) -> str:
+        return f"{quoted(self.word)} has a NUL in it, which no word has"
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -43,6 +54,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         for stream in (sys.stdout, sys.stderr):
             if isinstance(stream, io.TextIOWrapper):
                 stream.reconfigure(errors="jkroll-ascii")
+        for word in words:
+            if "\0" in word:
+                raise Impossible(word)
         code = (quick_call(words) or _typers_call(words))()
         sys.stdout.flush()
         return code
