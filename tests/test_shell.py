@@ -150,6 +150,7 @@ def test_every_command_takes_the_ways_to_write() -> None:
         assert set(OUTPUT) <= set(options_of(command))
 
 
-def test_a_nul_is_in_no_word(run: Run) -> None:
-    ran = run("pull-off", "quartz", "1um", "-o", "a\0.csv")
-    assert ran == (2, "", "jkroll: 'a?.csv' has a NUL in it, which no word has\n")
+@pytest.mark.parametrize("word", ["a\0.csv", "a\ud83d.csv"])
+def test_what_is_in_no_word_is_refused(run: Run, word: str) -> None:
+    ran = run("pull-off", "quartz", "1um", "-o", word)
+    assert ran == (2, "", "jkroll: 'a?.csv' has a character in it that no word has\n")

@@ -10,7 +10,7 @@ import io
 import os
 import re
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import partial
 from typing import Any
 
@@ -37,7 +37,7 @@ class Impossible(JkrollError):
         self.word = word
 
     def __str__(self) -> str:
-        return f"{quoted(self.word)} has a NUL in it, which no word has"
+        return f"{quoted(self.word)} has a character in it that no word has"
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -54,9 +54,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         for stream in (sys.stdout, sys.stderr):
             if isinstance(stream, io.TextIOWrapper):
                 stream.reconfigure(errors="jkroll-ascii")
-        for word in words:
-            if "\0" in word:
-                raise Impossible(word)
+        _check(words)
         code = (quick_call(words) or _typers_call(words))()
         sys.stdout.flush()
         return code
@@ -76,6 +74,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
             traceback.print_exc()
         return _report(error)
+
+
+def _check(words: Iterable[str]) -> None:
+    """Refuse what is neither text nor bytes of the system's: as the name of a file it would break the system's calls."""
+    for word in words:
+        try:
+            is_possible = b"\0" not in word.encode("utf-8", "surrogateescape")
+        except UnicodeEncodeError:
+            is_possible = False
+        if not is_possible:
+            raise Impossible(word)
 
 
 def quick_call(words: list[str]) -> Call | None:

@@ -37,8 +37,11 @@ def quick_answer(environment: Mapping[str, str]) -> Callable[[], int] | None:
     action, _, shell = environment.get("_JKROLL_COMPLETE", "").partition("_")
     asked = _asked(shell, environment) if action == "complete" else None
     found = None if asked is None else candidates(*asked)
-    if found is None:
+    if asked is None or found is None:
         return None
+    flag, has_value, _ = asked[1].partition("=")
+    if has_value and shell != "bash":  # what bash completes begins behind the =, elsewhere it is the whole word
+        found = [Candidate(f"{flag}={word}", meaning) for word, meaning in found]
     return partial(_answer, shell, found, environment.get("_TYPER_COMPLETE_FISH_ACTION", ""))
 
 
