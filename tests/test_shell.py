@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from conftest import Run
 from jkroll.cli import build
 from jkroll.commands import COMMANDS
+from jkroll.mistakes import UnknownOption
 from jkroll.options import EXTRAS, OUTPUT, options_of
 from jkroll.shell import quick_call, with_minus_signs
 
@@ -37,7 +38,11 @@ PLAIN = [
 NOT_PLAIN = [
     "--help pull-off",
     "--laod",
-    "pull-off quartz 100nm --laod 5nN",
+    "pull-off --to --laod 5nN",
+    "pull-off quartz 100nm --bare=x --laod",
+    "pull-off -- --laod",
+    "pull-off --=x",
+    "pull-off -laod 5nN",
     "pull-off quartz 100nm --digits 99",
     "pull-off quartz 100nm --digits x",
     "pull-off quartz 100nm --to",
@@ -75,7 +80,11 @@ def plain(call: object) -> object:
 
 def agree(words: list[str]) -> bool:
     """Whether both readers understand the words alike, or only typer does."""
-    quick = quick_call(words)
+    try:
+        quick = quick_call(words)
+    except UnknownOption as error:
+        other = typers(words)
+        return isinstance(other, UnknownOption) and str(other) == str(error)
     if quick is None:
         return True
     other = typers(words)
@@ -92,6 +101,28 @@ def test_plain_words_are_read_quickly(line: str) -> None:
 @pytest.mark.parametrize("line", NOT_PLAIN)
 def test_other_words_are_left_to_typer(line: str) -> None:
     assert quick_call(with_minus_signs(line.split())) is None
+
+
+MISTYPED = [
+    "pull-off quartz 100nm --laod 5nN",
+    "pull-off --laod=5nN quartz",
+    "pull-off --help --laod",
+    "pull-off --digits 99 --laod",
+    "pull-off --quartz --laod",
+    "materials quartz iron --laod",
+    "batch -o out.csv --laod",
+    "contact --lo=3",
+    "r-min ---",
+    "report --young 1GPa --youn",
+]
+
+
+@pytest.mark.parametrize("line", MISTYPED)
+def test_an_option_that_is_none_is_refused_without_typer(line: str) -> None:
+    words = with_minus_signs(line.split())
+    with pytest.raises(UnknownOption):
+        quick_call(words)
+    assert agree(words)
 
 
 FLAGS = sorted({*(option.flag for command in COMMANDS.values() for option in options_of(command)), "-h", "--help"})
@@ -126,11 +157,19 @@ def random_words(source: random.Random) -> list[str]:
     return with_minus_signs(words)
 
 
+def is_quick(words: list[str]) -> bool:
+    """Whether words are answered without typer."""
+    try:
+        return quick_call(words) is not None
+    except UnknownOption:
+        return True
+
+
 def test_readers_agree_on_random_command_lines() -> None:
     source = random.Random(5)
     lines = [random_words(source) for _ in range(500)]
     assert [words for words in lines if not agree(words)] == []
-    assert sum(quick_call(words) is not None for words in lines) > 100
+    assert sum(is_quick(words) for words in lines) > 100
 
 
 @pytest.mark.slow

@@ -16,7 +16,7 @@ from typing import Any
 
 from .commands import COMMANDS
 from .errors import JkrollError, quoted, shown
-from .options import EXTRAS, flags_of, read_quickly, room_for_words
+from .options import EXTRAS, first_unknown, flags_of, read_quickly, room_for_words
 from .streams import say
 
 USAGE_ERROR = 2
@@ -88,14 +88,20 @@ def _check(words: Iterable[str]) -> None:
 
 
 def quick_call(words: list[str]) -> Call | None:
-    """The call that plain words ask for; None for whatever typer had better look at."""
+    """The call that plain words ask for; None for whatever typer had better look at. UnknownOption for what is none."""
     if os.environ.get(COMPLETE):
         from .tab import quick_answer
 
         return quick_answer(os.environ)
     name = words[0] if words[0] in COMMANDS or words[0] in EXTRAS else None
-    read = read_quickly(words[1:] if name else words, flags_of(name))
+    flags = flags_of(name)
+    read = read_quickly(words[1:] if name else words, flags)
     if read is None:
+        unknown = first_unknown(words[1:], flags) if name else None
+        if unknown is not None:
+            from .mistakes import UnknownOption
+
+            raise UnknownOption(unknown, name)
         return None
     arguments, values = read
     if "help" in values and (name or len(words) == 1):
