@@ -86,7 +86,7 @@ def test_random_lines(text: str) -> None:
 
 
 @pytest.mark.slow
-@settings(max_examples=200_000)
+@settings(max_examples=20_000)
 @given(st.lists(LINES, max_size=8).map("\n".join))
 def test_very_many_random_lines(text: str) -> None:
     agrees(text)
