@@ -4,12 +4,42 @@ from random import Random
 
 from jkroll.commands import COMMANDS
 from jkroll.nomenclature import NOMENCLATURE
-from jkroll.options import EXTRAS, Option, options_of
+from jkroll.options import Option, options_named
 from jkroll.unit_table import PLAIN, PREFIXABLE, PREFIXES
 
 KNOWN = ("quartz", "quartz", "SiO2", "iron", "FE", "gold", "polystyrene", "graphite", "all")
 MATERIALS = (*KNOWN, *KNOWN, "plane", "quarz", "lead")
-FILES = ("mine.toml", "mine.toml", ".", "/dev/null", "/dev/zero", "none.toml", "", "broken.toml", "../../etc/passwd")
+# Names of what `isolate` has put there, and of what is not there. None leads out of its directory, not even with a slip.
+FILES = ("mine.toml", "mine.toml", ".", "null", "zero", "none.toml", "", "broken.toml", "../../none/passwd")
+TABLES = (
+    *("grains.csv",) * 4, *("pairs.tsv", "grains.ndjson", "grains.csv.gz", "grains.parquet") * 2, "wrong.csv", "odd.csv", "empty.csv",
+    "none.csv", "-", ".", "null.csv", "mine.toml", "*.csv", "gr*.csv", "[", "grains.*", "no*thing", "",
+)  # fmt: skip
+TARGETS = (
+    "out.csv", "out.csv", "out.tsv", "out.ndjson", "out.csv.gz", "out.parquet", "out/", "-", "full.csv", "null.csv", ".", "a/b.csv", "",
+)  # fmt: skip
+PICTURES = ("out.svg", "out.svg", "out.pdf", "out.png", "full.svg", "out.jpg", "a/b.svg", ".svg")
+FIGURES = ("3a", "3a", "3b", "3c", "3d", "6a", "6b", "8", "2", "9", "7", "3A", "")
+AXES = (
+    ("radius", "1nm:1um"), ("radius", "1nm:1um"), ("radius", "1um:1nm"), ("radius", "1e-300m:1e300m"), ("radius2", "1nm:1mm"),
+    ("gamma", "1mJ/m2:1J/m2"), ("surface_energy", "1mJ/m2:1J/m2"), ("young", "1GPa:1TPa"), ("load", "-1nN:1nN"), ("load", "0N:10nN"),
+    ("xi", "1angstrom:1nm"), ("density", "1g/cm3:9g/cm3"),
+)  # fmt: skip
+SIZES = (":9", ":9", ":9:lin", ":20", ":20:lin", ":lin:20", ":1", ":2", ":-3", ":1e3", ":log", ":99999999")
+QUANTITIES = [name for name, quantity in NOMENCLATURE.items() if quantity.equation]
+VALUES = {
+    "materials": FILES,
+    "data": ("out.csv", "out.csv", "-", "full.csv", "null", ".", "a/b.csv", ""),
+    "width": ("85mm", "85mm", "1m", "5nN", "5mm", "nan", ""),
+    "style": ("light", "dark", "Dark", ""),
+    "format": ("csv", "csv", "tsv", "ndjson", "ndjson.gz", "parquet", "csv.zst", "xlsx", ""),
+    "quantities": ("pull_off_force", "pull_off_force,r_min", "report", "pull-off", "contact,moment", "load", "n_grav,", ",", "zorch", ""),
+    "jobs": ("1", "1", "01", "0", "65", "-1", "x", "1.0"),
+    "mark": ("quartz@100nm", "@1um", "iron", "quartz@100nm,@1nm", "quarz@1nm", "@", "quartz@", "@5nN", ",", "a@b@c", ""),
+}  # fmt: skip
+# How often each command is drawn: figures, tables and the audit take a hundred times as long as a scene.
+WEIGHTS = dict.fromkeys(COMMANDS, 100.0)
+WEIGHTS |= {"materials": 50, "batch": 12, "map": 16, "figure": 1, "verify": 0.3, "bench": 1}
 HOSTILE = (
     "", " ", "-", "--", "---", "=", "-=", "--=", "-h", "--help", "--version", "--debug", "-V", "--install-completion=x",
     "nan", "inf", "-inf", "1e9999nm", "1e-9999nm", "1e400m", "5e-324m", "0", "-0nm", "1,2,3", ",", ",,", ":", "::", "1nm:", "1nm:1um",
@@ -17,7 +47,7 @@ HOSTILE = (
     "5,5 nm", "5.00(1) nm", "5±1 nm", "5 nm = 6 nm", "$5 nm", "[5] nm", "10**10**10", "5 m/m m", "5 °C", "20 degC", "5 dB",
     "−5nm", "5 µm", "5 μm", "5 Å", "5\u00a0nm", "5 m²", "5 m⁻", "١ nm", "५nm", "nm", "m" * 30, "5 " + "m " * 20, "9" * 100 + "m",
     "x" * 3000, "\x1b[31m", "\u202e", "\r", "\n", "a\nb", "\t", "\0", "\ud800", "\udcff", "é", "𝒜", "ﬁ", "İ", "ß", "{}", "%s", "%n",
-    "[red]", "[/]", "$(id)", "`id`", "'", '"', "\\", "*", "?", "~", "@file", "../..", "/etc/passwd", "1_000nm", "0x10nm", "1e1_0nm",
+    "[red]", "[/]", "$(id)", "`id`", "'", '"', "\\", "*", "?", "~", "@file", "../..", "/dev/null/passwd", "1_000nm", "0x10nm", "1e1_0nm",
     "plane", "rigid", "Plane", "RIGID", "all,all", "quartz,", ",quartz", "quartz,,iron", "quartz,iron,quarz", "quartz=iron",
 )  # fmt: skip
 LONGEST = 8
@@ -25,17 +55,11 @@ LONGEST = 8
 
 def command_line(source: Random) -> list[str]:
     """One command line: a command, words and options, of which some are not meant so."""
-    name = source.choice([*COMMANDS, *COMMANDS, "materials"]) if source.random() < 0.98 else _mutated(source, "verify")
-    if name in ("verify", "bench"):
-        return [name, source.choice(HOSTILE[1:8])]
-    options = options_of(COMMANDS[name]) if name in COMMANDS else EXTRAS["materials"].options
-    words = [name]
-    if name in COMMANDS:
-        words += [_material(source)] * (source.random() < 0.85) + [_value(source, "radius")] * (source.random() < 0.9)
-    elif source.random() < 0.5:
-        words.append(_material(source))
+    (name,) = source.choices([*WEIGHTS], [*WEIGHTS.values()])
+    words = [name, *_words(source, name)]
+    options = [option for option in options_named(name) if option.name not in ("dask", "plot")]  # they take seconds
     for _ in range(min(LONGEST, int(source.expovariate(0.7)))):
-        words += _option(source, source.choice(options))
+        words += _option(source, name, source.choice(options))
     if source.random() < 0.12:
         place = source.randrange(len(words) + 1)
         words[place:place] = [source.choice(HOSTILE)]
@@ -47,16 +71,40 @@ def command_line(source: Random) -> list[str]:
     return words
 
 
-def _option(source: Random, option: Option) -> list[str]:
+def _words(source: Random, name: str) -> list[str]:
+    """What stands behind a command, most of the time as it is meant."""
+    scene = [_material(source)] * (source.random() < 0.85) + [_value(source, "radius")] * (source.random() < 0.9)
+    words = {
+        "materials": [_material(source)] * (source.random() < 0.5),
+        "figure": [source.choice(FIGURES)],
+        "verify": [],
+        "bench": ["nothing"],  # it takes seconds, so it is never called rightly
+    }
+    if name == "batch":
+        jobs = ["--jobs", "1"] * (source.random() < 0.97)
+        return [source.choice(TABLES), *["-o", source.choice(TARGETS)] * (source.random() < 0.8), *jobs]
+    if name == "map":
+        axes = ["--x", _axis(source), *["--y", _axis(source)] * (source.random() < 0.4)]
+        return [source.choice([*QUANTITIES, *(*COMMANDS,) * 9]), *scene[: source.choice((0, 1, 1, 1, 2))], *axes]
+    if name == "contact" and source.random() < 0.003:
+        return [*scene, "--curve", "-o", source.choice(PICTURES)]
+    return words.get(name, scene)
+
+
+def _option(source: Random, command: str, option: Option) -> list[str]:
     if option.kind is bool:
         return [option.flag]
     if option.name in NOMENCLATURE:
         value = _material(source) if option.name == "material2" else _value(source, option.name)
+    elif option.name in VALUES:
+        value = source.choice(VALUES[option.name])
+    elif option.name == "target":
+        value = source.choice(TARGETS if command not in ("map", "figure") else PICTURES)
+    elif option.name in ("x", "y"):
+        value = _axis(source)
     elif option.name == "to":
         units = source.choice(((), ("nN", "nm", "MHz", "deg"), ("N", "m", "Hz", "J")))
         value = ",".join(source.sample(units, 1) if units else [_unit(source), _unit(source)])
-    elif option.name == "materials":
-        value = source.choice(FILES)
     else:
         value = source.choice(("3", "17", "1", "0", "18", "1e-3", "0.5", "-1", "x", "nan", "1.0", "٣", "3" * 5000))
     form = source.random()
@@ -68,6 +116,17 @@ def _option(source: Random, option: Option) -> list[str]:
 def _material(source: Random) -> str:
     name = source.choice(MATERIALS)
     return f"{name},{source.choice(MATERIALS)}" if source.random() < 0.05 else name
+
+
+def _axis(source: Random) -> str:
+    """An axis, most of the time of few points, and as it is meant."""
+    name, ends = source.choice(AXES)
+    if source.random() < 0.1:
+        name = source.choice([*NOMENCLATURE])
+    if source.random() < 0.1:
+        ends = f"{_value(source, 'radius')}:{_value(source, 'radius')}"
+    size = source.choice(SIZES) if source.random() < 0.97 else ""
+    return source.choice(HOSTILE) if source.random() < 0.05 else f"{name}={ends}{size}"
 
 
 def _value(source: Random, name: str) -> str:

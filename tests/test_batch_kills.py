@@ -3,6 +3,7 @@
 JKROLL_KILLS=1000 python -m pytest -m slow tests/test_batch_kills.py        as many kills as are asked for
 """
 
+import fcntl
 import os
 import random
 import signal
@@ -13,6 +14,7 @@ from pathlib import Path
 
 import pytest
 
+from conftest import Run
 from test_batch import random_table
 
 KILLS = int(os.environ.get("JKROLL_KILLS", "30"))
@@ -146,3 +148,20 @@ def test_a_lost_process_is_noticed() -> None:
         "jkroll: a working process was ended by signal 9; nothing is lost: --resume goes on\n",
     )
     assert not Path("out.csv").exists()
+
+
+def test_a_run_that_waited_leaves_alone_what_was_finished_meanwhile(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The lock stays with the file when it gets its name: whoever waited for it begins another."""
+    Path("grains.csv").write_text("radius [nm],material\n100,quartz\n", encoding="utf-8")
+    other = os.open("out.csv.partial", os.O_RDWR | os.O_CREAT)
+    fcntl.flock(other, fcntl.LOCK_EX)
+    os.write(other, b"of another run")
+
+    def finish(_: float) -> None:
+        os.rename("out.csv.partial", "finished.csv")
+        os.close(other)
+
+    monkeypatch.setattr("jkroll.batch.output.time.sleep", finish)
+    assert run("batch", "grains.csv", "-o", "out.csv", "--jobs", "1").code == 0
+    assert Path("finished.csv").read_bytes() == b"of another run"
+    assert Path("out.csv").read_text(encoding="utf-8").startswith("radius [nm],material,pull_off_force [N]")

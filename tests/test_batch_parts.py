@@ -1,6 +1,7 @@
 """Many tables: one after the other, or by workers that may be killed."""
 
 import csv
+import gzip
 import json
 import os
 import random
@@ -45,6 +46,23 @@ def test_a_file_for_each_table_and_a_manifest(run: Run, grains: list[str]) -> No
         assert run("batch", name, "-o", "one.csv", "--jobs", "1").code == 1
         assert found.pop(Path(name).name) == Path("one.csv").read_bytes()
     assert not found
+
+
+def test_no_table_keeps_descriptors(run: Run, grains: list[str]) -> None:
+    """Else the tables of one run would be limited by how many files a process may have open: often 1024."""
+    Path("bad.csv").write_text("radius [nm],radus\n1,2\n", encoding="utf-8")
+    Path("grains.csv.gz").write_bytes(gzip.compress(Path(grains[0]).read_bytes()))
+    calls = [[grains[0], "-o", "out.csv"], [grains[0], "-o", "out.csv", "--strict"], ["bad.csv", "-o", "out.csv"]]
+    calls += [["grains.csv.gz", "-o", "out.csv"], ["grains/*.csv", "-o", "out/"], [grains[0], "-o", "/dev/full"]]
+
+    def count() -> int:
+        return len(os.listdir("/proc/self/fd"))
+
+    for call in calls:
+        run("batch", *call, "--jobs", "1")
+        before = count()
+        run("batch", *call, "--jobs", "1")
+        assert count() == before, call
 
 
 def test_resume_leaves_out_what_is_done(run: Run, grains: list[str]) -> None:

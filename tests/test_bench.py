@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from conftest import Stream
+from conftest import Run, Stream
 from jkroll import solve
 from jkroll.bench import HEADS, RATIO_HEADS, off_front, plot_bench, write_bench
 from jkroll.bench_bare import WANTED, BareArrays, bare_numbers
@@ -179,5 +179,14 @@ def test_what_is_written(kind: str) -> None:
 def test_a_plot(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     file = tmp_path / "bench.svg"
-    plot_bench(list(rows().values()), file)
+    file.write_bytes(b"before")
+    with file.open("rb") as old:
+        plot_bench(list(rows().values()), file)
+        assert old.read() == b"before"  # it was replaced when it was whole
     assert file.stat().st_size > 1000
+    assert not list(tmp_path.glob(".*"))
+
+
+def test_a_plot_of_no_known_ending_is_refused_before_anything_is_measured(run: Run) -> None:
+    problem = "--plot: 'bench.txt' does not end in .svg, .pdf or .png"
+    assert run("bench --plot bench.txt").err == f"jkroll: {problem}\n"

@@ -1,6 +1,8 @@
 """Command lines by the thousand: each ends with a documented code and says so in one line."""
 
+import resource
 from collections import Counter
+from collections.abc import Iterator
 from pathlib import Path
 from random import Random
 
@@ -17,11 +19,14 @@ def run_many(count: int, seed: int) -> Counter[int]:
 
 
 @pytest.fixture
-def _isolated(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def _isolated(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     for name in ("XDG_CONFIG_HOME", "COLUMNS", "TERM", "JKROLL_MATERIALS", "_JKROLL_COMPLETE", "FORCE_COLOR"):
         monkeypatch.setenv(name, "")  # to be put back
     monkeypatch.chdir(tmp_path)
     isolate(str(tmp_path))
+    yield
+    resource.setrlimit(resource.RLIMIT_FSIZE, limits)
 
 
 @pytest.mark.usefixtures("_isolated")

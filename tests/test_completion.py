@@ -19,6 +19,8 @@ TYPED = {
     "a unit": ("pull-off quartz 100n\t", ["pull-off", "quartz", "100nm"]),
     "an option, and its unit": ("r-min 1um --rad\t2n\t", ["r-min", "1um", "--radius2", "2nm"]),
     "a second material": ("contact quartz 1um --material2 ir\t", ["contact", "quartz", "1um", "--material2", "iron"]),
+    "a second material behind =": ("contact --material2=ir\t 1um", ["contact", "--material2=iron", "1um"]),
+    "a unit behind =": ("contact --radius2=100n\t quartz", ["contact", "--radius2=100nm", "quartz"]),
     "a file": ("materials --materials mine.to\t", ["materials", "--materials", "mine.toml"]),
     "nothing that is known": ("pull-off zz\t", ["pull-off", "zz"]),
 }

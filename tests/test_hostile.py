@@ -97,7 +97,7 @@ def test_a_file_that_is_too_large_is_refused_for_less_than_a_small_one_is_read(s
     path, small = tmp_path / "any.toml", tmp_path / "small.toml"
     path.write_bytes(SHAPES[shape](MEGABYTE))
     small.write_bytes(ordinary(MAX_BYTES // 10))
-    with pytest.raises(MaterialsFileError, match="is larger than 200 kB"):
+    with pytest.raises(MaterialsFileError, match="is larger than 100 kB"):
         read(path)
     assert seconds(lambda: read(path)) < seconds(lambda: read(small))
 
@@ -105,7 +105,7 @@ def test_a_file_that_is_too_large_is_refused_for_less_than_a_small_one_is_read(s
 def test_a_file_of_all_that_is_allowed_is_read(tmp_path: Path) -> None:
     path = tmp_path / "many.toml"
     path.write_bytes(ordinary(MAX_BYTES))
-    assert len(read(path)) > 400
+    assert len(read(path)) > 300
 
 
 def test_too_many_brackets_are_named(tmp_path: Path) -> None:

@@ -116,9 +116,9 @@ BROKEN = {
     "[materials.'a ']": "'a ' is no name for a material; one begins with a letter and has no comma",
     "title = 3": "title is not a text in quotes",
     "a = " + "[\n" * 5000: "is not TOML: nested too deeply",
-    "a" + ".a" * 8000 + " = 1": "has a line of more than 2000 bytes or 100 dots",
+    "a" + ".a" * 8000 + " = 1": "has a line of more than 2000 characters or 100 dots",
     b"\xff\xfe": "is not UTF-8",
-    "x = '" + "y" * 200_001 + "'": "is larger than 200 kB",
+    "x = '" + "y" * 200_001 + "'": "is larger than 100 kB",
 }
 
 

@@ -9,8 +9,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from conftest import Run
 from jkroll.cli import build
 from jkroll.commands import COMMANDS
+from jkroll.mistakes import UnknownOption
 from jkroll.options import EXTRAS, OUTPUT, options_of
 from jkroll.shell import quick_call, with_minus_signs
 
@@ -36,7 +38,11 @@ PLAIN = [
 NOT_PLAIN = [
     "--help pull-off",
     "--laod",
-    "pull-off quartz 100nm --laod 5nN",
+    "pull-off --to --laod 5nN",
+    "pull-off quartz 100nm --bare=x --laod",
+    "pull-off -- --laod",
+    "pull-off --=x",
+    "pull-off -laod 5nN",
     "pull-off quartz 100nm --digits 99",
     "pull-off quartz 100nm --digits x",
     "pull-off quartz 100nm --to",
@@ -74,7 +80,11 @@ def plain(call: object) -> object:
 
 def agree(words: list[str]) -> bool:
     """Whether both readers understand the words alike, or only typer does."""
-    quick = quick_call(words)
+    try:
+        quick = quick_call(words)
+    except UnknownOption as error:
+        other = typers(words)
+        return isinstance(other, UnknownOption) and str(other) == str(error)
     if quick is None:
         return True
     other = typers(words)
@@ -91,6 +101,28 @@ def test_plain_words_are_read_quickly(line: str) -> None:
 @pytest.mark.parametrize("line", NOT_PLAIN)
 def test_other_words_are_left_to_typer(line: str) -> None:
     assert quick_call(with_minus_signs(line.split())) is None
+
+
+MISTYPED = [
+    "pull-off quartz 100nm --laod 5nN",
+    "pull-off --laod=5nN quartz",
+    "pull-off --help --laod",
+    "pull-off --digits 99 --laod",
+    "pull-off --quartz --laod",
+    "materials quartz iron --laod",
+    "batch -o out.csv --laod",
+    "contact --lo=3",
+    "r-min ---",
+    "report --young 1GPa --youn",
+]
+
+
+@pytest.mark.parametrize("line", MISTYPED)
+def test_an_option_that_is_none_is_refused_without_typer(line: str) -> None:
+    words = with_minus_signs(line.split())
+    with pytest.raises(UnknownOption):
+        quick_call(words)
+    assert agree(words)
 
 
 FLAGS = sorted({*(option.flag for command in COMMANDS.values() for option in options_of(command)), "-h", "--help"})
@@ -125,11 +157,19 @@ def random_words(source: random.Random) -> list[str]:
     return with_minus_signs(words)
 
 
+def is_quick(words: list[str]) -> bool:
+    """Whether words are answered without typer."""
+    try:
+        return quick_call(words) is not None
+    except UnknownOption:
+        return True
+
+
 def test_readers_agree_on_random_command_lines() -> None:
     source = random.Random(5)
     lines = [random_words(source) for _ in range(500)]
     assert [words for words in lines if not agree(words)] == []
-    assert sum(quick_call(words) is not None for words in lines) > 100
+    assert sum(is_quick(words) for words in lines) > 100
 
 
 @pytest.mark.slow
@@ -147,3 +187,9 @@ def test_readers_agree_on_any_text(command: str, words: list[str]) -> None:
 def test_every_command_takes_the_ways_to_write() -> None:
     for command in COMMANDS.values():
         assert set(OUTPUT) <= set(options_of(command))
+
+
+@pytest.mark.parametrize("word", ["a\0.csv", "a\ud83d.csv"])
+def test_what_is_in_no_word_is_refused(run: Run, word: str) -> None:
+    ran = run("pull-off", "quartz", "1um", "-o", word)
+    assert ran == (2, "", "jkroll: 'a?.csv' has a character in it that no word has\n")

@@ -76,9 +76,12 @@ def test_a_completion_imports_no_library(shell: str, line: str, tmp_path: Path) 
     assert imported("", folder=tmp_path, variables=variables) == set()
 
 
-def test_a_file_of_materials_adds_the_parser_alone(tmp_path: Path) -> None:
-    (tmp_path / "own.toml").write_text('[materials.ice]\nsurface_energy = "0.37 J/m2"\n', encoding="utf-8")
+def test_a_file_of_materials_adds_nothing_if_it_is_plain_else_the_parser(tmp_path: Path) -> None:
+    own = tmp_path / "own.toml"
+    own.write_text('[materials.ice]\nsurface_energy = "0.37 J/m2"\n', encoding="utf-8")
     calls = ["pull-off ice 100nm --bare --quiet --materials own.toml", "materials --materials own.toml"]
+    assert imported(*calls, folder=tmp_path) == set()
+    own.write_text('[materials.ice]\naliases = [\n]\nsurface_energy = "0.37 J/m2"\n', encoding="utf-8")
     assert imported(*calls, folder=tmp_path) == {"tomllib"}
 
 
@@ -91,11 +94,14 @@ def test_a_unit_outside_the_table_adds_pint_alone(tmp_path: Path) -> None:
     assert imported("pull-off quartz 1e-14furlong --bare --quiet", folder=tmp_path) & LIBRARIES == PINT
 
 
-def test_a_mistake_adds_typer_alone(tmp_path: Path) -> None:
+@pytest.mark.parametrize(("mistake", "libraries"), [("--laod 5nN", set()), ("--digits x", {"typer"})])
+def test_a_mistyped_option_adds_nothing_and_another_mistake_typer(
+    tmp_path: Path, mistake: str, libraries: set[str]
+) -> None:
     program = "import sys; from jkroll.shell import main; main(sys.argv[1:]); print(*sys.modules)"
-    words = [sys.executable, "-c", program, "r-min", "100nm", "--laod", "5nN"]
+    words = [sys.executable, "-c", program, "r-min", "100nm", *mistake.split()]
     ran = subprocess.run(words, capture_output=True, text=True, check=True, cwd=tmp_path)
-    assert LIBRARIES & set(ran.stdout.split()) == {"typer"}
+    assert LIBRARIES & set(ran.stdout.split()) == libraries
 
 
 def test_the_package_alone_imports_nothing() -> None:

@@ -3,6 +3,7 @@
 import io
 import os
 import random
+import re
 from contextlib import redirect_stdout
 from unittest import mock
 
@@ -10,6 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from conftest import Run
 from jkroll.cli import build
 from jkroll.commands import COMMANDS
 from jkroll.options import EXTRAS, flags_of
@@ -34,6 +36,8 @@ LINES = {
     "contact quartz --load 5": "5nN",
     "contact --load=5": "5nN",
     "pull-off --material2 g": "graphite",
+    "pull-off --material2=ir": "iron",
+    "map pull-off --x=rad": "radius=",
     "materials ": "quartz",
     "materials --": "--json",
     "bench --": "--quick",
@@ -98,6 +102,15 @@ def typers(environment: dict[str, str]) -> tuple[int, list[str]]:
     raise AssertionError("typer did not complete")
 
 
+def with_flag(answer: tuple[int, list[str]], shell: str, line: str) -> tuple[int, list[str]]:
+    """Typer's answer for --load=5, with --load= before each word but in bash: the others complete the whole of it."""
+    flag, has_value, _ = line.rsplit(" ", maxsplit=1)[-1].partition("=")
+    if not has_value or shell == "bash":
+        return answer
+    code, words = answer
+    return code, [re.sub(r'^("?)(?=\w|-\d)(?!_arg|_files)', rf"\g<1>{flag}=", word) for word in words]
+
+
 def quick(environment: dict[str, str]) -> tuple[int, list[str]] | None:
     """Our answer, if the line is plain."""
     out = io.StringIO()
@@ -112,7 +125,7 @@ def test_plain_lines_are_answered_as_typer_does(shell: str, line: str) -> None:
     environment = asked(shell, line)
     answer = quick(environment)
     assert answer is not None
-    assert answer == typers(environment)
+    assert answer == with_flag(typers(environment), shell, line)
 
 
 @pytest.mark.parametrize("line", LINES)
@@ -130,8 +143,6 @@ def test_other_lines_are_left_to_typer(shell: str, line: str) -> None:
 @pytest.mark.parametrize(
     "environment",
     [
-        {"_JKROLL_COMPLETE": "complete_bash"},
-        {"_JKROLL_COMPLETE": "complete_bash", "COMP_WORDS": "jkroll p", "COMP_CWORD": "x"},
         {"_JKROLL_COMPLETE": "complete_bash", "COMP_WORDS": "jkroll p", "COMP_CWORD": "9"},
         {"_JKROLL_COMPLETE": "complete_zsh"},
         {"_JKROLL_COMPLETE": "complete_powershell", "_TYPER_COMPLETE_ARGS": "jkroll p"},
@@ -194,3 +205,17 @@ def test_the_program_answers(monkeypatch: pytest.MonkeyPatch, capsys: pytest.Cap
         monkeypatch.setenv(name, value)
     assert main([]) == 0
     assert capsys.readouterr().out.startswith('_arguments \'*: :(("10nm"\n')
+
+
+@pytest.mark.parametrize(
+    "said", [{}, {"COMP_WORDS": "jkroll pull"}, {"COMP_WORDS": "jkroll '", "COMP_CWORD": "x"}, {"COMP_CWORD": "1"}]
+)
+def test_what_no_bash_asks_is_refused_in_a_line(
+    run: Run, monkeypatch: pytest.MonkeyPatch, said: dict[str, str]
+) -> None:
+    for name in ("COMP_WORDS", "COMP_CWORD"):
+        monkeypatch.delenv(name, raising=False)
+    for name, text in (said | {"_JKROLL_COMPLETE": "complete_bash"}).items():
+        monkeypatch.setenv(name, text)
+    problem = "_JKROLL_COMPLETE=complete_bash is for bash: it sets COMP_WORDS, and COMP_CWORD to a number"
+    assert run("pull-off") == (2, "", f"jkroll: {problem}\n")

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TextIO
 
 from .bench_measure import DEFAULT, FULL, QUICK, Ratio, Row, beats, compare, measure
+from .files import whole_file
 from .streams import json_text, say
 
 HEADS = ("quantity", "way", "ns_per_point", "median_ulp", "worst_ulp", "worst_ulp_hard", "on_front")
@@ -18,6 +19,8 @@ def write_bench(out: TextIO, kind: str, quick: bool, plot: str | Path | None = N
 
     Return the exit code.
     """
+    if plot is not None:
+        from . import drawing  # noqa: F401  if it is missing, it is missed before anything is measured
     size = QUICK if quick else FULL
     rows, ratios = measure(size), compare(size)
     if plot is not None:
@@ -96,7 +99,7 @@ def off_front(rows: Sequence[Row]) -> list[str]:
 
 
 def plot_bench(rows: Sequence[Row], path: str | Path) -> None:
-    """Error against cost, a panel a quantity, with the front; needs matplotlib."""
+    """Error against cost, a panel a quantity, with the front, as the ending of a file says; needs matplotlib."""
     from .drawing import sheet
 
     names = list(dict.fromkeys(row.quantity for row in rows))
@@ -111,7 +114,8 @@ def plot_bench(rows: Sequence[Row], path: str | Path) -> None:
             axes.plot(row.cost, _drawn(row.error), "o" if row.on_front else "x", color=f"C{int(row.way != DEFAULT)}")
             axes.annotate(row.way, (row.cost, _drawn(row.error)), fontsize=5, xytext=(3, 3), textcoords="offset points")
         axes.set(title=name, xscale="log", yscale="log", xlabel="ns a point", ylabel="worst error [ulp]")
-    figure.savefig(path)
+    with whole_file(str(path)) as stream:
+        figure.savefig(stream, format=Path(path).suffix[1:].lower())
 
 
 def _drawn(error: float) -> float:

@@ -53,7 +53,8 @@ def _our_words(command: str | None, words: Sequence[str]) -> Iterator[None]:
         if not hasattr(error, "possibilities"):
             raise
         flag = str(getattr(error, "option_name", ""))
-        typed = next((word.partition("=")[0] for word in words if word.startswith(flag)), flag)
+        begun = [word.partition("=")[0] for word in words if word.startswith(flag)]
+        typed = flag if flag in begun else next(iter(begun), flag)
         raise UnknownOption(typed, command) from None
 
 

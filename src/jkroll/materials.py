@@ -9,11 +9,13 @@ from typing import Any, NamedTuple
 
 from .errors import MaterialsFileError, QuantityError, UnknownMaterial, quoted, shown
 from .nomenclature import NOMENCLATURE
+from .plain_toml import NotPlain, read_plainly
 from .units import parse_quantity
 from .wiring import PROPERTIES
 
 Path = str | os.PathLike[str]
-MAX_BYTES = 200_000  # some 500 materials with all their references; the parser takes 0.3 s a megabyte
+MAX_BYTES = 100_000  # some 200 materials with all their references
+MAX_ODD_BYTES = 30_000  # of a file that is more than a key and a value in a line: tomllib takes 0.3 s a megabyte
 MAX_SIGNS = 10_000  # of those that make tables, arrays and dotted keys: a hundred can take 0.1 MB of memory
 MAX_NAME = 60
 MAX_LINE = 2000
@@ -102,10 +104,19 @@ def _shipped_data() -> Mapping[str, Any]:
 
 def _data(path: str) -> Mapping[str, Any]:
     """What a TOML file says."""
+    text = _text(path)
+    try:
+        return read_plainly(text)
+    except NotPlain as error:
+        if len(text) > MAX_ODD_BYTES:
+            lines = f"whose line {error.line} is not a key and a value of its own"
+            raise MaterialsFileError(path, f"is larger than {MAX_ODD_BYTES // 1000} kB, {lines}") from None
+    if any(len(line) > MAX_LINE or line.count(".") > MAX_DOTS for line in text.split("\n")):
+        raise MaterialsFileError(path, f"has a line of more than {MAX_LINE} characters or {MAX_DOTS} dots")
     import tomllib
 
     try:
-        return tomllib.loads(_text(path))
+        return tomllib.loads(text)
     except (ValueError, RecursionError) as error:
         reason = "nested too deeply" if isinstance(error, RecursionError) else shown(str(error))
         raise MaterialsFileError(path, f"is not TOML: {reason}") from None
@@ -128,8 +139,6 @@ def _text(path: str) -> str:
         raise MaterialsFileError(path, f"is larger than {MAX_BYTES // 1000} kB")
     if sum(map(content.count, (b"[", b"{", b"."))) > MAX_SIGNS:
         raise MaterialsFileError(path, f"has more than {MAX_SIGNS} brackets, braces and dots")
-    if any(len(line) > MAX_LINE or line.count(b".") > MAX_DOTS for line in content.split(b"\n")):
-        raise MaterialsFileError(path, f"has a line of more than {MAX_LINE} bytes or {MAX_DOTS} dots")
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError:
@@ -142,13 +151,7 @@ def _checked(data: Mapping[str, Any], path: str) -> list[Material]:
         raise _Malformed(f"has an unknown key {quoted(min(unknown))}; expected [materials.NAME] tables")
     title = _string(data.get("title", shown(path)), "title")
     bibliography = {
-        key: {
-            "key": key,
-            **{
-                field: _string(text, f"references.{key}.{field}")
-                for field, text in _table(entry, f"references.{key}").items()
-            },
-        }
+        key: {"key": key, **_texts(entry, f"references.{key}")}
         for key, entry in _table(data.get("references", {}), "references").items()
     }
     entries = _table(data.get("materials", {}), "materials")
@@ -167,23 +170,22 @@ def _checked(data: Mapping[str, Any], path: str) -> list[Material]:
     ]
 
 
+_KEYS = {*PROPERTIES, "aliases", "notes", "references"}
+
+
 def _material(
     name: str, entry: Mapping[str, Any], bibliography: Mapping[str, Mapping[str, str]], title: str, path: str
 ) -> Material:
-    known = {*PROPERTIES, "aliases", "notes", "references"}
     for key in entry:
-        if key not in known:
+        if key not in _KEYS:
             from .suggestions import closest
 
-            guess = closest(key, known)
+            guess = closest(key, _KEYS)
             raise _Malformed(
                 f"{quoted(name)} has an unknown key {quoted(key)}" + (f"; did you mean {guess}?" if guess else "")
             )
     properties = {key: _property(key, entry[key], name) for key in PROPERTIES if key in entry}
-    notes = {
-        key: _string(text, f"{name}.notes.{key}")
-        for key, text in _table(entry.get("notes", {}), f"{name}.notes").items()
-    }
+    notes = _texts(entry.get("notes", {}), f"{name}.notes")
     if set(notes) - properties.keys():
         raise _Malformed(
             f"{quoted(name)} has a note on {quoted(min(set(notes) - properties.keys()))}, which it does not give"
@@ -232,6 +234,14 @@ def _table(value: object, where: str) -> Mapping[str, Any]:
     if not isinstance(value, dict):
         raise _Malformed(f"{shown(where)} is not a table")
     return value
+
+
+def _texts(value: object, where: str) -> dict[str, str]:
+    """A table of texts."""
+    return {
+        key: shown(text) if isinstance(text, str) else _string(text, f"{where}.{key}")
+        for key, text in _table(value, where).items()
+    }
 
 
 def _list(value: object, where: str) -> list[Any]:

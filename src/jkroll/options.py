@@ -259,6 +259,23 @@ def read_quickly(words: list[str], options: Mapping[str, Option]) -> tuple[list[
     return arguments, values
 
 
+def first_unknown(words: list[str], options: Mapping[str, Option]) -> str | None:
+    """The first long option among the words that is none; None if there is none, or before it something that is not plain."""
+    rest = iter(words)
+    for word in rest:
+        flag, has_value, _ = word.partition("=")
+        if not word.startswith("-"):
+            continue
+        option = options.get(flag)
+        if option is None:
+            return flag if flag.startswith("--") and len(flag) > len("--") else None
+        if has_value and (option.kind is bool or not flag.startswith("--")):
+            return None
+        if option.kind is not bool and not has_value and next(rest, "-").startswith("-"):
+            return None
+    return None
+
+
 def _value(text: str, option: Option) -> object:
     """The value of an option's text; None if it is not plainly one."""
     if text.startswith("-"):

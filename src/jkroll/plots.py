@@ -33,7 +33,8 @@ from .scene import Scene
 from .units import parse_quantity
 from .wiring import PROPERTIES
 
-MOST_POINTS = 25_000_000
+MOST_POINTS = 25_000_000  # of a map
+MOST_ALONG = 1_000_000  # points of all curves together
 
 
 class NothingToDraw(NoResult):
@@ -87,6 +88,8 @@ def map_of(wish: Asked, size: tuple[int, int], progress: Progress | None = None)
 def curves_of(wish: Asked, size: int) -> tuple[Picture, tuple[str, ...]]:
     """The curves that were asked for, and notes on them."""
     x = sized(wish.x, size)
+    if x.size * len(wish.settings) > MOST_ALONG:
+        raise BadRequest(f"{len(wish.settings)} x {x.size} points are more than {MOST_ALONG}")
     every: list[Held] = []
     curves: list[Curve] = []
     missing: dict[str, MissingInput] = {}

@@ -17,6 +17,7 @@ from .streams import say
 
 MAX_NOTES = 20
 ROWS_FAILED = 1
+PICTURES = ("svg", "pdf", "png")
 MANY = 20_000  # rows from which on a sweep is streamed by blocks
 
 
@@ -107,13 +108,17 @@ def run_command(command: Command, words: Sequence[str] | None, options: Mapping[
     return _say_failures(tally, request.count)
 
 
+def _ending(path: str) -> str:
+    return os.path.splitext(path)[1][1:].casefold()
+
+
 def _run_stream(command: Command, request: Request, samples: list[Answer], kind: str, output: Output) -> int:
     """Write a sweep of any length to a file, or as CSV to a pipe; return the exit code."""
     from .batch.axes import Axis
     from .batch.settings import Settings
     from .batch.sweep import Sweep, stream
 
-    if output.target and os.path.splitext(output.target)[1].casefold() in (".svg", ".pdf", ".png"):
+    if output.target and _ending(output.target) in PICTURES:
         raise BadRequest(f"-o: {quoted(output.target)} is a picture; add --curve to contact, or see jkroll map --help")
     if output.to or output.digits or output.rtol is not None or kind not in ("csv", "plain", "table"):
         raise BadRequest("a long sweep is written in SI units with all digits: -o and long ranges take --csv alone")
@@ -200,6 +205,8 @@ def run_bench(output: Output, *, quick: bool = False, plot: str | None = None) -
     """Measure speed against error; return the exit code."""
     from .bench import write_bench
 
+    if plot is not None and _ending(plot) not in PICTURES:
+        raise BadRequest(f"--plot: {quoted(plot)} does not end in .{', .'.join(PICTURES[:-1])} or .{PICTURES[-1]}")
     try:
         code = write_bench(sys.stdout, output.format_name(sys.stdout), quick=quick, plot=plot)
     except ModuleNotFoundError as error:

@@ -16,7 +16,7 @@ from .nomenclature import header
 from .pictures import asked, marks_of
 from .plots import Held, as_held, curves_of, map_of, mark_at
 from .request import BadRequest, Request, materials_files
-from .run import Output
+from .run import PICTURES, Output
 from .sections import DRAWN, curves_of_contact
 from .streams import say
 from .units import parse_quantity
@@ -25,7 +25,6 @@ ON_SCREEN = (241, 121)  # points of a map that is drawn in cells
 IN_FILE = (201, 201)
 OF_PAPER = (21, 21)  # its contours are of powers, straight on logarithmic axes: few points draw them exactly
 ALONG = 1001  # points of a curve
-FORMATS = ("svg", "pdf", "png")
 STYLES = ("light", "dark")
 
 
@@ -48,8 +47,8 @@ class Target(NamedTuple):
             if given or self.uncaptioned:
                 raise BadRequest(f"{', '.join(given) or '--no-caption'}: this is of a file; name one with -o")
             return
-        if self.file.rpartition(".")[2].lower() not in FORMATS:
-            raise BadRequest(f"-o: {quoted(self.file)} does not end in .{', .'.join(FORMATS[:-1])} or .{FORMATS[-1]}")
+        if self.file.rpartition(".")[2].lower() not in PICTURES:
+            raise BadRequest(f"-o: {quoted(self.file)} does not end in .{', .'.join(PICTURES[:-1])} or .{PICTURES[-1]}")
         try:
             from . import drawing  # noqa: F401
         except ModuleNotFoundError as error:

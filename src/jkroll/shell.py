@@ -10,13 +10,13 @@ import io
 import os
 import re
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import partial
 from typing import Any
 
 from .commands import COMMANDS
-from .errors import JkrollError, shown
-from .options import EXTRAS, flags_of, read_quickly, room_for_words
+from .errors import JkrollError, quoted, shown
+from .options import EXTRAS, first_unknown, flags_of, read_quickly, room_for_words
 from .streams import say
 
 USAGE_ERROR = 2
@@ -27,6 +27,17 @@ COMPLETE = "_JKROLL_COMPLETE"  # the variable in which a shell asks for completi
 BROKEN_PIPE = 141
 
 Call = Callable[[], int]
+
+
+class Impossible(JkrollError):
+    """A word that no shell can hand over."""
+
+    def __init__(self, word: str) -> None:
+        super().__init__(word)
+        self.word = word
+
+    def __str__(self) -> str:
+        return f"{quoted(self.word)} has a character in it that no word has"
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -43,6 +54,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         for stream in (sys.stdout, sys.stderr):
             if isinstance(stream, io.TextIOWrapper):
                 stream.reconfigure(errors="jkroll-ascii")
+        _check(words)
         code = (quick_call(words) or _typers_call(words))()
         sys.stdout.flush()
         return code
@@ -64,15 +76,32 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return _report(error)
 
 
+def _check(words: Iterable[str]) -> None:
+    """Refuse what is neither text nor bytes of the system's: as the name of a file it would break the system's calls."""
+    for word in words:
+        try:
+            is_possible = b"\0" not in word.encode("utf-8", "surrogateescape")
+        except UnicodeEncodeError:
+            is_possible = False
+        if not is_possible:
+            raise Impossible(word)
+
+
 def quick_call(words: list[str]) -> Call | None:
-    """The call that plain words ask for; None for whatever typer had better look at."""
+    """The call that plain words ask for; None for whatever typer had better look at. UnknownOption for what is none."""
     if os.environ.get(COMPLETE):
         from .tab import quick_answer
 
         return quick_answer(os.environ)
     name = words[0] if words[0] in COMMANDS or words[0] in EXTRAS else None
-    read = read_quickly(words[1:] if name else words, flags_of(name))
+    flags = flags_of(name)
+    read = read_quickly(words[1:] if name else words, flags)
     if read is None:
+        unknown = first_unknown(words[1:], flags) if name else None
+        if unknown is not None:
+            from .mistakes import UnknownOption
+
+            raise UnknownOption(unknown, name)
         return None
     arguments, values = read
     if "help" in values and (name or len(words) == 1):
@@ -165,7 +194,8 @@ def _code_of(stop: SystemExit) -> int:
 def _forget(stream: Any) -> None:
     """Keep the interpreter from writing once more what could not be written."""
     try:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+        with open(os.devnull, "wb") as nothing:
+            os.dup2(nothing.fileno(), stream.fileno())
     except (OSError, ValueError, AttributeError):  # it was closed from the start, or it is no file
         pass
 

@@ -10,11 +10,19 @@ from typing import NamedTuple
 
 from .commands import COMMANDS
 from .completion import ARGUMENTS, complete_option, complete_words
+from .errors import JkrollError
 from .options import EXTRAS, Option, flags_of, read_quickly, room_for_words, sentence_of, sentences
 from .streams import say
 
 NOT_PLAIN = "'\"\\\t\r\n"
 FILES = 1  # exit code by which fish is told to offer files
+
+
+class NotFromBash(JkrollError):
+    """A request as bash makes it, without what bash says with it."""
+
+    def __str__(self) -> str:
+        return "_JKROLL_COMPLETE=complete_bash is for bash: it sets COMP_WORDS, and COMP_CWORD to a number"
 
 
 class Candidate(NamedTuple):
@@ -29,26 +37,40 @@ def quick_answer(environment: Mapping[str, str]) -> Callable[[], int] | None:
     action, _, shell = environment.get("_JKROLL_COMPLETE", "").partition("_")
     asked = _asked(shell, environment) if action == "complete" else None
     found = None if asked is None else candidates(*asked)
-    if found is None:
+    if asked is None or found is None:
         return None
+    flag, has_value, _ = asked[1].partition("=")
+    if has_value and shell != "bash":  # what bash completes begins behind the =, elsewhere it is the whole word
+        found = [Candidate(f"{flag}={word}", meaning) for word, meaning in found]
     return partial(_answer, shell, found, environment.get("_TYPER_COMPLETE_FISH_ACTION", ""))
 
 
 def _asked(shell: str, environment: Mapping[str, str]) -> tuple[list[str], str] | None:
     """The words before the one to be completed, without the program, and that one."""
     line = environment.get("COMP_WORDS" if shell == "bash" else "_TYPER_COMPLETE_ARGS", "")
+    place = environment.get("COMP_CWORD", "")
     if shell == "bash":
+        if "COMP_WORDS" not in environment or not _is_whole(place):
+            raise NotFromBash
         line = line.replace("\n", " ")  # typer's script joins the words by line ends
     if any(character in NOT_PLAIN for character in line):
         return None
     words = line.split(" ")
     if shell in ("zsh", "fish") and len(words) > 1:
         return [word for word in words[1:-1] if word], words[-1]
-    place = environment.get("COMP_CWORD", "")
     if shell == "bash" and place.isascii() and place.isdigit() and len(place) < 6 and 1 <= int(place) <= len(words):
         words = [word for word in words if word]
         return words[1 : int(place)], "".join(words[int(place) : int(place) + 1])
     return None
+
+
+def _is_whole(text: str) -> bool:
+    """Whether typer would make a number of a text."""
+    try:
+        int(text)
+    except ValueError:
+        return False
+    return True
 
 
 def candidates(words: Sequence[str], begun: str) -> list[Candidate] | None:

@@ -41,6 +41,10 @@ _TERM = re.compile(r"([A-Za-zÅ°%_]+)(?: ?(?:\^|\*\*) ?([+-]?[0-9]+)|([+-]?[0-9
 _SEPARATOR = re.compile(r" ?([*/]) ?| ")
 
 
+_KNOWN: dict[str, Unit] = {}  # units that were read: the values of a file have few
+MAX_KNOWN = 1000
+
+
 def parse_quantity(text: str, name: str) -> float:
     """Read the value of a quantity of the nomenclature, in SI units, correctly rounded.
 
@@ -59,7 +63,11 @@ def parse_quantity(text: str, name: str) -> float:
     wanted = dimension_of(quantity.unit)
     if not rest and any(wanted):
         raise BareNumber(name, text)
-    unit = _parse_unit(rest, name, text)
+    unit = _KNOWN.get(rest)
+    if unit is None:
+        unit = _parse_unit(rest, name, text)
+        if len(_KNOWN) < MAX_KNOWN:
+            _KNOWN[rest] = unit
     if unit.dimension != wanted:
         raise WrongDimension(name, text, unit.dimension)
     value = _rounded(mantissa, exponent, unit, name, text)

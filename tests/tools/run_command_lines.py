@@ -21,7 +21,7 @@ import jkroll.options
 from invariants import check_call, isolate
 
 # What one call needs once is a third of the time of a million.
-jkroll.options.options_of = command_lines.options_of = cache(jkroll.options.options_of)  # type: ignore[attr-defined]
+jkroll.options.options_named = command_lines.options_named = cache(jkroll.options.options_named)  # type: ignore[attr-defined]
 
 
 def main() -> int:

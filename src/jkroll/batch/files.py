@@ -16,11 +16,9 @@ BESIDE = (".partial", ".journal", ".piece")  # what may stand beside the output 
 
 
 def opened(path: str) -> int:
-    """The descriptor of the input."""
-    if path == "-":
-        return 0
+    """A descriptor of the input."""
     try:
-        descriptor = os.open(path, os.O_RDONLY | os.O_CLOEXEC)
+        descriptor = os.dup(0) if path == "-" else os.open(path, os.O_RDONLY | os.O_CLOEXEC)
         if stat.S_ISDIR(os.fstat(descriptor).st_mode):
             raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
     except OSError as error:

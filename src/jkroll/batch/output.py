@@ -12,6 +12,7 @@ import os
 import stat
 import time
 from collections.abc import Mapping
+from contextlib import suppress
 from typing import Any, NamedTuple, Protocol
 from zlib import crc32
 
@@ -92,6 +93,7 @@ class Sink:
 
     def close(self) -> None:
         """Let go of what is open: another run may go on."""
+        os.close(self.descriptor)
 
 
 class FileSink(Sink):
@@ -101,10 +103,12 @@ class FileSink(Sink):
         """Open and lock what is written beside."""
         self.path = path
         self.partial, self.journal_path, self.piece = (path + end for end in BESIDE)
-        descriptor = _opened(self.partial)
-        super().__init__(descriptor, shared, strict=strict)
-        _locked(descriptor, self.partial)
-        self.journal = _opened(self.journal_path)
+        super().__init__(_locked(self.partial), shared, strict=strict)
+        try:
+            self.journal = _opened(self.journal_path)
+        except (OSError, BadTable):
+            super().close()
+            raise
 
     def begin(self, identity: Mapping[str, str]) -> None:
         """Begin anew."""
@@ -160,9 +164,9 @@ class FileSink(Sink):
         os.unlink(self.journal_path)
 
     def close(self) -> None:
-        """Let go of the files: another run may go on."""
+        """Let go of the files, and of the lock with them."""
+        super().close()
         os.close(self.journal)
-        os.close(self.descriptor)
 
 
 def _opened(path: str) -> int:
@@ -178,14 +182,20 @@ def _opened(path: str) -> int:
     return descriptor
 
 
-def _locked(descriptor: int, path: str) -> None:
-    """Wait until no process writes a file any more."""
+def _locked(path: str) -> int:
+    """A file to append to that no other process writes any more; what took its name meanwhile is another one."""
     give_up = time.monotonic() + LOCK_SECONDS
+    descriptor = _opened(path)
     while True:
         try:
             fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            return
+            with suppress(FileNotFoundError):
+                if os.path.samestat(os.fstat(descriptor), os.stat(path)):
+                    return descriptor
+            os.close(descriptor)
+            descriptor = _opened(path)
         except BlockingIOError:
             if time.monotonic() > give_up:
+                os.close(descriptor)
                 raise BadTable(f"{quoted(path)} is being written by another run") from None
             time.sleep(0.02)

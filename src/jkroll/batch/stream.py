@@ -114,7 +114,7 @@ class _Stream:
             if self.settings.resume:
                 raise BadRequest("--resume needs a file to go on with: -o FILE")
             sys.stdout.flush()
-            return Sink(sys.stdout.fileno(), self.shared, strict=self.settings.strict)
+            return Sink(os.dup(sys.stdout.fileno()), self.shared, strict=self.settings.strict)
         if os.path.exists(path) and not os.path.isfile(path):
             if os.path.isdir(path):
                 raise BadRequest(f"-o: {quoted(path)} is a directory")

@@ -241,7 +241,7 @@ def _sink(sweep: Sweep, settings: Settings, shared: Shared, source: _Places) -> 
     """Where the lines go: stdout, or a file, at its beginning or where an interrupted run came to."""
     if settings.target == "-":
         sys.stdout.flush()
-        return Sink(sys.stdout.fileno(), shared, strict=False)
+        return Sink(os.dup(sys.stdout.fileno()), shared, strict=False)
     if os.path.exists(settings.target) and not os.path.isfile(settings.target):
         raise BadRequest(f"-o: {quoted(settings.target)} is no file")
     sink = FileSink(settings.target, shared, strict=False)

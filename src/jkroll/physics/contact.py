@@ -146,7 +146,8 @@ def approach_at_load(
     """
     length = work_of_adhesion / contact_modulus
     at_margin_1 = cbrt(3 / 4 * (pi * pi) * length * length * reduced_radius * load_factor)
-    slope = Sum(1 / 4, 3 / 4 * abs(load_margin))
+    margin = abs(load_margin)
+    slope = Sum(margin, (1 - margin) / 4)
     ratio = product(Sum(load + pull_off_force, load / 8), over=(pull_off_force, slope))
     return at_margin_1 * where(load_margin < 0, (3 * load_margin - 1) / 2, ratio)
 
