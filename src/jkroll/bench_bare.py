@@ -13,7 +13,7 @@ WANTED = (
 XI, G = 2e-10, 9.80665
 _SCRATCH = 22
 _THREE_HALVES_PI, _SIX_PI, _FOUR_THIRDS_PI = (Constant(*ratio, 1) for ratio in ((3, 2), (6, 1), (4, 3)))
-_TWO_FIFTHS = Constant(2, 5)
+_TWO_FIFTHS, _THREE_QUARTERS_PI_SQUARED = Constant(2, 5), Constant(3, 4, 2)
 
 
 class BareArrays:
@@ -47,9 +47,7 @@ class BareArrays:
         np.multiply(t, R, out=t)
         np.multiply(t, R, out=t)
         self._cbrt(t, out["contact_radius"])
-        np.multiply(c, 3 / 4 * (pi * pi), out=t)
-        np.multiply(t, c, out=t)
-        np.multiply(t, R, out=t)
+        self._product((_THREE_QUARTERS_PI_SQUARED, c, c, R), t)
         self._cbrt(t, out["approach"])
         np.add(P, P_c, out=s)
         np.divide(s, P_c, out=s)
@@ -74,10 +72,8 @@ class BareArrays:
         for radius, mass, inertia in ((R1, m1, i1), (R2, m2, i2)):
             self._product((_FOUR_THIRDS_PI, rho, radius, radius, radius), mass)
             self._product((_TWO_FIFTHS, mass, radius, radius), inertia)
-        n = np.multiply(m1, G, out=out["n_grav"])
-        np.multiply(n, R1, out=n)
-        np.divide(M, n, out=n)
-        np.sqrt(n, out=n)
+        N = self._product((M,), out["n_grav"], over=(m1, G, R1))  # noqa: N806
+        np.sqrt(N, out=N)
         self._product((_SIX_PI, w, x, R, R), t)
         self._frequency(t, i1, i2, out["rolling_frequency"])
         np.multiply(R, x, out=u)
