@@ -9,7 +9,6 @@ from typing import Any, NamedTuple
 
 from .errors import MaterialsFileError, QuantityError, UnknownMaterial, quoted, shown
 from .nomenclature import NOMENCLATURE
-from .plain_toml import NotPlain, read_plainly
 from .units import parse_quantity
 from .wiring import PROPERTIES
 
@@ -105,6 +104,8 @@ def _shipped_data() -> Mapping[str, Any]:
 def _data(path: str) -> Mapping[str, Any]:
     """What a TOML file says."""
     text = _text(path)
+    from .plain_toml import NotPlain, read_plainly
+
     try:
         return read_plainly(text)
     except NotPlain as error:
