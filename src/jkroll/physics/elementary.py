@@ -108,7 +108,7 @@ def _parts(factors: tuple[Any, ...], bits: int) -> tuple[Any, Any]:
     scale = 2.0 ** (53 - bits) + 1
     before = None
     for factor in others:
-        if type(factor) is float:  # as in the two functions below, without their calls
+        if type(factor) is float:  # as `_halves` has it, without the calls
             value, wide = factor, scale * factor
             head = wide - (wide - factor)
             less = factor - head
