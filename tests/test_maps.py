@@ -15,6 +15,7 @@ from conftest import Run, Stream
 from jkroll import known_materials, solve
 from jkroll.axes import Axis, round_values
 from jkroll.canvas import ink_on, screen_of, shade, stacked
+from jkroll.charts import axis_around
 from jkroll.figures import FIGURES, figure
 from jkroll.maps import Map, Setting, evaluate
 from jkroll.nomenclature import NOMENCLATURE
@@ -184,6 +185,12 @@ def test_an_axis_of_one_unit_and_one_of_many() -> None:
     assert logarithmic.label() == "radius of sphere 1, R1"
     assert logarithmic.place(1e-9 * math.sqrt(1000)) == pytest.approx(0.5)
     assert Axis("density", 1e3, 1e4).label().endswith("[kg/m³]")
+
+
+def test_the_axis_around_the_largest_numbers_ends_among_them() -> None:
+    axis = axis_around("sticking_energy", [np.array([3e-320, 1.2e308])], is_log=True)
+    assert 0 < axis.low <= 3e-320
+    assert axis.high == 1e308
 
 
 # --- In a terminal ------------------------------------------------------------------------------------------------------

@@ -7,6 +7,8 @@ from typing import Any, NamedTuple
 from .axes import Axis
 from .maps import Mark, extent, is_wide
 
+_FIRST, _LAST = -323, 308  # decades of the doubles
+
 
 class Curve(NamedTuple):
     """A line through points; several that belong together have one colour."""
@@ -44,7 +46,7 @@ def axis_around(name: str, values: Iterable[Any], *, is_log: bool | None = None,
     known = numpy.concatenate([numpy.ravel(one) for one in values])
     low, high = extent(known)
     if is_log if is_log is not None else is_wide(known):
-        return Axis(name, 10 ** floor(log10(low) + 0.01), 10 ** ceil(log10(high) - 0.01))
+        return Axis(name, 10.0 ** max(floor(log10(low) + 0.01), _FIRST), 10.0 ** min(ceil(log10(high) - 0.01), _LAST))
     room = (high - low) * margin if high > low else abs(high) * 0.05 or 1.0
     return Axis(name, low - room, high + room, is_log=False)
 
