@@ -175,7 +175,7 @@ def disagreements(seed: int, count: int) -> list[tuple[str, str]]:
         shell, line = SHELLS[number % len(SHELLS)], random_line(source)
         answer = quick(asked(shell, line))
         both += answer is not None
-        if answer is not None and answer != typers(asked(shell, line)):
+        if answer is not None and answer != with_flag(typers(asked(shell, line)), shell, line):
             different.append((shell, line))
     assert both > count / 3
     return different
