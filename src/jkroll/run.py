@@ -108,6 +108,11 @@ def run_command(command: Command, words: Sequence[str] | None, options: Mapping[
     return _say_failures(tally, request.count)
 
 
+def no_picture(flag: str, path: str) -> BadRequest:
+    """The refusal of a name that does not end as a picture's does."""
+    return BadRequest(f"{flag}: {quoted(path)} does not end in .{', .'.join(PICTURES[:-1])} or .{PICTURES[-1]}")
+
+
 def _ending(path: str) -> str:
     return os.path.splitext(path)[1][1:].casefold()
 
@@ -206,7 +211,7 @@ def run_bench(output: Output, *, quick: bool = False, plot: str | None = None) -
     from .bench import write_bench
 
     if plot is not None and _ending(plot) not in PICTURES:
-        raise BadRequest(f"--plot: {quoted(plot)} does not end in .{', .'.join(PICTURES[:-1])} or .{PICTURES[-1]}")
+        raise no_picture("--plot", plot)
     try:
         code = write_bench(sys.stdout, output.format_name(sys.stdout), quick=quick, plot=plot)
     except ModuleNotFoundError as error:

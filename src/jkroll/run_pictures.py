@@ -16,7 +16,7 @@ from .nomenclature import header
 from .pictures import asked, marks_of
 from .plots import Held, as_held, curves_of, map_of, mark_at
 from .request import BadRequest, Request, materials_files
-from .run import PICTURES, Output
+from .run import PICTURES, Output, no_picture
 from .sections import DRAWN, curves_of_contact
 from .streams import say
 from .units import parse_quantity
@@ -48,7 +48,7 @@ class Target(NamedTuple):
                 raise BadRequest(f"{', '.join(given) or '--no-caption'}: this is of a file; name one with -o")
             return
         if self.file.rpartition(".")[2].lower() not in PICTURES:
-            raise BadRequest(f"-o: {quoted(self.file)} does not end in .{', .'.join(PICTURES[:-1])} or .{PICTURES[-1]}")
+            raise no_picture("-o", self.file)
         try:
             from . import drawing  # noqa: F401
         except ModuleNotFoundError as error:

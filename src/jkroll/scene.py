@@ -124,7 +124,7 @@ class Scene:
         """Whether all inputs are numbers, and one of them so large or small that formulas might leave the doubles."""
         if any(not isinstance(value, float) for value in self.values.values()):
             return False
-        return not all(is_ordinary(self.values[name]) for name in EXTREMES & self._known)
+        return is_extreme(self.values, self._known)
 
     def _widely(self, plan: Plan) -> None:
         """Run the formulas with numbers of any magnitude, so that only what a user sees need be a double."""
@@ -149,24 +149,27 @@ class Scene:
 
 
 # Products as high as w⁵R⁴/E² and ρR⁵ occur on the way; from such inputs within these limits, they are doubles.
-EXTREMES = frozenset(
-    {
-        *("radius", "surface_energy", "youngs_modulus", "density", "reduced_radius", "contact_modulus", "gravity"),
-        *(
-            "radius2",
-            "surface_energy2",
-            "youngs_modulus2",
-            "density2",
-            "work_of_adhesion",
-            "yield_displacement",
-            "speed",
-        ),
-    }
-)
+_EXTREMES = frozenset(
+    (
+        "radius",
+        "surface_energy",
+        "youngs_modulus",
+        "density",
+        "radius2",
+        "surface_energy2",
+        "youngs_modulus2",
+        "density2",
+    )
+) | {"work_of_adhesion", "reduced_radius", "contact_modulus", "yield_displacement", "gravity", "speed"}
 _SMALL, _LARGE = 2.0**-90, 2.0**90
 
 
-def is_ordinary(value: Any) -> bool:
+def is_extreme(values: Mapping[str, Any], names: Collection[str]) -> bool:
+    """Whether an input among these, or an element of one, is so large or small that formulas might leave the doubles."""
+    return not all(_is_ordinary(values[name]) for name in _EXTREMES.intersection(names))
+
+
+def _is_ordinary(value: Any) -> bool:
     """Whether formulas cannot leave the doubles because of an input, or of an array of them."""
     if isinstance(value, float):
         return _SMALL < value < _LARGE or value == INFINITY

@@ -10,7 +10,7 @@ from typing import Any
 from .errors import MAX_QUOTED, MalformedQuantity, NoResult, ShapeMismatch, UnknownQuantity
 from .materials import Material, Materials, known_materials
 from .nomenclature import INFINITY, NOMENCLATURE
-from .scene import EXTREMES, MAY_BE_ZERO, SMALLEST, Scene, check_range, is_ordinary
+from .scene import MAY_BE_ZERO, SMALLEST, Scene, check_range, is_extreme
 from .units import parse_quantity
 
 Place = tuple[slice, ...]  # of a block in an array
@@ -85,7 +85,7 @@ def _with_extremes(
 ) -> dict[str, Any]:
     """The results, those of elements with very large or small inputs computed as single numbers, which may be any."""
     arrays = {name: value for name, value in given.items() if not isinstance(value, float)}
-    if not arrays or all(is_ordinary(given[name]) for name in given if name in EXTREMES):
+    if not arrays or not is_extreme(given, given):
         return results
     import numpy
 
@@ -94,7 +94,7 @@ def _with_extremes(
     results = {name: numpy.array(numpy.broadcast_to(value, shape)) for name, value in results.items()}
     for place in numpy.ndindex(shape):
         scene = {name: float(value[place]) for name, value in everywhere.items()}
-        if not all(is_ordinary(scene[name]) for name in scene if name in EXTREMES):
+        if is_extreme(scene, scene):
             one = Scene(scene, *spheres)
             for name, values in results.items():
                 try:

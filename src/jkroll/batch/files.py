@@ -58,8 +58,7 @@ def feed(descriptor: int, pieces: Callable[[BinaryIO], Iterator[bytes]]) -> tupl
     process = os.fork()
     if process:
         os.close(start)
-        if descriptor:
-            os.close(descriptor)
+        os.close(descriptor)
         return end, process
     code = 1
     try:

@@ -77,8 +77,7 @@ class _Stream:
                 sink.finish()
         finally:
             self._stop_feeder()
-            if descriptor:
-                os.close(descriptor)
+            os.close(descriptor)
         return Tally(self.shared["rows"], self.shared["failed"])
 
     def _goes_on(self, sink: FileSink, identity: list[int], head: bytes, source: Source) -> bool:

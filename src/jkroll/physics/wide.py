@@ -25,17 +25,6 @@ class Wide:
         """A number as a wide one."""
         return value if isinstance(value, Wide) else cls(value)
 
-    @classmethod
-    def of_ratio(cls, above: int, below: int) -> "Wide":
-        """The number next to a ratio of whole numbers."""
-        shift = above.bit_length() - below.bit_length()
-        return cls(above / (below << shift) if shift > 0 else (above << -shift) / below, shift)
-
-    def as_integer_ratio(self) -> tuple[int, int]:
-        """Itself as a ratio of whole numbers."""
-        above, below = self.mantissa.as_integer_ratio()
-        return (above << self.exponent, below) if self.exponent > 0 else (above, below << -self.exponent)
-
     def __float__(self) -> float:
         """The double next to it; 0 or infinite beyond the doubles."""
         try:
