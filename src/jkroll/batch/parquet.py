@@ -22,7 +22,7 @@ from .columns import STATUS, check_first
 from .errors import BadRow, BadTable
 from .files import check_output, identity_of, opened
 from .output import fingerprint
-from .pieces import NUMBERS, PIECE, Group, rows_of_group, write
+from .pieces import NUMBERS, PIECE, Group, as_column, rows_of_group, write
 from .rows import Block, Evaluator, Results
 from .settings import Order, Tally, input_format, output_format
 from .source import Shared
@@ -114,7 +114,7 @@ class _File:
             words = pyarrow.nulls(size, pyarrow.string())
             if status:
                 words = pyarrow.array([status.get(row) for row in range(size)], pyarrow.string())
-            arrays = [pyarrow.array(column, from_pandas=bool(numpy.isnan(column.min()))) for column in columns]
+            arrays = [as_column(values) for values in columns]
             yield Group(
                 pyarrow.RecordBatch.from_arrays([*batch.columns, *arrays, words], schema=self.schema), len(status)
             )

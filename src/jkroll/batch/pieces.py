@@ -12,6 +12,7 @@ from contextlib import closing, suppress
 from io import BytesIO
 from typing import Any, NamedTuple, Protocol
 
+import numpy
 import pyarrow
 import pyarrow.parquet
 
@@ -52,6 +53,11 @@ def rows_of_group(columns: int) -> int:
     16384
     """
     return 1 << max((NUMBERS // columns).bit_length() - 1, 10)
+
+
+def as_column(values: Any) -> Any:
+    """Numbers as a column, nan as null."""
+    return pyarrow.array(values, from_pandas=bool(numpy.isnan(values.min())))
 
 
 def write(settings: Settings, shared: Shared, schema: Any, identity: Mapping[str, str], pieces: Pieces) -> None:

@@ -7,7 +7,7 @@ import numpy
 import pyarrow
 
 from ..nomenclature import NOMENCLATURE, header
-from .pieces import NUMBERS, PIECE, Group, rows_of_group, write
+from .pieces import NUMBERS, PIECE, Group, as_column, rows_of_group, write
 from .settings import Settings, Tally
 from .source import Shared
 from .sweep import Evaluators, Rows, Sweep
@@ -63,8 +63,6 @@ class _Pieces:
             numpy.full(rows.size, numpy.nan if one is None else one) if not isinstance(one, numpy.ndarray) else one
             for one in rows.inputs
         ]
-        arrays = [
-            pyarrow.array(column, from_pandas=bool(numpy.isnan(column.min()))) for column in [*columns, *rows.results]
-        ]
+        arrays = [as_column(values) for values in [*columns, *rows.results]]
         names = [pyarrow.array([name] * rows.size) for name in rows.materials]
         return pyarrow.RecordBatch.from_arrays([*names, *arrays], schema=self.schema)
