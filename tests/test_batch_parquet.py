@@ -3,6 +3,7 @@
 import csv
 import math
 from pathlib import Path
+from typing import Any
 
 import pytest
 from hypothesis import given, settings
@@ -83,47 +84,56 @@ def test_strict_writes_nothing(run: Run) -> None:
 
 
 @pytest.mark.parametrize("rows", [0, 1000])
-def test_a_run_of_several_pieces_has_all_rows(run: Run, monkeypatch: pytest.MonkeyPatch, rows: int) -> None:
+@pytest.mark.parametrize("group", [7, 100, 450, 1000])
+@pytest.mark.parametrize("jobs", [1, 3])
+def test_a_run_of_several_pieces_has_all_rows(
+    run: Run, monkeypatch: pytest.MonkeyPatch, rows: int, group: int, jobs: int
+) -> None:
+    """Pieces of 300 rows or somewhat more, computed 20 at a time, however many the file has together."""
     from jkroll.batch import parquet as batch
+    from jkroll.batch import pieces
 
-    name = write({"radius [nm]": [100.0 + row for row in range(rows)], "id": [*range(rows)]})
-    assert run("batch", name, "-o", "one.parquet") == (0, "", "")
-    monkeypatch.setattr(batch, "PIECE", 300)
-    assert run("batch", name, "-o", "several.parquet") == (0, "", "")
+    table = pyarrow.table({"radius [nm]": [100.0 + row for row in range(rows)], "id": pyarrow.array(range(rows))})
+    parquet.write_table(table, "grains.parquet", row_group_size=group)
+    assert run("batch grains.parquet -o one.parquet --jobs 1") == (0, "", "")
+    monkeypatch.setattr(pieces, "ROWS", 300)
+    monkeypatch.setattr(batch, "BLOCK", 20)
+    assert run(f"batch grains.parquet -o several.parquet --jobs {jobs}") == (0, "", "")
     found = parquet.ParquetFile("several.parquet")
     assert found.read().equals(parquet.read_table("one.parquet"))
-    assert found.metadata.num_row_groups == (4 if rows else 0)
+    assert found.metadata.num_row_groups == (0 if not rows else 4 if group < 300 else 3)
     assert found.read(["id"]).column(0).to_pylist() == [*range(rows)]
 
 
 @pytest.mark.parametrize("command", ["batch grains.parquet --strict", "pull-off quartz,iron 1nm:1um:600"])
 def test_resume_makes_only_the_pieces_that_are_missing(run: Run, monkeypatch: pytest.MonkeyPatch, command: str) -> None:
-    from jkroll.batch import parquet as batch
-    from jkroll.batch import pieces, sweep_parquet
+    from jkroll.batch import pieces
 
     write({"radius [nm]": [100.0 + row for row in range(1000)]})
-    monkeypatch.setattr(batch, "PIECE", 300)
-    monkeypatch.setattr(sweep_parquet, "PIECE", 300)
+    monkeypatch.setattr(pieces, "ROWS", 300)
+    monkeypatch.setattr("os.cpu_count", lambda: 1)
     assert run(f"{command} -o whole.parquet --quiet") == (0, "", "")
-    finish = pieces._Piece.finish
+    append = pieces._PieceSink.append
     written: list[int] = []
-    most = 4
+    most = 5
 
-    def stopping(piece: pieces._Piece, text: bytes) -> None:
-        if len(written) == most:
-            raise KeyboardInterrupt
-        written.append(piece.rows)
-        finish(piece, text)
+    def stopping(sink: pieces._PieceSink, table: Any) -> None:
+        if table.num_rows:
+            if len(written) == most:
+                raise KeyboardInterrupt
+            written.append(table.num_rows)
+        append(sink, table)
 
-    monkeypatch.setattr(pieces._Piece, "finish", stopping)
-    for most in range(4):
+    monkeypatch.setattr(pieces._PieceSink, "append", stopping)
+    expected = [300, 300, 300, 100] if "batch" in command else [300] * 4
+    for most in range(len(expected)):
         written.clear()
         stopped = run(f"{command} -o out.parquet --quiet")
         assert stopped.code == 130
         assert f"jkroll: interrupted after {300 * most} rows; --resume goes on\n" in stopped.err
-        before, most = [*written], 4
+        before, most = [*written], 5
         assert run(f"{command} -o out.parquet --quiet --resume") == (0, "", "")
-        assert written == [300, 300, 300, 1000 - 900 if "batch" in command else 300]
+        assert written == expected
         assert before == written[: len(before)]
         assert Path("out.parquet").read_bytes() == Path("whole.parquet").read_bytes()
         assert {path.name for path in Path().iterdir()} == {"grains.parquet", "out.parquet", "whole.parquet"}

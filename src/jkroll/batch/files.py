@@ -12,7 +12,7 @@ from ..errors import quoted
 from ..request import BadRequest
 from .errors import BadTable
 
-BESIDE = (".partial", ".journal", ".piece")  # what may stand beside the output until it is whole
+BESIDE = (".partial", ".journal")  # what may stand beside the output until it is whole
 
 
 def opened(path: str) -> int:

@@ -1,7 +1,7 @@
 """What the formats whose records are lines have in common."""
 
 from collections.abc import Sequence
-from typing import NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol
 
 from .columns import Header
 from .single import Task
@@ -12,7 +12,7 @@ BOM = b"\xef\xbb\xbf"
 class Converted(NamedTuple):
     """A block as it is written, and what is to be known of it."""
 
-    output: bytes
+    output: Any  # bytes, or a table of Parquet
     rows: int
     failed: int
     lines: int

@@ -59,7 +59,7 @@ class Sink:
         self.shared = shared
         self.strict = strict
 
-    def head(self, text: bytes, output: bytes, lines: int) -> None:
+    def head(self, text: bytes, output: Any, lines: int) -> None:
         """Write what stands before the first row. `text` is what it was."""
         self.append(output)
         self.done(text, lines=lines)
@@ -102,7 +102,7 @@ class FileSink(Sink):
     def __init__(self, path: str, shared: Shared, *, strict: bool) -> None:
         """Open and lock what is written beside."""
         self.path = path
-        self.partial, self.journal_path, self.piece = (path + end for end in BESIDE)
+        self.partial, self.journal_path = (path + end for end in BESIDE)
         super().__init__(_locked(self.partial), shared, strict=strict)
         try:
             self.journal = _opened(self.journal_path)

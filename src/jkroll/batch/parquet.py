@@ -1,12 +1,9 @@
-"""Parquet to Parquet: the columns of a file, block by block, with the results beside them.
-
-A piece of it is some of the groups of rows that it was written in.
-"""
+"""Parquet to Parquet: the columns of a file, piece by piece, with the results beside them."""
 
 import os
 from collections.abc import Iterator
 from math import isnan
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy
 import orjson
@@ -19,10 +16,11 @@ from ..nomenclature import header
 from ..request import BadRequest
 from .cells import Floats, Numbers, Reader, plain_numbers
 from .columns import STATUS, check_first
-from .errors import BadRow, BadTable
+from .errors import BadTable
 from .files import check_output, identity_of, opened
+from .lines import Converted
 from .output import fingerprint
-from .pieces import NUMBERS, PIECE, Group, as_column, rows_of_group, write
+from .pieces import BYTES, ROWS, as_column, rows_of_piece, write
 from .rows import Block, Evaluator, Results
 from .settings import Order, Tally, input_format, output_format
 from .source import Shared
@@ -30,7 +28,7 @@ from .spans import Span, groups_together
 from .task import understood_task
 
 BUFFER = 1 << 16  # bytes read at a time of each column
-ROWS = 1 << 13  # rows computed together: what lies between two formulas stays in the cache
+BLOCK = 1 << 13  # rows computed together: what lies between two formulas stays in the cache
 _DECIMALS = (0, 3, 6, 9)
 
 
@@ -56,70 +54,107 @@ def opened_parquet(path: str) -> Any:
         raise BadTable(f"{quoted(path)} is not Parquet, or its end is missing") from None
 
 
+class _Piece(NamedTuple):
+    """Rows that are converted together: of some groups of rows so many, after the first ones."""
+
+    groups: Span
+    skip: int
+    rows: int
+
+
+def _pieces(metadata: Any, rows: int, span: Span) -> Iterator[_Piece]:
+    """Pieces of about so many rows: several small groups, or parts of a large one."""
+    for groups in groups_together(metadata, rows, span):
+        total: int = sum(metadata.row_group(place).num_rows for place in range(groups.start, groups.end))
+        block = min(rows, BLOCK)
+        size = -(-total // max(total // rows, 1) // block) * block
+        for skip in range(0, total, max(size, 1)):
+            yield _Piece(groups, skip, min(size, total - skip))
+
+
+class _Rows:
+    """The rows of a file, from front to back: each process leaves out those that others convert."""
+
+    def __init__(self, file: Any, size: int) -> None:
+        """`size`: how many at most come together."""
+        self.file, self.size = file, size
+        self.groups, self.place = Span(0, 0), 0
+        self.batches: Iterator[Any] = iter(())
+        self.batch: Any = None  # that begins at this place
+
+    def of(self, piece: _Piece) -> Iterator[Any]:
+        """The rows of a piece."""
+        if self.groups != piece.groups:
+            groups = range(piece.groups.start, piece.groups.end)
+            self.groups, self.place, self.batch = piece.groups, 0, None
+            self.batches = self.file.iter_batches(self.size, row_groups=groups, use_threads=False)
+        end = piece.skip + piece.rows
+        while self.place < end:
+            batch = self.batch = self.batch or next(self.batches)
+            wanted = batch.slice(max(piece.skip - self.place, 0), end - max(self.place, piece.skip))
+            if wanted.num_rows:
+                yield wanted
+            if self.place + batch.num_rows > end:
+                return
+            self.place, self.batch = self.place + batch.num_rows, None
+
+
 class _File:
-    """One run over one file, whose groups of rows are put together to pieces."""
+    """One run over one file."""
 
     def __init__(self, file: Any, order: Order, span: Span) -> None:
         self.file, self.order, self.settings = file, order, order.settings
         self.table, self.task = understood_task(tuple(file.schema_arrow.names), order)
         for column in self.task.inputs:
             if pyarrow.types.is_string(file.schema_arrow.types[column.place]) or column.unit is None:
-                first = next(file.iter_batches(200, columns=[self.table.texts[column.place]]), None)
+                texts = [self.table.texts[column.place]]
+                first = next(file.iter_batches(200, columns=texts, use_threads=False), None)
                 values = [] if first is None else first.column(0).to_pylist()
                 check_first(column, [_text(value) for value in values])
         self.evaluator = Evaluator(self.task)
         self.readers = [Reader(column) for column in self.task.inputs]
-        self.names = [header(name) for name in self.task.quantities]
+        fields = [pyarrow.field(header(name), pyarrow.float64()) for name in self.task.quantities]
+        self.schema = pyarrow.schema([*file.schema_arrow, *fields, pyarrow.field(STATUS, pyarrow.string())])
         self.shared = Shared()
-        self.pieces = [*groups_together(file.metadata, PIECE, span)]
-        self.total = len(self.pieces)
+        rows = rows_of_piece(_width(file.metadata) + 8 * len(fields))
+        self.pieces = [*_pieces(file.metadata, rows, span)]
+        self.rows = _Rows(file, min(rows, BLOCK))
 
     def run(self, identity: list[int]) -> Tally:
         """Convert it."""
-        fields = [
-            *self.file.schema_arrow,
-            *(pyarrow.field(name, pyarrow.float64()) for name in self.names),
-            pyarrow.field(STATUS, pyarrow.string()),
-        ]
-        self.schema = pyarrow.schema(fields)
-        parts = self.order.parts([__version__, pyarrow.__version__, PIECE, NUMBERS], identity)
-        write(self.settings, self.shared, self.schema, fingerprint(parts), self)
+        parts = self.order.parts([__version__, pyarrow.__version__, ROWS, BYTES], identity)
+        write(self.settings, self.shared, self.schema, fingerprint(parts), self, self.convert, len(self.pieces))
         return Tally(self.shared["rows"], self.shared["failed"])
 
     def next(self) -> bytes | None:
-        """The next groups of rows in the file that make up a piece."""
+        """The number of the next piece."""
         place = self.shared["read"]
-        if place == self.total:
+        if place == len(self.pieces):
             return None
         self.shared["read"] = place + 1
-        return b"%d %d" % (self.pieces[place].start, self.pieces[place].end)
+        return b"%d" % place
 
-    def groups(self, text: bytes) -> Iterator[Group]:
-        """The rows of a piece with their results, as many together as are written together."""
-        first, last = map(int, text.split())
-        done = sum(self.file.metadata.row_group(place).num_rows for place in range(first))
-        for batch in self.file.iter_batches(rows_of_group(len(self.schema)), row_groups=range(first, last)):
-            size = batch.num_rows
-            columns = numpy.empty((len(self.names), size))
-            status: dict[int, str] = {}
-            for start in range(0, size, ROWS):
-                part = batch.slice(start, ROWS)
-                results = self._results(part)
-                columns[:, start : start + part.num_rows] = results.numbers
-                status |= {start + row: words for row, words in results.status.items()}
-            if status and self.settings.strict:
-                row = min(status)
-                raise BadRow(done + row + 1, status[row])
-            done += size
-            words = pyarrow.nulls(size, pyarrow.string())
-            if status:
-                words = pyarrow.array([status.get(row) for row in range(size)], pyarrow.string())
-            arrays = [as_column(values) for values in columns]
-            yield Group(
-                pyarrow.RecordBatch.from_arrays([*batch.columns, *arrays, words], schema=self.schema), len(status)
-            )
+    def convert(self, text: bytes) -> Converted:
+        """A piece with its results."""
+        piece = self.pieces[int(text)]
+        numbers = numpy.empty((len(self.task.quantities), piece.rows))
+        status: dict[int, str] = {}
+        batches: list[Any] = []
+        row = 0
+        for batch in self.rows.of(piece):
+            results = self._results(batch, numbers[:, row : row + batch.num_rows])
+            status |= {row + place: words for place, words in results.status.items()}
+            batches.append(batch)
+            row += batch.num_rows
+        words = pyarrow.nulls(piece.rows, pyarrow.string())
+        if status:
+            words = pyarrow.array([status.get(row) for row in range(piece.rows)], pyarrow.string())
+        given = pyarrow.Table.from_batches(batches, self.file.schema_arrow).columns
+        table = pyarrow.Table.from_arrays([*given, *map(as_column, numbers), words], schema=self.schema)
+        first_failure = min(status.items()) if status else None
+        return Converted(table, piece.rows, len(status), piece.rows, first_failure)
 
-    def _results(self, part: Any) -> Results:
+    def _results(self, part: Any, into: Floats) -> Results:
         numbers = {reader.column.name: _numbers(part.column(reader.column.place), reader) for reader in self.readers}
         materials: dict[str, Any] = {}
         for name, place in self.task.materials_at:
@@ -136,8 +171,15 @@ class _File:
                 materials,
                 {},
                 lambda row, name: _text(part.column(places[name])[row].as_py()),
-            )
+            ),
+            into,
         )
+
+
+def _width(metadata: Any) -> float:
+    """How many bytes a row takes."""
+    size: int = sum(metadata.row_group(place).total_byte_size for place in range(metadata.num_row_groups))
+    return float(size / max(metadata.num_rows, 1))
 
 
 def _text(value: object) -> str:

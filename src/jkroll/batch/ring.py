@@ -16,14 +16,13 @@ from typing import NoReturn
 
 from .errors import LostWorker
 from .lines import Converted
-from .output import Sink
-from .source import Source
+from .output import Blocks, Sink
 
 TICK = 0.2  # seconds between two looks at how far it is
 Watch = Callable[[], None]
 
 
-def run(source: Source, convert: Callable[[bytes], Converted], sink: Sink, jobs: int, watch: Watch) -> None:
+def run(source: Blocks, convert: Callable[[bytes], Converted], sink: Sink, jobs: int, watch: Watch) -> None:
     """Convert all blocks of a source into a sink; `watch` is called now and then."""
     _keep_memory()
     gc.collect()
@@ -47,7 +46,7 @@ def _keep_memory() -> None:
     bytes(1 << 24)
 
 
-def _alone(source: Source, convert: Callable[[bytes], Converted], sink: Sink, watch: Watch) -> None:
+def _alone(source: Blocks, convert: Callable[[bytes], Converted], sink: Sink, watch: Watch) -> None:
     looked = time.monotonic()
     while (text := source.next()) is not None:
         sink.write(text, convert(text))
@@ -66,7 +65,7 @@ class _Ring:
         self.reports = os.pipe()
         self.processes: list[int] = []
 
-    def run(self, source: Source, convert: Callable[[bytes], Converted], sink: Sink, watch: Watch) -> None:
+    def run(self, source: Blocks, convert: Callable[[bytes], Converted], sink: Sink, watch: Watch) -> None:
         """Start the processes and wait for them."""
         parent = os.getpid()
         try:
@@ -90,7 +89,7 @@ class _Ring:
             os.close(self.reports[0])
 
     def _work(
-        self, place: int, parent: int, source: Source, convert: Callable[[bytes], Converted], sink: Sink
+        self, place: int, parent: int, source: Blocks, convert: Callable[[bytes], Converted], sink: Sink
     ) -> NoReturn:
         """One of the processes: it never returns."""
         try:

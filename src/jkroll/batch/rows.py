@@ -49,9 +49,9 @@ class Evaluator:
         self._reasons: dict[tuple[object, ...], str] = {}
         self._lost: set[int] = set()
 
-    def results(self, block: Block) -> Results:
-        """The results of a block."""
-        numbers = numpy.full((len(self.task.quantities), block.size), numpy.nan)
+    def results(self, block: Block, into: Floats | None = None) -> Results:
+        """The results of a block; `into`: an array for the numbers."""
+        numbers = numpy.empty((len(self.task.quantities), block.size)) if into is None else into
         status: dict[int, str] = dict(block.odd)
         self._lost = set()
         codes = {
@@ -88,6 +88,7 @@ class Evaluator:
             groups: Iterable[Any] = [slice(None)]
         else:
             groups = [rest[keys[rest] == key] for key in numpy.unique(keys[rest])]
+            numbers.fill(numpy.nan)
         for rows in groups:
             singly.update(everything[rows][self._group(block, codes, rows, numbers, status)].tolist())
         return singly
@@ -113,7 +114,8 @@ class Evaluator:
         missing = [name for name in wanted if lacking(name, scene) is not None]
         found = [name for name in wanted if name not in missing]
         values = _values(scene, found)
-        results = numpy.empty((len(self.task.quantities), len(members)))
+        is_all = isinstance(rows, slice)
+        results = numbers if is_all else numpy.empty((len(self.task.quantities), len(members)))
         for place, name in enumerate(self.task.quantities):
             results[place] = values.get(name, numpy.nan)
         is_odd = None if _is_plausible(results) else ~_plausible(results, self.task.quantities)
@@ -124,7 +126,8 @@ class Evaluator:
                 numpy.nan
             )
         self._explain(scene, results, is_odd, missing, members.tolist(), codes, status)
-        numbers[:, rows] = results
+        if not is_all:
+            numbers[:, rows] = results
         odd_rows: Any = numpy.zeros(len(members), dtype=bool) if is_odd is None else is_odd.any(axis=0)
         if missing and "load" in given:
             odd_rows |= given["load"] == 0  # without a load less is needed

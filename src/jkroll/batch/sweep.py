@@ -8,7 +8,7 @@ import sys
 from collections.abc import Sequence
 from contextlib import closing
 from math import prod
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy
 import orjson
@@ -150,7 +150,7 @@ def _typed(name: str, value: float) -> str:
     return f"{float(value)!r} {unit}" if unit != "1" else repr(float(value))
 
 
-class _Places:
+class Places:
     """A source of blocks that are nothing but where they begin, and how many rows they have."""
 
     def __init__(self, sweep: Sweep, shared: Shared) -> None:
@@ -220,7 +220,7 @@ def stream(sweep: Sweep, settings: Settings) -> Tally:
     if form is not None and form.kind not in DIALECTS:
         raise BadRequest(f"-o: a sweep is written as csv, tsv or parquet, not as {form.kind}")
     compress = compressor(form.compression if form else "")
-    source: Any = _Places(sweep, shared)
+    source = Places(sweep, shared)
     lines = _Lines(sweep, form.kind if form else "csv")
 
     def converted(text: bytes) -> Converted:
@@ -237,7 +237,7 @@ def stream(sweep: Sweep, settings: Settings) -> Tally:
     return Tally(shared["rows"], shared["failed"])
 
 
-def _sink(sweep: Sweep, settings: Settings, shared: Shared, source: _Places) -> Sink:
+def _sink(sweep: Sweep, settings: Settings, shared: Shared, source: Places) -> Sink:
     """Where the lines go: stdout, or a file, at its beginning or where an interrupted run came to."""
     if settings.target == "-":
         sys.stdout.flush()

@@ -1,13 +1,13 @@
 """A sweep of any length as Parquet."""
 
-from collections.abc import Iterator
 from typing import Any
 
 import numpy
 import pyarrow
 
 from ..nomenclature import NOMENCLATURE, header
-from .pieces import NUMBERS, PIECE, Group, as_column, rows_of_group, write
+from .lines import Converted
+from .pieces import BYTES, ROWS, as_column, rows_of_piece, write
 from .settings import Settings, Tally
 from .source import Shared
 from .sweep import Evaluators, Rows, Sweep
@@ -16,7 +16,8 @@ from .sweep import Evaluators, Rows, Sweep
 def write_sweep(sweep: Sweep, settings: Settings, shared: Shared) -> Tally:
     """Write all rows."""
     pieces = _Pieces(sweep, shared)
-    write(settings, shared, pieces.schema, sweep.identity(pyarrow.__version__, PIECE, NUMBERS), pieces)
+    identity = sweep.identity(pyarrow.__version__, ROWS, BYTES)
+    write(settings, shared, pieces.schema, identity, pieces, pieces.convert, sweep.size)
     return Tally(shared["rows"], shared["failed"])
 
 
@@ -24,7 +25,7 @@ class _Pieces:
     """Pieces that are nothing but where they begin and end."""
 
     def __init__(self, sweep: Sweep, shared: Shared) -> None:
-        self.sweep, self.shared, self.total = sweep, shared, sweep.size
+        self.sweep, self.shared = sweep, shared
         self.evaluators = Evaluators(sweep)
         materials = [name for name in sweep.shape.inputs if not NOMENCLATURE[name].unit]
         self.schema = pyarrow.schema(
@@ -33,29 +34,26 @@ class _Pieces:
                 *(pyarrow.field(header(name), pyarrow.float64()) for name in (*sweep.inputs, *sweep.results)),
             ]
         )
+        self.rows = rows_of_piece(8 * len(self.schema))
 
     def next(self) -> bytes | None:
         """The next piece."""
         start = self.shared["read"]
-        if start >= self.total:
+        if start >= self.sweep.size:
             return None
-        end = self.shared["read"] = min(start + PIECE, self.total)
+        end = self.shared["read"] = min(start + self.rows, self.sweep.size)
         return b"%d %d" % (start, end)
 
-    def groups(self, text: bytes) -> Iterator[Group]:
+    def convert(self, text: bytes) -> Converted:
         """The rows of a piece."""
         start, end = map(int, text.split())
-        wanted = rows_of_group(len(self.schema))
-        parts: list[Group] = []
-        while start < end:
-            count = min(self.sweep.block(start), end - start)
-            rows = self.evaluators.rows(start, count)
-            parts.append(Group(self._batch(rows), rows.failed))
-            start += count
-            if start == end or sum(part.batch.num_rows for part in parts) >= wanted:
-                table = pyarrow.Table.from_batches([part.batch for part in parts])
-                yield Group(table.combine_chunks().to_batches()[0], sum(part.failed for part in parts))
-                parts = []
+        place, failed = start, 0
+        batches: list[Any] = []
+        while place < end:
+            rows = self.evaluators.rows(place, min(self.sweep.block(place), end - place))
+            batches.append(self._batch(rows))
+            place, failed = place + rows.size, failed + rows.failed
+        return Converted(pyarrow.Table.from_batches(batches, self.schema), end - start, failed, end - start, None)
 
     def _batch(self, rows: Rows) -> Any:
         """Rows as columns."""
