@@ -2,6 +2,8 @@
 
 import csv
 import math
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -61,6 +63,47 @@ def test_a_double_in_a_unit_is_read_as_its_text(values: list[float], exponent: i
     for value, scaled in zip(values, found.tolist(), strict=True):
         mantissa, _, power = repr(value).partition("e")
         assert math.isnan(scaled) if math.isnan(value) else scaled == float(f"{mantissa}e{int(power or 0) + exponent}")
+
+
+@pytest.mark.parametrize("kind", ["float64", "float32", "float16", "int64", "int16", "uint8"])
+def test_numbers_of_any_kind_and_nulls(run: Run, monkeypatch: pytest.MonkeyPatch, kind: str) -> None:
+    """More rows than are computed at once, so that columns are looked at from a place on."""
+    from jkroll.batch import parquet as batch
+
+    values = [None if row % 5 == 3 else row % 50 + 50 for row in range(100)]
+    radius = [None if row % 7 == 0 else 100 + row for row in range(100)]
+    columns = {"load [nN]": pyarrow.array(values, kind), "radius [nm]": pyarrow.array(radius, kind)}
+    material = pyarrow.array([["quartz", None, "iron"][row % 3] for row in range(100)])
+    monkeypatch.setattr(batch, "BLOCK", 30)
+    parquet.write_table(pyarrow.table({**columns, "material": material}), "grains.parquet")
+    words = "--gamma 25mJ/m2 --young 54GPa --poisson 0.17 --quantities pull_off_force,approach_at_load --jobs 1"
+    assert run(f"batch grains.parquet -o out.parquet {words}").code == 1
+    lines = [
+        ",".join("" if one is None else str(one) for one in row)
+        for row in zip(values, radius, material.to_pylist(), strict=True)
+    ]
+    Path("grains.csv").write_text("\n".join(["load [nN],radius [nm],material", *lines, ""]), encoding="utf-8")
+    assert run(f"batch grains.csv -o out.csv {words}").code == 1
+    found = parquet.read_table("out.parquet")
+    assert found.column("load [nN]").type == pyarrow.type_for_alias(kind)
+    with Path("out.csv").open(encoding="utf-8") as file:
+        for row, line in zip(found.to_pylist(), csv.DictReader(file), strict=True):
+            for name in list(line)[3:-1]:
+                assert row[name] == (float(line[name]) if line[name] else None), name
+            assert bool(row["status"]) == bool(line["status"])
+
+
+def test_pandas_is_not_imported() -> None:
+    Path("pandas.py").write_text("open('imported', 'w').close(); __version__ = '3.0'\n", encoding="utf-8")
+    name = write({"radius [nm]": [100.0, None, 0.0], "load [nN]": [1, None, 2], "material": ["iron", None, "x"]})
+    sweep = "pull-off quartz,iron 1nm:1um:10000 -o sweep.parquet".split()
+    for command in (["batch", name, "-o", "out.parquet"], sweep):
+        ran = subprocess.run([sys.executable, "-m", "jkroll", *command], capture_output=True, text=True)
+        assert ran.returncode == ("batch" in command), ran.stderr
+        assert parquet.ParquetFile(command[-1]).metadata.num_rows in (3, 20_000)
+    assert not Path("imported").exists()
+    subprocess.run([sys.executable, "-c", "import pyarrow; pyarrow.array([1.0])"], check=False)
+    assert Path("imported").exists()
 
 
 def test_what_is_no_parquet(run: Run) -> None:
@@ -140,8 +183,6 @@ def test_resume_makes_only_the_pieces_that_are_missing(run: Run, monkeypatch: py
 
 
 def test_without_pyarrow_a_line_says_which_extra_brings_it(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    import sys
-
     name = write({"radius [nm]": [100.0]})
     monkeypatch.setitem(sys.modules, "pyarrow", None)
     for module in ("parquet", "pieces", "sweep_parquet"):

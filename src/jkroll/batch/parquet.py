@@ -20,7 +20,7 @@ from .errors import BadTable
 from .files import check_output, identity_of, opened
 from .lines import Converted
 from .output import fingerprint
-from .pieces import BYTES, ROWS, as_column, rows_of_piece, write
+from .pieces import BYTES, ROWS, as_column, as_numpy, as_texts, rows_of_piece, write
 from .rows import Block, Evaluator, Results
 from .settings import Order, Tally, input_format, output_format
 from .source import Shared
@@ -119,6 +119,8 @@ class _File:
         rows = rows_of_piece(_width(file.metadata) + 8 * len(fields))
         self.pieces = [*_pieces(file.metadata, rows, span)]
         self.rows = _Rows(file, min(rows, BLOCK))
+        # One array for every piece: the one before is written when the next is begun.
+        self.numbers = numpy.empty((len(fields), max((piece.rows for piece in self.pieces), default=0)))
 
     def run(self, identity: list[int]) -> Tally:
         """Convert it."""
@@ -137,7 +139,7 @@ class _File:
     def convert(self, text: bytes) -> Converted:
         """A piece with its results."""
         piece = self.pieces[int(text)]
-        numbers = numpy.empty((len(self.task.quantities), piece.rows))
+        numbers = self.numbers[:, : piece.rows]
         status: dict[int, str] = {}
         batches: list[Any] = []
         row = 0
@@ -146,9 +148,9 @@ class _File:
             status |= {row + place: words for place, words in results.status.items()}
             batches.append(batch)
             row += batch.num_rows
-        words = pyarrow.nulls(piece.rows, pyarrow.string())
-        if status:
-            words = pyarrow.array([status.get(row) for row in range(piece.rows)], pyarrow.string())
+        words = (
+            as_texts([*map(status.get, range(piece.rows))]) if status else pyarrow.nulls(piece.rows, pyarrow.string())
+        )
         given = pyarrow.Table.from_batches(batches, self.file.schema_arrow).columns
         table = pyarrow.Table.from_arrays([*given, *map(as_column, numbers), words], schema=self.schema)
         first_failure = min(status.items()) if status else None
@@ -162,7 +164,7 @@ class _File:
             encoded = array if pyarrow.types.is_dictionary(array.type) else array.dictionary_encode()
             kinds = [_text(value) for value in encoded.dictionary.to_pylist()]
             codes = self.evaluator.lookups[name].codes([*kinds, ""])
-            materials[name] = codes[encoded.indices.fill_null(len(kinds)).to_numpy(zero_copy_only=False)]
+            materials[name] = codes[as_numpy(encoded.indices, len(kinds))]
         places = {column.name: column.place for column in self.task.inputs} | dict(self.task.materials_at)
         return self.evaluator.results(
             Block(
@@ -193,9 +195,7 @@ def _numbers(array: Any, reader: Reader) -> Numbers:
     exponent = reader.column.exponent
     if exponent is None or not (pyarrow.types.is_floating(kind) or pyarrow.types.is_integer(kind)):
         return reader.numbers([_text(value).encode() for value in array.to_pylist()])
-    if array.null_count:
-        array = array.cast(pyarrow.float64()).fill_null(numpy.nan)
-    values = array.to_numpy(zero_copy_only=False).astype(float, copy=False)
+    values = as_numpy(array, numpy.nan).astype(float, copy=False)
     missing = numpy.isnan(values)
     given = ~missing if missing.any() else None
     scaled = values if exponent == 0 else times_power_of_ten(values, exponent, given)

@@ -19,12 +19,17 @@ from .lines import Converted
 from .output import Blocks, Sink
 
 TICK = 0.2  # seconds between two looks at how far it is
+KEPT = 1 << 25  # bytes that a process does not give back
+LARGE = 1 << 22  # bytes that it always gives back
+_TRIM_THRESHOLD, _MMAP_THRESHOLD = -1, -3  # <malloc.h>
 Watch = Callable[[], None]
 
 
-def run(source: Blocks, convert: Callable[[bytes], Converted], sink: Sink, jobs: int, watch: Watch) -> None:
-    """Convert all blocks of a source into a sink; `watch` is called now and then."""
-    _keep_memory()
+def run(
+    source: Blocks, convert: Callable[[bytes], Converted], sink: Sink, jobs: int, watch: Watch, large: int = LARGE
+) -> None:
+    """Convert all blocks of a source into a sink; `watch` is called now and then. `large`: more than a block takes at once."""
+    _keep_memory(large)
     gc.collect()
     gc.freeze()
     gc.disable()
@@ -38,12 +43,17 @@ def run(source: Blocks, convert: Callable[[bytes], Converted], sink: Sink, jobs:
         gc.unfreeze()
 
 
-def _keep_memory() -> None:
+def _keep_memory(large: int) -> None:
     """Have glibc keep the memory that a block gives back, or each block would be faulted in anew: 0.3 pages a row.
 
-    It keeps as much as it was once given back in one piece.
+    But not what is large: it would lie scattered among what is small, and ever more of it.
     """
-    bytes(1 << 24)
+    import ctypes
+
+    with suppress(AttributeError, OSError, TypeError):  # not glibc
+        glibc = ctypes.CDLL(None)
+        glibc.mallopt(_TRIM_THRESHOLD, KEPT)
+        glibc.mallopt(_MMAP_THRESHOLD, large)
 
 
 def _alone(source: Blocks, convert: Callable[[bytes], Converted], sink: Sink, watch: Watch) -> None:

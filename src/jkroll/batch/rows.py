@@ -125,7 +125,7 @@ class Evaluator:
             results[self.task.quantities.index("rolling_frequency_as_printed"), ~_identical(scene, len(members))] = (
                 numpy.nan
             )
-        self._explain(scene, results, is_odd, missing, members.tolist(), codes, status)
+        self._explain(scene, results, is_odd, missing, members, codes, status)
         if not is_all:
             numbers[:, rows] = results
         odd_rows: Any = numpy.zeros(len(members), dtype=bool) if is_odd is None else is_odd.any(axis=0)
@@ -140,7 +140,7 @@ class Evaluator:
         results: Floats,
         is_odd: Mask | None,
         missing: Sequence[str],
-        members: Sequence[int],
+        members: Codes,
         codes: Mapping[str, Codes],
         status: dict[int, str],
     ) -> None:
@@ -202,8 +202,14 @@ def _values(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
 
 def _is_plausible(results: Floats) -> bool:
     """Whether all results are numbers that doubles hold with all digits, and not 0: soon seen, and the usual case."""
-    size = numpy.abs(results)
-    return bool(size.min() >= SMALLEST and size.max() < INFINITY)
+    for column in results:
+        low, high = column.min(), column.max()
+        if low < 0:
+            size = numpy.abs(column)
+            low, high = size.min(), size.max()
+        if not (low >= SMALLEST and high < INFINITY):
+            return False
+    return True
 
 
 def _plausible(results: Floats, names: Sequence[str]) -> Mask:

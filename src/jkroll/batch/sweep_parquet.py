@@ -7,7 +7,7 @@ import pyarrow
 
 from ..nomenclature import NOMENCLATURE, header
 from .lines import Converted
-from .pieces import BYTES, ROWS, as_column, rows_of_piece, write
+from .pieces import BYTES, ROWS, as_column, as_texts, rows_of_piece, write
 from .settings import Settings, Tally
 from .source import Shared
 from .sweep import Evaluators, Rows, Sweep
@@ -62,5 +62,5 @@ class _Pieces:
             for one in rows.inputs
         ]
         arrays = [as_column(values) for values in [*columns, *rows.results]]
-        names = [pyarrow.array([name] * rows.size) for name in rows.materials]
+        names = [as_texts([name] * rows.size) for name in rows.materials]
         return pyarrow.RecordBatch.from_arrays([*names, *arrays], schema=self.schema)
