@@ -45,9 +45,11 @@ class _Runner:
 
 
 def _run(client: Client, parts: list[Part]) -> Iterator[tuple[Part, Tally]]:
-    futures = {
-        client.submit(convert_part, part, key=f"jkroll-{part.target}-{part.identity[:16]}", pure=False): part
-        for part in parts
-    }
+    """Each part in one process: the workers are as many as there are to be, and have threads, beside which none may fork."""
+    futures = {}
+    for part in parts:
+        alone = part._replace(settings=part.settings._replace(jobs=1))
+        key = f"jkroll-{part.target}-{part.identity[:16]}"
+        futures[client.submit(convert_part, alone, key=key, pure=False)] = part
     for future, tally in as_completed([*futures], with_results=True):
         yield futures[future], Tally(*tally)
