@@ -31,13 +31,18 @@ def test_rivals_write_the_same_numbers(rivals: ModuleType, tmp_path: Path) -> No
     table = tmp_path / "grains.csv"
     rivals.write_table(table, ROWS)
     found: dict[str, list[list[str]]] = {}
+    own = {"jkroll": "jkroll.csv", "jkroll, 1 process": "one.csv", "jkroll, Parquet": "from_parquet.csv"}
     for rival in rivals.rivals(tmp_path, table):
         rivals.run(rival, tmp_path, table)
-        own = {"jkroll": "jkroll.csv", "jkroll, 1 process": "one.csv"}
+        if rival.name == "jkroll, Parquet":
+            parquet, csv_of_arrow = pytest.importorskip("pyarrow.parquet"), pytest.importorskip("pyarrow.csv")
+            csv_of_arrow.write_csv(parquet.read_table(tmp_path / "jkroll.parquet"), tmp_path / own[rival.name])
         with (tmp_path / own.get(rival.name, f"{rival.name}.csv")).open(encoding="utf-8") as file:
             found[rival.name] = list(csv.reader(file))
     jkroll = found.pop("jkroll")
     assert found.pop("jkroll, 1 process") == jkroll
+    of_parquet = [[*map(float, row[:-1])] for row in found.pop("jkroll, Parquet", jkroll)[1:]]
+    assert of_parquet == [[*map(float, row[:-1])] for row in jkroll[1:]]
     assert "C++" in found
     for name, rows in found.items():
         assert len(rows) == len(jkroll) == ROWS + 1, name

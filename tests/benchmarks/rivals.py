@@ -1,12 +1,13 @@
-"""`jkroll batch` against the same work done otherwise: C++, awk, Miller, the csv module, pandas.
+"""`jkroll batch` against the same work done otherwise: C++, awk, Miller, the csv module, pandas; and with Parquet for CSV.
 
     python tests/benchmarks/rivals.py [ROWS] [NAME...]
 
 Every rival reads the same table and writes the same columns, by the formulas of formulas.txt. They run in turns, ROUNDS (3)
 times; of each the best rate counts, by the clock (a rival has one thread, `jkroll` a process for each core). Needs g++, and
-whichever of gawk, mlr and pandas is to be compared.
+whichever of gawk, mlr, pandas and pyarrow is to be compared.
 """
 
+import importlib.util
 import math
 import os
 import resource
@@ -60,6 +61,14 @@ def write_table(path: Path, rows: int) -> None:
             file.writelines(
                 f"{start + place},{','.join(map(repr, row))}\n" for place, row in enumerate(zip(*columns, strict=True))
             )
+
+
+def write_parquet(path: Path, table: Path) -> None:
+    """The same table as Parquet, as pyarrow writes it if nothing else is said."""
+    import pyarrow.csv
+    import pyarrow.parquet
+
+    pyarrow.parquet.write_table(pyarrow.csv.read_csv(table), path)
 
 
 def write_cpp(folder: Path) -> Path:
@@ -146,14 +155,16 @@ class Rival(NamedTuple):
 def rivals(folder: Path, table: Path) -> list[Rival]:
     """Those that this machine has."""
     scripts = {"csv module": CSV_MODULE, "pandas": PANDAS}
+    batch = [sys.executable, "-m", "jkroll", "batch"]
     found = [
-        Rival("jkroll", [sys.executable, "-m", "jkroll", "batch", str(table), "-o", str(folder / "jkroll.csv")]),
-        Rival(
-            "jkroll, 1 process",
-            [sys.executable, "-m", "jkroll", "batch", str(table), "-o", str(folder / "one.csv"), "--jobs", "1"],
-        ),
-        Rival("C++", [str(write_cpp(folder))]),
+        Rival("jkroll", [*batch, str(table), "-o", str(folder / "jkroll.csv")]),
+        Rival("jkroll, 1 process", [*batch, str(table), "-o", str(folder / "one.csv"), "--jobs", "1"]),
     ]
+    if importlib.util.find_spec("pyarrow"):
+        write_parquet(folder / "grains.parquet", table)
+        words = [str(folder / "grains.parquet"), "-o", str(folder / "jkroll.parquet")]
+        found.append(Rival("jkroll, Parquet", [*batch, *words]))
+    found.append(Rival("C++", [str(write_cpp(folder))]))
     for program, words in (
         ("gawk", ["gawk", awk_program()]),
         ("mlr", ["mlr", "--icsv", "--ocsv", "put", miller_program()]),
@@ -161,7 +172,7 @@ def rivals(folder: Path, table: Path) -> list[Rival]:
         if shutil.which(program):
             found.append(Rival(program, words))
     for name, text in scripts.items():
-        if name == "pandas" and subprocess.run([sys.executable, "-c", "import pandas"], capture_output=True).returncode:
+        if name == "pandas" and not importlib.util.find_spec("pandas"):
             continue
         path = folder / f"rival_{name.split()[0]}.py"
         path.write_text(text.format(source=python_source(), names=results()), encoding="utf-8")
