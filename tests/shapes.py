@@ -67,6 +67,23 @@ SHAPES: dict[str, Callable[[int], bytes]] = {
     "names of one material": lambda size: _filled(
         size, lambda name: f'"a_{name}",\n', "[materials.a]\naliases=[\n", "]"
     ),
+    "aliases": lambda size: _filled(size, lambda name: f'"{name}",', "[materials.A]\naliases=[", "]"),
+    "small materials": lambda size: _filled(size, lambda name: f'[materials.{name}]\ndensity="1 g/cm3"\n'),
+    "empty materials": lambda size: _filled(size, lambda name: f"[materials.{name}]\n"),
+    "materials with one alias": lambda size: _filled(size, lambda name: f'[materials.{name}]\naliases=["A{name}"]\n'),
+    "materials without references": lambda size: _filled(
+        size,
+        lambda name: (
+            f'[materials.{name}]\ndensity="1 g/cm3"\nsurface_energy="1 J/m2"\nyoungs_modulus="1 GPa"\npoisson_ratio="0"\n'
+        ),
+    ),
+    "short keys": lambda size: _filled(size, lambda name: f'{name}=""\n', "[references.a]\n"),
+    "odd values": lambda size: _filled(size, lambda name: f"{name}=1\n", "[references.a]\n"),
+    "odd lists": lambda size: _filled(size, lambda _: "1,", "[references.a]\na=[", "]"),
+    "keys of two parts": lambda size: _filled(size, lambda name: f'{name}.a=""\n', "[references.a]\n"),
+    "lists over lines": lambda size: _filled(size, lambda name: f'{name}=[\n""\n]\n', "[references.a]\n"),
+    "open lists": lambda size: _filled(size, lambda name: f"{name}=[\n", "[references.a]\n"),
+    "tables in tables": lambda size: _filled(size, lambda name: f"[a.b.{name}]\n", "[a.b]\n"),
     "comments": lambda size: _filled(size, lambda _: "#\n"),
     "line ends": lambda size: b"\n" * size,
     "carriage returns": lambda size: b"\r\n" * (size // 2),

@@ -115,19 +115,34 @@ BROKEN = {
     "[materials.a]\naliases = ['x']\n[materials.b]\naliases = ['X']": "'X' names both 'a' and 'b'; case makes no difference",
     "[materials.'a ']": "'a ' is no name for a material; one begins with a letter and has no comma",
     "title = 3": "title is not a text in quotes",
-    "a = " + "[\n" * 5000: "is not TOML: nested too deeply",
-    "a" + ".a" * 8000 + " = 1": "has a line of more than 2000 characters or 100 dots",
+    "a = " + "[" * 1200: "is not TOML: nested too deeply",
+    "a" + ".a" * 1200 + " = 1": "has a line of more than 2000 characters or 100 dots",
     b"\xff\xfe": "is not UTF-8",
-    "x = '" + "y" * 200_001 + "'": "is larger than 100 kB",
+    "x = '" + "y" * 200_001 + "'": "is larger than 64 kB",
+    "\n" * 3001: "has more than 3000 lines",
 }
 
 
 @pytest.mark.parametrize("text", BROKEN, ids=lambda text: repr(text[:30]))
 def test_what_is_wrong_with_a_file(run: Run, tmp_path: Path, text: str | bytes) -> None:
     path = write(tmp_path / "broken.toml", text)
-    ran = run("pull-off", "quartz", "1um", "--materials", str(path))
+    ran = run("materials", "--materials", str(path))
     assert (ran.code, ran.out) == (2, "")
     assert ran.err == f"jkroll: materials file '{path}': {BROKEN[text]}\n"
+
+
+def test_of_a_file_no_more_is_read_than_is_asked(run: Run, tmp_path: Path) -> None:
+    """What is wrong with a material is said to whoever asks for it, or for all."""
+    path = write(tmp_path / "mine.toml", ICE + "[materials.wood]\naliases = ['oak']\ndensity = '-5 g/cm3'\n")
+    words = ("1um", "--materials", str(path), "--bare")
+    assert run("pull-off", "ice", *words).code == run("pull-off", "quartz", *words).code == 0
+    problem = "wood: density: '-5 g/cm3' must be positive; expected a mass density such as 2.6g/cm3"
+    message = f"jkroll: materials file '{path}': {problem}\n"
+    for material in ("wood", "Oak", "ice,wood", "all"):
+        assert run("pull-off", material, *words).err == message
+    Path("grains.csv").write_text("radius [nm],material\n100,ice\n", encoding="utf-8")
+    assert run("batch", "grains.csv", "-o", "out.csv", "--materials", str(path)).err == message
+    assert not Path("out.csv").exists()
 
 
 def test_what_is_no_file(run: Run, tmp_path: Path) -> None:

@@ -9,7 +9,8 @@ from hypothesis import strategies as st
 
 from conftest import Run
 from invariants import CORPUS
-from jkroll.materials import MAX_BYTES, MAX_ODD_BYTES, SHIPPED
+from jkroll.materials import SHIPPED
+from jkroll.materials_file import MAX_BYTES, MAX_ODD_BYTES
 from jkroll.plain_toml import NotPlain, read_plainly
 from shapes import SHAPES, ordinary
 
@@ -52,10 +53,13 @@ VALUES = (
     *TEXTS, "1", "0.5", "01", "1.", ".5", "-1.5", "1e3", "nan", "true", "1979-05-27", "0x1F", "1_000.5", "1.5.5",
     "[]", '["x"]', '["x", "y",]', "[,]", '["x" "y"]', '["x",, "y"]', '["x"', "[", "]", "[1, [2]]", '["x,y", "]"]', "{}", "{ a = 'x' }",
     '{ a = "x", b.c = "y" }', '{ a = "x", a = "y" }', "{", "}", "{ a = 'x', }", "", "=", "x = 1", "1 2",
+    '[\n"x",\n  "y"\n]', '[ # c\n"x"\n]', "[\n]", "[\n\n\t] # c", '[\n"""\n]\n"""\n]', '["x",\n"y"]', '[\n"x"\n] x', '[\n"x"\n], "y"]',
+    "[\n1,\n]", '[\n"x\n]', '[\n"""  x\n  ]  """ ]', "[\n'x', # ]\n]", "[\n[\n]\n]", '[\n"x"\n]\na = "y"', '{ a = [\n"x"\n] }', "['x', \"y\"]", "['x' # y]", "['\"']", '["\'"]', "'x' 'y'", "['x\n']",
 )  # fmt: skip
 HEADERS = (
     "[materials.a]", "[materials.b]", "[references.a]", '[materials."a b"]', "[materials.'a']", '[materials.""]', "[ materials . a ]",
     "[materials]", "[a]", "[a.b]", "[materials.a.notes]", "[[materials.a]]", "[materials.a] x", "[materials.a", "[materials.a.]", "[.a]",
+    "[materials.a.a]", "[materials.b.notes] # c", '[materials."a b".b]', "[materials.a.b.c]", "[references.a.materials]",
 )  # fmt: skip
 SPACES = st.sampled_from(("", "", " ", "\t", "  "))
 COMMENTS = st.sampled_from(("", "", "", "# x", "#", '# "', "# \x00", "#\u2028", "x", "\\", "\r"))
@@ -96,7 +100,7 @@ def test_each_value_behind_each_key() -> None:
     texts = [
         f"{head}\n{key} = {value}{end}" for head in HEADERS for key in KEYS for value in VALUES for end in ("", " # x")
     ]
-    assert 0.1 < sum(map(agrees, texts)) / len(texts) < 0.9
+    assert 0.05 < sum(map(agrees, texts)) / len(texts) < 0.9
 
 
 def test_what_fuzzing_found() -> None:
@@ -117,8 +121,8 @@ def test_files_as_they_are_written_are_plain() -> None:
 def test_a_large_file_that_is_not_plain_names_the_line(run: Run) -> None:
     text = ordinary(MAX_ODD_BYTES + 1000).decode()
     line = text.count("\n") + 1
-    Path("large.toml").write_text(f"{text}[materials.a.notes]\n", encoding="utf-8")
-    problem = f"is larger than 30 kB, whose line {line} is not a key and a value of its own"
+    Path("large.toml").write_text(f"{text}[[materials.a]]\n", encoding="utf-8")
+    problem = f"is larger than 5 kB, whose line {line} is not a key and a value of its own"
     assert run("pull-off quartz 1um --materials large.toml").err == f"jkroll: materials file 'large.toml': {problem}\n"
     Path("small.toml").write_text("[materials.a]\nnotes = {\n", encoding="utf-8")
     assert "(at line 2, column 10)" in run("pull-off quartz 1um --materials small.toml").err

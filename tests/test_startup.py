@@ -81,7 +81,7 @@ def test_a_file_of_materials_adds_nothing_if_it_is_plain_else_the_parser(tmp_pat
     own.write_text('[materials.ice]\nsurface_energy = "0.37 J/m2"\n', encoding="utf-8")
     calls = ["pull-off ice 100nm --bare --quiet --materials own.toml", "materials --materials own.toml"]
     assert imported(*calls, folder=tmp_path) == set()
-    own.write_text('[materials.ice]\naliases = [\n]\nsurface_energy = "0.37 J/m2"\n', encoding="utf-8")
+    own.write_text('[materials]\n[materials.ice]\nsurface_energy = "0.37 J/m2"\n', encoding="utf-8")
     assert imported(*calls, folder=tmp_path) == {"tomllib"}
 
 

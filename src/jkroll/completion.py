@@ -7,7 +7,7 @@ from .errors import JkrollError
 from .nomenclature import NOMENCLATURE
 
 if TYPE_CHECKING:
-    from .materials import Material
+    from .materials import Materials
 
 _UNITS = {
     "m": ("nm", "um", "mm", "m", "angstrom"),
@@ -30,21 +30,19 @@ def complete_words(incomplete: str) -> list[str]:
         return _with_units(incomplete, "m")
     head, comma, word = incomplete.rpartition(",")
     materials = _materials()
-    names = [*(material.name for material in materials), "all"]
-    aliases = [alias for material in materials for alias in material.aliases]
-    fitting = _beginning(names, word) or _beginning(aliases, word)
+    fitting = _beginning([*materials.names, "all"], word) or _beginning(materials.aliases, word)
     return [head + comma + name for name in fitting if all(_is_plain(character) for character in name)]
 
 
-def _materials() -> "list[Material]":
+def _materials() -> "Materials":
     """The materials that are known; while a user's file is broken, the shipped ones: here is no place to say so."""
     from .materials import known_materials
     from .request import materials_files
 
     try:
-        return list(known_materials(*materials_files(None)).materials.values())
+        return known_materials(*materials_files(None))
     except JkrollError:
-        return list(known_materials().materials.values())
+        return known_materials()
 
 
 def _beginning(names: Iterable[str], word: str) -> list[str]:

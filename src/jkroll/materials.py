@@ -3,22 +3,17 @@
 import os
 from collections.abc import Iterable, Mapping
 from functools import cache
-from stat import S_ISREG
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from .errors import MaterialsFileError, QuantityError, UnknownMaterial, quoted, shown
+from .materials_file import data_of
 from .nomenclature import NOMENCLATURE
 from .units import parse_quantity
 from .wiring import PROPERTIES
 
 Path = str | os.PathLike[str]
-MAX_BYTES = 100_000  # some 200 materials with all their references
-MAX_ODD_BYTES = 30_000  # of a file that is more than a key and a value in a line: tomllib takes 0.3 s a megabyte
-MAX_SIGNS = 10_000  # of those that make tables, arrays and dotted keys: a hundred can take 0.1 MB of memory
 MAX_NAME = 60
-MAX_LINE = 2000
-MAX_DOTS = 100  # in a line: a dotted key takes time and memory as the square of its parts
 
 _HERE = os.path.dirname(__file__)
 # The wheel carries the file beside this module; a checkout has it at the top level.
@@ -39,38 +34,80 @@ class Material(NamedTuple):
     path: str
 
 
+class _File(NamedTuple):
+    """What a materials file says, of which only the form was looked at."""
+
+    path: str
+    title: str
+    materials: Mapping[str, Any]
+    references: Mapping[str, Any]
+
+
+class _Entry(NamedTuple):
+    """A material as a file has it, of which only the names were looked at."""
+
+    name: str
+    aliases: tuple[str, ...]
+    file: _File
+    shadows: tuple[str, ...] = ()
+
+
 class Materials:
-    """All materials that are known, by name or alias in any case."""
+    """All materials that are known, by name or alias in any case. Of a material no more is read than is asked."""
 
     def __init__(self, paths: Iterable[Path] = ()) -> None:
         """Read the shipped file, then each of `paths`, whose materials shadow those before them."""
-        self.materials: dict[str, Material] = {}
+        self._entries: dict[str, _Entry] = {}
+        self._made: dict[str, Material] = {}
         self._by_word: dict[str, str] = {}
         for path in dict.fromkeys((SHIPPED, *paths)):
-            for material in read(path):
-                self._add(material)
+            for entry in _entries(path):
+                self._add(entry)
 
-    def _add(self, material: Material) -> None:
+    def _add(self, entry: _Entry) -> None:
         """Add a material; one that takes a word from a material of another file says so."""
-        for word in dict.fromkeys(word.casefold() for word in (material.name, *material.aliases)):
-            before = self.materials.get(self._by_word.get(word, ""))
-            if before is not None and before.path != material.path:
-                note = f"{shown(material.path)} shadows {shown(word)} of {shown(before.title)}"
-                material = material._replace(shadows=(*material.shadows, note))
-                if before.name.casefold() == material.name.casefold():
-                    del self.materials[before.name]
-            self._by_word[word] = material.name
-        self.materials[material.name] = material
+        for word in dict.fromkeys(word.casefold() for word in (entry.name, *entry.aliases)):
+            before = self._entries.get(self._by_word.get(word, ""))
+            if before is not None and before.file is not entry.file:
+                note = f"{shown(entry.file.path)} shadows {shown(word)} of {shown(before.file.title)}"
+                entry = entry._replace(shadows=(*entry.shadows, note))
+                if before.name.casefold() == entry.name.casefold():
+                    del self._entries[before.name]
+            self._by_word[word] = entry.name
+        self._entries[entry.name] = entry
 
     def __getitem__(self, name: str) -> Material:
-        """The material of a name or alias, in any case; UnknownMaterial with a suggestion if there is none."""
+        """The material of a name or alias, in any case; UnknownMaterial with a suggestion if there is none.
+
+        MaterialsFileError if its file says something of it that cannot be.
+        """
         found = self._by_word.get(name.strip().casefold())
         if found is None:
             from .suggestions import closest
 
             guess = closest(name.strip().casefold(), self._by_word)
-            raise UnknownMaterial(name, sorted(self.materials), guess and self._by_word[guess])
-        return self.materials[found]
+            raise UnknownMaterial(name, sorted(self._entries), guess and self._by_word[guess])
+        return self._read(found)
+
+    def _read(self, name: str) -> Material:
+        if name not in self._made:
+            self._made[name] = _material(self._entries[name])
+        return self._made[name]
+
+    @property
+    def materials(self) -> Mapping[str, Material]:
+        """All of them, by their names."""
+        return {name: self._read(name) for name in self._entries}
+
+    @property
+    def names(self) -> list[str]:
+        """Their names."""
+        return [*self._entries]
+
+    @property
+    def aliases(self) -> list[str]:
+        """Their other names."""
+        return [alias for entry in self._entries.values() for alias in entry.aliases]
 
 
 def known_materials(*paths: Path) -> Materials:
@@ -84,12 +121,8 @@ def _shipped() -> Materials:
 
 
 def read(path: Path) -> list[Material]:
-    """Read and check one materials file; MaterialsFileError says what is wrong with it."""
-    name = os.fspath(path)
-    try:
-        return _checked(_shipped_data() if name == SHIPPED else _data(name), name)
-    except _Malformed as error:
-        raise MaterialsFileError(name, str(error)) from None
+    """Read and check one materials file whole; MaterialsFileError says what is wrong with it."""
+    return [_material(entry) for entry in _entries(path)]
 
 
 def _shipped_data() -> Mapping[str, Any]:
@@ -97,87 +130,61 @@ def _shipped_data() -> Mapping[str, Any]:
     try:
         from .shipped import DATA  # type: ignore  # mypy does not see it, or sees it without types
     except ImportError:
-        return _data(SHIPPED)
+        return data_of(SHIPPED)
     return dict(DATA)
-
-
-def _data(path: str) -> Mapping[str, Any]:
-    """What a TOML file says."""
-    text = _text(path)
-    from .plain_toml import NotPlain, read_plainly
-
-    try:
-        return read_plainly(text)
-    except NotPlain as error:
-        if len(text) > MAX_ODD_BYTES:
-            lines = f"whose line {error.line} is not a key and a value of its own"
-            raise MaterialsFileError(path, f"is larger than {MAX_ODD_BYTES // 1000} kB, {lines}") from None
-    if any(len(line) > MAX_LINE or line.count(".") > MAX_DOTS for line in text.split("\n")):
-        raise MaterialsFileError(path, f"has a line of more than {MAX_LINE} characters or {MAX_DOTS} dots")
-    import tomllib
-
-    try:
-        return tomllib.loads(text)
-    except (ValueError, RecursionError) as error:
-        reason = "nested too deeply" if isinstance(error, RecursionError) else shown(str(error))
-        raise MaterialsFileError(path, f"is not TOML: {reason}") from None
 
 
 class _Malformed(Exception):
     """Something in a materials file that is no material."""
 
 
-def _text(path: str) -> str:
-    """The text of a regular file of at most MAX_BYTES."""
+def _entries(path: Path) -> list[_Entry]:
+    """The materials of a file; MaterialsFileError if it is none."""
+    name = os.fspath(path)
+    data = _shipped_data() if name == SHIPPED else data_of(name)
     try:
-        if not S_ISREG(os.stat(path).st_mode):
-            raise MaterialsFileError(path, "is not a regular file")
-        with open(path, "rb") as file:
-            content = file.read(MAX_BYTES + 1)
-    except (OSError, ValueError) as error:
-        raise MaterialsFileError(path, getattr(error, "strerror", None) or "is not a path") from None
-    if len(content) > MAX_BYTES:
-        raise MaterialsFileError(path, f"is larger than {MAX_BYTES // 1000} kB")
-    if sum(map(content.count, (b"[", b"{", b"."))) > MAX_SIGNS:
-        raise MaterialsFileError(path, f"has more than {MAX_SIGNS} brackets, braces and dots")
-    try:
-        return content.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        raise MaterialsFileError(path, "is not UTF-8") from None
+        return _named(data, name)
+    except _Malformed as error:
+        raise MaterialsFileError(name, str(error)) from None
 
 
-def _checked(data: Mapping[str, Any], path: str) -> list[Material]:
+def _named(data: Mapping[str, Any], path: str) -> list[_Entry]:
     unknown = set(data) - {"title", "materials", "references"}
     if unknown:
         raise _Malformed(f"has an unknown key {quoted(min(unknown))}; expected [materials.NAME] tables")
     title = _string(data.get("title", shown(path)), "title")
-    bibliography = {
-        key: {"key": key, **_texts(entry, f"references.{key}")}
-        for key, entry in _table(data.get("references", {}), "references").items()
-    }
-    entries = _table(data.get("materials", {}), "materials")
+    tables = (_table(data.get(name, {}), name) for name in ("materials", "references"))
+    file = _File(path, title, *tables)
     seen: dict[str, str] = {}
-    for name, entry in entries.items():
-        aliases = entry.get("aliases", []) if isinstance(entry, dict) else []
-        for word in (name, *(aliases if isinstance(aliases, list) else [])):
-            other = seen.setdefault(str(word).casefold(), name)
+    entries: list[_Entry] = []
+    for name, table in file.materials.items():
+        aliases = _list(_table(table, f"materials.{name}").get("aliases", []), f"{name}.aliases")
+        words = tuple(_string(alias, f"{name}.aliases") for alias in aliases)
+        for word in (name, *words):
+            other = seen.setdefault(word.casefold(), name)
             if other != name:
                 raise _Malformed(
-                    f"{quoted(str(word))} names both {quoted(other)} and {quoted(name)}; case makes no difference"
+                    f"{quoted(word)} names both {quoted(other)} and {quoted(name)}; case makes no difference"
                 )
-    return [
-        _material(name, _table(entry, f"materials.{name}"), bibliography, title, path)
-        for name, entry in entries.items()
-    ]
+        entries.append(_Entry(name, words, file))
+    return entries
 
 
 _KEYS = {*PROPERTIES, "aliases", "notes", "references"}
 
 
-def _material(
-    name: str, entry: Mapping[str, Any], bibliography: Mapping[str, Mapping[str, str]], title: str, path: str
-) -> Material:
-    for key in entry:
+def _material(entry: _Entry) -> Material:
+    """A material with all that its file says of it; MaterialsFileError if that cannot be."""
+    try:
+        return _checked(entry)
+    except _Malformed as error:
+        raise MaterialsFileError(entry.file.path, str(error)) from None
+
+
+def _checked(entry: _Entry) -> Material:
+    name, aliases, file, shadows = entry
+    table = file.materials[name]
+    for key in table:
         if key not in _KEYS:
             from .suggestions import closest
 
@@ -185,24 +192,27 @@ def _material(
             raise _Malformed(
                 f"{quoted(name)} has an unknown key {quoted(key)}" + (f"; did you mean {guess}?" if guess else "")
             )
-    properties = {key: _property(key, entry[key], name) for key in PROPERTIES if key in entry}
-    notes = _texts(entry.get("notes", {}), f"{name}.notes")
+    properties = {key: _property(key, table[key], name) for key in PROPERTIES if key in table}
+    notes = _texts(table.get("notes", {}), f"{name}.notes")
     if set(notes) - properties.keys():
         raise _Malformed(
             f"{quoted(name)} has a note on {quoted(min(set(notes) - properties.keys()))}, which it does not give"
         )
-    aliases, references = (
-        tuple(_string(item, f"{name}.{key}") for item in _list(entry.get(key, []), f"{name}.{key}"))
-        for key in ("aliases", "references")
-    )
     for word in (name, *aliases):
         if not is_material_name(word):
             raise _Malformed(f"{quoted(word)} is no name for a material; one begins with a letter and has no comma")
-    missing = [key for key in references if key not in bibliography]
-    if missing:
-        raise _Malformed(f"{quoted(name)} cites {quoted(missing[0])}, which [references] does not have")
-    cited = tuple(bibliography[key] for key in references)
-    return Material(name, MappingProxyType(properties), aliases, MappingProxyType(notes), (), cited, title, path)
+    cited = tuple(_reference(key, name, file) for key in _list(table.get("references", []), f"{name}.references"))
+    return Material(
+        name, MappingProxyType(properties), aliases, MappingProxyType(notes), shadows, cited, file.title, file.path
+    )
+
+
+def _reference(value: object, name: str, file: _File) -> Mapping[str, str]:
+    """What a material cites."""
+    key = _string(value, f"{name}.references")
+    if key not in file.references:
+        raise _Malformed(f"{quoted(name)} cites {quoted(key)}, which [references] does not have")
+    return {"key": key, **_texts(file.references[key], f"references.{key}")}
 
 
 def _property(key: str, value: object, name: str) -> float:

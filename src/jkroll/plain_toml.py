@@ -1,21 +1,22 @@
-"""TOML as materials files mostly are, read several times as fast: every line is a header, or a key and its value.
+"""TOML as materials files mostly are, read several times as fast: headers, and keys each with a value in its line.
 
-Lines of the most frequent forms are read by a pattern. The value in any other line is read by tomllib, alone: a line that is
-complete means the same wherever it stands. A line that is none of these, and a key that is said twice, is left to a reading of
-the whole by tomllib, with its words for what is wrong.
+Values of the most frequent forms are read by a pattern. Any other is read by tomllib, alone: a value that is complete means the
+same wherever it stands. A list may go on to the next line that begins with its closing bracket. What is none of these, and a key
+that is said twice, is left to a reading of the whole by tomllib, with its words for what is wrong.
 """
 
 import re
 from typing import Any
 
-MAX_ODD = 20_000  # what tomllib may cost: characters, and 30 for each call
+MAX_ODD = 4000  # what tomllib may cost: characters, and 30 for each call
 
 _NAME = r"[A-Za-z0-9_-]+"
-_ITEMS = r'(?:"[^"\\]*"[ \t]*,[ \t]*)*(?:"[^"\\]*"[ \t]*)?'
-_HEADER = re.compile(rf'\[({_NAME})\.(?:({_NAME})|"([^"\\]*)")\][ \t]*(?:#.*)?')
+_TEXT = r"""(?:"[^"\\\n]*"|'[^'\n]*')"""
+_ITEMS = rf"(?:{_TEXT}[ \t\n]*,[ \t\n]*)*(?:{_TEXT}[ \t\n]*)?"
+_HEADER = re.compile(rf'\[({_NAME})\.(?:({_NAME})|"([^"\\]*)")(?:\.({_NAME}))?\][ \t]*(?:#.*)?')
 _KEY = re.compile(rf"(?:({_NAME})\.)?({_NAME})[ \t]*=[ \t]*")
-_VALUE = re.compile(rf'(?:"([^"\\]*)"|((?:0|[1-9][0-9]*)\.[0-9]+)|\[[ \t]*({_ITEMS})\])[ \t]*(?:#.*)?')
-_ITEM = re.compile('"([^"]*)"')
+_VALUE = re.compile(rf"(?:({_TEXT})|((?:0|[1-9][0-9]*)\.[0-9]+)|\[[ \t\n]*({_ITEMS})\])[ \t]*(?:#.*)?")
+_ITEM = re.compile(_TEXT)
 _CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f]")
 
 
@@ -33,41 +34,85 @@ def read_plainly(text: str) -> dict[str, Any]:
     >>> read_plainly('[materials.ice]  # mine\ndensity = "1 g/cm3"')
     {'materials': {'ice': {'density': '1 g/cm3'}}}
     """
-    text = text.replace("\r\n", "\n")
-    if found := _CONTROL.search(text):
-        raise NotPlain(text.count("\n", 0, found.start()) + 1)
-    root: dict[str, Any] = {}
-    groups: dict[str, dict[str, Any]] = {}  # what headers made of it
-    dotted: dict[str, dict[str, Any]] = {}  # what keys of two parts made of the table of the last header
-    table, odd = root, 0
-    for number, line in enumerate(map(_stripped, text.split("\n")), 1):
-        if not line or line[0] == "#":
-            continue
-        if key := _KEY.match(line):
-            outer, name = key.groups()
-            place = table
-            if outer is not None:
-                if outer not in dotted:
-                    dotted[outer] = _new(table, outer, number)
-                place = dotted[outer]
-            if name in place:
-                raise NotPlain(number)
-            if value := _VALUE.fullmatch(line, key.end()):
-                word, decimal, items = value.groups()
-                place[name] = word if word is not None else float(decimal) if decimal else _ITEM.findall(items)
+    return _Document(text.replace("\r\n", "\n")).read()
+
+
+class _Document:
+    """A text on the way to what it says."""
+
+    def __init__(self, text: str) -> None:
+        if found := _CONTROL.search(text):
+            raise NotPlain(text.count("\n", 0, found.start()) + 1)
+        self.lines = text.split("\n")
+        self.numbered = enumerate(map(_stripped, self.lines), 1)
+        self.root: dict[str, Any] = {}
+        self.groups: dict[str, dict[str, Any]] = {}  # what headers made of it
+        self.table = self.root  # of the last header
+        self.dotted: dict[str, dict[str, Any]] = {}  # what keys of two parts made of that
+        self.odd = 0
+
+    def read(self) -> dict[str, Any]:
+        """All that it says."""
+        for number, line in self.numbered:
+            if not line or line[0] == "#":
                 continue
-            odd += 30 + len(line)
-            if odd > MAX_ODD:
+            if key := _KEY.match(line):
+                outer, name = key.groups()
+                place = self.table if outer is None else self._table_of_keys(outer, number)
+                if name in place:
+                    raise NotPlain(number)
+                told = line[key.end() :]
+                if told[:1] == "[" and "]" not in told:
+                    told = self._list_from(told, number)
+                value = _VALUE.fullmatch(told)
+                place[name] = _value_of(*value.groups()) if value else self._odd_value(told, number)
+            elif header := _HEADER.fullmatch(line):
+                group, bare, quoted, part = header.groups()
+                self._begin(group, bare or quoted, part, number)
+            else:
                 raise NotPlain(number)
-            place[name] = _odd_value(line[key.end() :], number)
-        elif header := _HEADER.fullmatch(line):
-            group, bare, name = header.groups()
-            if group not in groups:
-                groups[group] = _new(root, group, number)
-            table, dotted = _new(groups[group], bare or name, number), {}
-        else:
+        return self.root
+
+    def _begin(self, group: str, name: str, part: str | None, number: int) -> None:
+        """Begin the table of a header."""
+        if group not in self.groups:
+            self.groups[group] = _new(self.root, group, number)
+        tables = self.groups[group]
+        if part is not None and name not in tables:
             raise NotPlain(number)
-    return root
+        self.table = _new(tables, name, number) if part is None else _new(tables[name], part, number)
+        self.dotted = {}
+
+    def _table_of_keys(self, name: str, number: int) -> dict[str, Any]:
+        """The table that keys of two parts make."""
+        if name not in self.dotted:
+            self.dotted[name] = _new(self.table, name, number)
+        return self.dotted[name]
+
+    def _list_from(self, told: str, number: int) -> str:
+        """A list that begins in a line, with the lines to the one that ends it."""
+        last = next((last for last, line in self.numbered if line[:1] == "]"), len(self.lines))
+        return "\n".join([told, *self.lines[number:last]]).rstrip(" \t")
+
+    def _odd_value(self, text: str, number: int) -> Any:
+        """The value that a text is, whatever TOML allows for one."""
+        import tomllib
+
+        self.odd += 30 + len(text)
+        if self.odd > MAX_ODD:
+            raise NotPlain(number)
+        try:
+            (value,) = tomllib.loads(f"value = {text}").values()
+        except (ValueError, RecursionError):  # it is none, or more than one
+            raise NotPlain(number) from None
+        return value
+
+
+def _value_of(word: str | None, decimal: str | None, items: str) -> Any:
+    """The value of which a pattern found one of three forms."""
+    if word is not None:
+        return word[1:-1]
+    return float(decimal) if decimal else [item[1:-1] for item in _ITEM.findall(items)]
 
 
 def _new(table: dict[str, Any], name: str, number: int) -> dict[str, Any]:
@@ -81,13 +126,3 @@ def _new(table: dict[str, Any], name: str, number: int) -> dict[str, Any]:
 
 def _stripped(line: str) -> str:
     return line.strip(" \t")
-
-
-def _odd_value(text: str, number: int) -> Any:
-    """The value that a text is, whatever TOML allows in a line."""
-    import tomllib
-
-    try:
-        return tomllib.loads(f"value = {text}")["value"]
-    except (ValueError, RecursionError):
-        raise NotPlain(number) from None

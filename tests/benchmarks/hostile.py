@@ -17,7 +17,8 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
 from jkroll.errors import JkrollError
-from jkroll.materials import MAX_BYTES, read
+from jkroll.materials import Materials
+from jkroll.materials_file import MAX_BYTES, MAX_ODD_BYTES
 from jkroll.units import parse_quantity, unit_of
 from shapes import SHAPES, ordinary
 
@@ -70,10 +71,10 @@ def main() -> None:
         print(f"{name:40}{len(text.encode()) / 1e3:7.0f}{cpu:9.2f}{peak:8.2f}  {outcome[:60]}")
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "m.toml"
-        for size in (1_000_000, MAX_BYTES):
+        for size in (1_000_000, MAX_BYTES, MAX_BYTES // 2, MAX_BYTES // 4, MAX_ODD_BYTES):
             for name, shape in {"ordinary": ordinary, **SHAPES}.items():
                 path.write_bytes(shape(size))
-                cpu, peak, outcome = worst(lambda: read(path))
+                cpu, peak, outcome = worst(lambda: Materials([path]))
                 came_to = re.sub(r"^materials file '[^']*': ", "", outcome)
                 print(f"{name:40}{path.stat().st_size / 1e3:7.0f}{cpu:9.2f}{peak:8.2f}  {came_to[:60]}")
 
