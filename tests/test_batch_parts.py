@@ -100,6 +100,9 @@ def whole_names(directory: str) -> list[str]:
 
 
 def test_what_makes_no_directory(run: Run, grains: list[str]) -> None:
+    message = "jkroll: several tables need a directory for the results: -o DIRECTORY/\n"
+    for output in ([], ["-o", grains[0]], ["-o", f"{grains[0]}/"]):
+        assert run("batch", "grains/*.csv", *output) == (2, "", message)
     assert run("batch", "grains/*.csv").code == 2
     assert run("batch", "none/*.csv", "-o", "forces/").err == "jkroll: 'none/*.csv': no such file\n"
     assert "not overwritten" in run("batch", "grains/*.csv", "-o", "grains").err

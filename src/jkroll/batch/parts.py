@@ -100,7 +100,7 @@ def one_by_one(parts: list[Part]) -> Iterator[tuple[Part, Tally]]:
 def convert(path: str, settings: Settings, inputs: Mapping[str, str], materials: tuple[str, ...], run: Runner) -> Tally:
     """Convert all tables that a pattern names."""
     directory = settings.target
-    if directory == "-":
+    if directory == "-" or os.path.isfile(directory.rstrip(os.sep)):
         raise BadRequest("several tables need a directory for the results: -o DIRECTORY/")
     paths = sorted(glob.glob(path)) if glob.has_magic(path) else [path]
     if not paths:
