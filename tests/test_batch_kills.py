@@ -155,6 +155,28 @@ def test_a_lost_process_is_noticed() -> None:
     assert not Path("out.csv").exists()
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells a process that its parent was ended")
+def test_no_process_outlives_the_one_that_started_it() -> None:
+    """In the middle of a block that takes long, too."""
+    Path("grains.csv").write_text(random_table(3000, 7), encoding="utf-8")
+    process = subprocess.Popen([*BATCH, "grains.csv", "-o", "out.csv", "--jobs", "2"], stderr=subprocess.DEVNULL)
+    children = Path(f"/proc/{process.pid}/task/{process.pid}/children")
+    while process.poll() is None and len(workers := children.read_text().split()) < 2:
+        time.sleep(0.005)
+    os.kill(process.pid, signal.SIGKILL)
+    process.wait()
+    time.sleep(0.1)
+    assert not [worker for worker in workers if "Z" not in _state_of(worker)]
+
+
+def _state_of(process: str) -> str:
+    """As in `ps`: Z of one that has ended."""
+    try:
+        return Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0]
+    except OSError:
+        return "Z"
+
+
 def test_a_run_that_waited_leaves_alone_what_was_finished_meanwhile(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     """The lock stays with the file when it gets its name: whoever waited for it begins another."""
     Path("grains.csv").write_text("radius [nm],material\n100,quartz\n", encoding="utf-8")

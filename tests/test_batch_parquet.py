@@ -1,7 +1,9 @@
 """Parquet: the rows of a CSV table, to the bit, and columns that carry units, nulls or nothing that can be read."""
 
 import csv
+import datetime
 import math
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -108,12 +110,87 @@ def test_pandas_is_not_imported() -> None:
 
 def test_what_is_no_parquet(run: Run) -> None:
     Path("x.parquet").write_bytes(b"PAR1 no")
-    assert run("batch x.parquet -o y.parquet").err == "jkroll: 'x.parquet' is not Parquet, or its end is missing\n"
+    assert run("batch x.parquet -o y.parquet").err == "jkroll: 'x.parquet' is not Parquet, or its end is missing, or it is encrypted\n"
     name = write({"radius [nm]": [100.0]})
     assert run("batch", name).err == "jkroll: Parquet is read from a file and written to a file: -o FILE\n"
     assert run("batch", name, "-o", "y.csv").err == "jkroll: -o: a table of parquet is written as parquet, not as csv\n"
     assert run("batch", name, "-o", name).err == f"jkroll: -o: '{name}' is the input; it is not overwritten\n"
     assert not Path("y.parquet").exists()
+
+
+def test_what_cannot_be_read(run: Run) -> None:
+    name = write({"radius [nm]": [100.0 + row for row in range(1000)], "material": ["iron"] * 1000})
+    text = bytearray(Path(name).read_bytes())
+    for place in range(4, len(text), 97):
+        broken = text[:]
+        broken[place : place + 3] = b"\xff\x00\xff"
+        Path("broken.parquet").write_bytes(broken)
+        ran = run("batch broken.parquet -o out.parquet --jobs 1 --quiet")
+        assert ran.code in (0, 1, 2)
+        assert ran.err.count("\n") == bool(ran.code), place
+        assert ran.code != 2 or "'broken.parquet'" in ran.err or "header" in ran.err, place
+        assert "foreseen" not in ran.err, place
+    odd: list[list[object]] = [[["iron"]], [{"a": 1}], [datetime.date(2026, 1, 1)]]
+    for values in odd:
+        ran = run("batch", write({"radius [nm]": [1.0], "material": values}), "-o", "out.parquet")
+        assert (ran.code, ran.err.startswith("jkroll: header: column material holds ")) == (2, True)
+    ran = run("batch", write({"radius [nm]": [1.0], "material": [b"iron"]}), "-o", "out.parquet", "--quiet")
+    assert ran.code == 0
+    Path("there.parquet").mkdir()
+    assert run("batch", name, "-o", "there.parquet").err == "jkroll: -o: 'there.parquet' is no file\n"
+
+
+@pytest.mark.parametrize("unit", ["nm", "m", "ft"])
+def test_an_infinite_number_is_no_number(run: Run, unit: str) -> None:
+    values: list[object] = [1.0, math.inf, -math.inf, 1e308, 2.0]
+    assert run("batch", write({f"radius [{unit}]": values}), "-o", "out.parquet", "--quantities", "r_min").code == 1
+    rows = parquet.read_table("out.parquet").to_pylist()
+    assert [row["status"] is None for row in rows] == [True, False, False, False, True]
+    assert "'inf" in rows[1]["status"]
+    assert "'-inf" in rows[2]["status"]
+
+
+def test_a_part_counts_rows_from_the_beginning_of_the_file() -> None:
+    from jkroll.batch.errors import BadRow
+    from jkroll.batch.parquet import convert
+    from jkroll.batch.settings import Order, Settings
+    from jkroll.batch.spans import Span
+    from jkroll.materials import known_materials
+
+    name = write({"radius [nm]": [*range(1, 235), 0.0, 1.0]})
+    order = Order(Settings("out.parquet", quantities="r_min", strict=True, jobs=1), {}, known_materials())
+    with pytest.raises(BadRow, match="line 235: radius"):
+        convert(name, order, Span(2, 3))
+
+
+def test_what_a_file_says_of_itself_stays(run: Run) -> None:
+    schema = pyarrow.schema([("radius [nm]", pyarrow.float64())], metadata={"source": "a cloud"})
+    parquet.write_table(pyarrow.table({"radius [nm]": [1.0]}, schema=schema), "grains.parquet")
+    assert run("batch grains.parquet -o out.parquet").code == 0
+    assert parquet.read_schema("out.parquet").metadata[b"source"] == b"a cloud"
+
+
+def test_resume_looks_at_more_than_the_time_of_the_input(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    from jkroll.batch import pieces
+
+    def grains(first: float) -> None:
+        write({"radius [nm]": [first + row for row in range(1000)]})
+        os.utime("grains.parquet", (1, 1))
+
+    grains(1000.0)
+    monkeypatch.setattr(pieces, "ROWS", 300)
+    with monkeypatch.context() as patch:
+        patch.setattr(pieces._PieceSink, "finish", interrupt)
+        assert run("batch grains.parquet -o out.parquet --jobs 1").code == 130
+    grains(2000.0)
+    assert "another input" in run("batch grains.parquet -o out.parquet --jobs 1 --resume").err
+    grains(1000.0)
+    assert run("batch grains.parquet -o out.parquet --jobs 1 --resume").code == 0
+
+
+def interrupt(_: object) -> None:
+    """As if someone pressed Ctrl-C."""
+    raise KeyboardInterrupt
 
 
 def test_strict_writes_nothing(run: Run) -> None:
@@ -144,6 +221,7 @@ def test_a_run_of_several_pieces_has_all_rows(
     assert run(f"batch grains.parquet -o several.parquet --jobs {jobs}") == (0, "", "")
     found = parquet.ParquetFile("several.parquet")
     assert found.read().equals(parquet.read_table("one.parquet"))
+    assert Path("several.parquet").read_bytes()[:4] == b"PAR1" == Path("several.parquet").read_bytes()[-4:]
     assert found.metadata.num_row_groups == (0 if not rows else 4 if group < 300 else 3)
     assert found.read(["id"]).column(0).to_pylist() == [*range(rows)]
 

@@ -131,6 +131,19 @@ def test_what_is_wrong_with_a_file(run: Run, tmp_path: Path, text: str | bytes) 
     assert ran.err == f"jkroll: materials file '{path}': {BROKEN[text]}\n"
 
 
+@pytest.mark.parametrize("name", ["\\u001b[31mred", "9nm", "plane", "a,b"])
+def test_names_are_checked_before_any_is_shown(run: Run, tmp_path: Path, name: str) -> None:
+    path = write(tmp_path / "mine.toml", f'[materials."{name}"]\n')
+    ran = run("pull-off", "unknown", "1um", "--materials", str(path))
+    assert "is no name for a material" in ran.err
+    assert "\x1b" not in ran.err
+
+
+def test_a_material_takes_over_the_other_names_of_the_one_whose_name_it_takes(tmp_path: Path) -> None:
+    path = write(tmp_path / "mine.toml", "[materials.POLYSTYRENE]\ndensity = '1 g/cm3'\n")
+    assert jkroll.Materials([path])["PS"].name == jkroll.Materials([path])["polystyrene"].name == "POLYSTYRENE"
+
+
 def test_of_a_file_no_more_is_read_than_is_asked(run: Run, tmp_path: Path) -> None:
     """What is wrong with a material is said to whoever asks for it, or for all."""
     path = write(tmp_path / "mine.toml", ICE + "[materials.wood]\naliases = ['oak']\ndensity = '-5 g/cm3'\n")
@@ -141,7 +154,8 @@ def test_of_a_file_no_more_is_read_than_is_asked(run: Run, tmp_path: Path) -> No
     for material in ("wood", "Oak", "ice,wood", "all"):
         assert run("pull-off", material, *words).err == message
     Path("grains.csv").write_text("radius [nm],material\n100,ice\n", encoding="utf-8")
-    assert run("batch", "grains.csv", "-o", "out.csv", "--materials", str(path)).err == message
+    for output in ([], ["-o", "out.csv"]):
+        assert run("batch", "grains.csv", *output, "--materials", str(path)) == (2, "", message)
     assert not Path("out.csv").exists()
 
 

@@ -54,7 +54,8 @@ VALUES = (
     "[]", '["x"]', '["x", "y",]', "[,]", '["x" "y"]', '["x",, "y"]', '["x"', "[", "]", "[1, [2]]", '["x,y", "]"]', "{}", "{ a = 'x' }",
     '{ a = "x", b.c = "y" }', '{ a = "x", a = "y" }', "{", "}", "{ a = 'x', }", "", "=", "x = 1", "1 2",
     '[\n"x",\n  "y"\n]', '[ # c\n"x"\n]', "[\n]", "[\n\n\t] # c", '[\n"""\n]\n"""\n]', '["x",\n"y"]', '[\n"x"\n] x', '[\n"x"\n], "y"]',
-    "[\n1,\n]", '[\n"x\n]', '[\n"""  x\n  ]  """ ]', "[\n'x', # ]\n]", "[\n[\n]\n]", '[\n"x"\n]\na = "y"', '{ a = [\n"x"\n] }', "['x', \"y\"]", "['x' # y]", "['\"']", '["\'"]', "'x' 'y'", "['x\n']",
+    "[\n1,\n]", '[\n"x\n]', '[\n"""  x\n  ]  """ ]', "[\n'x', # ]\n]", "[\n[\n]\n]", '[\n"x"\n]\na = "y"', '{ a = [\n"x"\n] }', "['x', \"y\"]", "['x' # y]", "['\"']", '["\'"]', "'x' 'y'", "['x\n']", "{a = 'x', b=\"y, c = 'z'\" }", "{a='x',}", "{a='x' b='y'}", "{ a-1 = 'x' } # c", "{a='x', a='y'}", "{'a'='x'}", "{a = 'x\n'}",
+    '[ """x  \ny"""\n]', "[ \'\'\'x \t\ny\'\'\'\n]", "12345678901234567890", "1234567890123456", "-1", "+1", "00", "1 .5", "1.5e3", "[1]",
 )  # fmt: skip
 HEADERS = (
     "[materials.a]", "[materials.b]", "[references.a]", '[materials."a b"]', "[materials.'a']", '[materials.""]', "[ materials . a ]",
@@ -122,7 +123,9 @@ def test_a_large_file_that_is_not_plain_names_the_line(run: Run) -> None:
     text = ordinary(MAX_ODD_BYTES + 1000).decode()
     line = text.count("\n") + 1
     Path("large.toml").write_text(f"{text}[[materials.a]]\n", encoding="utf-8")
-    problem = f"is larger than 5 kB, whose line {line} is not a key and a value of its own"
+    problem = (
+        f"is larger than 5 kB, and line {line} is more than a key with a text, a number, or a list or table of texts"
+    )
     assert run("pull-off quartz 1um --materials large.toml").err == f"jkroll: materials file 'large.toml': {problem}\n"
     Path("small.toml").write_text("[materials.a]\nnotes = {\n", encoding="utf-8")
     assert "(at line 2, column 10)" in run("pull-off quartz 1um --materials small.toml").err

@@ -73,6 +73,7 @@ class Materials:
                 entry = entry._replace(shadows=(*entry.shadows, note))
                 if before.name.casefold() == entry.name.casefold():
                     del self._entries[before.name]
+                    self._by_word |= {alias.casefold(): entry.name for alias in before.aliases}
             self._by_word[word] = entry.name
         self._entries[entry.name] = entry
 
@@ -96,7 +97,7 @@ class Materials:
 
     @property
     def materials(self) -> Mapping[str, Material]:
-        """All of them, by their names."""
+        """All of them, by their names; MaterialsFileError if a file says something of one that cannot be."""
         return {name: self._read(name) for name in self._entries}
 
     @property
@@ -166,6 +167,8 @@ def _named(data: Mapping[str, Any], path: str) -> list[_Entry]:
                 raise _Malformed(
                     f"{quoted(word)} names both {quoted(other)} and {quoted(name)}; case makes no difference"
                 )
+            if not is_material_name(word):
+                raise _Malformed(f"{quoted(word)} is no name for a material; one begins with a letter and has no comma")
         entries.append(_Entry(name, words, file))
     return entries
 
@@ -198,9 +201,6 @@ def _checked(entry: _Entry) -> Material:
         raise _Malformed(
             f"{quoted(name)} has a note on {quoted(min(set(notes) - properties.keys()))}, which it does not give"
         )
-    for word in (name, *aliases):
-        if not is_material_name(word):
-            raise _Malformed(f"{quoted(word)} is no name for a material; one begins with a letter and has no comma")
     cited = tuple(_reference(key, name, file) for key in _list(table.get("references", []), f"{name}.references"))
     return Material(
         name, MappingProxyType(properties), aliases, MappingProxyType(notes), shadows, cited, file.title, file.path

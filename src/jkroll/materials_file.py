@@ -26,8 +26,8 @@ def data_of(path: str) -> Mapping[str, Any]:
         return read_plainly(text)
     except NotPlain as error:
         if len(text) > MAX_ODD_BYTES:
-            lines = f"whose line {error.line} is not a key and a value of its own"
-            raise MaterialsFileError(path, f"is larger than {MAX_ODD_BYTES // 1000} kB, {lines}") from None
+            line = f"line {error.line} is more than a key with a text, a number, or a list or table of texts"
+            raise MaterialsFileError(path, f"is larger than {MAX_ODD_BYTES // 1000} kB, and {line}") from None
     if any(len(line) > MAX_LINE or line.count(".") > MAX_DOTS for line in text.split("\n")):
         raise MaterialsFileError(path, f"has a line of more than {MAX_LINE} characters or {MAX_DOTS} dots")
     import tomllib

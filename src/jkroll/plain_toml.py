@@ -15,8 +15,11 @@ _TEXT = r"""(?:"[^"\\\n]*"|'[^'\n]*')"""
 _ITEMS = rf"(?:{_TEXT}[ \t\n]*,[ \t\n]*)*(?:{_TEXT}[ \t\n]*)?"
 _HEADER = re.compile(rf'\[({_NAME})\.(?:({_NAME})|"([^"\\]*)")(?:\.({_NAME}))?\][ \t]*(?:#.*)?')
 _KEY = re.compile(rf"(?:({_NAME})\.)?({_NAME})[ \t]*=[ \t]*")
-_VALUE = re.compile(rf"(?:({_TEXT})|((?:0|[1-9][0-9]*)\.[0-9]+)|\[[ \t\n]*({_ITEMS})\])[ \t]*(?:#.*)?")
+_PAIR = rf"{_NAME}[ \t]*=[ \t]*{_TEXT}[ \t]*"
+_FORMS = rf"({_TEXT})|((?:0|[1-9][0-9]{{0,15}})(?:\.[0-9]+)?)|\[[ \t\n]*({_ITEMS})\]|\{{[ \t]*({_PAIR}(?:,[ \t]*{_PAIR})*)\}}"
+_VALUE = re.compile(rf"(?:{_FORMS})[ \t]*(?:#.*)?")
 _ITEM = re.compile(_TEXT)
+_ENTRY = re.compile(rf"({_NAME})[ \t]*=[ \t]*({_TEXT})")
 _CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f]")
 
 
@@ -63,9 +66,9 @@ class _Document:
                     raise NotPlain(number)
                 told = line[key.end() :]
                 if told[:1] == "[" and "]" not in told:
-                    told = self._list_from(told, number)
+                    told = self._list_from(number)
                 value = _VALUE.fullmatch(told)
-                place[name] = _value_of(*value.groups()) if value else self._odd_value(told, number)
+                place[name] = _value_of(number, *value.groups()) if value else self._odd_value(told, number)
             elif header := _HEADER.fullmatch(line):
                 group, bare, quoted, part = header.groups()
                 self._begin(group, bare or quoted, part, number)
@@ -89,10 +92,11 @@ class _Document:
             self.dotted[name] = _new(self.table, name, number)
         return self.dotted[name]
 
-    def _list_from(self, told: str, number: int) -> str:
+    def _list_from(self, number: int) -> str:
         """A list that begins in a line, with the lines to the one that ends it."""
         last = next((last for last, line in self.numbered if line[:1] == "]"), len(self.lines))
-        return "\n".join([told, *self.lines[number:last]]).rstrip(" \t")
+        first = self.lines[number - 1]
+        return "\n".join([first[first.index("=") + 1 :], *self.lines[number:last]]).strip(" \t")
 
     def _odd_value(self, text: str, number: int) -> Any:
         """The value that a text is, whatever TOML allows for one."""
@@ -108,11 +112,19 @@ class _Document:
         return value
 
 
-def _value_of(word: str | None, decimal: str | None, items: str) -> Any:
-    """The value of which a pattern found one of three forms."""
+def _value_of(number: int, word: str | None, digits: str | None, items: str | None, pairs: str | None) -> Any:
+    """The value of which a pattern found one of four forms."""
     if word is not None:
         return word[1:-1]
-    return float(decimal) if decimal else [item[1:-1] for item in _ITEM.findall(items)]
+    if digits is not None:
+        return float(digits) if "." in digits else int(digits)
+    if items is not None:
+        return [item[1:-1] for item in _ITEM.findall(items)]
+    found = _ENTRY.findall(pairs or "")
+    made = {name: text[1:-1] for name, text in found}
+    if len(made) < len(found):
+        raise NotPlain(number)
+    return made
 
 
 def _new(table: dict[str, Any], name: str, number: int) -> dict[str, Any]:

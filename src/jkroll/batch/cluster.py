@@ -45,7 +45,7 @@ class _Runner:
 
 
 def _run(client: Client, parts: list[Part]) -> Iterator[tuple[Part, Tally]]:
-    """Each part in one process: the workers are as many as there are to be, and have threads, beside which none may fork."""
+    """Each part in one process: the workers are as many as there are to be."""
     futures = {}
     for part in parts:
         alone = part._replace(settings=part.settings._replace(jobs=1))

@@ -25,6 +25,7 @@ def run(path: str | None, given: Mapping[str, Any]) -> int:
     inputs = {name: value for name, value in given.items() if name not in Settings._fields}
     files = materials_files(settings.materials)
     order = Order(settings, inputs, known_materials(*files))
+    order.known.materials  # noqa: B018  a table may name any of them
     if is_many(path, settings):
         tally = convert_parts(path, settings, inputs, files, _runner(settings))
     elif input_format(path, settings).kind == "parquet":

@@ -38,6 +38,12 @@ def identity_of(descriptor: int) -> list[int]:
     return [about.st_size, about.st_mtime_ns] if stat.S_ISREG(about.st_mode) else []
 
 
+def check_file(target: str) -> None:
+    """Refuse to put a file in the place of what is none."""
+    if os.path.exists(target) and not os.path.isfile(target):
+        raise BadRequest(f"-o: {quoted(target)} is no file")
+
+
 def check_output(descriptor: int, target: str) -> None:
     """Refuse to write over the input."""
     if target == "-":

@@ -2,8 +2,10 @@
 
 import os
 from collections.abc import Iterator
+from contextlib import contextmanager
 from math import isnan
 from typing import Any, NamedTuple
+from zlib import crc32
 
 import numpy
 import orjson
@@ -11,7 +13,7 @@ import pyarrow
 import pyarrow.parquet
 
 from .. import __version__
-from ..errors import quoted
+from ..errors import quoted, shown
 from ..nomenclature import header
 from ..request import BadRequest
 from .cells import Floats, Numbers, Reader, plain_numbers
@@ -43,15 +45,34 @@ def convert(path: str, order: Order, span: Span | None = None) -> Tally:
     identity = identity_of(descriptor)
     os.close(descriptor)
     with opened_parquet(path) as file:
-        return _File(file, order, span or Span(0, file.metadata.num_row_groups)).run(identity)
+        with _readable(path):
+            table = _File(path, file, order, span or Span(0, file.metadata.num_row_groups))
+        return table.run([*identity, _checksum(path, file.metadata.serialized_size)])
 
 
 def opened_parquet(path: str) -> Any:
     """A Parquet file; BadTable if it is none."""
     try:
-        return pyarrow.parquet.ParquetFile(path, buffer_size=BUFFER)
-    except pyarrow.ArrowException:
-        raise BadTable(f"{quoted(path)} is not Parquet, or its end is missing") from None
+        return pyarrow.parquet.ParquetFile(path, buffer_size=BUFFER, pre_buffer=False)
+    except (OSError, pyarrow.ArrowException):
+        raise BadTable(f"{quoted(path)} is not Parquet, or its end is missing, or it is encrypted") from None
+
+
+@contextmanager
+def _readable(path: str) -> Iterator[None]:
+    """What cannot be read is no table."""
+    try:
+        yield
+    except (OSError, UnicodeDecodeError, pyarrow.ArrowException) as error:
+        reason = shown(str(error).strip().partition("\n")[0])
+        raise BadTable(f"{quoted(path)} cannot be read as Parquet: {reason}") from None
+
+
+def _checksum(path: str, size: int) -> int:
+    """Of the index of a file, which says of everything where it stands and how large it is."""
+    with open(path, "rb") as file:
+        file.seek(-size - 8, os.SEEK_END)
+        return crc32(file.read())
 
 
 class _Piece(NamedTuple):
@@ -102,9 +123,14 @@ class _Rows:
 class _File:
     """One run over one file."""
 
-    def __init__(self, file: Any, order: Order, span: Span) -> None:
-        self.file, self.order, self.settings = file, order, order.settings
+    def __init__(self, path: str, file: Any, order: Order, span: Span) -> None:
+        self.path, self.file, self.order, self.settings = path, file, order, order.settings
         self.table, self.task = understood_task(tuple(file.schema_arrow.names), order)
+        for name, place in [*((column.name, column.place) for column in self.task.inputs), *self.task.materials_at]:
+            if not _is_cell(file.schema_arrow.types[place]):
+                raise BadTable(
+                    f"header: column {name} holds {file.schema_arrow.types[place]}: neither numbers nor texts"
+                )
         for column in self.task.inputs:
             if pyarrow.types.is_string(file.schema_arrow.types[column.place]) or column.unit is None:
                 texts = [self.table.texts[column.place]]
@@ -114,8 +140,10 @@ class _File:
         self.evaluator = Evaluator(self.task)
         self.readers = [Reader(column) for column in self.task.inputs]
         fields = [pyarrow.field(header(name), pyarrow.float64()) for name in self.task.quantities]
-        self.schema = pyarrow.schema([*file.schema_arrow, *fields, pyarrow.field(STATUS, pyarrow.string())])
+        fields_out = [*file.schema_arrow, *fields, pyarrow.field(STATUS, pyarrow.string())]
+        self.schema = pyarrow.schema(fields_out, metadata=file.schema_arrow.metadata)
         self.shared = Shared()
+        self.shared["lines"] = sum(file.metadata.row_group(place).num_rows for place in range(span.start))
         rows = rows_of_piece(_width(file.metadata) + 8 * len(fields))
         self.pieces = [*_pieces(file.metadata, rows, span)]
         self.rows = _Rows(file, min(rows, BLOCK))
@@ -138,7 +166,10 @@ class _File:
 
     def convert(self, text: bytes) -> Converted:
         """A piece with its results."""
-        piece = self.pieces[int(text)]
+        with _readable(self.path):
+            return self._converted(self.pieces[int(text)])
+
+    def _converted(self, piece: _Piece) -> Converted:
         numbers = self.numbers[:, : piece.rows]
         status: dict[int, str] = {}
         batches: list[Any] = []
@@ -179,13 +210,23 @@ class _File:
 
 
 def _width(metadata: Any) -> float:
-    """How many bytes a row takes."""
-    size: int = sum(metadata.row_group(place).total_byte_size for place in range(metadata.num_row_groups))
-    return float(size / max(metadata.num_rows, 1))
+    """How many bytes a row takes, in the group where it takes most."""
+    groups = [metadata.row_group(place) for place in range(metadata.num_row_groups)]
+    return max((group.total_byte_size / max(group.num_rows, 1) for group in groups), default=0.0)
+
+
+def _is_cell(kind: Any) -> bool:
+    """Whether a column of a type can be an input: numbers, or what is a cell of text."""
+    types = pyarrow.types
+    if types.is_dictionary(kind):
+        return _is_cell(kind.value_type)
+    return not (types.is_nested(kind) or types.is_temporal(kind) or isinstance(kind, pyarrow.BaseExtensionType))
 
 
 def _text(value: object) -> str:
     """A value as a cell of text, a float as its shortest; nothing for null or nan."""
+    if isinstance(value, bytes):
+        return value.decode(errors="replace")
     return "" if value is None or (isinstance(value, float) and isnan(value)) else str(value)
 
 
@@ -199,7 +240,7 @@ def _numbers(array: Any, reader: Reader) -> Numbers:
     missing = numpy.isnan(values)
     given = ~missing if missing.any() else None
     scaled = values if exponent == 0 else times_power_of_ten(values, exponent, given)
-    return Numbers(scaled, given, [])
+    return Numbers(scaled, given, numpy.flatnonzero(numpy.isinf(values)).tolist())
 
 
 def times_power_of_ten(values: Floats, exponent: int, given: Any = None) -> Floats:
@@ -209,9 +250,10 @@ def times_power_of_ten(values: Floats, exponent: int, given: Any = None) -> Floa
     [1e-10, 1.23456e-07]
     """
     known = values if given is None else values[given]
+    is_usual = bool(known.size) and bool(numpy.abs(known).max() < 1e15)
     for decimals in _DECIMALS:
         down = decimals - exponent
-        if not known.size or abs(down) > 22:
+        if not is_usual or abs(down) > 22:
             continue
         # Whole numbers of at most 15 digits over powers of ten that doubles hold: one division, rounded once.
         whole = numpy.rint(known[:64] * 10.0**decimals)
@@ -228,7 +270,9 @@ def times_power_of_ten(values: Floats, exponent: int, given: Any = None) -> Floa
             return found
     return numpy.array(
         [
-            float(f"{mantissa}e{int(power or 0) + exponent}") if mantissa != "nan" else numpy.nan
+            float(f"{mantissa}e{int(power or 0) + exponent}")
+            if mantissa.strip("-") not in ("nan", "inf")
+            else float(mantissa)
             for mantissa, _, power in (repr(value).partition("e") for value in values.tolist())
         ]
     )

@@ -19,6 +19,7 @@ import pyarrow.parquet
 
 from . import ring
 from .cells import Floats
+from .files import check_file
 from .lines import Converted
 from .output import Blocks, FileSink
 from .progress import watched
@@ -26,8 +27,12 @@ from .settings import Settings
 from .source import Shared
 
 ROWS = 1 << 14  # of a piece, about: what an interrupt may cost each process
-BYTES = 1 << 25  # of a piece, about: memory depends neither on the rows nor on the columns
-PAGE = 1 << 20  # bytes of a column that are read at a time, as most programs write them
+BYTES = (
+    1 << 25
+)  # of a piece, as they are in a file: memory depends neither on the rows nor, unless they repeat, on their length
+LARGE = (
+    1 << 20
+)  # bytes of memory that a process gives back: most programs write, and so pyarrow reads, pages of that size
 MAGIC = b"PAR1"
 
 
@@ -82,12 +87,13 @@ def write(
     total: int,
 ) -> None:
     """Write what blocks become, tables, as one file that gets its name when it is whole. `total`: what is read at the end."""
+    check_file(settings.target)
     with closing(_PieceSink(settings, shared, schema)) as sink:
         if not (settings.resume and sink.resume(identity, b"", source)):
             sink.begin(identity)
             sink.head(b"", pyarrow.Table.from_batches([], schema), 0)
         with watched(shared, total, is_quiet=settings.quiet, goes_on=True) as show:
-            ring.run(source, convert, sink, settings.jobs or os.cpu_count() or 1, show, PAGE)
+            ring.run(source, convert, sink, settings.jobs or os.cpu_count() or 1, show, LARGE)
         sink.finish()
 
 
@@ -98,6 +104,11 @@ class _PieceSink(FileSink):
         super().__init__(settings.target, shared, strict=settings.strict)
         self.schema = schema
         self.floats = [field.name for field in schema if pyarrow.types.is_floating(field.type)]
+
+    def begin(self, identity: Mapping[str, str]) -> None:
+        """Begin anew, as every Parquet file does."""
+        super().begin(identity)
+        super().append(MAGIC)
 
     def append(self, output: Any) -> None:
         """Write a table as a piece."""

@@ -22,6 +22,7 @@ TICK = 0.2  # seconds between two looks at how far it is
 KEPT = 1 << 25  # bytes that a process does not give back
 LARGE = 1 << 22  # bytes that it always gives back
 _TRIM_THRESHOLD, _MMAP_THRESHOLD = -1, -3  # <malloc.h>
+_SET_SIGNAL_OF_PARENTS_DEATH = 1  # <sys/prctl.h>
 Watch = Callable[[], None]
 
 
@@ -48,12 +49,20 @@ def _keep_memory(large: int) -> None:
 
     But not what is large: it would lie scattered among what is small, and ever more of it.
     """
-    import ctypes
+    with suppress(ImportError, AttributeError, OSError, TypeError):  # not glibc
+        import ctypes
 
-    with suppress(AttributeError, OSError, TypeError):  # not glibc
         glibc = ctypes.CDLL(None)
         glibc.mallopt(_TRIM_THRESHOLD, KEPT)
         glibc.mallopt(_MMAP_THRESHOLD, large)
+
+
+def _end_with_parent() -> None:
+    """Have the kernel end this process as soon as its parent is ended, in the middle of a block too."""
+    with suppress(ImportError, AttributeError, OSError, TypeError):  # not Linux
+        import ctypes
+
+        ctypes.CDLL(None).prctl(_SET_SIGNAL_OF_PARENTS_DEATH, signal.SIGKILL)
 
 
 def _alone(source: Blocks, convert: Callable[[bytes], Converted], sink: Sink, watch: Watch) -> None:
@@ -104,6 +113,7 @@ class _Ring:
         """One of the processes: it never returns."""
         try:
             signal.signal(signal.SIGINT, signal.SIG_IGN)
+            _end_with_parent()
             os.close(self.reports[0])
             after = (place + 1) % len(self.reading)
             while True:

@@ -15,7 +15,6 @@ import orjson
 
 from .. import __version__
 from ..answer import answer
-from ..errors import quoted
 from ..materials import Material, Materials
 from ..nomenclature import INFINITY, NOMENCLATURE, header, word_for_infinity
 from ..report import Layout
@@ -27,6 +26,7 @@ from .cells import Floats, Numbers
 from .columns import Column
 from .delimited import DIALECTS, quoted_cell
 from .errors import missing_extra
+from .files import check_file
 from .formats import compressor, format_of
 from .lines import Converted
 from .output import FileSink, Sink, fingerprint
@@ -242,8 +242,7 @@ def _sink(sweep: Sweep, settings: Settings, shared: Shared, source: Places) -> S
     if settings.target == "-":
         sys.stdout.flush()
         return Sink(os.dup(sys.stdout.fileno()), shared, strict=False)
-    if os.path.exists(settings.target) and not os.path.isfile(settings.target):
-        raise BadRequest(f"-o: {quoted(settings.target)} is no file")
+    check_file(settings.target)
     sink = FileSink(settings.target, shared, strict=False)
     identity = sweep.identity()
     if not (settings.resume and sink.resume(identity, b"", source)):
