@@ -29,7 +29,7 @@ from .source import Shared
 from .spans import Span, groups_together
 from .task import understood_task
 
-BUFFER = 1 << 16  # bytes read at a time of each column
+BUFFER = 1 << 18  # bytes read at a time of each column
 BLOCK = 1 << 13  # rows computed together: what lies between two formulas stays in the cache
 _DECIMALS = (0, 3, 6, 9)
 
