@@ -110,7 +110,10 @@ def test_pandas_is_not_imported() -> None:
 
 def test_what_is_no_parquet(run: Run) -> None:
     Path("x.parquet").write_bytes(b"PAR1 no")
-    assert run("batch x.parquet -o y.parquet").err == "jkroll: 'x.parquet' is not Parquet, or its end is missing, or it is encrypted\n"
+    assert (
+        run("batch x.parquet -o y.parquet").err
+        == "jkroll: 'x.parquet' is not Parquet, or its end is missing, or it is encrypted\n"
+    )
     name = write({"radius [nm]": [100.0]})
     assert run("batch", name).err == "jkroll: Parquet is read from a file and written to a file: -o FILE\n"
     assert run("batch", name, "-o", "y.csv").err == "jkroll: -o: a table of parquet is written as parquet, not as csv\n"
