@@ -1,6 +1,5 @@
 """The `batch` command: from what was typed to the exit code."""
 
-import os
 import sys
 from collections.abc import Mapping
 from typing import Any
@@ -48,4 +47,4 @@ def _runner(settings: Settings) -> Runner:
         return one_by_one
     with missing_extra("dask"):
         from .cluster import on_cluster
-    return on_cluster(settings.dask, settings.jobs or os.cpu_count() or 1)
+    return on_cluster(settings.dask, settings.processes)

@@ -251,9 +251,9 @@ def times_power_of_ten(values: Floats, exponent: int, given: Any = None) -> Floa
     """
     known = values if given is None else values[given]
     is_usual = bool(known.size) and bool(numpy.abs(known).max() < 1e15)
-    for decimals in _DECIMALS:
+    for decimals in _DECIMALS if is_usual else ():
         down = decimals - exponent
-        if not is_usual or abs(down) > 22:
+        if abs(down) > 22:
             continue
         # Whole numbers of at most 15 digits over powers of ten that doubles hold: one division, rounded once.
         whole = numpy.rint(known[:64] * 10.0**decimals)

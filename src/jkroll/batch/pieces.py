@@ -27,12 +27,10 @@ from .settings import Settings
 from .source import Shared
 
 ROWS = 1 << 14  # of a piece, about: what an interrupt may cost each process
-BYTES = (
-    1 << 25
-)  # of a piece, as they are in a file: memory depends neither on the rows nor, unless they repeat, on their length
-LARGE = (
-    1 << 20
-)  # bytes of memory that a process gives back: most programs write, and so pyarrow reads, pages of that size
+# Of a piece, as they are in a file: memory depends neither on the rows nor, unless they repeat, on their length.
+BYTES = 1 << 25
+# Bytes of memory that a process gives back: most programs write, and so pyarrow reads, pages of that size.
+LARGE = 1 << 20
 MAGIC = b"PAR1"
 
 
@@ -93,7 +91,7 @@ def write(
             sink.begin(identity)
             sink.head(b"", pyarrow.Table.from_batches([], schema), 0)
         with watched(shared, total, is_quiet=settings.quiet, goes_on=True) as show:
-            ring.run(source, convert, sink, settings.jobs or os.cpu_count() or 1, show, LARGE)
+            ring.run(source, convert, sink, settings.processes, show, LARGE)
         sink.finish()
 
 

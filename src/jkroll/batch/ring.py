@@ -49,20 +49,21 @@ def _keep_memory(large: int) -> None:
 
     But not what is large: it would lie scattered among what is small, and ever more of it.
     """
-    with suppress(ImportError, AttributeError, OSError, TypeError):  # not glibc
-        import ctypes
-
-        glibc = ctypes.CDLL(None)
-        glibc.mallopt(_TRIM_THRESHOLD, KEPT)
-        glibc.mallopt(_MMAP_THRESHOLD, large)
+    _call_c("mallopt", _TRIM_THRESHOLD, KEPT)
+    _call_c("mallopt", _MMAP_THRESHOLD, large)
 
 
 def _end_with_parent() -> None:
-    """Have the kernel end this process as soon as its parent is ended, in the middle of a block too."""
-    with suppress(ImportError, AttributeError, OSError, TypeError):  # not Linux
+    """Have Linux end this process as soon as its parent is ended, in the middle of a block too."""
+    _call_c("prctl", _SET_SIGNAL_OF_PARENTS_DEATH, signal.SIGKILL)
+
+
+def _call_c(name: str, *arguments: int) -> None:
+    """Call a function of the C library, if it has it."""
+    with suppress(ImportError, AttributeError, OSError, TypeError):
         import ctypes
 
-        ctypes.CDLL(None).prctl(_SET_SIGNAL_OF_PARENTS_DEATH, signal.SIGKILL)
+        ctypes.CDLL(None)[name](*arguments)
 
 
 def _alone(source: Blocks, convert: Callable[[bytes], Converted], sink: Sink, watch: Watch) -> None:

@@ -1,5 +1,6 @@
 """What the options of a batch say, and the formats that follow from them."""
 
+import os
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
@@ -22,6 +23,11 @@ class Settings(NamedTuple):
     dask: str = ""
     materials: str | None = None
     quiet: bool = False
+
+    @property
+    def processes(self) -> int:
+        """How many are to work."""
+        return self.jobs or os.cpu_count() or 1
 
 
 class Order(NamedTuple):

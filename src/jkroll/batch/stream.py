@@ -90,10 +90,9 @@ class _Stream:
 
     def _convert(self, source: Source, converted: Callable[[bytes], Converted], sink: Sink, total: int) -> None:
         """Run the processes, with a bar on a terminal."""
-        jobs = self.settings.jobs or os.cpu_count() or 1
         goes_on = isinstance(sink, FileSink)
         with watched(self.shared, total, is_quiet=self.settings.quiet, goes_on=goes_on) as show:
-            ring.run(source, converted, sink, jobs, show)
+            ring.run(source, converted, sink, self.settings.processes, show)
             if self.feeder:
                 _, status = os.waitpid(self.feeder, 0)
                 self.feeder = 0

@@ -227,12 +227,12 @@ def stream(sweep: Sweep, settings: Settings) -> Tally:
         block = lines.convert(text)
         return block._replace(output=compress(block.output))
 
-    jobs, goes_on = settings.jobs or os.cpu_count() or 1, settings.target != "-"
+    goes_on = settings.target != "-"
     with closing(_sink(sweep, settings, shared, source)) as sink:
         if not shared["lines"]:
             sink.head(b"", compress(lines.head), 1)
         with watched(shared, sweep.size, is_quiet=settings.quiet or not goes_on, goes_on=goes_on) as show:
-            ring.run(source, converted, sink, jobs, show)
+            ring.run(source, converted, sink, settings.processes, show)
         sink.finish()
     return Tally(shared["rows"], shared["failed"])
 
