@@ -12,7 +12,7 @@ from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 
 
 class ShippedMaterials(BuildHookInterface[Any]):
-    """Adds `jkroll/shipped.py` to a wheel."""
+    """Adds `jkroll/materials/shipped.py` to a wheel."""
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
         """Write the module beside the checkout and have it included."""
@@ -25,7 +25,7 @@ class ShippedMaterials(BuildHookInterface[Any]):
             f'"""What materials.toml says, made from it when the wheel was built."""\n\nDATA = {data!r}\n',
             encoding="utf-8",
         )
-        build_data["force_include"][str(module)] = "jkroll/shipped.py"
+        build_data["force_include"][str(module)] = "jkroll/materials/shipped.py"
 
     def finalize(self, version: str, build_data: dict[str, Any], artifact_path: str) -> None:  # noqa: ARG002
         """Remove it."""

@@ -2,10 +2,10 @@
 
 from random import Random
 
-from jkroll.commands import COMMANDS
-from jkroll.nomenclature import NOMENCLATURE
-from jkroll.options import Option, options_named
-from jkroll.unit_table import PLAIN, PREFIXABLE, PREFIXES
+from jkroll.answers.questions import COMMANDS
+from jkroll.cli.options import Option, options_named
+from jkroll.quantities.nomenclature import NOMENCLATURE
+from jkroll.quantities.unit_table import PLAIN, PREFIXABLE, PREFIXES
 
 KNOWN = ("quartz", "quartz", "SiO2", "iron", "FE", "gold", "polystyrene", "graphite", "all")
 MATERIALS = (*KNOWN, *KNOWN, "plane", "quarz", "lead")

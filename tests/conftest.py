@@ -1,43 +1,11 @@
 """What the tests share: a call of the command line in this process, away from the user's own files."""
 
-import io
-from collections.abc import Callable
 from pathlib import Path
-from typing import NamedTuple
 
 import pytest
 
-from jkroll.shell import main
-
-
-class Ran(NamedTuple):
-    """What a call left behind."""
-
-    code: int
-    out: str
-    err: str
-
-
-class Stream(io.TextIOWrapper):
-    """A text stream in memory that says of itself whether it is a terminal."""
-
-    def __init__(self, *, terminal: bool = False, encoding: str = "utf-8") -> None:
-        super().__init__(io.BytesIO(), encoding=encoding, newline="")
-        self.terminal = terminal
-
-    def isatty(self) -> bool:
-        """Whether it is to be taken for a terminal."""
-        return self.terminal
-
-    def text(self) -> str:
-        """All that was written."""
-        self.flush()
-        buffer = self.buffer
-        assert isinstance(buffer, io.BytesIO)
-        return buffer.getvalue().decode(self.encoding)
-
-
-Run = Callable[..., Ran]
+from harness import Ran, Run, Stream
+from jkroll.cli.process import main
 
 
 @pytest.fixture(autouse=True)

@@ -9,11 +9,14 @@ from collections.abc import Callable
 from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 
-from jkroll.errors import JkrollError, MaterialsFileError, QuantityError
-from jkroll.materials import is_material_name, read
-from jkroll.nomenclature import INFINITY, NOMENCLATURE, RANGES
-from jkroll.shell import main
-from jkroll.units import MAX_TEXT, convert, dimension_of, parse_quantity, unit_of
+from jkroll.cli.process import main
+from jkroll.errors import JkrollError
+from jkroll.materials.file import MaterialsFileError
+from jkroll.materials.library import is_material_name, read
+from jkroll.quantities.errors import QuantityError
+from jkroll.quantities.nomenclature import INFINITY, NOMENCLATURE, RANGES
+from jkroll.quantities.parsing import MAX_TEXT, parse_quantity, unit_of
+from jkroll.quantities.units import convert, dimension_of
 
 CORPUS = Path(__file__).parent / "corpus"
 LONGEST_MESSAGE = 2000

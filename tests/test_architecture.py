@@ -8,59 +8,24 @@ from pathlib import Path
 import pytest
 
 import jkroll
-from jkroll.nomenclature import NOMENCLATURE
 from jkroll.physics import FORMULAS
-from jkroll.scene import DEFAULTS
+from jkroll.quantities.nomenclature import NOMENCLATURE
+from jkroll.scene.scene import DEFAULTS
 
 SOURCE = Path(jkroll.__file__).parent
 MODULES = sorted(SOURCE.rglob("*.py"))
 
-# From the outside in: a module imports only from those below it.
-LAYERS = [
-    {"__main__"},
-    {"cli"},
-    {"shell"},
-    {"tab"},
-    {"completion", "help", "mistakes"},
-    {"run_pictures"},
-    {"run"},
-    {"plots"},
-    {"pictures"},
-    {"sections"},
-    {"curve", "terminal", "figures"},
-    {"drawing"},
-    {"on_axes"},
-    {"charts"},
-    {"maps"},
-    {"batch"},
-    {"request", "catalogue", "explain", "table", "verify", "bench"},
-    {"spread"},
-    {"report"},
-    {"answer"},
-    {"judgement", "ladder"},
-    {"bench_measure"},
-    {"bench_ways"},
-    {"bench_forms", "bench_reference", "bench_scenes", "bench_bare"},
-    {"solver"},
-    {"options", "canvas"},
-    {"commands", "streams", "axes", "files"},
-    {"formatting", "scene"},
-    {"materials"},
-    {"materials_file"},
-    {"wiring", "plain_toml"},
-    {"units"},
-    {"pint_names", "unit_table"},
-    {"suggestions", "errors"},
-    {"nomenclature"},
-    {"claims", "physics"},
-]
+# From the top down: a folder imports from those below it. The files outside a folder are the ground.
+FOLDERS = "cli batch bench audit pictures output answers scene materials quantities physics ground".split()
+# The package and its script hand out names of all folders; the wheel's build adds the module of shipped materials.
+PUBLIC = {"__init__", "__main__"}
 ONLY = {
     "typer": {"cli"},
-    "rich": {"table"},
-    "pint": {"pint_names"},
-    "tomllib": {"materials_file", "plain_toml"},
-    "mpmath": {"bench_reference"},
-    "matplotlib": {"drawing"},
+    "rich": {"output"},
+    "pint": {"quantities"},
+    "tomllib": {"materials"},
+    "mpmath": {"bench"},
+    "matplotlib": {"pictures"},
     "orjson": {"batch"},
     "pyarrow": {"batch"},
     "distributed": {"batch"},
@@ -69,48 +34,67 @@ ONLY = {
 
 
 def part(path: Path) -> str:
-    """The part of the house that a file belongs to."""
-    return path.relative_to(SOURCE).parts[0].removesuffix(".py")
+    """Return the folder that a file belongs to."""
+    inside = path.relative_to(SOURCE).parts
+    return inside[0] if len(inside) > 1 else "ground"
 
 
-def imports(path: Path) -> set[str]:
-    """What a file imports when it is imported: absolute top-level names, and parts of the house as `.part`."""
-    found: set[str] = set()
-    inside_functions = {
-        inner
-        for outer in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
-        if isinstance(outer, ast.FunctionDef)
-        for inner in ast.walk(outer)
-    }
-    names = {node.lineno for node in inside_functions if isinstance(node, ast.Import | ast.ImportFrom)}
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        if getattr(node, "lineno", None) in names:
+def imports(path: Path) -> dict[str, str]:
+    """Return the modules that a file imports, wherever the import stands, each with its folder ("" for other libraries)."""
+    package = ["jkroll", *path.relative_to(SOURCE).parts[:-1]]
+    found: dict[str, str] = {}
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    guarded = [
+        node for node in ast.walk(tree) if isinstance(node, ast.If) and "TYPE_CHECKING" in ast.unparse(node.test)
+    ]
+    for_types = {inner for outer in guarded for inner in ast.walk(outer)}
+    for node in ast.walk(tree):
+        if node in for_types:
             continue
         if isinstance(node, ast.Import):
-            found |= {alias.name.split(".")[0] for alias in node.names}
-        elif isinstance(node, ast.ImportFrom) and node.level == 0:
-            found.add((node.module or "").split(".")[0])
-        elif isinstance(node, ast.ImportFrom) and node.module:
-            found.add("." + node.module.split(".")[0])
+            targets = [alias.name for alias in node.names]
         elif isinstance(node, ast.ImportFrom):
-            found |= {"." + alias.name for alias in node.names}
+            start = package[: len(package) - node.level + 1] if node.level else []
+            base = ".".join([*start, *filter(None, [node.module])])
+            targets = [f"{base}.{alias.name}" for alias in node.names]
+        else:
+            continue
+        for target in targets:
+            top, *inside = target.split(".")
+            is_folder = bool(inside) and (SOURCE / inside[0]).is_dir()
+            found[target] = "" if top != "jkroll" else inside[0] if is_folder else "ground"
     return found
 
 
 @pytest.mark.parametrize("path", MODULES, ids=lambda path: str(path.relative_to(SOURCE)))
-def test_imports_point_inwards(path: Path) -> None:
-    if part(path) == "physics":
-        assert imports(path) <= {"math", "collections", "typing"} | {
-            "." + name.stem for name in (SOURCE / "physics").glob("*.py")
-        }
+def test_imports_point_downwards(path: Path) -> None:
+    if path.stem in PUBLIC and part(path) == "ground":
         return
-    if path.name == "__init__.py":
-        return
-    depth = next(place for place, layer in enumerate(LAYERS) if part(path) in layer)
-    for name in imports(path):
-        if name.startswith("."):
-            inner = next((place for place, layer in enumerate(LAYERS) if name[1:] in layer), len(LAYERS))
-            assert inner > depth, f"{path.name} imports {name}"
+    depth = FOLDERS.index(part(path))
+    for target, folder in imports(path).items():
+        if folder:
+            assert FOLDERS.index(folder) >= depth, f"{path.relative_to(SOURCE)} imports {target}"
+
+
+def test_the_core_knows_nothing_but_mathematics() -> None:
+    for path in (SOURCE / "physics").glob("*.py"):
+        foreign = {target.split(".")[0] for target, folder in imports(path).items() if not folder}
+        assert foreign <= {"math", "numpy", "collections", "typing"}, path.name
+
+
+@pytest.mark.xfail(reason="the circles in quantities, cli and batch go when these are redrawn", strict=True)
+def test_no_file_is_in_a_circle_of_imports() -> None:
+    names = {".".join(["jkroll", *path.relative_to(SOURCE).with_suffix("").parts]): path for path in MODULES}
+    names |= {name.removesuffix(".__init__"): path for name, path in names.items() if name.endswith(".__init__")}
+    below: dict[Path, set[Path]] = {}
+    for path in MODULES:
+        if path.stem in PUBLIC and part(path) == "ground":
+            continue
+        known = (names.get(target) or names.get(target.rpartition(".")[0]) for target in imports(path))
+        below[path] = {target for target in known if target not in (None, path)}
+    while ends := {path for path, targets in below.items() if not targets & below.keys()}:
+        below = {path: targets for path, targets in below.items() if path not in ends}
+    assert not below
 
 
 @pytest.mark.parametrize("library", ONLY)

@@ -16,9 +16,9 @@ from typing import Any, NamedTuple
 import pytest
 
 from jkroll import FORMULAS, NOMENCLATURE, known_materials, solve
-from jkroll.errors import MissingInput
-from jkroll.units import si_unit
-from jkroll.wiring import parameters_of
+from jkroll.quantities.units import si_unit
+from jkroll.scene.errors import MissingInput
+from jkroll.scene.wiring import parameters_of
 
 EMPTY_CELL = "..."
 ROUNDING = 1e-9  # how far a formula, or an exponent, may be from the printed one

@@ -15,13 +15,13 @@ from unittest import mock
 
 import pytest
 
-from jkroll.commands import COMMANDS
-from jkroll.options import EXTRAS
-from jkroll.shell import main
+from jkroll.answers.questions import COMMANDS
+from jkroll.cli.options import EXTRAS
+from jkroll.cli.process import main
 
 if __package__ in (None, ""):
     sys.path.insert(0, str(Path(__file__).parent))
-from conftest import Stream
+from harness import Stream
 
 README = Path(__file__).parents[1] / "README.md"
 _CONSOLE = re.compile(r"```console\n(.*?)```", re.DOTALL)

@@ -10,10 +10,10 @@ if TYPE_CHECKING:
     from typing import Any
 
     from .errors import JkrollError
-    from .materials import Material, Materials, known_materials
-    from .nomenclature import NOMENCLATURE, Quantity
+    from .materials.library import Material, Materials, known_materials
     from .physics import FORMULAS
-    from .solver import solve
+    from .quantities.nomenclature import NOMENCLATURE, Quantity
+    from .scene.solver import solve
 
 __version__ = "0.1.0"
 __all__ = ["FORMULAS", "NOMENCLATURE", "JkrollError", "Material", "Materials", "Quantity", "known_materials", "solve"]
@@ -22,12 +22,12 @@ __all__ = ["FORMULAS", "NOMENCLATURE", "JkrollError", "Material", "Materials", "
 _HOMES = {
     "FORMULAS": "physics",
     "JkrollError": "errors",
-    "Material": "materials",
-    "Materials": "materials",
-    "NOMENCLATURE": "nomenclature",
-    "Quantity": "nomenclature",
-    "known_materials": "materials",
-    "solve": "solver",
+    "Material": "materials.library",
+    "Materials": "materials.library",
+    "NOMENCLATURE": "quantities.nomenclature",
+    "Quantity": "quantities.nomenclature",
+    "known_materials": "materials.library",
+    "solve": "scene.solver",
 }
 
 

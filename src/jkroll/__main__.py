@@ -20,7 +20,7 @@ def run() -> None:
 
         signal(SIGINT, unwind)
         sys.unraisablehook = _end_if_interrupted
-        from .shell import main
+        from .cli.process import main
 
         code = main()
         for stream in filter(None, (sys.stdout, sys.stderr)):

@@ -17,9 +17,9 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
 from jkroll.errors import JkrollError
-from jkroll.materials import Materials
-from jkroll.materials_file import MAX_BYTES, MAX_ODD_BYTES
-from jkroll.units import parse_quantity, unit_of
+from jkroll.materials.file import MAX_BYTES, MAX_ODD_BYTES
+from jkroll.materials.library import Materials
+from jkroll.quantities.parsing import parse_quantity, unit_of
 from shapes import SHAPES, ordinary
 
 TEXTS = {

@@ -41,7 +41,7 @@ def formulas() -> list[tuple[str, str]]:
 
 def results() -> list[str]:
     """The quantities that `jkroll batch` writes of this table."""
-    from jkroll.commands import COMMANDS
+    from jkroll.answers.questions import COMMANDS
 
     known = {name for name, _ in formulas()}
     return [name for name in COMMANDS["report"].quantities if name in known]

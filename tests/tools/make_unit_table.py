@@ -9,7 +9,7 @@ is ever misread.
 
 import pint
 
-from jkroll.pint_names import BASE_UNITS, lookup
+from jkroll.quantities.pint_names import BASE_UNITS, lookup
 
 PREFIXES = """y z a f p n u m c d da h k M G T P E Z Y
 yocto zepto atto femto pico nano micro milli centi deci deca hecto kilo mega giga tera peta exa zetta yotta""".split()

@@ -17,11 +17,11 @@ from random import Random
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
 import command_lines
-import jkroll.options
+import jkroll.cli.options
 from invariants import check_call, isolate
 
 # What one call needs once is a third of the time of a million.
-jkroll.options.options_named = command_lines.options_named = cache(jkroll.options.options_named)  # type: ignore[attr-defined]
+jkroll.cli.options.options_named = command_lines.options_named = cache(jkroll.cli.options.options_named)  # type: ignore[attr-defined]
 
 
 def main() -> int:

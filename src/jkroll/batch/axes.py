@@ -7,7 +7,7 @@ from typing import Any
 import numpy
 import orjson
 
-from ..spread import Spread
+from ..quantities.ranges import Spread
 from .cells import Floats, plain_numbers
 
 KEPT = 1_000_000  # values of a range that are made once

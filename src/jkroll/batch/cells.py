@@ -12,9 +12,10 @@ from typing import NamedTuple
 import numpy
 import orjson
 
-from ..errors import QuantityError
-from ..nomenclature import NOMENCLATURE
-from ..units import dimension_of, unit_of
+from ..quantities.errors import QuantityError
+from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.parsing import unit_of
+from ..quantities.units import dimension_of
 from .columns import Column, power_of_ten
 
 Floats = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.float64]]

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 from distributed import Client, LocalCluster, as_completed
 
-from ..errors import quoted
+from ..text import quoted
 from .errors import BadTable
 from .parts import Part, convert_part
 from .settings import Tally

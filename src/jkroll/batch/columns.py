@@ -5,10 +5,11 @@ from collections.abc import Sequence
 from functools import cached_property
 from typing import NamedTuple
 
-from ..errors import BareNumber, MalformedQuantity, QuantityError, UnknownUnit, WrongDimension, quoted
-from ..nomenclature import NOMENCLATURE
-from ..suggestions import closest
-from ..units import Unit, dimension_of, parse_quantity, unit_of
+from ..quantities.errors import BareNumber, MalformedQuantity, QuantityError, UnknownUnit, WrongDimension
+from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.parsing import parse_quantity, unit_of
+from ..quantities.units import Unit, dimension_of
+from ..text import closest, quoted
 from .errors import BadTable
 
 MATERIALS = ("material", "material2")

@@ -4,9 +4,10 @@ import sys
 from collections.abc import Mapping
 from typing import Any
 
-from ..materials import known_materials
-from ..request import BadRequest, materials_files
-from ..streams import say
+from ..errors import BadRequest
+from ..materials.library import known_materials
+from ..materials.places import materials_files
+from ..text import say
 from .columns import STATUS
 from .errors import missing_extra
 from .parts import Runner, is_many, one_by_one

@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy
 import orjson
 
-from ..errors import quoted
+from ..text import quoted
 from .cells import Numbers, Reader
 from .columns import STATUS, Header
 from .errors import BadTable

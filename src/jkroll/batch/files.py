@@ -8,8 +8,8 @@ from collections.abc import Callable, Iterator
 from contextlib import suppress
 from typing import BinaryIO
 
-from ..errors import quoted
-from ..request import BadRequest
+from ..errors import BadRequest
+from ..text import quoted
 from .errors import BadTable
 
 BESIDE = (".partial", ".journal")  # what may stand beside the output until it is whole

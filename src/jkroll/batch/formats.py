@@ -5,7 +5,8 @@ import os
 from collections.abc import Callable, Iterator
 from typing import BinaryIO, NamedTuple
 
-from ..errors import MissingExtra, quoted
+from ..errors import MissingExtra
+from ..text import quoted
 from .errors import BadTable
 
 KINDS = {"csv": "csv", "tsv": "tsv", "tab": "tsv", "ndjson": "ndjson", "jsonl": "ndjson", "parquet": "parquet"}

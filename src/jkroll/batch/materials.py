@@ -4,9 +4,8 @@ from collections.abc import Sequence
 
 import numpy
 
-from ..errors import UnknownMaterial
-from ..materials import Material, Materials
-from ..wiring import PROPERTIES
+from ..materials.library import Material, Materials, UnknownMaterial
+from ..quantities.nomenclature import PROPERTIES
 from .cells import Floats
 
 MAX_KEPT = 10_000  # different texts that are remembered

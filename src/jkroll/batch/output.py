@@ -16,7 +16,7 @@ from contextlib import suppress
 from typing import Any, NamedTuple, Protocol
 from zlib import crc32
 
-from ..errors import quoted
+from ..text import quoted
 from .errors import BadRow, BadTable, NotTheSame
 from .files import BESIDE
 from .lines import Converted

@@ -13,9 +13,9 @@ import pyarrow
 import pyarrow.parquet
 
 from .. import __version__
-from ..errors import quoted, shown
-from ..nomenclature import header
-from ..request import BadRequest
+from ..errors import BadRequest
+from ..quantities.nomenclature import header
+from ..text import quoted, shown
 from .cells import Floats, Numbers, Reader, plain_numbers
 from .columns import STATUS, check_first
 from .errors import BadTable

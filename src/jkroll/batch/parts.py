@@ -15,9 +15,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 from .. import __version__
-from ..errors import JkrollError, quoted
-from ..materials import known_materials
-from ..request import BadRequest
+from ..errors import BadRequest, JkrollError
+from ..materials.library import known_materials
+from ..text import quoted
 from .errors import BadTable, missing_extra
 from .files import BESIDE
 from .settings import Order, Settings, Tally, input_format

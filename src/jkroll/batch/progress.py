@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TextIO
 
-from ..streams import say
+from ..text import say
 from .source import Shared
 
 WIDTH = 24

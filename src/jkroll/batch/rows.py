@@ -9,10 +9,11 @@ from typing import Any, NamedTuple
 
 import numpy
 
-from ..errors import BeyondPullOff, JkrollError, NoChain
-from ..materials import Material
-from ..nomenclature import INFINITY, NOMENCLATURE, RANGES
-from ..scene import MAY_BE_ZERO, SMALLEST, Scene
+from ..errors import JkrollError
+from ..materials.library import Material
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE, RANGES
+from ..scene.errors import BeyondPullOff, NoChain
+from ..scene.scene import MAY_BE_ZERO, SMALLEST, Scene
 from .cells import Floats, Mask, Numbers
 from .materials import UNKNOWN, Codes, Lookup
 from .single import Task, alone, concerns, lacking, worded

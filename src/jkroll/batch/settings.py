@@ -4,8 +4,8 @@ import os
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from ..errors import quoted
-from ..materials import Materials
+from ..materials.library import Materials
+from ..text import quoted
 from .errors import BadTable
 from .formats import Format, format_of, stated
 

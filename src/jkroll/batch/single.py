@@ -4,10 +4,11 @@ from collections.abc import Callable, Mapping
 from math import nan
 from typing import NamedTuple
 
-from ..errors import BeyondFold, BeyondPullOff, JkrollError, MissingInput, NoResult
-from ..materials import Material, Materials
-from ..scene import Scene
-from ..wiring import STATE
+from ..errors import JkrollError, NoResult
+from ..materials.library import Material, Materials
+from ..scene.errors import BeyondFold, BeyondPullOff, MissingInput
+from ..scene.scene import Scene
+from ..scene.wiring import STATE
 from .columns import Column
 
 FATAL = (BeyondPullOff, BeyondFold)  # they leave nothing of a row to be trusted

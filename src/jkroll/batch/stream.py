@@ -8,9 +8,9 @@ from contextlib import closing, suppress
 from functools import partial
 
 from .. import __version__
-from ..errors import quoted
-from ..nomenclature import header
-from ..request import BadRequest
+from ..errors import BadRequest
+from ..quantities.nomenclature import header
+from ..text import quoted
 from . import ring
 from .columns import check_first
 from .delimited import DIALECTS

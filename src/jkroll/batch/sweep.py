@@ -14,12 +14,12 @@ import numpy
 import orjson
 
 from .. import __version__
-from ..answer import answer
-from ..materials import Material, Materials
-from ..nomenclature import INFINITY, NOMENCLATURE, header, word_for_infinity
-from ..report import Layout
-from ..request import BadRequest
-from ..scene import DEFAULTS, Scene
+from ..answers.answer import answer
+from ..errors import BadRequest
+from ..materials.library import Material, Materials
+from ..output.layout import Layout
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE, header, word_for_infinity
+from ..scene.scene import DEFAULTS, Scene
 from . import ring
 from .axes import Axis
 from .cells import Floats, Numbers

@@ -5,7 +5,7 @@ from typing import Any
 import numpy
 import pyarrow
 
-from ..nomenclature import NOMENCLATURE, header
+from ..quantities.nomenclature import NOMENCLATURE, header
 from .lines import Converted
 from .pieces import BYTES, ROWS, as_column, as_texts, rows_of_piece, write
 from .settings import Settings, Tally

@@ -4,15 +4,14 @@ import sys
 from collections.abc import Mapping
 from typing import Any
 
-from ..commands import COMMANDS
-from ..errors import UnknownQuantity, quoted
-from ..materials import Material, Materials
-from ..nomenclature import NOMENCLATURE, header
-from ..request import BadRequest
-from ..scene import EXCLUSIVE, Scene
-from ..streams import say
-from ..units import parse_quantity
-from ..wiring import PROPERTIES
+from ..answers.questions import COMMANDS
+from ..errors import BadRequest
+from ..materials.library import Material, Materials
+from ..quantities.errors import UnknownQuantity
+from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, header
+from ..quantities.parsing import parse_quantity
+from ..scene.scene import EXCLUSIVE, Scene
+from ..text import quoted, say
 from .columns import MATERIALS, STATUS, Header, understood
 from .errors import BadTable
 from .settings import Order

@@ -1,0 +1,105 @@
+"""What `jkroll map` is asked for, as a map or as curves."""
+
+from collections.abc import Mapping, Sequence
+
+from ..answers.questions import COMMANDS
+from ..errors import BadRequest
+from ..pictures.axes import Axis
+from ..pictures.maps import Setting
+from ..pictures.plots import Asked
+from ..quantities.errors import MalformedQuantity, UnknownQuantity
+from ..quantities.formatting import amount, pretty
+from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.ranges import spreads_of
+from ..scene.scene import Scene
+from ..scene.wiring import depends_on
+from .request import Request
+
+MOST_POINTS = 25_000_000
+MOST_CURVES = 12
+
+
+def axis_of(text: str, option: str) -> Axis:
+    """The axis that a text gives: `NAME=FROM:TO`, with a count and `:lin` or `:log` if wanted.
+
+    >>> axis_of("radius=1nm:1mm", "--x")
+    Axis(name='radius', low=1e-09, high=0.001, is_log=True, size=0)
+    """
+    word, has_range, values = text.partition("=")
+    if not has_range:
+        raise BadRequest(f"{option}: write a quantity and its range, such as radius=1nm:1mm")
+    name = quantity_named(word)
+    if NOMENCLATURE[name].unit == "":
+        raise BadRequest(f"{option}: {name} has no range")
+    first, colon, rest = values.partition(":")
+    last, *how = rest.split(":")
+    if not colon or len(how) > 2 or "," in values:
+        raise MalformedQuantity(name, values, "is not a range; write FROM:TO, with :lin for equal steps")
+    has_count = bool(how) and how[0] not in ("lin", "log")
+    count, scale = how[0] if has_count else "2", how[has_count:]
+    spread = spreads_of(":".join([first, last, count, *scale]), name)[0]
+    if not spread.low < spread.high:
+        raise MalformedQuantity(name, values, "does not rise")
+    return Axis(name, spread.low, spread.high, spread.is_log, spread.size if has_count else 0)
+
+
+def quantity_named(word: str) -> str:
+    """The name of a quantity, for its name with _ or -, its option, or the command that is named after it.
+
+    >>> quantity_named("radius"), quantity_named("gamma"), quantity_named("pull-off")
+    ('radius', 'surface_energy', 'pull_off_force')
+    """
+    name = word.strip().replace("-", "_").lstrip("_")
+    by_option = {quantity.option[2:]: known for known, quantity in NOMENCLATURE.items() if quantity.option}
+    known = name if name in NOMENCLATURE else by_option.get(word.strip().lstrip("-"))
+    if known is None and word in COMMANDS:
+        known = COMMANDS[word].headline[0]
+    if known is None:
+        raise UnknownQuantity(word)
+    return known
+
+
+def asked(words: Sequence[str], options: Mapping[str, str], files: Sequence[str]) -> Asked:
+    """What a command line asks for: a quantity, materials and radii, axes, marks, and inputs that are held."""
+    if not words:
+        raise BadRequest("map needs a quantity, such as pull_off_force")
+    quantity = quantity_named(words[0])
+    if NOMENCLATURE[quantity].unit == "":
+        raise BadRequest(f"{quantity} has no values")
+    held = {name: text for name, text in options.items() if name not in ("x", "y", "mark")}
+    if "x" not in options:
+        raise BadRequest("map needs an axis: --x radius=1nm:1mm")
+    axes = [axis_of(options[key], f"--{key}") for key in ("x", "y") if key in options]
+    request = Request(words[1:], held, files)
+    within = depends_on([quantity])
+    for axis in axes:
+        if axis.name in request.options:
+            raise BadRequest(f"{axis.name} is on an axis; it cannot have one value too")
+        if axis.name == quantity:
+            raise BadRequest(f"{quantity} is what is drawn; it is no axis")
+        if axis.name not in within:
+            raise BadRequest(f"{quantity} does not depend on {axis.name}")
+    if len({axis.name for axis in axes}) < len(axes):
+        raise BadRequest(f"both axes are {axes[0].name}")
+    if request.count > (1 if len(axes) > 1 else MOST_CURVES):
+        most = f"{MOST_CURVES} curves" if len(axes) == 1 else "one map"
+        raise BadRequest(f"{request.count} scenes are more than {most}")
+    settings = tuple(
+        (_distinction(scene, request), Setting(scene.stated, scene.material, scene.material2, request.materials))
+        for scene in request.scenes()
+    )
+    y = axes[1] if len(axes) > 1 else None
+    return Asked(quantity, axes[0], y, settings, marks_of(options), request.materials)
+
+
+def _distinction(scene: Scene, request: Request) -> str:
+    """What tells a scene from the others of its request: materials and values of which several were given."""
+    parts = [one.name for one in (scene.material, scene.material2) if one is not None]
+    several = [name for name, text in request.options.items() if "," in text or ":" in text]
+    parts += [f"{NOMENCLATURE[name].symbol} = {pretty(amount(name, scene.stated[name]))}" for name in several]
+    return ", ".join(parts)
+
+
+def marks_of(options: Mapping[str, str]) -> tuple[str, ...]:
+    """The marks that were asked for."""
+    return tuple(filter(None, options.get("mark", "").split(",")))

@@ -1,0 +1,130 @@
+"""What a user typed, as scenes: words and options to materials and values, lists and ranges to a row each."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
+from itertools import chain, islice, product
+from math import prod
+from typing import Any
+
+from ..errors import BadRequest
+from ..materials.library import Material, Materials, known_materials
+from ..quantities.errors import QuantityError
+from ..quantities.formatting import Format
+from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.parsing import unit_of
+from ..quantities.ranges import Spread, spreads_of
+from ..quantities.units import dimension_of
+from ..scene.scene import EXCLUSIVE, Scene
+from ..text import quoted
+
+MAX_SAMPLES = 50
+MAX_SCENES = 1_000_000  # answered one by one
+
+
+class Request:
+    """The words and options of one call, read as far as they are needed."""
+
+    def __init__(self, words: Sequence[str], options: Mapping[str, str], files: Sequence[str] = ()) -> None:
+        """`words`: materials and radii; `options`: text by the name of the input; `files`: of materials, by rising precedence."""
+        self.options = dict(options)
+        self.files = files
+        words = _joined(words)
+        if "plane" in map(str.casefold, words):
+            raise BadRequest("a plane is sphere 2: write --radius2 plane")
+        radii = [word for word in words if not _is_material(word)]
+        named = [word for word in words if _is_material(word)]
+        if len(named) > 1:
+            raise BadRequest(
+                f"two materials, {quoted(named[0])} and {quoted(named[1])}; a list has commas, a second sphere has --material2"
+            )
+        self.material_words = named[0] if named else ""
+        self.material2_words = self.options.pop("material2", "")
+        if options.get("material2") == "":
+            raise BadRequest("--material2 is empty")
+        if radii:
+            self.options["radius"] = ",".join(radii)
+        for alternatives in EXCLUSIVE:
+            given = [NOMENCLATURE[name].option for name in alternatives if name in options]
+            if len(given) > 1:
+                raise BadRequest(" and ".join(given) + " exclude each other")
+
+    @cached_property
+    def materials(self) -> Materials:
+        """All materials that are known; the files are read when the first is asked for."""
+        return known_materials(*self.files)
+
+    @cached_property
+    def spreads(self) -> dict[str, list[Spread]]:
+        """What was given for each input, in the order of the nomenclature."""
+        spreads = {name: spreads_of(text, name) for name, text in self.options.items()}
+        return {name: spreads[name] for name in NOMENCLATURE if name in spreads}
+
+    @cached_property
+    def pairs(self) -> list[tuple[Material | None, Material | None]]:
+        """The materials of the two spheres, in all combinations."""
+        return list(product(self._materials(self.material_words), self._materials(self.material2_words)))
+
+    @cached_property
+    def count(self) -> int:
+        """How many scenes there are."""
+        return len(self.pairs) * prod(sum(map(len, spreads)) for spreads in self.spreads.values())
+
+    def check_count(self) -> None:
+        """Refuse more scenes than are answered one by one."""
+        if self.count > MAX_SCENES:
+            raise BadRequest(f"{self.count} scenes are more than {MAX_SCENES}; --csv and -o FILE write any number")
+
+    def scenes(self) -> Iterator[Scene]:
+        """A scene for each combination of the materials and values that were given."""
+        values = [[*chain.from_iterable(spreads)] for spreads in self.spreads.values()]
+        for material, material2 in self.pairs:
+            for row in product(*values):
+                yield Scene(dict(zip(self.spreads, row, strict=True)), material, material2)
+
+    def samples(self) -> list[Scene]:
+        """Scenes of all kinds that occur: each pair of materials, the ends of every range, alike and unlike spheres."""
+        first = {name: spreads[0].low for name, spreads in self.spreads.items()}
+        last = {name: spreads[-1].high for name, spreads in self.spreads.items()}
+        radii2 = islice(chain.from_iterable(self.spreads.get("radius2", [])), MAX_SAMPLES)
+        kinds = [first, last, *({**first, "radius2": radius2} for radius2 in radii2)]
+        return [Scene(values, *pair) for pair in self.pairs for values in kinds]
+
+    def _materials(self, words: str) -> list[Material | None]:
+        if not words:
+            return [None]
+        if words.casefold() == "all":
+            return list(self.materials.materials.values())
+        return [self.materials[word] for word in words.split(",")]
+
+
+def _joined(words: Sequence[str]) -> list[str]:
+    """The words, with a number and the unit that was typed after a space made one."""
+    joined: list[str] = []
+    for word in words:
+        if joined and joined[-1][-1:].isdigit() and not joined[-1].strip("+-−.0123456789eE") and _is_material(word):
+            joined[-1] += f" {word}"
+        else:
+            joined.append(word)
+    return joined
+
+
+def _is_material(word: str) -> bool:
+    return word.casefold() == "all" or (word[:1].isalpha() and word.casefold() != "plane")
+
+
+def format_of(to: str | None, digits: int | None, quantities: Sequence[str]) -> Format:
+    """How results are to be written: each unit of `--to` serves the quantities of its dimension."""
+    units: dict[str, Any] = {}
+    for text in to.split(",") if to is not None else []:
+        try:
+            unit = unit_of(text, quantities[0])
+        except QuantityError as error:
+            raise BadRequest(f"--to: {quoted(text)} {error.problem()}") from None
+        fitting = [
+            name for name in quantities if text.strip() and dimension_of(NOMENCLATURE[name].unit) == unit.dimension
+        ]
+        if not fitting:
+            kinds = ", ".join(dict.fromkeys(f"{name} in {NOMENCLATURE[name].unit}" for name in quantities))
+            raise BadRequest(f"--to: {quoted(text)} fits none of the results: {kinds}")
+        units |= dict.fromkeys(fitting, (" ".join(text.split()), unit))
+    return Format(units, digits)

@@ -1,0 +1,1 @@
+"""Materials: whose data, and where they come from."""

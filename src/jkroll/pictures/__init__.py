@@ -1,0 +1,1 @@
+"""Maps, curves and figures, in a terminal and as files."""

@@ -1,0 +1,161 @@
+"""The axes of maps and curves: a quantity from one end to the other, its ticks, and the levels of contours.
+
+An axis is logarithmic or linear; a place on it is a fraction of its length.
+"""
+
+from collections.abc import Callable
+from math import ceil, floor, log10
+from typing import Any, NamedTuple
+
+from ..quantities.formatting import engineering, pretty
+from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.parsing import unit_of
+from ..quantities.units import convert
+
+_SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+_FEW_DECADES = 2e4  # so long an axis has room for small ticks
+_STEPS = (1, 2, 5)  # of a decade that has few ticks
+
+
+class Tick(NamedTuple):
+    """A value that is marked, and what stands beside it; between ticks with a text there may be some without."""
+
+    value: float
+    text: str
+
+
+class Axis(NamedTuple):
+    """A quantity of the nomenclature from one end to the other."""
+
+    name: str
+    low: float
+    high: float
+    is_log: bool = True
+    size: int = 0  # number of values; 0 leaves it to the picture
+
+    def values(self) -> Any:
+        """Its values, as an array."""
+        import numpy
+
+        spaced = numpy.geomspace if self.is_log else numpy.linspace
+        return spaced(self.low, self.high, self.size)
+
+    def place(self, value: Any) -> Any:
+        """Where on the axis a value is: 0 at its beginning, 1 at its end."""
+        if not self.is_log:
+            return (value - self.low) / (self.high - self.low)
+        import numpy
+
+        return (numpy.log10(value) - log10(self.low)) / (log10(self.high) - log10(self.low))
+
+    def ticks(self, most: int) -> list[Tick]:
+        """At most so many ticks with a text, at round values."""
+        values = round_values(self.low, self.high, most, is_log=self.is_log)
+        texts = with_units(self.name, values) if self.is_log else in_one_unit(self.name, values)[0]
+        return [Tick(value, text) for value, text in zip(values, texts, strict=True)]
+
+    def small_ticks(self) -> list[float]:
+        """Round values between the ticks, where there is room: those of each decade, of a logarithmic axis."""
+        if not self.is_log or self.high / self.low > _FEW_DECADES:
+            return []
+        decades = range(floor(log10(self.low)), ceil(log10(self.high)))
+        values = (float(f"{digit}e{decade}") for decade in decades for digit in range(2, 10))
+        return [value for value in values if self.low <= value <= self.high]
+
+    def label(self, most: int = 8) -> str:
+        """What the axis shows, with the unit if its ticks have none."""
+        unit = "" if self.is_log else in_one_unit(self.name, [tick.value for tick in self.ticks(most)])[1]
+        if self.is_log and not any(" " in tick.text for tick in self.ticks(most)):
+            unit = pretty(NOMENCLATURE[self.name].unit)
+        return described(self.name, unit)
+
+
+def described(name: str, unit: str) -> str:
+    """A quantity for an axis: "radius of sphere 1, R1 [nm]".
+
+    >>> described("load", "nN")
+    'load, tension negative, P [nN]'
+    """
+    quantity = NOMENCLATURE[name]
+    return f"{quantity.sentence}, {quantity.symbol}" + (f" [{unit}]" if unit not in ("", "1") else "")
+
+
+def round_values(low: float, high: float, most: int, *, is_log: bool) -> list[float]:
+    """At most so many round values from one to another: powers of ten, or 1, 2 and 5 times them, or equal steps.
+
+    >>> round_values(1e-9, 1e-6, 5, is_log=True), round_values(-1.0, 1.0, 5, is_log=False)
+    ([1e-09, 1e-08, 1e-07, 1e-06], [-1.0, -0.5, 0.0, 0.5, 1.0])
+    """
+    if is_log:
+        decades = range(ceil(log10(low) - 1e-9), floor(log10(high) + 1e-9) + 1)
+        if len(decades) > 2 or high / low > 50:
+            step = ceil(len(decades) / most)
+            return [float(f"1e{decade}") for decade in decades if decade % step == 0]
+        steps = [float(f"{digit}e{decade}") for decade in range(decades.start - 1, decades.stop) for digit in _STEPS]
+        found = [value for value in steps if low * (1 - 1e-9) <= value <= high * (1 + 1e-9)]
+        if 2 < len(found) <= most:
+            return found
+    if not high > low:
+        return [low]
+    rough = (high - low) / most
+    decade = floor(log10(rough))
+    factor = next(factor for factor in (1, 2, 5, 10, 20) if float(f"{factor}e{decade}") * most >= high - low)
+    width = float(f"{factor}e{decade}")
+    places = range(ceil(low / width - 1e-9), floor(high / width + 1e-9) + 1)
+    values = [float(f"{place * width:.12g}") for place in places]
+    if len(values) < 2 and most < 64:
+        return round_values(low, high, 2 * most, is_log=False)
+    return values[:: ceil(len(values) / most)]
+
+
+def with_units(name: str, values: list[float]) -> list[str]:
+    """Values, each with the unit and the prefix that fits it; powers of ten where no prefix does.
+
+    >>> with_units("radius", [1e-9, 1e-7]), with_units("n_grav", [1000.0, 1e6])
+    (['1 nm', '100 nm'], ['1000', '10⁶'])
+    """
+    unit = NOMENCLATURE[name].unit
+
+    def texts(digits: int) -> list[str]:
+        found = []
+        for value in values:
+            number, shown = engineering(value, unit, digits)
+            is_fitting = unit not in ("", "1") and (shown != unit or 1 <= abs(value) < 1000)
+            found.append(f"{number} {pretty(shown)}" if is_fitting else power_of_ten(value))
+        return found if all(" " in text for text in found) else [power_of_ten(value) for value in values]
+
+    return _told_apart(texts)
+
+
+def in_one_unit(name: str, values: list[float]) -> tuple[list[str], str]:
+    """Values in the unit whose prefix fits the largest of them, and that unit.
+
+    >>> in_one_unit("load", [-1e-8, 0.0, 1e-8])
+    (['-10', '0', '10'], 'nN')
+    """
+    largest = max(values, key=abs, default=0.0)
+    unit = engineering(largest, NOMENCLATURE[name].unit, 3)[1]
+    if unit in ("", NOMENCLATURE[name].unit):
+        shown = values
+    else:
+        shown = [convert(value, unit_of(unit, name)) for value in values]
+    return _told_apart(lambda digits: [f"{value:.{digits}g}" for value in shown]), pretty(unit)
+
+
+def _told_apart(texts: Callable[[int], list[str]]) -> list[str]:
+    """Texts of different values with six digits, or with as many as it takes to tell them apart."""
+    return next((found for digits in range(6, 16) if len({*(found := texts(digits))}) == len(found)), texts(16))
+
+
+def power_of_ten(value: float) -> str:
+    """A value as a person writes it: as a power of ten where it is a large or a small one.
+
+    >>> power_of_ten(1e9), power_of_ten(0.01), power_of_ten(2e6)
+    ('10⁹', '0.01', '2·10⁶')
+    """
+    if value == 0 or 1e-3 <= abs(value) < 1e4:
+        return f"{value:g}"
+    mantissa, _, exponent = f"{value:.3e}".partition("e")
+    factor = mantissa.rstrip("0").rstrip(".")
+    power = "10" + str(int(exponent)).translate(_SUPERSCRIPTS)
+    return power if factor == "1" else f"{factor}·{power}"

@@ -1,0 +1,182 @@
+"""A contact in curves: its force, its pressure and its moment; and Figs. 2 and 9, the shifted contact in three and in two dimensions."""
+
+from typing import Any
+
+from ..answers.curve import EQUILIBRIUM, FOLD, JUMP_IN, PULL_OFF
+from ..materials.library import Materials
+from ..physics.contact import pressure
+from ..physics.cylinder import asymmetric_pressure, contact_point_moment, half_strips_moment, symmetric_pressure
+from ..physics.shifted import exact_pressure, half_circle_pressure, unloaded_half_width
+from ..quantities.formatting import amount, pretty
+from ..quantities.nomenclature import NOMENCLATURE
+from .axes import Axis
+from .maps import Mark, Setting
+from .panels import Curve, Panel, Picture, axis_around, clipped
+
+POINTS = 401
+RUNGS = ("yield_moment", "unloaded_moment", "half_circles_moment", "integrated_moment", "fixed_approach_moment")
+SIZE = {"radius": 2e-8}  # of the spheres of Fig. 2, small enough for ξ to be seen
+_STATE = ("contact_radius_at_load", "hertz_pressure", "boussinesq_pressure")
+
+
+def curves_of_contact(setting: Setting, told: tuple[str, ...]) -> Picture:
+    """Force against approach, pressure, and moment against ξ of one contact without load."""
+    return Picture("", (_force(setting), _pressure(setting), _moment(setting)), told)
+
+
+def _force(setting: Setting) -> Panel:
+    """Both branches, with the states where something happens."""
+    import numpy
+
+    parts = (("unstable", 1e-7, FOLD), ("fixed grips", FOLD, PULL_OFF), ("stable", PULL_OFF, 1.35))
+    curves = []
+    for number, (text, first, last) in enumerate(parts):
+        factors = numpy.geomspace(first, last, POINTS)
+        state = setting.solve(("approach_at_load", "load"), {"load_factor": factors})
+        curves.append(Curve(text, state["approach_at_load"], state["load"], number))
+    named = {"fold": FOLD, "pull-off": PULL_OFF, "jump-in": JUMP_IN, "P = 0": EQUILIBRIUM}
+    points = []
+    for text, factor in named.items():
+        state = setting.solve(("approach_at_load", "load"), {"load_factor": factor})
+        points.append(Mark(text, state["approach_at_load"], state["load"]))
+    x = axis_around("approach_at_load", [curve.x for curve in curves], is_log=False)
+    y = axis_around("load", [curve.y for curve in curves], is_log=False, margin=0.08)
+    return Panel(x, y, tuple(reversed(curves)), tuple(points), "force, Eqs (5) and (6)")
+
+
+def _pressure(setting: Setting) -> Panel:
+    """The pressure across the contact, as it is without load and as it is when it lets go."""
+    curves = []
+    for number, (text, factor) in enumerate((("P = 0", EQUILIBRIUM), ("pull-off", PULL_OFF))):
+        state = setting.solve(_STATE, {"load_factor": factor})
+        x = _across(-state["contact_radius_at_load"], state["contact_radius_at_load"])
+        curves.append(Curve(text, x, pressure(distance=abs(x), **state), number))
+    return _panel(curves, state["hertz_pressure"], "pressure, Eq (12)")
+
+
+def _moment(setting: Setting) -> Panel:
+    """The moment against the displacement, up to where the leading edge would interpenetrate, by every model."""
+    import numpy
+
+    limit = setting.solve(("displacement_limit",), {})["displacement_limit"]
+    shifts = numpy.linspace(0, limit, POINTS)[1:]
+    found = setting.solve(RUNGS, {"yield_displacement": shifts})
+    curves = [
+        Curve(f"{NOMENCLATURE[name].symbol}: {NOMENCLATURE[name].sentence}", shifts, found[name], number)
+        for number, name in enumerate(RUNGS)
+    ]
+    ends = [numpy.array([0.0]), *(curve.y for curve in curves)]
+    at = setting.solve(("yield_moment",), {})["yield_moment"]
+    shift = float(setting.scene({}).values["yield_displacement"])
+    point = (Mark(f"ξ = {pretty(amount('yield_displacement', shift))}", shift, at),) if shift <= limit else ()
+    return Panel(
+        Axis("yield_displacement", 0.0, limit, is_log=False), axis_around("yield_moment", ends, is_log=False, margin=0.0),
+        tuple(curves), point, "moment, up to ξ_max",
+    )  # fmt: skip
+
+
+def figure_2(materials: Materials) -> Picture:
+    """The shifted contact from above, with its two half-circles, and its pressure along the way, exact and simplified."""
+    import numpy
+
+    setting = Setting(SIZE, materials["quartz"], None, materials)
+    names = (*_STATE, "contact_modulus", "reduced_radius", "approach_at_load", "yield_moment", "half_circles_moment")
+    state = setting.solve(names, {})
+    shift = float(setting.scene({}).values["yield_displacement"])
+    a = state["contact_radius_at_load"]
+    angle = numpy.linspace(-numpy.pi, numpy.pi, POINTS)
+    outlines = [Curve("contact, shifted by ξ", a * numpy.cos(angle) - shift, a * numpy.sin(angle), 0)]
+    half = numpy.linspace(numpy.pi / 2, 3 * numpy.pi / 2, POINTS)
+    outlines += [
+        Curve("half-circle a + ξ", (a + shift) * numpy.cos(half), (a + shift) * numpy.sin(half), 1, is_dashed=True),
+        Curve("half-circle a − ξ", -(a - shift) * numpy.cos(half), (a - shift) * numpy.sin(half), 2, is_dashed=True),
+    ]
+    reach = 1.5 * (a + shift)
+    view = Panel(
+        Axis("position_across", -reach, reach, is_log=False), Axis("position_beside", -reach, reach, is_log=False),
+        tuple(outlines), (Mark("contact point", 0.0, 0.0),), "from above, rolling to the right", is_true_to_scale=True,
+    )  # fmt: skip
+    given = {"contact_modulus": state["contact_modulus"], "reduced_radius": state["reduced_radius"]}
+    parts = {name: state[name] for name in _STATE}
+    centred, shifted = _across(-a, a), _across(-a - shift, a - shift)
+    left, right = _across(-a - shift, 0.0), _across(0.0, a - shift)
+    at = {"approach_at_load": state["approach_at_load"], **given}
+    curves = [
+        Curve("exact", shifted, exact_pressure(position_in_circle=shifted + shift, yield_displacement=shift, **parts, **given), 0),
+        Curve("half-circle a + ξ", left, half_circle_pressure(distance=-left, half_circle_radius=a + shift, **at), 1, is_dashed=True),
+        Curve("half-circle a − ξ", right, half_circle_pressure(distance=right, half_circle_radius=a - shift, **at), 2, is_dashed=True),
+        Curve("not shifted", centred, pressure(distance=abs(centred), **parts), 3),
+    ]  # fmt: skip
+    along = _panel(curves, state["hertz_pressure"], "pressure along the way")
+    exact, simple = (amount(name, state[name]) for name in ("yield_moment", "half_circles_moment"))
+    caption = (
+        "The contact of two quartz spheres of 20 nm that have rolled by ξ: the circle stays behind the contact point.",
+        (
+            "Exact: Hertz, flat punch and tilted flat punch on one circle at a fixed load. Half-circles: Eq (16) at a fixed approach, "
+            "not continuous at x = 0. Ahead the pull at the rim is weaker, behind it is stronger."
+        ),
+        f"Moment: exact {exact}, Eq (25); half-circles {simple}, Eq (19).",
+        f"Assumed: P = 0, ξ = {pretty(amount('yield_displacement', shift))}.",
+    )
+    return Picture("Fig. 2: the shifted contact", (view, along), caption)
+
+
+def figure_9(materials: Materials) -> Picture:
+    """The pressure of a cylinder on a rigid plane: symmetric, and shifted, exact and simplified."""
+    quartz = materials["quartz"].properties
+    modulus = quartz["youngs_modulus"] / (1 - quartz["poisson_ratio"] ** 2)
+    radius = SIZE["radius"]
+    size = {"cylinder_radius": radius, "plane_strain_modulus": modulus}
+    a = unloaded_half_width(work_of_adhesion=2 * quartz["surface_energy"], **size)
+    shift = float(Setting(SIZE).scene({}).values["yield_displacement"])
+    size["load_constant"] = 0.0
+    centred, shifted = _across(-a, a), _across(-a - shift, a - shift)
+    left, right = _across(-a - shift, 0.0), _across(0.0, a - shift)
+    exact = asymmetric_pressure(
+        position_in_strip=shifted + shift, contact_half_width=a, yield_displacement=shift, **size
+    )
+    behind = symmetric_pressure(position=left, contact_half_width=a + shift, **size)
+    ahead = symmetric_pressure(position=right, contact_half_width=a - shift, **size)
+    highest = modulus * a / (2 * radius)
+    symmetric = Curve("exact, Eq (56)", centred, symmetric_pressure(position=centred, contact_half_width=a, **size))
+    curves = [
+        Curve("exact, Eq (64)", shifted, exact),
+        Curve("half-strip a + ξ", left, behind, 1, is_dashed=True),
+        Curve("half-strip a − ξ", right, ahead, 2, is_dashed=True),
+    ]
+    moments = [
+        moment(contact_half_width=a, yield_displacement=shift, **size)
+        for moment in (contact_point_moment, half_strips_moment)
+    ]
+    caption = (
+        (
+            "The line contact of a quartz cylinder of 20 nm on a rigid plane, without load (C = 0), where Griffith's criterion gives "
+            f"a = {amount('contact_radius', a)}."
+        ),
+        "Shifted by ξ, exact by Eq (64); simplified by two halves of symmetric strips, Eq (71), not continuous at x = 0.",
+        (
+            f"Moment per length about the contact point: exact {moments[0]:.3g} N, Eq (70) with its sign corrected; "
+            f"half-strips {moments[1]:.3g} N, Eq (77): lower by {moments[0] / moments[1]:.3f}, π/2 where ξ ≪ a."
+        ),
+        f"Assumed: ξ = {pretty(amount('yield_displacement', shift))}.",
+    )
+    panels = (_panel([symmetric], highest, "symmetric"), _panel(curves, highest, "shifted by ξ"))
+    return Picture("Fig. 9: the line contact", panels, caption)
+
+
+def _across(first: float, last: float) -> Any:
+    """Positions between two ends, closer to each other where the pressure is steep."""
+    import numpy
+
+    parts = (1 - numpy.cos(numpy.linspace(0, numpy.pi, POINTS)[1:-1])) / 2
+    return first + (last - first) * parts
+
+
+def _panel(curves: list[Curve], highest: float, title: str) -> Panel:
+    """Pressures over one axis, cut where they grow beyond bounds at a rim."""
+    cut = tuple(curve._replace(y=clipped(curve.y, -2.5 * highest, 1.5 * highest)) for curve in curves)
+    x = axis_around("position_across", [curve.x for curve in curves], is_log=False)
+    return Panel(x, Axis("pressure_across", -2.5 * highest, 1.5 * highest, is_log=False), cut, (), title)
+
+
+DRAWN = {"2": figure_2, "9": figure_9}

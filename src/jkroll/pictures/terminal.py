@@ -1,0 +1,257 @@
+"""Maps and curves drawn in a terminal, to its width."""
+
+from math import isnan
+from typing import Any, TextIO
+
+from ..text import say
+from .axes import Axis
+from .canvas import LINES, RAMP, SIGNS, Canvas, Colour, Screen, screen_of, shade, stacked, wrapped
+from .maps import Level, Map, Mark, Region, label_of
+from .panels import Curve, Panel, Picture
+
+MOST_ROWS = 24
+BAND_STEPS = len(RAMP) - 1  # contours between so many bands
+BORDER = "'"
+HATCHES = "x/\\|"
+
+
+def draw_map(drawn: Map, out: TextIO) -> None:
+    """A map in bands between its contours, which are labelled, with what is marked and where it has no meaning."""
+    screen = screen_of(out)
+    axis = _Frame(drawn.x, drawn.y, screen)
+    levels = drawn.levels(BAND_STEPS)
+    canvas = Canvas(axis.width, axis.height)
+    _paint(canvas, drawn, levels, screen)
+    _hatch(canvas, drawn)
+    legend = [f"{sign} {region.text}".strip() for sign, region in _signs(drawn)]
+    if drawn.has_gaps:
+        legend.append("? no value" if not screen.colours else "blank: no value")
+    for guide in drawn.guides:
+        _across(canvas, drawn.y, guide)
+    above = []
+    for mark in drawn.marks:
+        if mark.x is not None and mark.y is None:
+            above.append((axis.column(mark.x), mark.text))
+        else:
+            _point(canvas, drawn.x, drawn.y, mark)
+    _label(canvas, drawn.values, levels, "{}", 0.5)
+    if drawn.printed is not None:
+        _label(canvas, drawn.printed, levels, "({})", 0.8)
+        legend.append("( ) as printed")
+    for line in wrapped(drawn.title, screen.width):
+        say(line, out)
+    for line in stacked(above, axis.width):
+        say(" " * axis.margin + line, out)
+    axis.say(canvas, out)
+    for line in _scale(drawn, levels, screen):
+        say(line, out)
+    for text in (*legend, *drawn.caption):
+        for line in wrapped(text, screen.width):
+            say(line, out)
+
+
+def draw_picture(drawn: Picture, out: TextIO) -> None:
+    """Panels below each other, each with its curves, points and axes."""
+    screen = screen_of(out)
+    if drawn.title:
+        say(drawn.title, out)
+    for panel in drawn.panels:
+        axis = _Frame(panel.x, panel.y, screen, is_true_to_scale=panel.is_true_to_scale)
+        canvas = Canvas(axis.width, axis.height)
+        for number, curve in enumerate(panel.curves):
+            _trace(canvas, panel, curve, SIGNS[number % len(SIGNS)])
+        for point in panel.points:
+            _point(canvas, panel.x, panel.y, point)
+        if panel.title:
+            say(panel.title, out)
+        axis.say(canvas, out)
+        if len(panel.curves) > 1:
+            for number, curve in enumerate(panel.curves):
+                say(f"{_key(curve.colour, SIGNS[number % len(SIGNS)], screen)} {curve.text}", out)
+    for text in drawn.caption:
+        for line in wrapped(text, screen.width):
+            say(line, out)
+
+
+def _key(colour: int, sign: str, screen: Screen) -> str:
+    """The line of a curve, for the legend."""
+    strip = Canvas(2, 1)
+    strip.pixels[0] = [LINES[colour % len(LINES)]] * 2
+    strip.signs[0] = [sign] * 2
+    return strip.lines(screen)[0]
+
+
+def _trace(canvas: Canvas, panel: Panel, curve: Curve, sign: str) -> None:
+    """A curve, without gaps between its points."""
+    import numpy
+
+    places = []
+    for axis, values in ((panel.x, curve.x), (panel.y, curve.y)):
+        is_inside = (values >= axis.low) & (values <= axis.high)
+        places.append(axis.place(numpy.where(is_inside, values, numpy.nan)))
+    colour = LINES[curve.colour % len(LINES)]
+    steps = 16 * (canvas.width + canvas.height)
+    fine = numpy.linspace(0, len(places[0]) - 1, steps)
+    across, up = (numpy.interp(fine, numpy.arange(len(place)), place) for place in places)
+    for x, y in zip(across.tolist(), up.tolist(), strict=True):
+        if not (isnan(x) or isnan(y)):
+            column, pixel = round(x * (canvas.width - 1)), round((1 - y) * (2 * canvas.height - 1))
+            canvas.pixels[pixel][column] = colour
+            canvas.signs[min(pixel // 2, canvas.height - 1)][column] = sign
+
+
+class _Frame:
+    """The place of the axes on the screen: the ticks of y to the left, those of x below."""
+
+    def __init__(self, x: Axis, y: Axis, screen: Screen, *, is_true_to_scale: bool = False) -> None:
+        self.x, self.y, self.screen = x, y, screen
+        self.height = max(8, min(MOST_ROWS, screen.height - 8, screen.width // 3))
+        self.y_ticks = y.ticks(max(2, self.height // 2))
+        self.margin = max((len(tick.text) for tick in self.y_ticks), default=0) + 1
+        self.width = screen.width - self.margin - 1
+        if is_true_to_scale:  # a cell is twice as high as it is wide
+            self.width = min(self.width, round(2 * self.height * (x.high - x.low) / (y.high - y.low)))
+        self.x_ticks = x.ticks(max(2, self.width // 9))
+
+    def column(self, value: float) -> int:
+        """The column of a value of x."""
+        return _cell(self.x, value, self.width)
+
+    def say(self, canvas: Canvas, out: TextIO) -> None:
+        """Write the canvas with its axes."""
+        texts = {canvas.height - 1 - _cell(self.y, tick.value, canvas.height): tick.text for tick in self.y_ticks}
+        for line in wrapped(self.y.label(), self.screen.width):
+            say(line, out)
+        for row, line in enumerate(canvas.lines(self.screen)):
+            say(f"{texts.get(row, ''):>{self.margin - 1}} {line}", out)
+        below = [" "] * (self.screen.width + 1)
+        end = -1
+        for tick in self.x_ticks:
+            start = min(self.margin + self.column(tick.value) - len(tick.text) // 2, self.screen.width - len(tick.text))
+            if start > end:
+                below[start : start + len(tick.text)] = tick.text
+                end = start + len(tick.text)
+        say("".join(below).rstrip(), out)
+        for line in wrapped(self.x.label(), self.screen.width):
+            say(f"{line:^{self.screen.width}}".rstrip(), out)
+
+
+def _cell(axis: Axis, value: float, count: int) -> int:
+    """Which of so many cells a value falls into."""
+    return min(max(round(float(axis.place(value)) * (count - 1)), 0), count - 1)
+
+
+def _paint(canvas: Canvas, drawn: Map, levels: list[Level], screen: Screen) -> None:
+    """The band of every pixel; where there is no value, none."""
+    import numpy
+
+    def bands(height: int) -> Any:
+        values = _sampled(drawn.values, canvas.width, height)
+        band = numpy.searchsorted([level.value for level in levels], values, side="right")
+        return numpy.where(numpy.isnan(values), -1, band)
+
+    colours = [_shade_of(band, levels, screen) for band in range(len(levels) + 1)]
+    for row, line in enumerate(bands(2 * canvas.height).tolist()):
+        canvas.pixels[row] = [colours[band] if band >= 0 else None for band in line]
+    for row, line in enumerate(bands(canvas.height).tolist()):
+        canvas.signs[row] = [RAMP[band] if band >= 0 else "?" for band in line]
+
+
+def _sampled(values: Any, width: int, height: int) -> Any:
+    """The values nearest to the middles of so many pixels, the highest row first."""
+    import numpy
+
+    rows = numpy.rint(numpy.linspace(values.shape[0] - 1, 0, height)).astype(int)
+    columns = numpy.rint(numpy.linspace(0, values.shape[1] - 1, width)).astype(int)
+    return values[rows[:, None], columns[None, :]]
+
+
+def _hatch(canvas: Canvas, drawn: Map) -> None:
+    """Hatch the regions; where they overlap, their signs take turns with each other and with the band."""
+    signs: list[list[str]] = [[""] * canvas.width for _ in range(canvas.height)]
+    for sign, region in _signs(drawn):
+        if region.kind == "everywhere":
+            continue
+        inside = _sampled(region.margin, canvas.width, canvas.height) < 0
+        if region.kind == "border":
+            inside = _edge(inside)
+        for row, line in enumerate(inside.tolist()):
+            signs[row] = [here + sign if is_inside else here for here, is_inside in zip(signs[row], line, strict=True)]
+    for row, line in enumerate(signs):
+        for column, here in enumerate(line):
+            turn = (row + column) % (len(here) + 1)
+            if turn:
+                canvas.hatch(column, row, here[turn - 1])
+
+
+def _signs(drawn: Map) -> list[tuple[str, Region]]:
+    """The regions, each with its sign."""
+    hatches = iter(HATCHES)
+    others = {"border": BORDER, "everywhere": " "}
+    return [(others.get(region.kind) or next(hatches), region) for region in drawn.regions]
+
+
+def _edge(is_above: Any) -> Any:
+    """Cells whose neighbour to the right or below is on the other side."""
+    import numpy
+
+    edge = numpy.zeros(is_above.shape, bool)
+    edge[:, :-1] |= is_above[:, :-1] != is_above[:, 1:]
+    edge[:-1] |= is_above[:-1] != is_above[1:]
+    return edge
+
+
+def _across(canvas: Canvas, y: Axis, guide: Mark) -> None:
+    """A dotted line across, with its text at the right end."""
+    if guide.y is not None:
+        row = canvas.height - 1 - _cell(y, guide.y, canvas.height)
+        for column in range(0, canvas.width, 2):
+            canvas.hatch(column, row, "-")
+        canvas.write(canvas.width - len(guide.text) - 2, row, f" {guide.text} ")
+
+
+def _point(canvas: Canvas, x: Axis, y: Axis, mark: Mark) -> None:
+    """A mark with its text, on the side where there is room; one on the y axis alone at the right end."""
+    column = canvas.width - 1 if mark.x is None else _cell(x, mark.x, canvas.width)
+    row = canvas.height - 1 - _cell(y, y.low if mark.y is None else mark.y, canvas.height)
+    if not canvas.write(column, row, f"o {mark.text}"):
+        canvas.write(column - len(mark.text) - 1, row, f"{mark.text} o")
+
+
+def _label(canvas: Canvas, values: Any, levels: list[Level], form: str, middle: float) -> None:
+    """Each contour's label, on it, as near to a place in the middle row as there is room."""
+    import numpy
+
+    values = _sampled(values, canvas.width, canvas.height)
+    rows, columns = numpy.indices(values.shape)
+    distance = numpy.hypot(2 * (rows - (canvas.height - 1) / 2), columns - middle * (canvas.width - 1))
+    known = numpy.isfinite(values)
+    rim = _edge(known)
+    for level in levels:
+        edge = _edge(values >= level.value) & known & ~rim
+        places = numpy.argwhere(edge)
+        text = form.format(level.text)
+        for row, column in places[numpy.argsort(distance[edge], kind="stable")][:200].tolist():
+            if canvas.write(column - len(text) // 2, row, text):
+                break
+
+
+def _scale(drawn: Map, levels: list[Level], screen: Screen) -> list[str]:
+    """The bands in order, with the values between them, in as many lines as the width takes."""
+    lines = [label_of(drawn.quantity, has_log_labels=drawn.has_log_labels) + ":"]
+    length = len(lines[0])
+    for band in range(len(levels) + 1):
+        strip = Canvas(2, 1)
+        strip.pixels = [[_shade_of(band, levels, screen)] * 2] * 2
+        strip.signs = [[RAMP[band]] * 2]
+        text = f" {levels[band].text}" if band < len(levels) else ""
+        if length + 3 + len(text) > screen.width:
+            lines.append("")
+            length = 0
+        lines[-1] += f" {strip.lines(screen)[0]}{text}"
+        length += 3 + len(text)
+    return lines
+
+
+def _shade_of(band: int, levels: list[Level], screen: Screen) -> Colour:
+    return shade(band / max(1, len(levels)), screen.colours)

@@ -1,0 +1,1 @@
+"""Names, units, and the way between text and SI numbers."""

@@ -1,0 +1,208 @@
+"""One nomenclature: every name, once, with its symbol, SI unit, sentence, equation, range and option.
+
+Parsing, help, tables, CSV headers, JSON and error messages all read this table; none of them says it again.
+"""
+
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import NamedTuple
+
+
+class Quantity(NamedTuple):
+    """What a name stands for."""
+
+    symbol: str
+    unit: str  # SI; "1" for a number, "" for a text
+    sentence: str
+    equation: str = ""  # as the paper numbers it
+    range: str = ""  # a name of RANGES, for what a user may give
+    option: str = ""  # how the command line takes it
+    example: str = ""  # a value that can be typed
+    note: str = ""  # why it stands beside a headline value
+
+
+class Range(NamedTuple):
+    """Values that may be given, and how to say so."""
+
+    low: float
+    high: float
+    low_allowed: bool
+    high_allowed: bool
+    words: str
+
+    def admits(self, value: float) -> bool:
+        """Whether one number lies in the range; nan lies in none."""
+        above = value >= self.low if self.low_allowed else value > self.low
+        below = value <= self.high if self.high_allowed else value < self.high
+        return above and below
+
+
+INFINITY = float("inf")
+RANGES: Mapping[str, Range] = MappingProxyType(
+    {
+        "positive": Range(0.0, INFINITY, False, False, "must be positive"),
+        "up to infinite": Range(0.0, INFINITY, False, True, "must be positive"),
+        "poisson": Range(-1.0, 0.5, True, True, "must lie between -1 and 0.5"),
+        "finite": Range(-INFINITY, INFINITY, False, False, "must be finite"),
+    }
+)
+
+_WORDS_FOR_INFINITY = {"radius2": "plane", "youngs_modulus": "rigid", "youngs_modulus2": "rigid"}
+
+
+def word_for_infinity(name: str) -> str | None:
+    """The word that stands for an infinite value of a quantity, if it has one: a plane, a rigid body."""
+    return _WORDS_FOR_INFINITY.get(name)
+
+
+_PER_SPHERE = {
+    "radius": Quantity("R1", "m", "radius of sphere 1", range="positive", example="100nm"),
+    "surface_energy": Quantity(
+        "γ1", "J/m^2", "surface energy per surface", range="positive", option="--gamma", example="25mJ/m2"
+    ),
+    "youngs_modulus": Quantity(
+        "E1", "Pa", "Young's modulus", range="up to infinite", option="--young", example="54GPa"
+    ),
+    "poisson_ratio": Quantity("ν1", "1", "Poisson's ratio", range="poisson", option="--poisson", example="0.17"),
+    "density": Quantity("ρ1", "kg/m^3", "mass density", range="positive", option="--density", example="2.6g/cm3"),
+    "mass": Quantity("m1", "kg", "mass of sphere 1", "41", range="up to infinite"),
+    "moment_of_inertia": Quantity("I1", "kg m^2", "moment of inertia of sphere 1", "39", range="up to infinite"),
+}
+
+
+def _of_sphere_2(quantity: Quantity) -> Quantity:
+    return quantity._replace(
+        symbol=quantity.symbol.replace("1", "2"),
+        sentence=quantity.sentence.replace(" of sphere 1", "") + " of sphere 2",
+        option=quantity.option and quantity.option + "2",
+    )
+
+
+_BOTH_SPHERES = {
+    of_sphere + suffix: _of_sphere_2(quantity) if suffix else quantity
+    for of_sphere, quantity in _PER_SPHERE.items()
+    for suffix in ("", "2")
+} | {
+    "radius2": Quantity(
+        "R2", "m", "radius of sphere 2, or plane", range="up to infinite", option="--radius2", example="1um"
+    )
+}
+
+NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
+    {
+        # what the user gives
+        "material": Quantity("", "", "material of sphere 1"),
+        "state": Quantity("state", "", "state of the contact on its force curve"),
+        "material2": Quantity("", "", "material of sphere 2", option="--material2", example="iron"),
+        **_BOTH_SPHERES,
+        "yield_displacement": Quantity("ξ", "m", "yield displacement", range="positive", option="--xi", example="2angstrom"),
+        "load": Quantity("P", "N", "load, tension negative", "5", range="finite", option="--load", example="-5nN"),
+        "gravity": Quantity("g", "m/s^2", "gravity", range="positive", option="--gravity", example="1.62m/s2"),
+        "energy": Quantity("W0", "J", "energy of sphere 1 as it arrives", range="positive", option="--energy", example="1e-18J"),
+        "energy_ratio": Quantity(
+            "W0/P_cδ0", "1", "W0 over P_cδ0", range="positive", option="--energy-ratio", example="1"
+        ),
+        "speed": Quantity("v", "m/s", "speed of sphere 1 as it arrives", range="positive", option="--speed", example="10cm/s"),
+        # the pair
+        "work_of_adhesion": Quantity(
+            "w", "J/m^2", "work of adhesion, 2γ", "1", range="positive", option="--work-of-adhesion", example="50mJ/m2"
+        ),
+        "radius_ratio": Quantity("R1/R2", "1", "ratio of the radii", "1"),
+        "reduced_radius": Quantity("R", "m", "reduced radius", "1", range="positive"),
+        "contact_modulus": Quantity("E*", "Pa", "contact modulus", "2", range="positive"),
+        "reduced_mass": Quantity("m", "kg", "reduced mass", "33", range="positive"),
+        "reduced_moment_of_inertia": Quantity("I", "kg m^2", "reduced moment of inertia", "39"),
+        "rolling_mass": Quantity("m_eff", "kg", "effective mass of rolling without slip", "40"),
+        # the contact
+        "pull_off_force": Quantity("P_c", "N", "pull-off force", "1", range="positive"),
+        "pull_off_force_dmt": Quantity(
+            "P_DMT", "N", "pull-off force of small, hard spheres", "1", note="the DMT limit, 4πγR: small, hard spheres tend to it"
+        ),
+        "contact_radius": Quantity("a0", "m", "contact radius without load", "2", range="positive"),
+        "approach": Quantity("δ0", "m", "approach of the centres without load", "3", range="positive"),
+        "load_margin": Quantity("s", "1", "√(1 + P/P_c)", "5"),
+        "load_factor": Quantity("x", "1", "â^(3/2), by which the load scales the rolling moment", "5", range="positive"),
+        "contact_radius_at_load": Quantity("a", "m", "contact radius at the load", "5"),
+        "approach_at_load": Quantity(
+            "δ", "m", "approach of the centres at the load", "6", range="finite", option="--approach", example="0.05nm"
+        ),
+        "load_at_factor": Quantity("P", "N", "load that holds the contact", "5"),
+        "load_margin_of_factor": Quantity("s", "1", "√(1 + P/P_c)", "5"),
+        "load_factor_at_approach": Quantity("x", "1", "â^(3/2) at the approach", "6"),
+        "load_factor_at_load_unstable": Quantity("x", "1", "â^(3/2) on the unstable branch", "5"),
+        "load_factor_at_approach_unstable": Quantity("x", "1", "â^(3/2) on the unstable branch at the approach", "6"),
+        "stiffness": Quantity("dP/dδ", "N/m", "normal stiffness at the load", "34"),
+        "hertz_pressure": Quantity("p_H", "Pa", "Hertz part of the pressure", "8"),
+        "boussinesq_pressure": Quantity("p_B", "Pa", "flat-punch part of the pressure", "9"),
+        "well_energy": Quantity("U", "J", "energy that binds the spheres", "6"),
+        "pull_off_work": Quantity("U_grips", "J", "separation work from P = 0, grips", "6"),
+        "pull_off_work_at_dead_load": Quantity("U_load", "J", "separation work from P = 0, load", "6"),
+        "sticking_energy": Quantity("U_stick", "J", "largest impact energy that sticks", "48"),
+        # rolling
+        "yield_moment": Quantity("M", "N m", "rolling moment at the displacement ξ", "25"),
+        "linearised_moment": Quantity("M", "N m", "moment of two half-circles, to first order", "24"),
+        "unloaded_moment": Quantity("M_0", "N m", "moment of the contact without load", "26"),
+        "half_circles_moment": Quantity("M_half", "N m", "moment of the two half-circles", "19"),
+        "integrated_moment": Quantity("M_int", "N m", "the same by integrating their pressure", "17"),
+        "fixed_approach_moment": Quantity("M_δ", "N m", "exact moment if the approach is held", "25"),
+        "rolling_stiffness": Quantity("k", "N m/rad", "rolling moment per angle", "39"),
+        "yield_force": Quantity("Q", "N", "force that starts sphere 1 rolling", "26"),
+        "yield_force_ratio": Quantity("Q/P_c", "1", "yield force over pull-off force", "27"),
+        "yield_angle": Quantity("δ_α", "rad", "angle at which rolling starts", "28"),
+        "mean_rolling_moment": Quantity("⟨M⟩", "N m", "mean moment against steady rolling", "43"),
+        "mean_rolling_force": Quantity("⟨Q⟩", "N", "mean force against steady rolling", "44"),
+        # chains
+        "r_min": Quantity("R_min", "m", "smallest curvature radius of a chain", "28"),
+        "n_grav": Quantity("N_grav", "1", "spheres that the first contact carries", "30"),
+        # vibrations
+        "vertical_frequency": Quantity("Ω_z", "Hz", "frequency of the vertical vibration", "35"),
+        "rolling_frequency": Quantity("Ω_roll", "Hz", "frequency of the rolling vibration", "40"),
+        "rolling_frequency_as_printed": Quantity(
+            "Ω_roll(41)", "Hz", "rolling frequency as printed", "41",
+            note="Eq (41) is 2.5 times too low: it is Eq (40) with k² = (5/2)R1² in place of (2/5)R1²",
+        ),
+        "rolling_frequency_no_slip": Quantity(
+            "f_roll", "Hz", "rolling frequency without slip", "40",
+            note="Eq (40) turns each sphere about its own centre; unequal spheres that do not slip also move their centres",
+        ),
+        # validity
+        "atomic_spacing": Quantity("z0", "m", "atomic spacing", range="positive", option="--z0", example="4angstrom"),
+        "tabor_parameter": Quantity("μ", "1", "Tabor parameter", "1"),
+        "displacement_limit": Quantity("ξ_max", "m", "displacement up to which rolling has a meaning", "25"),
+        "displacement_ratio": Quantity("ξ/ξ_max", "1", "displacement over its limit", "25"),
+        "contact_radius_in_spacings": Quantity("a/z0", "1", "contact radius over the atomic spacing", "2"),
+        "approach_in_spacings": Quantity("δ0/z0", "1", "approach over the atomic spacing", "3"),
+        "load_over_pull_off": Quantity("P/P_c", "1", "load over pull-off force", "5"),
+        "yield_energy": Quantity("W_yield", "J", "energy to roll to the yield displacement", "25"),
+        "energy_over_yield": Quantity("W0/W_yield", "1", "energy over the yield energy", "25"),
+        # axes of figures
+        "modulus_over_energy": Quantity("E*/γ", "m^-1", "contact modulus over surface energy", "49", range="positive"),
+        "position_across": Quantity("x", "m", "position from the contact point", "16", range="finite"),
+        "position_beside": Quantity("y", "m", "position beside the way", "11", range="finite"),
+        "pressure_across": Quantity("p", "Pa", "pressure, tension negative", "12"),
+        # collisions
+        "adhesion_energy": Quantity("P_cδ0", "J", "energy typical of adhesion", "48"),
+        "energy_at_energy_ratio": Quantity("W0", "J", "energy of sphere 1", "48"),
+        "kinetic_energy": Quantity("m1v²/2", "J", "kinetic energy of sphere 1", "45"),
+        "n_roll": Quantity("n_roll", "1", "turns until sphere 1 stops", "48"),
+        "n_roll_at_energy_ratio": Quantity("n_roll", "1", "turns until sphere 1 stops", "49"),
+        "n_roll_energy_balance_at_energy_ratio": Quantity("n_bal", "1", "turns by the energy balance", "49"),
+        "n_roll_energy_balance": Quantity(
+            "n_bal", "1", "turns by the energy balance", "48",
+            note="Eq (47) leaves out the friction that also brakes the rotation; the energy balance gives 7/2 of Eq (48)",
+        ),
+    }
+)  # fmt: skip
+
+
+def header(name: str) -> str:
+    """The column header of a quantity: its name and, in brackets, its SI unit.
+
+    >>> header("radius"), header("n_grav")
+    ('radius [m]', 'n_grav')
+    """
+    unit = NOMENCLATURE[name].unit
+    return name if unit in ("", "1") else f"{name} [{unit}]"
+
+
+PROPERTIES = ("surface_energy", "youngs_modulus", "poisson_ratio", "density")

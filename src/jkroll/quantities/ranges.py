@@ -1,0 +1,75 @@
+"""Lists and ranges of values, as one option of the command line gives them."""
+
+from collections.abc import Iterator
+
+from .errors import BareNumber, MalformedQuantity
+from .nomenclature import INFINITY
+from .parsing import parse_quantity
+
+MAX_VALUES = 1_000_000_000
+
+
+class Spread:
+    """Values from one end to the other: a single one, or a range."""
+
+    def __init__(self, low: float, high: float, size: int = 1, *, is_log: bool = False) -> None:
+        """`size` values from `low` to `high`, in equal steps or equal ratios."""
+        self.low, self.high, self.size, self.is_log = low, high, size, is_log
+
+    def __len__(self) -> int:
+        return self.size
+
+    def __iter__(self) -> Iterator[float]:
+        return map(self._value, range(self.size))
+
+    def _value(self, place: int) -> float:
+        """The value at a place, to 15 digits, so that a decade of a decimal number is a decimal number."""
+        if place in (0, self.size - 1):
+            return self.high if place else self.low
+        part = place / (self.size - 1)
+        if not self.is_log:
+            value = self.low * (1 - part) + self.high * part
+        elif 0 < (ratio := self.high / self.low) < INFINITY:
+            value = self.low * ratio**part
+        else:
+            value = self.low ** (1 - part) * self.high**part
+        is_nothing = abs(value) < 1e-15 * max(abs(self.low), abs(self.high)) and not self.is_log
+        return 0.0 if is_nothing else float(f"{value:.15g}")
+
+
+def spreads_of(text: str, name: str) -> list[Spread]:
+    """The values that a text gives: one, several between commas, or a range `FROM:TO:COUNT` with `:lin` or `:log`.
+
+    >>> [*spreads_of("1nm:1um:4", "radius")[0]]
+    [1e-09, 1e-08, 1e-07, 1e-06]
+    """
+    spreads: list[Spread] = []
+    items = text.split(",")
+    for item in items:
+        try:
+            if ":" in item:
+                spreads.append(_range(item, name))
+            else:
+                value = parse_quantity(item, name)
+                spreads.append(Spread(value, value))
+        except BareNumber:
+            if len(items) > 1:
+                reason = "has a comma where a number has a point, or a number without a unit"
+                raise MalformedQuantity(name, text, reason) from None
+            raise
+    return spreads
+
+
+def _range(text: str, name: str) -> Spread:
+    first, last, *rest = text.split(":")
+    scale = rest[1] if len(rest) == 2 else "log"
+    if not 1 <= len(rest) <= 2 or not (rest[0].isascii() and rest[0].isdigit()) or scale not in ("log", "lin"):
+        raise MalformedQuantity(name, text, "is not a range; write FROM:TO:COUNT, with :lin for equal steps")
+    if len(rest[0]) > 10 or not 2 <= (size := int(rest[0])) <= MAX_VALUES:
+        raise MalformedQuantity(name, text, f"needs a count from 2 to {MAX_VALUES}")
+    low, high = parse_quantity(first, name), parse_quantity(last, name)
+    if scale == "log" and not (low > 0 and high > 0):
+        raise MalformedQuantity(name, text, "has an end that is not positive; end it with :lin")
+    if max(abs(low), abs(high)) == INFINITY:
+        raise MalformedQuantity(name, text, "has no end")
+    return Spread(low, high, size, is_log=scale == "log")

@@ -1,0 +1,110 @@
+"""Errors about a scene: inputs that are missing or exclude each other, and contacts that do not exist."""
+
+from collections.abc import Sequence
+
+from ..errors import JkrollError, NoResult
+from ..quantities.nomenclature import NOMENCLATURE
+
+
+class MissingInput(JkrollError):
+    """A quantity that cannot be computed from what was given."""
+
+    def __init__(self, wanted: str, missing: Sequence[str], instead: Sequence[str] = (), lacking: str = "") -> None:
+        super().__init__(wanted, tuple(missing), tuple(instead), lacking)
+        self.wanted, self.missing, self.instead, self.lacking = wanted, tuple(missing), tuple(instead), lacking
+
+    def __str__(self) -> str:
+        return f"{self.wanted} needs {self.needs()}"
+
+    def needs(self) -> str:
+        """The missing inputs, which material does not have them, and how they are given."""
+        words = " and ".join(NOMENCLATURE[name].sentence for name in self.missing)
+        options = " ".join(_as_typed(name) for name in self.missing if NOMENCLATURE[name].option)
+        radii = [
+            f"a radius such as {NOMENCLATURE[name].example}" for name in self.missing if not NOMENCLATURE[name].option
+        ]
+        give = " and ".join([options, *radii] if options else radii)
+        instead = "".join(f" or {_as_typed(name)}" for name in self.instead)
+        return f"{words}{self.lacking and '; ' + self.lacking}; give {give}{instead}"
+
+
+def _as_typed(name: str) -> str:
+    return f"{NOMENCLATURE[name].option} {NOMENCLATURE[name].example}"
+
+
+class Contradiction(JkrollError):
+    """Inputs of which one follows from the other."""
+
+    def __init__(self, names: Sequence[str]) -> None:
+        super().__init__(tuple(names))
+        self.names = tuple(names)
+
+    def __str__(self) -> str:
+        return f"{' and '.join(self.names)} exclude each other: one follows from the other"
+
+
+class ShapeMismatch(JkrollError):
+    """Arrays that do not broadcast."""
+
+    def __init__(self, shapes: Sequence[tuple[str, tuple[int, ...]]]) -> None:
+        super().__init__(tuple(shapes))
+        self.shapes = tuple(shapes)
+
+    def __str__(self) -> str:
+        return "these arrays do not broadcast: " + ", ".join(f"{name} {shape}" for name, shape in self.shapes)
+
+
+class BeyondPullOff(NoResult):
+    """A tension larger than the pull-off force: there is no contact."""
+
+    def __init__(self, load: float, pull_off_force: float) -> None:
+        super().__init__(load, pull_off_force)
+        self.load, self.pull_off_force = load, pull_off_force
+
+    def __str__(self) -> str:
+        return f"load: {self.load!r} N is beyond pull-off; this contact holds down to {-self.pull_off_force!r} N"
+
+
+class BeyondFold(NoResult):
+    """An approach at which even fixed grips have let go."""
+
+    def __init__(self, approach: float, least: float) -> None:
+        super().__init__(approach, least)
+        self.approach, self.least = approach, least
+
+    def __str__(self) -> str:
+        return f"approach_at_load: {self.approach!r} m is beyond the fold; fixed grips hold this contact down to {self.least!r} m"
+
+
+class TwoRigidBodies(NoResult):
+    """Neither body yields, so there is no area of contact."""
+
+    def __str__(self) -> str:
+        return "contact_modulus: both bodies are rigid; a contact area needs one that yields"
+
+
+class NoChain(NoResult):
+    """A chain of spheres and planes."""
+
+    def __str__(self) -> str:
+        return "r_min: sphere 2 is a plane; a chain needs two spheres"
+
+
+class NoVibration(NoResult):
+    """A contact between pull-off and the fold: the spheres are free, and it does not hold them."""
+
+    def __str__(self) -> str:
+        return "vertical_frequency: beyond pull-off only fixed grips hold the contact; free spheres fly apart"
+
+
+class NoFiniteValue(NoResult):
+    """A result outside the range of doubles, or without limit."""
+
+    def __init__(self, name: str, value: float) -> None:
+        super().__init__(name, value)
+        self.name, self.value = name, value
+
+    def __str__(self) -> str:
+        return f"{self.name}: " + (
+            "no finite value for these inputs" if abs(self.value) > 1 else "no value that a double can hold"
+        )

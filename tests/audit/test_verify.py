@@ -1,0 +1,225 @@
+"""The audit of the paper: every verdict is computed, is the expected one, and would change with the paper's text."""
+
+import csv
+import io
+import json
+import math
+import re
+import subprocess
+import sys
+from typing import Any
+
+import pytest
+
+from harness import Stream
+from jkroll import solve
+from jkroll.audit import CLAIMS, Check
+from jkroll.audit.check import Terms
+from jkroll.audit.cylinder import XI, A, C, E, R
+from jkroll.audit.pair import pair, twins
+from jkroll.audit.verify import HEADERS, WIDE, run_checks, write_verification
+from jkroll.text import ascii_text
+
+ROWS = run_checks()
+NAMES = [f"{check.equation}: {check.claim}" for check in CLAIMS]
+EACH = pytest.mark.parametrize("check", CLAIMS, ids=NAMES)
+
+
+def claim(equation: str, expected: str) -> Check:
+    """The first check of an equation whose verdict is this."""
+    return next(check for check in CLAIMS if (check.equation, check.expected) == (equation, expected))
+
+
+def scaled(terms: Terms, factor: float) -> Terms:
+    return tuple(factor * term for term in terms) if isinstance(terms, tuple) else factor * terms
+
+
+# --- The verdicts ----------------------------------------------------------------------------------------------------
+
+
+@EACH
+def test_the_verdict_is_the_expected_one(check: Check) -> None:
+    assert check.row().verdict == check.expected
+
+
+def test_the_verdicts_of_the_audit() -> None:
+    """What does not hold, stated apart from the checks themselves."""
+    other = {(check.equation, check.expected) for check in CLAIMS if check.expected != "holds"}
+    assert other == {
+        ("2 text", "wrong"),
+        ("7", "misprint"),
+        ("10 text", "wrong"),
+        ("21", "misprint"),
+        ("24", "approximate"),
+        ("27 text", "approximate"),
+        ("Fig. 3", "misprint"),
+        ("28 text", "approximate"),
+        ("30 text", "approximate"),
+        ("30 text", "wrong"),
+        ("31-33", "sign"),
+        ("34", "sign"),
+        ("37-39", "sign"),
+        ("40", "approximate"),
+        ("41", "wrong"),
+        ("42", "wrong"),
+        ("42 text", "wrong"),
+        ("44", "wrong"),
+        ("47", "wrong"),
+        ("48", "wrong"),
+        ("48 text", "approximate"),
+        ("49", "wrong"),
+        ("Fig. 7", "wrong"),
+        ("Sect. 6", "wrong"),
+        ("Table 1", "misprint"),
+        ("70", "sign"),
+    }
+
+
+def test_every_numbered_equation_is_there() -> None:
+    found: set[int] = set()
+    for row in ROWS:
+        for first, last in re.findall(r"(?<!. )\b(\d+)(?:-(\d+))?", re.sub(r"Fig.*|Sect.*|Table.*", "", row.equation)):
+            found |= set(range(int(first), int(last or first) + 1))
+        found |= {int(number) for number in re.findall(r", (\d+)", row.equation)}
+    assert found == set(range(1, 89))
+
+
+@pytest.mark.parametrize(
+    ("equation", "verdict", "ratio"),
+    [
+        ("2 text", "wrong", 2),
+        ("41", "wrong", 0.4),
+        ("42", "wrong", 0.4),
+        ("47", "wrong", 3.5),
+        ("48", "wrong", 2 / 7),
+        ("49", "wrong", 2 / 7),
+        ("Fig. 7", "wrong", 3.5),
+        ("44", "wrong", 1 + 1.3 / 2.9),
+        ("48 text", "approximate", 1 / 0.7722405325868756),
+        ("28 text", "approximate", 3000 / (500 * math.pi)),
+        ("27 text", "approximate", 1.25),
+    ],
+)
+def test_how_far_off_it_is(equation: str, verdict: str, ratio: float) -> None:
+    row = claim(equation, verdict).row()
+    assert row.printed / row.follows == pytest.approx(ratio, rel=1e-3)
+
+
+# --- Every check can fail --------------------------------------------------------------------------------------------
+
+
+@EACH
+def test_another_number_in_the_paper_would_be_noticed(check: Check) -> None:
+    """A percent more, or as much more as the paper's own rounding and hedges admit, where it holds or nearly does."""
+    factor = max(1.01, 1 + 3 * check.within, check.hedge**2 * 1.01)
+    if check.expected == "wrong":  # had the paper printed what follows, it would hold, and no percent beside it
+        assert check._replace(printed=lambda: scaled(check.follows(), 1.0)).row().verdict == "holds"
+        assert check._replace(printed=lambda: scaled(check.follows(), factor)).row().verdict == "wrong"
+        return
+    changed = check._replace(printed=lambda: scaled(check.printed(), factor))
+    if check.expected == "misprint":
+        changed = check._replace(restated=lambda: scaled(check.printed(), factor))
+    assert changed.row().verdict == "wrong"
+
+
+@pytest.mark.parametrize("check", [check for check in CLAIMS if check.expected == "holds"])
+def test_a_sign_would_be_noticed(check: Check) -> None:
+    assert check._replace(printed=lambda: scaled(check.printed(), -1)).row().verdict == "sign"
+
+
+@pytest.mark.parametrize(
+    ("equation", "verdict", "mended", "becomes"),
+    [
+        ("41", "wrong", lambda: 3 / (4 * math.pi) * math.sqrt(5 * twins.gamma / (twins.r1**3 * twins.rho)), "holds"),
+        ("48", "wrong", lambda: pair.energy / (4 * math.pi * pair.p_c * pair.xi), "holds"),
+        ("48", "holds", lambda: pair.energy / (4 * math.pi * pair.p_c * pair.xi), "wrong"),
+        ("70", "sign", lambda: (math.pi / 4 * E / R * XI * A**2, -math.pi / 4 * E / R * XI * 2 * C), "holds"),
+        ("70", "sign", lambda: (math.pi / 4 * E / R * XI * A**2, math.pi / 4 * E / R * XI * C), "wrong"),
+        ("47", "wrong", lambda: -2 * pair.p_c * pair.xi / (7 / 5 * pair.m1 * pair.r1**2), "holds"),
+        ("44", "wrong", lambda: 2 * pair.p_c * pair.xi / pair.r1, "holds"),
+        ("34", "sign", lambda: -6 / 5 * pair.e * pair.a0 / pair.m, "holds"),
+    ],
+)
+def test_the_right_form_in_place_of_the_printed_one(equation: str, verdict: str, mended: object, becomes: str) -> None:
+    assert callable(mended)
+    assert claim(equation, verdict)._replace(printed=mended).row().verdict == becomes
+
+
+# --- What follows is what the program computes -----------------------------------------------------------------------
+
+GIVEN: dict[str, Any] = {
+    "radius": pair.r1,
+    "radius2": pair.r2,
+    "work_of_adhesion": 2 * pair.gamma,
+    "contact_modulus": pair.e,
+    "density": pair.rho,
+    "yield_displacement": pair.xi,
+    "energy": pair.energy,
+}
+
+
+@pytest.mark.parametrize(
+    ("wanted", "loaded", "follows"),
+    [
+        ("pull_off_force", False, pair.pull_off),
+        ("contact_radius", False, pair.free_radius),
+        ("approach_at_load", True, pair.approach_of(pair.a)),
+        ("yield_moment", True, pair.moment_at_load),
+        ("rolling_mass", False, pair.rolling_mass),
+        ("n_roll_energy_balance", False, claim("48", "wrong").row().follows),
+        ("sticking_energy", False, claim("48 text", "approximate").row().follows * pair.p_c * pair.delta0),
+        ("rolling_frequency", False, claim("40", "approximate").row().printed),
+    ],
+)
+def test_the_program_computes_what_follows(wanted: str, loaded: bool, follows: float) -> None:
+    assert solve(wanted, load=pair.p if loaded else 0.0, **GIVEN) == pytest.approx(follows, rel=1e-9)
+
+
+# --- What is written -------------------------------------------------------------------------------------------------
+
+
+def test_a_changed_verdict_is_named_and_fails(capsys: pytest.CaptureFixture[str]) -> None:
+    changed = [check._replace(expected="holds") if check.equation == "21" else check for check in CLAIMS]
+    out = Stream()
+    assert write_verification(out, "table", changed) == 1
+    assert "misprint, not holds" in out.text()
+    assert capsys.readouterr().err.startswith("jkroll: Eq 21, M½ = 2{p_H")
+
+
+@pytest.mark.parametrize("kind", ["table", "plain", "csv", "json"])
+def test_it_agrees_and_is_silent(kind: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert write_verification(Stream(), kind) == 0
+    assert capsys.readouterr().err == ""
+
+
+def test_forms_for_machines_say_the_same() -> None:
+    plain, table, objects = Stream(), Stream(), Stream()
+    for out, kind in ((plain, "plain"), (table, "csv"), (objects, "json")):
+        write_verification(out, kind)
+    lines = [line.split("\t") for line in plain.text().splitlines()]
+    assert lines == list(csv.reader(io.StringIO(table.text())))
+    assert lines[0] == list(HEADERS)
+    assert lines[1:] == [[str(value) for value in each.values()] for each in json.loads(objects.text())]
+    assert [float(line[2]) for line in lines[1:]] == [row.printed for row in ROWS]
+
+
+@pytest.mark.parametrize(
+    ("columns", "heads"), [(WIDE, "Eq claim printed follows off by verdict why"), (80, "Eq claim off by verdict")]
+)
+def test_the_table_fits(columns: int, heads: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", str(columns))
+    out = Stream()
+    write_verification(out, "table")
+    lines = out.text().splitlines()
+    assert lines[0].split() == heads.split()
+    assert len(lines) == len(CLAIMS) + 3
+    assert max(map(len, lines)) <= columns
+
+
+def test_every_text_can_be_written_in_ascii() -> None:
+    assert not [row for row in ROWS if "?" in ascii_text(row.claim + row.reason)]
+
+
+def test_numpy_is_not_needed() -> None:
+    code = "import sys, jkroll.audit.verify as v; v.write_verification(sys.stdout, 'plain'); sys.exit('numpy' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True).returncode == 0

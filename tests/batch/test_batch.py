@@ -1,0 +1,416 @@
+"""Tables of scenes: each row as the one-liner has it, whatever stands around it."""
+
+import csv
+import io
+import math
+import os
+import subprocess
+import sys
+from collections.abc import Iterator
+from functools import partial
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from harness import Run
+from jkroll.batch import source
+from jkroll.batch.cells import Reader
+from jkroll.batch.columns import Column, understood
+from jkroll.batch.delimited import DIALECTS, Delimited
+from jkroll.batch.lines import Head
+from jkroll.batch.single import alone
+from jkroll.batch.task import task_of
+from jkroll.materials.library import known_materials
+from jkroll.quantities.errors import QuantityError
+from jkroll.quantities.parsing import unit_of
+from tables import random_table
+
+GRAINS = "name,material,radius [nm],load [nN]\na,quartz,100,0\nb,iron,50,-2e-3\n"
+
+
+@pytest.fixture
+def small_chunks(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Blocks of a line or two."""
+    monkeypatch.setattr(source, "CHUNK", 64)
+
+
+def table(text: str, name: str = "grains.csv") -> str:
+    """A table in a file."""
+    Path(name).write_text(text, encoding="utf-8", newline="")
+    return name
+
+
+def rows(text: str) -> list[dict[str, str]]:
+    """The rows of a CSV table."""
+    return list(csv.DictReader(io.StringIO(text, newline="")))
+
+
+def batch(run: Run, *words: str) -> list[dict[str, str]]:
+    """The rows that a batch writes, in one process."""
+    ran = run("batch", *words, "-o", "out.csv", "--jobs", "1")
+    assert ran.code in (0, 1), ran.err
+    return rows(Path("out.csv").read_text(encoding="utf-8"))
+
+
+def ulps(value: float, other: float) -> float:
+    """How far apart two doubles are, in units of the last place."""
+    return abs(value - other) / math.ulp(other)
+
+
+# --- The same numbers as one-liners --------------------------------------------------------------------------------------
+
+ONE_LINERS = {
+    "a,quartz,100 nm,,,,,": "report quartz 100nm",
+    "b,gold,100 nm,,,,,": "report gold 100nm",
+    "c,Fe,1e-7 m,quartz,plane,,,": "report iron 100nm --radius2 plane --material2 quartz",
+    "d,quartz,0.1µm,,2 um,-5 nN,,": "report quartz 100nm --radius2 2um --load -5nN",
+    "e,SiO2,100 nm,gold,,,,": "report quartz 100nm --material2 gold",
+    "f,quartz,123.456 nm,,,3e-9N,1 angstrom,0.3": "report quartz 123.456nm --load 3nN --xi 1angstrom --poisson 0.3",
+    "g,quartz,100 nm,,,0 N,2 angstrom,": "report quartz 100nm --load 0N",
+}
+WIDE = "name,material,radius,material2,radius2,load,yield_displacement,poisson_ratio\n"
+
+
+@pytest.mark.parametrize("line", ONE_LINERS)
+def test_a_row_is_the_one_liner(run: Run, line: str) -> None:
+    wanted = rows(run(ONE_LINERS[line] + " --csv").out)[0]
+    found = batch(run, table(WIDE + line + "\n"))[0]
+    results = [name for name in found if name not in WIDE.strip().split(",") and name != "status"]
+    assert len(results) >= 29
+    for name in results:
+        if name in wanted:
+            assert bool(found[name]) == bool(wanted[name]), name
+            assert not found[name] or ulps(float(found[name]), float(wanted[name])) <= 1, name
+
+
+def both_ways(text: str) -> Iterator[tuple[str, list[float], list[float], str, str]]:
+    """Each row of a table computed among the others and as a scene of its own: name, values and status."""
+    known = known_materials()
+    lines = text.splitlines()
+    header = understood(lines[0].split(","))
+    task = task_of(header, {}, "report", known)
+    converter = Delimited(DIALECTS["csv"], Head(b"\n", (), []), header, task, [], excel_safe=False)
+    columns = [list(column) for column in zip(*(line.encode().split(b",") for line in lines[1:]), strict=True)]
+    block = converter._block(len(lines) - 1, columns, {})
+    together = converter.evaluator.results(block)
+    for row in range(block.size):
+        values, status, _ = alone(task, partial(block.text, row))
+        yield lines[row + 1], values, together.numbers[:, row].tolist(), status, together.status.get(row, "")
+
+
+def agree(size: int, seed: int) -> None:
+    """Among the others and alone a row has the same numbers, to an ulp, and the same status."""
+    checked = 0
+    for line, singly, together, status, status_together in both_ways(random_table(size, seed)):
+        assert status == status_together, line
+        for value, other in zip(singly, together, strict=True):
+            assert math.isnan(value) == math.isnan(other), line
+            if not math.isnan(value):
+                assert value == other or ulps(other, value) <= 1, line
+                checked += 1
+    assert checked > size
+
+
+def test_together_or_alone() -> None:
+    agree(300, 1)
+
+
+@pytest.mark.slow
+def test_together_or_alone_100_000_rows() -> None:
+    for seed in range(2, 22):
+        agree(5000, seed)
+
+
+@pytest.mark.parametrize("unit", ["nm", "m", "angstrom", "ft"])
+@settings(deadline=None, max_examples=50)
+@given(number=st.from_regex(r"\A-?[0-9]{1,18}(\.[0-9]{1,17})?([eE][-+]?[0-9]{1,2})?\Z"))
+def test_a_column_is_read_as_a_one_liner_reads_it(unit: str, number: str) -> None:
+    column = Column(0, "radius", unit, unit_of(unit, "radius"))
+    try:
+        expected = column.read(number)
+    except QuantityError:
+        return
+    cell = number.encode()
+    for cells in ([cell, cell], [cell, b""], [cell, b"3 " + unit.encode()]):
+        assert Reader(column).numbers(cells).values[0] == expected
+    own = f"{number} {unit}".encode()
+    assert Reader(Column(0, "radius", "", None)).numbers([own, own]).values.tolist() == [expected] * 2
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["true", "1 2", "[1]", "1e", "nan", "inf", "--1", "1e+-3", "null", '"1"', "0x1", "1_0", "1 nm2", "1 nm nm", "1 m"],
+)
+def test_what_is_no_number_is_read_as_none(text: str) -> None:
+    for column, others in (
+        (Column(0, "poisson_ratio", "", None), b"0.1"),
+        (Column(0, "load", "nN", unit_of("nN", "load")), b"1"),
+        (Column(0, "load", "", None), b"1 nN"),
+    ):
+        found = Reader(column).numbers([others, text.encode()])
+        assert found.odd == [1]
+        assert math.isnan(found.values[1])
+
+
+@pytest.mark.parametrize("unit", ["nN", "N"])
+def test_a_bare_number_among_cells_with_units_is_none(unit: str) -> None:
+    found = Reader(Column(0, "load", "", None)).numbers([f"1 {unit}".encode(), b"5", b"2 nN"])
+    assert found.odd == [1]
+
+
+# --- Rows that go wrong ---------------------------------------------------------------------------------------------------
+
+STATUS = {
+    "x,unobtainium,100,0": "material: 'unobtainium' is not known; known are gold, graphite, iron, polystyrene, quartz",
+    "x,quartz,,0": "yield_force_ratio: needs radius of sphere 1; give a radius such as 100nm",
+    "x,quartz,0,0": "radius: '0 nm' must be positive; expected a length such as 100nm",
+    "x,quartz,1N,0": "radius: '1N' is a force; expected a length such as 100nm",
+    "x,quartz,one,0": "radius: 'one' does not begin with a number; expected a length such as 100nm",
+    "x,quartz,100,-20": "load: -2e-08 N is beyond pull-off; this contact holds down to -1.1780972450961725e-08 N",
+    "x,quartz,100": "3 cells where the header has 4",
+    "x,quartz,100,0,": "5 cells where the header has 4",
+    'x,"quartz,100,0': "a quote is not closed",
+    "x,quartz,1e400,0": "radius: '1e400 nm' is too large for a double; expected a length such as 100nm",
+    "x,quartz,1\x1b[31m,0": "radius: '1?[31m' is not a number and a unit; expected a length such as 100nm",
+}
+
+
+@pytest.mark.parametrize("line", STATUS)
+def test_a_bad_row_says_why_and_spoils_no_other(run: Run, line: str) -> None:
+    name = table(GRAINS + line + "\n" + "c,quartz,100,0\n")
+    ran = run("batch", name, "--quantities", "yield_force_ratio", "-o", "out.csv", "--jobs", "1")
+    assert ran.code == 1
+    assert ran.err == "jkroll: 1 of 4 rows failed; column status says why\n"
+    good, _, bad, last = rows(Path("out.csv").read_text(encoding="utf-8"))
+    assert bad["status"] == STATUS[line]
+    assert bad["yield_force_ratio"] == ""
+    assert (good["yield_force_ratio"], good["status"]) == (last["yield_force_ratio"], "") == ("0.008", "")
+
+
+def test_a_material_without_a_property_gives_what_needs_none(run: Run) -> None:
+    quartz, gold = batch(
+        run, table("material,radius\nquartz,100 nm\ngold,100 nm\n"), "--quantities", "pull_off_force,contact_radius"
+    )
+    assert gold["pull_off_force [N]"] == "3.722787294503905e-7"
+    assert gold["contact_radius [m]"] == ""
+    assert (
+        gold["status"]
+        == "contact_radius: needs Young's modulus and Poisson's ratio; gold has none in Table 1; give --young 54GPa --poisson 0.17"
+    )
+    assert quartz["status"] == ""
+
+
+def test_strict_stops_with_the_line(run: Run) -> None:
+    name = table('name,material,radius [nm]\na,quartz,100\n"two\nlines",quartz,100\n\nb,quartz,0\n')
+    ran = run("batch", name, "--strict", "-o", "out.csv", "--jobs", "1")
+    assert (ran.code, ran.err) == (
+        1,
+        "jkroll: line 6: radius: '0 nm' must be positive; expected a length such as 100nm\n",
+    )
+    assert not Path("out.csv").exists()
+
+
+# --- Headers --------------------------------------------------------------------------------------------------------------
+
+ANOTHER = "A column to pass through needs another name"
+HEADERS = {
+    "radius [nm],radius [nm]": "header: two columns 'radius [nm]', of which one must go",
+    "radius [nm],radius [um]": "header: the columns 'radius [nm]' and 'radius [um]', of which one must go",
+    "a,a,radius [nm]": "header: two columns 'a', of which one must go",
+    "radius [nn]": "header: 'radius [nn]': 'nn' has an unknown unit 'nn'; did you mean nm?",
+    "radius [kg]": "header: 'radius [kg]': 'kg' is a mass; expected a length such as 100nm",
+    "radius [kg": f"header: 'radius [kg' is no input; did you mean radius [nm]? {ANOTHER}",
+    "Radius [nm]": f"header: 'Radius [nm]' is no input; did you mean radius [nm]? {ANOTHER}",
+    "radius (nm)": f"header: 'radius (nm)' is no input; did you mean radius [nm]? {ANOTHER}",
+    "radius_um": f"header: 'radius_um' is no input; did you mean radius [um]? {ANOTHER}",
+    "gamma [mJ/m2]": f"header: 'gamma [mJ/m2]' is no input; did you mean surface_energy [mJ/m2]? {ANOTHER}",
+    "youngs_moduls": f"header: 'youngs_moduls' is no input; did you mean youngs_modulus [GPa]? {ANOTHER}",
+    "material [m]": "header: 'material [m]': a material has no unit; write material",
+    "material;radius": "header: 'material;radius' has semicolons between its columns; write commas, with decimal points",
+    "material\tradius": "header: 'material\\tradius' has tabs between its columns; write --format tsv".replace(
+        "\\t", "?"
+    ),
+    "radius,x": "header: 'radius' has no unit, and neither has its first cell '100'; write radius [nm]",
+    "radius [nm],status": "header: there is a column 'status' already; rename it, or choose --quantities",
+    "radius [nm],r_min [m]": "header: there is a column 'r_min [m]' already; rename it, or choose --quantities",
+    "name,x": "pull_off_force needs surface energy per surface and radius of sphere 1; give --gamma 25mJ/m2 and a radius such as 100nm or --work-of-adhesion 50mJ/m2",
+    '"radius [nm],x': "header: has a quote that is not closed",
+    "": "header: is empty",
+}
+
+
+@pytest.mark.parametrize("text", HEADERS)
+def test_a_header_is_checked_before_the_first_row(run: Run, text: str) -> None:
+    ran = run("batch", table(f"{text}\n100,1\n"), "-o", "out.csv", "--jobs", "1")
+    assert (ran.code, ran.err) == (2, f"jkroll: {HEADERS[text]}\n")
+    assert not [path.name for path in Path().iterdir() if path.name.startswith("out.csv")]
+
+
+def test_an_empty_file_and_utf_16(run: Run) -> None:
+    Path("empty.csv").write_bytes(b"")
+    assert run("batch empty.csv").err == "jkroll: the table is empty: it has no header\n"
+    Path("wide.csv").write_bytes("radius [nm]\n1\n".encode("utf-16"))
+    assert run("batch wide.csv").err == "jkroll: the table is not UTF-8; save it as UTF-8\n"
+
+
+def test_options_fill_what_a_row_does_not_give(run: Run) -> None:
+    name = table("radius [nm],load [nN]\n100,\n100,3\n")
+    filled, stated = batch(run, name, "--material", "quartz", "--load", "1nN", "--quantities", "moment")
+    assert (
+        filled["yield_moment [N m]"]
+        == batch(run, table("radius [nm]\n100\n"), "--material", "quartz", "--load", "1nN")[0]["yield_moment [N m]"]
+    )
+    one_liner = rows(run("moment quartz 100nm --load 3nN --csv").out)[0]
+    assert float(stated["yield_moment [N m]"]) == float(one_liner["yield_moment [N m]"])
+
+
+def test_quantities_are_names_or_commands(run: Run) -> None:
+    found = batch(run, table(GRAINS), "--quantities", "r-min,pull_off_force,mass")
+    assert [*found[0]][4:] == ["pull_off_force [N]", "mass [kg]", "r_min [m]", "status"]
+    assert (
+        run("batch", table(GRAINS), "--quantities", "pulloff").err
+        == "jkroll: 'pulloff' is not a quantity; did you mean pull_off_work?\n"
+    )
+    assert run("batch", table(GRAINS), "--quantities", "load").err == "jkroll: --quantities: load is an input here\n"
+
+
+# --- What passes through --------------------------------------------------------------------------------------------------
+
+ODD_TABLES = {
+    "crlf": GRAINS.replace("\n", "\r\n"),
+    "bom": "\ufeff" + GRAINS,
+    "no line end": GRAINS.removesuffix("\n"),
+    "mixed ends": GRAINS + "c,quartz,100,0\r\nd,quartz,100,0\n",
+    "blank lines": GRAINS.replace("\nb", "\n\n\nb") + "\n\n",
+    "quotes": GRAINS + '"a ""b"", c",quartz,"100",0\n"x\n\ny","quartz",100,0\n',
+    "stray quotes": GRAINS + 'c 5" d,quartz,100,0\nd,quartz,100,0\n',
+    "spaces": GRAINS + " c , quartz , 100 , 0 \n",
+    "nul": GRAINS + "c\0d,quartz,100,0\n",
+    "one column": "radius [nm]\n100\n\n200\n",
+    "only a header": "material,radius [nm]\n",
+    "unicode": GRAINS + "grün,quartz,100,0\n",
+    "carriage return": GRAINS + "a\rb,quartz,100,0\n",
+}
+
+
+@pytest.mark.usefixtures("small_chunks")
+@pytest.mark.parametrize("kind", ODD_TABLES)
+def test_input_passes_through_byte_for_byte(run: Run, kind: str) -> None:
+    text = ODD_TABLES[kind].encode()
+    Path("grains.csv").write_bytes(text)
+    ran = run("batch grains.csv --quantities r_min -o out.csv --jobs 1")
+    assert ran.code == 0, Path("out.csv").read_bytes()
+    written = Path("out.csv").read_bytes()
+    end = b"\r\n" if b"\r\n" in text[:60] else b"\n"
+    kept = b"".join(
+        line.rsplit(b",", 2)[0] + end if line.count(b",") > 1 or len(line) > 12 else line + end
+        for line in written.removesuffix(end).split(end)
+    )
+    normal = text if text.endswith(b"\n") else text + end
+    assert kept.replace(b"\r\n", b"\n") == normal.replace(b"\r\n", b"\n")
+
+
+@pytest.mark.parametrize("jobs", ["2", "3"])
+def test_any_number_of_processes_writes_the_same_bytes(run: Run, jobs: str) -> None:
+    text = random_table(1500, 3).replace("speed [m/s]", "text")
+    name = table(text)
+    assert run("batch", name, "-o", "one.csv", "--jobs", "1").code == 1
+    ran = subprocess.run([sys.executable, "-m", "jkroll", "batch", name, "--jobs", jobs], capture_output=True)
+    assert ran.returncode == 1
+    assert ran.stdout == Path("one.csv").read_bytes()
+    assert b"of 1500 rows failed" in ran.stderr
+
+
+@pytest.mark.parametrize("compression", ["gz", "zst"])
+def test_compressed_tables(run: Run, compression: str) -> None:
+    from jkroll.batch.formats import compressor, decompressed
+
+    if compression == "zst":
+        pytest.importorskip("zstandard")
+    kind = {"gz": "gzip", "zst": "zstd"}[compression]
+    Path(f"grains.csv.{compression}").write_bytes(compressor(kind)(GRAINS.encode()))
+    assert run(f"batch grains.csv.{compression} -o out.csv.{compression} --jobs 1").code == 0
+    with open(f"out.csv.{compression}", "rb") as file:
+        text = b"".join(decompressed(file, kind))
+    assert run("batch", table(GRAINS), "-o", "out.csv", "--jobs", "1").code == 0
+    assert text == Path("out.csv").read_bytes()
+    Path(f"cut.csv.{compression}").write_bytes(Path(f"grains.csv.{compression}").read_bytes()[:-9])
+    ran = run(f"batch cut.csv.{compression} -o cut.csv --jobs 1")
+    assert ran.code in (1, 2)
+    assert not Path("cut.csv").exists()
+
+
+def test_tabs_and_formulas(run: Run) -> None:
+    name = table(
+        GRAINS.replace(",", "\t") + "=1+1\tquartz\t100\t-2\n'-x\tquartz\t100\t-2\n-2+3\tquartz\t100\t-2\n", "grains.tsv"
+    )
+    assert run("batch", name, "--excel-safe", "--quantities", "r_min", "-o", "out.tsv", "--jobs", "1").code == 0
+    lines = Path("out.tsv").read_text().splitlines()
+    assert lines[0] == "name\tmaterial\tradius [nm]\tload [nN]\tr_min [m]\tstatus"
+    assert [line.split("\t")[0] for line in lines[1:]] == ["a", "b", "'=1+1", "'-x", "'-2+3"]
+    assert [line.split("\t")[3] for line in lines[1:]] == ["0", "-2e-3", "-2", "-2", "-2"]
+
+
+# --- Files ----------------------------------------------------------------------------------------------------------------
+
+
+def test_the_input_is_not_overwritten(run: Run) -> None:
+    name = table(GRAINS)
+    Path("link.csv").symlink_to(name)
+    Path("x.csv.partial").symlink_to("elsewhere")
+    for target in (name, "link.csv"):
+        assert run("batch", name, "-o", target).err == f"jkroll: -o: '{target}' is the input; it is not overwritten\n"
+    assert run("batch", name, "-o", "x.csv").err == "jkroll: 'x.csv.partial' is a link; nothing is written through it\n"
+    assert run("batch", name, "-o", ".").code == 2
+    assert Path(name).read_text() == GRAINS
+    assert not Path("elsewhere").exists()
+
+
+@pytest.mark.parametrize("jobs", ["1", pytest.param("2", marks=pytest.mark.slow)])
+def test_a_full_disk_is_an_error(jobs: str) -> None:
+    name = table(random_table(500, 5))
+    command = [sys.executable, "-m", "jkroll", "batch", name, "--jobs", jobs, "-o"]
+    full = subprocess.run([*command, "/dev/full"], capture_output=True, text=True)
+    assert (full.returncode, full.stderr) == (1, "jkroll: cannot write: No space left on device\n")
+    limited = subprocess.run(
+        ["sh", "-c", f"ulimit -f 60; exec {' '.join(command)} out.csv"], capture_output=True, text=True
+    )
+    assert (limited.returncode, limited.stderr) == (1, "jkroll: cannot write: File too large\n")
+    assert not Path("out.csv").exists()
+    assert subprocess.run([*command, "out.csv", "--resume"], capture_output=True).returncode == 1
+    assert subprocess.run([*command, "whole.csv"], capture_output=True).returncode == 1
+    assert Path("out.csv").read_bytes() == Path("whole.csv").read_bytes()
+    assert not [path for path in os.listdir() if "partial" in path or "journal" in path]
+
+
+def test_a_closed_pipe_ends_it() -> None:
+    name = table(random_table(1000, 6))
+    ran = subprocess.run(
+        ["sh", "-c", f"({sys.executable} -m jkroll batch {name}; echo $? >&2) | head -1"],
+        capture_output=True,
+        text=True,
+    )
+    assert ran.stderr == "141\n"
+    assert ran.stdout.startswith("material,radius [nm],")
+
+
+def test_where_there_is_no_fork_one_process_does_it(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    import gzip
+
+    wanted = batch(run, table(GRAINS))
+    Path("grains.csv.gz").write_bytes(gzip.compress(GRAINS.encode()))
+    monkeypatch.delattr(os, "fork")
+    assert run("batch grains.csv -o out.csv --jobs 2").code == 0
+    assert rows(Path("out.csv").read_text(encoding="utf-8")) == wanted
+    assert run("batch grains.csv.gz -o out.csv").err == (
+        "jkroll: this system has no fork, which it takes to read a compressed table; decompress it first\n"
+    )
+
+
+def test_one_liners_need_nothing_that_only_posix_has() -> None:
+    script = "import sys; sys.modules.update(dict.fromkeys(['fcntl', 'resource', 'termios', 'pwd', 'grp', 'pty']));"
+    script += "import jkroll; from jkroll.cli.process import main; sys.exit(main(sys.argv[1:]))"
+    for words in ("pull-off quartz 100nm --bare", "report quartz 1nm:1um:3 --csv", "materials quartz", "batch --help"):
+        assert subprocess.run([sys.executable, "-c", script, *words.split()], capture_output=True).returncode == 0

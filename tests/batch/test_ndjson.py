@@ -1,0 +1,67 @@
+"""NDJSON: the same rows as in CSV, and lines that are no objects."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from harness import Run
+from jkroll.batch import source
+
+
+def converted(run: Run, text: str, *options: str) -> list[dict[str, object]]:
+    """The objects that a batch writes."""
+    Path("grains.ndjson").write_text(text, encoding="utf-8")
+    ran = run("batch", "grains.ndjson", "-o", "out.ndjson", "--jobs", "1", *options)
+    assert ran.code in (0, 1), ran.err
+    return [json.loads(line) for line in Path("out.ndjson").read_text(encoding="utf-8").splitlines() if line.strip()]
+
+
+def test_the_same_as_in_csv(run: Run) -> None:
+    objects = [
+        {"id": 1, "material": "quartz", "radius [nm]": 100, "load": None, "note": "a, b"},
+        {"id": 2, "material": "gold", "radius [nm]": 123.456, "load": "-2 nN", "note": None},
+        {"id": 3, "material": "iron", "radius [nm]": "2 um", "load": "0N"},
+        {"id": 4, "material": "quarz", "radius [nm]": 1e2, "load": "3 nN", "note": [1, {"x": 2}]},
+        {"id": 5, "material": "quartz", "radius [nm]": True, "load": ""},
+    ]
+    found = converted(run, "\n".join(map(json.dumps, objects)))
+    table = [
+        "id,material,radius [nm],load",
+        "1,quartz,100,",
+        "2,gold,123.456,-2 nN",
+        "3,iron,2 um,0N",
+        "4,quarz,1e2,3 nN",
+    ]
+    Path("grains.csv").write_text("\n".join([*table, "5,quartz,true,\n"]), encoding="utf-8")
+    assert run("batch grains.csv -o out.csv --jobs 1").code == 1
+    header, *lines = Path("out.csv").read_text(encoding="utf-8").splitlines()
+    names = header.split(",")[4:-1]
+    assert len(names) > 25
+    for given, one, line in zip(objects, found, lines, strict=True):
+        assert {name: one[name] for name in given} == given
+        for name, cell in zip(names, line.split(",")[4:], strict=False):
+            assert one[name] == (float(cell) if cell else None), name
+        assert bool(one["status"]) == (not line.endswith(","))
+
+
+def test_lines_that_are_no_objects(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(source, "CHUNK", 64)
+    lines = ['{"radius [nm]": 100}', "[1, 2]", "", '{"radius [nm]": 1', '{"radius [nm]": 100, "load [nN]": 1}', "{}"]
+    found = converted(run, "\n".join(lines), "--quantities", "r_min")
+    assert [one["status"] for one in found] == [
+        None,
+        "is not a JSON object",
+        "is not a JSON object",
+        "has 'load [nN]', which the first line has not",
+        "r_min: needs radius of sphere 1; give a radius such as 100nm",
+    ]
+    assert [one["r_min [m]"] for one in found] == [4.999999999999999e-05, None, None, None, None]
+    assert [one.get("line") for one in found][1:3] == ["[1, 2]", '{"radius [nm]": 1']
+    assert found[3]["load [nN]"] == 1
+
+
+def test_tables_that_are_none(run: Run) -> None:
+    for text, message in (("", "the table is empty"), ("[1]\n", "the first line is not a JSON object with members")):
+        Path("x.ndjson").write_text(text, encoding="utf-8")
+        assert run("batch x.ndjson").err == f"jkroll: {message}\n"

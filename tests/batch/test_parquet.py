@@ -1,0 +1,273 @@
+"""Parquet: the rows of a CSV table, to the bit, and columns that carry units, nulls or nothing that can be read."""
+
+import csv
+import datetime
+import math
+import os
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from harness import Run
+from tables import random_table
+
+pyarrow = pytest.importorskip("pyarrow")
+parquet = pytest.importorskip("pyarrow.parquet")
+
+
+def write(columns: dict[str, list[object]], name: str = "grains.parquet") -> str:
+    """A Parquet file."""
+    parquet.write_table(pyarrow.table(columns), name, row_group_size=100)
+    return name
+
+
+def test_the_same_as_in_csv(run: Run) -> None:
+    text = random_table(300, 8)
+    Path("grains.csv").write_text(text, encoding="utf-8")
+    assert run("batch grains.csv -o out.csv --jobs 1").code == 1
+    given = list(csv.DictReader(text.splitlines()))
+    columns: dict[str, list[object]] = {name: [row[name] or None for row in given] for name in given[0]}
+    for name in ("load [nN]", "surface_energy [mJ/m2]"):
+        columns[name] = [float(row[name]) if row[name] else None for row in given]
+    assert run("batch", write(columns), "-o", "out.parquet").code == 1
+    found = parquet.read_table("out.parquet").to_pylist()
+    for row, line in zip(found, csv.DictReader(Path("out.csv").read_text(encoding="utf-8").splitlines()), strict=True):
+        for name in list(line)[len(columns) : -1]:
+            assert row[name] == (float(line[name]) if line[name] else None), name
+        assert bool(row["status"]) == bool(line["status"])
+    assert [row["material"] for row in found] == columns["material"]
+
+
+@settings(deadline=None)
+@given(
+    st.lists(
+        st.one_of(
+            st.integers(-(10**6), 10**6).map(lambda whole: whole / 1000),
+            st.floats(1e-200, 1e200),
+            st.just(math.nan),
+        ),
+        min_size=1,
+    ),
+    st.sampled_from([-9, -3, 3, 9, -21, 12]),
+)
+def test_a_double_in_a_unit_is_read_as_its_text(values: list[float], exponent: int) -> None:
+    import numpy
+
+    from jkroll.batch.parquet import times_power_of_ten
+
+    array = numpy.array(values)
+    found = times_power_of_ten(array, exponent, ~numpy.isnan(array))
+    for value, scaled in zip(values, found.tolist(), strict=True):
+        mantissa, _, power = repr(value).partition("e")
+        assert math.isnan(scaled) if math.isnan(value) else scaled == float(f"{mantissa}e{int(power or 0) + exponent}")
+
+
+@pytest.mark.parametrize("kind", ["float64", "float32", "float16", "int64", "int16", "uint8"])
+def test_numbers_of_any_kind_and_nulls(run: Run, monkeypatch: pytest.MonkeyPatch, kind: str) -> None:
+    """More rows than are computed at once, so that columns are looked at from a place on."""
+    from jkroll.batch import parquet as batch
+
+    values = [None if row % 5 == 3 else row % 50 + 50 for row in range(100)]
+    radius = [None if row % 7 == 0 else 100 + row for row in range(100)]
+    columns = {"load [nN]": pyarrow.array(values, kind), "radius [nm]": pyarrow.array(radius, kind)}
+    material = pyarrow.array([["quartz", None, "iron"][row % 3] for row in range(100)])
+    monkeypatch.setattr(batch, "BLOCK", 30)
+    parquet.write_table(pyarrow.table({**columns, "material": material}), "grains.parquet")
+    words = "--gamma 25mJ/m2 --young 54GPa --poisson 0.17 --quantities pull_off_force,approach_at_load --jobs 1"
+    assert run(f"batch grains.parquet -o out.parquet {words}").code == 1
+    lines = [
+        ",".join("" if one is None else str(one) for one in row)
+        for row in zip(values, radius, material.to_pylist(), strict=True)
+    ]
+    Path("grains.csv").write_text("\n".join(["load [nN],radius [nm],material", *lines, ""]), encoding="utf-8")
+    assert run(f"batch grains.csv -o out.csv {words}").code == 1
+    found = parquet.read_table("out.parquet")
+    assert found.column("load [nN]").type == pyarrow.type_for_alias(kind)
+    with Path("out.csv").open(encoding="utf-8") as file:
+        for row, line in zip(found.to_pylist(), csv.DictReader(file), strict=True):
+            for name in list(line)[3:-1]:
+                assert row[name] == (float(line[name]) if line[name] else None), name
+            assert bool(row["status"]) == bool(line["status"])
+
+
+def test_pandas_is_not_imported() -> None:
+    Path("pandas.py").write_text("open('imported', 'w').close(); __version__ = '3.0'\n", encoding="utf-8")
+    name = write({"radius [nm]": [100.0, None, 0.0], "load [nN]": [1, None, 2], "material": ["iron", None, "x"]})
+    sweep = "pull-off quartz,iron 1nm:1um:10000 -o sweep.parquet".split()
+    for command in (["batch", name, "-o", "out.parquet"], sweep):
+        ran = subprocess.run([sys.executable, "-m", "jkroll", *command], capture_output=True, text=True)
+        assert ran.returncode == ("batch" in command), ran.stderr
+        assert parquet.ParquetFile(command[-1]).metadata.num_rows in (3, 20_000)
+    assert not Path("imported").exists()
+    subprocess.run([sys.executable, "-c", "import pyarrow; pyarrow.array([1.0])"], check=False)
+    assert Path("imported").exists()
+
+
+def test_what_is_no_parquet(run: Run) -> None:
+    Path("x.parquet").write_bytes(b"PAR1 no")
+    assert (
+        run("batch x.parquet -o y.parquet").err
+        == "jkroll: 'x.parquet' is not Parquet, or its end is missing, or it is encrypted\n"
+    )
+    name = write({"radius [nm]": [100.0]})
+    assert run("batch", name).err == "jkroll: Parquet is read from a file and written to a file: -o FILE\n"
+    assert run("batch", name, "-o", "y.csv").err == "jkroll: -o: a table of parquet is written as parquet, not as csv\n"
+    assert run("batch", name, "-o", name).err == f"jkroll: -o: '{name}' is the input; it is not overwritten\n"
+    assert not Path("y.parquet").exists()
+
+
+def test_what_cannot_be_read(run: Run) -> None:
+    name = write({"radius [nm]": [100.0 + row for row in range(1000)], "material": ["iron"] * 1000})
+    text = bytearray(Path(name).read_bytes())
+    for place in range(4, len(text), 97):
+        broken = text[:]
+        broken[place : place + 3] = b"\xff\x00\xff"
+        Path("broken.parquet").write_bytes(broken)
+        ran = run("batch broken.parquet -o out.parquet --jobs 1 --quiet")
+        assert ran.code in (0, 1, 2)
+        assert ran.err.count("\n") == bool(ran.code), place
+        assert ran.code != 2 or "'broken.parquet'" in ran.err or "header" in ran.err, place
+        assert "foreseen" not in ran.err, place
+    odd: list[list[object]] = [[["iron"]], [{"a": 1}], [datetime.date(2026, 1, 1)]]
+    for values in odd:
+        ran = run("batch", write({"radius [nm]": [1.0], "material": values}), "-o", "out.parquet")
+        assert (ran.code, ran.err.startswith("jkroll: header: column material holds ")) == (2, True)
+    ran = run("batch", write({"radius [nm]": [1.0], "material": [b"iron"]}), "-o", "out.parquet", "--quiet")
+    assert ran.code == 0
+    Path("there.parquet").mkdir()
+    assert run("batch", name, "-o", "there.parquet").err == "jkroll: -o: 'there.parquet' is no file\n"
+
+
+@pytest.mark.parametrize("unit", ["nm", "m", "ft"])
+def test_an_infinite_number_is_no_number(run: Run, unit: str) -> None:
+    values: list[object] = [1.0, math.inf, -math.inf, 1e308, 2.0]
+    assert run("batch", write({f"radius [{unit}]": values}), "-o", "out.parquet", "--quantities", "r_min").code == 1
+    rows = parquet.read_table("out.parquet").to_pylist()
+    assert [row["status"] is None for row in rows] == [True, False, False, False, True]
+    assert "'inf" in rows[1]["status"]
+    assert "'-inf" in rows[2]["status"]
+
+
+def test_a_part_counts_rows_from_the_beginning_of_the_file() -> None:
+    from jkroll.batch.errors import BadRow
+    from jkroll.batch.parquet import convert
+    from jkroll.batch.settings import Order, Settings
+    from jkroll.batch.spans import Span
+    from jkroll.materials.library import known_materials
+
+    name = write({"radius [nm]": [*range(1, 235), 0.0, 1.0]})
+    order = Order(Settings("out.parquet", quantities="r_min", strict=True, jobs=1), {}, known_materials())
+    with pytest.raises(BadRow, match="line 235: radius"):
+        convert(name, order, Span(2, 3))
+
+
+def test_what_a_file_says_of_itself_stays(run: Run) -> None:
+    schema = pyarrow.schema([("radius [nm]", pyarrow.float64())], metadata={"source": "a cloud"})
+    parquet.write_table(pyarrow.table({"radius [nm]": [1.0]}, schema=schema), "grains.parquet")
+    assert run("batch grains.parquet -o out.parquet").code == 0
+    assert parquet.read_schema("out.parquet").metadata[b"source"] == b"a cloud"
+
+
+def test_resume_looks_at_more_than_the_time_of_the_input(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    from jkroll.batch import pieces
+
+    def grains(first: float) -> None:
+        write({"radius [nm]": [first + row for row in range(1000)]})
+        os.utime("grains.parquet", (1, 1))
+
+    grains(1000.0)
+    monkeypatch.setattr(pieces, "ROWS", 300)
+    with monkeypatch.context() as patch:
+        patch.setattr(pieces._PieceSink, "finish", interrupt)
+        assert run("batch grains.parquet -o out.parquet --jobs 1").code == 130
+    grains(2000.0)
+    assert "another input" in run("batch grains.parquet -o out.parquet --jobs 1 --resume").err
+    grains(1000.0)
+    assert run("batch grains.parquet -o out.parquet --jobs 1 --resume").code == 0
+
+
+def interrupt(_: object) -> None:
+    """As if someone pressed Ctrl-C."""
+    raise KeyboardInterrupt
+
+
+def test_strict_writes_nothing(run: Run) -> None:
+    name = write({"radius [nm]": [100.0, 0.0]})
+    ran = run("batch", name, "-o", "y.parquet", "--strict")
+    assert (ran.code, ran.err) == (
+        1,
+        "jkroll: line 2: radius: '0.0 nm' must be positive; expected a length such as 100nm\n",
+    )
+    assert not Path("y.parquet").exists()
+
+
+@pytest.mark.parametrize("rows", [0, 1000])
+@pytest.mark.parametrize("group", [7, 100, 450, 1000])
+@pytest.mark.parametrize("jobs", [1, 3])
+def test_a_run_of_several_pieces_has_all_rows(
+    run: Run, monkeypatch: pytest.MonkeyPatch, rows: int, group: int, jobs: int
+) -> None:
+    """Pieces of 300 rows or somewhat more, computed 20 at a time, however many the file has together."""
+    from jkroll.batch import parquet as batch
+    from jkroll.batch import pieces
+
+    table = pyarrow.table({"radius [nm]": [100.0 + row for row in range(rows)], "id": pyarrow.array(range(rows))})
+    parquet.write_table(table, "grains.parquet", row_group_size=group)
+    assert run("batch grains.parquet -o one.parquet --jobs 1") == (0, "", "")
+    monkeypatch.setattr(pieces, "ROWS", 300)
+    monkeypatch.setattr(batch, "BLOCK", 20)
+    assert run(f"batch grains.parquet -o several.parquet --jobs {jobs}") == (0, "", "")
+    found = parquet.ParquetFile("several.parquet")
+    assert found.read().equals(parquet.read_table("one.parquet"))
+    assert Path("several.parquet").read_bytes()[:4] == b"PAR1" == Path("several.parquet").read_bytes()[-4:]
+    assert found.metadata.num_row_groups == (0 if not rows else 4 if group < 300 else 3)
+    assert found.read(["id"]).column(0).to_pylist() == [*range(rows)]
+
+
+@pytest.mark.parametrize("command", ["batch grains.parquet --strict", "pull-off quartz,iron 1nm:1um:600"])
+def test_resume_makes_only_the_pieces_that_are_missing(run: Run, monkeypatch: pytest.MonkeyPatch, command: str) -> None:
+    from jkroll.batch import pieces
+
+    write({"radius [nm]": [100.0 + row for row in range(1000)]})
+    monkeypatch.setattr(pieces, "ROWS", 300)
+    monkeypatch.setattr("os.cpu_count", lambda: 1)
+    assert run(f"{command} -o whole.parquet --quiet") == (0, "", "")
+    append = pieces._PieceSink.append
+    written: list[int] = []
+    most = 5
+
+    def stopping(sink: pieces._PieceSink, table: Any) -> None:
+        if table.num_rows:
+            if len(written) == most:
+                raise KeyboardInterrupt
+            written.append(table.num_rows)
+        append(sink, table)
+
+    monkeypatch.setattr(pieces._PieceSink, "append", stopping)
+    expected = [300, 300, 300, 100] if "batch" in command else [300] * 4
+    for most in range(len(expected)):
+        written.clear()
+        stopped = run(f"{command} -o out.parquet --quiet")
+        assert stopped.code == 130
+        assert f"jkroll: interrupted after {300 * most} rows; --resume goes on\n" in stopped.err
+        before, most = [*written], 5
+        assert run(f"{command} -o out.parquet --quiet --resume") == (0, "", "")
+        assert written == expected
+        assert before == written[: len(before)]
+        assert Path("out.parquet").read_bytes() == Path("whole.parquet").read_bytes()
+        assert {path.name for path in Path().iterdir()} == {"grains.parquet", "out.parquet", "whole.parquet"}
+
+
+def test_without_pyarrow_a_line_says_which_extra_brings_it(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    name = write({"radius [nm]": [100.0]})
+    monkeypatch.setitem(sys.modules, "pyarrow", None)
+    for module in ("parquet", "pieces", "sweep_parquet"):
+        monkeypatch.delitem(sys.modules, f"jkroll.batch.{module}", raising=False)
+    for command in (f"batch {name} -o y.parquet", "r-min 1nm:1um:3 -o y.parquet", "batch *.parquet -o y/"):
+        ran = run(command)
+        assert (ran.code, ran.err) == (2, "jkroll: this needs pyarrow: pip install 'jkroll[parquet]'\n"), command

@@ -1,0 +1,90 @@
+"""The quick way through a table and the careful one: whatever the quick one takes, both write the same bytes."""
+
+from unittest.mock import patch
+
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from jkroll.batch import delimited
+from jkroll.batch.cells import Reader
+from jkroll.batch.columns import understood
+from jkroll.batch.delimited import DIALECTS, Delimited
+from jkroll.batch.lines import Converted, Head
+from jkroll.batch.task import task_of
+from jkroll.materials.library import known_materials
+
+HEADER = ["name", "material", "radius [nm]", "load [nN]", "poisson_ratio", "radius2"]
+PLAIN = st.sampled_from(
+    ["100", "12.5", "0.25", "-0", "1e-3", "2E+1", "0.1000000000000000055", "123456789012345678", "0"]
+)
+NUMBERS = PLAIN | st.floats(1e-3, 1e3).map(repr) | st.decimals(-9, 999, places=3, allow_nan=False).map(str)
+ODD = st.sampled_from(
+    [
+        "",
+        *" ,7 ,+1,.5,5.,1_0,007,inf,nan,true,null,[1,1],1 2,\t3,--1,1e400,{},é,\0,5 nm,2um,1 N,plane".split(","),
+        '"0.5"',
+        '"1,5"',
+        '"a\nb"',
+        '5"',
+        '"open',
+    ]
+)
+NAMES = st.sampled_from(["a", "", "=1+1", "x y", "true", "1", "[", "grün", '"b,c"', '"d""e"'])
+MATERIALS = st.sampled_from(["quartz", "iron", "gold", "", "SiO2", "unobtainium", " quartz", '"iron"'])
+
+
+def rows(cell: st.SearchStrategy[str], name: st.SearchStrategy[str]) -> st.SearchStrategy[list[str]]:
+    """Cells of a row, as many as there should be."""
+    own = st.floats(1, 1e4).map("{:.3f} nm".format)
+    return st.tuples(name, MATERIALS, cell, cell, st.sampled_from(["0.1", "0.25"]) | cell, own | cell).map(list)
+
+
+USUAL = rows(NUMBERS, st.sampled_from(["a", "", "b c", "-1"]))
+ANY = rows(NUMBERS | ODD, NAMES) | st.lists(NUMBERS | ODD, max_size=8)
+
+
+def converted(dialect: str, end: str, text: bytes, *, excel_safe: bool) -> Converted:
+    """What becomes of a block of rows."""
+    separator = DIALECTS[dialect].separator.decode()
+    header = understood(HEADER)
+    task = task_of(header, {}, "report", known_materials())
+    head = Head((separator.join(HEADER) + end).encode(), tuple(HEADER), [])
+    return Delimited(DIALECTS[dialect], head, header, task, ["x"] * 40, excel_safe=excel_safe).convert(text)
+
+
+@settings(deadline=None, max_examples=150)
+@given(
+    table=st.lists(USUAL, min_size=1, max_size=8) | st.lists(USUAL | ANY, max_size=8),
+    dialect=st.sampled_from(["csv", "tsv"]),
+    end=st.sampled_from(["\n", "\r\n"]),
+    last=st.sampled_from(["", "\n", "\r\n", "\n\n"]),
+    excel_safe=st.booleans(),
+)
+def test_quick_or_careful(*, table: list[list[str]], dialect: str, end: str, last: str, excel_safe: bool) -> None:
+    separator = DIALECTS[dialect].separator.decode()
+    text = (end.join(separator.join(row) for row in table) + last).encode()
+    quick = converted(dialect, end, text, excel_safe=excel_safe)
+    with (
+        patch.object(Delimited, "_quickly", return_value=None),
+        patch.object(Reader, "numbers", Reader._one_by_one),
+        patch.object(delimited, "STRIP", 1),
+    ):
+        careful = converted(dialect, end, text, excel_safe=excel_safe)
+    assert quick == careful
+
+
+def test_the_quick_way_is_taken() -> None:
+    text = b"a,quartz,100,1,0.2,50 nm\n" * 300 + b"b,quartz,-5,0,0.2,50 nm\n"
+    with (
+        patch.object(Delimited, "_slowly", side_effect=AssertionError),
+        patch.object(Reader, "_one_by_one") as one_by_one,
+    ):
+        found = converted("csv", "\n", text, excel_safe=False)
+    assert (found.rows, found.failed, found.first_failure) == (
+        301,
+        1,
+        (300, "radius: '-5 nm' must be positive; expected a length such as 100nm"),
+    )
+    assert not one_by_one.called
+    first, *others = found.output.splitlines()[:300]
+    assert others == [first] * 299

@@ -1,0 +1,52 @@
+"""The rivals of the benchmark do the work that `jkroll batch` does."""
+
+import csv
+import importlib.util
+import shutil
+import sys
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+
+ROWS = 300
+
+
+@pytest.fixture
+def rivals(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
+    """The benchmark."""
+    path = Path(__file__).parents[1] / "benchmarks" / "rivals.py"
+    spec = importlib.util.spec_from_file_location("rivals", path)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    monkeypatch.setitem(sys.modules, "rivals", module)
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(shutil.which("g++") is None, reason="needs g++")
+def test_rivals_write_the_same_numbers(rivals: ModuleType, tmp_path: Path) -> None:
+    table = tmp_path / "grains.csv"
+    rivals.write_table(table, ROWS)
+    found: dict[str, list[list[str]]] = {}
+    own = {"jkroll": "jkroll.csv", "jkroll, 1 process": "one.csv", "jkroll, Parquet": "from_parquet.csv"}
+    for rival in rivals.rivals(tmp_path, table):
+        rivals.run(rival, tmp_path, table)
+        if rival.name == "jkroll, Parquet":
+            parquet, csv_of_arrow = pytest.importorskip("pyarrow.parquet"), pytest.importorskip("pyarrow.csv")
+            csv_of_arrow.write_csv(parquet.read_table(tmp_path / "jkroll.parquet"), tmp_path / own[rival.name])
+        with (tmp_path / own.get(rival.name, f"{rival.name}.csv")).open(encoding="utf-8") as file:
+            found[rival.name] = list(csv.reader(file))
+    jkroll = found.pop("jkroll")
+    assert found.pop("jkroll, 1 process") == jkroll
+    of_parquet = [[*map(float, row[:-1])] for row in found.pop("jkroll, Parquet", jkroll)[1:]]
+    assert of_parquet == [[*map(float, row[:-1])] for row in jkroll[1:]]
+    assert "C++" in found
+    for name, rows in found.items():
+        assert len(rows) == len(jkroll) == ROWS + 1, name
+        for row, other in zip(rows[1:], jkroll[1:], strict=True):
+            values = [float(cell) for cell in row[9:-1]]
+            assert len(values) == len(rivals.results()) >= 30
+            assert values == pytest.approx([float(cell) for cell in other[9:-1]], rel=1e-11), name

@@ -1,0 +1,98 @@
+"""Sweeps of any length: the rows of a short sweep, whoever writes them."""
+
+import csv
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import jkroll.cli.run
+from harness import Run
+from jkroll.quantities.ranges import spreads_of
+
+SWEEPS = [
+    "pull-off quartz,iron 1nm:1um:7",
+    "report quartz 1nm,10nm:1um:9,5um",
+    "report gold,quartz 10nm:1um:3 --radius2 plane --material2 iron",
+    "yield-force quartz 100nm --load -20nN:20nN:11:lin",
+    "frequencies all 100nm,1um --radius2 50nm,plane,1um",
+    "n-roll quartz 1um --speed 1cm/s:1m/s:4 --xi 1angstrom,2angstrom",
+    "contact quartz 100nm --approach -0.1nm:0.1nm:9:lin",
+    "n-roll 10nm:1um:5 --gamma 25mJ/m2 --young 54GPa --poisson 0.17 --young2 rigid",
+    "r-min 10nm,100nm --radius2 plane,1um",
+]
+
+
+def table(text: str) -> list[list[str]]:
+    """The cells of a CSV table."""
+    return list(csv.reader(text.splitlines()))
+
+
+@pytest.mark.parametrize("sweep", SWEEPS)
+def test_a_streamed_sweep_has_the_rows_of_a_short_one(run: Run, sweep: str) -> None:
+    short = run(f"{sweep} --csv")
+    written = run(f"{sweep} -o out.csv")
+    assert (written.code, written.out) == (short.code, "")
+    assert [line for line in short.err.splitlines() if "rows failed" in line] == [
+        line for line in written.err.splitlines() if "rows failed" in line
+    ]
+    rows, streamed = table(short.out), table(Path("out.csv").read_text(encoding="utf-8"))
+    assert streamed[0] == rows[0]
+    assert len(streamed) == len(rows)
+    for row, other in zip(rows[1:], streamed[1:], strict=True):
+        for name, cell, streamed_cell in zip(rows[0], row, other, strict=True):
+            try:
+                assert float(cell) == pytest.approx(float(streamed_cell), rel=4e-16), name
+            except ValueError:
+                assert cell == streamed_cell, name
+
+
+@pytest.mark.slow
+def test_a_long_sweep_is_streamed_to_a_pipe_and_to_parquet(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    parquet = pytest.importorskip("pyarrow.parquet")
+    command = "pull-off quartz,iron 1nm:1um:15000"
+    assert jkroll.cli.run.MANY < 30_000
+    piped = subprocess.run(
+        [sys.executable, "-m", "jkroll", *command.split(), "--csv", "--quiet"], capture_output=True, text=True
+    )
+    assert piped.returncode == 0
+    assert run(f"{command} -o out.parquet --quiet") == (0, "", "")
+    found = parquet.read_table("out.parquet")
+    header, *rows = table(piped.stdout)
+    assert found.column_names == header
+    assert found.num_rows == len(rows) == 30_000
+    for place, name in enumerate(header):
+        cells = [row[place] for row in rows]
+        assert found[name].to_pylist() == ([float(cell) for cell in cells] if name != "material" else cells)
+    with monkeypatch.context() as patch:
+        patch.setattr(jkroll.cli.run, "MANY", 10**9)
+        short = table(run(f"{command} --csv").out)[1:]
+    values, others = ([float(cell) for row in some for cell in row[1:]] for some in (short, rows))
+    assert values == pytest.approx(others, rel=4e-16)
+
+
+def test_values_of_a_range_that_is_too_long_to_be_kept() -> None:
+    import numpy
+
+    from jkroll.batch.axes import of_spread
+
+    for text, name in (("1nm:1um:1000", "radius"), ("-3nN:5nN:1001:lin", "load"), ("1e-9m:1e3m:777", "radius")):
+        spread = spreads_of(text, name)[0]
+        found = of_spread(spread, numpy.arange(len(spread)))
+        assert found.tolist() == pytest.approx([*spread], rel=1.1e-14, abs=1e-24)
+        assert all(value == float(f"{value:.15g}") for value in found.tolist())
+
+
+def test_what_cannot_be_streamed(run: Run) -> None:
+    only = "jkroll: a long sweep is written in SI units with all digits: -o and long ranges take --csv alone\n"
+    assert run("pull-off quartz 1nm:1um:3 -o x.csv --to nN") == (2, "", only)
+    assert run("pull-off quartz 1nm:1um:3 -o x.csv --json") == (2, "", only)
+    assert (
+        run("pull-off quartz 1nm:1um:2000000").err
+        == "jkroll: 2000000 scenes are more than 1000000; --csv and -o FILE write any number\n"
+    )
+    assert (
+        run("pull-off quartz 1nm:1um:3 -o x.ndjson").err
+        == "jkroll: -o: a sweep is written as csv, tsv or parquet, not as ndjson\n"
+    )

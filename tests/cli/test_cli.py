@@ -1,0 +1,579 @@
+"""The command line: what it prints, to which stream, with which exit code, and every message whole."""
+
+import csv
+import io
+import json
+import math
+import os
+import subprocess
+import sys
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+
+from harness import Run
+from jkroll import NOMENCLATURE, __version__
+from jkroll.answers.questions import COMMANDS
+
+REFERENCE = {  # audit.md, the reference point: quartz, R1 = 100 nm
+    "pull_off_force": "1.1781e-8",
+    "contact_radius": "3.9908e-9",
+    "approach": "1.0618e-10",
+    "yield_force_ratio": "0.008",
+    "r_min": "5e-5",
+    "n_grav": "939.4",
+    "vertical_frequency": "7.870e8",
+    "rolling_frequency": "5.2346e7",
+    "rolling_frequency_as_printed": "2.0938e7",
+    "n_roll": "0.01207",
+    "n_roll_energy_balance": "0.04225",
+}
+
+
+def at_precision_of(text: str, value: float) -> bool:
+    """Whether a value rounds to a printed text."""
+    digits = len(text.split("e", maxsplit=1)[0].replace(".", "").lstrip("0"))
+    return float(f"{value:.{digits}g}") == float(text)
+
+
+@pytest.mark.parametrize("name", REFERENCE)
+def test_reference_point(run: Run, name: str) -> None:
+    data = json.loads(run("report quartz 100nm --json").out)
+    value = next(result["value"] for result in data["results"] if result["name"] == name)
+    assert at_precision_of(REFERENCE[name], value), value
+
+
+# --- Messages, whole ------------------------------------------------------------------------------------------------
+
+GOLD = "gold has none in Table 1; give --young 54GPa --poisson 0.17"
+GIVE = "give --gamma 25mJ/m2 and a radius such as 100nm or --work-of-adhesion 50mJ/m2"
+GOLD_2 = "gold has none in Table 1; give --young2 54GPa --poisson2 0.17"
+MESSAGES = {
+    "pull-off quarz 100nm": (
+        2,
+        "material: 'quarz' is not known; did you mean quartz? known are gold, graphite, iron, polystyrene, quartz",
+    ),
+    "pull-off unobtainium 100nm": (
+        2,
+        "material: 'unobtainium' is not known; known are gold, graphite, iron, polystyrene, quartz",
+    ),
+    "pull-off quartz 100nn": (2, "radius: '100nn' has an unknown unit 'nn'; did you mean nm?"),
+    "pull-off quartz 100N": (2, "radius: '100N' is a force; expected a length such as 100nm"),
+    "pull-off quartz 100": (2, "radius: '100' has no unit; expected a length such as 100nm"),
+    "pull-off quartz 0nm": (2, "radius: '0nm' must be positive; expected a length such as 100nm"),
+    "pull-off quartz -5nm": (2, "radius: '−5nm' must be positive; expected a length such as 100nm"),
+    "pull-off quartz plane": (2, "a plane is sphere 2: write --radius2 plane"),
+    "pull-off quartz 5 pints": (2, "radius: '5 pints' is a volume; expected a length such as 100nm"),
+    "pull-off": (
+        2,
+        f"pull_off_force needs surface energy per surface and radius of sphere 1; {GIVE}",
+    ),
+    "pull-off 100nm --gamma 1J/m2 --work-of-adhesion 1J/m2": (2, "--gamma and --work-of-adhesion exclude each other"),
+    "pull-off quartz 100nm --radius2 1kg": (2, "radius2: '1kg' is a mass; expected a length such as 1um, or plane"),
+    "pull-off quartz 100nm --to foo": (2, "--to: 'foo' has an unknown unit 'foo'; did you mean foot?"),
+    "pull-off quartz 5,5nm": (
+        2,
+        "radius: '5,5nm' has a comma where a number has a point, or a number without a unit; expected a length such as 100nm",
+    ),
+    "pull-off quartz": (2, "pull_off_force needs radius of sphere 1; give a radius such as 100nm"),
+    "pull-off 100nm": (
+        2,
+        "pull_off_force needs surface energy per surface; give --gamma 25mJ/m2 or --work-of-adhesion 50mJ/m2",
+    ),
+    "contact gold 100nm": (2, f"contact_radius needs Young's modulus and Poisson's ratio; {GOLD}"),
+    "n-roll gold 100nm": (2, f"n_roll needs Young's modulus and Poisson's ratio; {GOLD} or --energy 1e-18J"),
+    "contact quartz 100nm --material2 gold": (
+        2,
+        f"contact_radius needs Young's modulus of sphere 2 and Poisson's ratio of sphere 2; {GOLD_2}",
+    ),
+    "contact quartz 100nm --young rigid": (
+        1,
+        "contact_modulus: both bodies are rigid; a contact area needs one that yields",
+    ),
+    "yield-force quartz 100nm --load -20nN": (
+        1,
+        "load: -2e-08 N is beyond pull-off; this contact holds down to -1.1780972450961725e-08 N",
+    ),
+    "contact quartz 100nm --poisson 0.6": (
+        2,
+        "poisson_ratio: '0.6' must lie between -1 and 0.5; expected a number such as 0.17",
+    ),
+    "r-min 100nm --radius2 plane": (1, "r_min: sphere 2 is a plane; a chain needs two spheres"),
+    "r-min 1e-170m": (1, "r_min: no value that a double can hold"),
+    "pull-off quartz 1nm:1um": (
+        2,
+        "radius: '1nm:1um' is not a range; write FROM:TO:COUNT, with :lin for equal steps; expected a length such as 100nm",
+    ),
+    "pull-off quartz 1nm:1um:1": (
+        2,
+        "radius: '1nm:1um:1' needs a count from 2 to 1000000000; expected a length such as 100nm",
+    ),
+    "yield-force quartz 100nm --load -1nN:1nN:3": (
+        2,
+        "load: '−1nN:1nN:3' has an end that is not positive; end it with :lin; expected a force such as -5nN",
+    ),
+    "pull-off quartz iron 100nm": (
+        2,
+        "two materials, 'quartz' and 'iron'; a list has commas, a second sphere has --material2",
+    ),
+    "n-roll quartz 100nm --energy 1eV --speed 1m/s": (
+        2,
+        "--energy and --speed exclude each other",
+    ),
+    "pull-off quartz 100nm --to nm": (
+        2,
+        "--to: 'nm' fits none of the results: pull_off_force in N, pull_off_force_dmt in N",
+    ),
+    "pull-off quartz 100nm --json --csv": (2, "--json and --csv exclude each other"),
+    "pull-off quartz 100nm --digits 0": (2, "Invalid value for '--digits': 0 is not in the range 1<=x<=17."),
+    "pull-off quartz 100nm --laod 5nN": (
+        2,
+        "pull-off takes no '--laod'; --load is an option of yield-force, n-grav, frequencies, ...",
+    ),
+    "contact quartz 100nm --laod 5nN": (2, "no such option '--laod'; did you mean --load?"),
+    "pull-off quartz 100nm --rtol 1e-3": (
+        2,
+        "pull-off takes no '--rtol'; --rtol is an option of yield-force, frequencies, moment",
+    ),
+    "pull-off 100nm --surface-energy 25mJ/m2": (2, "no such option '--surface-energy'; did you mean --gamma?"),
+    "pull-off 100nm --GAMMA=25mJ/m2": (2, "no such option '--GAMMA'; did you mean --gamma?"),
+    "pull-off 100nm -gamma 25mJ/m2": (2, "no such option '-gamma'; did you mean --gamma?"),
+    "pull-off quartz 100nm --dig 3": (2, "no such option '--dig'; did you mean --digits?"),
+    "pull-off quartz --radius 100nm": (
+        2,
+        "no such option '--radius'; a radius stands alone: jkroll pull-off quartz 100nm",
+    ),
+    "pull-off --\x1b[31m": (2, "no such option '--?[31m'; see jkroll pull-off --help"),
+    "--bare pull-off quartz 100nm": (2, "--bare goes behind a command: jkroll pull-off ... --bare"),
+    "pul-off quartz 100nm": (2, "No such command 'pul-off'. Did you mean 'pull-off'?"),
+    "pull-off quartz 100nm --materials none.toml": (2, "materials file 'none.toml': No such file or directory"),
+    "pull-off quartz 100nm --materials .": (2, "materials file '.': is not a regular file"),
+    "materials lead": (2, "material: 'lead' is not known; known are gold, graphite, iron, polystyrene, quartz"),
+}
+
+
+@pytest.mark.parametrize("line", MESSAGES)
+def test_message(run: Run, line: str) -> None:
+    code, message = MESSAGES[line]
+    ran = run(line)
+    assert (ran.code, ran.out, ran.err) == (code, "", f"jkroll: {message}\n")
+
+
+def test_wrong_case_of_a_unit(run: Run) -> None:
+    ran = run("contact 100nm --gamma 25mJ/m2 --poisson 0.2 --young 54Gpa")
+    assert ran.err == "jkroll: youngs_modulus: '54Gpa' has an unknown unit 'Gpa'; did you mean GPa?\n"
+
+
+# --- Formats --------------------------------------------------------------------------------------------------------
+
+
+def test_plain_lines_have_name_value_unit(run: Run) -> None:
+    ran = run("yield-force quartz 100nm")
+    lines = [line.split(" ", 2) for line in ran.out.splitlines()]
+    assert [line[0] for line in lines] == list(COMMANDS["yield-force"].quantities)
+    assert all(float(line[1]) > 0 for line in lines)
+    assert [line[2:] for line in lines] == [["N"], [], ["N m"], ["rad"]]
+    assert ran.err.startswith("note: assumed ξ = 200 pm (--xi), P = 0 N (--load), z0 = 400 pm (--z0)\n")
+
+
+def test_quiet(run: Run) -> None:
+    assert run("yield-force quartz 100nm --quiet").err == ""
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_json_of_every_command(run: Run, name: str) -> None:
+    ran = run(*name.split(), "quartz", "100nm", "--json")
+    data = json.loads(ran.out)
+    assert ran.code == 0
+    assert ran.err == ""
+    assert set(data) == {"inputs", "results", "validity", "notes", "version"}
+    assert data["version"] == __version__
+    assert data["inputs"].get("radius") == 1e-7
+    for result in data["results"]:
+        assert {"name", "symbol", "value", "unit", "equation"} <= set(result)
+        assert math.isfinite(result["value"])
+        assert result["unit"] == NOMENCLATURE[result["name"]].unit
+
+
+def test_json_has_null_and_a_reason(run: Run) -> None:
+    data = json.loads(run("frequencies gold 100nm --json").out)
+    vertical = data["results"][0]
+    assert vertical["value"] is None
+    assert vertical["reason"] == f"needs Young's modulus and Poisson's ratio; {GOLD}"
+
+
+def test_several_scenes_are_a_json_array(run: Run) -> None:
+    data = json.loads(run("pull-off quartz,iron 100nm 1um --json").out)
+    assert [(one["inputs"]["material"], one["inputs"]["radius"]) for one in data] == [
+        ("quartz", 1e-7), ("quartz", 1e-6), ("iron", 1e-7), ("iron", 1e-6),
+    ]  # fmt: skip
+
+
+def test_json_of_a_plane_is_json(run: Run) -> None:
+    data = json.loads(run("pull-off quartz 100nm --radius2 plane --json").out)
+    assert data["inputs"]["radius2"] == "plane"
+
+
+def test_csv_reads_back(run: Run) -> None:
+    ran = run("frequencies all 10nm:1um:3 --csv --quiet")
+    rows = list(csv.DictReader(io.StringIO(ran.out)))
+    assert len(rows) == 15
+    assert [float(row["radius [m]"]) for row in rows[:3]] == [1e-8, 1e-7, 1e-6]
+    assert {row["material"]: bool(row["vertical_frequency [Hz]"]) for row in rows} == {
+        "polystyrene": True, "quartz": True, "graphite": True, "gold": False, "iron": True,
+    }  # fmt: skip
+    one = json.loads(run("frequencies iron 1um --json").out)
+    assert float(rows[-1]["vertical_frequency [Hz]"]) == one["results"][0]["value"]
+
+
+def test_bare_is_the_headline_alone(run: Run) -> None:
+    assert run("n-roll quartz 100nm --bare").out == run("n-roll quartz 100nm").out.split()[1] + "\n"
+    assert run("frequencies gold 100nm --bare --digits 3").out == "-\t1.08e+08\n"
+    assert len(run("pull-off quartz 1nm:1um:50 --bare").out.splitlines()) == 50
+
+
+def test_to_and_digits(run: Run) -> None:
+    assert run("pull-off quartz 100nm --to nN --digits 4 --bare").out == "11.78\n"
+    newton, dyn = (float(run(f"pull-off quartz 100nm --to {unit} --bare").out) for unit in ("N", "dyn"))
+    assert dyn == float(Fraction(newton) * 100_000)
+    assert run("report quartz 100nm --to nN,nm --csv").out.splitlines()[0].count("[nN]") == 4
+    assert run("yield-force quartz 100nm --to deg").out.splitlines()[3].endswith(" deg")
+
+
+def test_spellings_of_a_radius_give_the_same_bytes(run: Run) -> None:
+    outputs = {run("pull-off", "quartz", text, "--bare").out for text in ("100nm", "0.1 µm", "1e-7m", "1000Å")}
+    assert outputs == {"1.1780972450961725e-08\n"}
+
+
+def test_a_failed_row_is_counted_and_the_others_stand(run: Run) -> None:
+    ran = run("yield-force quartz 10nm 1um --load -5nN --bare --quiet")
+    assert ran.code == 1
+    assert ran.out.splitlines()[0] == "-"
+    assert float(ran.out.splitlines()[1]) > 0
+    assert ran.err == "jkroll: 1 of 2 rows failed\n"
+
+
+def test_tension_beyond_pull_off_takes_what_depends_on_the_load(run: Run) -> None:
+    ran = run("report quartz 10nm --load -5nN --json")
+    data = json.loads(ran.out)
+    assert ran.code == 1
+    assert ran.err.startswith("jkroll: load: -5e-09 N is beyond pull-off; this contact holds down to -1.17809724509617")
+    values = {result["name"]: result["value"] for result in data["results"]}
+    assert values["pull_off_force"] > 0
+    assert values["r_min"] > 0
+    assert values["yield_force"] is values["n_grav"] is values["vertical_frequency"] is None
+    assert data["inputs"]["load"] == -5e-9
+
+
+def test_explain_names_formula_steps_and_power_law(run: Run) -> None:
+    text = run("n-roll quartz 100nm --explain").out
+    for piece in (
+        "n = (3/(14 ∛(9π))) (γ/E*)^(2/3) (∛R/ξ) W0/(P_cδ0)",
+        "R1 = 100 nm",
+        "(quartz, Table 1)",
+        "(assumed)",
+        "result    n_roll = 0.0120702",
+        "power law R1^(1/3) γ1^(2/3) E1^(-2/3)",
+        "accuracy",
+        "valid",
+    ):
+        assert piece in text
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_every_quantity_is_explained_and_cited(run: Run, name: str) -> None:
+    for radius2 in ("100nm", "plane"):
+        words = [name, "quartz", "100nm", "--radius2", radius2]
+        expected = 1 if (name, radius2) == ("r-min", "plane") else 0
+        assert run(*words, "--explain").code == expected
+        assert run(*words, "--cite").code == expected
+    assert ("kendall-1987" in run(name, "quartz", "100nm", "--cite").out) is (name != "r-min")
+
+
+def test_materials_in_every_format(run: Run) -> None:
+    data = json.loads(run("materials --json").out)
+    assert [one["name"] for one in data] == ["polystyrene", "quartz", "graphite", "gold", "iron"]
+    assert data[3]["youngs_modulus"] is None
+    assert json.loads(run("materials FE --json").out)["density"] == 7700.0
+    assert run("materials --csv").out.splitlines()[4] == "gold,0.79,,,19300.0"
+    assert run("materials gold").out.splitlines()[1] == "surface_energy 0.79 J/m^2"
+    assert run("materials quartz --cite").out.startswith("@article{kendall-1987,")
+
+
+@pytest.mark.parametrize("columns", [20, 40, 80, 200])
+@pytest.mark.parametrize("name", [*COMMANDS, "materials"])
+def test_a_terminal_cuts_no_number(run: Run, monkeypatch: pytest.MonkeyPatch, name: str, columns: int) -> None:
+    monkeypatch.setenv("COLUMNS", str(columns))
+    words = ["materials"] if name == "materials" else [name, "quartz,gold", "100nm", "1um", "--quiet"]
+    ran = run(*words, terminal=True)
+    assert ran.code == (1 if name in ("contact", "n-roll") else 0)  # gold has no Young's modulus
+    assert "…" not in ran.out
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+@pytest.mark.parametrize("how", ["", "--explain", "--json", "--csv"])
+def test_a_stream_that_knows_only_ascii(run: Run, name: str, how: str) -> None:
+    ran = run(*f"{name} quartz 100nm {how}".split(), terminal=True, encoding="ascii")
+    assert ran.code == 0
+    assert "?" not in ran.out + ran.err
+
+
+def test_help_fits_a_screen_and_its_example_works(run: Run) -> None:
+    for name in (*COMMANDS, "materials", "map", "figure"):
+        text = run(name, "--help").out
+        assert len(text.splitlines()) <= 30, name
+        assert max(map(len, text.splitlines())) <= 80
+        example = text.rstrip().splitlines()[-1].split("jkroll ")[1]
+        assert run(example).code == 0
+    assert len(run("--help").out.splitlines()) <= 30
+    assert run("--version").out == f"jkroll {__version__}\n"
+
+
+def test_no_word_asks_for_help(run: Run) -> None:
+    assert run("").out.startswith("Usage: jkroll")
+
+
+# --- As a process ---------------------------------------------------------------------------------------------------
+
+
+def jkroll(*words: str, **options: object) -> "subprocess.CompletedProcess[str]":
+    """Run the program as the shell does."""
+    return subprocess.run(  # type: ignore[call-overload,no-any-return]
+        [sys.executable, "-m", "jkroll", *words],
+        capture_output=True,
+        text=True,
+        check=False,
+        encoding="utf-8",
+        **options,
+    )
+
+
+def test_a_locale_without_utf8() -> None:
+    ran = jkroll(
+        "report", "quartz", "100nm", env={**os.environ, "LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONIOENCODING": "ascii"}
+    )
+    assert ran.returncode == 0
+    assert ran.stderr.isascii()
+
+
+def test_debug_shows_where_an_error_comes_from() -> None:
+    assert "Traceback" in jkroll("pull-off", "quartz", "100", "--debug").stderr
+    assert "Traceback" not in jkroll("pull-off", "quartz", "100").stderr
+
+
+# --- What an adversary found ----------------------------------------------------------------------------------------
+
+
+def test_ranges_over_all_doubles(run: Run) -> None:
+    middle = json.loads(run("yield-force quartz 1m --load 1e200N:1e-200N:3 --json").out)[1]
+    assert middle["inputs"]["load"] == 1.0
+    middle = json.loads(run("pull-off quartz 100nm --radius2 1e-100m:1e300m:3 --json").out)[1]
+    assert middle["inputs"]["radius2"] == 1e100
+    loads = [
+        one["inputs"]["load"] for one in json.loads(run("yield-force quartz 1um --load -3nN:1nN:5:lin --json").out)
+    ]
+    assert loads == [-3e-9, -2e-9, -1e-9, 0.0, 1e-9]
+
+
+def test_a_unit_that_a_double_cannot_express(run: Run) -> None:
+    ran = run("pull-off", "quartz", "100nm", "--to", "N ym12 Ym-12", "--json")
+    assert ran.code == 0
+    result = json.loads(ran.out)["results"][0]
+    assert result["value"] is None
+    assert result["reason"] == "no value in N ym12 Ym-12 that a double can hold"
+
+
+@pytest.mark.parametrize("unit", ["dB", "m°C", "Np", "dBm", "oct", "GPas", "degF"])
+def test_units_that_are_no_plain_factor(run: Run, unit: str) -> None:
+    ran = run("pull-off", "quartz", f"5{unit}")
+    assert ran.code == 2
+    assert f"unknown unit '{unit}'" in ran.err
+
+
+def test_explain_at_the_edge_of_a_range(run: Run) -> None:
+    assert "ν1^-0.222" in run("contact polystyrene 100nm --explain").out
+
+
+def test_control_characters_of_a_file_and_of_arguments_stay_out(run: Run, tmp_path: Path) -> None:
+    path = tmp_path / "mine.toml"
+    path.write_text('title = "my\\u001b[31m\\u202e title\\nsecond"\n[materials.ice]\nsurface_energy = "1 J/m2"\n')
+    for words in (["contact", "ice", "1um"], ["pull-off", "ice", "1um", "--explain"], ["materials"]):
+        ran = run(*words, "--materials", str(path), terminal=True)
+        assert "my?[31m? title?second" in ran.out + ran.err
+        assert "\x1b[31m" not in ran.out + ran.err
+    assert run("pull-off", "1nm", "--\u202efoo").err.isascii()
+    assert "\t" not in run("yield-force", "quartz", "1nm", "--to", "N\tm").out
+
+
+@pytest.mark.parametrize("encoding", ["cp1252", "latin-1", "ascii", "koi8-r"])
+def test_streams_of_other_encodings(run: Run, encoding: str) -> None:
+    for line in ("--help", "report --help", "report quartz 100nm --to µN --csv", "contact quartz 1nm:1um:3 --explain"):
+        assert run(line, encoding=encoding).code == 0
+
+
+def test_rows_are_not_held_in_memory() -> None:
+    program = (
+        "import resource, sys; from jkroll.cli.process import main; code = main(sys.argv[1:]); "
+        "print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss, file=sys.stderr); sys.exit(code)"
+    )
+    peaks = []
+    for size in (10, 2000):
+        words = [sys.executable, "-c", program, "report", "quartz", f"1nm:1um:{size}", "--json", "--quiet"]
+        peaks.append(int(subprocess.run(words, capture_output=True, text=True, check=True).stderr))
+    assert peaks[1] < 1.1 * peaks[0]
+
+
+def test_docstrings_may_be_missing() -> None:
+    words = [sys.executable, "-OO", "-m", "jkroll", "r-min", "100nm", "--explain"]
+    ran = subprocess.run(words, capture_output=True, text=True, check=False)
+    assert (ran.returncode, ran.stderr) == (2, "jkroll: --explain is worded from docstrings, which python -OO drops\n")
+
+
+def test_completion_survives_its_environment() -> None:
+    environment = {**os.environ, "_JKROLL_COMPLETE": ""}
+    assert jkroll("r-min", "100nm", env=environment).returncode == 0
+    environment |= {"_JKROLL_COMPLETE": "complete_bash", "COMP_WORDS": "jkroll pull-off qu", "COMP_CWORD": "2"}
+    assert jkroll(env=environment).stdout.split() == ["quartz"]
+    environment |= {"COMP_WORDS": "jkroll pull-off quartz 100", "COMP_CWORD": "3"}
+    assert "100nm" in jkroll(env=environment).stdout.split()
+
+
+# --- The contact at any state, and the ladder of models ----------------------------------------------------------------
+
+
+def test_an_approach_and_its_load_are_one_state(run: Run) -> None:
+    at_load = json.loads(run("contact quartz 100nm --load -5nN --json").out)["results"]
+    values = {result["name"]: result["value"] for result in at_load}
+    at_approach = json.loads(
+        run("contact", "quartz", "100nm", "--approach", f"{values['approach_at_load']!r}m", "--json").out
+    )
+    for result in at_approach["results"]:
+        expected = -5e-9 if result["name"] == "load" else values[result["name"]]
+        assert math.isclose(result["value"], expected, rel_tol=1e-13), result["name"]
+
+
+def test_beyond_the_fold(run: Run) -> None:
+    ran = run("contact quartz 100nm --approach -0.1nm --bare")
+    assert ran.code == 1
+    assert ran.err.startswith(
+        "jkroll: approach_at_load: -1e-10 m is beyond the fold; fixed grips hold this contact down to -8.76"
+    )
+
+
+def test_the_curve_has_its_states(run: Run) -> None:
+    rows = list(csv.DictReader(io.StringIO(run("contact quartz 100nm --curve --csv").out)))
+    named = {row["state"]: row for row in rows}
+    force = float(run("pull-off quartz 100nm --bare").out)
+    approach = float(run("contact quartz 100nm --bare").out.split()[1])
+    for state, load, delta in (
+        ("fold", -5 / 9, -((3 / 4) ** (2 / 3))),
+        ("pull-off", -1, -(2 ** (-4 / 3))),
+        ("jump-in", -8 / 9, 0),
+        ("equilibrium", 0, 1),
+    ):
+        assert math.isclose(float(named[state]["load [N]"]) / force, load, abs_tol=1e-14)
+        assert math.isclose(float(named[state]["approach_at_load [m]"]) / approach, delta, abs_tol=1e-14)
+    assert named["fold"]["stiffness [N/m]"] == ""
+    approaches = [float(row["approach_at_load [m]"]) for row in rows]
+    fold = approaches.index(min(approaches))
+    assert approaches[: fold + 1] == sorted(approaches[: fold + 1], reverse=True)
+    assert approaches[fold:] == sorted(approaches[fold:])
+
+
+def test_rtol_takes_the_cheapest_model_that_is_good_enough(run: Run) -> None:
+    exact = float(run("yield-force quartz 100nm --load 0.01nN --bare").out)
+    rough = run("yield-force quartz 100nm --load 0.01nN --rtol 1e-3 --bare")
+    assert "by unloaded_moment, Eq 26; relative error 0.000212, allowed 0.001" in rough.err
+    assert 0 < abs(float(rough.out) / exact - 1) < 1e-3
+    fine = run("yield-force quartz 100nm --load 0.01nN --rtol 1e-4 --bare")
+    assert "by yield_moment, Eq 25; relative error 0 (exact)" in fine.err
+    assert float(fine.out) == exact
+    held = run("moment quartz 100nm --approach 0.2nm --rtol 1e-4 --json")
+    values = {result["name"]: result["value"] for result in json.loads(held.out)["results"]}
+    assert math.isclose(values["yield_moment"], values["fixed_approach_moment"], rel_tol=1e-15)
+
+
+def test_rtol_refuses_where_no_model_is_good(run: Run) -> None:
+    ran = run("yield-force quartz 3nm --rtol 1e-3")
+    assert (ran.code, ran.out) == (1, "")
+    assert ran.err.startswith("jkroll: --rtol 0.001: no model of rolling is that good here; ξ is 1.5")
+
+
+def test_every_answer_says_how_far_it_can_be_trusted(run: Run) -> None:
+    validity = {one["name"]: one for one in json.loads(run("report quartz 100nm --json").out)["validity"]}
+    modulus = 54e9 / (2 * (1 - 0.17**2))
+    tabor = (4 * 50e-9 * 0.025**2 / (modulus**2 * 4e-10**3)) ** (1 / 3)
+    assert math.isclose(validity["tabor_parameter"]["value"], tabor, rel_tol=1e-12)
+    assert not validity["tabor_parameter"]["holds"]
+    assert validity["displacement_ratio"]["holds"]
+    assert validity["energy_over_yield"]["holds"]
+    assert "doubtful: ξ/ξ_max = 1.56" in run("yield-force quartz 3nm").err
+    assert "DOUBT: Q/P_c = 1.6" in run("yield-force quartz 0.5nm", terminal=True).out
+    assert "does not roll" in run("n-roll quartz 10nm --energy 1e-21J").err
+    assert json.loads(run("r-min 100nm --json").out)["validity"] == []
+
+
+# --- What a review found ------------------------------------------------------------------------------------------------
+
+
+def test_rtol_knows_the_mean_moment_from_the_largest(run: Run) -> None:
+    """The mean of cξ + dξ³ over a step holds half of what the cubic term adds to the largest."""
+    words = "moment quartz 20nm --approach 0.06nm --json"
+    plain, fine = (
+        {result["name"]: result for result in json.loads(run(line).out)["results"]}
+        for line in (words, f"{words} --rtol 1e-9")
+    )
+    linear, exact = plain["yield_moment"]["value"], plain["fixed_approach_moment"]["value"]
+    assert math.isclose(fine["yield_moment"]["value"], exact, rel_tol=1e-14)
+    assert math.isclose(fine["mean_rolling_moment"]["value"], linear / 2 + (exact - linear) / 4, rel_tol=1e-14)
+    assert "relative_error" not in fine["yield_moment"]
+
+
+def test_rtol_holds_for_frequencies_far_from_unloaded(run: Run) -> None:
+    assert "by yield_moment, Eq 25" in run("frequencies quartz 100nm --load 1uN --rtol 0.41").err
+
+
+def test_rtol_answers_what_is_answered_without(run: Run) -> None:
+    for line in ("yield-force quartz 100nm --young rigid", "yield-force --gamma 25mJ/m2"):
+        assert run(f"{line} --bare --rtol 1e-3").out == run(f"{line} --bare").out != ""
+    refused = json.loads(run("yield-force quartz 3nm 100nm --rtol 1e-3 --json").out)
+    assert [result["value"] is None for result in refused[0]["results"]] == [True, True, True, False]
+
+
+def test_a_row_that_fails_fails_alone(run: Run) -> None:
+    ran = run("n-roll quartz 100nm --young rigid --young2 54GPa,rigid --bare --quiet")
+    assert ran.code == 1
+    assert [line == "-" for line in ran.out.splitlines()] == [False, True]
+
+
+def test_no_cell_of_a_sweep_is_empty_that_has_a_value(run: Run) -> None:
+    rows = list(csv.DictReader(io.StringIO(run("frequencies quartz 100nm --radius2 50nm,100nm,200nm --csv").out)))
+    assert all(row["rolling_frequency_no_slip [Hz]"] for row in rows)
+    assert [bool(row["rolling_frequency_as_printed [Hz]"]) for row in rows] == [False, True, False]
+
+
+def test_power_law_of_a_stated_second_radius(run: Run) -> None:
+    assert "power law R1^(1/2) R2^(1/2) γ1" in run("pull-off quartz 100nm --radius2 100nm --explain").out
+
+
+def test_states_beyond_pull_off_are_said_to_need_grips(run: Run) -> None:
+    assert "only fixed grips hold this state" in run("n-grav quartz 100nm --approach -0.06nm").err
+
+
+def test_two_spheres_of_one_material_are_identical(run: Run) -> None:
+    assert (
+        run("frequencies quartz 100nm --material2 quartz --bare --quiet").out
+        == run("frequencies quartz 100nm --bare --quiet").out
+    )
+    assert "mixing rule" not in run("pull-off quartz 100nm --material2 SiO2").err
+
+
+def test_show_completion_is_no_closed_pipe() -> None:
+    environment = {
+        **os.environ,
+        "_JKROLL_COMPLETE": "complete_bash",
+        "COMP_WORDS": "jkroll pull-off qu",
+        "COMP_CWORD": "2",
+    }
+    assert jkroll(env=environment).returncode == 0

@@ -1,0 +1,360 @@
+"""Faults around the process: the documented exit code, at most one line, nothing half-written, no traceback."""
+
+import os
+import random
+import resource
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterable
+from pathlib import Path
+
+import pytest
+
+from terminal import on_terminal
+
+JKROLL = (sys.executable, "-m", "jkroll")
+# What writes: a line, lines, a block, several blocks, and what typer writes.
+WRITERS = {
+    "bare": "pull-off quartz 100nm --bare --quiet",
+    "plain": "report quartz 100nm --quiet",
+    "json": "report quartz 100nm --json",
+    "rows": "report quartz 1nm:1um:200 --csv --quiet",
+    "explain": "report quartz 100nm --explain",
+    "cite": "report quartz 100nm --cite",
+    "curve": "contact quartz 100nm --curve --csv",
+    "materials": "materials --json",
+    "help": "contact --help",
+    "version": "--version",
+}
+SWEEPS = {
+    "bare": "pull-off quartz 1nm:1um:100000 --bare --quiet",
+    "csv": "report quartz 1nm:1um:100000 --csv --quiet",
+    "json": "r-min 1nm:1um:100000 --json",
+    "explain": "r-min 1nm:1um:100000 --explain",
+    "curve": "contact quartz 1nm:1um:10000 --curve --csv",
+}
+ONE_OF_EACH_KIND = ("bare", "rows", "help")
+# An interpreter that says when jkroll has begun to listen to interrupts. Before that they are the interpreter's own.
+STARTING = """
+import signal, sys
+from jkroll.__main__ import run
+listen = signal.signal
+said = []
+def listen_and_say_so(*arguments):
+    listen(*arguments)
+    if not said:
+        said.append("")
+        sys.stderr.write(".")
+        sys.stderr.flush()
+signal.signal = listen_and_say_so
+run()
+"""
+
+
+def run(line: str | Iterable[str], **options: object) -> "subprocess.CompletedProcess[bytes]":
+    """Run jkroll with both streams caught, if nothing else is said of them."""
+    words = line.split() if isinstance(line, str) else line
+    streams = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+    return subprocess.run([*JKROLL, *words], **(streams | options), check=False, timeout=60)  # type: ignore[call-overload,no-any-return]
+
+
+def in_shell(line: str) -> tuple[int, str]:
+    """The code and the errors of jkroll in a line of bash that begins with it; the code is that of its own process."""
+    command = " ".join(JKROLL) + f" {line}; exit ${{PIPESTATUS[0]}}"
+    ran = subprocess.run(["bash", "-c", command], capture_output=True, text=True, check=False, timeout=60)
+    return ran.returncode, ran.stderr
+
+
+# --- Where nothing can be written ---------------------------------------------------------------------------------------
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="needs /dev/full")
+@pytest.mark.parametrize("what", WRITERS)
+def test_a_full_disk_is_said_in_a_line(what: str) -> None:
+    with open("/dev/full", "wb") as full:
+        ran = run(WRITERS[what], stdout=full)
+        assert (ran.returncode, ran.stderr) == (1, b"jkroll: cannot write: No space left on device\n")
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="needs /dev/full")
+def test_notes_that_cannot_be_written_are_an_error_and_the_result_stands() -> None:
+    with open("/dev/full", "wb") as full:
+        ran = run("pull-off quartz 100nm --bare", stderr=full)
+        assert (ran.returncode, ran.stdout) == (1, b"1.1780972450961725e-08\n")
+        assert run("pull-off quarz", stderr=full).returncode == 2
+        assert run("pull-off quartz 100nm", stdout=full, stderr=full).returncode == 1
+
+
+@pytest.mark.parametrize("what", ONE_OF_EACH_KIND)
+def test_a_closed_stdout_is_said_in_a_line(what: str) -> None:
+    assert in_shell(f"{WRITERS[what]} >&-") == (1, "jkroll: cannot write: Bad file descriptor\n")
+
+
+@pytest.mark.parametrize(("line", "code"), [("pull-off quartz 100nm", 0), ("pull-off quarz 100nm", 2)])
+def test_closed_streams_that_are_not_needed_do_not_matter(line: str, code: int) -> None:
+    for redirection in ("2>&-", "<&- 2>&-"):
+        assert in_shell(f"{line} {redirection}") == (code, "")
+
+
+@pytest.mark.parametrize("what", SWEEPS)
+def test_a_reader_that_goes_away_is_141(what: str) -> None:
+    assert in_shell(f"{SWEEPS[what]} | head -1 >/dev/null") == (141, "")
+
+
+@pytest.mark.parametrize("what", ONE_OF_EACH_KIND)
+def test_a_reader_that_was_never_there_is_141(what: str) -> None:
+    reader, writer = os.pipe()
+    os.close(reader)
+    ran = run(WRITERS[what], stdout=writer)
+    os.close(writer)
+    assert (ran.returncode, ran.stderr) == (141, b"")
+
+
+def test_a_listener_to_notes_that_goes_away_is_141() -> None:
+    reader, writer = os.pipe()
+    os.close(reader)
+    ran = run("pull-off quartz 100nm --bare", stderr=writer)
+    os.close(writer)
+    assert (ran.returncode, ran.stdout) == (141, b"1.1780972450961725e-08\n")
+
+
+def test_a_file_that_may_not_grow(tmp_path: Path) -> None:
+    def limit() -> None:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, 20_000))
+
+    with (tmp_path / "rows.csv").open("wb") as file:
+        ran = run(SWEEPS["csv"], stdout=file, preexec_fn=limit)
+    assert (ran.returncode, ran.stderr) == (1, b"jkroll: cannot write: File too large\n")
+
+
+def test_a_directory_that_is_gone(tmp_path: Path) -> None:
+    (tmp_path / "gone").mkdir()
+    command = f"cd gone; rmdir ../gone; {' '.join(JKROLL)} pull-off quartz 100nm --bare --quiet"
+    environment = {**os.environ, "PYTHONPATH": str(Path(__file__).parents[2] / "src")}
+    ran = subprocess.run(["bash", "-c", command], capture_output=True, text=True, check=False, env=environment)
+    assert (ran.returncode, ran.stdout, ran.stderr) == (0, "1.1780972450961725e-08\n", "")
+
+
+# --- Signals ------------------------------------------------------------------------------------------------------------
+
+BUSY = {
+    "a sweep": SWEEPS["bare"],
+    "objects": SWEEPS["json"],
+    "a unit that pint knows": "pull-off quartz 1furlong:2furlong:100000 --bare --quiet",
+    "what typer reads": "contact quartz 100nm --laod 5nN",
+}
+
+
+def signalled(line: str, number: int, delay: float, stdout: int = subprocess.DEVNULL) -> tuple[int, bytes]:
+    """The code and the errors of jkroll when a signal comes some time after its first line."""
+    words = [sys.executable, "-c", STARTING, *line.split()]
+    with subprocess.Popen(words, stdout=stdout, stderr=subprocess.PIPE) as process:
+        assert process.stderr is not None
+        assert process.stderr.read(1) == b"."
+        time.sleep(delay)
+        process.send_signal(number)
+        _, errors = process.communicate(timeout=30)
+    return process.returncode, errors
+
+
+def interrupt(what: str, times: int, longest: float) -> None:
+    """Interrupt a call at random moments, the last of them as the interpreter ends, which has its own way to die."""
+    source = random.Random(what)
+    for _ in range(times):
+        code, errors = signalled(BUSY[what], signal.SIGINT, source.uniform(0.0, longest))
+        if code == 2 or errors:  # it was faster
+            assert errors.startswith(b"jkroll: no such option '--laod'")
+            assert errors.count(b"\n") == 1
+        assert code in (130, -signal.SIGINT) or errors
+
+
+@pytest.mark.parametrize("what", BUSY)
+def test_an_interrupt_at_any_moment_is_130_and_silent(what: str) -> None:
+    interrupt(what, times=3, longest=0.15)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("what", BUSY)
+def test_an_interrupt_at_very_many_moments_is_130_and_silent(what: str) -> None:
+    interrupt(what, times=100, longest=0.4)
+
+
+def test_an_interrupt_in_a_callback_is_not_lost() -> None:
+    """Python drops what is raised while it clears a weak reference, as an import does hundreds of times."""
+    program = """
+import signal, time, weakref
+import jkroll.cli.process
+class Any: pass
+def interrupted_in_a_callback():
+    thing = Any()
+    reference = weakref.ref(thing, lambda _: signal.raise_signal(signal.SIGINT))
+    del thing
+    time.sleep(60)
+jkroll.cli.process.main = interrupted_in_a_callback
+from jkroll.__main__ import run
+run()
+"""
+    ran = subprocess.run([sys.executable, "-c", program], capture_output=True, check=False, timeout=30)
+    assert (ran.returncode, ran.stderr) == (130, b"")
+
+
+def test_a_second_interrupt_ends_what_the_first_does_not() -> None:
+    program = """
+import signal
+import jkroll.cli.process
+def stubborn():
+    try:
+        signal.raise_signal(signal.SIGINT)
+    finally:
+        signal.raise_signal(signal.SIGINT)
+        print("still here")
+jkroll.cli.process.main = stubborn
+from jkroll.__main__ import run
+run()
+"""
+    ran = subprocess.run([sys.executable, "-c", program], capture_output=True, check=False, timeout=30)
+    assert (ran.returncode, ran.stdout, ran.stderr) == (130, b"", b"")
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGKILL])
+def test_it_dies_by_other_signals_silently_and_with_whole_lines(number: int, tmp_path: Path) -> None:
+    source = random.Random(number)
+    for _ in range(2):
+        with (tmp_path / "rows").open("wb") as file:
+            code, errors = signalled(SWEEPS["csv"], number, source.uniform(0.1, 0.6), file.fileno())
+        assert (code, errors) == (-number, b"")
+        written = (tmp_path / "rows").read_bytes()
+        assert written == b"" or written.endswith(b"\n")
+        assert len({line.count(b",") for line in written.splitlines()}) <= 1
+
+
+# --- A broken configuration ---------------------------------------------------------------------------------------------
+
+
+def _directory(path: Path) -> None:
+    path.mkdir()
+
+
+def _not_utf8(path: Path) -> None:
+    path.write_bytes(b"\xff\xfe")
+
+
+def _huge(path: Path) -> None:
+    path.write_bytes(b"#" * 2_000_000)
+
+
+def _loop(path: Path) -> None:
+    path.symlink_to(path)
+
+
+def _dangling(path: Path) -> None:
+    path.symlink_to("nowhere")
+
+
+def _endless(path: Path) -> None:
+    path.symlink_to("/dev/zero")
+
+
+def _unreadable(path: Path) -> None:
+    path.touch(mode=0)
+
+
+def _parent_unreadable(path: Path) -> None:
+    path.parent.chmod(0)
+
+
+BROKEN = {
+    "a directory": (_directory, "is not a regular file"),
+    "a pipe": (os.mkfifo, "is not a regular file"),
+    "no UTF-8": (_not_utf8, "is not UTF-8"),
+    "2 MB": (_huge, "is larger than 64 kB"),
+    "a loop": (_loop, "Too many levels of symbolic links"),
+    "a link to nothing": (_dangling, "No such file or directory"),
+    "/dev/zero": (_endless, "is not a regular file"),
+    "unreadable": (_unreadable, "Permission denied"),
+    "in an unreadable directory": (_parent_unreadable, "Permission denied"),
+}
+
+
+@pytest.mark.parametrize("what", BROKEN)
+def test_a_broken_configuration_is_named_where_a_material_is_asked_for(what: str, tmp_path: Path) -> None:
+    make, problem = BROKEN[what]
+    if problem == "Permission denied" and os.geteuid() == 0:
+        pytest.skip("root may read everything")
+    path = tmp_path / "jkroll/materials.toml"
+    path.parent.mkdir()
+    make(path)
+    environment = {**os.environ, "XDG_CONFIG_HOME": str(tmp_path)}
+    try:
+        ran = run("pull-off quartz 100nm", env=environment)
+        expected = f"jkroll: materials file '{path}': {problem}\n"
+        assert (ran.returncode, ran.stdout, ran.stderr.decode()) == (2, b"", expected)
+        assert run("r-min 100nm --bare --quiet", env=environment).returncode == 0
+    finally:
+        path.parent.chmod(0o700)
+
+
+# --- The environment and the terminal -----------------------------------------------------------------------------------
+
+UTF8 = {"LC_ALL": "C.UTF-8"}
+ENVIRONMENTS = {
+    "nothing": {},
+    "no home": {"HOME": "", **UTF8},
+    "a home that is not there": {"HOME": "/nonexistent", **UTF8},
+    "a configuration that is no text": {"XDG_CONFIG_HOME": os.fsdecode(b"\xff"), **UTF8},
+    "LC_ALL=C": {"LC_ALL": "C"},
+    "LC_ALL=C, no UTF-8 mode": {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"},
+    "an unknown locale": {"LC_ALL": "zz_ZZ"},
+    "cp1252": {"PYTHONIOENCODING": "cp1252"},
+    "strict ASCII": {"PYTHONIOENCODING": "ascii:strict"},
+    "a comma for a point": {"LC_NUMERIC": "de_DE.UTF-8"},
+    "threads": {"OMP_NUM_THREADS": "many"},
+    "warnings are errors": {"PYTHONWARNINGS": "error", "PYTHONDEVMODE": "1", **UTF8},
+}
+
+
+@pytest.mark.parametrize("what", ENVIRONMENTS)
+def test_no_environment_changes_a_number(what: str) -> None:
+    ran = run("report quartz 100nm", env=ENVIRONMENTS[what])
+    assert ran.returncode == 0
+    assert ran.stdout.splitlines()[0] == b"pull_off_force 1.1780972450961725e-08 N"
+    assert all(line.startswith(b"note: ") for line in ran.stderr.splitlines())
+
+
+@pytest.mark.parametrize("columns", ["x", "-7", "1", "20", "9" * 20])
+def test_no_width_of_a_terminal_cuts_a_number(columns: str) -> None:
+    code, screen = on_terminal([*JKROLL, "pull-off", "quartz", "100nm", "--quiet"], COLUMNS=columns, TERM="xterm")
+    assert code == 0
+    assert "11.781" in screen
+    assert "…" not in screen
+
+
+@pytest.mark.parametrize(
+    ("settings", "styled"),
+    [
+        ({"TERM": "xterm"}, True),
+        ({"TERM": "dumb"}, False),
+        ({"TERM": "dumb", "FORCE_COLOR": "1"}, False),
+        ({"TERM": "nonsense", "PYTHONIOENCODING": "cp1252"}, True),
+    ],
+)
+def test_a_dumb_terminal_gets_no_escapes(settings: dict[str, str], styled: bool) -> None:
+    code, screen = on_terminal([*JKROLL, "pull-off", "quartz", "100nm", "--quiet"], **settings)
+    assert code == 0
+    assert ("\x1b[" in screen) is styled
+
+
+def test_no_colour_is_none() -> None:
+    _, screen = on_terminal([*JKROLL, "report", "quartz", "100nm"], TERM="xterm-256color", NO_COLOR="1")
+    codes = {code for piece in screen.split("\x1b[")[1:] for code in piece.split("m")[0].split(";")}
+    assert codes <= {"0", "1", "2"}  # as usual, bold and dim
+
+
+@pytest.mark.parametrize("instruction", ["x", "complete_tcsh"])
+def test_an_unknown_request_for_completions_is_a_wrong_usage(instruction: str) -> None:
+    ran = run("r-min 100nm", env={**os.environ, "_JKROLL_COMPLETE": instruction})
+    assert ran.returncode == 2
+    assert ran.stdout == b""
+    assert len(ran.stderr.splitlines()) == 1

@@ -1,0 +1,216 @@
+"""Input made to hurt: it costs no more, by the byte, than ordinary input, and it is refused as such."""
+
+import math
+import time
+import tracemalloc
+from collections.abc import Callable
+from decimal import Decimal
+from pathlib import Path
+
+import pytest
+from hypothesis import example, given
+from hypothesis import strategies as st
+
+from invariants import CORPUS, TARGETS, TYPED
+from jkroll.errors import JkrollError
+from jkroll.materials.file import MAX_BRACKETS, MAX_BYTES, MAX_COMMAS, MAX_LINES, MAX_ODD_BYTES, MaterialsFileError
+from jkroll.materials.library import Materials, read
+from jkroll.quantities.errors import QuantityError
+from jkroll.quantities.formatting import Format
+from jkroll.quantities.nomenclature import NOMENCLATURE
+from jkroll.quantities.parsing import parse_quantity, unit_of
+from jkroll.quantities.unit_table import PREFIXABLE, PREFIXES
+from jkroll.text import closest
+from shapes import SHAPES, ordinary
+
+MEGABYTE = 1_000_000
+ALLOWED = 10 * MEGABYTE
+DENSEST = 4  # times what the largest ordinary file costs; measured: 1.2
+
+
+def peak_memory(work: Callable[[], object]) -> int:
+    """Bytes that a piece of work holds at its highest."""
+    tracemalloc.start()
+    try:
+        work()
+    except JkrollError as error:
+        str(error)
+    finally:
+        peak = tracemalloc.get_traced_memory()[1]
+        tracemalloc.stop()
+    return peak
+
+
+def seconds(work: Callable[[], object]) -> float:
+    """The least CPU time of three, in seconds."""
+    times = []
+    for _ in range(3):
+        start = time.process_time()
+        try:
+            work()
+        except JkrollError as error:
+            str(error)
+        times.append(time.process_time() - start)
+    return min(times)
+
+
+# --- The corpus ---------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("target", TARGETS)
+def test_what_fuzzing_found_stays_mended(target: str) -> None:
+    inputs = sorted((CORPUS / target).iterdir())
+    assert inputs
+    for path in inputs:
+        TARGETS[target](path.read_bytes())
+
+
+# --- Materials files ----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+def test_no_shape_of_a_file_takes_much_memory(shape: str, tmp_path: Path) -> None:
+    path = tmp_path / "any.toml"
+    for size in (MEGABYTE, MAX_ODD_BYTES):
+        path.write_bytes(SHAPES[shape](size))
+        assert peak_memory(lambda: read(path)) < ALLOWED, size
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("shape", SHAPES)
+def test_no_shape_of_the_largest_file_takes_much_memory(shape: str, tmp_path: Path) -> None:
+    path = tmp_path / "any.toml"
+    for size in (MAX_ODD_BYTES // 2, MAX_ODD_BYTES, MAX_BYTES // 4, MAX_BYTES // 2, MAX_BYTES):
+        path.write_bytes(SHAPES[shape](size))
+        assert peak_memory(lambda: read(path)) < ALLOWED, size
+
+
+def test_no_shape_of_a_file_takes_longer_than_the_largest_ordinary_one(tmp_path: Path) -> None:
+    path = tmp_path / "any.toml"
+    path.write_bytes(ordinary(MAX_BYTES))
+    longest = seconds(lambda: Materials([path]))
+    for name, shape in SHAPES.items():
+        for size in (MAX_ODD_BYTES, MAX_BYTES // 4, MAX_BYTES):
+            path.write_bytes(shape(size))
+            assert seconds(lambda: read(path)) < 2 * DENSEST * longest, (name, size)
+            assert seconds(lambda: Materials([path])) < DENSEST * longest, (name, size)
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+def test_a_file_that_is_too_large_is_refused_for_less_than_a_small_one_is_read(shape: str, tmp_path: Path) -> None:
+    path, small = tmp_path / "any.toml", tmp_path / "small.toml"
+    path.write_bytes(SHAPES[shape](MEGABYTE))
+    small.write_bytes(ordinary(MAX_BYTES // 10))
+    with pytest.raises(MaterialsFileError, match="is larger than 64 kB"):
+        read(path)
+    assert seconds(lambda: read(path)) < seconds(lambda: read(small))
+
+
+def test_a_file_of_all_that_is_allowed_is_read(tmp_path: Path) -> None:
+    path = tmp_path / "many.toml"
+    path.write_bytes(ordinary(MAX_BYTES))
+    assert len(read(path)) > 150
+
+
+@pytest.mark.parametrize(
+    ("shape", "size", "problem"),
+    [
+        ("line ends", MAX_LINES + 1, f"{MAX_LINES} lines"),
+        ("arrays of tables", MAX_LINES * 5, f"{MAX_BRACKETS} opening brackets"),
+        ("aliases", MAX_COMMAS * 7, f"{MAX_COMMAS} commas"),
+    ],
+)
+def test_what_there_is_too_much_of_is_named(shape: str, size: int, problem: str, tmp_path: Path) -> None:
+    path = tmp_path / "any.toml"
+    path.write_bytes(SHAPES[shape](size))
+    with pytest.raises(MaterialsFileError, match=f"has more than {problem}"):
+        read(path)
+
+
+# --- Texts with units ---------------------------------------------------------------------------------------------------
+
+LONG = {
+    "digits": "9",
+    "spaces": " ",
+    "signs": "−",
+    "letters": "m",
+    "units": "m ",
+    "powers": "^9",
+    "brackets": "(",
+    "points": ".",
+    "slashes": "/",
+    "superscripts": "⁹",
+    "combining accents": "\u0301",
+    "NULs": "\0",
+}
+
+
+@pytest.mark.parametrize("piece", LONG)
+def test_a_long_text_costs_nothing(piece: str) -> None:
+    for head in ("", "5", "5 m"):
+        text = head + LONG[piece] * (MEGABYTE // len(LONG[piece]))
+        for work in (lambda: parse_quantity(text, "radius"), lambda: unit_of(text, "radius")):  # noqa: B023
+            with pytest.raises(QuantityError) as error:
+                work()
+            assert len(str(error.value)) < 400
+            assert peak_memory(work) < 5 * MEGABYTE
+
+
+def test_names_that_pint_was_asked_for_are_not_kept_for_ever() -> None:
+    with pytest.raises(QuantityError):
+        unit_of("zzzzz", "radius")  # pint starts
+
+    def ask() -> None:
+        for number in range(1100):
+            letters = "".join(chr(ord("a") + digit) for digit in divmod(number, 26)[1:] + divmod(number // 26, 26))
+            with pytest.raises(QuantityError):
+                unit_of("zzq" + letters, "radius")
+
+    assert peak_memory(ask) < ALLOWED
+
+
+def test_a_word_of_any_length_is_compared_with_what_is_known_at_once() -> None:
+    assert closest("quartz" * 100_000, ["quartz"]) is None
+
+
+PREFIXED = [
+    prefix + unit
+    for prefix in ("", *PREFIXES)
+    for unit, (_, _, dimension) in PREFIXABLE.items()
+    if dimension == unit_of("N", "load").dimension
+]
+
+
+@given(st.floats(allow_nan=False, allow_infinity=False), st.sampled_from(PREFIXED))
+@example(5e-324, "N")
+@example(-1.7976931348623157e308, "YN")
+def test_what_is_written_reads_back(value: float, unit: str) -> None:
+    """In its own unit every finite double; in another one, to the two roundings between."""
+    as_usual, in_unit = Format(), Format({"load": (unit, unit_of(unit, "load"))})
+    assert parse_quantity(f"{as_usual.text('load', value)} {as_usual.unit('load')}", "load") == value
+    written = in_unit.number("load", value)
+    if value and 1e-290 < abs(written) < 1e290 and abs(value) > 1e-290:
+        assert math.isclose(parse_quantity(f"{in_unit.text('load', value)} {unit}", "load"), value, rel_tol=3e-16)
+
+
+@given(st.floats(allow_nan=False, allow_infinity=False), st.sampled_from(PREFIXED))
+def test_what_is_typed_in_any_unit_is_rounded_once(value: float, unit: str) -> None:
+    numerator, denominator, _ = unit_of(unit, "load")
+    exact = Decimal(value)
+    try:
+        expected = exact.as_integer_ratio()[0] * numerator / (exact.as_integer_ratio()[1] * denominator)
+    except OverflowError:
+        expected = math.inf
+    text = f"{value!r} {unit}"
+    if math.isinf(expected) or (value and not expected):
+        with pytest.raises(QuantityError):
+            parse_quantity(text, "load")
+    else:
+        shortest = Decimal(repr(value)).as_integer_ratio()
+        assert parse_quantity(text, "load") == shortest[0] * numerator / (shortest[1] * denominator)
+
+
+@given(st.sampled_from(TYPED), st.floats(min_value=0.0, max_value=0.5, exclude_min=True))
+def test_every_quantity_reads_its_own_unit(name: str, value: float) -> None:
+    unit = NOMENCLATURE[name].unit
+    assert parse_quantity(f"{value!r} {unit}".removesuffix(" 1"), name) == value

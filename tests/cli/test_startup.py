@@ -1,0 +1,112 @@
+"""What a call imports: no more than it uses. How much time that saves is measured by benchmarks/startup.py."""
+
+import os
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from jkroll.materials.library import SHIPPED
+
+LIBRARIES = {"numpy", "pint", "rich", "typer", "pydantic", "mpmath", "matplotlib", "tomllib"}
+HEAVY = {"dataclasses", "inspect", "pathlib", "difflib", "shutil", "subprocess"}  # of the standard library
+PINT = {"numpy", "pint"}  # pint imports numpy by itself
+
+PROGRAM = """
+import sys
+import jkroll.materials
+jkroll.materials.__path__.append(sys.argv[1])
+sys.stdout.isatty = lambda: sys.argv[2] == "terminal"
+from jkroll.cli.process import main
+codes = {main(words.split()) for words in sys.argv[3:]}
+print(codes, *sys.modules, file=sys.stderr)
+"""
+
+
+def imported(*calls: str, folder: Path, terminal: bool = False, variables: dict[str, str] | None = None) -> set[str]:
+    """Which libraries some calls import in all, from a wheel, where the shipped materials are a module."""
+    data = tomllib.loads(Path(SHIPPED).read_text(encoding="utf-8"))
+    (folder / "shipped.py").write_text(f"DATA = {data!r}\n", encoding="utf-8")
+    ran = subprocess.run(
+        [sys.executable, "-c", PROGRAM, str(folder), "terminal" if terminal else "pipe", *calls],
+        capture_output=True,
+        text=True,
+        check=True,
+        encoding="utf-8",
+        cwd=folder,
+        env={**os.environ, **(variables or {})},
+    )
+    codes, *names = ran.stderr.splitlines()[-1].split()
+    assert codes == "{0}", ran.stderr
+    assert ran.stdout
+    return (LIBRARIES | HEAVY) & set(names)
+
+
+def test_plain_answers_import_no_library(tmp_path: Path) -> None:
+    calls = [
+        "pull-off quartz 100nm --bare --quiet",
+        "pull-off quartz 100nm --quiet",
+        "pull-off quartz 100nm --json --quiet",
+        "pull-off quartz 100nm --csv --quiet",
+        "report quartz 100nm --radius2 plane --material2 iron --load -1nN --digits 3 --to nN,nm --quiet",
+        "yield-force quartz 1nm:1um:9 --bare --quiet",
+        "moment quartz 100nm --rtol 1e-3 --quiet",
+        "materials quartz",
+        "--version",
+    ]
+    assert imported(*calls, folder=tmp_path) == set()
+
+
+def test_help_imports_no_library(tmp_path: Path) -> None:
+    assert imported("--help", "report --help", "materials -h", folder=tmp_path) == set()
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+@pytest.mark.parametrize("line", ["jkroll pul", "jkroll pull-off iron,qu", "jkroll pull-off --"])
+def test_a_completion_imports_no_library(shell: str, line: str, tmp_path: Path) -> None:
+    variables = {
+        "_JKROLL_COMPLETE": f"complete_{shell}",
+        "COMP_WORDS": line.replace(" ", "\n"),
+        "COMP_CWORD": str(line.count(" ")),
+        "_TYPER_COMPLETE_ARGS": line,
+        "_TYPER_COMPLETE_FISH_ACTION": "get-args",
+    }
+    assert imported("", folder=tmp_path, variables=variables) == set()
+
+
+def test_a_file_of_materials_adds_nothing_if_it_is_plain_else_the_parser(tmp_path: Path) -> None:
+    own = tmp_path / "own.toml"
+    own.write_text('[materials.ice]\nsurface_energy = "0.37 J/m2"\n', encoding="utf-8")
+    calls = ["pull-off ice 100nm --bare --quiet --materials own.toml", "materials --materials own.toml"]
+    assert imported(*calls, folder=tmp_path) == set()
+    own.write_text('[materials]\n[materials.ice]\nsurface_energy = "0.37 J/m2"\n', encoding="utf-8")
+    assert imported(*calls, folder=tmp_path) == {"tomllib"}
+
+
+def test_a_table_adds_rich_alone(tmp_path: Path) -> None:
+    calls = ["pull-off quartz 100nm --quiet", "yield-force quartz,iron 1nm:1um:3 --quiet", "materials"]
+    assert imported(*calls, folder=tmp_path, terminal=True) & LIBRARIES == {"rich"}
+
+
+def test_a_unit_outside_the_table_adds_pint_alone(tmp_path: Path) -> None:
+    assert imported("pull-off quartz 1e-14furlong --bare --quiet", folder=tmp_path) & LIBRARIES == PINT
+
+
+@pytest.mark.parametrize(("mistake", "libraries"), [("--laod 5nN", set()), ("--digits x", {"typer"})])
+def test_a_mistyped_option_adds_nothing_and_another_mistake_typer(
+    tmp_path: Path, mistake: str, libraries: set[str]
+) -> None:
+    program = "import sys; from jkroll.cli.process import main; main(sys.argv[1:]); print(*sys.modules)"
+    words = [sys.executable, "-c", program, "r-min", "100nm", *mistake.split()]
+    ran = subprocess.run(words, capture_output=True, text=True, check=True, cwd=tmp_path)
+    assert LIBRARIES & set(ran.stdout.split()) == libraries
+
+
+def test_the_package_alone_imports_nothing() -> None:
+    program = "import sys; before = set(sys.modules); import jkroll; print(*sorted(set(sys.modules) - before))"
+    source = {"PYTHONPATH": str(Path(__file__).parents[2] / "src")}
+    words = [sys.executable, "-S", "-c", program]
+    ran = subprocess.run(words, capture_output=True, text=True, check=True, env={**os.environ, **source})
+    assert ran.stdout.split() == ["jkroll"]

@@ -1,0 +1,35 @@
+"""What tests use to run the command line in this process: streams in memory, and what a call left behind."""
+
+import io
+from collections.abc import Callable
+from typing import NamedTuple
+
+
+class Ran(NamedTuple):
+    """What a call left behind."""
+
+    code: int
+    out: str
+    err: str
+
+
+class Stream(io.TextIOWrapper):
+    """A text stream in memory that says of itself whether it is a terminal."""
+
+    def __init__(self, *, terminal: bool = False, encoding: str = "utf-8") -> None:
+        super().__init__(io.BytesIO(), encoding=encoding, newline="")
+        self.terminal = terminal
+
+    def isatty(self) -> bool:
+        """Whether it is to be taken for a terminal."""
+        return self.terminal
+
+    def text(self) -> str:
+        """All that was written."""
+        self.flush()
+        buffer = self.buffer
+        assert isinstance(buffer, io.BytesIO)
+        return buffer.getvalue().decode(self.encoding)
+
+
+Run = Callable[..., Ran]

@@ -1,0 +1,201 @@
+"""Materials: the shipped file, the user's own over it, and files that are no materials."""
+
+import os
+from pathlib import Path
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+import jkroll
+from harness import Run
+from jkroll.errors import JkrollError
+from jkroll.materials.file import MaterialsFileError
+from jkroll.materials.library import SHIPPED, Materials, read
+from jkroll.text import quoted
+
+ICE = """
+title = "my measurements"
+[materials.ice]
+aliases = ["H2O"]
+surface_energy = "0.37 J/m2"
+density = "1 g/cm3"
+"""
+
+
+def write(path: Path, text: str | bytes) -> Path:
+    """A file with its folder."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_bytes(text.encode() if isinstance(text, str) else text)
+    return path
+
+
+def test_aliases_in_any_case() -> None:
+    materials = Materials()
+    for word, name in {
+        "SiO2": "quartz",
+        "sio2": "quartz",
+        "AU": "gold",
+        "fe": "iron",
+        "ps": "polystyrene",
+        "Graphite": "graphite",
+    }.items():
+        assert materials[word].name == name
+
+
+def test_the_paper_s_footnotes_and_references_are_there() -> None:
+    materials = Materials()
+    assert "micron-sized" in materials["quartz"].notes["surface_energy"]
+    assert "mean of the range" in materials["gold"].notes["surface_energy"]
+    assert all(material.references for material in materials.materials.values())
+    assert set(materials["gold"].properties) == {"surface_energy", "density"}
+
+
+def test_there_is_one_copy() -> None:
+    root = Path(__file__).parents[2]
+    copies = [path for path in root.rglob("materials.toml") if ".venv" not in path.parts[len(root.parts)]]
+    assert copies == [root / "materials.toml"]
+    assert Path(SHIPPED).samefile(root / "materials.toml") or "site-packages" in Path(SHIPPED).parts
+
+
+def test_option_environment_and_configuration_add_up(run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    option = write(tmp_path / "option.toml", ICE)
+    environment = write(tmp_path / "environment.toml", ICE.replace("ice", "frost").replace("H2O", "hoar"))
+    write(tmp_path / "configuration/jkroll/materials.toml", ICE.replace("ice", "snow").replace("H2O", "firn"))
+    monkeypatch.setenv("JKROLL_MATERIALS", str(environment))
+    ran = run("pull-off", "ice,frost,snow,quartz", "1um", "--materials", str(option), "--bare")
+    assert ran.code == 0
+    values = ran.out.split()
+    assert len(values) == 4
+    assert values[0] == values[1] == values[2] != values[3]
+    assert "shadows" not in ran.err
+
+
+def test_shadowing_is_announced_and_the_later_file_wins(
+    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    mine = write(tmp_path / "mine.toml", ICE.replace("[materials.ice]", "[materials.silica]").replace("H2O", "opal"))
+    other = write(tmp_path / "other.toml", ICE.replace("0.37", "0.5").replace("ice", "Silica"))
+    monkeypatch.setenv("JKROLL_MATERIALS", str(other))
+    ran = run("pull-off", "SILICA", "1um", "--materials", str(mine), "--json")
+    note = f"{mine} shadows silica of my measurements"
+    assert ran.code == 0
+    assert '"surface_energy": 0.37' in ran.out
+    assert note in ran.out
+    assert f"note: silica: {note}\n" in run("pull-off", "SILICA", "1um", "--materials", str(mine)).err
+    assert f"note: Silica: {other} shadows silica of Table 1\n" in run("pull-off silica 1um").err
+    assert "shadows" not in run("pull-off quartz 1um").err
+
+
+def test_a_material_that_lacks_a_property_names_its_file(run: Run, tmp_path: Path) -> None:
+    path = write(tmp_path / "mine.toml", ICE)
+    ran = run("contact", "H2O", "1um", "--materials", str(path))
+    assert ran.code == 2
+    assert "ice has none in my measurements" in ran.err
+
+
+BROKEN = {
+    "a = ": "is not TOML: Invalid value (at end of document)",
+    "[materials.a]\ndensity = 5": "a.density is not a text in quotes",
+    "[materials.a]\ndensity = '5'": "a: density: '5' has no unit; expected a mass density such as 2.6g/cm3",
+    "[materials.a]\ndensity = '-5 g/cm3'": "a: density: '-5 g/cm3' must be positive; expected a mass density such as 2.6g/cm3",
+    "[materials.a]\ndensity = true": "a.density is not a text in quotes",
+    "[materials.a]\ndensity = 1979-05-27": "a.density is not a text in quotes",
+    "[materials.a]\ndensity = nan": "a.density is not a text in quotes",
+    "[materials.a]\ndensty = '1 g/cm3'": "'a' has an unknown key 'densty'; did you mean density?",
+    "materials = 3": "materials is not a table",
+    "[materials]\na = 3": "materials.a is not a table",
+    "[material.a]": "has an unknown key 'material'; expected [materials.NAME] tables",
+    "[materials.'100nm']": "'100nm' is no name for a material; one begins with a letter and has no comma",
+    "[materials.all]": "'all' is no name for a material; one begins with a letter and has no comma",
+    "[materials.a]\naliases = ['x,y']": "'x,y' is no name for a material; one begins with a letter and has no comma",
+    "[materials.a]\naliases = 'x'": "a.aliases is not a list",
+    '[materials."a\\u001b[31m"]': "'a?[31m' is no name for a material; one begins with a letter and has no comma",
+    '[materials."a\\u202eb"]': "'a?b' is no name for a material; one begins with a letter and has no comma",
+    "[materials.a]\nreferences = ['x']": "'a' cites 'x', which [references] does not have",
+    "[materials.ice]\n[materials.Ice]": "'Ice' names both 'ice' and 'Ice'; case makes no difference",
+    "[materials.a]\naliases = ['x']\n[materials.b]\naliases = ['X']": "'X' names both 'a' and 'b'; case makes no difference",
+    "[materials.'a ']": "'a ' is no name for a material; one begins with a letter and has no comma",
+    "title = 3": "title is not a text in quotes",
+    "a = " + "[" * 1200: "is not TOML: nested too deeply",
+    "a" + ".a" * 1200 + " = 1": "has a line of more than 2000 characters or 100 dots",
+    b"\xff\xfe": "is not UTF-8",
+    "x = '" + "y" * 200_001 + "'": "is larger than 64 kB",
+    "\n" * 3001: "has more than 3000 lines",
+}
+
+
+@pytest.mark.parametrize("text", BROKEN, ids=lambda text: repr(text[:30]))
+def test_what_is_wrong_with_a_file(run: Run, tmp_path: Path, text: str | bytes) -> None:
+    path = write(tmp_path / "broken.toml", text)
+    ran = run("materials", "--materials", str(path))
+    assert (ran.code, ran.out) == (2, "")
+    assert ran.err == f"jkroll: materials file '{path}': {BROKEN[text]}\n"
+
+
+@pytest.mark.parametrize("name", ["\\u001b[31mred", "9nm", "plane", "a,b"])
+def test_names_are_checked_before_any_is_shown(run: Run, tmp_path: Path, name: str) -> None:
+    path = write(tmp_path / "mine.toml", f'[materials."{name}"]\n')
+    ran = run("pull-off", "unknown", "1um", "--materials", str(path))
+    assert "is no name for a material" in ran.err
+    assert "\x1b" not in ran.err
+
+
+def test_a_material_takes_over_the_other_names_of_the_one_whose_name_it_takes(tmp_path: Path) -> None:
+    path = write(tmp_path / "mine.toml", "[materials.POLYSTYRENE]\ndensity = '1 g/cm3'\n")
+    assert jkroll.Materials([path])["PS"].name == jkroll.Materials([path])["polystyrene"].name == "POLYSTYRENE"
+
+
+def test_of_a_file_no_more_is_read_than_is_asked(run: Run, tmp_path: Path) -> None:
+    """What is wrong with a material is said to whoever asks for it, or for all."""
+    path = write(tmp_path / "mine.toml", ICE + "[materials.wood]\naliases = ['oak']\ndensity = '-5 g/cm3'\n")
+    words = ("1um", "--materials", str(path), "--bare")
+    assert run("pull-off", "ice", *words).code == run("pull-off", "quartz", *words).code == 0
+    problem = "wood: density: '-5 g/cm3' must be positive; expected a mass density such as 2.6g/cm3"
+    message = f"jkroll: materials file '{path}': {problem}\n"
+    for material in ("wood", "Oak", "ice,wood", "all"):
+        assert run("pull-off", material, *words).err == message
+    Path("grains.csv").write_text("radius [nm],material\n100,ice\n", encoding="utf-8")
+    for output in ([], ["-o", "out.csv"]):
+        assert run("batch", "grains.csv", *output, "--materials", str(path)) == (2, "", message)
+    assert not Path("out.csv").exists()
+
+
+def test_what_is_no_file(run: Run, tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "fifo")
+    (tmp_path / "loop").symlink_to(tmp_path / "loop")
+    for path, problem in (
+        ("fifo", "is not a regular file"),
+        ("loop", "Too many levels of symbolic links"),
+        (".", "is not a regular file"),
+        ("/dev/zero", "is not a regular file"),
+        ("a" * 300, "File name too long"),
+        ("none", "No such file or directory"),
+    ):
+        ran = run("pull-off", "quartz", "1um", "--materials", path)
+        assert (ran.code, ran.err) == (2, f"jkroll: materials file {quoted(path)}: {problem}\n")
+
+
+def test_a_broken_file_does_not_matter_where_no_material_is_named(
+    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = write(tmp_path / "broken.toml", "a = ")
+    monkeypatch.setenv("JKROLL_MATERIALS", str(path))
+    assert run("r-min 100nm").code == 0
+    assert run("r-min", "100nm", "--materials", str(path)).code == 2
+
+
+@settings(max_examples=300, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(st.binary(max_size=300) | st.text(alphabet="[]materials.a=\"'\n{}1 gcm/,", max_size=200).map(str.encode))
+def test_nothing_but_the_declared_error_escapes(tmp_path: Path, content: bytes) -> None:
+    path = write(tmp_path / "any.toml", content)
+    try:
+        read(path)
+    except MaterialsFileError as error:
+        assert "\n" not in str(error)
+
+
+def test_solve_takes_materials_by_name() -> None:
+    assert jkroll.solve("pull_off_force", material="Fe", radius=1e-6) > 0
+    with pytest.raises(JkrollError, match="did you mean quartz"):
+        jkroll.solve("pull_off_force", material="quarz", radius=1e-6)

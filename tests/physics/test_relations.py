@@ -1,0 +1,510 @@
+"""Relations between the formulas: limits, inverses, scaling laws, exchange of the spheres, dimensions."""
+
+import inspect
+import math
+from pathlib import Path
+from typing import Any, get_type_hints
+
+import numpy as np
+import pint
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import jkroll
+from jkroll import FORMULAS, NOMENCLATURE, JkrollError, solve
+from jkroll.output.explain import docstring_fields
+from jkroll.physics import ladder
+from jkroll.quantities.errors import MalformedQuantity, OutOfRange
+from jkroll.quantities.units import dimension_of
+from jkroll.scene.errors import (
+    BeyondPullOff,
+    Contradiction,
+    MissingInput,
+    NoFiniteValue,
+    NoVibration,
+    ShapeMismatch,
+    TwoRigidBodies,
+)
+
+INFINITY = math.inf
+QUARTZ: dict[str, Any] = {"surface_energy": 0.025, "youngs_modulus": 54e9, "poisson_ratio": 0.17, "density": 2600.0}
+
+radii = st.floats(1e-9, 1e-3)
+energies = st.floats(1e-3, 10)
+moduli = st.floats(1e6, 1e12)
+ratios = st.floats(0, 0.5)
+factors = st.floats(0.1, 10)
+
+
+def close(value: float, other: float, ulps: float = 20) -> bool:
+    """Equal but for a few roundings."""
+    return abs(value - other) <= ulps * 2.2e-16 * max(abs(value), abs(other))
+
+
+# --- Equations that follow from others ------------------------------------------------------------------------------
+
+
+@given(energies, radii, moduli)
+def test_eq_3_three_ways(work: float, radius: float, modulus: float) -> None:
+    force = jkroll.pull_off_force(work_of_adhesion=work, reduced_radius=radius)
+    a0 = jkroll.contact_radius(work_of_adhesion=work, reduced_radius=radius, contact_modulus=modulus)
+    delta0 = jkroll.approach(work_of_adhesion=work, reduced_radius=radius, contact_modulus=modulus)
+    assert close(delta0, force / (modulus * a0))
+    assert close(delta0, a0 * a0 / (3 * radius))
+
+
+@given(radii, st.floats(-0.99, 100))
+def test_contact_at_load_satisfies_eqs_5_and_6(radius: float, ratio: float) -> None:
+    names = ["pull_off_force", "contact_radius", "approach"]
+    scene: dict[str, Any] = {**QUARTZ, "radius": radius}
+    force, a0, delta0 = solve(names, **scene).values()
+    a, delta = solve(["contact_radius_at_load", "approach_at_load"], load=ratio * force, **scene).values()
+    assert math.isclose(jkroll.load_ratio(contact_radius_ratio=a / a0), ratio, rel_tol=1e-12, abs_tol=1e-13)
+    assert math.isclose(
+        jkroll.approach_ratio(contact_radius_ratio=a / a0), delta / delta0, rel_tol=1e-12, abs_tol=1e-13
+    )
+
+
+@given(st.floats(-0.99, 100))
+def test_pressure_gives_approach_and_load_back(ratio: float) -> None:
+    names = [
+        "contact_radius_at_load",
+        "approach_at_load",
+        "hertz_pressure",
+        "boussinesq_pressure",
+        "contact_modulus",
+        "pull_off_force",
+    ]
+    force = solve("pull_off_force", radius=1e-7, **QUARTZ)
+    a, delta, p_h, p_b, modulus, force = solve(names, radius=1e-7, load=ratio * force, **QUARTZ).values()
+    from_13 = jkroll.approach_of_pressure(
+        contact_radius_at_load=a, contact_modulus=modulus, hertz_pressure=p_h, boussinesq_pressure=p_b
+    )
+    assert math.isclose(from_13, delta, rel_tol=1e-12, abs_tol=1e-13 * a)
+    from_14 = jkroll.boussinesq_pressure_at_approach(
+        approach_at_load=delta, contact_radius_at_load=a, contact_modulus=modulus, hertz_pressure=p_h
+    )
+    assert math.isclose(from_14, p_b, rel_tol=1e-11, abs_tol=1e-12 * p_h)
+    load = math.pi * a**2 * (2 / 3 * p_h + 2 * p_b)  # 2π∫p r dr
+    assert math.isclose(load, ratio * force, rel_tol=1e-11, abs_tol=1e-12 * force)
+
+
+@given(st.floats(-0.99, 100))
+def test_stiffness_is_the_slope_of_the_load(ratio: float) -> None:
+    force = solve("pull_off_force", radius=1e-7, **QUARTZ)
+    step = 1e-5 * (1 + ratio)
+    below, above = (
+        solve("approach_at_load", radius=1e-7, load=force * (ratio + side * step), **QUARTZ) for side in (-1, 1)
+    )
+    stiffness = solve("stiffness", radius=1e-7, load=force * ratio, **QUARTZ)
+    assert math.isclose(stiffness, 2 * step * force / (above - below), rel_tol=1e-6)
+
+
+@given(st.floats(-0.99, 100))
+def test_eq_24_with_eq_6_is_eq_25(ratio: float) -> None:
+    force = solve("pull_off_force", radius=1e-7, **QUARTZ)
+    linearised, moment = solve(
+        ["linearised_moment", "yield_moment"], radius=1e-7, load=ratio * force, **QUARTZ
+    ).values()
+    assert math.isclose(linearised, moment, rel_tol=1e-11)
+
+
+def test_half_circles_tend_to_eq_25_with_the_square_of_xi() -> None:
+    """The un-linearised moment is M[1 + (3/2)(ξ/a0)²] at â = 1."""
+    a0 = solve("contact_radius", radius=1e-7, **QUARTZ)
+    for fraction in (0.1, 0.03):
+        exact, linear = solve(
+            ["half_circles_moment", "yield_moment"], radius=1e-7, yield_displacement=fraction * a0, **QUARTZ
+        ).values()
+        assert math.isclose(exact / linear - 1, 1.5 * fraction**2, rel_tol=1e-9)
+
+
+@given(radii, energies, moduli, st.floats(1e-12, 1e-8))
+def test_eq_49_is_eq_48(radius: float, work: float, modulus: float, displacement: float) -> None:
+    scene: dict[str, Any] = {
+        "radius": radius,
+        "work_of_adhesion": work,
+        "contact_modulus": modulus,
+        "yield_displacement": displacement,
+    }
+    at_ratio = jkroll.n_roll_at_energy_ratio(
+        energy_ratio=1.0,
+        work_of_adhesion=work,
+        contact_modulus=modulus,
+        reduced_radius=radius / 2,
+        load_factor=1.0,
+        yield_displacement=displacement,
+    )
+    energy = solve("adhesion_energy", **scene)
+    assert close(solve("n_roll", **scene), at_ratio)
+    assert close(solve("n_roll", energy=energy, **scene), at_ratio)
+    assert close(solve("n_roll_energy_balance", **scene), 3.5 * at_ratio)
+    assert close(solve("n_roll_energy_balance", energy=energy, **scene), 3.5 * at_ratio)
+
+
+def test_n_roll_follows_from_46_and_47() -> None:
+    """The spin ω(0) decelerated by ⟨M⟩/I1 turns ω²/(2·2π·⟨M⟩/I1) times; the energy balance gives 7/2 of that."""
+    names = ["moment_of_inertia", "mean_rolling_moment", "n_roll", "n_roll_energy_balance"]
+    inertia, moment, n, balance = solve(names, radius=1e-7, energy=1e-18, **QUARTZ).values()
+    spin = jkroll.initial_angular_speed(energy=1e-18, moment_of_inertia=inertia)
+    slowing = -jkroll.angular_deceleration(mean_rolling_moment=moment, moment_of_inertia=inertia)
+    assert close(n, spin**2 / (2 * slowing) / (2 * math.pi))
+    assert close(balance, 3.5 * n)
+    speed = spin * 1e-7
+    mass = solve("mass", radius=1e-7, **QUARTZ)
+    assert close(jkroll.rolling_energy(mass=mass, speed=speed, moment_of_inertia=inertia, angular_speed=spin), 1e-18)
+
+
+def test_chain_of_n_grav_spheres_is_at_its_limit() -> None:
+    names = ["n_grav", "mass", "yield_moment"]
+    number, mass, moment = solve(names, radius=1e-7, **QUARTZ).values()
+    assert close(jkroll.gravity_moment(mass=mass, gravity=9.80665, radius=1e-7, number=number), moment)
+    closed = math.sqrt(9 * 0.025 * 2e-10 / (2 * 1e-21 * 2600 * 9.80665))
+    assert close(number, closed)
+
+
+def test_eqs_26_27_28_in_their_printed_forms() -> None:
+    names = ["yield_force", "yield_force_ratio", "yield_moment", "pull_off_force", "yield_angle", "r_min"]
+    force, ratio, moment, pull_off, angle, r_min = solve(names, radius=1e-7, **QUARTZ).values()
+    assert close(force, 6 * math.pi * 0.025 * 2e-10)
+    assert close(ratio, force / pull_off)
+    assert close(force, moment / 1e-7)
+    assert close(angle, 2 * 2e-10 / 1e-7)
+    assert close(r_min, 1e-7**2 / 2e-10)
+    assert close(r_min, 2 * 1e-7 / angle)
+
+
+def test_eq_41_is_eq_40_with_a_wrong_radius_of_gyration() -> None:
+    printed, right = solve(["rolling_frequency_as_printed", "rolling_frequency"], radius=1e-7, **QUARTZ).values()
+    assert close(right, 2.5 * printed)
+    assert close(right, 3 / (4 * math.pi) * math.sqrt(5 * 0.025 / (1e-7**3 * 2600)))
+
+
+# --- Two spheres ----------------------------------------------------------------------------------------------------
+
+PAIR: dict[str, Any] = {
+    "radius": 1e-7, "radius2": 3e-7, "surface_energy": 0.025, "surface_energy2": 3.0, "youngs_modulus": 54e9,
+    "youngs_modulus2": 210e9, "poisson_ratio": 0.17, "poisson_ratio2": 0.27, "density": 2600.0, "density2": 7700.0,
+}  # fmt: skip
+OF_THE_PAIR = [
+    "work_of_adhesion", "reduced_radius", "contact_modulus", "reduced_mass", "reduced_moment_of_inertia", "rolling_mass",
+    "pull_off_force", "contact_radius", "approach", "yield_moment", "r_min", "vertical_frequency", "rolling_frequency",
+    "rolling_frequency_no_slip",
+]  # fmt: skip
+
+
+def exchanged(scene: dict[str, Any]) -> dict[str, Any]:
+    """The scene with spheres 1 and 2 exchanged."""
+    return {name.removesuffix("2") if name.endswith("2") else name + "2": value for name, value in scene.items()}
+
+
+@pytest.mark.parametrize("name", OF_THE_PAIR)
+def test_exchange_of_the_spheres_changes_nothing(name: str) -> None:
+    assert close(solve(name, **PAIR), solve(name, **exchanged(PAIR)), 4)
+
+
+@given(radii, radii)
+def test_reduced_radius_is_the_same_to_the_bit_under_exchange(radius: float, radius2: float) -> None:
+    assert solve("reduced_radius", radius=radius, radius2=radius2) == solve(
+        "reduced_radius", radius=radius2, radius2=radius
+    )
+
+
+@pytest.mark.parametrize(
+    "name", [name for name in OF_THE_PAIR if name != "r_min"] + ["yield_force", "n_grav", "n_roll"]
+)
+def test_a_plane_is_the_limit_of_a_large_sphere(name: str) -> None:
+    plane = solve(name, **{**PAIR, "radius2": INFINITY})
+    for ratio, tolerance in ((1e6, 1e-5), (1e12, 1e-11)):
+        assert math.isclose(solve(name, **{**PAIR, "radius2": ratio * 1e-7}), plane, rel_tol=tolerance)
+
+
+def test_saying_that_sphere_2_is_like_sphere_1_changes_nothing() -> None:
+    same: dict[str, Any] = {**QUARTZ, "radius": 1e-7} | {
+        name + "2": value for name, value in {**QUARTZ, "radius": 1e-7}.items()
+    }
+    for name in (*OF_THE_PAIR, "yield_force", "n_grav", "n_roll"):
+        assert close(solve(name, **same), solve(name, radius=1e-7, **QUARTZ), 3), name
+
+
+def test_no_slip_equals_eq_40_for_identical_spheres_and_the_audit_for_others() -> None:
+    """Ratios to Eq (40) at equal density: 1 at 1:1, 0.677 at 1:2, 0.535 at 1:10; 0.766 at 100:60."""
+    for ratio, expected in ((1, 1.0), (2, 0.677), (10, 0.535), (0.6, 0.766)):
+        eq_40, free = solve(
+            ["rolling_frequency", "rolling_frequency_no_slip"], radius=1e-7, radius2=ratio * 1e-7, **QUARTZ
+        ).values()
+        assert math.isclose(free / eq_40, expected, abs_tol=5.1e-4)
+
+
+def test_a_held_body_gives_the_frequency_of_a_sphere_rolling_on_it() -> None:
+    """F = (1/2π)√(4P_cR/(I1 + m1R1²)), the limit of an infinitely heavy body 2."""
+    held: dict[str, Any] = {**PAIR, "density2": 1e30}
+    names = ["pull_off_force", "reduced_radius", "moment_of_inertia", "mass", "rolling_frequency_no_slip"]
+    force, radius, inertia, mass, frequency = solve(names, **held).values()
+    assert close(frequency, math.sqrt(4 * force * radius / (inertia + mass * 1e-7**2)) / (2 * math.pi))
+
+
+def test_a_rigid_body_is_the_limit_of_a_stiff_one() -> None:
+    rigid = solve("contact_modulus", **{**PAIR, "youngs_modulus2": INFINITY})
+    assert math.isclose(solve("contact_modulus", **{**PAIR, "youngs_modulus2": 1e30}), rigid, rel_tol=1e-15)
+    assert close(rigid, 54e9 / (1 - 0.17**2))
+
+
+# --- Scaling laws ---------------------------------------------------------------------------------------------------
+
+EXPONENTS: dict[str, dict[str, float]] = {
+    "pull_off_force": {"radius": 1, "surface_energy": 1},
+    "contact_radius": {"radius": 2 / 3, "surface_energy": 1 / 3, "youngs_modulus": -1 / 3},
+    "approach": {"radius": 1 / 3, "surface_energy": 2 / 3, "youngs_modulus": -2 / 3},
+    "yield_force": {"surface_energy": 1, "yield_displacement": 1},
+    "r_min": {"radius": 2, "yield_displacement": -1},
+    "n_grav": {"surface_energy": 0.5, "yield_displacement": 0.5, "radius": -1.5, "density": -0.5, "gravity": -0.5},
+    "vertical_frequency": {"youngs_modulus": 1 / 3, "surface_energy": 1 / 6, "radius": -7 / 6, "density": -0.5},
+    "rolling_frequency": {"surface_energy": 0.5, "radius": -1.5, "density": -0.5},
+    "n_roll": {"surface_energy": 2 / 3, "youngs_modulus": -2 / 3, "radius": 1 / 3, "yield_displacement": -1},
+}
+INPUTS = ("radius", "surface_energy", "youngs_modulus", "density", "yield_displacement", "gravity")
+
+
+@pytest.mark.parametrize("name", EXPONENTS)
+@given(factor=factors)
+def test_scaling_laws(name: str, factor: float) -> None:
+    scene: dict[str, Any] = {**QUARTZ, "radius": 1e-7, "yield_displacement": 2e-10, "gravity": 9.8}
+    before = solve(name, **scene)
+    for given_name in INPUTS:
+        after = solve(name, **{**scene, given_name: scene[given_name] * factor})
+        assert math.isclose(after / before, factor ** EXPONENTS[name].get(given_name, 0), rel_tol=1e-13), given_name
+
+
+# --- Dimensions -----------------------------------------------------------------------------------------------------
+
+UREG: Any = pint.UnitRegistry()
+
+
+@pytest.mark.parametrize("name", FORMULAS)
+def test_dimensions(name: str) -> None:
+    """A formula fed with pint Quantities gives one of the dimension that its annotation and the nomenclature say."""
+    formula = FORMULAS[name]
+    hints = get_type_hints(formula, include_extras=True)
+    units = {parameter: hint.__metadata__[0] for parameter, hint in hints.items()}
+    wanted = units.pop("return")
+    values = {
+        parameter: UREG.Quantity(place / 10, unit).to_base_units()
+        for place, (parameter, unit) in enumerate(units.items(), 2)
+    }
+    if name == "load_factor_at_approach_unstable":
+        values["approach_at_load"] *= -1
+    result = formula(**values)
+    assert UREG.Quantity(result).is_compatible_with(UREG.Quantity(1.0, wanted))
+    if name in NOMENCLATURE:
+        assert NOMENCLATURE[name].unit == wanted
+    for parameter, unit in units.items():
+        if parameter in NOMENCLATURE:
+            assert NOMENCLATURE[parameter].unit == unit
+
+
+@pytest.mark.parametrize("name", FORMULAS)
+def test_docstrings_say_what_they_must(name: str) -> None:
+    fields = docstring_fields(FORMULAS[name])
+    assert all(fields.get(key) for key in ("summary", "formula", "Source", "Valid", "Accuracy")), fields
+    assert ">>>" in (FORMULAS[name].__doc__ or "")
+
+
+@pytest.mark.parametrize("name", FORMULAS)
+def test_parameters_are_named_not_placed(name: str) -> None:
+    assert all(
+        parameter.kind is parameter.KEYWORD_ONLY for parameter in inspect.signature(FORMULAS[name]).parameters.values()
+    )
+
+
+@pytest.mark.parametrize("name", NOMENCLATURE)
+def test_every_unit_of_the_nomenclature_is_one_that_we_read(name: str) -> None:
+    dimension_of(NOMENCLATURE[name].unit)
+
+
+# --- What the Python face takes and gives -----------------------------------------------------------------------------
+
+
+def test_arrays_broadcast_and_agree_with_floats() -> None:
+    radius = np.array([[1e-8], [1e-7]])
+    load = np.array([0.0, 1e-10, -1e-10])
+    result = solve(["yield_force", "vertical_frequency"], radius=radius, load=load, **QUARTZ)
+    for row in range(2):
+        for column in range(3):
+            alone = solve(
+                ["yield_force", "vertical_frequency"], radius=radius[row, 0].item(), load=load[column].item(), **QUARTZ
+            )
+            for name, value in alone.items():
+                assert close(np.broadcast_to(result[name], (2, 3))[row, column], value, 2)
+
+
+def test_lists_and_odd_values() -> None:
+    values = solve("pull_off_force", radius=["1 nm", 2e-9, 3e-9], **QUARTZ)
+    assert values.tolist() == [solve("pull_off_force", radius=radius, **QUARTZ) for radius in (1e-9, 2e-9, 3e-9)]
+    assert isinstance(solve("pull_off_force", radius=np.float64(1e-9), **QUARTZ), float)
+    assert np.isnan(solve("yield_force", load=np.array([-1.0]), radius=1e-7, **QUARTZ)).all()
+    for odd in (True, None, 1j, "x", [[1e-9], [1e-9, 2e-9]], np.array(["a"]), UREG.Quantity(1.0, "kg")):
+        with pytest.raises((JkrollError, ValueError)):
+            solve("pull_off_force", radius=odd, **QUARTZ)
+
+
+def test_materials_of_one_s_own(tmp_path: Path) -> None:
+    path = tmp_path / "mine.toml"
+    path.write_text("[materials.ice]\nsurface_energy = '0.37 J/m2'\npoisson_ratio = 0.3\n")
+    mine = jkroll.Materials([path])
+    assert solve("work_of_adhesion", material="ice", materials=mine) == 0.74
+    assert mine["ice"].properties["poisson_ratio"] == 0.3
+
+
+def test_pint_quantities_in_and_out() -> None:
+    force = solve("pull_off_force", radius=UREG.Quantity(100.0, "nm"), surface_energy=UREG.Quantity(25.0, "erg/cm^2"))
+    assert math.isclose(force.m_as("nN"), 11.780972450961725, rel_tol=1e-14)
+    direct = jkroll.pull_off_force(
+        work_of_adhesion=UREG.Quantity(50.0, "mJ/m^2"), reduced_radius=UREG.Quantity(50.0, "nm")
+    )
+    assert math.isclose(direct.m_as("nN"), 11.780972450961725, rel_tol=1e-14)
+
+
+def test_texts_with_units_in() -> None:
+    assert solve("pull_off_force", radius="100 nm", material="SIO2") == solve("pull_off_force", radius=1e-7, **QUARTZ)
+
+
+@pytest.mark.parametrize(
+    ("scene", "error"),
+    [
+        ({"material": "gold", "radius": 1e-7}, MissingInput),
+        ({"radius": 0.0}, OutOfRange),
+        ({"radius": -1.0}, OutOfRange),
+        ({"radius": math.nan}, OutOfRange),
+        ({"radius": INFINITY}, OutOfRange),
+        ({"radius": 1e-7, "poisson_ratio": 0.6}, OutOfRange),
+        ({"radius": np.array([1e-7, -1e-7])}, OutOfRange),
+        ({**QUARTZ, "radius": 1e-7, "youngs_modulus": INFINITY}, TwoRigidBodies),
+        ({**QUARTZ, "radius": 1e-7, "load": -1.2e-8}, BeyondPullOff),
+        ({**QUARTZ, "radius": 1e300}, NoFiniteValue),
+    ],
+)
+def test_what_cannot_be_answered_raises(scene: dict[str, Any], error: type[Exception]) -> None:
+    with pytest.raises(error):
+        solve("vertical_frequency", **scene)
+
+
+def test_pull_off_itself_can_be_reached() -> None:
+    force = solve("pull_off_force", radius=1e-7, **QUARTZ)
+    assert solve("load_factor", radius=1e-7, load=-force, **QUARTZ) == 0.5
+    with pytest.raises(BeyondPullOff):
+        solve("load_factor", radius=1e-7, load=math.nextafter(-force, -1), **QUARTZ)
+
+
+def test_work_of_adhesion_needs_no_surface_energy_and_overrides_it() -> None:
+    assert solve("pull_off_force", radius=1e-7, work_of_adhesion=0.05) == solve(
+        "pull_off_force", radius=1e-7, surface_energy=0.025
+    )
+    assert solve("pull_off_force", radius=1e-7, work_of_adhesion=0.05, material="iron", material2="gold") == solve(
+        "pull_off_force", radius=1e-7, surface_energy=0.025
+    )
+
+
+def test_a_value_that_is_given_is_the_value() -> None:
+    assert solve("load_margin", load_margin=0.5, radius=1e-7, **QUARTZ) == 0.5
+    half = solve("yield_force", radius_ratio=3.0, **QUARTZ)
+    assert close(half, solve("yield_force", **QUARTZ) / 2)
+
+
+def test_energy_ratio_and_energy_are_one_scene() -> None:
+    scene: dict[str, Any] = {"radius": 1e-7, **QUARTZ}
+    energy = solve("adhesion_energy", **scene)
+    for name in ("n_roll", "n_roll_energy_balance", "energy_over_yield"):
+        assert close(solve(name, energy_ratio=5.0, **scene), solve(name, energy=5 * energy, **scene))
+
+
+def test_free_spheres_do_not_vibrate_beyond_pull_off() -> None:
+    approach = solve("approach", radius=1e-7, **QUARTZ)
+    with pytest.raises(NoVibration):
+        solve("vertical_frequency", approach_at_load=-0.6 * approach, radius=1e-7, **QUARTZ)
+
+
+def test_energies_between_the_states_of_the_curve() -> None:
+    """By integrating P dδ of Eqs (5) and (6) between the states, with Simpson's rule in y = √â."""
+
+    def work(y0: float, y1: float, pieces: int = 2000) -> float:
+        step = (y1 - y0) / pieces
+        values = [4 * (y**6 - y**3) * (12 * y**3 - 2) for y in (y0 + k * step for k in range(pieces + 1))]
+        return step / 3 * (values[0] + 4 * sum(values[1:-1:2]) + 2 * sum(values[2:-1:2]) + values[-1])
+
+    fold, pull_off, jump_in = (1 / 6) ** (1 / 3), (1 / 2) ** (1 / 3), (2 / 3) ** (1 / 3)
+    for name, expected in (
+        ("well_energy", work(1, 0)),
+        ("pull_off_work", work(1, fold)),
+        ("pull_off_work_at_dead_load", work(1, pull_off)),
+        ("sticking_energy", work(jump_in, fold)),
+    ):
+        unit = FORMULAS["adhesion_energy"](work_of_adhesion=0.05, reduced_radius=5e-8, contact_modulus=2.8e10)
+        energy = FORMULAS[name](work_of_adhesion=0.05, reduced_radius=5e-8, contact_modulus=2.8e10)
+        assert math.isclose(energy / unit, expected, rel_tol=1e-11), name
+
+
+def test_contradictions_and_mismatches_are_refused() -> None:
+    with pytest.raises(Contradiction):
+        solve("stiffness", radius=1e-7, load=5e-9, approach_at_load=5e-11, **QUARTZ)
+    with pytest.raises(ShapeMismatch):
+        solve("reduced_radius", radius=[1e-7, 2e-7], radius2=[1e-7, 2e-7, 3e-7])
+    with pytest.raises(OutOfRange):
+        solve("load", load_factor=-1.0, radius=1e-7, **QUARTZ)
+    with pytest.raises(MalformedQuantity):
+        solve("pull_off_force", radius=np.ma.masked_array([1e-7, 2e-7], [False, True]), **QUARTZ)
+
+
+def test_large_arrays_are_evaluated_in_blocks_to_the_same_bits() -> None:
+    radius = np.geomspace(1e-9, 1e-3, 40_000)
+    load = np.linspace(0, 1e-9, 3)[:, None]
+    large = solve(["yield_force", "vertical_frequency", "r_min"], radius=radius, load=load, **QUARTZ)
+    assert large["yield_force"].shape == (3, 40_000)
+    assert large["r_min"].shape == (40_000,)
+    for part in (slice(0, 7), slice(16_380, 16_390), slice(39_990, 40_000)):
+        small = solve(["yield_force", "vertical_frequency", "r_min"], radius=radius[part], load=load, **QUARTZ)
+        for name, value in small.items():
+            assert (large[name][..., part] == value).all()
+
+
+def test_the_integral_of_eq_17_is_that_of_the_two_half_circles(monkeypatch: pytest.MonkeyPatch) -> None:
+    names = ["contact_radius_at_load", "approach_at_load", "contact_modulus", "reduced_radius"]
+    scene = solve(names, radius=1e-7, **QUARTZ)
+    shift = 0.1 * scene["contact_radius_at_load"]
+    exact = jkroll.half_circles_moment(yield_displacement=shift, **scene)
+    for points, is_exact in ((1, False), (2, True), (3, True)):
+        monkeypatch.setattr(ladder, "_POINTS", points)
+        integrated = jkroll.integrated_moment(yield_displacement=shift, **scene)
+        assert math.isclose(integrated, exact, rel_tol=1e-14 if is_exact else 1e-2) == is_exact
+
+
+def test_materials_cannot_be_changed_by_accident_and_files_may_change(tmp_path: Path) -> None:
+    with pytest.raises(TypeError):
+        jkroll.known_materials()["quartz"].properties["surface_energy"] = 9.0  # type: ignore[index]
+    path = tmp_path / "mine.toml"
+    for value in (1.0, 2.0):
+        path.write_text(f"[materials.Quartz]\nsurface_energy = '{value} J/m2'\n")
+        mine = jkroll.known_materials(path)
+        assert mine["quartz"].properties["surface_energy"] == value
+        assert "quartz" not in mine.materials
+
+
+def test_pint_quantities_in_mixed_units_through_a_cube_root() -> None:
+    a0 = jkroll.contact_radius(
+        work_of_adhesion=UREG.Quantity(0.05, "J/m^2"),
+        reduced_radius=UREG.Quantity(50.0, "nm"),
+        contact_modulus=UREG.Quantity(27.804, "GPa"),
+    )
+    assert math.isclose(a0.m_as("nm"), 3.9908, rel_tol=1e-4)
+
+
+def test_only_what_is_needed_is_asked_for() -> None:
+    assert solve("yield_force", surface_energy=0.025) == solve("yield_force", surface_energy=0.025, radius=1e-7)
+    assert solve("r_min", radius=1e-7) > 0
+    assert solve(
+        ["pull_off_force", "yield_force", "r_min", "n_grav", "rolling_frequency"], material="gold", radius=1e-7
+    )
+    assert solve("n_roll", material="gold", radius=1e-7, energy=1e-18) > 0
+    with pytest.raises(MissingInput, match="gold has none in Table 1"):
+        solve("n_roll", material="gold", radius=1e-7)

@@ -1,0 +1,155 @@
+"""The shifted contact as it is drawn: each formula against 50 digits, and against what it must add up to."""
+
+import inspect
+import math
+import re
+from collections.abc import Callable, Mapping, Sequence
+from random import Random
+from typing import Any
+
+import numpy as np
+import pytest
+from mpmath import MPContext  # type: ignore[import-untyped]
+
+from jkroll import known_materials, solve
+from jkroll.physics import shifted
+from jkroll.physics.cylinder import symmetric_pressure
+from jkroll.pictures.figures import FIGURES
+from jkroll.pictures.profiles import figure_2, figure_9
+from reference import ulp_error
+
+Exact = Any  # an mpf; mpmath declares no types
+digits = MPContext()
+digits.dps = 50
+mpf, pi, sqrt = digits.mpf, +digits.pi, digits.sqrt
+
+
+def exact_parts(g: Mapping[str, Exact]) -> list[Exact]:
+    """The terms of the exact pressure: Hertz, flat punch, tilted flat punch."""
+    share = g["position_in_circle"] / g["contact_radius_at_load"]
+    depth = sqrt(1 - share**2)
+    tilt = 2 * g["contact_modulus"] * g["yield_displacement"] / (pi * g["reduced_radius"]) * share
+    return [g["hertz_pressure"] * depth, g["boussinesq_pressure"] / depth, tilt / depth]
+
+
+def half_parts(g: Mapping[str, Exact]) -> list[Exact]:
+    """The terms of Eq (15), with p_H of Eq (8)."""
+    radius = g["half_circle_radius"]
+    depth = sqrt(1 - (g["distance"] / radius) ** 2)
+    hertz = 2 * radius * g["contact_modulus"] / (pi * g["reduced_radius"])
+    return [hertz * depth, g["contact_modulus"] * g["approach_at_load"] / (pi * radius) / depth, -hertz / 2 / depth]
+
+
+EXACT: Mapping[str, Callable[[Mapping[str, Exact]], list[Exact]]] = {
+    "exact_pressure": exact_parts,
+    "half_circle_pressure": half_parts,
+    "unloaded_half_width": lambda g: [
+        digits.cbrt(32 * g["work_of_adhesion"] * g["cylinder_radius"] ** 2 / (pi * g["plane_strain_modulus"]))
+    ],
+    "rolled_over_displacement": lambda g: [2 * pi * g["radius"] * g["n_roll"] / g["yield_displacement"]],
+}
+
+
+def contacts(count: int) -> Sequence[dict[str, float]]:
+    """The same contacts every time, of any size, to the very rim."""
+    random = Random(1995)
+
+    def log_uniform(low: float, high: float) -> float:
+        return math.exp(random.uniform(math.log(low), math.log(high)))
+
+    found = []
+    for _ in range(count):
+        a = log_uniform(1e-10, 1e-3)
+        hertz = log_uniform(1e3, 1e12)
+        inside = random.choice([random.random(), 1 - log_uniform(1e-12, 1)])
+        found.append(
+            {
+                "position_in_circle": random.choice([-1, 1]) * a * inside, "contact_radius_at_load": a, "distance": a * inside,
+                "contact_modulus": log_uniform(1e5, 1e13), "reduced_radius": a * log_uniform(3, 1e6),
+                "yield_displacement": a * log_uniform(1e-9, 0.3), "hertz_pressure": hertz,
+                "boussinesq_pressure": -hertz * random.uniform(0.3, 1), "half_circle_radius": a,
+                "approach_at_load": a * random.uniform(-0.1, 0.1), "work_of_adhesion": log_uniform(1e-6, 1e2),
+                "cylinder_radius": log_uniform(1e-9, 1), "plane_strain_modulus": log_uniform(1e5, 1e13),
+                "n_roll": log_uniform(1e-9, 1e9), "radius": log_uniform(1e-9, 1),
+            }
+        )  # fmt: skip
+    return found
+
+
+@pytest.mark.parametrize("name", EXACT)
+def test_formula_is_as_accurate_as_it_says(name: str) -> None:
+    formula = getattr(shifted, name)
+    stated = re.search(r"Accuracy: ([\d.]+) ulp", formula.__doc__)
+    assert stated
+    for given in contacts(500):
+        arguments = {key: given[key] for key in inspect.signature(formula).parameters}
+        parts = EXACT[name]({key: mpf(value) for key, value in given.items()})
+        error = ulp_error(formula(**arguments), sum(parts), of=max(map(abs, parts)))
+        assert error <= float(stated[1]), given
+
+
+def test_the_exact_pressure_bears_the_load_and_the_moment_of_eq_25() -> None:
+    """Summed over the circle, by Gauss and Chebyshev: nothing at its rim is lost."""
+    names = ["contact_radius_at_load", "contact_modulus", "reduced_radius", "hertz_pressure", "boussinesq_pressure"]
+    state = solve([*names, "yield_moment"], material="quartz", radius=1e-7, load=3e-9)
+    shift, a = 2e-10, state["contact_radius_at_load"]
+    angles = (np.arange(400) + 0.5) * math.pi / 400
+    directions = (np.arange(64) + 0.5) * 2 * math.pi / 64
+    radii = a * np.sin(angles / 2)[:, None]  # r dr = (a²/2) sin cos dangle, which meets the rim softly
+    across = radii * np.cos(directions)[None, :]
+    parts = {
+        name: state[name] for name in ("contact_modulus", "reduced_radius", "hertz_pressure", "boussinesq_pressure")
+    }
+    along = np.linspace(-a, a, 9)[1:-1]
+    even = shifted.exact_pressure(position_in_circle=along, contact_radius_at_load=a, yield_displacement=shift, **parts)
+    depth = np.sqrt(1 - (along / a) ** 2)
+    odd = (even - even[::-1]) / 2  # the tilt alone
+    tilt = 2 * state["contact_modulus"] * shift / (math.pi * state["reduced_radius"])
+    np.testing.assert_allclose(odd, tilt * along / a / depth, rtol=1e-9)
+    root = np.sqrt(1 - (radii / a) ** 2)
+    pressures = state["hertz_pressure"] * root + (state["boussinesq_pressure"] + tilt * across / a) / root
+    weights = (math.pi / 400) * (2 * math.pi / 64) * a * a * np.sin(angles / 2) * np.cos(angles / 2) / 2
+    load = float((pressures * weights[:, None]).sum())
+    about_contact_point = float(((across - shift) * pressures * weights[:, None]).sum())
+    assert load == pytest.approx(3e-9, rel=1e-4)
+    assert about_contact_point == pytest.approx(state["yield_moment"], rel=1e-4)
+
+
+def test_the_strip_without_load_meets_griffiths_criterion() -> None:
+    """K²/(2E′) = w, with K = √(2πd) times the tension at a small distance d from the rim."""
+    given = {"cylinder_radius": 2e-8, "plane_strain_modulus": 5.5e10}
+    a = shifted.unloaded_half_width(work_of_adhesion=0.05, **given)
+    distance = 1e-8 * a
+    tension = -symmetric_pressure(position=a - distance, contact_half_width=a, load_constant=0.0, **given)
+    assert 2 * math.pi * distance * tension**2 / (2 * given["plane_strain_modulus"]) == pytest.approx(0.05, rel=1e-6)
+
+
+def test_fig_2_is_two_half_circles_on_a_shifted_one() -> None:
+    view, along = figure_2(known_materials()).panels
+    circle, behind, ahead = view.curves
+    a = solve("contact_radius", material="quartz", radius=2e-8)
+    np.testing.assert_allclose(np.hypot(circle.x + 2e-10, circle.y), a, rtol=1e-12)
+    np.testing.assert_allclose(np.hypot(behind.x, behind.y), a + 2e-10, rtol=1e-12)
+    np.testing.assert_allclose(np.hypot(ahead.x, ahead.y), a - 2e-10, rtol=1e-12)
+    assert behind.x.max() < 1e-20 < ahead.x.max()
+    exact, half_behind, half_ahead, centred = along.curves
+    assert half_behind.y[np.argmax(half_behind.x)] > half_ahead.y[np.argmin(half_ahead.x)]  # not continuous
+    assert exact.x.min() == pytest.approx(-a - 2e-10, rel=1e-4)
+    assert np.nanmax(centred.y) == pytest.approx(
+        sum(solve(["hertz_pressure", "boussinesq_pressure"], material="quartz", radius=2e-8).values()), rel=1e-4
+    )
+
+
+def test_fig_9_says_how_far_the_half_strips_are_off() -> None:
+    drawn = figure_9(known_materials())
+    ratio = re.search(r"lower by (\d\.\d+)", " ".join(drawn.caption))
+    assert ratio
+    a = float(next(re.finditer(r"a = ([\d.]+) nm", " ".join(drawn.caption)))[1]) * 1e-9
+    assert float(ratio[1]) == pytest.approx(math.pi / 2 / (1 + (2e-10 / a) ** 2 / 3), abs=1e-3)
+
+
+def test_what_the_corner_of_fig_8_means() -> None:
+    """One turn is a way of 2πR1."""
+    bound = FIGURES["8"].shaded
+    assert bound is not None
+    assert bound.value(n_roll=0.5, radius=1e-9, yield_displacement=math.pi * 1e-9) == pytest.approx(1, rel=1e-15)

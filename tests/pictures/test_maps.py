@@ -1,0 +1,432 @@
+"""Maps and curves as data and in a terminal: what they show is what the formulas say, and what the paper's text sees."""
+
+import csv
+import io
+import itertools
+import math
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from harness import Run, Stream
+from jkroll import known_materials, solve
+from jkroll.cli.draw import show_progress as progress
+from jkroll.pictures.axes import Axis, round_values
+from jkroll.pictures.canvas import ink_on, screen_of, shade, stacked
+from jkroll.pictures.figures import FIGURES, figure
+from jkroll.pictures.maps import Map, Setting, evaluate
+from jkroll.pictures.panels import axis_around
+from jkroll.quantities.nomenclature import NOMENCLATURE
+from jkroll.scene.wiring import depends_on
+
+SIZE = (61, 61)
+MAPS = {name: figure(name, known_materials(), SIZE, as_printed=True) for name in FIGURES}
+FILES = {"3a", "3b", "3c", "3d", "6a", "6b", "8"}
+SOFT: dict[str, Any] = {"youngs_modulus": 1e10, "poisson_ratio": 0.0}
+
+
+def at(drawn: Map, x: float, y: float) -> float:
+    """The value at the point of a map that is nearest."""
+    column = int(np.argmin(abs(np.log(drawn.x.values() / x))))
+    row = int(np.argmin(abs(np.log(drawn.y.values() / y))))
+    return float(drawn.values[row, column])
+
+
+def test_the_papers_maps_are_there() -> None:
+    assert set(FIGURES) == FILES
+
+
+@pytest.mark.parametrize(
+    ("name", "formula"),
+    [
+        ("3a", lambda gamma, radius: 3 * math.pi * gamma * radius / 2),
+        ("3b", lambda _, radius: 4 * 2e-10 / radius),
+        ("3c", lambda _, radius: radius**2 / 2e-10),
+        ("3d", lambda gamma, radius: np.sqrt(9 * gamma * 2e-10 / (2 * radius**3 * 2000 * 9.80665))),
+        (
+            "6a",
+            lambda gamma, radius: 6.381e8 * (gamma / 0.1) ** (1 / 6) * (1e-7 / radius) ** (7 / 6),
+        ),
+        ("6b", lambda gamma, radius: 2.5 * 3 / (2 * math.pi) * np.sqrt(gamma / (5 * radius**3 * 2000))),
+        (
+            "8",
+            lambda ratio, radius: 3 / (14 * np.cbrt(9 * math.pi)) * ratio ** (-2 / 3) * np.cbrt(radius / 2) / 2e-10,
+        ),
+    ],
+)
+def test_a_figure_is_its_equation(name: str, formula: object) -> None:
+    drawn = MAPS[name]
+    assert callable(formula)
+    wanted = formula(drawn.x.values()[None, :], drawn.y.values()[:, None])
+    np.testing.assert_allclose(drawn.values, np.broadcast_to(wanted, drawn.values.shape), rtol=1e-4)
+
+
+def test_the_printed_rolling_frequency_is_below_by_2_5() -> None:
+    np.testing.assert_allclose(MAPS["6b"].values / MAPS["6b"].printed, 2.5, rtol=1e-12)
+
+
+# --- What the paper's text says one sees --------------------------------------------------------------------------------
+
+
+def test_fig_3b_the_forces_cross_at_0_8_nm_within_the_map() -> None:
+    crossing = solve("yield_force_ratio", radius=0.8e-9)
+    assert crossing == pytest.approx(1, rel=1e-12)
+    assert MAPS["3b"].y.low < 0.8e-9
+    assert "0" in [level.text for level in MAPS["3b"].levels()]
+    assert "0.8 nm; the text has 1 nm" in MAPS["3b"].caption[1]
+
+
+def test_fig_3c_50_um_at_100_nm() -> None:
+    assert at(MAPS["3c"], 1e-2, 1e-7) == pytest.approx(solve("r_min", radius=1e-7), rel=0.3)
+    assert math.log10(solve("r_min", radius=1e-7)) == pytest.approx(-4.3, abs=0.005)
+    assert MAPS["3c"].guides[0].y == 1e-7
+
+
+def test_fig_3d_a_thousand_spheres_and_a_single_one() -> None:
+    given: dict[str, Any] = {"density": 2000.0, "gravity": 9.80665}
+    (point,) = [mark for mark in MAPS["3d"].marks if mark.y is not None]
+    assert round(solve("n_grav", surface_energy=point.x, radius=point.y, **given)) == int(point.text)
+    for material, radius in (("polystyrene", 8e-6), ("iron", 52e-6)):
+        gamma = known_materials()[material].properties["surface_energy"]
+        assert solve("n_grav", surface_energy=gamma, radius=radius, **given) == pytest.approx(1, abs=0.05)
+
+
+def test_fig_6_ghz_and_how_much_slower_rolling_is() -> None:
+    for gamma, radius in ((1e-3, 35e-9), (1e1, 130e-9)):
+        scene: dict[str, Any] = {**SOFT, "density": 2000.0, "surface_energy": gamma, "radius": radius}
+        assert solve("vertical_frequency", **scene) == pytest.approx(1e9, rel=0.03)
+    both = solve(["vertical_frequency", "rolling_frequency"], **SOFT, density=2000.0, surface_energy=0.1, radius=1e-7)
+    assert both["vertical_frequency"] / both["rolling_frequency"] == pytest.approx(5.3, abs=0.06)
+
+
+def test_fig_8_what_does_not_roll_at_10_nm_and_what_turns_at_100_nm() -> None:
+    def turns(ratio: float, radius: float) -> float:
+        return float(solve("n_roll", contact_modulus=ratio, surface_energy=1.0, radius=radius))
+
+    assert 2 * math.pi * 1e-8 * turns(2.6e12, 1e-8) == pytest.approx(2e-10, rel=0.03)
+    assert turns(1.5e9, 1e-7) == pytest.approx(1, rel=0.03)
+    shaded = MAPS["8"].regions[0]
+    assert shaded.kind == "shaded"
+    row = int(np.argmin(abs(np.log(shaded.y.values() / 1e-8))))
+    inside = shaded.x.values()[shaded.margin[row] < 0]
+    assert inside.min() == pytest.approx(2.6e12, rel=0.2)
+    assert inside.max() == MAPS["8"].x.high
+    assert not (shaded.margin[-1] < 0).any()
+
+
+@pytest.mark.parametrize("name", sorted(FILES))
+def test_regions_end_where_the_limits_are(name: str) -> None:
+    drawn = MAPS[name]
+    texts = " ".join(region.text for region in drawn.regions)
+    assert all(text in texts for text in ("a/z0 < 1", "ξ/ξ_max > 1", "μ < 0.1"))
+    limits = {
+        "a/z0": ("contact_radius_in_spacings", 1),
+        "ξ/ξ_max": ("displacement_ratio", 1),
+        "μ": ("tabor_parameter", 0.1),
+    }
+    for region in drawn.regions:
+        if region.kind != "hatched":
+            continue
+        quantity, limit = limits[region.text.split()[0]]
+        x, y = np.meshgrid(region.x.values(), region.y.values())
+        given: dict[str, Any] = (
+            {"contact_modulus": x, "surface_energy": 1.0} if name == "8" else {"surface_energy": x, **SOFT}
+        )
+        values = solve(quantity, radius=y, **given)
+        inside = values > limit if quantity == "displacement_ratio" else values < limit
+        assert (inside == (region.margin < 0)).all()
+
+
+def test_materials_are_where_table_1_has_them() -> None:
+    marks = {mark.text: mark.x for mark in MAPS["3a"].marks}
+    assert marks == {
+        name: material.properties["surface_energy"] for name, material in known_materials().materials.items()
+    }
+    ratios = {mark.text: mark.x for mark in MAPS["8"].marks}
+    assert "gold" not in ratios  # it has no Young's modulus
+    assert ratios["quartz"] == pytest.approx(54e9 / (2 * (1 - 0.17**2)) / 0.025)
+
+
+# --- Axes ---------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("most", [2, 3, 8])
+@pytest.mark.parametrize(("low", "high"), [(-1.57e-9, 1.17e-9), (0.9, 1.1), (3.0, 3.0000001), (1e-3, 1e6), (1.2, 8.0)])
+def test_an_axis_has_two_ticks_at_least(low: float, high: float, most: int) -> None:
+    for is_log in {False, low > 0}:
+        values = round_values(low, high, most, is_log=is_log)
+        assert len(values) >= 2
+        assert values == sorted({*values})
+        assert all(low * (1 - 1e-9) <= value <= high * (1 + 1e-9) for value in values if low > 0)
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "is_log", "wanted"),
+    [
+        (1e-9, 1e-3, True, [1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3]),
+        (0.5, 3.0, True, [0.5, 1, 2]),
+        (-3.0, 2.0, False, [-3, -2, -1, 0, 1, 2]),
+        (5.0, 5.0, False, [5]),
+    ],
+)
+def test_round_values(low: float, high: float, is_log: bool, wanted: list[float]) -> None:
+    assert round_values(low, high, 8, is_log=is_log) == wanted
+
+
+def test_an_axis_of_one_unit_and_one_of_many() -> None:
+    linear = Axis("load", -1e-8, 2e-8, is_log=False)
+    assert [tick.text for tick in linear.ticks(4)] == ["-10", "0", "10", "20"]
+    assert linear.label(4).endswith("P [nN]")
+    logarithmic = Axis("radius", 1e-9, 1e-6)
+    assert [tick.text for tick in logarithmic.ticks(4)] == ["1 nm", "10 nm", "100 nm", "1 µm"]
+    assert logarithmic.label() == "radius of sphere 1, R1"
+    assert logarithmic.place(1e-9 * math.sqrt(1000)) == pytest.approx(0.5)
+    assert Axis("density", 1e3, 1e4).label().endswith("[kg/m³]")
+
+
+def test_the_axis_around_the_largest_numbers_ends_among_them() -> None:
+    axis = axis_around("sticking_energy", [np.array([3e-320, 1.2e308])], is_log=True)
+    assert 0 < axis.low <= 3e-320
+    assert axis.high == 1e308
+
+
+# --- In a terminal ------------------------------------------------------------------------------------------------------
+
+PICTURES = [
+    *(f"figure {name}" for name in sorted(FILES)),
+    "map pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2 --mark quartz@100nm",
+    "map approach_at_load quartz --x load=-12nN:20nN:lin --y radius=50nm:200nm:lin",
+    "map yield-force-ratio quartz,iron --x radius=1nm:1um --mark iron@10nm",
+]
+
+
+@pytest.mark.parametrize("columns", [40, 80, 132])
+@pytest.mark.parametrize("line", PICTURES)
+def test_a_picture_fits_the_terminal(run: Run, monkeypatch: pytest.MonkeyPatch, line: str, columns: int) -> None:
+    monkeypatch.setenv("COLUMNS", str(columns))
+    ran = run(line, terminal=True)
+    assert ran.code == 0
+    assert "\x1b" not in ran.out
+    assert max(map(len, ran.out.splitlines())) <= columns
+
+
+@pytest.mark.parametrize("line", PICTURES)
+def test_colour_says_the_same_as_ascii(run: Run, monkeypatch: pytest.MonkeyPatch, line: str) -> None:
+    plain = run(line, terminal=True, encoding="ascii")
+    assert plain.out.isascii()
+    monkeypatch.setenv("TERM", "xterm-256color")
+    coloured = run(line, terminal=True)
+    assert "\x1b[" in coloured.out
+    bare = re.sub("\x1b\\[[0-9;]*m", "", coloured.out)
+    assert max(map(len, bare.splitlines())) <= 80
+    monkeypatch.setenv("NO_COLOR", "1")
+    assert "\x1b" not in run(line, terminal=True).out
+    monkeypatch.delenv("NO_COLOR")
+    assert "\x1b" not in run(line).out  # in a pipe
+
+
+def test_a_band_is_bounded_by_its_contours(run: Run) -> None:
+    """Below the contour of 10 nN stands one sign, above it the next, as in the scale."""
+    lines = run("map pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2 --quiet", terminal=True).out.splitlines()
+    scale = " ".join(line for line in lines if "P_c:" in line or line.startswith(" ::"))
+    below, above = re.search(r"(.)\1 10 nN (.)\2", scale).groups()  # type: ignore[union-attr]
+    top = next(line for line in lines if line.startswith(" 1 J/m²") or line.lstrip().startswith("1 J/m²"))
+    cells = top[top.index("m²") + 3 :]
+    radius = 1e-8 / (1.5 * math.pi * 1.0)  # of 10 nN at 1 J/m²
+    edge = round(math.log10(radius / 1e-9) / 6 * (len(cells) - 1))
+    assert cells[edge - 3] == below
+    assert cells[edge + 4] == above
+
+
+@pytest.mark.parametrize("colours", [256, 2**24])
+def test_half_blocks_have_colours_that_can_be_told_in_grey(colours: int) -> None:
+    bands = [shade(step / 12, colours) for step in range(13)]
+    greys = [0.299 * red + 0.587 * green + 0.114 * blue for red, green, blue in bands]
+    assert all(second - first > 10 for first, second in itertools.pairwise(greys))
+    assert ink_on(bands[0]) == (255, 255, 255)
+    assert ink_on(bands[-1]) == (0, 0, 0)
+
+
+def test_what_a_stream_shows(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("TERM", "xterm")
+    assert screen_of(Stream(terminal=True)).colours == 256
+    assert screen_of(Stream(terminal=True, encoding="latin-1")).colours == 0
+    assert screen_of(Stream()).colours == 0
+    monkeypatch.setenv("FORCE_COLOR", "1")
+    monkeypatch.setenv("COLORTERM", "truecolor")
+    assert screen_of(Stream()).colours == 2**24
+    monkeypatch.setenv("COLUMNS", "3")
+    assert screen_of(Stream()).width == 20
+
+
+def test_labels_above_never_overlap() -> None:
+    assert stacked([(0, "iron"), (2, "quartz"), (9, "gold")], 14) == [
+        "iron     gold ",
+        "  quartz      ",
+        "| |      |    ",
+    ]
+
+
+# --- The numbers, and what is refused -----------------------------------------------------------------------------------
+
+
+def test_the_numbers_go_where_no_value_is(run: Run, tmp_path: Path) -> None:
+    line = "map approach_at_load quartz --x radius=1nm:1um:4 --y load=-1nN:1nN:3:lin --data"
+    file = tmp_path / "out.csv"
+    shown = run(f"{line} {file}")
+    assert shown.code == 0
+    assert shown.out
+    text = file.read_text(encoding="utf-8")
+    assert run(f"{line} -").out == text
+    assert text.startswith("radius [m],load [N],approach_at_load [m]\n")
+    rows = list(csv.DictReader(io.StringIO(text)))
+    assert len(rows) == 12
+    for row in rows:
+        scene: dict[str, Any] = {"radius": float(row["radius [m]"]), "load": float(row["load [N]"])}
+        cell = row["approach_at_load [m]"]
+        is_beyond = scene["load"] < -solve("pull_off_force", material="quartz", radius=scene["radius"])
+        assert (cell == "") == is_beyond
+        if cell:
+            assert float(cell) == solve("approach_at_load", material="quartz", **scene)
+
+
+def test_several_materials_are_several_curves(run: Run) -> None:
+    out = run("map pull-off quartz,iron 100nm,1um --x xi=1angstrom:3angstrom").err
+    assert "does not depend on yield_displacement" in out
+    rows = list(csv.reader(io.StringIO(run("map pull-off quartz,iron --x radius=1nm:1um:3 --data -").out)))
+    assert [row[0] for row in rows[1:]] == ["quartz"] * 3 + ["iron"] * 3
+    assert float(rows[5][2]) == solve("pull_off_force", material="iron", radius=float(rows[5][1]))
+
+
+def test_a_material_that_lacks_a_property_leaves_the_others(run: Run) -> None:
+    ran = run("map frequencies all --x radius=10nm:1um:3 --data -")
+    assert ran.code == 0
+    assert {row[0] for row in csv.reader(io.StringIO(ran.out))} == {
+        "curve",
+        "polystyrene",
+        "quartz",
+        "graphite",
+        "iron",
+    }
+    assert "no curve: vertical_frequency needs Young's modulus and Poisson's ratio; gold has none" in ran.err
+
+
+def test_where_a_curve_is_doubtful_is_said(run: Run) -> None:
+    """The radius up to which DMT is closer, as the verdict of one answer has it."""
+    said = run("map contact_radius quartz --x radius=10nm:1um").out
+    radius = re.search(r"R1 = 10 nm to (\d+) nm: μ < 0.1", said)
+    assert radius is not None
+    assert solve("tabor_parameter", material="quartz", radius=float(radius[1]) * 1e-9) == pytest.approx(0.1, rel=0.02)
+    assert "R1 = 10 nm to 1 µm: μ < 5, JKR is not exact" in said
+
+
+def test_limits_that_cannot_be_shown_are_said_to_be_missing(run: Run) -> None:
+    ran = run("map pull-off --x radius=1nm:1um --y gamma=1mJ/m2:1J/m2")
+    assert "its limits are not shown: contact_radius_in_spacings needs Young's modulus" in ran.err
+    line = "map contact-radius-at-load quartz --x radius=10nm:1um --y load=0nN:50nN:lin"
+    assert "everywhere μ < 5, JKR is not exact" in run(line).out
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ("map", "map needs a quantity"),
+        ("map pull_off_forse --x radius=1nm:1um", "did you mean pull_off_force?"),
+        ("map pull-off", "map needs an axis"),
+        ("map pull-off --x radius", "write a quantity and its range"),
+        ("map pull-off --x radius=1nm", "is not a range"),
+        ("map pull-off --x radius=1um:1nm", "does not rise"),
+        ("map pull-off --x radius=1nm:1N", "is a force"),
+        ("map pull-off --x radius=0nm:1um", "must be positive"),
+        ("map pull-off --x material=a:b", "has no range"),
+        ("map pull-off quartz 100nm --x radius=1nm:1um", "is on an axis"),
+        ("map pull-off --x radius=1nm:1um --y radius=1nm:1um", "both axes"),
+        ("map pull-off quartz --x density=1g/cm3:2g/cm3", "does not depend on density"),
+        ("map pull-off quartz,iron --x radius=1nm:1um --y load=0N:1nN:lin", "does not depend on load"),
+        ("map yield-force quartz,iron --x xi=1nm:2nm --y load=0N:1nN:lin", "more than one map"),
+        ("map frequencies gold --x radius=1nm:1um", "gold has none"),
+        ("map pull-off quartz --x radius=1nm:1um --mark quarz@1nm", "did you mean quartz?"),
+        ("map pull-off quartz --x radius=1nm:1um --mark quartz@1m", "nowhere on"),
+        ("map pull-off --x radius=1nm:1um:100000 --y gamma=1mJ/m2:1J/m2:100000", "are more than"),
+        ("map pull-off quartz,iron --x radius=1nm:1um:500001", "2 x 500001 points are more than 1000000"),
+        ("map pull-off quartz --x radius=1nm:1um -o picture.gif", "does not end in"),
+        ("map pull-off quartz --x radius=1nm:1um --width 5N", "is a force"),
+        ("map pull-off quartz --x radius=1nm:1um --width 1nm", "is not between"),
+        ("map load --x load=1nN:2nN", "it is no axis"),
+        ("map load quartz 100nm --x load=1nN:2nN --y approach=1nm:2nm", "is no axis"),
+        ("map pull-off quartz --x radius=1nm:1um --style gaudy", "is not a style"),
+        ("figure 3a --style dark", "name one with -o"),
+        ("figure 3a --no-caption", "name one with -o"),
+        ("contact quartz 100nm --curve --width 85mm", "name one with -o"),
+        ("figure", "there are 2, 3a"),
+        ("figure 1", "is not a figure with data"),
+    ],
+)
+def test_what_is_refused_is_said_in_a_line(run: Run, line: str, message: str) -> None:
+    ran = run(line)
+    assert ran.code == 2
+    assert ran.out == ""
+    assert len(ran.err.splitlines()) == 1
+    assert message in ran.err
+
+
+def test_no_value_anywhere_is_a_failure(run: Run) -> None:
+    for axes in ("--x load=-1uN:-0.5uN:lin", "--x load=-1uN:-0.5uN:lin --y xi=1angstrom:2angstrom"):
+        ran = run(f"map yield-force quartz 10nm {axes}")
+        assert (ran.code, ran.out) == (1, "")
+        assert ran.err == "jkroll: yield_force has no value anywhere on these axes\n"
+
+
+def test_progress_of_a_long_map_and_of_no_short_one() -> None:
+    setting = Setting({"surface_energy": 0.025})
+    told: list[float] = []
+    evaluate(
+        setting,
+        "yield_force_ratio",
+        Axis("radius", 1e-9, 1e-6, size=1000),
+        Axis("yield_displacement", 1e-10, 1e-9, size=1000),
+        told.append,
+    )
+    assert told == []
+    evaluate(
+        setting,
+        "yield_force_ratio",
+        Axis("radius", 1e-9, 1e-6, size=2000),
+        Axis("yield_displacement", 1e-10, 1e-9, size=2000),
+        told.append,
+    )
+    assert told == sorted(told)
+    assert (told[0], told[-1], len(told)) == (0.0, 1.0, 9)
+
+
+def test_progress_leaves_nothing_on_the_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    err = Stream(terminal=True)
+    monkeypatch.setattr("sys.stderr", err)
+    progress(0.5)
+    progress(1.0)
+    assert err.text() == "\r 50 %\r\r     \r"
+
+
+_EXAMPLES = {
+    "m": "1nm:1um", "J/m^2": "1mJ/m2:1J/m2", "Pa": "1GPa:100GPa", "1": "0.1:0.4", "kg/m^3": "1g/cm3:8g/cm3", "N": "-5nN:20nN:lin",
+    "m/s^2": "1m/s2:10m/s2", "J": "1e-20J:1e-17J", "m/s": "1cm/s:10m/s", "kg": "1e-18kg:1e-15kg", "N/m": "1N/m:100N/m",
+}  # fmt: skip
+
+
+@pytest.mark.slow
+def test_any_quantity_over_any_input_is_drawn_or_refused_in_a_line(run: Run) -> None:
+    drawn = 0
+    for quantity in NOMENCLATURE:
+        for name in sorted(depends_on([quantity])):
+            if name not in NOMENCLATURE or NOMENCLATURE[name].unit not in _EXAMPLES:
+                continue
+            radius = "" if name == "radius" else "100nm"
+            for axes in (radius, "--y radius=5nm:1um:20"):
+                ran = run(f"map {quantity} quartz {axes} --x {name}={_EXAMPLES[NOMENCLATURE[name].unit]} --quiet")
+                assert ran.code in (0, 1, 2)
+                assert len(ran.err.splitlines()) == (ran.code != 0)
+                drawn += ran.code == 0
+    assert drawn > 1000

@@ -1,0 +1,159 @@
+"""Text to SI numbers: what is read, what is refused, and with which words."""
+
+from decimal import Decimal
+
+import pint
+import pytest
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+
+from jkroll.quantities.errors import QuantityError
+from jkroll.quantities.parsing import parse_quantity, unit_of
+from jkroll.quantities.pint_names import lookup
+from jkroll.quantities.unit_table import PINT_VERSION, PLAIN, PREFIXABLE, PREFIXES
+from jkroll.quantities.units import convert, dimension_of, kind_of
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["100nm", "0.1 µm", "0.1 μm", "0.1um", "1e-7m", "1000Å", "1000 Å", "1000 angstrom", "100\u00a0nm", "+100 nm"],
+)
+def test_one_length_in_many_spellings_is_one_double(text: str) -> None:
+    assert parse_quantity(text, "radius") == 1e-7
+
+
+@pytest.mark.parametrize(
+    ("text", "name", "value"),
+    [
+        ("25 erg/cm2", "surface_energy", 0.025),
+        ("25 mJ/m2", "surface_energy", 0.025),
+        ("25mJ m^-2", "surface_energy", 0.025),
+        ("25 mJ·m⁻²", "surface_energy", 0.025),
+        ("25 mN/m", "surface_energy", 0.025),
+        ("2.6 g/cm3", "density", 2600.0),
+        ("2.6 g/cm**3", "density", 2600.0),
+        ("−3nN", "load", -3e-9),
+        ("-3e-4 dyn", "load", -3e-9),
+        ("3e4J", "energy", 3e4),
+        ("5eV", "energy", 5 * 1.602176634e-19),
+        ("1.62 m/s/s", "gravity", 1.62),
+        ("1 standard_gravity", "gravity", 9.80665),
+        ("17 %", "poisson_ratio", 0.17),
+        ("0.17", "poisson_ratio", 0.17),
+        ("rigid", "youngs_modulus", float("inf")),
+        ("Plane", "radius2", float("inf")),
+        ("1 furlong", "radius", 201.16840233680466),
+    ],
+)
+def test_what_is_read(text: str, name: str, value: float) -> None:
+    assert parse_quantity(text, name) == value
+
+
+REFUSED = {
+    "5 N": "radius: '5 N' is a force; expected a length such as 100nm",
+    "100": "radius: '100' has no unit; expected a length such as 100nm",
+    "5,5 nm": "radius: '5,5 nm' has a comma: write a decimal point; expected a length such as 100nm",
+    "nm": "radius: 'nm' does not begin with a number; expected a length such as 100nm",
+    "": "radius: '' does not begin with a number; expected a length such as 100nm",
+    "nan m": "radius: 'nan m' does not begin with a number; expected a length such as 100nm",
+    "inf": "radius: 'inf' does not begin with a number; expected a length such as 100nm",
+    "0nm": "radius: '0nm' must be positive; expected a length such as 100nm",
+    "-5 nm": "radius: '-5 nm' must be positive; expected a length such as 100nm",
+    "5 nn": "radius: '5 nn' has an unknown unit 'nn'; did you mean nm?",
+    "5 NM": "radius: '5 NM' has an unknown unit 'NM'; did you mean nm?",
+    "5 m/m m": "radius: '5 m/m m' can be read as m/m*m or as m/m/m; write the one that is meant",
+    "1e9999 nm": "radius: '1e9999 nm' has an exponent of more than 3 digits; expected a length such as 100nm",
+    "1e400 nm": "radius: '1e400 nm' is too large for a double; expected a length such as 100nm",
+    "1e-400 nm": "radius: '1e-400 nm' is too small for a double; expected a length such as 100nm",
+    "5.00(1) nm": "radius: '5.00(1) nm' has an uncertainty: give the value alone; expected a length such as 100nm",
+    "5 nm = 6 nm": "radius: '5 nm = 6 nm' is not a number and a unit; expected a length such as 100nm",
+    "5 nm!": "radius: '5 nm!' is not a number and a unit; expected a length such as 100nm",
+    "$5 nm": "radius: '$5 nm' does not begin with a number; expected a length such as 100nm",
+    "[5] nm": "radius: '[5] nm' does not begin with a number; expected a length such as 100nm",
+    "1e1.5 nm": "radius: '1e1.5 nm' is not a number and a unit; expected a length such as 100nm",
+    "5 nm**400": "radius: '5 nm**400' has more than 8 units or a power above 12; expected a length such as 100nm",
+    "5 nm nm": "radius: '5 nm nm' is an area; expected a length such as 100nm",
+    "5 Nm": "radius: '5 Nm' is a quantity of another dimension; expected a length such as 100nm",
+    "20 degC": "radius: '20 degC' has an unknown unit 'degC'; did you mean deg?",
+    "١ nm": "radius: '١ nm' does not begin with a number; expected a length such as 100nm",
+    "5 \x1b[31m": "radius: '5 ?[31m' is not a number and a unit; expected a length such as 100nm",
+    "10**10**10": "radius: '10**10**10' is not a number and a unit; expected a length such as 100nm",
+}
+
+
+@pytest.mark.parametrize("text", REFUSED)
+def test_what_is_refused_and_how(text: str) -> None:
+    with pytest.raises(QuantityError) as error:
+        parse_quantity(text, "radius")
+    assert str(error.value) == REFUSED[text]
+
+
+def test_a_long_text_is_refused_and_not_repeated() -> None:
+    with pytest.raises(QuantityError) as error:
+        parse_quantity("9" * 100_000 + "nm", "radius")
+    assert str(error.value).endswith("is longer than 80 characters; expected a length such as 100nm")
+    assert len(str(error.value)) < 200
+
+
+def test_a_wrong_case_is_corrected() -> None:
+    with pytest.raises(QuantityError) as error:
+        parse_quantity("5 Gpa", "youngs_modulus")
+    assert str(error.value) == "youngs_modulus: '5 Gpa' has an unknown unit 'Gpa'; did you mean GPa?"
+
+
+@given(st.floats(allow_nan=False, allow_infinity=False))
+@example(5e-324)
+@example(1.7976931348623157e308)
+def test_every_finite_double_reads_back(value: float) -> None:
+    assert parse_quantity(f"{value!r} N", "load") == value
+
+
+@given(
+    st.decimals(min_value=Decimal("1e-30"), max_value=Decimal("1e30"), allow_nan=False),
+    st.sampled_from(["nm", "um", "angstrom", "cm", "ft"]),
+)
+def test_values_are_rounded_once(number: Decimal, unit: str) -> None:
+    factor = {"nm": "1e-9", "um": "1e-6", "angstrom": "1e-10", "cm": "1e-2", "ft": "0.3048"}[unit]
+    text = f"{number:e}"
+    if len(text) < 60:
+        assert parse_quantity(text + unit, "radius") == float(Decimal(text) * Decimal(factor))
+
+
+@given(st.floats(min_value=1e-300, max_value=1e300))
+def test_conversion_undoes_reading(value: float) -> None:
+    assert convert(value, unit_of("m", "radius")) == value
+    assert (
+        abs(parse_quantity(f"{convert(value * 1e-9, unit_of('nm', 'radius'))!r} nm", "radius") / (value * 1e-9) - 1)
+        < 3e-16
+    )
+
+
+@settings(max_examples=500)
+@given(
+    st.text(max_size=100)
+    | st.from_regex(r"[-+]?\d{1,5}(\.\d+)?(e-?\d{1,4})? ?([a-zA-Z]{1,8}[\^*/ ]{0,2}-?\d{0,3}){0,9}", fullmatch=True)
+)
+def test_nothing_but_the_declared_errors_escapes(text: str) -> None:
+    try:
+        value = parse_quantity(text, "radius")
+    except QuantityError as error:
+        assert "\n" not in str(error)
+    else:
+        assert 0 < value < float("inf")
+
+
+def test_the_table_was_made_from_the_pint_that_is_installed_or_an_equal_one() -> None:
+    """Every product of a prefix and a name means what pint says it means."""
+    for name in PLAIN:
+        assert lookup({"°": "deg", "%": "percent"}.get(name, name)) == PLAIN[name], name
+    for prefix in ("", *PREFIXES):
+        for name in PREFIXABLE:
+            numerator, denominator, dimension = lookup(prefix + name) or (0, 1, ())
+            unit = unit_of(prefix + name, "radius")
+            same = (numerator * unit.denominator == denominator * unit.numerator) and dimension == unit.dimension
+            assert same, (prefix + name, pint.__version__, PINT_VERSION)
+
+
+def test_kinds_are_named() -> None:
+    assert kind_of(dimension_of("J/m^2")) == "a surface energy"
+    assert kind_of(dimension_of("N m")) == "an energy"
