@@ -67,7 +67,6 @@ _COMMANDS = {
         (
             "unloaded_moment",
             "half_circles_moment",
-            "integrated_moment",
             "fixed_approach_moment",
             "rolling_stiffness",
             "mean_rolling_moment",

@@ -13,9 +13,7 @@ from .dimensions import (
     Stress,
     SurfaceEnergy,
 )
-from .elementary import Constant, cbrt, pi, product, sqrt
-
-_SIX_PI_SQUARED, _TWENTY_ONE_PI_SQUARED = Constant(6, 1, 2), Constant(21, 1, 2)
+from .elementary import cbrt, pi, sqrt
 
 
 def energy_at_energy_ratio(*, energy_ratio: Number, adhesion_energy: Energy) -> Energy:
@@ -45,7 +43,7 @@ def kinetic_energy(*, mass: Mass, speed: Speed) -> Energy:
     >>> kinetic_energy(mass=4.0, speed=3.0)
     18.0
     """
-    return mass / 2 * speed * speed
+    return mass * speed**2 / 2
 
 
 def rolling_energy(*, mass: Mass, speed: Speed, moment_of_inertia: Inertia, angular_speed: AngularSpeed) -> Energy:
@@ -60,7 +58,7 @@ def rolling_energy(*, mass: Mass, speed: Speed, moment_of_inertia: Inertia, angu
     >>> rolling_energy(mass=2.0, speed=1.0, moment_of_inertia=2.0, angular_speed=2.0)
     5.0
     """
-    return (mass * (speed * speed) + moment_of_inertia * (angular_speed * angular_speed)) / 2
+    return (mass * speed**2 + moment_of_inertia * angular_speed**2) / 2
 
 
 def initial_angular_speed(*, energy: Energy, moment_of_inertia: Inertia) -> AngularSpeed:
@@ -114,9 +112,7 @@ def n_roll(
     >>> round(n, 12)
     2.0
     """
-    return product(
-        energy, over=(_TWENTY_ONE_PI_SQUARED, work_of_adhesion, reduced_radius, load_factor, yield_displacement)
-    )
+    return energy / (21 * pi**2 * work_of_adhesion * reduced_radius * load_factor * yield_displacement)
 
 
 def n_roll_energy_balance(
@@ -140,7 +136,7 @@ def n_roll_energy_balance(
     >>> round(n, 12)
     7.0
     """
-    return product(energy, over=(_SIX_PI_SQUARED, work_of_adhesion, reduced_radius, load_factor, yield_displacement))
+    return energy / (6 * pi**2 * work_of_adhesion * reduced_radius * load_factor * yield_displacement)
 
 
 def n_roll_at_energy_ratio(
@@ -165,9 +161,9 @@ def n_roll_at_energy_ratio(
     >>> round(n, 4)
     0.0121
     """
-    length = work_of_adhesion / contact_modulus
-    turned = cbrt(3 / (10976 * pi) * length * length * reduced_radius)
-    return product(energy_ratio, turned, over=(yield_displacement, load_factor))
+    strain_length = work_of_adhesion / contact_modulus
+    length = cbrt(3 / (10976 * pi) * strain_length**2 * reduced_radius)
+    return energy_ratio * length / (yield_displacement * load_factor)
 
 
 def n_roll_energy_balance_at_energy_ratio(
@@ -192,6 +188,6 @@ def n_roll_energy_balance_at_energy_ratio(
     >>> round(n, 4)
     0.0422
     """
-    length = work_of_adhesion / contact_modulus
-    turned = cbrt(3 / (256 * pi) * length * length * reduced_radius)
-    return product(energy_ratio, turned, over=(yield_displacement, load_factor))
+    strain_length = work_of_adhesion / contact_modulus
+    length = cbrt(3 / (256 * pi) * strain_length**2 * reduced_radius)
+    return energy_ratio * length / (yield_displacement * load_factor)

@@ -5,9 +5,7 @@ s = √(1 + P/P_c) alone (`load_margin`), which is 1 without load and 0 at pull-
 """
 
 from .dimensions import Force, Length, Number, Stiffness, Stress, SurfaceEnergy
-from .elementary import Constant, Sum, cbrt, pi, product, sqrt, where
-
-_THREE_HALVES_PI, _THREE_QUARTERS_PI_SQUARED = Constant(3, 2, 1), Constant(3, 4, 2)
+from .elementary import cbrt, pi, sqrt, where
 
 
 def pull_off_force(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length) -> Force:
@@ -22,7 +20,7 @@ def pull_off_force(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length) -
     >>> f"{pull_off_force(work_of_adhesion=0.05, reduced_radius=50e-9):.4e}"
     '1.1781e-08'
     """
-    return product(_THREE_HALVES_PI, work_of_adhesion, reduced_radius)
+    return 3 / 2 * pi * work_of_adhesion * reduced_radius
 
 
 def pull_off_force_dmt(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length) -> Force:
@@ -52,7 +50,7 @@ def contact_radius(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, c
     >>> f"{contact_radius(work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9) * 1e9:.3f} nm"
     '3.991 nm'
     """
-    return cbrt(9 / 2 * pi * (work_of_adhesion / contact_modulus) * reduced_radius * reduced_radius)
+    return cbrt(9 / 2 * pi * work_of_adhesion * reduced_radius**2 / contact_modulus)
 
 
 def approach(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress) -> Length:
@@ -67,8 +65,7 @@ def approach(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact
     >>> f"{approach(work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9) * 1e9:.5f} nm"
     '0.10617 nm'
     """
-    length = work_of_adhesion / contact_modulus
-    return cbrt(product(_THREE_QUARTERS_PI_SQUARED, length, length, reduced_radius))
+    return cbrt(3 / 4 * pi**2 * (work_of_adhesion / contact_modulus) ** 2 * reduced_radius)
 
 
 def load_margin(*, load: Force, pull_off_force: Force) -> Number:
@@ -116,8 +113,7 @@ def contact_radius_at_load(
     >>> f"{a * 1e9:.3f} nm"
     '3.991 nm'
     """
-    stretched = reduced_radius * load_factor
-    return cbrt(9 / 2 * pi * (work_of_adhesion / contact_modulus) * stretched * stretched)
+    return cbrt(9 / 2 * pi * work_of_adhesion / contact_modulus * (reduced_radius * load_factor) ** 2)
 
 
 def approach_at_load(
@@ -144,12 +140,9 @@ def approach_at_load(
     >>> f"{delta * 1e9:.5f} nm"
     '0.10617 nm'
     """
-    length = work_of_adhesion / contact_modulus
-    at_margin_1 = cbrt(3 / 4 * (pi * pi) * length * length * reduced_radius * load_factor)
-    margin = abs(load_margin)
-    slope = Sum(margin, (1 - margin) / 4)
-    ratio = product(Sum(load + pull_off_force, load / 8), over=(pull_off_force, slope))
-    return at_margin_1 * where(load_margin < 0, (3 * load_margin - 1) / 2, ratio)
+    unit = cbrt(3 / 4 * pi**2 * (work_of_adhesion / contact_modulus) ** 2 * reduced_radius * load_factor)
+    ratio = (8 * (load + pull_off_force) + load) / (2 * pull_off_force * (1 + 3 * abs(load_margin)))
+    return unit * where(load_margin < 0, (3 * load_margin - 1) / 2, ratio)
 
 
 def stiffness(*, contact_modulus: Stress, contact_radius_at_load: Length, load_margin: Number) -> Stiffness:
@@ -164,7 +157,7 @@ def stiffness(*, contact_modulus: Stress, contact_radius_at_load: Length, load_m
     >>> stiffness(contact_modulus=1.0, contact_radius_at_load=1.0, load_margin=1.0)
     1.2
     """
-    return product(6.0, load_margin, contact_modulus, contact_radius_at_load, over=(Sum(2.0, 3 * load_margin),))
+    return 6 * contact_modulus * contact_radius_at_load * load_margin / (2 + 3 * load_margin)
 
 
 def hertz_pressure(
@@ -182,8 +175,7 @@ def hertz_pressure(
     >>> f"{p:.4e}"
     '1.4128e+09'
     """
-    slope = 36 / (pi * pi) * (work_of_adhesion / contact_modulus) / reduced_radius
-    return contact_modulus * cbrt(slope * (load_factor * load_factor))
+    return contact_modulus * cbrt(36 / pi**2 * work_of_adhesion / contact_modulus / reduced_radius * load_factor**2)
 
 
 def boussinesq_pressure(*, hertz_pressure: Stress, load_factor: Number) -> Stress:
@@ -232,7 +224,7 @@ def approach_ratio(*, contact_radius_ratio: Number) -> Number:
     >>> approach_ratio(contact_radius_ratio=1.0)
     1.0
     """
-    return 3 * contact_radius_ratio * contact_radius_ratio - 2 * sqrt(contact_radius_ratio)
+    return 3 * contact_radius_ratio**2 - 2 * sqrt(contact_radius_ratio)
 
 
 def pressure(

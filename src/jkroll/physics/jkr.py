@@ -7,13 +7,18 @@ two between the fold and 0.
 
 from typing import Any
 
-from .dimensions import Energy, Force, Length, Number, Stress, SurfaceEnergy
-from .elementary import cbrt, leading_bits, product, sqrt, where, within
+from .dimensions import Energy, Force, Length, Number
+from .elementary import sqrt, where, within
 
-FOLD_APPROACH = -0.8254818122236567  # −(3/4)^(2/3), the least δ̂; rounded, and what rounding took:
-_FOLD_REST = 1.4776601947357812e-17
-_CBRT_6 = 1.8171205928321397
-_NEWTON_STEPS = 8  # from the starts below, one less reaches the last digit
+FOLD_APPROACH = -0.8254818122236567  # −(3/4)^(2/3), the least δ̂, rounded
+FOLD_APPROACH_REST = 1.4776601947357812e-17  # what rounding took from it
+NEWTON_STEPS = 6  # from the starts below; a seventh changes nothing
+
+# Energies between states of the curve, in P_cδ0: from ∫P̂ dδ̂ = 24/5 y^10 − 8y^7 + 2y^4 with y = √â.
+WELL = 6 / 5
+PULL_OFF_AT_FIXED_GRIPS = 6 / 5 + 2 / 15 * 6 ** (-1 / 3)
+PULL_OFF_AT_DEAD_LOAD = 6 / 5 - 2 / 5 * 2 ** (-1 / 3)
+STICKING = 2 / 15 * 6 ** (-1 / 3) + 4 / 5 * (2 / 3) ** (1 / 3)
 
 
 def load_margin_of_factor(*, load_factor: Number) -> Number:
@@ -58,7 +63,7 @@ def load_factor_at_approach(*, approach_at_load: Length, approach: Length) -> Nu
     >>> load_factor_at_approach(approach_at_load=1.0, approach=1.0)
     1.0
     """
-    return _factor(approach_at_load / approach)
+    return _stable_factor(approach_at_load / approach)
 
 
 def load_factor_at_load_unstable(*, load: Force, pull_off_force: Force, load_margin: Number) -> Number:
@@ -73,7 +78,7 @@ def load_factor_at_load_unstable(*, load: Force, pull_off_force: Force, load_mar
     >>> load_factor_at_load_unstable(load=-1.0, pull_off_force=1.0, load_margin=0.0)
     0.5
     """
-    return -load / pull_off_force / (2 * (1 + load_margin))
+    return within(load <= 0, -load / pull_off_force / (2 * (1 + load_margin)))
 
 
 def load_factor_at_approach_unstable(*, approach_at_load: Length, approach: Length) -> Number:
@@ -91,60 +96,44 @@ def load_factor_at_approach_unstable(*, approach_at_load: Length, approach: Leng
     return _unstable_factor(approach_at_load / approach)
 
 
-def _factor(approach_ratio: Any) -> Any:
-    """State x of the stable branch at an approach ratio δ̂."""
+def _stable_factor(approach_ratio: Any) -> Any:
+    """Return the state x of the stable branch at an approach ratio δ̂ ≥ δ̂_fold."""
     excess = _excess(approach_ratio)
     start = where(excess < 3, sqrt(excess / 3), sqrt(sqrt(2 * excess)))
-    return _factor_of_eta(_newton_eta(start, excess), excess)
+    return (1 + _root_of_excess(start, excess)) ** 3 / 6
 
 
 def _unstable_factor(approach_ratio: Any) -> Any:
-    """State x of the unstable branch at an approach ratio δ̂: near the fold by η, elsewhere by y = (3y⁴ − δ̂)/2."""
+    """Return the state x of the unstable branch at δ̂_fold ≤ δ̂ ≤ 0: by η near the fold, elsewhere by 2y = 3y⁴ − δ̂."""
     excess = _excess(within(approach_ratio <= 0, approach_ratio))
-    near = excess < 0.5
-    bounded = where(near, excess, 0.5)
-    near_fold = _factor_of_eta(_newton_eta(-sqrt(bounded / 3), bounded), bounded)
-    depth = -where(near, -0.5, approach_ratio)
-    root = depth / 2
-    for _ in range(_NEWTON_STEPS):
-        root = root + (3 * (root * root) * (root * root) + depth - 2 * root) / (2 - 12 * (root * root * root))
-    head = leading_bits(root, 12)
-    cube = head * head * head
-    rest = root - head
-    slope = 2 - 3 * (4 * cube + rest * (6 * head * head + rest * (4 * head + rest)))
-    rest = ((depth - 2 * head) + 3 * cube * head) / slope
-    far = cube + rest * (3 * head * (head + rest) + rest * rest)
-    return where(excess >= 0, where(near, near_fold, far), float("nan"))
-
-
-def _factor_of_eta(eta: Any, excess: Any) -> Any:
-    """X = (1 + η)³/6 to 2 ulp, from the 13 leading bits of η, whose quartic is exact, and what the equation leaves."""
-    h = leading_bits(eta, 13)
-    d = eta - h
-    slope = h * (6 + h * (6 + 2 * h)) + d * (3 + h * (6 + 3 * h) + d * (2 + 2 * h + d / 2))
-    d = where(slope == 0, 0.0, (excess - h * h * (3 + h * (2 + h / 2))) / where(slope == 0, 1.0, slope))
-    return (1 + (h * (3 + h * (3 + h)) + d * (3 * (1 + h) * (1 + h + d) + d * d))) / 6
+    is_near_fold = excess < 0.5
+    near = where(is_near_fold, excess, 0.5)
+    near_fold = (1 + _root_of_excess(-sqrt(near / 3), near)) ** 3 / 6
+    depth = where(is_near_fold, 0.5, -approach_ratio)
+    y = depth / 2
+    for _ in range(NEWTON_STEPS):
+        y = y + (3 * y**4 - 2 * y + depth) / (2 - 12 * y**3)
+    return where(is_near_fold, near_fold, y**3)
 
 
 def _excess(approach_ratio: Any) -> Any:
-    """6^(1/3)(δ̂ − δ̂_fold), with the digits of δ̂_fold beyond a double; its domain ends at the fold."""
-    beyond_fold = approach_ratio - FOLD_APPROACH
-    return within(beyond_fold >= 0, where(beyond_fold > 0, (beyond_fold - _FOLD_REST) * _CBRT_6, 0.0))
+    """Return 6^(1/3)(δ̂ − δ̂_fold), with the digits of δ̂_fold beyond a double; the domain ends at the fold."""
+    above_fold = approach_ratio - FOLD_APPROACH
+    return within(above_fold >= 0, where(above_fold > 0, above_fold - FOLD_APPROACH_REST, 0.0) * 6 ** (1 / 3))
 
 
-def _newton_eta(eta: Any, excess: Any) -> Any:
-    """The root of η²(3 + 2η + η²/2) = excess; the start is no further from the fold than a convex function allows."""
-    for _ in range(_NEWTON_STEPS):
+def _root_of_excess(eta: Any, excess: Any) -> Any:
+    """Return the root of the convex η²(3 + 2η + η²/2) = excess by Newton's method, from a start beyond it."""
+    for _ in range(NEWTON_STEPS):
         slope = eta * (6 + eta * (6 + 2 * eta))
-        step = (eta * eta * (3 + eta * (2 + eta / 2)) - excess) / where(slope == 0, 1.0, slope)
-        eta = eta - step
+        eta = eta - (eta * eta * (3 + eta * (2 + eta / 2)) - excess) / where(slope == 0, 1.0, slope)
     return eta
 
 
-# --- Energies, from Eqs (5) and (6): ∫P dδ = P_cδ0 (24/5 y^10 − 8y^7 + 2y^4), y = √â -----------------------------------
+# --- Energies ---------------------------------------------------------------------------------------------------------
 
 
-def adhesion_energy(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress) -> Energy:
+def adhesion_energy(*, pull_off_force: Force, approach: Length) -> Energy:
     """Energy typical of adhesion: what a slow head-on collision dissipates, to order of magnitude.
 
         W = P_c δ0 = (81π⁵w⁵R⁴/(32E*²))^(1/3)
@@ -153,13 +142,13 @@ def adhesion_energy(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, 
     Valid:    The largest energy that sticks is 0.7722 P_cδ0.
     Accuracy: 1.5 ulp above w, R and E*.
 
-    >>> f"{adhesion_energy(work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9):.4e}"
-    '1.2508e-18'
+    >>> adhesion_energy(pull_off_force=2.0, approach=3.0)
+    6.0
     """
-    return _in_adhesion_energies(774.6123271127436, work_of_adhesion, reduced_radius, contact_modulus)
+    return pull_off_force * approach
 
 
-def well_energy(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress) -> Energy:
+def well_energy(*, adhesion_energy: Energy) -> Energy:
     """Energy that binds the two spheres: released from first touch to equilibrium along the whole of the curve.
 
         (6/5) P_cδ0
@@ -168,14 +157,13 @@ def well_energy(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, cont
     Valid:    JKR; quasi-static.
     Accuracy: 1.5 ulp above w, R and E*.
 
-    >>> scene = {"work_of_adhesion": 0.05, "reduced_radius": 50e-9, "contact_modulus": 27.804e9}
-    >>> round(well_energy(**scene) / adhesion_energy(**scene), 7)
+    >>> round(well_energy(adhesion_energy=1.0), 7)
     1.2
     """
-    return _in_adhesion_energies(1338.5301012508212, work_of_adhesion, reduced_radius, contact_modulus)
+    return WELL * adhesion_energy
 
 
-def pull_off_work(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress) -> Energy:
+def pull_off_work(*, adhesion_energy: Energy) -> Energy:
     """Work to separate the spheres from P = 0 with fixed grips, which hold on to the fold.
 
         (6/5 + (2/15)6^(−1/3)) P_cδ0 = 1.2733762 P_cδ0
@@ -184,16 +172,13 @@ def pull_off_work(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, co
     Valid:    JKR; quasi-static; the jump at the fold dissipates what is left.
     Accuracy: 1.5 ulp above w, R and E*.
 
-    >>> scene = {"work_of_adhesion": 0.05, "reduced_radius": 50e-9, "contact_modulus": 27.804e9}
-    >>> round(pull_off_work(**scene) / adhesion_energy(**scene), 7)
+    >>> round(pull_off_work(adhesion_energy=1.0), 7)
     1.2733762
     """
-    return _in_adhesion_energies(1599.390637874992, work_of_adhesion, reduced_radius, contact_modulus)
+    return PULL_OFF_AT_FIXED_GRIPS * adhesion_energy
 
 
-def pull_off_work_at_dead_load(
-    *, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress
-) -> Energy:
+def pull_off_work_at_dead_load(*, adhesion_energy: Energy) -> Energy:
     """Work to separate the spheres from P = 0 with a load that grows to P_c.
 
         (6/5 − (2/5)2^(−1/3)) P_cδ0 = 0.8825198 P_cδ0
@@ -202,14 +187,13 @@ def pull_off_work_at_dead_load(
     Valid:    JKR; quasi-static up to the jump at P = −P_c.
     Accuracy: 1.5 ulp above w, R and E*.
 
-    >>> scene = {"work_of_adhesion": 0.05, "reduced_radius": 50e-9, "contact_modulus": 27.804e9}
-    >>> round(pull_off_work_at_dead_load(**scene) / adhesion_energy(**scene), 7)
+    >>> round(pull_off_work_at_dead_load(adhesion_energy=1.0), 7)
     0.8825198
     """
-    return _in_adhesion_energies(532.4241697888572, work_of_adhesion, reduced_radius, contact_modulus)
+    return PULL_OFF_AT_DEAD_LOAD * adhesion_energy
 
 
-def sticking_energy(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress) -> Energy:
+def sticking_energy(*, adhesion_energy: Energy) -> Energy:
     """Largest energy of a head-on collision after which the spheres stick: what jump-in and the fold dissipate.
 
         ((2/15)6^(−1/3) + (4/5)(2/3)^(1/3)) P_cδ0 = 0.7722405 P_cδ0
@@ -218,14 +202,8 @@ def sticking_energy(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, 
     Valid:    JKR; no other loss.
     Accuracy: 1.5 ulp above w, R and E*.
 
-    >>> scene = {"work_of_adhesion": 0.05, "reduced_radius": 50e-9, "contact_modulus": 27.804e9}
-    >>> round(sticking_energy(**scene) / adhesion_energy(**scene), 7)
+    >>> round(sticking_energy(adhesion_energy=1.0), 7)
     0.7722405
     """
-    return _in_adhesion_energies(356.73209358051355, work_of_adhesion, reduced_radius, contact_modulus)
+    return STICKING * adhesion_energy
 
-
-def _in_adhesion_energies(cube: float, work_of_adhesion: Any, reduced_radius: Any, contact_modulus: Any) -> Any:
-    """A multiple of P_cδ0, with 81π⁵/32 times its cube given: under the root, what rounding takes counts a third."""
-    w, R, E = work_of_adhesion, reduced_radius, contact_modulus  # noqa: N806
-    return cbrt(cube * product(w, w, w, w, w, over=(E, E)) * product(R, R, R, R))

@@ -4,13 +4,8 @@ Sphere 2 may be a plane (`radius2` infinite), may be rigid (`youngs_modulus2` in
 infinite).
 """
 
-from typing import Any
-
 from .dimensions import Density, Inertia, Length, Mass, Number, Stress, SurfaceEnergy
-from .elementary import Constant, Sum, geometric_mean, parallel, product
-
-_FOUR_THIRDS_PI = Constant(4, 3, 1)
-_TWO_FIFTHS = Constant(2, 5)
+from .elementary import pi, smaller_and_larger, sqrt
 
 
 def work_of_adhesion(*, surface_energy: SurfaceEnergy, surface_energy2: SurfaceEnergy) -> SurfaceEnergy:
@@ -26,7 +21,7 @@ def work_of_adhesion(*, surface_energy: SurfaceEnergy, surface_energy2: SurfaceE
     >>> work_of_adhesion(surface_energy=0.025, surface_energy2=0.025)
     0.05
     """
-    return 2 * geometric_mean(surface_energy, surface_energy2)
+    return 2 * sqrt(surface_energy * surface_energy2)
 
 
 def radius_ratio(*, radius: Length, radius2: Length) -> Number:
@@ -56,7 +51,8 @@ def reduced_radius(*, radius: Length, radius2: Length) -> Length:
     >>> reduced_radius(radius=1.0, radius2=3.0)
     0.75
     """
-    return parallel(radius, radius2)
+    smaller, larger = smaller_and_larger(radius, radius2)
+    return smaller / (1 + smaller / larger)
 
 
 def contact_modulus(
@@ -73,14 +69,9 @@ def contact_modulus(
     >>> round(contact_modulus(youngs_modulus=54e9, poisson_ratio=0.17, youngs_modulus2=54e9, poisson_ratio2=0.17) / 1e9, 3)
     27.804
     """
-    compliance = _compliance(youngs_modulus, poisson_ratio)
-    if youngs_modulus2 is youngs_modulus and poisson_ratio2 is poisson_ratio:
-        return 1 / (2 * compliance)
-    return product(1.0, over=(Sum(compliance, _compliance(youngs_modulus2, poisson_ratio2)),))
-
-
-def _compliance(youngs_modulus: Any, poisson_ratio: Any) -> Any:
-    return product(Sum(1.0, poisson_ratio), Sum(1.0, -poisson_ratio), over=(youngs_modulus,))
+    compliance = (1 - poisson_ratio) * (1 + poisson_ratio) / youngs_modulus
+    compliance2 = (1 - poisson_ratio2) * (1 + poisson_ratio2) / youngs_modulus2
+    return 1 / (compliance + compliance2)
 
 
 def mass(*, radius: Length, density: Density) -> Mass:
@@ -95,7 +86,7 @@ def mass(*, radius: Length, density: Density) -> Mass:
     >>> f"{mass(radius=1e-7, density=2600.0):.4e}"
     '1.0891e-17'
     """
-    return product(_FOUR_THIRDS_PI, density, radius, radius, radius)
+    return 4 / 3 * pi * radius**3 * density
 
 
 def reduced_mass(*, mass: Mass, mass2: Mass) -> Mass:
@@ -110,7 +101,8 @@ def reduced_mass(*, mass: Mass, mass2: Mass) -> Mass:
     >>> reduced_mass(mass=2.0, mass2=2.0)
     1.0
     """
-    return mass / (1 + mass / mass2)
+    smaller, larger = smaller_and_larger(mass, mass2)
+    return smaller / (1 + smaller / larger)
 
 
 def moment_of_inertia(*, mass: Mass, radius: Length) -> Inertia:
@@ -125,7 +117,7 @@ def moment_of_inertia(*, mass: Mass, radius: Length) -> Inertia:
     >>> moment_of_inertia(mass=2.5, radius=1.0)
     1.0
     """
-    return product(_TWO_FIFTHS, mass, radius, radius)
+    return 2 / 5 * mass * radius**2
 
 
 def reduced_moment_of_inertia(*, moment_of_inertia: Inertia, moment_of_inertia2: Inertia) -> Inertia:
@@ -140,7 +132,8 @@ def reduced_moment_of_inertia(*, moment_of_inertia: Inertia, moment_of_inertia2:
     >>> reduced_moment_of_inertia(moment_of_inertia=2.0, moment_of_inertia2=2.0)
     1.0
     """
-    return moment_of_inertia / (1 + moment_of_inertia / moment_of_inertia2)
+    smaller, larger = smaller_and_larger(moment_of_inertia, moment_of_inertia2)
+    return smaller / (1 + smaller / larger)
 
 
 def rolling_mass(*, mass: Mass, mass2: Mass, radius_ratio: Number) -> Mass:
@@ -158,7 +151,5 @@ def rolling_mass(*, mass: Mass, mass2: Mass, radius_ratio: Number) -> Mass:
     >>> rolling_mass(mass=1.0, mass2=1.0, radius_ratio=1.0)
     0.8
     """
-    of_centres = 1 / mass + radius_ratio * radius_ratio / mass2
-    span = Sum(1.0, radius_ratio)
-    turning = product(10.0, of_centres, over=(span, span))
-    return product(14.0, over=(Sum(turning, 25 / (mass + mass2)),))
+    turning = (1 / mass + radius_ratio**2 / mass2) / (1 + radius_ratio) ** 2
+    return 14 / (25 / (mass + mass2) + 10 * turning)

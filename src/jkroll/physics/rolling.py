@@ -1,9 +1,11 @@
-"""Resistance to rolling: Eqs 10, 25-27, 43 and 44."""
+"""Resistance to rolling: Eqs 10, 25-27, 43 and 44, and the models of its moment, Eqs 16-24.
 
-from .dimensions import Angle, Force, Length, Moment, Number, RollingStiffness, SurfaceEnergy
-from .elementary import Constant, product
+At a fixed load Eq (25) is exact. At a fixed approach the exact moment is larger by E*aξ³/R, and the two half-circles
+exceed it by as much again.
+"""
 
-_SIX_PI = Constant(6, 1, 1)
+from .dimensions import Angle, Force, Length, Moment, Number, RollingStiffness, Stress, SurfaceEnergy
+from .elementary import pi
 
 
 def yield_moment(*, pull_off_force: Force, load_factor: Number, yield_displacement: Length) -> Moment:
@@ -35,7 +37,7 @@ def rolling_stiffness(
     >>> round(rolling_stiffness(work_of_adhesion=0.3183098861837907, load_factor=1.0, reduced_radius=0.5), 12)
     1.5
     """
-    return product(_SIX_PI, work_of_adhesion, load_factor, reduced_radius, reduced_radius)
+    return 6 * pi * work_of_adhesion * load_factor * reduced_radius**2
 
 
 def yield_force(
@@ -52,7 +54,7 @@ def yield_force(
     >>> f"{yield_force(work_of_adhesion=0.05, load_factor=1.0, yield_displacement=2e-10, radius_ratio=1.0):.4e}"
     '9.4248e-11'
     """
-    return product(_SIX_PI, work_of_adhesion, load_factor, yield_displacement) / (1 + radius_ratio)
+    return 6 * pi * work_of_adhesion * load_factor * yield_displacement / (1 + radius_ratio)
 
 
 def yield_force_ratio(*, load_factor: Number, yield_displacement: Length, radius: Length) -> Number:
@@ -113,3 +115,111 @@ def mean_rolling_force(*, mean_rolling_moment: Moment, radius: Length) -> Force:
     0.5
     """
     return mean_rolling_moment / radius
+
+
+# --- The models of the moment --------------------------------------------------------------------------------------------
+
+
+def unloaded_moment(*, pull_off_force: Force, yield_displacement: Length) -> Moment:
+    """Moment of a contact without load, which the paper uses from Eq (26) on.
+
+        M = 4 P_c ξ
+
+    Source:   Eq (25) with â = 1.
+    Valid:    |P| ≪ P_c.
+    Accuracy: 0.5 ulp above P_c.
+
+    >>> unloaded_moment(pull_off_force=1.0, yield_displacement=0.5)
+    2.0
+    """
+    return 4 * pull_off_force * yield_displacement
+
+
+def half_circle_moment(
+    *, half_circle_radius: Length, approach_at_load: Length, contact_modulus: Stress, reduced_radius: Length
+) -> Moment:
+    """Moment of one half of a symmetric contact about its diameter.
+
+        M½ = ½E*𝒜²δ − (π/8)p_H𝒜³ = ½E*𝒜²δ − (E*/4R)𝒜⁴
+
+    Source:   Eqs (22) and (23), with p_H = 2𝒜E*/(πR); Eq (21) has ¼ for π/4.
+    Valid:    𝒜 ≪ R.
+    Accuracy: 5 ulp of the larger term.
+
+    >>> half_circle_moment(half_circle_radius=2.0, approach_at_load=1.0, contact_modulus=1.0, reduced_radius=4.0)
+    1.0
+    """
+    depth = approach_at_load / 2 - half_circle_radius**2 / (4 * reduced_radius)
+    return contact_modulus * half_circle_radius**2 * depth
+
+
+def linearised_moment(
+    *,
+    contact_radius_at_load: Length,
+    yield_displacement: Length,
+    approach_at_load: Length,
+    contact_modulus: Stress,
+    reduced_radius: Length,
+) -> Moment:
+    """Moment of the two half-circles to first order in ξ, in equilibrium or not.
+
+        M = 2ξ(3P_câ³ − E*aδ) = 2ξE*a(a²/R − δ)
+
+    Source:   Eq (24).
+    Valid:    ξ ≪ a. With Eq (6) for δ it is Eq (25).
+    Accuracy: 4 ulp of the larger term.
+
+    >>> linearised_moment(contact_radius_at_load=1.0, yield_displacement=1.0, approach_at_load=0.0,
+    ...                   contact_modulus=1.0, reduced_radius=1.0)
+    2.0
+    """
+    depth = contact_radius_at_load**2 / reduced_radius - approach_at_load
+    return 2 * yield_displacement * contact_modulus * contact_radius_at_load * depth
+
+
+def half_circles_moment(
+    *,
+    yield_moment: Moment,
+    contact_modulus: Stress,
+    contact_radius_at_load: Length,
+    yield_displacement: Length,
+    reduced_radius: Length,
+) -> Moment:
+    """Moment of two half-circles of radius a + ξ and a − ξ at the same approach, not linearised.
+
+        M_half = M½(a − ξ) − M½(a + ξ) = 2ξE*a((a² + ξ²)/R − δ) = M + 2E*aξ³/R
+
+    Source:   Eqs (19) and (23); with Eqs (6) and (25), the last form, which does not cancel.
+    Valid:    ξ < a. It exceeds the exact moment at a fixed approach by E*aξ³/R.
+    Accuracy: 4 ulp above its parts.
+
+    >>> half_circles_moment(yield_moment=1.0, contact_modulus=1.0, contact_radius_at_load=2.0, yield_displacement=1.0,
+    ...                     reduced_radius=1.0)
+    5.0
+    """
+    cubic = contact_modulus * contact_radius_at_load * yield_displacement**3 / reduced_radius
+    return yield_moment + 2 * cubic
+
+
+def fixed_approach_moment(
+    *,
+    yield_moment: Moment,
+    contact_modulus: Stress,
+    contact_radius_at_load: Length,
+    yield_displacement: Length,
+    reduced_radius: Length,
+) -> Moment:
+    """Exact moment of the shifted circle whose approach is held while it shifts.
+
+        M = 4P_c â^(3/2) ξ + E*aξ³/R = 4P_c â^(3/2) ξ [1 + (3/4)(ξ/a0)²/√â]
+
+    Source:   Hertz, flat punch and tilted flat punch on one circle; Eq (25) is the exact moment at a fixed load.
+    Valid:    ξ < a0/(3√â).
+    Accuracy: 2 ulp above its parts.
+
+    >>> fixed_approach_moment(yield_moment=1.0, contact_modulus=1.0, contact_radius_at_load=2.0, yield_displacement=1.0,
+    ...                       reduced_radius=1.0)
+    3.0
+    """
+    cubic = contact_modulus * contact_radius_at_load * yield_displacement**3 / reduced_radius
+    return yield_moment + cubic

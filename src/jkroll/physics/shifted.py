@@ -82,7 +82,7 @@ def unloaded_half_width(
     >>> round(unloaded_half_width(work_of_adhesion=pi / 4, cylinder_radius=1.0, plane_strain_modulus=1.0), 12)
     2.0
     """
-    return cbrt(32 / pi * (work_of_adhesion / plane_strain_modulus) * cylinder_radius * cylinder_radius)
+    return cbrt(32 / pi * work_of_adhesion / plane_strain_modulus * cylinder_radius**2)
 
 
 def rolled_over_displacement(*, n_roll: Number, radius: Length, yield_displacement: Length) -> Number:

@@ -1,9 +1,7 @@
 """What limits the model, as numbers."""
 
 from .dimensions import Energy, Force, Length, Number, Stress, SurfaceEnergy
-from .elementary import Constant, cbrt, product
-
-_THREE_PI = Constant(3, 1, 1)
+from .elementary import cbrt, pi
 
 
 def tabor_parameter(
@@ -22,8 +20,7 @@ def tabor_parameter(
     >>> round(mu, 2)
     0.14
     """
-    length = work_of_adhesion / contact_modulus / atomic_spacing
-    return cbrt(length * length * (reduced_radius / atomic_spacing))
+    return cbrt((work_of_adhesion / contact_modulus / atomic_spacing) ** 2 * (reduced_radius / atomic_spacing))
 
 
 def displacement_limit(*, contact_radius: Length, load_factor: Number) -> Length:
@@ -98,7 +95,7 @@ def yield_energy(*, work_of_adhesion: SurfaceEnergy, yield_displacement: Length,
     >>> f"{yield_energy(work_of_adhesion=0.05, yield_displacement=2e-10, load_factor=1.0):.4e}"
     '1.8850e-20'
     """
-    return product(_THREE_PI, work_of_adhesion, load_factor, yield_displacement, yield_displacement)
+    return 3 * pi * work_of_adhesion * load_factor * yield_displacement**2
 
 
 def energy_over_yield(
@@ -116,7 +113,7 @@ def energy_over_yield(
     >>> round(ratio, 12)
     2.0
     """
-    return product(energy, over=(_THREE_PI, work_of_adhesion, load_factor, yield_displacement, yield_displacement))
+    return energy / (3 * pi * work_of_adhesion * load_factor * yield_displacement**2)
 
 
 def load_over_pull_off(*, load: Force, pull_off_force: Force) -> Number:

@@ -60,7 +60,7 @@ def vertical_frequency(*, stiffness: Stiffness, reduced_mass: Mass) -> Frequency
     >>> round(vertical_frequency(stiffness=(2 * pi) ** 2, reduced_mass=1.0), 12)
     1.0
     """
-    return sqrt(stiffness / (4 * (pi * pi) * reduced_mass))
+    return sqrt(stiffness / reduced_mass) / (2 * pi)
 
 
 def angular_acceleration(
@@ -92,7 +92,7 @@ def rolling_frequency(*, rolling_stiffness: RollingStiffness, reduced_moment_of_
     >>> round(rolling_frequency(rolling_stiffness=(2 * pi) ** 2, reduced_moment_of_inertia=1.0), 12)
     1.0
     """
-    return sqrt(rolling_stiffness / (4 * (pi * pi) * reduced_moment_of_inertia))
+    return sqrt(rolling_stiffness / reduced_moment_of_inertia) / (2 * pi)
 
 
 def rolling_frequency_as_printed(*, work_of_adhesion: SurfaceEnergy, radius: Length, density: Density) -> Frequency:
@@ -107,7 +107,7 @@ def rolling_frequency_as_printed(*, work_of_adhesion: SurfaceEnergy, radius: Len
     >>> f"{rolling_frequency_as_printed(work_of_adhesion=0.2, radius=1e-7, density=2000.0):.3e}"
     '4.775e+07'
     """
-    return 3 / (2 * pi) * sqrt(work_of_adhesion / 10 / (radius * radius * radius * density))
+    return 3 / (2 * pi) * sqrt(work_of_adhesion / (10 * radius**3 * density))
 
 
 def rolling_frequency_no_slip(*, work_of_adhesion: SurfaceEnergy, load_factor: Number, rolling_mass: Mass) -> Frequency:

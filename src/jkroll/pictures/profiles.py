@@ -14,7 +14,7 @@ from .maps import Mark, Setting
 from .panels import Curve, Panel, Picture, axis_around, clipped
 
 POINTS = 401
-RUNGS = ("yield_moment", "unloaded_moment", "half_circles_moment", "integrated_moment", "fixed_approach_moment")
+RUNGS = ("yield_moment", "unloaded_moment", "half_circles_moment", "fixed_approach_moment")
 SIZE = {"radius": 2e-8}  # of the spheres of Fig. 2, small enough for ξ to be seen
 _STATE = ("contact_radius_at_load", "hertz_pressure", "boussinesq_pressure")
 

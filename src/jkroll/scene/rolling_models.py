@@ -49,9 +49,8 @@ _MODELS = {  # from the cheapest on: the equation of each
     "yield_moment": "25",
     "half_circles_moment": "19",
     "fixed_approach_moment": "25",
-    "integrated_moment": "17",
 }
-_CUBIC = {"half_circles_moment": 2, "fixed_approach_moment": 1, "integrated_moment": 2}  # times E*aξ³/R above Eq (25)
+_CUBIC = {"half_circles_moment": 2, "fixed_approach_moment": 1}  # times E*aξ³/R above Eq (25)
 
 
 def exact_model(scene: Scene) -> str:
