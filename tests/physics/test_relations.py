@@ -14,14 +14,12 @@ from hypothesis import strategies as st
 import jkroll
 from jkroll import FORMULAS, NOMENCLATURE, JkrollError, solve
 from jkroll.output.explain import docstring_fields
-from jkroll.physics import ladder
 from jkroll.quantities.errors import MalformedQuantity, OutOfRange
 from jkroll.quantities.units import dimension_of
 from jkroll.scene.errors import (
     BeyondPullOff,
     Contradiction,
     MissingInput,
-    NoFiniteValue,
     NoVibration,
     ShapeMismatch,
     TwoRigidBodies,
@@ -35,6 +33,7 @@ energies = st.floats(1e-3, 10)
 moduli = st.floats(1e6, 1e12)
 ratios = st.floats(0, 0.5)
 factors = st.floats(0.1, 10)
+loads = st.floats(-0.99, 100).filter(lambda ratio: ratio == 0 or abs(ratio) > 1e-40)  # in pull-off forces
 
 
 def close(value: float, other: float, ulps: float = 20) -> bool:
@@ -54,7 +53,7 @@ def test_eq_3_three_ways(work: float, radius: float, modulus: float) -> None:
     assert close(delta0, a0 * a0 / (3 * radius))
 
 
-@given(radii, st.floats(-0.99, 100))
+@given(radii, loads)
 def test_contact_at_load_satisfies_eqs_5_and_6(radius: float, ratio: float) -> None:
     names = ["pull_off_force", "contact_radius", "approach"]
     scene: dict[str, Any] = {**QUARTZ, "radius": radius}
@@ -66,7 +65,7 @@ def test_contact_at_load_satisfies_eqs_5_and_6(radius: float, ratio: float) -> N
     )
 
 
-@given(st.floats(-0.99, 100))
+@given(loads)
 def test_pressure_gives_approach_and_load_back(ratio: float) -> None:
     names = [
         "contact_radius_at_load",
@@ -90,7 +89,7 @@ def test_pressure_gives_approach_and_load_back(ratio: float) -> None:
     assert math.isclose(load, ratio * force, rel_tol=1e-11, abs_tol=1e-12 * force)
 
 
-@given(st.floats(-0.99, 100))
+@given(loads)
 def test_stiffness_is_the_slope_of_the_load(ratio: float) -> None:
     force = solve("pull_off_force", radius=1e-7, **QUARTZ)
     step = 1e-5 * (1 + ratio)
@@ -101,13 +100,17 @@ def test_stiffness_is_the_slope_of_the_load(ratio: float) -> None:
     assert math.isclose(stiffness, 2 * step * force / (above - below), rel_tol=1e-6)
 
 
-@given(st.floats(-0.99, 100))
-def test_eq_24_with_eq_6_is_eq_25(ratio: float) -> None:
+@given(loads)
+def test_eqs_24_and_19_with_eq_6_are_eq_25_and_its_cubic_term(ratio: float) -> None:
+    names = ["contact_radius_at_load", "approach_at_load", "contact_modulus", "reduced_radius"]
     force = solve("pull_off_force", radius=1e-7, **QUARTZ)
-    linearised, moment = solve(
-        ["linearised_moment", "yield_moment"], radius=1e-7, load=ratio * force, **QUARTZ
-    ).values()
-    assert math.isclose(linearised, moment, rel_tol=1e-11)
+    state = solve(names, radius=1e-7, load=ratio * force, **QUARTZ)
+    moments = solve(["yield_moment", "half_circles_moment"], radius=1e-7, load=ratio * force, **QUARTZ)
+    linearised = jkroll.linearised_moment(yield_displacement=2e-10, **state)
+    assert math.isclose(linearised, moments["yield_moment"], rel_tol=1e-11)
+    a = state.pop("contact_radius_at_load")
+    behind, ahead = (jkroll.half_circle_moment(half_circle_radius=a + shift, **state) for shift in (2e-10, -2e-10))
+    assert math.isclose(ahead - behind, moments["half_circles_moment"], rel_tol=1e-11)
 
 
 def test_half_circles_tend_to_eq_25_with_the_square_of_xi() -> None:
@@ -293,8 +296,9 @@ def test_dimensions(name: str) -> None:
         parameter: UREG.Quantity(place / 10, unit).to_base_units()
         for place, (parameter, unit) in enumerate(units.items(), 2)
     }
-    if name == "load_factor_at_approach_unstable":
-        values["approach_at_load"] *= -1
+    for parameter in ("load", "approach_at_load") if name.endswith("unstable") else ():
+        if parameter in values:
+            values[parameter] *= -1
     result = formula(**values)
     assert UREG.Quantity(result).is_compatible_with(UREG.Quantity(1.0, wanted))
     if name in NOMENCLATURE:
@@ -382,7 +386,8 @@ def test_texts_with_units_in() -> None:
         ({"radius": np.array([1e-7, -1e-7])}, OutOfRange),
         ({**QUARTZ, "radius": 1e-7, "youngs_modulus": INFINITY}, TwoRigidBodies),
         ({**QUARTZ, "radius": 1e-7, "load": -1.2e-8}, BeyondPullOff),
-        ({**QUARTZ, "radius": 1e300}, NoFiniteValue),
+        ({**QUARTZ, "radius": 1e300}, OutOfRange),
+        ({**QUARTZ, "radius": 1e-7, "load": 1e-61}, OutOfRange),
     ],
 )
 def test_what_cannot_be_answered_raises(scene: dict[str, Any], error: type[Exception]) -> None:
@@ -440,9 +445,7 @@ def test_energies_between_the_states_of_the_curve() -> None:
         ("pull_off_work_at_dead_load", work(1, pull_off)),
         ("sticking_energy", work(jump_in, fold)),
     ):
-        unit = FORMULAS["adhesion_energy"](work_of_adhesion=0.05, reduced_radius=5e-8, contact_modulus=2.8e10)
-        energy = FORMULAS[name](work_of_adhesion=0.05, reduced_radius=5e-8, contact_modulus=2.8e10)
-        assert math.isclose(energy / unit, expected, rel_tol=1e-11), name
+        assert math.isclose(FORMULAS[name](adhesion_energy=1.0), expected, rel_tol=1e-11), name
 
 
 def test_contradictions_and_mismatches_are_refused() -> None:
@@ -466,17 +469,6 @@ def test_large_arrays_are_evaluated_in_blocks_to_the_same_bits() -> None:
         small = solve(["yield_force", "vertical_frequency", "r_min"], radius=radius[part], load=load, **QUARTZ)
         for name, value in small.items():
             assert (large[name][..., part] == value).all()
-
-
-def test_the_integral_of_eq_17_is_that_of_the_two_half_circles(monkeypatch: pytest.MonkeyPatch) -> None:
-    names = ["contact_radius_at_load", "approach_at_load", "contact_modulus", "reduced_radius"]
-    scene = solve(names, radius=1e-7, **QUARTZ)
-    shift = 0.1 * scene["contact_radius_at_load"]
-    exact = jkroll.half_circles_moment(yield_displacement=shift, **scene)
-    for points, is_exact in ((1, False), (2, True), (3, True)):
-        monkeypatch.setattr(ladder, "_POINTS", points)
-        integrated = jkroll.integrated_moment(yield_displacement=shift, **scene)
-        assert math.isclose(integrated, exact, rel_tol=1e-14 if is_exact else 1e-2) == is_exact
 
 
 def test_materials_cannot_be_changed_by_accident_and_files_may_change(tmp_path: Path) -> None:

@@ -8,17 +8,18 @@ two between the fold and 0.
 from typing import Any
 
 from .dimensions import Energy, Force, Length, Number
-from .elementary import sqrt, where, within
+from .elementary import cbrt, sqrt, where, within
 
 FOLD_APPROACH = -0.8254818122236567  # −(3/4)^(2/3), the least δ̂, rounded
 FOLD_APPROACH_REST = 1.4776601947357812e-17  # what rounding took from it
+CBRT_6 = cbrt(6.0)
 NEWTON_STEPS = 6  # from the starts below; a seventh changes nothing
 
 # Energies between states of the curve, in P_cδ0: from ∫P̂ dδ̂ = 24/5 y^10 − 8y^7 + 2y^4 with y = √â.
 WELL = 6 / 5
-PULL_OFF_AT_FIXED_GRIPS = 6 / 5 + 2 / 15 * 6 ** (-1 / 3)
+PULL_OFF_AT_FIXED_GRIPS = 6 / 5 + 2 / 15 / CBRT_6
 PULL_OFF_AT_DEAD_LOAD = 6 / 5 - 2 / 5 * 2 ** (-1 / 3)
-STICKING = 2 / 15 * 6 ** (-1 / 3) + 4 / 5 * (2 / 3) ** (1 / 3)
+STICKING = 2 / 15 / CBRT_6 + 4 / 5 * (2 / 3) ** (1 / 3)
 
 
 def load_margin_of_factor(*, load_factor: Number) -> Number:
@@ -97,29 +98,30 @@ def load_factor_at_approach_unstable(*, approach_at_load: Length, approach: Leng
 
 
 def _stable_factor(approach_ratio: Any) -> Any:
-    """Return the state x of the stable branch at an approach ratio δ̂ ≥ δ̂_fold."""
+    """Return x = (2 + δ̂/y)/3, which is y³ on the stable branch, at δ̂ ≥ δ̂_fold; an error of y counts once in it."""
     excess = _excess(approach_ratio)
     start = where(excess < 3, sqrt(excess / 3), sqrt(sqrt(2 * excess)))
-    return (1 + _root_of_excess(start, excess)) ** 3 / 6
+    y = (1 + _root_of_excess(start, excess)) / CBRT_6
+    return (2 + approach_ratio / y) / 3
 
 
 def _unstable_factor(approach_ratio: Any) -> Any:
-    """Return the state x of the unstable branch at δ̂_fold ≤ δ̂ ≤ 0: by η near the fold, elsewhere by 2y = 3y⁴ − δ̂."""
+    """Return x = y³ on the unstable branch, at δ̂_fold ≤ δ̂ ≤ 0: y by η near the fold, elsewhere from 2y = 3y⁴ − δ̂."""
     excess = _excess(within(approach_ratio <= 0, approach_ratio))
     is_near_fold = excess < 0.5
     near = where(is_near_fold, excess, 0.5)
-    near_fold = (1 + _root_of_excess(-sqrt(near / 3), near)) ** 3 / 6
+    near_fold = (1 + _root_of_excess(-sqrt(near / 3), near)) / CBRT_6
     depth = where(is_near_fold, 0.5, -approach_ratio)
     y = depth / 2
     for _ in range(NEWTON_STEPS):
         y = y + (3 * y**4 - 2 * y + depth) / (2 - 12 * y**3)
-    return where(is_near_fold, near_fold, y**3)
+    return where(is_near_fold, near_fold, y) ** 3
 
 
 def _excess(approach_ratio: Any) -> Any:
     """Return 6^(1/3)(δ̂ − δ̂_fold), with the digits of δ̂_fold beyond a double; the domain ends at the fold."""
     above_fold = approach_ratio - FOLD_APPROACH
-    return within(above_fold >= 0, where(above_fold > 0, above_fold - FOLD_APPROACH_REST, 0.0) * 6 ** (1 / 3))
+    return within(above_fold >= 0, where(above_fold > 0, above_fold - FOLD_APPROACH_REST, 0.0) * CBRT_6)
 
 
 def _root_of_excess(eta: Any, excess: Any) -> Any:

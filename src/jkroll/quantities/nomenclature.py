@@ -140,7 +140,6 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "sticking_energy": Quantity("U_stick", "J", "largest impact energy that sticks", "48"),
         # rolling
         "yield_moment": Quantity("M", "N m", "rolling moment at the displacement ξ", "25"),
-        "linearised_moment": Quantity("M", "N m", "moment of two half-circles, to first order", "24"),
         "unloaded_moment": Quantity("M_0", "N m", "moment of the contact without load", "26"),
         "half_circles_moment": Quantity("M_half", "N m", "moment of the two half-circles", "19"),
         "fixed_approach_moment": Quantity("M_δ", "N m", "exact moment if the approach is held", "25"),

@@ -1,13 +1,15 @@
 """Errors about a scene: inputs that are missing or exclude each other, and contacts that do not exist."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 from ..errors import JkrollError, NoResult
-from ..quantities.nomenclature import NOMENCLATURE
+from ..physics.jkr import FOLD_APPROACH
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 
 
 class MissingInput(JkrollError):
-    """A quantity that cannot be computed from what was given."""
+    """Error raised when a quantity cannot be computed from what was given."""
 
     def __init__(self, wanted: str, missing: Sequence[str], instead: Sequence[str] = (), lacking: str = "") -> None:
         super().__init__(wanted, tuple(missing), tuple(instead), lacking)
@@ -17,7 +19,7 @@ class MissingInput(JkrollError):
         return f"{self.wanted} needs {self.needs()}"
 
     def needs(self) -> str:
-        """The missing inputs, which material does not have them, and how they are given."""
+        """Return the missing inputs, the materials that do not have them, and how they are given."""
         words = " and ".join(NOMENCLATURE[name].sentence for name in self.missing)
         options = " ".join(_as_typed(name) for name in self.missing if NOMENCLATURE[name].option)
         radii = [
@@ -33,7 +35,7 @@ def _as_typed(name: str) -> str:
 
 
 class Contradiction(JkrollError):
-    """Inputs of which one follows from the other."""
+    """Error raised for inputs of which one follows from the other."""
 
     def __init__(self, names: Sequence[str]) -> None:
         super().__init__(tuple(names))
@@ -44,7 +46,7 @@ class Contradiction(JkrollError):
 
 
 class ShapeMismatch(JkrollError):
-    """Arrays that do not broadcast."""
+    """Error raised for arrays that do not broadcast."""
 
     def __init__(self, shapes: Sequence[tuple[str, tuple[int, ...]]]) -> None:
         super().__init__(tuple(shapes))
@@ -55,7 +57,7 @@ class ShapeMismatch(JkrollError):
 
 
 class BeyondPullOff(NoResult):
-    """A tension larger than the pull-off force: there is no contact."""
+    """Error raised for a tension larger than the pull-off force: there is no contact."""
 
     def __init__(self, load: float, pull_off_force: float) -> None:
         super().__init__(load, pull_off_force)
@@ -66,7 +68,7 @@ class BeyondPullOff(NoResult):
 
 
 class BeyondFold(NoResult):
-    """An approach at which even fixed grips have let go."""
+    """Error raised for an approach at which even fixed grips have let go."""
 
     def __init__(self, approach: float, least: float) -> None:
         super().__init__(approach, least)
@@ -77,28 +79,28 @@ class BeyondFold(NoResult):
 
 
 class TwoRigidBodies(NoResult):
-    """Neither body yields, so there is no area of contact."""
+    """Error raised for two rigid bodies, which have no area of contact."""
 
     def __str__(self) -> str:
         return "contact_modulus: both bodies are rigid; a contact area needs one that yields"
 
 
 class NoChain(NoResult):
-    """A chain of spheres and planes."""
+    """Error raised for a chain of spheres and planes."""
 
     def __str__(self) -> str:
         return "r_min: sphere 2 is a plane; a chain needs two spheres"
 
 
 class NoVibration(NoResult):
-    """A contact between pull-off and the fold: the spheres are free, and it does not hold them."""
+    """Error raised for free spheres between pull-off and the fold, where the contact does not hold them."""
 
     def __str__(self) -> str:
         return "vertical_frequency: beyond pull-off only fixed grips hold the contact; free spheres fly apart"
 
 
 class NoFiniteValue(NoResult):
-    """A result outside the range of doubles, or without limit."""
+    """Error raised for a result that is infinite, or that leaves the normal doubles on the way to it."""
 
     def __init__(self, name: str, value: float) -> None:
         super().__init__(name, value)
@@ -108,3 +110,36 @@ class NoFiniteValue(NoResult):
         return f"{self.name}: " + (
             "no finite value for these inputs" if abs(self.value) > 1 else "no value that a double can hold"
         )
+
+
+class NoUnstableState(NoResult):
+    """Error raised for a load or an approach that has one state only, the stable one."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__(name)
+        self.name = name
+
+    def __str__(self) -> str:
+        return f"{self.name}: only a tension, or an approach below 0, has a second, unstable state"
+
+
+def reason(name: str, given: Mapping[str, Any]) -> NoResult | None:
+    """Return why a formula has no result for these numbers, if the physics forbids it."""
+    match name:
+        case "load_margin" if given["load"] < -given["pull_off_force"]:
+            return BeyondPullOff(given["load"], given["pull_off_force"])
+        case "contact_modulus" if _is_rigid(given, "") and _is_rigid(given, "2"):
+            return TwoRigidBodies()
+        case "r_min" if given["radius2"] == INFINITY:
+            return NoChain()
+        case "vertical_frequency" if given["stiffness"] < 0:
+            return NoVibration()
+        case "load_factor_at_approach" | "load_factor_at_approach_unstable" if given["approach_at_load"] <= 0:
+            return BeyondFold(given["approach_at_load"], FOLD_APPROACH * given["approach"])
+        case "load_factor_at_load_unstable" | "load_factor_at_approach_unstable":
+            return NoUnstableState(name)
+    return None
+
+
+def _is_rigid(given: Mapping[str, Any], sphere: str) -> bool:
+    return bool(given["youngs_modulus" + sphere] == INFINITY or given["poisson_ratio" + sphere] == -1)
