@@ -41,7 +41,7 @@ def root(approach_ratio: Exact, *, stable: bool = True) -> Exact:
         raise ValueError("no contact")
     y = 1 + sqrt(sqrt(abs(approach_ratio))) if stable else mpf(0)
     step = mpf(1)
-    while abs(step) > abs(y) * mpf(10) ** -60:  # the last one squares that
+    while abs(step) > abs(y) * mpf(10) ** (-digits.dps // 2):  # the last one squares that
         step = (3 * y**4 - 2 * y - approach_ratio) / (12 * y**3 - 2)
         y -= step
     return y
@@ -87,7 +87,7 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
         if P < 0:
             branches["load_factor_at_load_unstable"] = (1 - s) / 2
     a_ = cbrt(x**2)
-    delta = delta0 * (3 * a_**2 - 2 * sqrt(a_))
+    delta = known.get("approach_at_load", delta0 * (3 * a_**2 - 2 * sqrt(a_)))
     slope = (12 * a_**2 - 6 * sqrt(a_)) / (6 * a_ - 1 / sqrt(a_))
 
     # Eqs 25, 39 and 43

@@ -80,7 +80,9 @@ def steps_from(value: float, *counts: float) -> list[float]:
 
 def hard_loads(force: float) -> Iterator[float]:
     """Iterate over loads next to pull-off, next to -8/9 of it where the approach is 0, and of any magnitude."""
-    yield from (-force + count * math.ulp(force) for count in (0, 1, 2, 3, 10, *(10.0**power for power in range(2, 16))))
+    yield from (
+        -force + count * math.ulp(force) for count in (0, 1, 2, 3, 10, *(10.0**power for power in range(2, 16)))
+    )
     yield from steps_from(-8 * (force / 9), 1, 2, 10, *(10.0**power for power in range(2, 15)))
     yield from (ratio * force for power in range(-24, 25, 4) for ratio in (10.0**power, -(10.0**power)) if ratio >= -1)
 

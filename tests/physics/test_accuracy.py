@@ -22,7 +22,7 @@ from scenes import Scene, hard_approaches, hard_loads, hard_scenes, log_uniform,
 
 pytestmark = pytest.mark.filterwarnings("error")  # of numpy, too
 
-COUNT, MANY = 800, 20_000
+COUNT, MANY = 500, 20_000
 
 
 # --- Results ------------------------------------------------------------------------------------------------------------
@@ -51,7 +51,8 @@ def errors_of(scenes: Iterable[Scene]) -> Errors:
         alike[frozenset(scene), frozenset(exact)].append((scene, exact, conditions(scene, exact)))
     found = Errors(defaultdict(list), defaultdict(list), defaultdict(list))
     for (given, wanted), same in alike.items():
-        columns = solve(wanted, **{name: np.array([scene[name] for scene, _, _ in same]) for name in given})
+        arrays: Scene = {name: np.array([scene[name] for scene, _, _ in same]) for name in given}
+        columns = solve(wanted, **arrays)
         for row, (scene, exact, condition) in enumerate(same):
             for name, value in solve(wanted, **scene).items():
                 element = float(np.broadcast_to(columns[name], len(same))[row])

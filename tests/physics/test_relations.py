@@ -2,6 +2,8 @@
 
 import inspect
 import math
+import pydoc
+import re
 from pathlib import Path
 from typing import Any, get_type_hints
 
@@ -14,12 +16,14 @@ from hypothesis import strategies as st
 import jkroll
 from jkroll import FORMULAS, NOMENCLATURE, JkrollError, solve
 from jkroll.output.explain import docstring_fields
-from jkroll.quantities.errors import MalformedQuantity, OutOfRange
+from jkroll.quantities.errors import MalformedQuantity, OutOfRange, UnknownQuantity
 from jkroll.quantities.units import dimension_of
 from jkroll.scene.errors import (
+    BeyondFold,
     BeyondPullOff,
     Contradiction,
     MissingInput,
+    NoUnstableState,
     NoVibration,
     ShapeMismatch,
     TwoRigidBodies,
@@ -348,9 +352,53 @@ def test_lists_and_odd_values() -> None:
     assert values.tolist() == [solve("pull_off_force", radius=radius, **QUARTZ) for radius in (1e-9, 2e-9, 3e-9)]
     assert isinstance(solve("pull_off_force", radius=np.float64(1e-9), **QUARTZ), float)
     assert np.isnan(solve("yield_force", load=np.array([-1.0]), radius=1e-7, **QUARTZ)).all()
-    for odd in (True, None, 1j, "x", [[1e-9], [1e-9, 2e-9]], np.array(["a"]), UREG.Quantity(1.0, "kg")):
+    for odd in (True, None, {}, b"1e-7", 1j, "x", [[1e-9], [1e-9, 2e-9]], np.array(["a"]), UREG.Quantity(1.0, "kg")):
         with pytest.raises((JkrollError, ValueError)):
             solve("pull_off_force", radius=odd, **QUARTZ)
+
+
+def test_integers_and_lists_are_floats() -> None:
+    radius = np.array([1, 100, 255], dtype=np.uint8)
+    for name, given in (("r_min", {"radius2": radius, "yield_displacement": 1}), ("mass", {"density": [2600] * 3})):
+        assert (FORMULAS[name](radius=radius, **given) == FORMULAS[name](radius=radius.astype(float), **given)).all()
+    energies = {"surface_energy": radius, "surface_energy2": radius.tolist()}
+    assert FORMULAS["work_of_adhesion"](**energies).tolist() == [2.0, 200.0, 510.0]
+    assert jkroll.load_factor(load_margin=1) == 1.0
+    for odd in ("1e-7", None, [1, "x"], np.ma.masked_array([1], [True])):
+        with pytest.raises(MalformedQuantity):
+            FORMULAS["mass"](radius=odd, density=1.0)
+
+
+def test_names_that_are_none_are_refused() -> None:
+    wrong: Any = None
+    for names in (wrong, [wrong], ["pull_off_force", "pull_off"], 3):
+        with pytest.raises(UnknownQuantity):
+            solve(names, radius=1e-7, **QUARTZ)
+    for material in (["quartz", "iron"], 1, b"quartz"):
+        wrong = material
+        with pytest.raises(MalformedQuantity):
+            solve("pull_off_force", material=wrong, radius=1e-7)
+    assert solve([], radius=1e-7) == {}
+
+
+def test_help_is_for_a_physicist() -> None:
+    text = pydoc.render_doc(jkroll.pull_off_force, renderer=pydoc.plaintext)
+    assert "work_of_adhesion: 'SurfaceEnergy'" in text
+    assert re.search(r"work_of_adhesion +\[J/m²\] +> 0", text)
+    assert "Annotated" not in text
+
+
+def test_a_state_that_is_none_is_refused_in_words() -> None:
+    force, approach = solve(["pull_off_force", "approach"], radius=1e-7, **QUARTZ).values()
+    for name, state in (
+        ("load_factor_at_load_unstable", {"load": force}),
+        ("load_factor_at_approach_unstable", {"approach_at_load": approach}),
+    ):
+        with pytest.raises(NoUnstableState, match="only a tension"):
+            solve(name, radius=1e-7, **state, **QUARTZ)
+    for name in ("load_factor_at_approach", "load_factor_at_approach_unstable"):
+        with pytest.raises(BeyondFold):
+            solve(name, radius=1e-7, approach_at_load=-approach, **QUARTZ)
 
 
 def test_materials_of_one_s_own(tmp_path: Path) -> None:

@@ -4,7 +4,27 @@ from collections.abc import Mapping
 from math import cbrt, pi, sqrt
 from typing import Any
 
-from ..physics.elementary import Constant
+_PI = 4175892906503776358826876457663557747, 2**120  # to 36 digits
+
+
+class Constant(float):
+    """The double next to a number, and what the number has besides.
+
+    >>> two_fifths = Constant(2, 5)
+    >>> two_fifths, two_fifths.rest
+    (0.4, -2.2204460492503132e-17)
+    """
+
+    rest: float
+
+    def __new__(cls, numerator: int, denominator: int = 1, power: int = 0) -> "Constant":
+        """Of a fraction, times a power of π."""
+        above, below = numerator * _PI[0] ** power, denominator * _PI[1] ** power
+        constant = super().__new__(cls, above / below)
+        rounded, scale = constant.as_integer_ratio()
+        constant.rest = (above * scale - rounded * below) / (below * scale)
+        return constant
+
 
 WANTED = (
     "pull_off_force", "contact_radius", "approach", "yield_force", "yield_force_ratio", "yield_moment", "yield_angle",

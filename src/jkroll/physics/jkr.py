@@ -5,6 +5,8 @@ fixed grips let go, and runs down to 0 on the unstable branch. Loads have two st
 two between the fold and 0.
 """
 
+from __future__ import annotations
+
 from typing import Any
 
 from .dimensions import Energy, Force, Length, Number
@@ -23,10 +25,13 @@ STICKING = 2 / 15 / CBRT_6 + 4 / 5 * (2 / 3) ** (1 / 3)
 
 
 def load_margin_of_factor(*, load_factor: Number) -> Number:
-    """√(1 + P/P_c) on the stable branch, and its negative beyond pull-off, where only fixed grips hold the contact.
+    """Return √(1 + P/P_c) on the stable branch, and its negative beyond pull-off, where only fixed grips hold the contact.
 
         s = 2x − 1
 
+    load_factor  [1]  > 0
+
+    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (5), as x = (1 + s)/2.
     Valid:    0 < x.
     Accuracy: 0.5 ulp of 2x.
@@ -38,10 +43,14 @@ def load_margin_of_factor(*, load_factor: Number) -> Number:
 
 
 def load_at_factor(*, pull_off_force: Force, load_factor: Number) -> Force:
-    """Load that holds a contact in a state.
+    """Return the load that holds a contact in a state.
 
         P = 4P_c(x² − x)
 
+    pull_off_force  [N]  > 0
+    load_factor     [1]  > 0
+
+    Returns:  [N]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (5).
     Valid:    0 < x, both branches.
     Accuracy: 2 ulp above P_c and x − 1.
@@ -53,10 +62,14 @@ def load_at_factor(*, pull_off_force: Force, load_factor: Number) -> Force:
 
 
 def load_factor_at_approach(*, approach_at_load: Length, approach: Length) -> Number:
-    """State on the stable branch, x = â^(3/2), at an approach of the centres.
+    """Return the state on the stable branch, x = â^(3/2), at an approach of the centres.
 
         3x^(4/3) − 2x^(1/3) = δ/δ0
 
+    approach_at_load  [m]  any
+    approach          [m]  > 0
+
+    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (6), solved by Newton's method in η = x^(1/3)/x_fold^(1/3) − 1: η²(3 + 2η + η²/2) = 6^(1/3)(δ̂ − δ̂_fold).
     Valid:    δ̂ ≥ −(3/4)^(2/3). Beyond, a float raises ValueError and an array holds NaN.
     Accuracy: 2 ulp for the ratio δ̂ as it is rounded, also at the fold, where the state itself is ill-conditioned.
@@ -68,10 +81,15 @@ def load_factor_at_approach(*, approach_at_load: Length, approach: Length) -> Nu
 
 
 def load_factor_at_load_unstable(*, load: Force, pull_off_force: Force, load_margin: Number) -> Number:
-    """State on the unstable branch, x = â^(3/2), at a tension.
+    """Return the state on the unstable branch, x = â^(3/2), at a tension.
 
         x = (1 − s)/2 = −P/(2P_c(1 + s))
 
+    load            [N]  any; tension is negative
+    pull_off_force  [N]  > 0
+    load_margin     [1]  ≥ 0; negative between pull-off and the fold
+
+    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (5).
     Valid:    −P_c ≤ P ≤ 0.
     Accuracy: 2 ulp above s.
@@ -83,13 +101,17 @@ def load_factor_at_load_unstable(*, load: Force, pull_off_force: Force, load_mar
 
 
 def load_factor_at_approach_unstable(*, approach_at_load: Length, approach: Length) -> Number:
-    """State on the unstable branch, x = â^(3/2), at an approach of the centres between the fold and 0.
+    """Return the state on the unstable branch, x = â^(3/2), at an approach of the centres between the fold and 0.
 
         3x^(4/3) − 2x^(1/3) = δ/δ0
 
+    approach_at_load  [m]  any
+    approach          [m]  > 0
+
+    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (6), solved by Newton's method.
     Valid:    −(3/4)^(2/3) ≤ δ̂ ≤ 0. Elsewhere, a float raises ValueError and an array holds NaN.
-    Accuracy: 3 ulp for the ratio δ̂ as it is rounded, also at the fold.
+    Accuracy: 1 ulp for the ratio δ̂ as it is rounded, also at the fold.
 
     >>> load_factor_at_approach_unstable(approach_at_load=0.0, approach=1.0)
     0.0
@@ -136,10 +158,14 @@ def _root_of_excess(eta: Any, excess: Any) -> Any:
 
 
 def adhesion_energy(*, pull_off_force: Force, approach: Length) -> Energy:
-    """Energy typical of adhesion: what a slow head-on collision dissipates, to order of magnitude.
+    """Return the energy typical of adhesion: what a slow head-on collision dissipates, to order of magnitude.
 
         W = P_c δ0 = (81π⁵w⁵R⁴/(32E*²))^(1/3)
 
+    pull_off_force  [N]  > 0
+    approach        [m]  > 0
+
+    Returns:  [J]; a float for floats, an array for arrays, which broadcast.
     Source:   Text below Eq (48).
     Valid:    The largest energy that sticks is 0.7722 P_cδ0.
     Accuracy: 1.5 ulp above w, R and E*.
@@ -151,10 +177,13 @@ def adhesion_energy(*, pull_off_force: Force, approach: Length) -> Energy:
 
 
 def well_energy(*, adhesion_energy: Energy) -> Energy:
-    """Energy that binds the two spheres: released from first touch to equilibrium along the whole of the curve.
+    """Return the energy that binds the two spheres: released from first touch to equilibrium along the whole of the curve.
 
         (6/5) P_cδ0
 
+    adhesion_energy  [J]  > 0
+
+    Returns:  [J]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (5) and (6).
     Valid:    JKR; quasi-static.
     Accuracy: 1.5 ulp above w, R and E*.
@@ -166,10 +195,13 @@ def well_energy(*, adhesion_energy: Energy) -> Energy:
 
 
 def pull_off_work(*, adhesion_energy: Energy) -> Energy:
-    """Work to separate the spheres from P = 0 with fixed grips, which hold on to the fold.
+    """Return the work to separate the spheres from P = 0 with fixed grips, which hold on to the fold.
 
         (6/5 + (2/15)6^(−1/3)) P_cδ0 = 1.2733762 P_cδ0
 
+    adhesion_energy  [J]  > 0
+
+    Returns:  [J]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (5) and (6).
     Valid:    JKR; quasi-static; the jump at the fold dissipates what is left.
     Accuracy: 1.5 ulp above w, R and E*.
@@ -181,13 +213,16 @@ def pull_off_work(*, adhesion_energy: Energy) -> Energy:
 
 
 def pull_off_work_at_dead_load(*, adhesion_energy: Energy) -> Energy:
-    """Work to separate the spheres from P = 0 with a load that grows to P_c.
+    """Return the work to separate the spheres from P = 0 with a load that grows to P_c.
 
         (6/5 − (2/5)2^(−1/3)) P_cδ0 = 0.8825198 P_cδ0
 
+    adhesion_energy  [J]  > 0
+
+    Returns:  [J]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (5) and (6).
     Valid:    JKR; quasi-static up to the jump at P = −P_c.
-    Accuracy: 1.5 ulp above w, R and E*.
+    Accuracy: 2 ulp above w, R and E*.
 
     >>> round(pull_off_work_at_dead_load(adhesion_energy=1.0), 7)
     0.8825198
@@ -196,10 +231,13 @@ def pull_off_work_at_dead_load(*, adhesion_energy: Energy) -> Energy:
 
 
 def sticking_energy(*, adhesion_energy: Energy) -> Energy:
-    """Largest energy of a head-on collision after which the spheres stick: what jump-in and the fold dissipate.
+    """Return the largest energy of a head-on collision after which the spheres stick: what jump-in and the fold dissipate.
 
         ((2/15)6^(−1/3) + (4/5)(2/3)^(1/3)) P_cδ0 = 0.7722405 P_cδ0
 
+    adhesion_energy  [J]  > 0
+
+    Returns:  [J]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (5) and (6); text below Eq (48) has P_cδ0 as its order of magnitude.
     Valid:    JKR; no other loss.
     Accuracy: 1.5 ulp above w, R and E*.
@@ -208,4 +246,3 @@ def sticking_energy(*, adhesion_energy: Energy) -> Energy:
     0.7722405
     """
     return STICKING * adhesion_energy
-

@@ -4,8 +4,8 @@ from typing import Any
 
 from ..answers.curve import EQUILIBRIUM, FOLD, JUMP_IN, PULL_OFF
 from ..materials.library import Materials
-from ..physics.contact import pressure
 from ..physics.cylinder import asymmetric_pressure, contact_point_moment, half_strips_moment, symmetric_pressure
+from ..physics.pressure import pressure
 from ..physics.shifted import exact_pressure, half_circle_pressure, unloaded_half_width
 from ..quantities.formatting import amount, pretty
 from ..quantities.nomenclature import NOMENCLATURE

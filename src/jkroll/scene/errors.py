@@ -125,20 +125,24 @@ class NoUnstableState(NoResult):
 
 def reason(name: str, given: Mapping[str, Any]) -> NoResult | None:
     """Return why a formula has no result for these numbers, if the physics forbids it."""
+    found: NoResult | None = None
     match name:
         case "load_margin" if given["load"] < -given["pull_off_force"]:
-            return BeyondPullOff(given["load"], given["pull_off_force"])
+            found = BeyondPullOff(given["load"], given["pull_off_force"])
         case "contact_modulus" if _is_rigid(given, "") and _is_rigid(given, "2"):
-            return TwoRigidBodies()
+            found = TwoRigidBodies()
         case "r_min" if given["radius2"] == INFINITY:
-            return NoChain()
+            found = NoChain()
         case "vertical_frequency" if given["stiffness"] < 0:
-            return NoVibration()
-        case "load_factor_at_approach" | "load_factor_at_approach_unstable" if given["approach_at_load"] <= 0:
-            return BeyondFold(given["approach_at_load"], FOLD_APPROACH * given["approach"])
-        case "load_factor_at_load_unstable" | "load_factor_at_approach_unstable":
-            return NoUnstableState(name)
-    return None
+            found = NoVibration()
+        case "load_factor_at_load_unstable" if given["load"] > 0:
+            found = NoUnstableState(name)
+        case "load_factor_at_approach_unstable" if given["approach_at_load"] > 0:
+            found = NoUnstableState(name)
+        case "load_factor_at_approach" | "load_factor_at_approach_unstable":
+            least = FOLD_APPROACH * given["approach"]
+            found = BeyondFold(given["approach_at_load"], least) if given["approach_at_load"] <= least else None
+    return found
 
 
 def _is_rigid(given: Mapping[str, Any], sphere: str) -> bool:

@@ -31,10 +31,10 @@ def outside(name: str, values: Any) -> Any:
     """Return which elements of an array a quantity cannot have."""
     import numpy
 
-    if name not in _OF_ANY_SIZE and values.size and LEAST <= values.min() and values.max() <= MOST:
+    if name not in _OF_ANY_SIZE and values.size and values.min() >= LEAST and values.max() <= MOST:
         return numpy.zeros(values.shape, dtype=bool)
     size = abs(values)
-    admitted = (name in _OF_ANY_SIZE) | (LEAST <= size) & (size <= MOST) | (size == 0) | (size == INFINITY)
+    admitted = (name in _OF_ANY_SIZE) | (size >= LEAST) & (size <= MOST) | (size == 0) | (size == INFINITY)
     limits = RANGES.get(NOMENCLATURE[name].range)
     if limits is not None:
         admitted &= values >= limits.low if limits.low_allowed else values > limits.low

@@ -7,7 +7,7 @@ names in DEFAULTS have values if nothing else is said.
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import Any
 
-from ..errors import JkrollError, NoResult
+from ..errors import JkrollError
 from ..materials.library import Material
 from ..quantities.nomenclature import INFINITY, PROPERTIES
 from .errors import Contradiction, MissingInput, NoFiniteValue, reason

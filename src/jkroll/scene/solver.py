@@ -194,12 +194,17 @@ def _number(name: str, value: Any) -> Any:
     """Return a float or an array of floats for a number, a text, or a sequence of either."""
     if isinstance(value, str):
         return parse_quantity(value, name)
+    if isinstance(value, list | tuple):
+        value = [_number(name, item) for item in value]
+    return as_floats(name, value)
+
+
+def as_floats(name: str, value: Any) -> Any:
+    """Return a float or an array of floats for a number, a sequence or an array of any number type."""
     if isinstance(value, float):
         return float(value)
     import numpy
 
-    if isinstance(value, list | tuple):
-        value = [_number(name, item) for item in value]
     if numpy.ma.isMaskedArray(value):
         raise MalformedQuantity(name, "a masked array", "has cells without a value; fill it first")
     try:

@@ -20,7 +20,9 @@ def watched(formula: Callable[..., Any]) -> Callable[..., Any]:
     """
 
     def evaluate(**arguments: Any) -> Any:
-        numbers = {name: numpy.float64(each) if isinstance(each, float | int) else each for name, each in arguments.items()}
+        numbers = {
+            name: numpy.float64(each) if isinstance(each, float | int) else each for name, each in arguments.items()
+        }
         with numpy.errstate(over="raise", under="raise", divide="ignore", invalid="ignore"):
             value = _evaluate(formula, numbers)
         return float(value) if numpy.ndim(value) == 0 else value
