@@ -34,7 +34,11 @@ def scenes() -> Iterator[dict[str, Any]]:
         if not set(pair) <= set(ENERGIES):
             yield {**GIVEN, **{name: random.choice(ends) for name in pair}}
     for place in range(150):
-        names = [*NAMES[: 6 if place % 2 else None], random.choice(ENERGIES), *random.choice([(), (), ("load",), STATES[1:]])]
+        names = [
+            *NAMES[: 6 if place % 2 else None],
+            random.choice(ENERGIES),
+            *random.choice([(), (), ("load",), STATES[1:]]),
+        ]
         depth = random.choice([1.0, 1.0, 0.9, 0.75, 0.5])  # not all at the very end
         yield {**GIVEN, **{name: random.choice(ends) ** depth for name in names}}
 
@@ -80,7 +84,13 @@ def test_a_number_beyond_the_range_is_refused(name: str, value: float) -> None:
 
 
 def test_zero_and_infinity_stay_where_they_mean_something() -> None:
-    given: dict[str, Any] = {**GIVEN, "load": 0.0, "radius2": math.inf, "youngs_modulus2": math.inf, "poisson_ratio": 1e-100}
+    given: dict[str, Any] = {
+        **GIVEN,
+        "load": 0.0,
+        "radius2": math.inf,
+        "youngs_modulus2": math.inf,
+        "poisson_ratio": 1e-100,
+    }
     numbers = solve(["stiffness", "rolling_mass", "load_margin"], **given)
     arrays: dict[str, Any] = {name: np.full(3, value) for name, value in given.items()}
     for name, values in solve(list(numbers), **arrays).items():

@@ -352,6 +352,7 @@ def test_lists_and_odd_values() -> None:
     assert values.tolist() == [solve("pull_off_force", radius=radius, **QUARTZ) for radius in (1e-9, 2e-9, 3e-9)]
     assert isinstance(solve("pull_off_force", radius=np.float64(1e-9), **QUARTZ), float)
     assert np.isnan(solve("yield_force", load=np.array([-1.0]), radius=1e-7, **QUARTZ)).all()
+    odd: Any
     for odd in (True, None, {}, b"1e-7", 1j, "x", [[1e-9], [1e-9, 2e-9]], np.array(["a"]), UREG.Quantity(1.0, "kg")):
         with pytest.raises((JkrollError, ValueError)):
             solve("pull_off_force", radius=odd, **QUARTZ)
@@ -359,8 +360,12 @@ def test_lists_and_odd_values() -> None:
 
 def test_integers_and_lists_are_floats() -> None:
     radius = np.array([1, 100, 255], dtype=np.uint8)
-    for name, given in (("r_min", {"radius2": radius, "yield_displacement": 1}), ("mass", {"density": [2600] * 3})):
-        assert (FORMULAS[name](radius=radius, **given) == FORMULAS[name](radius=radius.astype(float), **given)).all()
+    others: dict[str, dict[str, Any]] = {
+        "r_min": {"radius2": radius, "yield_displacement": 1},
+        "mass": {"density": [2600] * 3},
+    }
+    for name, other in others.items():
+        assert (FORMULAS[name](radius=radius, **other) == FORMULAS[name](radius=radius.astype(float), **other)).all()
     energies = {"surface_energy": radius, "surface_energy2": radius.tolist()}
     assert FORMULAS["work_of_adhesion"](**energies).tolist() == [2.0, 200.0, 510.0]
     assert jkroll.load_factor(load_margin=1) == 1.0
@@ -370,19 +375,18 @@ def test_integers_and_lists_are_floats() -> None:
 
 
 def test_names_that_are_none_are_refused() -> None:
-    wrong: Any = None
-    for names in (wrong, [wrong], ["pull_off_force", "pull_off"], 3):
+    wrong: Any
+    for wrong in (None, [None], ["pull_off_force", "pull_off"], 3):
         with pytest.raises(UnknownQuantity):
-            solve(names, radius=1e-7, **QUARTZ)
-    for material in (["quartz", "iron"], 1, b"quartz"):
-        wrong = material
+            solve(wrong, radius=1e-7, **QUARTZ)
+    for wrong in (["quartz", "iron"], 1, b"quartz"):
         with pytest.raises(MalformedQuantity):
             solve("pull_off_force", material=wrong, radius=1e-7)
     assert solve([], radius=1e-7) == {}
 
 
 def test_help_is_for_a_physicist() -> None:
-    text = pydoc.render_doc(jkroll.pull_off_force, renderer=pydoc.plaintext)
+    text = pydoc.render_doc(jkroll.pull_off_force, renderer=pydoc.TextDoc())
     assert "work_of_adhesion: 'SurfaceEnergy'" in text
     assert re.search(r"work_of_adhesion +\[J/m²\] +> 0", text)
     assert "Annotated" not in text

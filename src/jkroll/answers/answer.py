@@ -7,8 +7,8 @@ from ..errors import JkrollError, NoResult
 from ..quantities.formatting import Format, amount
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, word_for_infinity
 from ..scene.errors import BeyondFold, BeyondPullOff, MissingInput
-from ..scene.limits import Verdict, uses_spacing, verdicts
-from ..scene.rolling_models import NotGoodEnough, model_error, within
+from ..scene.limits import LIMIT_NAMES, Verdict, uses_spacing, verdicts
+from ..scene.rolling_models import model_error
 from ..scene.scene import DEFAULTS, Scene
 from ..scene.wiring import STATE, depends_on
 from .questions import Command
@@ -37,49 +37,36 @@ class Answer(NamedTuple):
         return next((result.value for result in self.results if result.name == name), None)
 
 
-def answer(command: Command, scene: Scene, rtol: float | None = None) -> Answer:
-    """Compute what a command shows of a scene, as far as the scene allows; rolling by the cheapest model within `rtol`."""
+def answer(command: Command, scene: Scene) -> Answer:
+    """Compute what a command shows of a scene, as far as the scene allows."""
     results: list[Result] = []
     errors: dict[str, JkrollError] = {}
-    for name in command.quantities:
-        if not _concerns(name, scene):
-            continue
-        try:
-            results.append(Result(name, scene[name], error=model_error(name, scene)))
-        except MissingInput as error:
-            errors[name] = error
-            results.append(Result(name, None, f"needs {error.needs()}"))
-        except NoResult as error:
-            errors[name] = error
-            results.append(Result(name, None, str(error).removeprefix(f"{name}: ")))
+    shown = [name for name in command.quantities if _concerns(name, scene)]
+    values = scene.evaluate((*shown, *LIMIT_NAMES))
+    for name in shown:
+        value = values[name]
+        if isinstance(value, MissingInput):
+            errors[name] = value
+            results.append(Result(name, None, f"needs {value.needs()}"))
+        elif isinstance(value, NoResult):
+            errors[name] = value
+            results.append(Result(name, None, str(value).removeprefix(f"{name}: ")))
+        else:
+            results.append(Result(name, value, error=model_error(name, scene)))
     known = [result.name for result in results if result.value is not None]
-    chosen: list[str] = []
-    if rtol is not None and known:
-        values = {one.name: one.value for one in results if one.value is not None}
-        changed, chosen = within(values, scene, rtol)
-        errors |= {name: value for name, value in changed.items() if isinstance(value, NotGoodEnough)}
-        results = [_changed(one, changed[one.name]) if one.name in changed else one for one in results]
-        known = [result.name for result in results if result.value is not None]
     planned = [result.name for result in results if not isinstance(errors.get(result.name), MissingInput)]
     used = scene.inputs_of(*planned) if planned else depends_on(command.quantities) & scene.given.keys()
     inputs = _echo(scene, used)
     validity = verdicts(scene, known)
     assumed = assumptions(scene, {*inputs, *(("atomic_spacing",) if uses_spacing(validity) else ())}, planned)
-    notes = (*chosen, *assumed, *about_data(scene, inputs), *_about(results, scene))
+    notes = (*assumed, *about_data(scene, inputs), *_about(results, scene))
     fatal = next((error for error in errors.values() if isinstance(error, _FATAL)), None)
     failure = fatal or (None if known else next(iter(errors.values())))
     return Answer(inputs, tuple(results), notes, validity, failure)
 
 
 # What leaves nothing to be trusted of a scene, even where something could be computed.
-_FATAL = (BeyondPullOff, BeyondFold, NotGoodEnough)
-
-
-def _changed(result: Result, value: float | NotGoodEnough) -> Result:
-    """A result by the model that was chosen, or the reason why none was."""
-    if isinstance(value, NotGoodEnough):
-        return Result(result.name, None, str(value))
-    return Result(result.name, value)
+_FATAL = (BeyondPullOff, BeyondFold)
 
 
 def in_units(answer: Answer, form: Format) -> Answer:

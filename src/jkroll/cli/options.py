@@ -4,7 +4,6 @@ from typing import NamedTuple
 
 from ..answers.questions import COMMANDS, Command
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
-from ..scene.rolling_models import OF_MEAN, OF_PEAK, OF_SLOPE
 
 
 class Option(NamedTuple):
@@ -44,7 +43,6 @@ OUTPUT = (
     Option("materials", "--materials", str, "FILE", "Materials of your own."),
     Option("quiet", "--quiet", bool, "", "No notes."),
 )
-_RTOL = Option("rtol", "--rtol", float, "1e-3", "Cheapest model of rolling that is this good.", 0.0, 1.0)
 _CURVE = Option("curve", "--curve", bool, "", "The whole force curve: rows, or a picture (-o).")
 _INTO_FILE = Option("target", "-o", str, "FILE", "Draw a .svg, .pdf or .png (plot extra).")
 _PICTURE = (
@@ -181,11 +179,9 @@ def options_of(command: Command) -> tuple[Option, ...]:
 
     The properties of a material are taken by every command, but shown only where they are used.
     """
-    has_models = {*OF_PEAK, *OF_MEAN, *OF_SLOPE} & {*command.quantities} and command is not COMMANDS["report"]
-    models = (_RTOL,) if has_models else ()
     looks = tuple(option._replace(hidden=True) for option in _PICTURE)
     curve = (_CURVE, *looks) if command is COMMANDS["contact"] else ()
-    return (*_inputs(command), *models, *curve, *OUTPUT)
+    return (*_inputs(command), *curve, *OUTPUT)
 
 
 def _inputs(command: Command) -> tuple[Option, ...]:

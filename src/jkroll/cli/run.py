@@ -35,7 +35,6 @@ class Output(NamedTuple):
     cite: bool = False
     materials: str | None = None
     quiet: bool = False
-    rtol: float | None = None
     curve: bool = False
     target: str | None = None
     resume: bool = False
@@ -81,11 +80,7 @@ def run_command(command: Command, words: Sequence[str] | None, options: Mapping[
         request.materials  # noqa: B018  a file that was named is read, whether it is needed or not
     if output.curve:
         return _run_curve(request, kind, form)
-    samples = (
-        [in_units(answer(command, scene, output.rtol), form) for scene in request.samples()]
-        if request.count > 1
-        else []
-    )
+    samples = [in_units(answer(command, scene), form) for scene in request.samples()] if request.count > 1 else []
     if output.target is not None or (kind == "csv" and request.count > MANY):
         return _run_stream(command, request, samples, kind, output)
     request.check_count()
@@ -95,12 +90,12 @@ def run_command(command: Command, words: Sequence[str] | None, options: Mapping[
 
         write = write_citations if kind == "cite" else write_explanation
         write(
-            ((scene, one) for scene in request.scenes() for one in tally.watch([answer(command, scene, output.rtol)])),
+            ((scene, one) for scene in request.scenes() for one in tally.watch([answer(command, scene)])),
             out,
             form,
         )
     else:
-        answers = tally.watch(in_units(answer(command, scene, output.rtol), form) for scene in request.scenes())
+        answers = tally.watch(in_units(answer(command, scene), form) for scene in request.scenes())
         if request.count == 1:
             answers = iter([_unless_failed(next(answers), command)])
         WRITERS[kind](answers, out, form, layout(command, samples, request.count))
@@ -127,7 +122,7 @@ def _run_stream(command: Command, request: Request, samples: list[Answer], kind:
 
     if output.target and _ending(output.target) in PICTURES:
         raise BadRequest(f"-o: {quoted(output.target)} is a picture; add --curve to contact, or see jkroll map --help")
-    if output.to or output.digits or output.rtol is not None or kind not in ("csv", "plain", "table"):
+    if output.to or output.digits or kind not in ("csv", "plain", "table"):
         raise BadRequest("a long sweep is written in SI units with all digits: -o and long ranges take --csv alone")
     samples = samples or [answer(command, scene) for scene in request.samples()]
     axes = [Axis(name, spreads) for name, spreads in request.spreads.items()]

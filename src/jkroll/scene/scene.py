@@ -12,7 +12,7 @@ from ..materials.library import Material
 from ..quantities.nomenclature import INFINITY, PROPERTIES
 from .errors import Contradiction, MissingInput, NoFiniteValue, reason
 from .inputs import check_range, is_ordinary
-from .wiring import STATE, Missing, Plan, Step, plan
+from .wiring import NO_PLAN, STATE, Missing, Plan, Step, plan
 
 DEFAULTS = {
     "yield_displacement": 2e-10,
@@ -75,6 +75,7 @@ class Scene:
             check_range(name, value)
         self.values = {**_assumed(self.given), **_implied(self.given), **self.given}
         self._failures: dict[str, JkrollError] = {}
+        self._plan = NO_PLAN
         self._known = frozenset(self.values)
         self._is_ordinary = all(isinstance(value, float | int) and is_ordinary(value) for value in self.given.values())
 
@@ -106,10 +107,17 @@ class Scene:
 
     def plan(self, *wanted: str) -> Plan:
         """Return the formulas that lead to the wanted quantities; raise MissingInput if the scene does not allow one."""
-        found = plan(wanted, self._known, self.material2 is not None)
+        found = self._planned(wanted).part(wanted)
         for name, missing in found.missing.items():
             raise self._missing_input(name, missing)
         return found
+
+    def _planned(self, wanted: Sequence[str]) -> Plan:
+        """Return the plan of this scene, which grows by these quantities if it does not have them."""
+        if not self._plan.knows(wanted):
+            names = (*self._plan.found, *self._plan.missing, *wanted)
+            self._plan = plan(names, self._known, self.material2 is not None)
+        return self._plan
 
     def inputs_of(self, *wanted: str) -> tuple[str, ...]:
         """Return the inputs that the wanted quantities depend on, in the order of the nomenclature."""
@@ -134,9 +142,10 @@ class Scene:
     def evaluate(self, names: Sequence[str]) -> dict[str, Any]:
         """Return the value of each quantity, or the MissingInput or NoResult that says why there is none.
 
-        One plan leads to all of them. An element of an array that has no answer is nan.
+        One plan leads to all of them, and serves every later question about some of them. An element of an array that
+        has no answer is nan.
         """
-        found = plan(tuple(names), self._known, self.material2 is not None)
+        found = self._planned(names)
         if self._is_ordinary:
             self._run(found.steps)
         else:

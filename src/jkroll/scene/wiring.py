@@ -54,6 +54,28 @@ class Plan(NamedTuple):
     found: Mapping[str, str]  # wanted name → the name under which its value is known
     missing: Mapping[str, Missing]  # the wanted names to which no formulas lead
 
+    def knows(self, names: Iterable[str]) -> bool:
+        """Return whether the plan was made for these names, among others."""
+        return all(name in self.found or name in self.missing for name in names)
+
+    def part(self, names: Iterable[str]) -> "Plan":
+        """Return what of the plan leads to some of its quantities."""
+        found = {name: self.found[name] for name in names if name in self.found}
+        used = set(found.values())
+        steps = []
+        for step in reversed(self.steps):
+            if step.name in used:
+                steps.append(step)
+                used.update(source for _, source in step.arguments)
+        inputs = tuple(name for name in self.inputs if name in used)
+        stated = {_STATED_BY.get(name, name) for name in inputs}
+        missing = {name: self.missing[name] for name in names if name in self.missing}
+        return Plan(
+            tuple(reversed(steps)), inputs, tuple(name for name in self.stated if name in stated), found, missing
+        )
+
+
+NO_PLAN = Plan((), (), (), {}, {})
 
 # The input from which an implied value follows, to be echoed in its place.
 _STATED_BY = {"load_margin": "load", "radius_ratio": "radius2", "mass2": "radius2", "moment_of_inertia2": "radius2"}
@@ -160,5 +182,5 @@ def depends_on(names: Iterable[str]) -> frozenset[str]:
 
 def parameters_of(formula: Any) -> tuple[str, ...]:
     """Return the names of a formula's parameters."""
-    code = formula.__code__
+    code = getattr(formula, "__wrapped__", formula).__code__
     return tuple(code.co_varnames[: code.co_argcount + code.co_kwonlyargcount])
