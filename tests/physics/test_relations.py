@@ -15,7 +15,7 @@ import jkroll
 from jkroll import FORMULAS, NOMENCLATURE, JkrollError, solve
 from jkroll.output.explain import docstring_fields
 from jkroll.physics import ladder
-from jkroll.quantities.errors import MalformedQuantity, OutOfRange
+from jkroll.quantities.errors import OutOfRange, QuantityError
 from jkroll.quantities.units import dimension_of
 from jkroll.scene.errors import (
     BeyondPullOff,
@@ -452,7 +452,7 @@ def test_contradictions_and_mismatches_are_refused() -> None:
         solve("reduced_radius", radius=[1e-7, 2e-7], radius2=[1e-7, 2e-7, 3e-7])
     with pytest.raises(OutOfRange):
         solve("load", load_factor=-1.0, radius=1e-7, **QUARTZ)
-    with pytest.raises(MalformedQuantity):
+    with pytest.raises(QuantityError):
         solve("pull_off_force", radius=np.ma.masked_array([1e-7, 2e-7], [False, True]), **QUARTZ)
 
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from .errors import BareNumber, MalformedQuantity
+from .errors import BareNumber, QuantityError
 from .nomenclature import INFINITY
 from .parsing import parse_quantity
 
@@ -55,7 +55,7 @@ def spreads_of(text: str, name: str) -> list[Spread]:
         except BareNumber:
             if len(items) > 1:
                 reason = "has a comma where a number has a point, or a number without a unit"
-                raise MalformedQuantity(name, text, reason) from None
+                raise QuantityError(name, text, reason) from None
             raise
     return spreads
 
@@ -64,12 +64,12 @@ def _range(text: str, name: str) -> Spread:
     first, last, *rest = text.split(":")
     scale = rest[1] if len(rest) == 2 else "log"
     if not 1 <= len(rest) <= 2 or not (rest[0].isascii() and rest[0].isdigit()) or scale not in ("log", "lin"):
-        raise MalformedQuantity(name, text, "is not a range; write FROM:TO:COUNT, with :lin for equal steps")
+        raise QuantityError(name, text, "is not a range; write FROM:TO:COUNT, with :lin for equal steps")
     if len(rest[0]) > 10 or not 2 <= (size := int(rest[0])) <= MAX_VALUES:
-        raise MalformedQuantity(name, text, f"needs a count from 2 to {MAX_VALUES}")
+        raise QuantityError(name, text, f"needs a count from 2 to {MAX_VALUES}")
     low, high = parse_quantity(first, name), parse_quantity(last, name)
     if scale == "log" and not (low > 0 and high > 0):
-        raise MalformedQuantity(name, text, "has an end that is not positive; end it with :lin")
+        raise QuantityError(name, text, "has an end that is not positive; end it with :lin")
     if max(abs(low), abs(high)) == INFINITY:
-        raise MalformedQuantity(name, text, "has no end")
+        raise QuantityError(name, text, "has no end")
     return Spread(low, high, size, is_log=scale == "log")

@@ -9,7 +9,7 @@ from typing import Any
 
 from ..errors import NoResult
 from ..materials.library import Material, Materials, known_materials
-from ..quantities.errors import MalformedQuantity, UnknownQuantity
+from ..quantities.errors import QuantityError, UnknownQuantity
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..quantities.parsing import parse_quantity
 from ..text import MAX_QUOTED
@@ -207,7 +207,7 @@ def _in_si(given: Mapping[str, Any]) -> tuple[dict[str, Any], Any]:
         if hasattr(value, "m_as"):
             registry = value._REGISTRY
             if not value.is_compatible_with(NOMENCLATURE[name].unit):
-                raise MalformedQuantity(name, str(value), "is of another dimension")
+                raise QuantityError(name, str(value), "is of another dimension")
             value = value.m_as(NOMENCLATURE[name].unit)  # noqa: PLW2901
         values[name] = _number(name, value)
     return values, registry
@@ -226,9 +226,9 @@ def _number(name: str, value: Any) -> Any:
     try:
         array = numpy.asanyarray(value)
         if numpy.ma.isMaskedArray(array):
-            raise MalformedQuantity(name, "a masked array", "has cells without a value; fill it first")
+            raise QuantityError(name, "a masked array", "has cells without a value; fill it first")
         if array.dtype.kind in "fiu":
             return array.astype(float, copy=False) if array.ndim else float(array)
     except (ValueError, OverflowError):
         pass
-    raise MalformedQuantity(name, str(value)[:MAX_QUOTED], "is not a number")
+    raise QuantityError(name, str(value)[:MAX_QUOTED], "is not a number")
