@@ -15,8 +15,8 @@ from jkroll.materials.file import MaterialsFileError
 from jkroll.materials.library import is_material_name, read
 from jkroll.quantities.errors import QuantityError
 from jkroll.quantities.nomenclature import INFINITY, NOMENCLATURE, RANGES
-from jkroll.quantities.parsing import MAX_TEXT, parse_quantity, unit_of
-from jkroll.quantities.units import convert, dimension_of
+from jkroll.quantities.parsing import parse_quantity, unit_of
+from jkroll.quantities.units import MAX_TEXT, convert, dimension_of
 
 CORPUS = Path(__file__).parent / "corpus"
 LONGEST_MESSAGE = 2000

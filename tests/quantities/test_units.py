@@ -13,7 +13,6 @@ from jkroll.quantities.pint_names import lookup
 from jkroll.quantities.unit_table import PINT_VERSION, PLAIN, PREFIXABLE, PREFIXES
 from jkroll.quantities.units import convert, dimension_of, kind_of
 
-
 OTHER_NAMES = {"°": "deg", "%": "percent", "kmph": "kph", "kmh": "kph"}  # for which pint has another name
 
 

@@ -88,8 +88,11 @@ def _split_number(text: str) -> tuple[int, int, str]:
 
 def _rounded(mantissa: int, exponent: int, unit: Unit) -> float:
     """Return the double nearest to mantissa × 10^exponent × unit: one division of integers, which Python rounds correctly."""
-    numerator = mantissa * unit.numerator * 10 ** max(exponent, 0)
-    denominator = unit.denominator * 10 ** max(-exponent, 0)
+    numerator, denominator = mantissa * unit.numerator, unit.denominator
+    if exponent < 0:
+        denominator *= 10**-exponent
+    else:
+        numerator *= 10**exponent
     try:
         value = numerator / denominator
     except OverflowError:

@@ -38,11 +38,8 @@ def lookup(name: str) -> tuple[int, int, tuple[int, ...]] | None:
         if not candidates:
             return None
         prefix, unit_name, _ = candidates[0]
-        if unit_name == "number_meter":
-            return None
         symbol = exact.get_symbol(unit_name)
-        if symbol != unit_name and name.endswith(symbol + "s"):
-            return None  # the plural of a symbol: GPas is no unit of pressure
+        is_plural_of_symbol = symbol != unit_name and name.endswith(symbol + "s")  # GPas is no unit of pressure
         try:
             unit = exact.Unit(prefix + unit_name)
             zero, one = (exact.Quantity(Decimal(value), unit).to_root_units() for value in (0, 1))
@@ -53,7 +50,8 @@ def lookup(name: str) -> tuple[int, int, tuple[int, ...]] | None:
         dimension = (kilogram, *(powers.pop(base, 0) for base in BASE_UNITS[1:]))
         if powers or any(power != int(power) for power in dimension) or zero.magnitude != 0 or one.magnitude <= 0:
             return None
-        if prefix and dimension == _SPEED and unit_name != "meter_per_second":
+        is_misread = is_plural_of_symbol or unit_name == "number_meter"
+        if is_misread or (prefix and dimension == _SPEED and unit_name != "meter_per_second"):
             return None
         factor = Decimal(one.magnitude).scaleb(-3 * int(kilogram))
     numerator, denominator = factor.as_integer_ratio()
