@@ -3,10 +3,9 @@
 import csv
 import sys
 from collections.abc import Iterable, Sequence
-from shutil import get_terminal_size
 from typing import Any, TextIO
 
-from ..text import fitting, json_text, say
+from ..text import columns, fitting, json_text, say
 from . import CLAIMS, Check, Row
 
 DISAGREES = 1
@@ -40,7 +39,7 @@ def _write_table(rows: Sequence[Row], out: TextIO) -> None:
         [row.equation, row.claim, f"{row.printed:.3g}", f"{row.follows:.3g}", _off_by(row), _verdict(row), row.reason]
         for row in rows
     ]
-    if get_terminal_size().columns < WIDE:  # the numbers give way
+    if columns() < WIDE:  # the numbers give way
         kept = (0, 1, 4, 5)
         heads, cells = [heads[place] for place in kept], [[row[place] for place in kept] for row in cells]
     write_rows(heads, cells, out)
