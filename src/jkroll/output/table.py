@@ -21,7 +21,7 @@ def scene_table(answer: Answer, out: TextIO, form: Format) -> None:
     rows = []
     for result in answer.results:
         quantity = NOMENCLATURE[result.name]
-        value, unit = form.people(result.name, result.value) if result.value is not None else ("—", "")
+        value, unit = form.rounded(result.name, result.value) if result.value is not None else ("—", "")
         style = "dim" if quantity.note or result.value is None else ""
         rows.append(([quantity.sentence, quantity.symbol, value, pretty(unit), quantity.equation], style))
     say(_inputs(answer.inputs, form), out)

@@ -51,9 +51,9 @@ def approach_acceleration(*, displacement: Length, stiffness: Stiffness, reduced
 def vertical_frequency(*, stiffness: Stiffness, reduced_mass: Mass) -> Frequency:
     """Frequency at which the distance of the two centres vibrates.
 
-        Ω_z = (1/2π)√((dP/dδ)/m) = (1/2π)√((6/5)E*a0/m) without load
+        f_z = (1/2π)√((dP/dδ)/m) = (1/2π)√((6/5)E*a0/m) without load
 
-    Source:   Eq (35); under a load with the stiffness there.
+    Source:   Eq (35), where a frequency is Ω; under a load with the stiffness there.
     Valid:    Free spheres, amplitudes well below δ0.
     Accuracy: 1.5 ulp above dP/dδ and m.
 
@@ -83,7 +83,7 @@ def angular_acceleration(
 def rolling_frequency(*, rolling_stiffness: RollingStiffness, reduced_moment_of_inertia: Inertia) -> Frequency:
     """Frequency at which the two spheres roll back and forth over each other, each about its own centre.
 
-        Ω_roll = (1/2π)√(4P_c â^(3/2) R/I)
+        f_roll = (1/2π)√(4P_c â^(3/2) R/I)
 
     Source:   Eq (40).
     Valid:    Exact for identical spheres; unequal free spheres also move their centres (`rolling_frequency_no_slip`).
@@ -98,7 +98,7 @@ def rolling_frequency(*, rolling_stiffness: RollingStiffness, reduced_moment_of_
 def rolling_frequency_as_printed(*, work_of_adhesion: SurfaceEnergy, radius: Length, density: Density) -> Frequency:
     """Rolling frequency of identical spheres as the paper prints it: 2.5 times too low.
 
-        Ω_roll = (3/2π)√(γ/(5R1³ρ)), γ = w/2
+        f_roll(41) = (3/2π)√(γ/(5R1³ρ)), γ = w/2
 
     Source:   Eqs (41) and (42). They are Eq (40) with k² = (5/2)R1² in place of (2/5)R1².
     Valid:    For comparison only.
@@ -113,7 +113,7 @@ def rolling_frequency_as_printed(*, work_of_adhesion: SurfaceEnergy, radius: Len
 def rolling_frequency_no_slip(*, work_of_adhesion: SurfaceEnergy, load_factor: Number, rolling_mass: Mass) -> Frequency:
     """Frequency at which two free spheres that do not slip roll back and forth over each other.
 
-        f = (1/2π)√(4P_c â^(3/2)/(R m_eff)) = √(3w â^(3/2)/(2π m_eff))
+        f_free = (1/2π)√(4P_c â^(3/2)/(R m_eff)) = √(3w â^(3/2)/(2π m_eff))
 
     Source:   Eqs (25) and (37)-(39), with the motion of the centres that no slip demands.
     Valid:    Homogeneous spheres; body 2 may be a plane, which is held. Equal to Eq (40) for identical spheres.
