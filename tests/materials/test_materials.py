@@ -1,4 +1,4 @@
-"""Materials: the shipped file, the user's own over it, and files that are no materials."""
+"""Materials: the shipped file, the user's files, and malformed files."""
 
 import os
 from pathlib import Path
@@ -24,7 +24,7 @@ density = "1 g/cm3"
 
 
 def write(path: Path, text: str | bytes) -> Path:
-    """A file with its folder."""
+    """Write a file and create its folder."""
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_bytes(text.encode() if isinstance(text, str) else text)
     return path
@@ -153,7 +153,7 @@ def test_a_material_takes_over_the_other_names_of_the_one_whose_name_it_takes(tm
 
 
 def test_of_a_file_no_more_is_read_than_is_asked(run: Run, tmp_path: Path) -> None:
-    """What is wrong with a material is said to whoever asks for it, or for all."""
+    """A mistake in a material is reported by a call that uses it, or that lists all."""
     path = write(tmp_path / "mine.toml", ICE + "[materials.wood]\naliases = ['oak']\ndensity = '-5 g/cm3'\n")
     words = ("1um", "--materials", str(path), "--bare")
     assert run("pull-off", "ice", *words).code == run("pull-off", "quartz", *words).code == 0

@@ -1,4 +1,4 @@
-"""Text to SI numbers: what is read, what is refused, and with which words."""
+"""Text to SI numbers: accepted texts, refused texts, and the messages."""
 
 from decimal import Decimal
 
