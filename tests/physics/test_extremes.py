@@ -14,8 +14,8 @@ from test_accuracy import log_uniform
 
 import reference
 from jkroll import solve
-from jkroll.scene.errors import NoFiniteValue
 from jkroll.physics.wide import Wide
+from jkroll.scene.errors import NoFiniteValue
 from reference import BOUND, Exact, digits, exact_results, ulp_error
 
 ORDINARY = {
