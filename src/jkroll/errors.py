@@ -19,9 +19,17 @@ class MissingExtra(JkrollError):
 
 
 class NoResult(JkrollError):
-    """The physics has no answer: the computation fails for these values."""
+    """Error raised where the physics has no answer for these values."""
 
     exit_code = 1
+    name = ""  # the quantity that has no value, or whose value rules a contact out
+
+    def reason(self) -> str:
+        """Return why there is no answer, without the name of the quantity."""
+        return ""
+
+    def __str__(self) -> str:
+        return f"{self.name}: {self.reason()}"
 
 
 class BadRequest(JkrollError):

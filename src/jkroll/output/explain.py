@@ -8,8 +8,8 @@ from typing import Any, TextIO
 
 from ..answers.answer import Answer, Result
 from ..errors import JkrollError
-from ..quantities.formatting import Format, amount
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE, word_for_infinity
+from ..quantities.formatting import Format, amount, in_words
+from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.scene import Scene
 from ..scene.wiring import Step
 from ..text import say
@@ -71,13 +71,13 @@ def _explain(result: Result, scene: Scene, out: TextIO, form: Format) -> None:
     fields = docstring_fields(steps[-1].formula)
     lines = [f"  {fields['formula']}", "  given"]
     for name in scene.inputs_of(result.name):
-        value = f"{NOMENCLATURE[name].symbol} = {amount(name, _shown(name, scene), form)}"
+        value = f"{NOMENCLATURE[name].symbol} = {amount(name, in_words(name, scene.values[name]), form)}"
         lines.append(f"    {value:22} {NOMENCLATURE[name].sentence}{_origin(name, scene)}")
     if len(steps) > 1:
         lines.append("  steps")
     for step in steps[:-1]:
         formula = _of_its_sphere(step, docstring_fields(step.formula)["formula"])
-        value = f"{NOMENCLATURE[step.name].symbol} = {amount(step.name, _shown(step.name, scene), form)}"
+        value = f"{NOMENCLATURE[step.name].symbol} = {amount(step.name, in_words(step.name, scene.values[step.name]), form)}"
         lines.append(f"    {value:22} {formula}")
     lines.append(f"  result    {quantity.symbol} = {amount(result.name, result.value, form)}")
     lines += [f"  {key.lower():9} {fields[key]}" for key in ("Source", "Valid", "Accuracy")]
@@ -93,11 +93,6 @@ class NoDocstrings(JkrollError):
 
     def __str__(self) -> str:
         return "--explain is worded from docstrings, which python -OO drops"
-
-
-def _shown(name: str, scene: Scene) -> float | str:
-    value: float = scene.values[name]
-    return word_for_infinity(name) or "infinite" if value == INFINITY else value
 
 
 def _of_its_sphere(step: Step, formula: str) -> str:

@@ -92,7 +92,7 @@ def as_object(answer: Answer, form: Format) -> dict[str, Any]:
         "inputs": dict(answer.inputs),
         "results": results,
         "validity": validity,
-        "notes": list(answer.notes),
+        "notes": [note.text for note in answer.notes],
         "version": __version__,
     }
 
