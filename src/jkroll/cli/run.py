@@ -89,7 +89,8 @@ def run_command(command: Command, words: Sequence[str] | None, options: Mapping[
     request.check_count()
     tally = Tally()
     if kind in ("explain", "cite"):
-        from ..output.explain import write_citations, write_explanation
+        from ..output.citations import write_citations
+        from ..output.explain import write_explanation
 
         write = write_citations if kind == "cite" else write_explanation
         write(
