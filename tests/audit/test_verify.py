@@ -38,7 +38,7 @@ def test_the_verdict_is_the_expected_one(check: Check) -> None:
 
 
 def test_the_verdicts_of_the_audit() -> None:
-    """What does not hold, stated apart from the checks themselves."""
+    """The claims that do not hold, stated apart from the checks themselves."""
     other = {(check.equation, check.expected) for check in CLAIMS if check.expected != "holds"}
     assert other == {
         ("2 text", "wrong"),
