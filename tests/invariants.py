@@ -1,4 +1,4 @@
-"""What holds of any input whatever, as functions of bytes: replayed from tests/corpus by a test, searched by tests/tools/fuzz.py."""
+"""Invariants of any input, as functions of bytes. A test replays tests/corpus on them, and tests/tools/fuzz.py searches for violations."""
 
 import gzip
 import io
@@ -15,8 +15,8 @@ from jkroll.materials.file import MaterialsFileError
 from jkroll.materials.library import is_material_name, read
 from jkroll.quantities.errors import QuantityError
 from jkroll.quantities.nomenclature import INFINITY, NOMENCLATURE, RANGES
-from jkroll.quantities.parsing import MAX_TEXT, parse_quantity, unit_of
-from jkroll.quantities.units import convert, dimension_of
+from jkroll.quantities.parsing import parse_quantity, unit_of
+from jkroll.quantities.units import MAX_TEXT, convert, dimension_of
 
 CORPUS = Path(__file__).parent / "corpus"
 LONGEST_MESSAGE = 2000
@@ -25,17 +25,17 @@ TYPED = [name for name, quantity in NOMENCLATURE.items() if quantity.example and
 
 
 def is_one_line(message: str) -> bool:
-    """Whether a message can be shown as it is: printable, not empty, not long."""
+    """Return whether a message can be shown as it is: printable, not empty, not long."""
     return 0 < len(message) <= LONGEST_MESSAGE and message.isprintable()
 
 
 def _text(data: bytes) -> str:
-    """The text of an argument as the system hands it over: bytes that are no UTF-8 become lone surrogates."""
+    """Decode an argument as the system does: bytes that are not UTF-8 become lone surrogates."""
     return data.decode("utf-8", "surrogateescape")
 
 
 def quantity(data: bytes) -> None:
-    """A text is a value in the range of its quantity that reads back the same, or it is refused in one line."""
+    """Check that a text is a value in the range of its quantity that reads back the same, or is refused in one line."""
     name = TYPED[data[0] % len(TYPED)] if data else "radius"
     text = _text(data[1:])
     try:
@@ -52,7 +52,7 @@ def quantity(data: bytes) -> None:
 
 
 def unit(data: bytes) -> None:
-    """A text is a unit that is a positive ratio, or it is refused in one line."""
+    """Check that a text is a unit with a positive factor, or is refused in one line."""
     text = _text(data)
     try:
         found = unit_of(text, "pull_off_force")
@@ -67,7 +67,7 @@ def unit(data: bytes) -> None:
 
 
 def materials(data: bytes) -> None:
-    """A file is materials that can be named and lie in their ranges, or it is refused in one line."""
+    """Check that a file gives materials with valid names and values in range, or is refused in one line."""
     with tempfile.NamedTemporaryFile(suffix=".toml") as file:
         file.write(data)
         file.flush()
@@ -84,12 +84,12 @@ def materials(data: bytes) -> None:
 
 
 def words(data: bytes) -> None:
-    """Words parted by NUL end with a documented code; a wrong usage prints nothing but one line of error."""
+    """Check that words separated by NUL end with a documented code, and that a usage error prints one line only."""
     check_call([_text(word) for word in data.split(b"\0")][:12])
 
 
 def check_call(arguments: list[str]) -> int:
-    """Run a command line in this process, check what every one keeps to, and return its exit code."""
+    """Run a command line in this process, check the invariants of all command lines, and return its exit code."""
     err = io.TextIOWrapper(io.BytesIO(), encoding="utf-8", newline="")
     with tempfile.TemporaryFile() as file:  # a table goes past the stream, to its descriptor
         out = io.TextIOWrapper(os.fdopen(os.dup(file.fileno()), "wb"), encoding="utf-8", newline="")
@@ -122,7 +122,7 @@ TARGETS: dict[str, Callable[[bytes], None]] = {
 }
 
 
-# What command lines may name: sound, broken and odd tables among them.
+# Files that command lines may name: valid, broken and unusual ones.
 GRAINS = b"grain,material,radius [nm],load\na,quartz,100,\nb,gold,50,-2 nN\nc,quarz,100,\nd,quartz,100,-20 nN\n"
 ODD = b'\xef\xbb\xbfradius;gamma [mJ/m2];note\r\n1e400nm;25;\xff\n\n100 nm;0;=1+1;more\r\n1um\n"1\n2um";7;\xc3\xa9'
 CONTENTS = {
@@ -148,7 +148,7 @@ MOST_WRITTEN = 1_000_000  # bytes a file; one that would become larger meets a f
 
 
 def isolate(directory: str) -> None:
-    """Keep the user's own files and terminal out of what follows, and what follows out of anything but a directory."""
+    """Hide the user's files and terminal from the calls that follow, and confine these to a directory."""
     os.environ.update(XDG_CONFIG_HOME=directory, COLUMNS="80", TERM="dumb")
     for name in ("JKROLL_MATERIALS", "_JKROLL_COMPLETE", "FORCE_COLOR"):
         os.environ.pop(name, None)

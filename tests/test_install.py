@@ -45,7 +45,8 @@ def test_an_installed_wheel_answers_from_an_empty_directory(tmp_path: Path) -> N
         assert all(result["value"] is not None for result in data["results"])
     assert "kendall-1987" in run("materials", "quartz", "--cite")
     shipped = (
-        "import sys; from jkroll.cli.process import main; main(['materials', 'quartz']); assert 'tomllib' not in sys.modules; "
+        "import sys; from jkroll.cli.process import main; assert main(['pull-off', 'quartz', '100nm']) == 0; "
+        "assert 'jkroll.materials.shipped' in sys.modules; assert 'tomllib' not in sys.modules; "
         "import tomllib; from jkroll.materials import library, shipped; file = open(library.SHIPPED, 'rb'); "
         "assert tomllib.load(file) == shipped.DATA"
     )

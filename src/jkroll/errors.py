@@ -1,14 +1,14 @@
-"""What can go wrong. An error carries the values that are wrong; its words are made from the nomenclature when asked for."""
+"""Errors that jkroll declares. The command line prints one as a line and ends with its exit code."""
 
 
 class JkrollError(Exception):
-    """Any error that jkroll declares. `exit_code` is what the command line ends with."""
+    """Base class of all errors that jkroll declares."""
 
     exit_code = 2
 
 
 class MissingExtra(JkrollError):
-    """A library that only an extra installs."""
+    """Error raised when a library is needed that only an extra installs."""
 
     def __init__(self, library: str, extra: str) -> None:
         super().__init__(library, extra)
@@ -19,10 +19,18 @@ class MissingExtra(JkrollError):
 
 
 class NoResult(JkrollError):
-    """The physics has no answer: the computation fails for these values."""
+    """Error raised when a quantity has no value for the given inputs."""
 
     exit_code = 1
+    name = ""  # the quantity that has no value, or whose value rules a contact out
+
+    def reason(self) -> str:
+        """Return why there is no answer, without the name of the quantity."""
+        return ""
+
+    def __str__(self) -> str:
+        return f"{self.name}: {self.reason()}"
 
 
 class BadRequest(JkrollError):
-    """Words or options that do not make a request."""
+    """Error raised for arguments and options that do not make a request."""

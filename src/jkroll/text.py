@@ -1,4 +1,4 @@
-"""Text: what streams can take, what can be shown of a user's text, and what a mistyped word was meant to be."""
+"""Text for a terminal: ASCII replacements, quoted user text, suggestions for mistyped words, the size of the terminal."""
 
 import codecs
 import os
@@ -15,7 +15,7 @@ _ASCII = {
 
 
 def ascii_text(text: str) -> str:
-    """A text in ASCII, Greek letters by their names and apart from what stands beside them.
+    """Replace what is not ASCII. A Greek letter becomes its name, with spaces between it and other letters.
 
     >>> ascii_text("P_c = 3πγR, 50 µm")
     'P_c = 3 pi gamma R, 50 um'
@@ -31,17 +31,17 @@ def ascii_text(text: str) -> str:
     return "".join(pieces).encode("ascii", "replace").decode()
 
 
-def _by_name(error: UnicodeError) -> tuple[str, int]:
-    """An error handler for streams: what they cannot write, in ASCII."""
+def _replace(error: UnicodeError) -> tuple[str, int]:
+    """Return the replacement of characters that a stream cannot encode: an error handler of `codecs`."""
     assert isinstance(error, UnicodeEncodeError)
     return ascii_text(error.object[error.start : error.end]), error.end
 
 
-codecs.register_error("jkroll-ascii", _by_name)
+codecs.register_error("jkroll-ascii", _replace)
 
 
 def fitting(text: str, out: TextIO) -> str:
-    """A text as the stream can write it: unchanged, or in ASCII."""
+    """Return a text unchanged if the stream can encode it, else in ASCII."""
     try:
         text.encode(out.encoding or "utf-8")
     except (UnicodeEncodeError, LookupError):
@@ -50,33 +50,46 @@ def fitting(text: str, out: TextIO) -> str:
 
 
 def json_text(value: Any, out: TextIO) -> str:
-    """A value as JSON, with other than ASCII characters only where the stream takes them all."""
+    """Return a value as JSON, in ASCII unless the stream is UTF-8."""
     import json
 
     return json.dumps(value, ensure_ascii=(out.encoding or "utf-8").lower() != "utf-8", indent=2)
 
 
 def say(text: str, out: TextIO) -> None:
-    """Print a line, in one piece: a stream that is cut off, by whatever, ends with a whole line."""
+    """Print a line in one piece, so that output that is cut off ends with a whole line."""
     out.write(fitting(text, out) + "\n")
 
 
+MAX_SIZE = 1000  # a table or a picture of this size still fits into memory
+
+
 def columns() -> int:
-    """Width of the terminal: what the variable COLUMNS says, else what the terminal does, else 80."""
-    stated = os.environ.get("COLUMNS", "")
+    """Return the width of the terminal: the variable COLUMNS, else the terminal's own, else 80; at most MAX_SIZE."""
+    return _size("COLUMNS", 0, 80)
+
+
+def rows() -> int:
+    """Return the height of the terminal: the variable LINES, else the terminal's own, else 24; at most MAX_SIZE."""
+    return _size("LINES", 1, 24)
+
+
+def _size(variable: str, place: int, default: int) -> int:
+    stated = os.environ.get(variable, "")
     if stated.isascii() and stated.isdigit() and int(stated[:9]):
-        return int(stated[:9])
+        return min(int(stated[:9]), MAX_SIZE)
     try:
-        return os.get_terminal_size(sys.__stdout__.fileno()).columns or 80  # type: ignore[union-attr]
+        size = os.get_terminal_size(sys.__stdout__.fileno())  # type: ignore[union-attr]
     except (AttributeError, ValueError, OSError):
-        return 80
+        return default
+    return min(size[place] or default, MAX_SIZE)
 
 
-MAX_WORD = 80  # a longer one is no slip of a finger, and comparing it takes long
+MAX_WORD = 80  # a longer word is not a typing mistake, and comparing it takes long
 
 
 def closest(word: str, known: Iterable[str], cutoff: float = 0.6) -> str | None:
-    """The known word that differs from this one only by case, else the most similar one.
+    """Return the known word that differs from a word only by case, else the most similar one; None if none is similar.
 
     >>> closest("Quartz", ["quartz", "iron"]), closest("quarz", ["quartz", "iron"]), closest("x", ["quartz"])
     ('quartz', 'quartz', None)
@@ -94,7 +107,7 @@ MAX_QUOTED = 200
 
 
 def quoted(text: str, limit: int = MAX_QUOTED) -> str:
-    r"""A user's text in quotes, as it can be shown.
+    r"""Return a user's text in quotes, safe to print.
 
     >>> quoted("a\x1b[31m\u202e")
     "'a?[31m?'"
@@ -103,7 +116,7 @@ def quoted(text: str, limit: int = MAX_QUOTED) -> str:
 
 
 def shown(text: str, limit: int = MAX_QUOTED) -> str:
-    """A user's text without the characters that would move the cursor or reverse the line, and not too long."""
+    """Return a user's text shortened, and without characters that move the cursor or reverse the line."""
     text = text if len(text) <= limit else text[:limit] + "..."
     if text.isprintable():
         return text

@@ -71,7 +71,7 @@ MESSAGES = {
     ),
     "pull-off 100nm --gamma 1J/m2 --work-of-adhesion 1J/m2": (2, "--gamma and --work-of-adhesion exclude each other"),
     "pull-off quartz 100nm --radius2 1kg": (2, "radius2: '1kg' is a mass; expected a length such as 1um, or plane"),
-    "pull-off quartz 100nm --to foo": (2, "--to: 'foo' has an unknown unit 'foo'; did you mean foot?"),
+    "pull-off quartz 100nm --to foo": (2, "--to: 'foo' has an unknown unit 'foo'; expected a unit such as N"),
     "pull-off quartz 5,5nm": (
         2,
         "radius: '5,5nm' has a comma where a number has a point, or a number without a unit; expected a length such as 100nm",

@@ -17,7 +17,9 @@ PINT = {"numpy", "pint"}  # pint imports numpy by itself
 PROGRAM = """
 import sys
 import jkroll.materials
+from jkroll.materials import library
 jkroll.materials.__path__.append(sys.argv[1])
+library.SHIPPED = library.os.path.join(library._HERE, "materials.toml")
 sys.stdout.isatty = lambda: sys.argv[2] == "terminal"
 from jkroll.cli.process import main
 codes = {main(words.split()) for words in sys.argv[3:]}
@@ -76,12 +78,10 @@ def test_a_completion_imports_no_library(shell: str, line: str, tmp_path: Path) 
     assert imported("", folder=tmp_path, variables=variables) == set()
 
 
-def test_a_file_of_materials_adds_nothing_if_it_is_plain_else_the_parser(tmp_path: Path) -> None:
+def test_a_file_of_materials_adds_its_parser(tmp_path: Path) -> None:
     own = tmp_path / "own.toml"
     own.write_text('[materials.ice]\nsurface_energy = "0.37 J/m2"\n', encoding="utf-8")
     calls = ["pull-off ice 100nm --bare --quiet --materials own.toml", "materials --materials own.toml"]
-    assert imported(*calls, folder=tmp_path) == set()
-    own.write_text('[materials]\n[materials.ice]\nsurface_energy = "0.37 J/m2"\n', encoding="utf-8")
     assert imported(*calls, folder=tmp_path) == {"tomllib"}
 
 

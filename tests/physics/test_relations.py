@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 import jkroll
 from jkroll import FORMULAS, NOMENCLATURE, JkrollError, solve
 from jkroll.output.explain import docstring_fields
-from jkroll.quantities.errors import MalformedQuantity, OutOfRange, UnknownQuantity
+from jkroll.quantities.errors import OutOfRange, QuantityError, UnknownQuantity
 from jkroll.quantities.units import dimension_of
 from jkroll.scene.errors import (
     BeyondFold,
@@ -370,7 +370,7 @@ def test_integers_and_lists_are_floats() -> None:
     assert FORMULAS["work_of_adhesion"](**energies).tolist() == [2.0, 200.0, 510.0]
     assert jkroll.load_factor(load_margin=1) == 1.0
     for odd in ("1e-7", None, [1, "x"], np.ma.masked_array([1], [True])):
-        with pytest.raises(MalformedQuantity):
+        with pytest.raises(QuantityError):
             FORMULAS["mass"](radius=odd, density=1.0)
 
 
@@ -380,7 +380,7 @@ def test_names_that_are_none_are_refused() -> None:
         with pytest.raises(UnknownQuantity):
             solve(wrong, radius=1e-7, **QUARTZ)
     for wrong in (["quartz", "iron"], 1, b"quartz"):
-        with pytest.raises(MalformedQuantity):
+        with pytest.raises(QuantityError):
             solve("pull_off_force", material=wrong, radius=1e-7)
     assert solve([], radius=1e-7) == {}
 
@@ -507,7 +507,7 @@ def test_contradictions_and_mismatches_are_refused() -> None:
         solve("reduced_radius", radius=[1e-7, 2e-7], radius2=[1e-7, 2e-7, 3e-7])
     with pytest.raises(OutOfRange):
         solve("load", load_factor=-1.0, radius=1e-7, **QUARTZ)
-    with pytest.raises(MalformedQuantity):
+    with pytest.raises(QuantityError):
         solve("pull_off_force", radius=np.ma.masked_array([1e-7, 2e-7], [False, True]), **QUARTZ)
 
 

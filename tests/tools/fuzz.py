@@ -1,10 +1,10 @@
-"""Search, guided by coverage, for an input that breaks an invariant of tests/invariants.py.
+"""Search for an input that violates an invariant of tests/invariants.py, guided by coverage.
 
     python tests/tools/fuzz.py quantity -max_total_time=600
 
-The targets are quantity, unit, materials and words; what follows is libFuzzer's, and so are the reports: a finding is written
-to the current directory as crash-*. What is found interesting on the way goes to a temporary folder, jkroll-fuzz/TARGET;
-`python tests/tools/fuzz.py TARGET --keep` puts the small ones into tests/corpus, which a test replays.
+The targets are quantity, unit, materials and words. The options after the target are libFuzzer's, which writes a violation
+to the current directory as crash-*. Inputs that reach new code go to a temporary folder, jkroll-fuzz/TARGET;
+`python tests/tools/fuzz.py TARGET --keep` copies the small ones to tests/corpus, which a test replays.
 Needs `pip install jkroll[fuzz]`.
 """
 
@@ -27,7 +27,7 @@ MAX_KEPT = 100  # bytes
 
 
 def main() -> None:
-    """Fuzz the target that the command line names, or keep what was found."""
+    """Fuzz the target that the command line names, or keep the inputs that were found."""
     target, *options = sys.argv[1:] or ["none"]
     if target not in TARGETS:
         sys.exit(f"{__doc__}\nno target {target!r}: {', '.join(TARGETS)}")

@@ -1,10 +1,9 @@
-"""Write src/jkroll/unit_table.py: what pint says the unit names mean that people of this field type.
+"""Write src/jkroll/quantities/unit_table.py: the meanings, taken from pint, of the unit names that are used in this field.
 
-    python tests/tools/make_unit_table.py > src/jkroll/unit_table.py
+    python tests/tools/make_unit_table.py > src/jkroll/quantities/unit_table.py
 
-Names that take prefixes and names that do not are kept apart. Where a prefix and a name make a word to which pint
-gives another meaning (`hbar` is Planck's, not a hectobar), that word goes into PLAIN with pint's meaning, so that no product
-is ever misread.
+Names that take prefixes and names that do not are kept apart. Where a prefix and a name form a word to which pint gives another
+meaning (`hbar` is Planck's constant, not a hectobar), that word goes into PLAIN with pint's meaning, so that no such word is misread.
 """
 
 import pint
@@ -22,7 +21,15 @@ PLAIN = """Å angstrom angstroms bars micron microns in inch inches ft foot feet
 min minute minutes h hr hour hours day days yr year years
 deg degree degrees arcmin arcsec turn turns revolution cycle rpm
 lb pound pounds oz ounce t tonne tonnes u amu Da au parsec
-lbf kgf psi atm torr mmHg Gal standard_gravity percent""".split()
+lbf kgf psi atm torr mmHg Gal standard_gravity percent
+mph kph knot knots fps""".split()
+
+OTHER_NAMES = {
+    "°": "deg",
+    "%": "percent",
+    "kmph": "kph",
+    "kmh": "kph",
+}  # that pint does not know, or knows as something else
 
 
 def factor_of(name: str) -> tuple[int, int, tuple[int, ...]]:
@@ -41,7 +48,7 @@ def main() -> None:
     prefixes = {prefix: power_of_ten(prefix) for prefix in PREFIXES}
     prefixable = {name: factor_of(name) for name in PREFIXABLE}
     plain = {name: factor_of(name) for name in PLAIN}
-    plain |= {"°": factor_of("deg"), "%": factor_of("percent")}
+    plain |= {name: factor_of(known) for name, known in OTHER_NAMES.items()}
     for prefix, exponent in prefixes.items():
         for name, (numerator, denominator, dimension) in prefixable.items():
             meant = lookup(prefix + name)
@@ -56,7 +63,7 @@ def main() -> None:
                     plain[prefix + name] = meant
             elif meant is None:
                 raise SystemExit(f"pint does not know {prefix + name}")
-    print('"""Unit names and what they mean, made from pint by tests/tools/make_unit_table.py: do not edit."""\n')
+    print('"""Unit names and their meanings, made from pint by tests/tools/make_unit_table.py: do not edit."""\n')
     print(f'PINT_VERSION = "{pint.__version__}"')
     print(f"BASE_UNITS = {BASE_UNITS!r}".replace("'", '"'))
     print("# fmt: off")

@@ -5,10 +5,10 @@ from collections.abc import Sequence
 from functools import cached_property
 from typing import NamedTuple
 
-from ..quantities.errors import BareNumber, MalformedQuantity, QuantityError, UnknownUnit, WrongDimension
+from ..quantities.errors import BareNumber, QuantityError
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.parsing import parse_quantity, unit_of
-from ..quantities.units import Unit, dimension_of
+from ..quantities.units import Unit, dimension_of, kind_of
 from ..text import closest, quoted
 from .errors import BadTable
 
@@ -123,7 +123,7 @@ def _column(place: int, name: str, unit_text: str | None, text: str) -> Column:
     try:
         unit = unit_of(unit_text, name)
         if unit.dimension != wanted:
-            raise WrongDimension(name, unit_text, unit.dimension)
+            raise QuantityError(name, unit_text, f"is {kind_of(unit.dimension)}")
     except QuantityError as error:
         raise BadTable(f"header: {quoted(text)}: {quoted(unit_text)} {error.problem()}") from None
     return Column(place, name, unit_text, unit)
@@ -153,7 +153,7 @@ def _fits(unit_text: str, name: str) -> bool:
     """Whether a text is a unit of a quantity."""
     try:
         return bool(unit_text) and unit_of(unit_text, name).dimension == dimension_of(NOMENCLATURE[name].unit)
-    except (MalformedQuantity, UnknownUnit, QuantityError):
+    except QuantityError:
         return False
 
 

@@ -15,9 +15,9 @@ from ..pictures.maps import Map, Setting, rows_of
 from ..pictures.panels import Picture
 from ..pictures.plots import Held, as_held, curves_of, map_of, mark_at
 from ..pictures.profiles import DRAWN, curves_of_contact
-from ..quantities.errors import QuantityError, expectation
 from ..quantities.nomenclature import header
-from ..quantities.parsing import parse_quantity
+from ..quantities.parsing import parse_value
+from ..quantities.units import BadUnit, dimension_of
 from ..text import quoted, say
 from .map_request import asked, marks_of
 from .request import Request
@@ -61,10 +61,10 @@ class Target(NamedTuple):
         if self.width is None:
             return 120 / 25.4
         try:
-            metres = parse_quantity(self.width, "radius")
-        except QuantityError as error:
-            problem = error.problem().replace(expectation("radius"), "a width such as 85mm")
-            raise BadRequest(f"--width: {quoted(self.width)} {problem}") from None
+            metres = parse_value(self.width, dimension_of("m"))
+        except BadUnit as error:
+            remedy = error.remedy([dimension_of("m")]) or "expected a width such as 85mm"
+            raise BadRequest(f"--width: {quoted(self.width)} {error}; {remedy}") from None
         if not 0.07 <= metres <= 1:
             raise BadRequest(f"--width: {quoted(self.width)} is not between 70mm and 1m")
         return metres / 0.0254

@@ -7,7 +7,7 @@ from ..errors import BadRequest
 from ..pictures.axes import Axis
 from ..pictures.maps import Setting
 from ..pictures.plots import Asked
-from ..quantities.errors import MalformedQuantity, UnknownQuantity
+from ..quantities.errors import QuantityError, UnknownQuantity
 from ..quantities.formatting import amount, pretty
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.ranges import spreads_of
@@ -34,12 +34,12 @@ def axis_of(text: str, option: str) -> Axis:
     first, colon, rest = values.partition(":")
     last, *how = rest.split(":")
     if not colon or len(how) > 2 or "," in values:
-        raise MalformedQuantity(name, values, "is not a range; write FROM:TO, with :lin for equal steps")
+        raise QuantityError(name, values, "is not a range; write FROM:TO, with :lin for equal steps")
     has_count = bool(how) and how[0] not in ("lin", "log")
     count, scale = how[0] if has_count else "2", how[has_count:]
     spread = spreads_of(":".join([first, last, count, *scale]), name)[0]
     if not spread.low < spread.high:
-        raise MalformedQuantity(name, values, "does not rise")
+        raise QuantityError(name, values, "does not rise")
     return Axis(name, spread.low, spread.high, spread.is_log, spread.size if has_count else 0)
 
 

@@ -8,12 +8,10 @@ from typing import Any
 
 from ..errors import BadRequest
 from ..materials.library import Material, Materials, known_materials
-from ..quantities.errors import QuantityError
 from ..quantities.formatting import Format
 from ..quantities.nomenclature import NOMENCLATURE
-from ..quantities.parsing import unit_of
 from ..quantities.ranges import Spread, spreads_of
-from ..quantities.units import dimension_of
+from ..quantities.units import BadUnit, dimension_of, parse_unit
 from ..scene.scene import EXCLUSIVE, Scene
 from ..text import quoted
 
@@ -117,9 +115,11 @@ def format_of(to: str | None, digits: int | None, quantities: Sequence[str]) -> 
     units: dict[str, Any] = {}
     for text in to.split(",") if to is not None else []:
         try:
-            unit = unit_of(text, quantities[0])
-        except QuantityError as error:
-            raise BadRequest(f"--to: {quoted(text)} {error.problem()}") from None
+            unit = parse_unit(text)
+        except BadUnit as error:
+            wanted = [dimension_of(NOMENCLATURE[name].unit) for name in quantities]
+            remedy = error.remedy(wanted) or f"expected a unit such as {NOMENCLATURE[quantities[0]].unit}"
+            raise BadRequest(f"--to: {quoted(text)} {error}; {remedy}") from None
         fitting = [
             name for name in quantities if text.strip() and dimension_of(NOMENCLATURE[name].unit) == unit.dimension
         ]

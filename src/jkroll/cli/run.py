@@ -5,7 +5,7 @@ import sys
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple, TextIO
 
-from ..answers.answer import Answer, answer, in_units
+from ..answers.answer import Answer, Note, answer, in_units
 from ..answers.questions import Command
 from ..errors import BadRequest, JkrollError, MissingExtra
 from ..materials.library import known_materials
@@ -13,7 +13,6 @@ from ..materials.places import materials_files
 from ..output.layout import layout
 from ..output.writers import WRITERS
 from ..quantities.formatting import Format
-from ..scene.limits import sentence
 from ..text import quoted, say
 from .request import Request, format_of
 
@@ -52,7 +51,7 @@ class Tally:
 
     def __init__(self) -> None:
         """Nothing went by yet."""
-        self.notes: dict[str, None] = {}
+        self.notes: dict[Note, None] = {}
         self.failures: list[JkrollError] = []
         self.failed = 0
 
@@ -60,8 +59,7 @@ class Tally:
         """Pass answers on."""
         for one in answers:
             if len(self.notes) <= MAX_NOTES:
-                self.notes |= dict.fromkeys(one.notes)
-                self.notes |= {f"doubtful: {sentence(verdict)}": None for verdict in one.validity if not verdict.holds}
+                self.notes |= dict.fromkeys([*one.notes, *one.doubts()])
             if one.failure is not None:
                 self.failed += 1
                 self.failures = self.failures or [one.failure]
@@ -86,7 +84,8 @@ def run_command(command: Command, words: Sequence[str] | None, options: Mapping[
     request.check_count()
     tally = Tally()
     if kind in ("explain", "cite"):
-        from ..output.explain import write_citations, write_explanation
+        from ..output.citations import write_citations
+        from ..output.explain import write_explanation
 
         write = write_citations if kind == "cite" else write_explanation
         write(
@@ -101,7 +100,8 @@ def run_command(command: Command, words: Sequence[str] | None, options: Mapping[
         WRITERS[kind](answers, out, form, layout(command, samples, request.count))
     out.flush()
     if not output.quiet and kind not in ("json", "explain", "cite"):
-        _note(note for note in tally.notes if kind != "table" or request.count > 1 or not note.startswith("doubtful"))
+        has_doubts = kind == "table" and request.count == 1  # the table of one scene shows them
+        _note(note.text for note in tally.notes if not (has_doubts and note.kind == "doubt"))
     return _say_failures(tally, request.count)
 
 
@@ -131,7 +131,7 @@ def _run_stream(command: Command, request: Request, samples: list[Answer], kind:
     if not output.quiet:
         ends = Tally()
         list(ends.watch(samples))
-        _note(ends.notes)
+        _note(note.text for note in ends.notes)
     if tally.failed:
         say(f"jkroll: {tally.failed} of {tally.rows} rows failed", sys.stderr)
         return ROWS_FAILED

@@ -1,1 +1,1 @@
-"""Materials: whose data, and where they come from."""
+"""Materials and the files that describe them."""

@@ -1,4 +1,4 @@
-"""Where the user's own materials files are."""
+"""Places of the user's own materials files."""
 
 import os
 import sys
@@ -9,16 +9,16 @@ ENVIRONMENT = "JKROLL_MATERIALS"
 
 
 def materials_files(option: str | None) -> tuple[str, ...]:
-    """The user's own materials files by rising precedence: configuration directory, environment, option."""
+    """Return the user's materials files by rising precedence: configuration directory, environment, option."""
     if option == "":
         raise BadRequest("--materials is empty")
     configuration = os.path.join(configuration_directory(), "materials.toml")
-    files = [configuration] if _is_there(configuration) else []
+    files = [configuration] if _exists(configuration) else []
     return tuple(dict.fromkeys(files + [path for path in (os.environ.get(ENVIRONMENT), option) if path]))
 
 
-def _is_there(path: str) -> bool:
-    """Whether there is something at a path, be it only what makes it unreadable."""
+def _exists(path: str) -> bool:
+    """Return whether something is at a path. A file that cannot be reached counts, so that it is reported as unreadable."""
     try:
         os.lstat(path)
     except (FileNotFoundError, NotADirectoryError, ValueError):
@@ -29,7 +29,7 @@ def _is_there(path: str) -> bool:
 
 
 def configuration_directory() -> str:
-    """Where the user's configuration is kept on this system: as typer and platformdirs have it, without importing them."""
+    """Return the user's configuration directory on this system, the same as platformdirs without its import."""
     if sys.platform == "win32":
         parent = os.environ.get("APPDATA") or os.path.expanduser("~")
     elif sys.platform == "darwin":

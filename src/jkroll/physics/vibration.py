@@ -62,13 +62,13 @@ def approach_acceleration(*, displacement: Length, stiffness: Stiffness, reduced
 def vertical_frequency(*, stiffness: Stiffness, reduced_mass: Mass) -> Frequency:
     """Return the frequency at which the distance of the two centres vibrates.
 
-        Ω_z = (1/2π)√((dP/dδ)/m) = (1/2π)√((6/5)E*a0/m) without load
+        f_z = (1/2π)√((dP/dδ)/m) = (1/2π)√((6/5)E*a0/m) without load
 
     stiffness     [N/m]  ≥ 0
     reduced_mass  [kg]   > 0
 
     Returns:  [Hz]; a float for floats, an array for arrays, which broadcast.
-    Source:   Eq (35); under a load with the stiffness there.
+    Source:   Eq (35), where a frequency is Ω; under a load with the stiffness there.
     Valid:    Free spheres, amplitudes well below δ0.
     Accuracy: 2 ulp above dP/dδ and m.
 
@@ -103,7 +103,7 @@ def angular_acceleration(
 def rolling_frequency(*, rolling_stiffness: RollingStiffness, reduced_moment_of_inertia: Inertia) -> Frequency:
     """Return the frequency at which the two spheres roll back and forth over each other, each about its own centre.
 
-        Ω_roll = (1/2π)√(4P_c â^(3/2) R/I)
+        f_roll = (1/2π)√(4P_c â^(3/2) R/I)
 
     rolling_stiffness          [N m/rad]  > 0
     reduced_moment_of_inertia  [kg m²]    > 0
@@ -122,7 +122,7 @@ def rolling_frequency(*, rolling_stiffness: RollingStiffness, reduced_moment_of_
 def rolling_frequency_as_printed(*, work_of_adhesion: SurfaceEnergy, radius: Length, density: Density) -> Frequency:
     """Return the rolling frequency of identical spheres as the paper prints it: 2.5 times too low.
 
-        Ω_roll = (3/2π)√(γ/(5R1³ρ)), γ = w/2
+        f_roll(41) = (3/2π)√(γ/(5R1³ρ)), γ = w/2
 
     work_of_adhesion  [J/m²]   > 0
     radius            [m]      > 0
@@ -142,7 +142,7 @@ def rolling_frequency_as_printed(*, work_of_adhesion: SurfaceEnergy, radius: Len
 def rolling_frequency_no_slip(*, work_of_adhesion: SurfaceEnergy, load_factor: Number, rolling_mass: Mass) -> Frequency:
     """Return the frequency at which two free spheres that do not slip roll back and forth over each other.
 
-        f = (1/2π)√(4P_c â^(3/2)/(R m_eff)) = √(3w â^(3/2)/(2π m_eff))
+        f_free = (1/2π)√(4P_c â^(3/2)/(R m_eff)) = √(3w â^(3/2)/(2π m_eff))
 
     work_of_adhesion  [J/m²]  > 0
     load_factor       [1]     > 0

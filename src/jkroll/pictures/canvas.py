@@ -2,10 +2,9 @@
 
 import os
 from collections.abc import Sequence
-from shutil import get_terminal_size
 from typing import NamedTuple, TextIO
 
-from ..text import fitting
+from ..text import columns, fitting, rows
 
 NARROWEST = 20
 Colour = tuple[int, int, int]
@@ -36,11 +35,10 @@ class Screen(NamedTuple):
 
 def screen_of(out: TextIO) -> Screen:
     """What a stream can show, by the terminal and the environment: NO_COLOR, FORCE_COLOR, COLORTERM, TERM, COLUMNS."""
-    size = get_terminal_size()
     is_plain = bool(os.environ.get("NO_COLOR")) or os.environ.get("TERM") == "dumb" or fitting("▀", out) != "▀"
     has_colour = not is_plain and (out.isatty() or bool(os.environ.get("FORCE_COLOR")))
     is_exact = os.environ.get("COLORTERM") in ("truecolor", "24bit")
-    return Screen(max(size.columns, NARROWEST), size.lines, (2**24 if is_exact else 256) if has_colour else 0)
+    return Screen(max(columns(), NARROWEST), rows(), (2**24 if is_exact else 256) if has_colour else 0)
 
 
 def shade(place: float, colours: int = 2**24) -> Colour:

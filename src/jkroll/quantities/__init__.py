@@ -1,1 +1,1 @@
-"""Names, units, and the way between text and SI numbers."""
+"""Names of quantities, units, and conversion between text and SI numbers."""

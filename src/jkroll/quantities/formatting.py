@@ -1,90 +1,74 @@
-"""A value as text: for people six digits and a fitting prefix, for machines the shortest text that reads back the same."""
+"""Values as text: rounded and with a suitable prefix to be read, or as the shortest text that parses back to the same value."""
 
 from collections.abc import Mapping
 from math import floor, isinf, log10
 from types import MappingProxyType
 from typing import NamedTuple
 
-from .nomenclature import NOMENCLATURE
+from .nomenclature import INFINITY, NOMENCLATURE, word_for_infinity
 from .units import Unit, convert
 
-PEOPLE_DIGITS = 6
-_PREFIXES = {
-    -21: "z",
-    -18: "a",
-    -15: "f",
-    -12: "p",
-    -9: "n",
-    -6: "µ",
-    -3: "m",
-    0: "",
-    3: "k",
-    6: "M",
-    9: "G",
-    12: "T",
-    15: "P",
-}
+DIGITS = 6  # significant, of a rounded value
+_PREFIXES = dict(zip(range(-21, 18, 3), ("z", "a", "f", "p", "n", "µ", "m", "", "k", "M", "G", "T", "P"), strict=True))
 _PREFIXABLE = ("m", "N", "J", "Pa", "Hz", "rad", "N m", "N/m", "J/m^2", "N m/rad")
 
 
 class Format(NamedTuple):
-    """How results are to be written."""
+    """Units and number of digits in which results are written."""
 
-    units: Mapping[str, tuple[str, Unit]] = MappingProxyType({})  # quantity → unit to convert to
+    units: Mapping[str, tuple[str, Unit]] = MappingProxyType({})  # by quantity: the unit to convert to
     digits: int | None = None
 
     def unit(self, name: str) -> str:
-        """The unit in which a quantity is written for machines."""
+        """Return the unit in which a quantity is written for a program."""
         return self.units[name][0] if name in self.units else NOMENCLATURE[name].unit
 
     def number(self, name: str, value: float) -> float:
-        """A value in the unit in which it is written."""
+        """Convert an SI value to the unit in which it is written."""
         return convert(value, self.units[name][1]) if name in self.units else value
 
     def text(self, name: str, value: float | str) -> str:
-        """A value as a machine reads it."""
+        """Return a value as text for a program."""
         if isinstance(value, str):
             return value
         number = self.number(name, value)
         return repr(number + 0.0) if self.digits is None else f"{number + 0.0:.{self.digits}g}"
 
     def header(self, name: str) -> str:
-        """A column header: name and unit."""
+        """Return a column header: name and unit."""
         unit = self.unit(name)
         return name if unit in ("", "1") else f"{name} [{unit}]"
 
-    def people(self, name: str, value: float | str) -> tuple[str, str]:
-        """A value and its unit as a person reads it."""
+    def rounded(self, name: str, value: float | str) -> tuple[str, str]:
+        """Return a value and its unit, rounded and with a suitable prefix."""
         if isinstance(value, str):
             return value, ""
-        digits = self.digits or PEOPLE_DIGITS
+        digits = self.digits or DIGITS
         if name in self.units:
             return f"{self.number(name, value):.{digits}g}", self.units[name][0]
         return engineering(value, NOMENCLATURE[name].unit, digits)
 
 
-def engineering(value: float, unit: str, digits: int = PEOPLE_DIGITS) -> tuple[str, str]:
-    """A number of significant digits and a unit whose prefix fits it.
+def engineering(value: float, unit: str, digits: int = DIGITS) -> tuple[str, str]:
+    """Round a value to significant digits and choose a prefix for its unit.
 
     >>> engineering(1.1780972e-08, "N")
     ('11.781', 'nN')
     """
+    text = f"{value:.{digits}g}"
+    rounded = float(text)
     if unit in ("1", ""):
-        return f"{value:.{digits}g}", ""
-    if unit not in _PREFIXABLE or value == 0:
-        return f"{value:.{digits}g}", unit
-    rounded = float(f"{value:.{digits}g}")
-    if isinf(rounded):
-        return f"{value:.{digits}g}", unit
+        return text, ""
+    if unit not in _PREFIXABLE or rounded == 0 or isinf(rounded):
+        return text, unit
     exponent = 3 * floor(log10(abs(rounded)) / 3 + 1e-12)
-    prefix = _PREFIXES.get(exponent)
-    if prefix is None:
-        return f"{value:.{digits}g}", unit
-    return f"{convert(rounded, _power_of_ten(exponent)):.{digits}g}", prefix + unit
+    if exponent not in _PREFIXES:
+        return text, unit
+    return f"{convert(rounded, _power_of_ten(exponent)):.{digits}g}", _PREFIXES[exponent] + unit
 
 
 def pretty(unit: str) -> str:
-    """A unit with superscripts.
+    """Return a unit with superscripts.
 
     >>> pretty("mJ/m^2"), pretty("m^-1")
     ('mJ/m²', 'm⁻¹')
@@ -100,9 +84,20 @@ AS_USUAL = Format()
 
 
 def amount(name: str, value: float | str, form: Format = AS_USUAL) -> str:
-    """A value with its unit, for a sentence.
+    """Return a value with its unit, for a sentence.
 
     >>> amount("yield_displacement", 2e-10)
     '200 pm'
     """
-    return " ".join(part for part in form.people(name, value) if part)
+    return " ".join(part for part in form.rounded(name, value) if part)
+
+
+def in_words(name: str, value: float | str) -> float | str:
+    """Return the word for an infinite value, and any other value unchanged.
+
+    >>> in_words("radius2", float("inf")), in_words("radius2", 1e-7)
+    ('plane', 1e-07)
+    """
+    if value != INFINITY:
+        return value
+    return word_for_infinity(name) or "infinite"

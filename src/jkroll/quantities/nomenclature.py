@@ -1,6 +1,6 @@
-"""One nomenclature: every name, once, with its symbol, SI unit, sentence, equation, range and option.
+"""The nomenclature: every quantity by name, with its symbol, SI unit, sentence, equation, range and option.
 
-Parsing, help, tables, CSV headers, JSON and error messages all read this table; none of them says it again.
+Parsing, help, tables, CSV headers, JSON and error messages all read this table.
 """
 
 from collections.abc import Mapping
@@ -9,20 +9,20 @@ from typing import NamedTuple
 
 
 class Quantity(NamedTuple):
-    """What a name stands for."""
+    """The meaning of a name."""
 
     symbol: str
     unit: str  # SI; "1" for a number, "" for a text
     sentence: str
     equation: str = ""  # as the paper numbers it
-    range: str = ""  # a name of RANGES, for what a user may give
-    option: str = ""  # how the command line takes it
-    example: str = ""  # a value that can be typed
-    note: str = ""  # why it stands beside a headline value
+    range: str = ""  # a name in RANGES, of the values that a user may give
+    option: str = ""  # of the command line
+    example: str = ""  # a value as a user types it
+    note: str = ""  # the reason why it is shown beside another quantity
 
 
 class Range(NamedTuple):
-    """Values that may be given, and how to say so."""
+    """An interval of values that a user may give, with the words for an error."""
 
     low: float
     high: float
@@ -31,7 +31,7 @@ class Range(NamedTuple):
     words: str
 
     def admits(self, value: float) -> bool:
-        """Whether one number lies in the range; nan lies in none."""
+        """Return whether a number lies in the range; nan lies in none."""
         above = value >= self.low if self.low_allowed else value > self.low
         below = value <= self.high if self.high_allowed else value < self.high
         return above and below
@@ -51,7 +51,7 @@ _WORDS_FOR_INFINITY = {"radius2": "plane", "youngs_modulus": "rigid", "youngs_mo
 
 
 def word_for_infinity(name: str) -> str | None:
-    """The word that stands for an infinite value of a quantity, if it has one: a plane, a rigid body."""
+    """Return the word for an infinite value of a quantity, such as "plane" for a radius; None if it has none."""
     return _WORDS_FOR_INFINITY.get(name)
 
 
@@ -98,11 +98,11 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "yield_displacement": Quantity("ξ", "m", "yield displacement", range="positive", option="--xi", example="2angstrom"),
         "load": Quantity("P", "N", "load, tension negative", "5", range="finite", option="--load", example="-5nN"),
         "gravity": Quantity("g", "m/s^2", "gravity", range="positive", option="--gravity", example="1.62m/s2"),
-        "energy": Quantity("W0", "J", "energy of sphere 1 as it arrives", range="positive", option="--energy", example="1e-18J"),
+        "energy": Quantity("W0", "J", "impact energy of sphere 1", range="positive", option="--energy", example="1e-18J"),
         "energy_ratio": Quantity(
             "W0/P_cδ0", "1", "W0 over P_cδ0", range="positive", option="--energy-ratio", example="1"
         ),
-        "speed": Quantity("v", "m/s", "speed of sphere 1 as it arrives", range="positive", option="--speed", example="10cm/s"),
+        "speed": Quantity("v", "m/s", "impact speed of sphere 1", range="positive", option="--speed", example="10cm/s"),
         # the pair
         "work_of_adhesion": Quantity(
             "w", "J/m^2", "work of adhesion, 2γ", "1", range="positive", option="--work-of-adhesion", example="50mJ/m2"
@@ -134,15 +134,15 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "stiffness": Quantity("dP/dδ", "N/m", "normal stiffness at the load", "34"),
         "hertz_pressure": Quantity("p_H", "Pa", "Hertz part of the pressure", "8"),
         "boussinesq_pressure": Quantity("p_B", "Pa", "flat-punch part of the pressure", "9"),
-        "well_energy": Quantity("U", "J", "energy that binds the spheres", "6"),
-        "pull_off_work": Quantity("U_grips", "J", "separation work from P = 0, grips", "6"),
-        "pull_off_work_at_dead_load": Quantity("U_load", "J", "separation work from P = 0, load", "6"),
+        "well_energy": Quantity("U", "J", "binding energy of the spheres", "6"),
+        "pull_off_work": Quantity("U_grips", "J", "separation work from P = 0, fixed grips", "6"),
+        "pull_off_work_at_dead_load": Quantity("U_load", "J", "separation work from P = 0, dead load", "6"),
         "sticking_energy": Quantity("U_stick", "J", "largest impact energy that sticks", "48"),
         # rolling
         "yield_moment": Quantity("M", "N m", "rolling moment at the displacement ξ", "25"),
         "unloaded_moment": Quantity("M_0", "N m", "moment of the contact without load", "26"),
         "half_circles_moment": Quantity("M_half", "N m", "moment of the two half-circles", "19"),
-        "fixed_approach_moment": Quantity("M_δ", "N m", "exact moment if the approach is held", "25"),
+        "fixed_approach_moment": Quantity("M_δ", "N m", "exact moment at a fixed approach", "25"),
         "rolling_stiffness": Quantity("k", "N m/rad", "rolling moment per angle", "39"),
         "yield_force": Quantity("Q", "N", "force that starts sphere 1 rolling", "26"),
         "yield_force_ratio": Quantity("Q/P_c", "1", "yield force over pull-off force", "27"),
@@ -153,20 +153,20 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "r_min": Quantity("R_min", "m", "smallest curvature radius of a chain", "28"),
         "n_grav": Quantity("N_grav", "1", "spheres that the first contact carries", "30"),
         # vibrations
-        "vertical_frequency": Quantity("Ω_z", "Hz", "frequency of the vertical vibration", "35"),
-        "rolling_frequency": Quantity("Ω_roll", "Hz", "frequency of the rolling vibration", "40"),
+        "vertical_frequency": Quantity("f_z", "Hz", "frequency of the vertical vibration", "35"),
+        "rolling_frequency": Quantity("f_roll", "Hz", "frequency of the rolling vibration", "40"),
         "rolling_frequency_as_printed": Quantity(
-            "Ω_roll(41)", "Hz", "rolling frequency as printed", "41",
+            "f_roll(41)", "Hz", "rolling frequency as printed", "41",
             note="Eq (41) is 2.5 times too low: it is Eq (40) with k² = (5/2)R1² in place of (2/5)R1²",
         ),
         "rolling_frequency_no_slip": Quantity(
-            "f_roll", "Hz", "rolling frequency without slip", "40",
+            "f_free", "Hz", "rolling frequency without slip", "40",
             note="Eq (40) turns each sphere about its own centre; unequal spheres that do not slip also move their centres",
         ),
         # validity
         "atomic_spacing": Quantity("z0", "m", "atomic spacing", range="positive", option="--z0", example="4angstrom"),
         "tabor_parameter": Quantity("μ", "1", "Tabor parameter", "1"),
-        "displacement_limit": Quantity("ξ_max", "m", "displacement up to which rolling has a meaning", "25"),
+        "displacement_limit": Quantity("ξ_max", "m", "largest meaningful displacement", "25"),
         "displacement_ratio": Quantity("ξ/ξ_max", "1", "displacement over its limit", "25"),
         "contact_radius_in_spacings": Quantity("a/z0", "1", "contact radius over the atomic spacing", "2"),
         "approach_in_spacings": Quantity("δ0/z0", "1", "approach over the atomic spacing", "3"),
@@ -176,10 +176,10 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         # axes of figures
         "modulus_over_energy": Quantity("E*/γ", "m^-1", "contact modulus over surface energy", "49", range="positive"),
         "position_across": Quantity("x", "m", "position from the contact point", "16", range="finite"),
-        "position_beside": Quantity("y", "m", "position beside the way", "11", range="finite"),
+        "position_beside": Quantity("y", "m", "position perpendicular to the rolling direction", "11", range="finite"),
         "pressure_across": Quantity("p", "Pa", "pressure, tension negative", "12"),
         # collisions
-        "adhesion_energy": Quantity("P_cδ0", "J", "energy typical of adhesion", "48"),
+        "adhesion_energy": Quantity("P_cδ0", "J", "characteristic energy of adhesion", "48"),
         "energy_at_energy_ratio": Quantity("W0", "J", "energy of sphere 1", "48"),
         "kinetic_energy": Quantity("m1v²/2", "J", "kinetic energy of sphere 1", "45"),
         "n_roll": Quantity("n_roll", "1", "turns until sphere 1 stops", "48"),
@@ -193,14 +193,15 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
 )  # fmt: skip
 
 
+# What a materials file gives of a material.
+PROPERTIES = ("surface_energy", "youngs_modulus", "poisson_ratio", "density")
+
+
 def header(name: str) -> str:
-    """The column header of a quantity: its name and, in brackets, its SI unit.
+    """Return the column header of a quantity: its name and, in brackets, its SI unit.
 
     >>> header("radius"), header("n_grav")
     ('radius [m]', 'n_grav')
     """
     unit = NOMENCLATURE[name].unit
     return name if unit in ("", "1") else f"{name} [{unit}]"
-
-
-PROPERTIES = ("surface_energy", "youngs_modulus", "poisson_ratio", "density")

@@ -1,21 +1,20 @@
-"""Text to SI numbers: a strict grammar and exact arithmetic."""
+"""Text to SI numbers: a strict grammar and exact arithmetic.
+
+A text is one decimal number and a unit; nothing else is a quantity. A value is computed as a ratio of integers and rounded
+to a double once.
+"""
 
 import re
 
-from .errors import BareNumber, MalformedQuantity, WrongDimension
-from .nomenclature import NOMENCLATURE, RANGES, word_for_infinity
-from .units import _SAME, Unit, _parse_unit, dimension_of
-
-MAX_TEXT = 80
-
+from .errors import BareNumber, QuantityError
+from .nomenclature import INFINITY, NOMENCLATURE, RANGES, word_for_infinity
+from .units import MAX_TEXT, BadUnit, Dimension, Unit, dimension_of, kind_of, normalized, parse_unit
 
 _NUMBER = re.compile(r"([+-]?)([0-9]*)(?:\.([0-9]*))?(?:[eE]([+-]?[0-9]+))?")
 
 
-_KNOWN: dict[str, Unit] = {}  # units that were read: the values of a file have few
-
-
-MAX_KNOWN = 1000
+class NoUnit(BadUnit):
+    """Error raised for a number without a unit where one is needed."""
 
 
 def parse_quantity(text: str, name: str) -> float:
@@ -27,57 +26,68 @@ def parse_quantity(text: str, name: str) -> float:
     Raises a `QuantityError` that names the quantity, quotes the text and shows the right form.
     """
     quantity = NOMENCLATURE[name]
-    stripped = text.strip()
-    if (word := word_for_infinity(name)) is not None and stripped.lower() == word:
-        return float("inf")
-    if len(text) > MAX_TEXT:
-        raise MalformedQuantity(name, text[:MAX_TEXT], f"is longer than {MAX_TEXT} characters")
-    mantissa, exponent, rest = _split_number(stripped.translate(_SAME), name, text)
-    wanted = dimension_of(quantity.unit)
-    if not rest and any(wanted):
-        raise BareNumber(name, text)
-    unit = _KNOWN.get(rest)
-    if unit is None:
-        unit = _parse_unit(rest, name, text)
-        if len(_KNOWN) < MAX_KNOWN:
-            _KNOWN[rest] = unit
-    if unit.dimension != wanted:
-        raise WrongDimension(name, text, unit.dimension)
-    value = _rounded(mantissa, exponent, unit, name, text)
+    word = word_for_infinity(name)
+    if word is not None and text.strip().lower() == word:
+        return INFINITY
+    try:
+        value = parse_value(text, dimension_of(quantity.unit))
+    except BadUnit as error:
+        raise _about(name, text, error) from None
     limits = RANGES.get(quantity.range)
     if limits is not None and not limits.admits(value):
-        raise MalformedQuantity(name, text, limits.words)
+        raise QuantityError(name, text, limits.words)
     return value
 
 
 def unit_of(text: str, name: str) -> Unit:
-    """Read a unit into which a quantity of the nomenclature is to be converted."""
-    if len(text) > MAX_TEXT:
-        raise MalformedQuantity(name, text[:MAX_TEXT], f"is longer than {MAX_TEXT} characters")
-    return _parse_unit(text.strip().translate(_SAME), name, text)
+    """Read a unit for a quantity of the nomenclature. Raises a `QuantityError`; a unit of another dimension is not an error."""
+    try:
+        return parse_unit(text)
+    except BadUnit as error:
+        raise _about(name, text, error) from None
 
 
-def _split_number(text: str, name: str, original: str) -> tuple[int, int, str]:
-    """The number at the head of a text as an integer times a power of ten, and what follows it."""
+def parse_value(text: str, dimension: Dimension) -> float:
+    """Read a number with a unit of a dimension, in SI units, correctly rounded. Raises a `BadUnit`.
+
+    >>> parse_value("36 km/h", dimension_of("m/s"))
+    10.0
+    """
+    mantissa, exponent, unit_text = _split_number(normalized(text))
+    if not unit_text and any(dimension):
+        raise NoUnit("has no unit")
+    unit = parse_unit(unit_text)
+    if unit.dimension != dimension:
+        raise BadUnit(f"is {kind_of(unit.dimension)}")
+    return _rounded(mantissa, exponent, unit)
+
+
+def _about(name: str, text: str, error: BadUnit) -> QuantityError:
+    """Return the error that says of a quantity what is wrong with its text."""
+    kind = BareNumber if isinstance(error, NoUnit) else QuantityError
+    return kind(name, text[:MAX_TEXT], str(error), error.remedy([dimension_of(NOMENCLATURE[name].unit)]))
+
+
+def _split_number(text: str) -> tuple[int, int, str]:
+    """Split a text into the number at its head, as an integer and a power of ten, and the unit after it."""
     match = _NUMBER.match(text)
     assert match is not None  # every part of the pattern is optional
     sign, whole, fraction, exponent = match.groups()
     rest = text[match.end() :]
     digits = whole + (fraction or "")
     if not digits:
-        raise MalformedQuantity(name, original, "does not begin with a number")
+        raise BadUnit("does not begin with a number")
     if rest.startswith(","):
-        raise MalformedQuantity(name, original, "has a comma: write a decimal point")
+        raise BadUnit("has a comma: write a decimal point")
     if rest[:1] in ("(", "±"):
-        raise MalformedQuantity(name, original, "has an uncertainty: give the value alone")
+        raise BadUnit("has an uncertainty: give the value alone")
     if exponent and len(exponent.lstrip("+-")) > 3:
-        raise MalformedQuantity(name, original, "has an exponent of more than 3 digits")
-    mantissa = int(sign + digits)
-    return mantissa, int(exponent or 0) - len(fraction or ""), rest.removeprefix(" ")
+        raise BadUnit("has an exponent of more than 3 digits")
+    return int(sign + digits), int(exponent or 0) - len(fraction or ""), rest.removeprefix(" ")
 
 
-def _rounded(mantissa: int, exponent: int, unit: Unit, name: str, original: str) -> float:
-    """The double nearest to mantissa × 10^exponent × unit: one division of integers, which Python rounds correctly."""
+def _rounded(mantissa: int, exponent: int, unit: Unit) -> float:
+    """Return the double nearest to mantissa × 10^exponent × unit: one division of integers, which Python rounds correctly."""
     numerator, denominator = mantissa * unit.numerator, unit.denominator
     if exponent < 0:
         denominator *= 10**-exponent
@@ -86,7 +96,7 @@ def _rounded(mantissa: int, exponent: int, unit: Unit, name: str, original: str)
     try:
         value = numerator / denominator
     except OverflowError:
-        raise MalformedQuantity(name, original, "is too large for a double") from None
+        raise BadUnit("is too large for a double") from None
     if mantissa and not value:
-        raise MalformedQuantity(name, original, "is too small for a double")
+        raise BadUnit("is too small for a double")
     return value

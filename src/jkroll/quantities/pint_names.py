@@ -1,4 +1,4 @@
-"""What pint says a unit name means, as an exact ratio and powers of the SI base units.
+"""Meanings of unit names in pint, as exact ratios and powers of the SI base units.
 
 The only module that imports pint. It is asked for names that the grammar of `units` has validated, never for texts.
 """
@@ -9,13 +9,14 @@ from typing import Any
 
 BASE_UNITS = ("kilogram", "meter", "second", "ampere", "kelvin", "mole", "candela", "radian")
 _DIGITS = 60
+_SPEED = (0, 1, -1, 0, 0, 0, 0, 0)
 
 
 @cache
 def registry(number: type = float) -> Any:
-    """Pint's default registry, in an arithmetic of its own.
+    """Return pint's default registry, which computes in a type of number.
 
-    That in decimals keeps what it computes to the digits of the context it was asked in: it is `lookup`'s alone.
+    The registry of decimals caches factors with the precision of the context that asked first; only `lookup` uses it.
     """
     import pint
 
@@ -23,9 +24,10 @@ def registry(number: type = float) -> Any:
 
 
 def lookup(name: str) -> tuple[int, int, tuple[int, ...]] | None:
-    """Numerator, denominator and dimension of a unit name in SI base units; None if pint has no plain factor for it.
+    """Return numerator, denominator and dimension of a unit name in SI base units; None if pint has no plain factor for it.
 
-    A temperature on a scale with an offset, a logarithmic unit and one outside the SI (a bit, a dollar) have none.
+    A temperature on a scale with an offset, a logarithmic unit and one outside the SI (a bit, a dollar) have none. Names that
+    pint reads as nobody means them are left out: a prefix before a speed (kmph is no kilo-mile per hour) and the yarn count Nm.
 
     >>> lookup("nm")
     (1, 1000000000, (0, 1, 0, 0, 0, 0, 0, 0))
@@ -37,8 +39,7 @@ def lookup(name: str) -> tuple[int, int, tuple[int, ...]] | None:
             return None
         prefix, unit_name, _ = candidates[0]
         symbol = exact.get_symbol(unit_name)
-        if symbol != unit_name and name.endswith(symbol + "s"):
-            return None  # the plural of a symbol: GPas is no unit of pressure
+        is_plural_of_symbol = symbol != unit_name and name.endswith(symbol + "s")  # GPas is no unit of pressure
         try:
             unit = exact.Unit(prefix + unit_name)
             zero, one = (exact.Quantity(Decimal(value), unit).to_root_units() for value in (0, 1))
@@ -48,6 +49,9 @@ def lookup(name: str) -> tuple[int, int, tuple[int, ...]] | None:
         kilogram = powers.pop("gram", 0)
         dimension = (kilogram, *(powers.pop(base, 0) for base in BASE_UNITS[1:]))
         if powers or any(power != int(power) for power in dimension) or zero.magnitude != 0 or one.magnitude <= 0:
+            return None
+        is_misread = is_plural_of_symbol or unit_name == "number_meter"
+        if is_misread or (prefix and dimension == _SPEED and unit_name != "meter_per_second"):
             return None
         factor = Decimal(one.magnitude).scaleb(-3 * int(kilogram))
     numerator, denominator = factor.as_integer_ratio()

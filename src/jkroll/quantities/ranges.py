@@ -1,8 +1,8 @@
-"""Lists and ranges of values, as one option of the command line gives them."""
+"""Lists and ranges of values in one text: "1nm,1um" and "1nm:1um:50"."""
 
 from collections.abc import Iterator
 
-from .errors import BareNumber, MalformedQuantity
+from .errors import BareNumber, QuantityError
 from .nomenclature import INFINITY
 from .parsing import parse_quantity
 
@@ -10,10 +10,10 @@ MAX_VALUES = 1_000_000_000
 
 
 class Spread:
-    """Values from one end to the other: a single one, or a range."""
+    """A range of values, or a single value."""
 
     def __init__(self, low: float, high: float, size: int = 1, *, is_log: bool = False) -> None:
-        """`size` values from `low` to `high`, in equal steps or equal ratios."""
+        """Take `size` values from `low` to `high`, in equal steps or in equal ratios."""
         self.low, self.high, self.size, self.is_log = low, high, size, is_log
 
     def __len__(self) -> int:
@@ -23,7 +23,7 @@ class Spread:
         return map(self._value, range(self.size))
 
     def _value(self, place: int) -> float:
-        """The value at a place, to 15 digits, so that a decade of a decimal number is a decimal number."""
+        """Return the value at a place, rounded to 15 digits: the values between 1e-9 and 1e-6 are then 1e-8 and 1e-7 themselves."""
         if place in (0, self.size - 1):
             return self.high if place else self.low
         part = place / (self.size - 1)
@@ -38,7 +38,7 @@ class Spread:
 
 
 def spreads_of(text: str, name: str) -> list[Spread]:
-    """The values that a text gives: one, several between commas, or a range `FROM:TO:COUNT` with `:lin` or `:log`.
+    """Read values separated by commas, and ranges `FROM:TO:COUNT` with `:lin` or `:log` at the end.
 
     >>> [*spreads_of("1nm:1um:4", "radius")[0]]
     [1e-09, 1e-08, 1e-07, 1e-06]
@@ -55,21 +55,22 @@ def spreads_of(text: str, name: str) -> list[Spread]:
         except BareNumber:
             if len(items) > 1:
                 reason = "has a comma where a number has a point, or a number without a unit"
-                raise MalformedQuantity(name, text, reason) from None
+                raise QuantityError(name, text, reason) from None
             raise
     return spreads
 
 
 def _range(text: str, name: str) -> Spread:
+    """Read a range."""
     first, last, *rest = text.split(":")
     scale = rest[1] if len(rest) == 2 else "log"
     if not 1 <= len(rest) <= 2 or not (rest[0].isascii() and rest[0].isdigit()) or scale not in ("log", "lin"):
-        raise MalformedQuantity(name, text, "is not a range; write FROM:TO:COUNT, with :lin for equal steps")
+        raise QuantityError(name, text, "is not a range; write FROM:TO:COUNT, with :lin for equal steps")
     if len(rest[0]) > 10 or not 2 <= (size := int(rest[0])) <= MAX_VALUES:
-        raise MalformedQuantity(name, text, f"needs a count from 2 to {MAX_VALUES}")
+        raise QuantityError(name, text, f"needs a count from 2 to {MAX_VALUES}")
     low, high = parse_quantity(first, name), parse_quantity(last, name)
     if scale == "log" and not (low > 0 and high > 0):
-        raise MalformedQuantity(name, text, "has an end that is not positive; end it with :lin")
+        raise QuantityError(name, text, "has an end that is not positive; end it with :lin")
     if max(abs(low), abs(high)) == INFINITY:
-        raise MalformedQuantity(name, text, "has no end")
+        raise QuantityError(name, text, "has no end")
     return Spread(low, high, size, is_log=scale == "log")

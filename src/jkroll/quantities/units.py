@@ -1,22 +1,25 @@
-"""Text to SI numbers and back: a strict grammar, exact arithmetic, and pint as the authority on what a name means.
+"""Units: their names and powers as exact ratios to the SI base units, and numbers converted between them.
 
-A text is one decimal number and at most eight unit names with whole powers; nothing else is a quantity. pint never sees
-a user's text: it is asked what a single, validated name means, and only if the shipped table (made from pint) does
-not have it. Every value is computed as a ratio of integers and rounded to a double once.
+A unit is at most eight names with whole powers. pint never sees a user's text: it is asked for the meaning of a single,
+validated name, and only if the shipped table (made from pint) does not have it.
 """
 
 import re
+from collections.abc import Collection, Iterable
 from functools import cache, lru_cache
 from typing import NamedTuple
 
-from .errors import AmbiguousUnit, MalformedQuantity, UnknownUnit
+from ..text import closest, quoted, shown
 from .unit_table import BASE_UNITS, PLAIN, PREFIXABLE, PREFIXES
 
+MAX_TEXT = 80
 MAX_TERMS = 8
 MAX_NAME = 24
 MAX_POWER = 12
+SIMILAR = 0.5  # least similarity of a unit that is suggested
 
 Dimension = tuple[int, ...]
+Term = tuple[str, int]  # name and power
 NUMBER: Dimension = (0,) * len(BASE_UNITS)
 
 
@@ -28,6 +31,51 @@ class Unit(NamedTuple):
     dimension: Dimension
 
 
+class BadUnit(Exception):
+    """Error raised when a text is not a unit, or not a number with a unit.
+
+    Its words follow the quoted text: "has no unit".
+    """
+
+    def remedy(self, dimensions: Collection[Dimension]) -> str:  # noqa: ARG002
+        """Return what to type instead, for a unit of one of these dimensions; "" if the text does not tell."""
+        return ""
+
+
+class AmbiguousUnit(BadUnit):
+    """Error raised for a product after a division, which readers take in two ways: J/m m."""
+
+    def __init__(self, before: str, after: str) -> None:
+        before, after = shown(before), shown(after)
+        super().__init__(f"can be read as {before}*{after} or as {before}/{after}")
+
+    def remedy(self, dimensions: Collection[Dimension]) -> str:  # noqa: ARG002
+        """Return what to type instead."""
+        return "write the one that is meant"
+
+
+class UnknownUnit(BadUnit):
+    """Error raised for a name that neither the shipped table nor pint knows."""
+
+    def __init__(self, name: str, terms: Iterable[Term]) -> None:
+        super().__init__(f"has an unknown unit {quoted(name)}")
+        self.name, self.terms = name, tuple(terms)
+
+    def remedy(self, dimensions: Collection[Dimension]) -> str:
+        """Suggest a similar unit with which the whole text would have one of these dimensions."""
+        power = sum(power for name, power in self.terms if name == self.name)
+        try:
+            others = _product([term for term in self.terms if term[0] != self.name]).dimension
+        except BadUnit:
+            return ""
+        lacking = [[want - have for want, have in zip(wanted, others, strict=True)] for wanted in dimensions]
+        fitting = {
+            tuple(one // power for one in lack) for lack in lacking if power and not any(one % power for one in lack)
+        }
+        guess = similar_unit(self.name, fitting)
+        return f"did you mean {guess}?" if guess else ""
+
+
 # Characters that mean the same as one of ours. Whatever else is outside the grammar is refused.
 _SAME = str.maketrans(
     {"−": "-", "·": "*", "⋅": "*", "×": "*", "μ": "u", "µ": "u", "\u212b": "Å"}
@@ -36,21 +84,39 @@ _SAME = str.maketrans(
 _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
 _TERM = re.compile(r"([A-Za-zÅ°%_]+)(?: ?(?:\^|\*\*) ?([+-]?[0-9]+)|([+-]?[0-9]+)|([⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+))?")
 _SEPARATOR = re.compile(r" ?([*/]) ?| ")
+_RECIPROCAL = re.compile(r"(?:1 ?)?/ ?")
+
+
+def normalized(text: str) -> str:
+    """Return a text of at most MAX_TEXT characters with one spelling for signs, spaces and letters; BadUnit if it is longer."""
+    if len(text) > MAX_TEXT:
+        raise BadUnit(f"is longer than {MAX_TEXT} characters")
+    return text.strip().translate(_SAME)
+
+
+@lru_cache(maxsize=1000)
+def parse_unit(text: str) -> Unit:
+    """Read unit names with whole powers, joined by `*`, `/` or a space.
+
+    >>> parse_unit("mJ/m2").numerator, parse_unit("mJ/m2").denominator
+    (1, 1000)
+    """
+    return _product(_terms(normalized(text)))
 
 
 def dimension_of(unit: str) -> Dimension:
-    """Dimension of an SI unit as the nomenclature writes it, such as "N m" or "1"."""
+    """Return the dimension of an SI unit as the nomenclature writes it, such as "N m" or "1"."""
     return si_unit(unit).dimension
 
 
 @cache
 def si_unit(unit: str) -> Unit:
     """Read a unit of the nomenclature."""
-    return Unit(1, 1, NUMBER) if unit in ("1", "") else _parse_unit(unit, unit, unit)
+    return Unit(1, 1, NUMBER) if unit in ("1", "") else parse_unit(unit)
 
 
 def kind_of(dimension: Dimension) -> str:
-    """What a dimension is called: "a length".
+    """Return the name of a dimension, with its article.
 
     >>> kind_of(dimension_of("N"))
     'a force'
@@ -79,69 +145,91 @@ def convert(value: float, unit: Unit) -> float:
         return float("inf") if value > 0 else float("-inf")
 
 
-def _parse_unit(text: str, name: str, original: str) -> Unit:
-    """Read unit names with whole powers, joined by `*`, `/` or a space."""
-    numerator, denominator, dimension = 1, 1, NUMBER
-    position, sign, divided, terms = 0, 1, False, 0
-    if text.startswith(("1/", "1 /", "/")):
-        position, sign, divided = text.index("/") + 1, -1, True
-        position += text[position : position + 1] == " "
+def similar_unit(word: str, dimensions: Collection[Dimension]) -> str | None:
+    """Return the unit of one of these dimensions that a mistyped word probably is; None if no unit is similar.
+
+    >>> similar_unit("Gpa", [dimension_of("Pa")]), similar_unit("Nm", [dimension_of("N m")])
+    ('GPa', 'N m')
+    """
+    for place in range(1, len(word)):  # two units written as one word
+        first, second = _in_table(word[:place]), _in_table(word[place:])
+        if first and second and _sum(first.dimension, second.dimension) in dimensions:
+            return f"{word[:place]} {word[place:]}"
+    prefixed = {
+        prefix + unit: meaning
+        for unit, meaning in PREFIXABLE.items()
+        for prefix in PREFIXES
+        if (len(prefix) > 2) == (len(unit) > 3)  # a symbol takes a symbol, a word a word
+    }
+    known = {**PREFIXABLE, **PLAIN, **prefixed}
+    return closest(word, [unit for unit, (_, _, dimension) in known.items() if dimension in dimensions], SIMILAR)
+
+
+def _terms(text: str) -> list[Term]:
+    """Split the text of a unit into names and powers."""
+    reciprocal = _RECIPROCAL.match(text)
+    position, sign = (reciprocal.end(), -1) if reciprocal else (0, 1)
+    divided, terms = sign < 0, list[Term]()
     while position < len(text) or sign < 0:
         match = _TERM.match(text, position)
         if match is None:
-            raise MalformedQuantity(name, original, "is not a number and a unit")
+            raise BadUnit("is not a number and a unit")
         position = match.end()
-        factor = _named(match[1], name, original)
-        power_text = match[2] or match[3] or (match[4] or "1").translate(_SUPERSCRIPTS)
-        power = sign * int(power_text) if len(power_text) <= 3 else MAX_POWER + 1
-        terms += 1
-        if abs(power) > MAX_POWER or terms > MAX_TERMS:
-            raise MalformedQuantity(name, original, f"has more than {MAX_TERMS} units or a power above {MAX_POWER}")
-        up, down = (factor.numerator, factor.denominator) if power > 0 else (factor.denominator, factor.numerator)
-        numerator, denominator = numerator * up ** abs(power), denominator * down ** abs(power)
-        dimension = tuple(total + power * one for total, one in zip(dimension, factor.dimension, strict=True))
+        power = match[2] or match[3] or (match[4] or "1").translate(_SUPERSCRIPTS)
+        if len(terms) == MAX_TERMS or len(power) > 3 or abs(int(power)) > MAX_POWER:
+            raise BadUnit(f"has more than {MAX_TERMS} units or a power above {MAX_POWER}")
+        terms.append((match[1], sign * int(power)))
         if position == len(text):
             break
         separator = _SEPARATOR.match(text, position)
         if separator is None or separator.end() == len(text):
-            raise MalformedQuantity(name, original, "is not a number and a unit")
+            raise BadUnit("is not a number and a unit")
         if divided and separator[1] is None:
-            raise AmbiguousUnit(name, original, text[: separator.start()], text[separator.end() :])
+            raise AmbiguousUnit(text[: separator.start()], text[separator.end() :])
         sign = -1 if separator[1] == "/" else 1
         divided = divided or sign < 0
         position = separator.end()
+    return terms
+
+
+def _product(terms: Iterable[Term]) -> Unit:
+    """Multiply units to their powers."""
+    terms = list(terms)
+    numerator, denominator, dimension = 1, 1, NUMBER
+    for name, power in terms:
+        factor = _in_table(name) or _in_pint(name)
+        if factor is None:
+            raise UnknownUnit(name, terms)
+        up, down = (factor.numerator, factor.denominator) if power > 0 else (factor.denominator, factor.numerator)
+        numerator, denominator = numerator * up ** abs(power), denominator * down ** abs(power)
+        dimension = _sum(dimension, tuple(power * one for one in factor.dimension))
     return Unit(numerator, denominator, dimension)
 
 
-def _named(unit_name: str, name: str, original: str) -> Unit:
-    """What one unit name means: as the shipped table has it, else as pint does."""
-    unit = _in_table(unit_name)
-    if unit is None and len(unit_name) <= MAX_NAME:
-        unit = _in_pint(unit_name)
-    if unit is None:
-        raise UnknownUnit(name, original, unit_name)
-    return unit
+def _sum(first: Dimension, second: Dimension) -> Dimension:
+    return tuple(one + other for one, other in zip(first, second, strict=True))
 
 
-def _in_table(unit_name: str) -> Unit | None:
-    found = PLAIN.get(unit_name) or PREFIXABLE.get(unit_name)
+def _in_table(name: str) -> Unit | None:
+    """Return the meaning of a unit name, with or without a prefix, in the shipped table."""
+    found = PLAIN.get(name) or PREFIXABLE.get(name)
     if found is not None:
         return Unit(*found)
-    for length in range(1, len(unit_name)):
-        power_of_ten = PREFIXES.get(unit_name[:length])
-        found = PREFIXABLE.get(unit_name[length:])
-        if power_of_ten is not None and found is not None:
+    for length in range(1, len(name)):
+        exponent = PREFIXES.get(name[:length])
+        found = PREFIXABLE.get(name[length:])
+        if exponent is not None and found is not None:
             numerator, denominator, dimension = found
-            if power_of_ten > 0:
-                return Unit(numerator * 10**power_of_ten, denominator, dimension)
-            return Unit(numerator, denominator * 10**-power_of_ten, dimension)
+            return Unit(numerator * 10 ** max(exponent, 0), denominator * 10 ** max(-exponent, 0), dimension)
     return None
 
 
 @lru_cache(maxsize=1000)
-def _in_pint(unit_name: str) -> Unit | None:
-    """Pint's meaning of a single validated name; None for a name it does not know or that is not a plain factor."""
+def _in_pint(name: str) -> Unit | None:
+    """Return pint's meaning of a unit name; None for a long name, and for one that pint does not know as a plain factor."""
+    if len(name) > MAX_NAME:
+        return None
     from .pint_names import lookup
 
-    found = lookup(unit_name)
+    found = lookup(name)
     return None if found is None else Unit(*found)

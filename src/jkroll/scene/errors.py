@@ -57,59 +57,73 @@ class ShapeMismatch(JkrollError):
 
 
 class BeyondPullOff(NoResult):
-    """Error raised for a tension larger than the pull-off force: there is no contact."""
+    """Error raised at a tension larger than the pull-off force, where there is no contact."""
+
+    name = "load"
 
     def __init__(self, load: float, pull_off_force: float) -> None:
         super().__init__(load, pull_off_force)
         self.load, self.pull_off_force = load, pull_off_force
 
-    def __str__(self) -> str:
-        return f"load: {self.load!r} N is beyond pull-off; this contact holds down to {-self.pull_off_force!r} N"
+    def reason(self) -> str:
+        """Return which loads this contact holds."""
+        return f"{self.load!r} N is beyond pull-off; this contact holds down to {-self.pull_off_force!r} N"
 
 
 class BeyondFold(NoResult):
-    """Error raised for an approach at which even fixed grips have let go."""
+    """Error raised at an approach at which even fixed grips have let go."""
+
+    name = "approach_at_load"
 
     def __init__(self, approach: float, least: float) -> None:
         super().__init__(approach, least)
         self.approach, self.least = approach, least
 
-    def __str__(self) -> str:
-        return f"approach_at_load: {self.approach!r} m is beyond the fold; fixed grips hold this contact down to {self.least!r} m"
+    def reason(self) -> str:
+        """Return which approaches this contact holds."""
+        return f"{self.approach!r} m is beyond the fold; fixed grips hold this contact down to {self.least!r} m"
 
 
 class TwoRigidBodies(NoResult):
-    """Error raised for two rigid bodies, which have no area of contact."""
+    """Error raised where both bodies are rigid, so that there is no area of contact."""
 
-    def __str__(self) -> str:
-        return "contact_modulus: both bodies are rigid; a contact area needs one that yields"
+    name = "contact_modulus"
+
+    def reason(self) -> str:
+        """Return what a contact area needs."""
+        return "both bodies are rigid; a contact area needs one that yields"
 
 
 class NoChain(NoResult):
-    """Error raised for a chain of spheres and planes."""
+    """Error raised for a chain that has a plane in it."""
 
-    def __str__(self) -> str:
-        return "r_min: sphere 2 is a plane; a chain needs two spheres"
+    name = "r_min"
+
+    def reason(self) -> str:
+        """Return what a chain needs."""
+        return "sphere 2 is a plane; a chain needs two spheres"
 
 
 class NoVibration(NoResult):
-    """Error raised for free spheres between pull-off and the fold, where the contact does not hold them."""
+    """Error raised between pull-off and the fold, where free spheres are not held together."""
 
-    def __str__(self) -> str:
-        return "vertical_frequency: beyond pull-off only fixed grips hold the contact; free spheres fly apart"
+    name = "vertical_frequency"
+
+    def reason(self) -> str:
+        """Return why nothing vibrates."""
+        return "beyond pull-off only fixed grips hold the contact; free spheres fly apart"
 
 
 class NoFiniteValue(NoResult):
-    """Error raised for a result that is infinite, or that leaves the normal doubles on the way to it."""
+    """Error raised for a result outside the range of doubles, or without limit."""
 
     def __init__(self, name: str, value: float) -> None:
         super().__init__(name, value)
         self.name, self.value = name, value
 
-    def __str__(self) -> str:
-        return f"{self.name}: " + (
-            "no finite value for these inputs" if abs(self.value) > 1 else "no value that a double can hold"
-        )
+    def reason(self) -> str:
+        """Return on which side of the range of doubles the result lies."""
+        return "no finite value for these inputs" if abs(self.value) > 1 else "no value that a double can hold"
 
 
 class NoUnstableState(NoResult):
@@ -119,11 +133,12 @@ class NoUnstableState(NoResult):
         super().__init__(name)
         self.name = name
 
-    def __str__(self) -> str:
-        return f"{self.name}: only a tension, or an approach below 0, has a second, unstable state"
+    def reason(self) -> str:
+        """Return where there is an unstable state."""
+        return "only a tension, or an approach below 0, has a second, unstable state"
 
 
-def reason(name: str, given: Mapping[str, Any]) -> NoResult | None:
+def failure_of(name: str, given: Mapping[str, Any]) -> NoResult | None:
     """Return why a formula has no result for these numbers, if the physics forbids it."""
     found: NoResult | None = None
     match name:

@@ -10,7 +10,7 @@ from typing import Any
 from ..errors import JkrollError
 from ..materials.library import Material
 from ..quantities.nomenclature import INFINITY, PROPERTIES
-from .errors import Contradiction, MissingInput, NoFiniteValue, reason
+from .errors import Contradiction, MissingInput, NoFiniteValue, failure_of
 from .inputs import check_range, is_ordinary
 from .wiring import NO_PLAN, STATE, Missing, Plan, Step, plan
 
@@ -169,7 +169,7 @@ class Scene:
                 value = INFINITY
             if isinstance(value, float) and not is_plausible(name, value):
                 given = {parameter: values[source] for parameter, source in arguments}
-                failures[name] = reason(name, given) or NoFiniteValue(name, value)
+                failures[name] = failure_of(name, given) or NoFiniteValue(name, value)
             else:
                 values[name] = value
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from ..errors import JkrollError
 from ..materials.library import Material, Materials, known_materials
-from ..quantities.errors import MalformedQuantity, UnknownQuantity
+from ..quantities.errors import QuantityError, UnknownQuantity
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.parsing import parse_quantity
 from ..text import MAX_QUOTED
@@ -95,7 +95,7 @@ def _materials(
     known = materials or known_materials()
     for argument, name in (("material", material), ("material2", material2)):
         if not isinstance(name, str | None):
-            raise MalformedQuantity(argument, str(name)[:MAX_QUOTED], "is not the name of one material")
+            raise QuantityError(argument, str(name)[:MAX_QUOTED], "is not the name of one material")
     return (
         known[material] if material is not None else None,
         known[material2] if material2 is not None else None,
@@ -184,7 +184,7 @@ def _in_si(given: Mapping[str, Any]) -> tuple[dict[str, Any], Any]:
         if hasattr(value, "m_as"):
             registry = value._REGISTRY
             if not value.is_compatible_with(NOMENCLATURE[name].unit):
-                raise MalformedQuantity(name, str(value), "is of another dimension")
+                raise QuantityError(name, str(value), "is of another dimension")
             value = value.m_as(NOMENCLATURE[name].unit)  # noqa: PLW2901
         values[name] = _number(name, value)
     return values, registry
@@ -206,11 +206,11 @@ def as_floats(name: str, value: Any) -> Any:
     import numpy
 
     if numpy.ma.isMaskedArray(value):
-        raise MalformedQuantity(name, "a masked array", "has cells without a value; fill it first")
+        raise QuantityError(name, "a masked array", "has cells without a value; fill it first")
     try:
         array = numpy.asarray(value)
         if array.dtype.kind in "fiu":
             return array.astype(float, copy=False) if array.ndim else float(array)
     except (ValueError, OverflowError):
         pass
-    raise MalformedQuantity(name, str(value)[:MAX_QUOTED], "is not a number")
+    raise QuantityError(name, str(value)[:MAX_QUOTED], "is not a number")

@@ -1,0 +1,41 @@
+"""Text for a terminal: the size of the terminal, and what is shown of a user's text."""
+
+import pytest
+
+from harness import Run
+from jkroll.text import MAX_QUOTED, MAX_SIZE, columns, quoted, rows
+
+
+@pytest.mark.parametrize(
+    ("stated", "size"), [("100", 100), ("1", 1), ("9999999", MAX_SIZE), ("9" * 5000, MAX_SIZE), ("0100", 100)]
+)
+def test_a_stated_size_of_the_terminal_is_bounded(monkeypatch: pytest.MonkeyPatch, stated: str, size: int) -> None:
+    monkeypatch.setenv("COLUMNS", stated)
+    monkeypatch.setenv("LINES", stated)
+    assert (columns(), rows()) == (size, size)
+
+
+@pytest.mark.parametrize("stated", ["", "0", "-5", "1e3", "x", "٣"])
+def test_a_size_that_is_no_number_is_ignored(monkeypatch: pytest.MonkeyPatch, stated: str) -> None:
+    monkeypatch.delenv("COLUMNS")
+    monkeypatch.delenv("LINES")
+    own = columns(), rows()
+    monkeypatch.setenv("COLUMNS", stated)
+    monkeypatch.setenv("LINES", stated)
+    assert (columns(), rows()) == own
+
+
+@pytest.mark.parametrize(
+    "line", ["report quartz 100nm", "materials", "pull-off --help", "map pull-off quartz --x radius=1nm:1mm"]
+)
+def test_no_output_grows_with_a_huge_terminal(run: Run, monkeypatch: pytest.MonkeyPatch, line: str) -> None:
+    monkeypatch.setenv("COLUMNS", "9999999")
+    ran = run(line, terminal=True)
+    assert ran.code == 0
+    assert max(map(len, ran.out.splitlines())) <= MAX_SIZE
+
+
+def test_a_quoted_text_is_short_and_printable() -> None:
+    text = quoted("\x1b[2J\u202e\n" * 1000)
+    assert text.isprintable()
+    assert len(text) <= MAX_QUOTED + len("'...'")
