@@ -82,7 +82,7 @@ def test_a_row_is_the_one_liner(run: Run, line: str) -> None:
     for name in results:
         if name in wanted:
             assert bool(found[name]) == bool(wanted[name]), name
-            assert not found[name] or ulps(float(found[name]), float(wanted[name])) <= 1, name
+            assert not found[name] or ulps(float(found[name]), float(wanted[name])) <= 4, name
 
 
 def both_ways(text: str) -> Iterator[tuple[str, list[float], list[float], str, str]]:
@@ -108,7 +108,7 @@ def agree(size: int, seed: int) -> None:
         for value, other in zip(singly, together, strict=True):
             assert math.isnan(value) == math.isnan(other), line
             if not math.isnan(value):
-                assert value == other or ulps(other, value) <= 1, line
+                assert value == other or ulps(other, value) <= 4, line
                 checked += 1
     assert checked > size
 

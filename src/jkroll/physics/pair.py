@@ -7,7 +7,7 @@ infinite).
 from __future__ import annotations
 
 from .dimensions import Density, Inertia, Length, Mass, Number, Stress, SurfaceEnergy
-from .elementary import pi, smaller_and_larger, sqrt
+from .elementary import cube, pi, smaller_and_larger, sqrt
 
 
 def work_of_adhesion(*, surface_energy: SurfaceEnergy, surface_energy2: SurfaceEnergy) -> SurfaceEnergy:
@@ -110,7 +110,7 @@ def mass(*, radius: Length, density: Density) -> Mass:
     >>> f"{mass(radius=1e-7, density=2600.0):.4e}"
     '1.0891e-17'
     """
-    return 4 / 3 * pi * radius**3 * density
+    return 4 / 3 * pi * cube(radius) * density
 
 
 def reduced_mass(*, mass: Mass, mass2: Mass) -> Mass:

@@ -7,7 +7,7 @@ exceed it by as much again.
 from __future__ import annotations
 
 from .dimensions import Angle, Force, Length, Moment, Number, RollingStiffness, Stress, SurfaceEnergy
-from .elementary import pi
+from .elementary import cube, pi
 
 
 def yield_moment(*, pull_off_force: Force, load_factor: Number, yield_displacement: Length) -> Moment:
@@ -255,7 +255,7 @@ def half_circles_moment(
     ...                     reduced_radius=1.0)
     5.0
     """
-    cubic = contact_modulus * contact_radius_at_load * yield_displacement**3 / reduced_radius
+    cubic = contact_modulus * contact_radius_at_load * cube(yield_displacement) / reduced_radius
     return yield_moment + 2 * cubic
 
 
@@ -286,5 +286,5 @@ def fixed_approach_moment(
     ...                       reduced_radius=1.0)
     3.0
     """
-    cubic = contact_modulus * contact_radius_at_load * yield_displacement**3 / reduced_radius
+    cubic = contact_modulus * contact_radius_at_load * cube(yield_displacement) / reduced_radius
     return yield_moment + cubic

@@ -17,7 +17,7 @@ from .dimensions import (
     Stiffness,
     SurfaceEnergy,
 )
-from .elementary import pi, sqrt
+from .elementary import cube, pi, sqrt
 
 
 def sphere_acceleration(*, load: Force, mass: Mass) -> Acceleration:
@@ -136,7 +136,7 @@ def rolling_frequency_as_printed(*, work_of_adhesion: SurfaceEnergy, radius: Len
     >>> f"{rolling_frequency_as_printed(work_of_adhesion=0.2, radius=1e-7, density=2000.0):.3e}"
     '4.775e+07'
     """
-    return 3 / (2 * pi) * sqrt(work_of_adhesion / (10 * radius**3 * density))
+    return 3 / (2 * pi) * sqrt(work_of_adhesion / (10 * cube(radius) * density))
 
 
 def rolling_frequency_no_slip(*, work_of_adhesion: SurfaceEnergy, load_factor: Number, rolling_mass: Mass) -> Frequency:
