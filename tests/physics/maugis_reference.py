@@ -39,7 +39,9 @@ def approach(a: Exact, m: Exact, transition: Exact) -> Exact:
     return a**2 - 4 * transition * a * sqrt(m * m - 1) / 3
 
 
-def solve(equation: Callable[[Exact, Exact], Exact], transition: Exact, start: tuple[float, float]) -> tuple[Exact, Exact]:
+def solve(
+    equation: Callable[[Exact, Exact], Exact], transition: Exact, start: tuple[float, float]
+) -> tuple[Exact, Exact]:
     """Return the Ā and m that satisfy the first equation and another one; the start is an Ā and a √(m² − 1)."""
 
     def system(log_a: Exact, log_t: Exact) -> tuple[Exact, Exact]:
@@ -120,8 +122,12 @@ def energy(m: Exact, transition: Exact) -> Exact:
 
     def power(angle: Exact) -> Exact:
         at = 1 / digits.cos(angle)
-        a = radius_of(at, transition)
-        return load(a, at, transition) * slopes(a, at, transition)[1] * at * digits.tan(angle)
+        return load(radius_of(at, transition), at, transition) * slope_of(angle)
 
-    last = arcsec(m)
-    return apart + digits.quad(power, digits.linspace(pi / 2 - mpf(10) ** -30, last, 5))
+    def slope_of(angle: Exact) -> Exact:
+        step = mpf(10) ** (-digits.dps // 3)
+        here, there = (1 / digits.cos(angle + side) for side in (step, -step))
+        first, last = (approach(radius_of(m, transition), m, transition) for m in (here, there))
+        return (first - last) / (2 * step)
+
+    return apart + digits.quad(power, [pi / 2, arcsec(m)], method="gauss-legendre")

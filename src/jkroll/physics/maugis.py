@@ -11,7 +11,7 @@ from . import dugdale
 from .dimensions import Energy, Force, Length, Moment, Number, Stiffness, Stress, SurfaceEnergy
 from .elementary import cbrt, pi, sqrt, where
 
-TRANSITION_OVER_TABOR = 1.1570116348507994  # (32/(9√3))·(9/(16π))^(1/3)
+TRANSITION_OVER_TABOR = 1.1570116348507993  # (32/(9√3))·(9/(16π))^(1/3)
 
 
 # --- The law of attraction ------------------------------------------------------------------------------------------
@@ -44,7 +44,7 @@ def cohesive_stress(*, work_of_adhesion: SurfaceEnergy, atomic_spacing: Length) 
     >>> round(cohesive_stress(work_of_adhesion=9.0, atomic_spacing=16.0), 7)
     0.5773503
     """
-    return 1.0264004785593347 * (work_of_adhesion / atomic_spacing)
+    return 1.0264004785593346 * (work_of_adhesion / atomic_spacing)
 
 
 # --- States ---------------------------------------------------------------------------------------------------------
@@ -58,7 +58,7 @@ def edge_ratio_at_load(
         v = a/√(c² − a²)
 
     Source:   Maugis 1992, by Newton's method.
-    Valid:    Loads above the pull-off force. Beyond, a float raises ValueError and an array holds NaN.
+    Valid:    Loads from pull-off to 10⁶ times as much. Below, a float raises ValueError and an array holds NaN.
     Accuracy: 10 ulp, times 1 plus its condition in the load and λ.
 
     >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0}
@@ -272,7 +272,7 @@ def stiffness_maugis(
     """
     at = dugdale.shape(edge_ratio)
     q = 2 * cohesive_stress / contact_modulus * (reduced_radius / zone_span)
-    return 2 * contact_modulus * zone_span * (at.v * at.g3 - q * at.d) / (at.g3 - q * at.h)
+    return 2 * contact_modulus * zone_span * dugdale.stiffness_ratio(at, q)
 
 
 def state_energy_maugis(
@@ -445,7 +445,9 @@ def pull_off_work_maugis(
     >>> round(pull_off_work_maugis(transition_parameter=1e6, **unit) / 1.65096362, 5)
     1.27338
     """
-    work = _held_to(transition_parameter, dugdale.lowest_approach(transition_parameter)) - _unloaded(transition_parameter)
+    work = _held_to(transition_parameter, dugdale.lowest_approach(transition_parameter)) - _unloaded(
+        transition_parameter
+    )
     return work * _energy(work_of_adhesion, reduced_radius, contact_modulus)
 
 
@@ -468,7 +470,9 @@ def pull_off_work_at_dead_load_maugis(
     >>> round(pull_off_work_at_dead_load_maugis(transition_parameter=1e6, **unit) / 1.65096362, 5)
     0.88252
     """
-    work = _touching(transition_parameter, dugdale.pull_off_ratio(transition_parameter)) - _unloaded(transition_parameter)
+    work = _touching(transition_parameter, dugdale.pull_off_ratio(transition_parameter)) - _unloaded(
+        transition_parameter
+    )
     return work * _energy(work_of_adhesion, reduced_radius, contact_modulus)
 
 
