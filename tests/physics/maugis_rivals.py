@@ -14,7 +14,7 @@ from maugis_reference import Exact, at_load, mpf
 def fitted_pull_off(transition: float) -> float:
     """Return P̄ at pull-off after Carpick, Ogletree & Salmeron."""
     power = 4.04 * transition**1.4
-    return -(7 / 4 - (power - 1) / (power + 1) / 4)
+    return -float(7 / 4 - (power - 1) / (power + 1) / 4)
 
 
 def fitted_alpha(transition: float) -> float:
@@ -25,7 +25,7 @@ def fitted_alpha(transition: float) -> float:
 def fitted_unloaded_radius(transition: float) -> float:
     """Return their Ā without load."""
     power = 2.28 * transition**1.3
-    return 1.54 + 0.279 * (power - 1) / (power + 1)
+    return float(1.54 + 0.279 * (power - 1) / (power + 1))
 
 
 def carpick_radius(load: Any, transition: float) -> Any:

@@ -324,3 +324,13 @@ def test_rolling_moment_of_a_three_dimensional_contact(transition: float, points
     lag = 0.05 * values["radius"]
     found = rolling_moment(transition=transition, load=0.0, zone_radius=values["zone"], lag=lag, points=points)
     assert math.isclose(found, values["moment"] * lag, rel_tol=bound)
+
+
+@pytest.mark.parametrize(
+    ("tabor", "ratio"), [(0.03, 1.99468), (0.1, 1.96896), (0.5, 1.78748), (1.0, 1.67068), (2.0, 1.58349)]
+)
+def test_pull_off_of_lennard_jones(tabor: float, ratio: float) -> None:
+    """Numbers of tests/tools/lennard_jones.py."""
+    assert math.isclose(
+        maugis.pull_off_force_lennard_jones(**_without_modulus(), tabor_parameter=tabor), ratio, rel_tol=3e-3
+    )

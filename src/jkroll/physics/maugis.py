@@ -334,7 +334,7 @@ def pull_off_force_lennard_jones(
         P_c = πwR(3/2 + ½/(1 + 1.95 μ^1.4))
 
     Source:   Fit to numerical solutions of the elastic half-space; tests/tools/lennard_jones.py makes them.
-    Valid:    Within 0.3 % for 0.01 ≤ μ ≤ 3.
+    Valid:    Within 0.3 % for 0.01 ≤ μ ≤ 2.
     Accuracy: As the fit.
 
     >>> round(pull_off_force_lennard_jones(work_of_adhesion=1 / pi, reduced_radius=1.0, tabor_parameter=1.0), 4)
@@ -416,7 +416,7 @@ def well_energy_maugis(
         U = −Φ(P = 0)
 
     Source:   Integral of Maugis' solution along its curve.
-    Valid:    Quasi-static; it grows as 2πwR/(πλ) per unit of approach towards DMT, where the range is infinite.
+    Valid:    Quasi-static; towards DMT it grows as 2/(πλ) πwR(π²w²R/K²)^(1/3).
     Accuracy: 20 ulp.
 
     >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
