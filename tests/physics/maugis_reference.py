@@ -111,8 +111,9 @@ def _extreme(which: int, transition: Exact, start: float) -> tuple[Exact, Exact]
 
 
 def energy(m: Exact, transition: Exact) -> Exact:
-    """Return Φ̄ at a state by quadrature of the force along the curve: from where attraction begins, without contact at
-    first, to where the spheres touch, and on to the state.
+    """Return Φ̄ at a state by quadrature of the force along the curve.
+
+    It leads from where attraction begins, without contact at first, to where the spheres touch, and on to the state.
     """
     b = 8 * transition / (3 * pi)
     quarter = pi * transition / 4

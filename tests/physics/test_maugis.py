@@ -11,7 +11,7 @@ import pytest
 from maugis_boundary_elements import rolling_moment
 from maugis_reference import Exact, mpf
 
-from jkroll.physics import dugdale, maugis
+from jkroll.physics import dugdale, maugis, maugis_energies, maugis_pull_off
 
 BOUND = 10.0  # ulp, times 1 plus the condition in the load or approach and in λ
 UNIT = {"work_of_adhesion": 1 / math.pi, "reduced_radius": 1.0, "contact_modulus": 0.75}  # all three units are 1
@@ -85,7 +85,10 @@ def check(solve: Any, transition: float, given: float, edge_ratio: float, names:
 @pytest.mark.parametrize("transition", PRINTED)
 def test_reference_values(transition: float) -> None:
     pull_off, *unloaded = map(mpf, PRINTED[transition].split())
-    assert ulps(maugis.pull_off_force_maugis(**_without_modulus(), transition_parameter=transition), pull_off) <= BOUND
+    assert (
+        ulps(maugis_pull_off.pull_off_force_maugis(**_without_modulus(), transition_parameter=transition), pull_off)
+        <= BOUND
+    )
     values = state(transition, dugdale.ratio_at_load(transition, 0.0))
     for name, exact in zip(("radius", "approach", "stiffness", "energy"), unloaded, strict=True):
         assert ulps(abs(values[name]), exact) <= BOUND, name
@@ -153,7 +156,7 @@ def gap_energy(transition: float, zone: float) -> float:
 @pytest.mark.parametrize("transition", [0.01, 0.3, 0.6])
 def test_sticking_energy_where_neither_jump_touches(transition: float) -> None:
     b = 8 * transition / (3 * math.pi)
-    value = maugis.sticking_energy_maugis(**UNIT, transition_parameter=transition)
+    value = maugis_energies.sticking_energy_maugis(**UNIT, transition_parameter=transition)
     assert math.isclose(value, 17 / 24 * math.pi * transition * b**4, rel_tol=1e-14)
     difference = gap_energy(transition, b) - gap_energy(transition, 2 * b)
     assert math.isclose(value, difference, rel_tol=1e-9, abs_tol=1e-14)
@@ -161,7 +164,8 @@ def test_sticking_energy_where_neither_jump_touches(transition: float) -> None:
 
 @pytest.mark.parametrize("edge", [dugdale.FOLD_WITHOUT_CONTACT, dugdale.JUMP_WITHOUT_CONTACT])
 @pytest.mark.parametrize(
-    "energy", [maugis.sticking_energy_maugis, maugis.pull_off_work_maugis, maugis.well_energy_maugis]
+    "energy",
+    [maugis_energies.sticking_energy_maugis, maugis_energies.pull_off_work_maugis, maugis_energies.well_energy_maugis],
 )
 def test_energies_are_continuous(energy: Any, edge: float) -> None:
     below, above = (energy(**UNIT, transition_parameter=edge * (1 + side)) for side in (-1e-9, 1e-9))
@@ -175,8 +179,8 @@ def test_constants() -> None:
     assert ulps(dugdale.FOLD_WITHOUT_CONTACT, reference.cbrt(9 * pi / (16 * (pi - 1)))) <= 0.5
     assert ulps(dugdale.JUMP_WITHOUT_CONTACT, reference.cbrt(mpf(9) / 32)) <= 0.5
     root = reference.sqrt(mpf(3))
-    assert ulps(maugis.TRANSITION_OVER_TABOR, 32 / (9 * root) * reference.cbrt(9 / (16 * pi))) <= 0.5
-    assert ulps(maugis.cohesive_stress(work_of_adhesion=1.0, atomic_spacing=1.0), 16 / (9 * root)) <= 0.5
+    assert ulps(maugis_pull_off.TRANSITION_OVER_TABOR, 32 / (9 * root) * reference.cbrt(9 / (16 * pi))) <= 0.5
+    assert ulps(maugis_pull_off.cohesive_stress(work_of_adhesion=1.0, atomic_spacing=1.0), 16 / (9 * root)) <= 0.5
 
 
 @pytest.mark.parametrize("transition", [0.2, 0.5, 0.7, 0.9, 0.937])
@@ -221,13 +225,13 @@ def test_limit_of_jkr() -> None:
     assert math.isclose(values["moment"], 6.0, rel_tol=1e-7)  # 4P_c
     unit = 1.5 * 6 ** (2 / 3) / 3  # P_cδ0
     for energy, factor in (
-        (maugis.well_energy_maugis, 6 / 5),
-        (maugis.pull_off_work_maugis, 6 / 5 + 2 / 15 * 6 ** (-1 / 3)),
-        (maugis.pull_off_work_at_dead_load_maugis, 6 / 5 - 2 / 5 * 2 ** (-1 / 3)),
+        (maugis_energies.well_energy_maugis, 6 / 5),
+        (maugis_energies.pull_off_work_maugis, 6 / 5 + 2 / 15 * 6 ** (-1 / 3)),
+        (maugis_energies.pull_off_work_at_dead_load_maugis, 6 / 5 - 2 / 5 * 2 ** (-1 / 3)),
     ):
         assert math.isclose(energy(**UNIT, transition_parameter=transition), factor * unit, rel_tol=1e-7)
     stick = (2 / 15 * 6 ** (-1 / 3) + 4 / 5 * (2 / 3) ** (1 / 3)) * unit
-    value = maugis.sticking_energy_maugis(**UNIT, transition_parameter=transition)
+    value = maugis_energies.sticking_energy_maugis(**UNIT, transition_parameter=transition)
     assert math.isclose(value, stick * (1 - 0.666 / transition), rel_tol=1e-6)
 
 
@@ -253,10 +257,10 @@ def test_arrays_give_the_numbers_of_floats() -> None:
     transitions = numpy.geomspace(1e-3, 1e3, 50)
     scenes = {name: numpy.full(50, value) for name, value in UNIT.items()}
     for formula in (
-        maugis.well_energy_maugis,
-        maugis.pull_off_work_maugis,
-        maugis.pull_off_work_at_dead_load_maugis,
-        maugis.sticking_energy_maugis,
+        maugis_energies.well_energy_maugis,
+        maugis_energies.pull_off_work_maugis,
+        maugis_energies.pull_off_work_at_dead_load_maugis,
+        maugis_energies.sticking_energy_maugis,
     ):
         values = formula(**scenes, transition_parameter=transitions)
         singles = [formula(**UNIT, transition_parameter=each) for each in transitions.tolist()]
@@ -267,8 +271,8 @@ def test_si_formulas_agree_with_each_other() -> None:
     scene = {"work_of_adhesion": 0.05, "reduced_radius": 50e-9}
     modulus, spacing, load = {"contact_modulus": 27.8e9}, 0.4e-9, 3e-9
     tabor = (50e-9 * 0.05**2 / (27.8e9**2 * spacing**3)) ** (1 / 3)
-    transition = maugis.transition_parameter(tabor_parameter=tabor)
-    stress = maugis.cohesive_stress(work_of_adhesion=0.05, atomic_spacing=spacing)
+    transition = maugis_pull_off.transition_parameter(tabor_parameter=tabor)
+    stress = maugis_pull_off.cohesive_stress(work_of_adhesion=0.05, atomic_spacing=spacing)
     ratio = maugis.edge_ratio_at_load(load=load, transition_parameter=transition, **scene)
     span = maugis.zone_span(edge_ratio=ratio, transition_parameter=transition, **scene, **modulus)
     known = {"edge_ratio": ratio, "zone_span": span, "reduced_radius": 50e-9, "cohesive_stress": stress, **modulus}
@@ -279,7 +283,7 @@ def test_si_formulas_agree_with_each_other() -> None:
     )
     assert math.isclose(again, ratio, rel_tol=1e-12)
     a = maugis.contact_radius_maugis(edge_ratio=ratio, zone_span=span)
-    moment = maugis.yield_moment_maugis(
+    moment = maugis_pull_off.yield_moment_maugis(
         edge_ratio=ratio, zone_span=span, cohesive_stress=stress, yield_displacement=2e-10
     )
     assert math.isclose(moment, (4 * 27.8e9 * a**3 / (3 * 50e-9) - load) * 2e-10, rel_tol=1e-12)
@@ -332,5 +336,5 @@ def test_rolling_moment_of_a_three_dimensional_contact(transition: float, points
 def test_pull_off_of_lennard_jones(tabor: float, ratio: float) -> None:
     """Numbers of tests/tools/lennard_jones.py."""
     assert math.isclose(
-        maugis.pull_off_force_lennard_jones(**_without_modulus(), tabor_parameter=tabor), ratio, rel_tol=3e-3
+        maugis_pull_off.pull_off_force_lennard_jones(**_without_modulus(), tabor_parameter=tabor), ratio, rel_tol=3e-3
     )

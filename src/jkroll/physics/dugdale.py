@@ -33,6 +33,11 @@ _NARROW = 0.2
 _LAG_COEFFICIENTS = tuple(4 * k / (4 * k * k - 1) for k in range(12, 0, -1))
 
 
+def length_unit(work_of_adhesion: Any, reduced_radius: Any, contact_modulus: Any) -> Any:
+    """Return the unit of lengths along the surface, (πwR²/K)^(1/3)."""
+    return cbrt(3 / 4 * pi * (work_of_adhesion / contact_modulus) * reduced_radius * reduced_radius)
+
+
 class Shape(NamedTuple):
     """The functions of the edge ratio that the module names."""
 
