@@ -2,8 +2,9 @@
 
 from random import Random
 
-from jkroll.answers.questions import COMMANDS
-from jkroll.cli.options import Option, options_named
+from jkroll.answers.questions import QUESTIONS
+from jkroll.cli.commands import COMMANDS
+from jkroll.cli.options import Option
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.quantities.unit_table import PLAIN, PREFIXABLE, PREFIXES
 
@@ -38,7 +39,7 @@ VALUES = {
     "mark": ("quartz@100nm", "@1um", "iron", "quartz@100nm,@1nm", "quarz@1nm", "@", "quartz@", "@5nN", ",", "a@b@c", ""),
 }  # fmt: skip
 # How often each command is drawn: figures, tables and the audit take a hundred times as long as a scene.
-WEIGHTS = dict.fromkeys(COMMANDS, 100.0)
+WEIGHTS = dict.fromkeys(QUESTIONS, 100.0)
 WEIGHTS |= {"materials": 50, "batch": 12, "map": 16, "figure": 1, "verify": 0.3, "bench": 1}
 HOSTILE = (
     "", " ", "-", "--", "---", "=", "-=", "--=", "-h", "--help", "--version", "--debug", "-V", "--install-completion=x",
@@ -57,7 +58,7 @@ def command_line(source: Random) -> list[str]:
     """One command line: a command, words and options, of which some are not meant so."""
     (name,) = source.choices([*WEIGHTS], [*WEIGHTS.values()])
     words = [name, *_words(source, name)]
-    options = [option for option in options_named(name) if option.name not in ("dask", "plot")]  # they take seconds
+    options = [option for option in COMMANDS[name].options() if option.name not in ("dask", "plot")]  # they take seconds
     for _ in range(min(LONGEST, int(source.expovariate(0.7)))):
         words += _option(source, name, source.choice(options))
     if source.random() < 0.12:
@@ -85,7 +86,7 @@ def _words(source: Random, name: str) -> list[str]:
         return [source.choice(TABLES), *["-o", source.choice(TARGETS)] * (source.random() < 0.8), *jobs]
     if name == "map":
         axes = ["--x", _axis(source), *["--y", _axis(source)] * (source.random() < 0.4)]
-        return [source.choice([*QUANTITIES, *(*COMMANDS,) * 9]), *scene[: source.choice((0, 1, 1, 1, 2))], *axes]
+        return [source.choice([*QUANTITIES, *(*QUESTIONS,) * 9]), *scene[: source.choice((0, 1, 1, 1, 2))], *axes]
     if name == "contact" and source.random() < 0.003:
         return [*scene, "--curve", "-o", source.choice(PICTURES)]
     return words.get(name, scene)

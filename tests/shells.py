@@ -41,6 +41,7 @@ class Shell:
         environment |= {
             "PATH": f"{directory}:{os.environ['PATH']}", "HOME": str(directory), "TERM": "xterm", "LANG": "C.UTF-8",
             "XDG_CONFIG_HOME": str(directory), "XDG_DATA_HOME": str(directory),
+            "PYTHONPATH": os.environ.get("PYTHONPATH", ""),
         }  # fmt: skip
         options, setup = SHELLS[name]
         self.process, self.terminal = pty.fork()

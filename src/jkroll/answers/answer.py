@@ -11,7 +11,7 @@ from ..scene.limits import Verdict, uses_spacing, verdicts
 from ..scene.rolling_models import NotGoodEnough, model_error, within
 from ..scene.scene import DEFAULTS, Scene
 from ..scene.wiring import STATE, depends_on
-from .questions import Command
+from .questions import Question
 
 
 class Result(NamedTuple):
@@ -37,7 +37,7 @@ class Answer(NamedTuple):
         return next((result.value for result in self.results if result.name == name), None)
 
 
-def answer(command: Command, scene: Scene, rtol: float | None = None) -> Answer:
+def answer(command: Question, scene: Scene, rtol: float | None = None) -> Answer:
     """Compute what a command shows of a scene, as far as the scene allows; rolling by the cheapest model within `rtol`."""
     results: list[Result] = []
     errors: dict[str, JkrollError] = {}

@@ -1,9 +1,10 @@
 """What `jkroll map` is asked for, as a map or as curves."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
-from ..answers.questions import COMMANDS
+from ..answers.questions import QUESTIONS
 from ..errors import BadRequest
+from ..materials.places import materials_files
 from ..pictures.axes import Axis
 from ..pictures.maps import Setting
 from ..pictures.plots import Asked
@@ -13,6 +14,7 @@ from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.ranges import spreads_of
 from ..scene.scene import Scene
 from ..scene.wiring import depends_on
+from .options import Values
 from .request import Request
 
 MOST_POINTS = 25_000_000
@@ -52,25 +54,26 @@ def quantity_named(word: str) -> str:
     name = word.strip().replace("-", "_").lstrip("_")
     by_option = {quantity.option[2:]: known for known, quantity in NOMENCLATURE.items() if quantity.option}
     known = name if name in NOMENCLATURE else by_option.get(word.strip().lstrip("-"))
-    if known is None and word in COMMANDS:
-        known = COMMANDS[word].headline[0]
+    if known is None and word in QUESTIONS:
+        known = QUESTIONS[word].headline[0]
     if known is None:
         raise UnknownQuantity(word)
     return known
 
 
-def asked(words: Sequence[str], options: Mapping[str, str], files: Sequence[str]) -> Asked:
+def asked(words: Sequence[str], values: Values) -> Asked:
     """What a command line asks for: a quantity, materials and radii, axes, marks, and inputs that are held."""
     if not words:
         raise BadRequest("map needs a quantity, such as pull_off_force")
     quantity = quantity_named(words[0])
     if NOMENCLATURE[quantity].unit == "":
         raise BadRequest(f"{quantity} has no values")
-    held = {name: text for name, text in options.items() if name not in ("x", "y", "mark")}
-    if "x" not in options:
+    if values.x is None:
         raise BadRequest("map needs an axis: --x radius=1nm:1mm")
-    axes = [axis_of(options[key], f"--{key}") for key in ("x", "y") if key in options]
-    request = Request(words[1:], held, files)
+    x = axis_of(values.x, "--x")
+    y = axis_of(values.y, "--y") if values.y is not None else None
+    axes = [x, y] if y is not None else [x]
+    request = Request(words[1:], values.inputs, materials_files(values.materials))
     within = depends_on([quantity])
     for axis in axes:
         if axis.name in request.options:
@@ -88,8 +91,7 @@ def asked(words: Sequence[str], options: Mapping[str, str], files: Sequence[str]
         (_distinction(scene, request), Setting(scene.stated, scene.material, scene.material2, request.materials))
         for scene in request.scenes()
     )
-    y = axes[1] if len(axes) > 1 else None
-    return Asked(quantity, axes[0], y, settings, marks_of(options), request.materials)
+    return Asked(quantity, x, y, settings, marks_of(values.mark), request.materials)
 
 
 def _distinction(scene: Scene, request: Request) -> str:
@@ -100,6 +102,6 @@ def _distinction(scene: Scene, request: Request) -> str:
     return ", ".join(parts)
 
 
-def marks_of(options: Mapping[str, str]) -> tuple[str, ...]:
-    """The marks that were asked for."""
-    return tuple(filter(None, options.get("mark", "").split(",")))
+def marks_of(text: str) -> tuple[str, ...]:
+    """Return the marks of a list."""
+    return tuple(filter(None, text.split(",")))

@@ -4,14 +4,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import chain, islice, product
 from math import prod
-from typing import Any
 
 from ..errors import BadRequest
 from ..materials.library import Material, Materials, known_materials
 from ..quantities.formatting import Format
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.ranges import Spread, spreads_of
-from ..quantities.units import BadUnit, dimension_of, parse_unit
+from ..quantities.units import BadUnit, Unit, dimension_of, parse_unit
 from ..scene.scene import EXCLUSIVE, Scene
 from ..text import quoted
 
@@ -112,7 +111,7 @@ def _is_material(word: str) -> bool:
 
 def format_of(to: str | None, digits: int | None, quantities: Sequence[str]) -> Format:
     """How results are to be written: each unit of `--to` serves the quantities of its dimension."""
-    units: dict[str, Any] = {}
+    units: dict[str, tuple[str, Unit]] = {}
     for text in to.split(",") if to is not None else []:
         try:
             unit = parse_unit(text)
@@ -126,5 +125,9 @@ def format_of(to: str | None, digits: int | None, quantities: Sequence[str]) -> 
         if not fitting:
             kinds = ", ".join(dict.fromkeys(f"{name} in {NOMENCLATURE[name].unit}" for name in quantities))
             raise BadRequest(f"--to: {quoted(text)} fits none of the results: {kinds}")
+        if fitting[0] in units:
+            raise BadRequest(
+                f"--to: {quoted(units[fitting[0]][0])} and {quoted(text)} are units of one dimension; give one of them"
+            )
         units |= dict.fromkeys(fitting, (" ".join(text.split()), unit))
     return Format(units, digits)

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from ..answers.answer import Answer
-from ..answers.questions import Command
+from ..answers.questions import Question
 from ..quantities.formatting import Format
 from ..quantities.nomenclature import NOMENCLATURE, header
 
@@ -12,7 +12,7 @@ from ..quantities.nomenclature import NOMENCLATURE, header
 class Layout(NamedTuple):
     """What the rows of a call have in common."""
 
-    command: Command
+    command: Question
     inputs: tuple[str, ...]  # of any row
     results: tuple[str, ...]
     size: int  # number of rows
@@ -27,7 +27,7 @@ class Layout(NamedTuple):
         return [header(name) if name in self.inputs else form.header(name) for name in self.columns]
 
 
-def layout(command: Command, samples: Iterable[Answer], count: int) -> Layout:
+def layout(command: Question, samples: Iterable[Answer], count: int) -> Layout:
     """The layout of rows of which these are samples."""
     rows = list(samples)
     inputs = {name for answer in rows for name in answer.inputs}
