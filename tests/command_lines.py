@@ -1,4 +1,4 @@
-"""Command lines as people mistype them and adversaries write them, drawn from what the program takes."""
+"""Random command lines, plausible, mistyped and hostile, drawn from the declarations of the commands."""
 
 from random import Random
 
@@ -55,7 +55,7 @@ LONGEST = 8
 
 
 def command_line(source: Random) -> list[str]:
-    """One command line: a command, words and options, of which some are not meant so."""
+    """Return a command line: a command, words and options, some of them with mistakes."""
     (name,) = source.choices([*WEIGHTS], [*WEIGHTS.values()])
     words = [name, *_words(source, name)]
     options = [option for option in COMMANDS[name].options() if option.name not in ("dask", "plot")]  # they take seconds
@@ -73,7 +73,7 @@ def command_line(source: Random) -> list[str]:
 
 
 def _words(source: Random, name: str) -> list[str]:
-    """What stands behind a command, most of the time as it is meant."""
+    """Return the words of a command, mostly correct."""
     scene = [_material(source)] * (source.random() < 0.85) + [_value(source, "radius")] * (source.random() < 0.9)
     words = {
         "materials": [_material(source)] * (source.random() < 0.5),
@@ -120,7 +120,7 @@ def _material(source: Random) -> str:
 
 
 def _axis(source: Random) -> str:
-    """An axis, most of the time of few points, and as it is meant."""
+    """Return an axis, mostly correct and of few points."""
     name, ends = source.choice(AXES)
     if source.random() < 0.1:
         name = source.choice([*NOMENCLATURE])
@@ -131,7 +131,7 @@ def _axis(source: Random) -> str:
 
 
 def _value(source: Random, name: str) -> str:
-    """A value of a quantity, most of the time one that it can have."""
+    """Return a value of a quantity, mostly one that it can have."""
     kind = source.random()
     if kind < 0.65:
         return NOMENCLATURE[name].example
@@ -146,14 +146,14 @@ def _value(source: Random, name: str) -> str:
 
 
 def _unit(source: Random) -> str:
-    """A unit, or several, of any dimension."""
+    """Return a unit, or a product of several, of any dimension."""
     name = source.choice([*PREFIXABLE]) if source.random() < 0.8 else source.choice([*PLAIN, "furlong", "zorch", "dB"])
     unit = source.choice(["", "", *PREFIXES]) + name + source.choice(("", "", "", "2", "^2", "**-1", "-3", "⁻²", "99"))
     return unit + source.choice(("/", "*", " ", "·")) + _unit(source) if source.random() < 0.3 else unit
 
 
 def _mutated(source: Random, word: str) -> str:
-    """A word with a slip: a letter lost, doubled, exchanged, of another case, or one that nobody expects."""
+    """Return a word with a slip: a letter lost, doubled, exchanged, of another case, or an unexpected character."""
     place = source.randrange(len(word) + 1)
     head, letter, tail = word[:place], word[place : place + 1], word[place + 1 :]
     odd = source.choice("\x00\x07\x1b\x7f\u00ad\u200b\u202e\ufeff\ud83d\U000e0001=-,.:/^ ")

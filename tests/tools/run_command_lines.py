@@ -1,9 +1,9 @@
-"""Run many generated command lines in this process, and check what every one keeps to.
+"""Run many random command lines in this process, and check the invariants of each.
 
     python tests/tools/run_command_lines.py 1000000 [SEED]
 
 Each ends with a documented code, a wrong usage prints one line and nothing else, nothing escapes: see `check_call` of
-tests/invariants.py. Prints how many ended with which code, and every command line that did not keep to it.
+tests/invariants.py. Prints the number of calls by exit code, and every command line that broke an invariant.
 """
 
 import sys
@@ -25,7 +25,7 @@ jkroll.cli.commands.inputs_of = cache(jkroll.cli.commands.inputs_of)  # type: ig
 
 
 def main() -> int:
-    """Run as many as were asked for; 1 if one did not keep to it."""
+    """Run the given number of command lines; return 1 if one broke an invariant."""
     count = int(sys.argv[1]) if len(sys.argv) > 1 else 10_000
     source = Random(int(sys.argv[2]) if len(sys.argv) > 2 else 1)
     codes: Counter[int] = Counter()

@@ -1,4 +1,4 @@
-"""A call of `map`, `figure` or `contact --curve -o`, from what was typed to a terminal or a file."""
+"""Runners of `map`, `figure` and `contact --curve -o`: from words and option values to a drawing."""
 
 import io
 import sys
@@ -104,7 +104,7 @@ def run_contact(words: Sequence[str], values: Values) -> int:
     if (kind := format_name(values, sys.stdout)) not in ("table", "plain"):
         raise BadRequest(f"-o and --{kind} exclude each other")
     if {"load", "approach_at_load"} & values.inputs.keys():
-        raise BadRequest("--curve goes through all loads and approaches; it takes none")
+        raise BadRequest("--curve goes through all loads and approaches; give neither")
     request = Request(words, values.inputs, materials_files(values.materials))
     if request.count > 1:
         raise BadRequest(f"{request.count} scenes are more than one picture of a contact")
@@ -152,7 +152,7 @@ def _ending(path: str) -> str:
 
 
 def _write_data(drawn: Map | Picture, path: str) -> None:
-    """The numbers as CSV, into a file or, for "-", on stdout."""
+    """Write the numbers as CSV into a file, or to stdout for "-"."""
     import csv
 
     if path == "-":
@@ -163,7 +163,7 @@ def _write_data(drawn: Map | Picture, path: str) -> None:
 
 
 def _table(drawn: Map | Picture) -> Iterable[Sequence[str | float]]:
-    """The numbers with a header, those of several panels with an empty line between; a cell without a value is empty."""
+    """Iterate over the rows with a header. An empty line separates panels; a cell without a value is empty."""
     if isinstance(drawn, Map):
         yield [header(drawn.x.name), header(drawn.y.name), header(drawn.quantity)]
         for row in rows_of(drawn):
@@ -182,7 +182,7 @@ def _cell(value: float) -> str | float:
 
 
 def show_progress(part: float) -> None:
-    """How much of a long map is done, on a terminal; nothing is left of it."""
+    """Show the finished part of a long map on a terminal, and erase it at the end."""
     if sys.stderr.isatty():
         sys.stderr.write(f"\r{100 * part:3.0f} %\r" if part < 1 else "\r     \r")
         sys.stderr.flush()

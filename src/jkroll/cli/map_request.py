@@ -1,4 +1,4 @@
-"""What `jkroll map` is asked for, as a map or as curves."""
+"""From the words and options of `map` to a map or curves."""
 
 from collections.abc import Sequence
 
@@ -22,7 +22,7 @@ MOST_CURVES = 12
 
 
 def axis_of(text: str, option: str) -> Axis:
-    """The axis that a text gives: `NAME=FROM:TO`, with a count and `:lin` or `:log` if wanted.
+    """Return the axis of a text `NAME=FROM:TO`, optionally with `:COUNT` and `:lin` or `:log`.
 
     >>> axis_of("radius=1nm:1mm", "--x")
     Axis(name='radius', low=1e-09, high=0.001, is_log=True, size=0)
@@ -46,7 +46,7 @@ def axis_of(text: str, option: str) -> Axis:
 
 
 def quantity_named(word: str) -> str:
-    """The name of a quantity, for its name with _ or -, its option, or the command that is named after it.
+    """Return the name of a quantity, given its name with _ or -, its option, or the command named after it.
 
     >>> quantity_named("radius"), quantity_named("gamma"), quantity_named("pull-off")
     ('radius', 'surface_energy', 'pull_off_force')
@@ -62,7 +62,7 @@ def quantity_named(word: str) -> str:
 
 
 def asked(words: Sequence[str], values: Values) -> Asked:
-    """What a command line asks for: a quantity, materials and radii, axes, marks, and inputs that are held."""
+    """Return what words and options ask for: a quantity, axes, scenes to draw, and marks."""
     if not words:
         raise BadRequest("map needs a quantity, such as pull_off_force")
     quantity = quantity_named(words[0])
@@ -95,7 +95,7 @@ def asked(words: Sequence[str], values: Values) -> Asked:
 
 
 def _distinction(scene: Scene, request: Request) -> str:
-    """What tells a scene from the others of its request: materials and values of which several were given."""
+    """Return the materials of a scene, and those of its values of which several were given."""
     parts = [one.name for one in (scene.material, scene.material2) if one is not None]
     several = [name for name, text in request.options.items() if "," in text or ":" in text]
     parts += [f"{NOMENCLATURE[name].symbol} = {pretty(amount(name, scene.stated[name]))}" for name in several]

@@ -1,4 +1,4 @@
-"""One call of the command line, from what was typed to what is printed."""
+"""Runners of the commands: from words and option values to printed text and an exit code."""
 
 import os
 import sys
@@ -42,16 +42,16 @@ def format_name(values: Values, out: TextIO) -> str:
 
 
 class Tally:
-    """What is to be said at the end about the answers that went by."""
+    """Notes and failures of answers, collected while they are written."""
 
     def __init__(self) -> None:
-        """Nothing went by yet."""
+        """Begin with no answer."""
         self.notes: dict[str, None] = {}
         self.failures: list[JkrollError] = []
         self.failed = 0
 
     def watch(self, answers: Iterable[Answer]) -> Iterator[Answer]:
-        """Pass answers on."""
+        """Iterate over answers, and collect their notes and failures."""
         for one in answers:
             if len(self.notes) <= MAX_NOTES:
                 self.notes |= dict.fromkeys(one.notes)
@@ -105,7 +105,7 @@ def run_question(question: Question, words: Sequence[str], values: Values) -> in
 
 
 def no_picture(flag: str, path: str) -> BadRequest:
-    """The refusal of a name that does not end as a picture's does."""
+    """Return the error for a file name whose ending is not that of a picture."""
     return BadRequest(f"{flag}: {quoted(path)} does not end in .{', .'.join(PICTURES[:-1])} or .{PICTURES[-1]}")
 
 
@@ -144,7 +144,7 @@ def _run_curve(request: Request, kind: str, form: Format) -> int:
     if kind in ("explain", "cite"):
         raise BadRequest(f"--curve and --{kind} exclude each other")
     if {"load", "approach_at_load"} & request.options.keys():
-        raise BadRequest("--curve goes through all loads and approaches; it takes none")
+        raise BadRequest("--curve goes through all loads and approaches; give neither")
     tally = Tally()
     samples = [row for _, row in curve(iter(request.samples()))]
     if samples[0].failure is not None and all(row.failure is not None for row in samples):
@@ -156,7 +156,7 @@ def _run_curve(request: Request, kind: str, form: Format) -> int:
 
 
 def _say_failures(tally: Tally, count: int) -> int:
-    """Say how many rows failed, if any did, and return the exit code."""
+    """Print how many rows failed, if any did; return the exit code."""
     if not tally.failed:
         return 0
     say(f"jkroll: {tally.failures[0] if count == 1 else f'{tally.failed} of {count} rows failed'}", sys.stderr)
@@ -164,7 +164,7 @@ def _say_failures(tally: Tally, count: int) -> int:
 
 
 def _unless_failed(one: Answer, question: Question) -> Answer:
-    """The answer of a single scene, unless it has nothing of what the command is named after."""
+    """Return the answer of a single scene, or raise its failure if it lacks the headline of the question."""
     if one.failure is not None and all(one.value(name) is None for name in question.headline):
         raise one.failure
     return one
