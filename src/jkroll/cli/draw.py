@@ -18,10 +18,10 @@ from ..quantities.nomenclature import header
 from ..quantities.parsing import parse_value
 from ..quantities.units import BadUnit, dimension_of
 from ..text import quoted, say
-from .map_request import asked, marks_of
+from .map_request import map_request, marks_of
 from .options import Values
 from .request import Request
-from .run import PICTURES, format_name, no_picture
+from .run import PICTURES, ending, format_name, no_picture
 
 ON_SCREEN = (241, 121)  # points of a map that is drawn in cells
 IN_FILE = (201, 201)
@@ -40,7 +40,7 @@ def _check(values: Values) -> None:
         if given := [flag for flag, value in looks.items() if value]:
             raise BadRequest(f"{', '.join(given)}: for a file only; name one with -o")
         return
-    if _ending(values.target) not in PICTURES:
+    if ending(values.target) not in PICTURES:
         raise no_picture("-o", values.target)
     try:
         from ..pictures import page  # noqa: F401
@@ -65,12 +65,12 @@ def _inches(width: str | None) -> float:
 def run_map(words: Sequence[str], values: Values) -> int:
     """Draw a quantity over one or two inputs; return the exit code."""
     _check(values)
-    wish = asked(words, values)
+    request = map_request(words, values)
     drawn: Map | Picture
-    if wish.y is None:
-        drawn, notes = curves_of(wish, ALONG)
+    if request.y is None:
+        drawn, notes = curves_of(request, ALONG)
     else:
-        drawn, notes = map_of(wish, IN_FILE if values.target else ON_SCREEN, show_progress)
+        drawn, notes = map_of(request, IN_FILE if values.target else ON_SCREEN, show_progress)
     return _deliver(drawn, notes, values)
 
 
@@ -124,7 +124,7 @@ def _deliver(drawn: Map | Picture, notes: Iterable[str], values: Values) -> int:
 
         content = draw(
             drawn,
-            _ending(values.target),
+            ending(values.target),
             _inches(values.width),
             values.style or STYLES[0],
             has_caption=not values.uncaptioned,
@@ -147,10 +147,6 @@ def _deliver(drawn: Map | Picture, notes: Iterable[str], values: Values) -> int:
     return 0
 
 
-def _ending(path: str) -> str:
-    return path.rpartition(".")[2].lower()
-
-
 def _write_data(drawn: Map | Picture, path: str) -> None:
     """Write the numbers as CSV into a file, or to stdout for "-"."""
     import csv
@@ -170,7 +166,8 @@ def _table(drawn: Map | Picture) -> Iterable[Sequence[str | float]]:
             yield [_cell(value) for value in row]
         return
     for number, panel in enumerate(drawn.panels):
-        yield from [[]] if number else []
+        if number > 0:
+            yield []
         yield ["curve", header(panel.x.name), header(panel.y.name)]
         for curve in panel.curves:
             for x, y in zip(curve.x.tolist(), curve.y.tolist(), strict=True):

@@ -61,7 +61,7 @@ def quantity_named(word: str) -> str:
     return known
 
 
-def asked(words: Sequence[str], values: Values) -> Asked:
+def map_request(words: Sequence[str], values: Values) -> Asked:
     """Return what words and options ask for: a quantity, axes, scenes to draw, and marks."""
     if not words:
         raise BadRequest("map needs a quantity, such as pull_off_force")

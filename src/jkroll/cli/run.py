@@ -1,6 +1,5 @@
 """Runners of the commands: from words and option values to printed text and an exit code."""
 
-import os
 import sys
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TextIO
@@ -109,8 +108,9 @@ def no_picture(flag: str, path: str) -> BadRequest:
     return BadRequest(f"{flag}: {quoted(path)} does not end in .{', .'.join(PICTURES[:-1])} or .{PICTURES[-1]}")
 
 
-def _ending(path: str) -> str:
-    return os.path.splitext(path)[1][1:].casefold()
+def ending(path: str) -> str:
+    """Return the ending of a file name, in lower case."""
+    return path.rpartition(".")[2].casefold()
 
 
 def _run_stream(question: Question, request: Request, samples: list[Answer], kind: str, values: Values) -> int:
@@ -119,7 +119,7 @@ def _run_stream(question: Question, request: Request, samples: list[Answer], kin
     from ..batch.settings import Settings
     from ..batch.sweep import Sweep, stream
 
-    if values.target and _ending(values.target) in PICTURES:
+    if values.target and ending(values.target) in PICTURES:
         raise BadRequest(f"-o: {quoted(values.target)} is a picture; add --curve to contact, or see jkroll map --help")
     if values.to or values.digits or values.rtol is not None or kind not in ("csv", "plain", "table"):
         raise BadRequest("a long sweep is written in SI units with all digits: -o and long ranges take --csv alone")
@@ -207,7 +207,7 @@ def run_bench(values: Values) -> int:
     """Measure speed against error; return the exit code."""
     from ..bench.report import write_bench
 
-    if values.plot is not None and _ending(values.plot) not in PICTURES:
+    if values.plot is not None and ending(values.plot) not in PICTURES:
         raise no_picture("--plot", values.plot)
     try:
         code = write_bench(sys.stdout, format_name(values, sys.stdout), quick=values.quick, plot=values.plot)
