@@ -184,14 +184,3 @@ COMMANDS: Mapping[str, Command] = MappingProxyType({command.name: command for co
 def flags_of(name: str | None) -> dict[str, Option]:
     """Return the options of a command, or of the program before any command, by their spellings."""
     return COMMANDS[name].flags() if name else {option.flag: option for option in PROGRAM}
-
-
-def print_help(name: str | None) -> int:
-    """Print the help of a command, or of the program."""
-    import sys
-
-    from ..text import say
-    from .help import help_of
-
-    say(help_of(name), sys.stdout)
-    return 0

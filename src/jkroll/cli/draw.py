@@ -104,7 +104,7 @@ def run_contact(words: Sequence[str], values: Values) -> int:
     if (kind := format_name(values, sys.stdout)) not in ("table", "plain"):
         raise BadRequest(f"-o and --{kind} exclude each other")
     if {"load", "approach_at_load"} & values.inputs.keys():
-        raise BadRequest("--curve goes through all loads and approaches; give neither")
+        raise BadRequest("--curve goes through all loads and approaches; it takes none")
     request = Request(words, values.inputs, materials_files(values.materials))
     if request.count > 1:
         raise BadRequest(f"{request.count} scenes are more than one picture of a contact")

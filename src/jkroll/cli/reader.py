@@ -5,10 +5,12 @@ together) is left to typer, which understands plain lines in the same way.
 """
 
 import re
+import sys
 from collections.abc import Mapping, Sequence
 from functools import partial
 
-from .commands import COMMANDS, Call, print_help
+from ..text import say
+from .commands import COMMANDS, Call
 from .options import Option
 
 _NEGATIVE = re.compile("-[0-9.]")  # the beginning of a negative value, or of a file name
@@ -25,24 +27,29 @@ def plain_call(words: Sequence[str]) -> Call | None:
         return None
     arguments, given = read
     if "help" in given:
-        return partial(print_help, name)
+        return partial(_print_help, name)
     return command.call(arguments, given) if len(arguments) <= command.words.most else None
+
+
+def _print_help(name: str | None) -> int:
+    """Print the help of a command, or of the program."""
+    from .help import help_of
+
+    say(help_of(name), sys.stdout)
+    return 0
 
 
 def print_version() -> int:
     """Print the version."""
-    import sys
-
     from .. import __version__
-    from ..text import say
 
     say(f"jkroll {__version__}", sys.stdout)
     return 0
 
 
 _PROGRAM: Mapping[str, Call] = {
-    "--help": partial(print_help, None),
-    "-h": partial(print_help, None),
+    "--help": partial(_print_help, None),
+    "-h": partial(_print_help, None),
     "--version": print_version,
 }
 

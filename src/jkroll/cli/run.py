@@ -144,7 +144,7 @@ def _run_curve(request: Request, kind: str, form: Format) -> int:
     if kind in ("explain", "cite"):
         raise BadRequest(f"--curve and --{kind} exclude each other")
     if {"load", "approach_at_load"} & request.options.keys():
-        raise BadRequest("--curve goes through all loads and approaches; give neither")
+        raise BadRequest("--curve goes through all loads and approaches; it takes none")
     tally = Tally()
     samples = [row for _, row in curve(iter(request.samples()))]
     if samples[0].failure is not None and all(row.failure is not None for row in samples):

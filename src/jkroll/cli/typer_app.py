@@ -36,7 +36,6 @@ def application() -> TyperGroup:
     """Return the program: typer's own group, which knows the shells, with our commands and options in it."""
     app = typer.Typer(
         cls=_Program,
-        no_args_is_help=True,
         rich_markup_mode=None,
         context_settings={"help_option_names": [option.flag for option in HELP]},
     )
