@@ -29,6 +29,7 @@ from .options import (
     Values,
     inputs_of,
 )
+from .run import run_batch, run_bench, run_materials, run_question, run_verify
 
 Call = Callable[[], int]
 
@@ -42,7 +43,7 @@ class Words(NamedTuple):
 
 
 class Command(NamedTuple):
-    """A command. `run` answers a call and returns the exit code; it imports what it needs."""
+    """A command. `run` answers a call and returns the exit code."""
 
     name: str
     sentence: str
@@ -67,10 +68,7 @@ class Command(NamedTuple):
         return partial(self.run, tuple(words), Values(inputs, **values))
 
 
-def _ask(name: str, words: Sequence[str], values: Values) -> int:
-    from .run import run_question
-
-    return run_question(QUESTIONS[name], words, values)
+# What draws imports numpy, so that it is imported only by a call that draws.
 
 
 def _contact(words: Sequence[str], values: Values) -> int:
@@ -79,31 +77,7 @@ def _contact(words: Sequence[str], values: Values) -> int:
         from .draw import run_contact
 
         return run_contact(words, values)
-    return _ask("contact", words, values)
-
-
-def _batch(words: Sequence[str], values: Values) -> int:
-    from .run import run_batch
-
-    return run_batch(words, values)
-
-
-def _materials(words: Sequence[str], values: Values) -> int:
-    from .run import run_materials
-
-    return run_materials(words, values)
-
-
-def _verify(words: Sequence[str], values: Values) -> int:  # noqa: ARG001
-    from .run import run_verify
-
-    return run_verify(values)
-
-
-def _bench(words: Sequence[str], values: Values) -> int:  # noqa: ARG001
-    from .run import run_bench
-
-    return run_bench(values)
+    return run_question(QUESTIONS["contact"], words, values)
 
 
 def _map(words: Sequence[str], values: Values) -> int:
@@ -128,7 +102,8 @@ def _options_of(name: str, *own: Option) -> tuple[Option, ...]:
 
 
 def _question(name: str, sentence: str, example: str, *own: Option) -> Command:
-    return Command(name, sentence, _SCENE, partial(_options_of, name, *own), partial(_ask, name), example)
+    run = partial(run_question, QUESTIONS[name])
+    return Command(name, sentence, _SCENE, partial(_options_of, name, *own), run, example)
 
 
 _COMMANDS = (
@@ -148,7 +123,7 @@ _COMMANDS = (
         "Add results to each row of a table.",
         Words("[IN]", 1, are_files=True),
         lambda: TABLE,
-        _batch,
+        run_batch,
         "grains.csv -o forces.csv",
     ),
     Command(
@@ -156,11 +131,11 @@ _COMMANDS = (
         "List the known materials, or show one in full.",
         Words("[NAME]", 1),
         lambda: (JSON, CSV, CITE, MATERIALS, QUIET),
-        _materials,
+        run_materials,
         "quartz",
     ),
-    Command("verify", "Recompute the audit of the paper.", Words(), lambda: (JSON, CSV), _verify, "--csv"),
-    Command("bench", "Measure speed and error of each method.", Words(), lambda: BENCH, _bench, "--quick --csv"),
+    Command("verify", "Recompute the audit of the paper.", Words(), lambda: (JSON, CSV), run_verify, "--csv"),
+    Command("bench", "Measure speed and error of each method.", Words(), lambda: BENCH, run_bench, "--quick --csv"),
     Command(
         "map",
         "Draw a quantity over two inputs as a map, or over one as curves.",

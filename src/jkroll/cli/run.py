@@ -194,7 +194,7 @@ def run_materials(words: Sequence[str], values: Values) -> int:
     return 0
 
 
-def run_verify(values: Values) -> int:
+def run_verify(_words: Sequence[str], values: Values) -> int:
     """Compute the audit of the paper; return 1 if a verdict is not the expected one."""
     from ..audit.verify import write_verification
 
@@ -203,7 +203,7 @@ def run_verify(values: Values) -> int:
     return code
 
 
-def run_bench(values: Values) -> int:
+def run_bench(_words: Sequence[str], values: Values) -> int:
     """Measure speed against error; return the exit code."""
     from ..bench.report import write_bench
 
