@@ -89,7 +89,6 @@ def programs(folder: Path) -> list[Program]:
         Program("jkroll --help", jkroll("--help")),
         Program("jkroll pull-off --help", jkroll("pull-off", "--help")),
         Program("a mistyped option", jkroll(*one, "--laod", "5nN")),
-        Program("a word that is no unit", jkroll("pull-off", "quartz", "100nn")),
         Program("TAB after a material", jkroll(), tab("jkroll", "jkroll pull-off qu")),
         Program("TAB after a command", jkroll(), tab("jkroll", "jkroll pul")),
         Program("TAB after an option", jkroll(), tab("jkroll", "jkroll pull-off --ga")),
