@@ -454,6 +454,20 @@ def test_completion_survives_its_environment() -> None:
     assert "100nm" in jkroll(env=environment).stdout.split()
 
 
+@pytest.mark.parametrize(
+    "said", [{}, {"COMP_WORDS": "jkroll pull"}, {"COMP_WORDS": "jkroll '", "COMP_CWORD": "x"}, {"COMP_CWORD": "1"}]
+)
+def test_a_request_for_completions_that_is_not_from_bash(
+    run: Run, monkeypatch: pytest.MonkeyPatch, said: dict[str, str]
+) -> None:
+    for name in ("COMP_WORDS", "COMP_CWORD"):
+        monkeypatch.delenv(name, raising=False)
+    for name, text in (said | {"_JKROLL_COMPLETE": "complete_bash"}).items():
+        monkeypatch.setenv(name, text)
+    problem = "_JKROLL_COMPLETE=complete_bash is for bash: it sets COMP_WORDS, and COMP_CWORD to a number"
+    assert run("pull-off") == (2, "", f"jkroll: {problem}\n")
+
+
 # --- The contact at any state, and the ladder of models ----------------------------------------------------------------
 
 

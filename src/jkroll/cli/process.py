@@ -65,7 +65,10 @@ def _check(words: Iterable[str]) -> None:
 
 def _call(words: Sequence[str]) -> Call:
     """Return the call that words ask for, read by typer only if they are not plain."""
-    call = None if os.environ.get(COMPLETE) else plain_call(words)
+    shell = os.environ.get(COMPLETE)
+    if shell == "complete_bash" and not ("COMP_WORDS" in os.environ and os.environ.get("COMP_CWORD", "").isdecimal()):
+        raise BadRequest(f"{COMPLETE}=complete_bash is for bash: it sets COMP_WORDS, and COMP_CWORD to a number")
+    call = None if shell else plain_call(words)
     if call is None:
         from .typer_app import typer_call
 
