@@ -58,7 +58,9 @@ def command_line(source: Random) -> list[str]:
     """Return a command line: a command, words and options, some of them with mistakes."""
     (name,) = source.choices([*WEIGHTS], [*WEIGHTS.values()])
     words = [name, *_words(source, name)]
-    options = [option for option in COMMANDS[name].options() if option.name not in ("dask", "plot")]  # they take seconds
+    options = [
+        option for option in COMMANDS[name].options() if option.name not in ("dask", "plot")
+    ]  # they take seconds
     for _ in range(min(LONGEST, int(source.expovariate(0.7)))):
         words += _option(source, name, source.choice(options))
     if source.random() < 0.12:

@@ -9,7 +9,9 @@ CANNOT_WRITE = 1
 
 def run() -> None:
     """Run the command line and exit with its code; an interrupt exits silently with 130."""
-    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # no matrices are multiplied: do not start a thread for each core
+    os.environ.setdefault(
+        "OPENBLAS_NUM_THREADS", "1"
+    )  # no matrices are multiplied: do not start a thread for each core
     try:
         from signal import SIGINT, signal
 

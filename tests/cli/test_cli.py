@@ -32,7 +32,7 @@ REFERENCE = {  # audit.md, the reference point: quartz, R1 = 100 nm
 
 
 def at_precision_of(text: str, value: float) -> bool:
-    """Whether a value rounds to a printed text."""
+    """Return whether a value rounds to a printed text."""
     digits = len(text.split("e", maxsplit=1)[0].replace(".", "").lstrip("0"))
     return float(f"{value:.{digits}g}") == float(text)
 

@@ -1,4 +1,4 @@
-"""What a call imports: no more than it uses. How much time that saves is measured by benchmarks/startup.py."""
+"""Imports of a call: no more than it uses. The time that this saves is measured by benchmarks/startup.py."""
 
 import os
 import subprocess
