@@ -11,7 +11,7 @@ from ..scene.limits import Verdict, sentence, uses_spacing, verdicts
 from ..scene.rolling_models import NotGoodEnough, model_error, within
 from ..scene.scene import DEFAULTS, Scene
 from ..scene.wiring import STATE, depends_on
-from .questions import Command
+from .questions import Question
 
 
 class Result(NamedTuple):
@@ -48,11 +48,11 @@ class Answer(NamedTuple):
         return [Note("doubt", f"doubtful: {sentence(one)}") for one in self.validity if not one.holds]
 
 
-def answer(command: Command, scene: Scene, rtol: float | None = None) -> Answer:
+def answer(question: Question, scene: Scene, rtol: float | None = None) -> Answer:
     """Compute the quantities of a command as far as the scene allows; rolling by the cheapest model within `rtol`."""
     results: list[Result] = []
     errors: dict[str, JkrollError] = {}
-    for name in command.quantities:
+    for name in question.quantities:
         if not _concerns(name, scene):
             continue
         try:
@@ -69,7 +69,7 @@ def answer(command: Command, scene: Scene, rtol: float | None = None) -> Answer:
         results = [_changed(one, changed[one.name]) if one.name in changed else one for one in results]
         known = [result.name for result in results if result.value is not None]
     planned = [result.name for result in results if not isinstance(errors.get(result.name), MissingInput)]
-    used = scene.inputs_of(*planned) if planned else depends_on(command.quantities) & scene.given.keys()
+    used = scene.inputs_of(*planned) if planned else depends_on(question.quantities) & scene.given.keys()
     inputs = _echo(scene, used)
     validity = verdicts(scene, known)
     entering = {*inputs, "atomic_spacing"} if uses_spacing(validity) else {*inputs}
