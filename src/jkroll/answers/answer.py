@@ -11,7 +11,7 @@ from ..scene.limits import LIMIT_NAMES, Verdict, sentence, uses_spacing, verdict
 from ..scene.rolling_models import model_error
 from ..scene.scene import DEFAULTS, Scene
 from ..scene.wiring import STATE, depends_on
-from .questions import Command
+from .questions import Question
 
 
 class Result(NamedTuple):
@@ -48,11 +48,11 @@ class Answer(NamedTuple):
         return [Note("doubt", f"doubtful: {sentence(one)}") for one in self.validity if not one.holds]
 
 
-def answer(command: Command, scene: Scene) -> Answer:
+def answer(question: Question, scene: Scene) -> Answer:
     """Compute the quantities of a command as far as the scene allows."""
     results: list[Result] = []
     errors: dict[str, JkrollError] = {}
-    shown = [name for name in command.quantities if _concerns(name, scene)]
+    shown = [name for name in question.quantities if _concerns(name, scene)]
     values = scene.evaluate((*shown, *LIMIT_NAMES))
     for name in shown:
         value = values[name]
@@ -63,7 +63,7 @@ def answer(command: Command, scene: Scene) -> Answer:
             results.append(Result(name, value, error=model_error(name, scene)))
     known = [result.name for result in results if result.value is not None]
     planned = [result.name for result in results if not isinstance(errors.get(result.name), MissingInput)]
-    used = scene.inputs_of(*planned) if planned else depends_on(command.quantities) & scene.given.keys()
+    used = scene.inputs_of(*planned) if planned else depends_on(question.quantities) & scene.given.keys()
     inputs = _echo(scene, used)
     validity = verdicts(scene, known)
     entering = {*inputs, "atomic_spacing"} if uses_spacing(validity) else {*inputs}

@@ -4,13 +4,11 @@ from collections.abc import Iterator
 
 from ..scene.scene import Scene
 from .answer import Answer, Result, answer
-from .questions import Command
+from .questions import Question
 
-CURVE = Command(
-    "The force curve, both branches.",
+CURVE = Question(
     ("approach_at_load", "load"),
     ("approach_at_load", "load", "contact_radius_at_load", "stiffness"),
-    "quartz 100nm --curve --csv",
 )
 FOLD, PULL_OFF, JUMP_IN, EQUILIBRIUM = 1 / 6, 1 / 2, 2 / 3, 1.0
 _NAMED = {FOLD: "fold", PULL_OFF: "pull-off", JUMP_IN: "jump-in", EQUILIBRIUM: "equilibrium"}

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from ..answers.answer import Answer
-from ..answers.questions import Command
+from ..answers.questions import Question
 from ..quantities.formatting import Format
 from ..quantities.nomenclature import NOMENCLATURE, header
 
@@ -12,7 +12,7 @@ from ..quantities.nomenclature import NOMENCLATURE, header
 class Layout(NamedTuple):
     """The inputs and results that appear in any row of a call."""
 
-    command: Command
+    question: Question
     inputs: tuple[str, ...]
     results: tuple[str, ...]
     size: int  # number of rows
@@ -27,14 +27,14 @@ class Layout(NamedTuple):
         return [header(name) if name in self.inputs else form.header(name) for name in self.columns]
 
 
-def layout(command: Command, samples: Iterable[Answer], count: int) -> Layout:
+def layout(question: Question, samples: Iterable[Answer], count: int) -> Layout:
     """Return the layout of `count` rows; the samples have every input and result that a row can have."""
     rows = list(samples)
     inputs = {name for answer in rows for name in answer.inputs}
     results = {result.name for answer in rows for result in answer.results}
     return Layout(
-        command,
+        question,
         tuple(name for name in NOMENCLATURE if name in inputs),
-        tuple(name for name in command.quantities if name in results),
+        tuple(name for name in question.quantities if name in results),
         count,
     )

@@ -30,7 +30,7 @@ def write_plain(answers: Iterable[Answer], out: TextIO, form: Format, shape: Lay
 
 def write_bare(answers: Iterable[Answer], out: TextIO, form: Format, shape: Layout) -> None:
     """Write a line for each scene: the numbers of the quantities that the command is named after, tab-separated."""
-    for row in _rows(answers, shape.command.headline, form):
+    for row in _rows(answers, shape.question.headline, form):
         say("\t".join(cell or "-" for cell in row), out)
 
 
@@ -38,7 +38,7 @@ def write_csv(answers: Iterable[Answer], out: TextIO, form: Format, shape: Layou
     """Write a header with units and a row for each scene: inputs, then results."""
     if shape.size == 1:
         answers = list(answers)
-        shape = layout(shape.command, answers, 1)
+        shape = layout(shape.question, answers, 1)
     write_records(shape.headers(form), _rows(answers, shape.columns, form), "csv", out)
 
 
