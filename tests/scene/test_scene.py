@@ -1,20 +1,26 @@
 """Scenes: one plan for all that is asked, failures that leave other quantities alone, and changed inputs."""
 
+from typing import Any
+
 import pytest
 
 from jkroll.physics import FORMULAS
 from jkroll.quantities.nomenclature import NOMENCLATURE
-from jkroll.scene import scene as module
 from jkroll.scene.errors import BeyondPullOff, MissingInput, NoChain, NoFiniteValue
 from jkroll.scene.limits import LIMIT_NAMES, LIMITS
 from jkroll.scene.scene import Scene
-from jkroll.scene.wiring import depends_on, formula_of
+from jkroll.scene.wiring import Plan, depends_on, formula_of, plan
 from scenes import QUARTZ
 
 
 def test_one_plan_leads_to_answers_and_their_limits(monkeypatch: pytest.MonkeyPatch) -> None:
-    plans = []
-    monkeypatch.setattr(module, "plan", lambda *given, original=module.plan: plans.append(given) or original(*given))
+    plans: list[Any] = []
+
+    def counted(*given: Any) -> Plan:
+        plans.append(given)
+        return plan(*given)
+
+    monkeypatch.setattr("jkroll.scene.scene.plan", counted)
     scene = Scene(QUARTZ)
     names = ("pull_off_force", "n_roll", *LIMIT_NAMES)
     values = scene.evaluate(names)
