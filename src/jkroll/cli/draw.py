@@ -13,8 +13,9 @@ from ..output.files import whole_file
 from ..pictures.figures import FIGURES, figure
 from ..pictures.maps import Map, Setting, rows_of
 from ..pictures.panels import Picture
-from ..pictures.plots import Held, as_held, curves_of, map_of, mark_at
-from ..pictures.profiles import DRAWN, curves_of_contact
+from ..pictures.plot_request import Context, curves_of, fixed_inputs, map_of, mark_at
+from ..pictures.profiles import PROFILES, curves_of_contact
+from ..pictures.styles import STYLES
 from ..quantities.nomenclature import header
 from ..quantities.parsing import parse_value
 from ..quantities.units import BadUnit, dimension_of
@@ -27,7 +28,6 @@ ON_SCREEN = (241, 121)  # points of a map that is drawn in cells
 IN_FILE = (201, 201)
 OF_PAPER = (21, 21)  # its contours are of powers, straight on logarithmic axes: few points draw them exactly
 ALONG = 1001  # points of a curve
-STYLES = ("light", "dark")
 
 
 class Target(NamedTuple):
@@ -42,7 +42,7 @@ class Target(NamedTuple):
     def check(self) -> None:
         """Refuse what cannot be drawn before anything is computed, and say what is missing."""
         if self.style not in (None, *STYLES):
-            raise BadRequest(f"--style: {quoted(self.style or '')} is not a style; there are {' and '.join(STYLES)}")
+            raise BadRequest(f"--style: {quoted(self.style or '')} is not a style; there are paper and dark")
         self.inches()
         if self.file is None:
             given = [_flag(name) for name in ("width", "style") if self._asdict()[name]]
@@ -56,10 +56,10 @@ class Target(NamedTuple):
         except ModuleNotFoundError as error:
             raise MissingExtra(error.name or "", "plot") from None
 
-    def inches(self) -> float:
-        """The width of the picture."""
+    def inches(self) -> float | None:
+        """The width of the picture, if it was given."""
         if self.width is None:
-            return 120 / 25.4
+            return None
         try:
             metres = parse_value(self.width, dimension_of("m"))
         except BadUnit as error:
@@ -85,16 +85,16 @@ def run_map(words: Sequence[str], options: Mapping[str, str], output: Output, ta
 def run_figure(words: Sequence[str], options: Mapping[str, str], output: Output, target: Target) -> int:
     """Draw a figure of the paper; return the exit code."""
     target.check()
-    names = sorted({*FIGURES, *DRAWN})
+    names = sorted({*FIGURES, *PROFILES})
     if len(words) != 1 or words[0] not in names:
         given = f"{quoted(' '.join(words))} is not a figure with data; " if words else ""
         raise BadRequest(f"{given}there are {', '.join(names)}")
     name = words[0]
     materials = known_materials(*materials_files(output.materials))
-    if name in DRAWN:
+    if name in PROFILES:
         if options:
             raise BadRequest(f"figure {name} takes no {', '.join(map(_flag, options))}")
-        return _deliver(DRAWN[name](materials), (), target, is_quiet=output.quiet)
+        return _deliver(PROFILES[name](materials), (), target, is_quiet=output.quiet)
     size = OF_PAPER if target.file else ON_SCREEN
     drawn = figure(name, materials, size, as_printed="as_printed" in options)
     if "as_printed" in options and drawn.printed is None:
@@ -121,10 +121,10 @@ def run_contact(words: Sequence[str], options: Mapping[str, str], output: Output
     if request.count > 1:
         raise BadRequest(f"{request.count} scenes are more than one picture of a contact")
     scene = next(request.scenes())
-    setting = Setting(scene.stated, scene.material, scene.material2, request.materials)
-    held = Held("fixed_approach_moment", setting, {"load": 0.0})
-    caption = ("Both branches of the force curve; pressure; moment without load.", *as_held(held.inputs))
-    return _deliver(curves_of_contact(setting, caption), held.notes, target, is_quiet=output.quiet)
+    setting = Setting(scene.stated, scene.material, scene.material2)
+    context = Context("fixed_approach_moment", setting, {"load": 0.0})
+    caption = ("Both branches of the force curve; pressure; moment without load.", *fixed_inputs(context.inputs))
+    return _deliver(curves_of_contact(setting, caption), context.notes, target, is_quiet=output.quiet)
 
 
 def _deliver(drawn: Map | Picture, notes: Iterable[str], target: Target, *, is_quiet: bool) -> int:
@@ -138,7 +138,7 @@ def _deliver(drawn: Map | Picture, notes: Iterable[str], target: Target, *, is_q
             drawn,
             target.file.rpartition(".")[2].lower(),
             target.inches(),
-            target.style or STYLES[0],
+            target.style or "paper",
             has_caption=not target.uncaptioned,
         )
         with whole_file(target.file) as stream:

@@ -6,7 +6,7 @@ from ..answers.questions import COMMANDS
 from ..errors import BadRequest
 from ..pictures.axes import Axis
 from ..pictures.maps import Setting
-from ..pictures.plots import Asked
+from ..pictures.plot_request import PlotRequest
 from ..quantities.errors import QuantityError, UnknownQuantity
 from ..quantities.formatting import amount, pretty
 from ..quantities.nomenclature import NOMENCLATURE
@@ -59,7 +59,7 @@ def quantity_named(word: str) -> str:
     return known
 
 
-def asked(words: Sequence[str], options: Mapping[str, str], files: Sequence[str]) -> Asked:
+def asked(words: Sequence[str], options: Mapping[str, str], files: Sequence[str]) -> PlotRequest:
     """What a command line asks for: a quantity, materials and radii, axes, marks, and inputs that are held."""
     if not words:
         raise BadRequest("map needs a quantity, such as pull_off_force")
@@ -85,11 +85,11 @@ def asked(words: Sequence[str], options: Mapping[str, str], files: Sequence[str]
         most = f"{MOST_CURVES} curves" if len(axes) == 1 else "one map"
         raise BadRequest(f"{request.count} scenes are more than {most}")
     settings = tuple(
-        (_distinction(scene, request), Setting(scene.stated, scene.material, scene.material2, request.materials))
+        (_distinction(scene, request), Setting(scene.stated, scene.material, scene.material2))
         for scene in request.scenes()
     )
     y = axes[1] if len(axes) > 1 else None
-    return Asked(quantity, axes[0], y, settings, marks_of(options), request.materials)
+    return PlotRequest(quantity, axes[0], y, settings, marks_of(options), request.materials)
 
 
 def _distinction(scene: Scene, request: Request) -> str:

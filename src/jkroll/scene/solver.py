@@ -24,8 +24,8 @@ def solve(
     wanted: str | Iterable[str],
     /,
     *,
-    material: str | None = None,
-    material2: str | None = None,
+    material: str | Material | None = None,
+    material2: str | Material | None = None,
     materials: Materials | None = None,
     **given: Any,
 ) -> Any:
@@ -36,7 +36,7 @@ def solve(
     wanted
         A name of the nomenclature, or several.
     material, material2
-        Names or aliases of materials; `material2` for sphere 2, which is otherwise like sphere 1. A property given
+        Materials, or their names or aliases; `material2` for sphere 2, which is otherwise like sphere 1. A property given
         by name overrides the material's.
     materials
         Where materials are looked up: `Materials(["mine.toml"])` for some of your own besides the shipped ones.
@@ -65,12 +65,7 @@ def solve(
     """
     names = [wanted] if isinstance(wanted, str) else list(wanted)
     described, registry = _in_si(given)
-    if material is not None or material2 is not None:
-        materials = materials or known_materials()
-    spheres = (
-        materials[material] if materials and material is not None else None,
-        materials[material2] if materials and material2 is not None else None,
-    )
+    spheres = (_material(material, materials), _material(material2, materials))
     with _quiet(described.values()):
         if _is_large(described):
             results = _in_blocks(names, described, spheres)
@@ -81,6 +76,11 @@ def solve(
     if registry is not None:
         results = {name: registry.Quantity(value, NOMENCLATURE[name].unit) for name, value in results.items()}
     return results[names[0]] if isinstance(wanted, str) else results
+
+
+def _material(material: str | Material | None, materials: Materials | None) -> Material | None:
+    """Return the material of a name; a material, or None, as it is."""
+    return (materials or known_materials())[material] if isinstance(material, str) else material
 
 
 def _with_extremes(
