@@ -17,14 +17,15 @@ _PLAIN_DIGITS = str.maketrans(_SUPERSCRIPTS, "-0123456789")
 _OPERATORS = frozenset("=<>+−-")
 _MARKUP = {"â": r"\hat{a}", "·": r"{\cdot}", "⟨": r"\langle ", "⟩": r"\rangle ", "−": "-", "π": r"\mathrm{π}"}
 _WORD = re.compile(r"(?P<before>[(\[]*)(?P<core>.*?)(?P<after>[.,:;)\]]*)")
+_NUMBER = re.compile(rf"[-−]?\d[\d.·e{_SUPERSCRIPTS}-]*")
 _FLOAT = re.compile(r"([-−]?[\d.]+)e([-+]\d+)")
 
 
 def typeset(text: str) -> str:
-    """Return a text with its symbols in mathtext and with true minus signs.
+    r"""Return a text with its symbols in mathtext and with true minus signs.
 
     >>> typeset("P_c at R1²/ξ = -5 N")
-    '$P_{\\\\mathrm{c}}$ at $R_{1}^{2}/ξ$ = −5 N'
+    '$P_{\\mathrm{c}}$ at $R_{1}^{2}/ξ$ = −5 N'
     """
     return " ".join(_typeset_words(text.split(" ")))
 
@@ -32,9 +33,10 @@ def typeset(text: str) -> str:
 def typeset_lines(text: str, width: int) -> list[str]:
     """Return a text as lines of at most `width` characters, typeset.
 
-    Lines are broken before typesetting, because markup is longer than what it shows.
+    Lines are broken before typesetting, because markup is longer than what it shows; none between a number and its unit.
     """
-    lines = [line.split() for line in wrap(text, width, break_long_words=False, break_on_hyphens=False)]
+    unbroken = re.sub(r"(?<=\d) (?=[^\W\d])| (?=\[)", "\N{NO-BREAK SPACE}", text)
+    lines = [line.split() for line in wrap(unbroken, width, break_long_words=False, break_on_hyphens=False)]
     words = iter(_typeset_words(text.split()))
     return [" ".join(next(words) for _ in line) for line in lines]
 
@@ -44,9 +46,8 @@ def _typeset_words(words: list[str]) -> list[str]:
     typed = []
     for number, word in enumerate(words):
         before, core, after = _parts(word)
-        previous = words[number - 1] if number else ""
         following = words[number + 1] if number + 1 < len(words) else "["
-        is_variable = len(core) == 1 and core.isalpha() and _is_variable(previous, after, following)
+        is_variable = len(core) == 1 and core.isalpha() and _is_variable(words[:number], after, following)
         typed.append(before + _typeset_core(core, is_variable=is_variable) + after)
     return typed
 
@@ -61,11 +62,11 @@ def _parts(word: str) -> tuple[str, str, str]:
     return (before, core + ")", after[1:]) if is_open else (before, core, after)
 
 
-def _is_variable(previous: str, after: str, following: str) -> bool:
-    """Return True if a single letter is a variable, not an article or a unit, by what stands around it."""
-    is_unit = previous[-1:].isdigit() or previous[-1:] in _SUPERSCRIPTS[1:] and previous != ""
-    is_in_formula = previous in _OPERATORS or following in _OPERATORS
-    return not is_unit and (is_in_formula or bool(after) or following.startswith("["))
+def _is_variable(previous: list[str], after: str, following: str) -> bool:
+    """Return True if a single letter is a variable, not an article or a unit, by the words around it."""
+    is_unit = after.startswith("]") or any(_NUMBER.fullmatch(word) for word in previous[-2:])  # "5 m", "5 N m"
+    is_in_formula = following in _OPERATORS or not _OPERATORS.isdisjoint(previous[-1:])
+    return is_in_formula or (not is_unit and (bool(after) or following.startswith("[")))
 
 
 def _typeset_core(core: str, *, is_variable: bool) -> str:
@@ -82,9 +83,9 @@ def _typeset_core(core: str, *, is_variable: bool) -> str:
 @cache
 def _token() -> re.Pattern[str]:
     """Return the pattern of a token of a formula: a power of ten, a number, a known symbol, an exponent or an operator."""
-    symbols = {
-        atom for entry in NOMENCLATURE.values() if entry.unit for atom in re.findall(_ATOM, entry.symbol)
-    } | {*_MORE_ATOMS}
+    symbols = {atom for entry in NOMENCLATURE.values() if entry.unit for atom in re.findall(_ATOM, entry.symbol)} | {
+        *_MORE_ATOMS
+    }
     known = "|".join(re.escape(symbol) for symbol in sorted(symbols, key=len, reverse=True))
     return re.compile(rf"10[{_SUPERSCRIPTS}]+|\d+(?:\.\d+)?|{known}|[{_SUPERSCRIPTS}]+|\^\([^)]*\)|[-+−/·=<>()⟨⟩√]")
 

@@ -72,7 +72,9 @@ def sized(axis: Axis, size: int) -> Axis:
     return axis if axis.size else axis._replace(size=size)
 
 
-def map_of(request: PlotRequest, size: tuple[int, int], progress: Progress | None = None) -> tuple[Map, tuple[str, ...]]:
+def map_of(
+    request: PlotRequest, size: tuple[int, int], progress: Progress | None = None
+) -> tuple[Map, tuple[str, ...]]:
     """Return the map of a request, by default with `size` points across and up, and notes on it."""
     assert request.y is not None
     quantity, setting = request.quantity, request.settings[0][1]
