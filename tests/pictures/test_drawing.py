@@ -15,15 +15,20 @@ from jkroll import known_materials, solve
 from jkroll.cli.draw import OF_PAPER
 from jkroll.cli.map_request import asked
 from jkroll.cli.process import main
+from jkroll.pictures.axes import described
 from jkroll.pictures.figures import FIGURES, figure
 from jkroll.pictures.maps import Map, inputs_at
 from jkroll.pictures.plot_request import map_of
+from jkroll.quantities.nomenclature import NOMENCLATURE
 
 pytest.importorskip("matplotlib")
+from matplotlib.mathtext import MathTextParser
+
 from jkroll.pictures.canvas import LINES
-from jkroll.pictures.mathtext import typeset
+from jkroll.pictures.labels import _lines_of
+from jkroll.pictures.mathtext import typeset, typeset_lines
 from jkroll.pictures.page import figure_of
-from jkroll.pictures.styles import PAPER, STYLES
+from jkroll.pictures.styles import DARK, PAPER, STYLES, Style
 
 SVG_TEXT = re.compile(r"<!-- (.*?) -->", re.DOTALL)  # letters are paths; their text stands beside them
 
@@ -104,6 +109,88 @@ def test_a_picture_without_a_caption(run: Run, tmp_path: Path) -> None:
     assert "Assumed" not in " ".join(SVG_TEXT.findall((tmp_path / "bare.svg").read_text(encoding="utf-8")))
 
 
+def test_one_panel_of_a_contact(run: Run, tmp_path: Path) -> None:
+    assert run("contact quartz 100nm --curve --panel force -o force.svg --quiet").code == 0
+    shown = SVG_TEXT.findall((tmp_path / "force.svg").read_text(encoding="utf-8"))
+    assert "stable" in shown
+    assert not any("pressure" in text or "moment" in text for text in shown)
+
+
+def test_light_is_another_name_of_paper(run: Run, tmp_path: Path) -> None:
+    for style in ("paper", "light"):
+        run(f"figure 3a -o {style}.svg --style {style}")
+    assert (tmp_path / "paper.svg").read_bytes() == (tmp_path / "light.svg").read_bytes()
+
+
+@pytest.mark.parametrize("style", [PAPER, DARK])
+def test_bands_can_be_told_apart_in_grey_and_read_on(style: Style) -> None:
+    greys = [
+        0.299 * red + 0.587 * green + 0.114 * blue for red, green, blue in (style.band(part / 8) for part in range(9))
+    ]
+    steps = np.diff(greys)
+    assert (steps < -0.01).all() or (steps > 0.01).all()
+    ink = int(style.ink[1:3], 16) / 255
+    assert min(abs(ink - grey) for grey in greys) > 0.45
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        ("P_c = 3πγR with R = R1/2", r"$P_{\mathrm{c}}$ = $3\mathrm{π}γR$ with $R$ = $R_{1}/2$"),
+        ("E1/(1 − ν1²) = 10 GPa", "$E_{1}/(1$ − $ν_{1}^{2}$) = 10 GPa"),
+        ("E*/γ above 3·10¹² m⁻¹", r"$E^{*}/γ$ above $3{\cdot}10^{12}$ m⁻¹"),
+        ("contact radius at the load, a", "contact radius at the load, $a$"),
+        ("a moment of 1.9 aN m, Eq (25)", "a moment of 1.9 aN m, Eq (25)"),
+        ("δ_α in mJ/m² or kg/m³", "$δ_{α}$ in mJ/m² or kg/m³"),
+        ("half-circle a + ξ", "half-circle $a$ + $ξ$"),
+        ("-10 at 1.2e-13 N", r"−10 at $1.2{\cdot}10^{-13}$ N"),
+        ("my_dust costs $1", r"my_dust costs \$1"),
+    ],
+)
+def test_symbols_are_typeset(text: str, wanted: str) -> None:
+    assert typeset(text) == wanted
+
+
+def test_every_symbol_is_typeset_and_can_be_drawn() -> None:
+    parser = MathTextParser("path")
+    for name, quantity in NOMENCLATURE.items():
+        if quantity.unit:
+            parser.parse(typeset(described(name, quantity.unit)))
+            assert "$" in typeset(f"{quantity.symbol} = 1"), name
+
+
+def test_lines_are_broken_before_typesetting_and_not_before_a_unit() -> None:
+    assert typeset_lines("a radius R1 = 100 nm of spheres", 18) == ["a radius $R_{1}$ =", "100 nm of spheres"]
+
+
+def test_the_edge_of_a_gap_is_where_the_contact_breaks() -> None:
+    """The border of the part without a value, as drawn, is P = -P_c."""
+    request = asked(["contact-radius-at-load", "quartz"], {"x": "radius=10nm:1um", "y": "load=-20nN:50nN:lin"}, ())
+    drawn, _ = map_of(request, (41, 41))
+    mesh = drawn.mesh()
+    is_moved = np.isfinite(mesh.values) & np.isnan(drawn.values)
+    assert is_moved.sum() > 20
+    radius, load = drawn.x.value(mesh.x[is_moved]), drawn.y.value(mesh.y[is_moved])
+    np.testing.assert_allclose(load, -solve("pull_off_force", material="quartz", radius=radius), rtol=1e-9)
+
+
+@pytest.mark.parametrize("name", FIGURES)
+@pytest.mark.parametrize("width", [85, 170])
+def test_no_label_of_a_contour_covers_a_line_or_another_label(name: str, width: int) -> None:
+    drawn = figure(name, known_materials(), OF_PAPER, as_printed=True)
+    page = figure_of(drawn, width / 25.4, PAPER, has_caption=False)
+    axes = page.axes[0]
+    labels = [text for text in axes.texts if text.get_text() in {typeset(level.text) for level in drawn.levels()}]
+    assert len(labels) >= 0.6 * len(drawn.levels())
+    lines = _lines_of(axes)
+    for text in labels:
+        box = text.get_window_extent()
+        centre, upright = np.array([(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2]), np.radians(text.get_rotation())
+        turn = np.array([[np.cos(upright), -np.sin(upright)], [np.sin(upright), np.cos(upright)]])
+        along, across = abs((lines - centre) @ turn).T
+        assert not ((along < 3) & (across < 3)).any(), text.get_text()
+
+
 @pytest.mark.parametrize("name", ["6b", "8"])
 def test_no_letter_stands_outside_of_a_narrow_page(name: str) -> None:
     """At a journal's column width everything is within the sheet, as the renderer measures it."""
@@ -143,6 +230,7 @@ def test_the_curves_of_a_contact(run: Run, tmp_path: Path) -> None:
         ("figure 3a -o nowhere/figure.svg", "cannot write"),
         ("figure 2 --mark quartz@1nm", "takes no --mark"),
         ("figure 3a --as-printed", "for 6b"),
+        ("contact quartz 100nm --curve --panel tides -o contact.svg", "there are force, pressure, moment"),
     ],
 )
 def test_what_cannot_be_drawn(run: Run, tmp_path: Path, line: str, message: str) -> None:

@@ -43,7 +43,7 @@ def call(name: str, arguments: Sequence[str], values: dict[str, Any]) -> Call:
         return partial(run_bench, output, **given)
     if (
         name in ("map", "figure")
-        or {"width", "style", "uncaptioned"} & given.keys()
+        or {"width", "style", "uncaptioned", "panel"} & given.keys()
         or (output.curve and output.target)
     ):
         from .draw import RUNNERS, Target

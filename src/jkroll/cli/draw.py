@@ -14,7 +14,7 @@ from ..pictures.figures import FIGURES, figure
 from ..pictures.maps import Map, Setting, rows_of
 from ..pictures.panels import Picture
 from ..pictures.plot_request import Context, curves_of, fixed_inputs, map_of, mark_at
-from ..pictures.profiles import PROFILES, curves_of_contact
+from ..pictures.profiles import PANELS, PROFILES, curves_of_contact
 from ..pictures.styles import STYLES
 from ..quantities.nomenclature import header
 from ..quantities.parsing import parse_value
@@ -37,15 +37,18 @@ class Target(NamedTuple):
     width: str | None = None
     style: str | None = None
     uncaptioned: bool = False
+    panel: str | None = None
     data: str | None = None
 
     def check(self) -> None:
         """Refuse what cannot be drawn before anything is computed, and say what is missing."""
         if self.style not in (None, *STYLES):
             raise BadRequest(f"--style: {quoted(self.style or '')} is not a style; there are paper and dark")
+        if self.panel not in (None, *PANELS):
+            raise BadRequest(f"--panel: {quoted(self.panel or '')} is not a panel; there are {', '.join(PANELS)}")
         self.inches()
         if self.file is None:
-            given = [_flag(name) for name in ("width", "style") if self._asdict()[name]]
+            given = [_flag(name) for name in ("width", "style", "panel") if self._asdict()[name]]
             if given or self.uncaptioned:
                 raise BadRequest(f"{', '.join(given) or '--no-caption'}: this is of a file; name one with -o")
             return
@@ -123,8 +126,9 @@ def run_contact(words: Sequence[str], options: Mapping[str, str], output: Output
     scene = next(request.scenes())
     setting = Setting(scene.stated, scene.material, scene.material2)
     context = Context("fixed_approach_moment", setting, {"load": 0.0})
-    caption = ("Both branches of the force curve; pressure; moment without load.", *fixed_inputs(context.inputs))
-    return _deliver(curves_of_contact(setting, caption), context.notes, target, is_quiet=output.quiet)
+    shown = () if target.panel else ("Both branches of the force curve; pressure; moment without load.",)
+    caption = (*shown, *fixed_inputs(context.inputs))
+    return _deliver(curves_of_contact(setting, caption, target.panel), context.notes, target, is_quiet=output.quiet)
 
 
 def _deliver(drawn: Map | Picture, notes: Iterable[str], target: Target, *, is_quiet: bool) -> int:

@@ -49,9 +49,10 @@ _CURVE = Option("curve", "--curve", bool, "", "The whole force curve: rows, or a
 _INTO_FILE = Option("target", "-o", str, "FILE", "Draw a .svg, .pdf or .png (plot extra).")
 _PICTURE = (
     Option("width", "--width", str, "85mm", "Width of what is drawn."),
-    Option("style", "--style", str, "dark", "Light, or dark."),
+    Option("style", "--style", str, "dark", "Colours, paper or dark."),
     Option("uncaptioned", "--no-caption", bool, "", "No caption below it."),
 )
+_PANEL = Option("panel", "--panel", str, "force", "One panel only: force, pressure or moment.")
 _AXIS = "NAME=FROM:TO, with :lin if it is not log."
 _DATA = Option("data", "--data", str, "FILE", "The numbers as CSV; - is stdout.")
 _MARK = Option("mark", "--mark", str, "quartz@100nm", "A grain as a point; several with commas.")
@@ -183,7 +184,7 @@ def options_of(command: Command) -> tuple[Option, ...]:
     """
     has_models = {*OF_PEAK, *OF_MEAN, *OF_SLOPE} & {*command.quantities} and command is not COMMANDS["report"]
     models = (_RTOL,) if has_models else ()
-    looks = tuple(option._replace(hidden=True) for option in _PICTURE)
+    looks = tuple(option._replace(hidden=True) for option in (*_PICTURE, _PANEL))
     curve = (_CURVE, *looks) if command is COMMANDS["contact"] else ()
     return (*_inputs(command), *models, *curve, *OUTPUT)
 
