@@ -174,6 +174,12 @@ def test_the_edge_of_a_gap_is_where_the_contact_breaks() -> None:
     np.testing.assert_allclose(load, -solve("pull_off_force", material="quartz", radius=radius), rtol=1e-9)
 
 
+def test_regions_may_have_gaps(run: Run, tmp_path: Path) -> None:
+    """The margins of bounds have no value beyond the fold, as the quantity has none."""
+    run("map load_at_factor quartz --x radius=10nm:1um --y approach_at_load=-0.3nm:1nm:lin -o load.svg --quiet")
+    assert "no value" in SVG_TEXT.findall((tmp_path / "load.svg").read_text(encoding="utf-8"))
+
+
 @pytest.mark.parametrize("name", FIGURES)
 @pytest.mark.parametrize("width", [85, 170])
 def test_no_label_of_a_contour_covers_a_line_or_another_label(name: str, width: int) -> None:

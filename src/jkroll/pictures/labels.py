@@ -13,7 +13,7 @@ from matplotlib.transforms import Bbox  # type: ignore[import-not-found,unused-i
 from .axes import Axis
 from .maps import Map, Mark
 from .mathtext import typeset
-from .page_axes import CONTOURS, PRINTED
+from .page_axes import CONTOURS, OUTLINE, PRINTED
 from .panels import Panel
 from .styles import SMALL, Style
 
@@ -177,11 +177,13 @@ def _label_beside(
     """Write a label along a contour, on the side and at the place where there is room, if any."""
     import numpy
 
+    outlines = [one.get_paths()[0] for one in axes.collections if one.get_gid() == OUTLINE]
     for line, angle in found:
         for side in (1, -1):
             place = line + side * (half[1] + 1) * numpy.array([-numpy.sin(angle), numpy.cos(angle)])
-            if _is_free(axes, place, angle, half, lines, lines[:0], boxes):
-                at = axes.transData.inverted().transform(place)
+            at = axes.transData.inverted().transform(place)
+            is_outside = outlines and not outlines[0].contains_point(at)
+            if not is_outside and _is_free(axes, place, angle, half, lines, lines[:0], boxes):
                 upright = (numpy.degrees(angle) + 90) % 180 - 90
                 axes.text(*at, text, rotation=upright, ha="center", va="center", fontsize=SMALL)
                 boxes.append(_bounds(place, angle, half))

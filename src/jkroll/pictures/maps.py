@@ -17,6 +17,7 @@ from .axes import Axis, contour_values, in_one_unit, round_values, with_units
 
 CHUNK = 500_000  # points between two reports of progress
 MOST_CONTOURS = 12
+NEIGHBOURS = ((0, 1), (0, -1), (1, 0), (-1, 0))  # steps of rows and columns
 _WIDE = 30.0  # ratio of the ends from which contours are logarithmic
 _HALVINGS = 40  # of an interval that holds an edge: its place is known to 1e-12 of a cell
 
@@ -137,9 +138,9 @@ class Map(NamedTuple):
         x, y = numpy.meshgrid(self.x.place(self.x.values()), self.y.place(self.y.values()))
         values = self.values.copy()
         known = numpy.isfinite(self.values)
-        for step in ((0, 1), (0, -1), (1, 0), (-1, 0)):
-            neighbour = _shifted(numpy.arange(values.size).reshape(values.shape), step)
-            rows, columns = numpy.nonzero(numpy.isnan(values) & _shifted(known, step))
+        for step in NEIGHBOURS:
+            neighbour = shifted(numpy.arange(values.size).reshape(values.shape), step)
+            rows, columns = numpy.nonzero(numpy.isnan(values) & shifted(known, step))
             if not rows.size:
                 continue
             inside = numpy.unravel_index(neighbour[rows, columns], values.shape)
@@ -164,7 +165,7 @@ class Map(NamedTuple):
         return at(low)
 
 
-def _shifted(array: Any, step: tuple[int, int]) -> Any:
+def shifted(array: Any, step: tuple[int, int]) -> Any:
     """Return an array moved by a step of rows and columns, with zeros where nothing moved to."""
     import numpy
 

@@ -3,12 +3,12 @@
 from typing import Any
 
 from .axes import Axis
-from .maps import Map, Mark, Mesh, Region
+from .maps import NEIGHBOURS, Map, Mark, Mesh, Region, shifted
 from .mathtext import typeset, typeset_lines
 from .panels import Curve, Panel
 from .styles import BORDERS, DASHES, HATCHES, LABEL, SHADE, SMALL, Style
 
-CONTOURS, PRINTED = "contours", "printed"  # the artists that `labels` looks for, by their gid
+CONTOURS, PRINTED, OUTLINE = "contours", "printed", "outline"  # the artists that `labels` looks for, by their gid
 
 
 def draw_map(axes: Any, drawn: Map, inches: float, style: Style) -> None:
@@ -28,7 +28,9 @@ def draw_map(axes: Any, drawn: Map, inches: float, style: Style) -> None:
     axes.contourf(mesh.x, mesh.y, values, levels=[ends[0], *heights, ends[1]], colors=colours)
     edge = None
     if drawn.has_gaps:
-        edge = axes.contourf(mesh.x, mesh.y, values, levels=ends, colors="none").get_paths()[0]
+        outline = axes.contourf(mesh.x, mesh.y, values, levels=ends, colors="none")
+        outline.set_gid(OUTLINE)
+        edge = outline.get_paths()[0]
         _draw_edge(axes, edge, style)
     if heights:
         axes.contour(
@@ -84,14 +86,25 @@ def _draw_edge(axes: Any, outline: Any, style: Style) -> None:
 def _draw_region(axes: Any, region: Region, hatch: str, style: Style, edge: Any) -> None:
     """Draw a region hatched or shaded, with its border, or the border alone; nothing beyond the edge of the map's values."""
     x, y = region.x.place(region.x.values()), region.y.place(region.y.values())
-    parts = [axes.contour(x, y, region.margin, levels=[0], colors=style.ink, **BORDERS[region.kind])]
+    margin = _grown(region.margin)
+    parts = [axes.contour(x, y, margin, levels=[0], colors=style.ink, **BORDERS[region.kind])]
     if region.kind != "border":
         is_shaded = region.kind == "shaded"
         look = {"colors": [style.ink], "alpha": SHADE} if is_shaded else {"colors": "none", "hatches": [hatch]}
-        parts.append(axes.contourf(x, y, region.margin, levels=[float(region.margin.min()) - 1, 0], **look))
+        parts.append(axes.contourf(x, y, margin, levels=[float(margin.min()) - 1, 0], **look))
     if edge is not None:
         for part in parts:
             part.set_clip_path(edge, axes.transData)
+
+
+def _grown(margin: Any) -> Any:
+    """Return a margin continued by one point into its gaps, so that a region reaches the edge at which it is cut."""
+    import numpy
+
+    grown = numpy.array(margin)
+    for step in 2 * NEIGHBOURS:
+        grown = numpy.where(numpy.isnan(grown) & shifted(~numpy.isnan(grown), step), shifted(grown, step), grown)
+    return numpy.ma.masked_invalid(grown)
 
 
 def _draw_tick(axes: Any, x: Axis, y: Axis, mark: Mark, style: Style) -> None:
