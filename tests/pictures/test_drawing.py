@@ -1,4 +1,4 @@
-"""Pictures in files: contours lie where the formula says, bytes do not change, and nothing else is needed but the extra."""
+"""Pictures in files: contours follow the formulas, labels cover nothing, and the same call gives the same bytes."""
 
 import re
 import subprocess
@@ -34,7 +34,7 @@ SVG_TEXT = re.compile(r"<!-- (.*?) -->", re.DOTALL)  # letters are paths; their 
 
 
 def contours(drawn: Map) -> list[tuple[float, Any]]:
-    """The levels of a drawn map, and points on their paths, between the vertices too, in SI units."""
+    """Return the levels of a drawn map, and points on their paths in SI units, between the vertices too."""
     axes = figure_of(drawn, 4.0, PAPER, has_caption=True).axes[0]
     sets = [one for one in axes.collections if hasattr(one, "levels") and len(one.get_paths()) == len(drawn.levels())]
     found = []
@@ -84,7 +84,7 @@ def test_a_contour_of_a_users_map_is_its_formula(
     "kind", ["svg", pytest.param("pdf", marks=pytest.mark.slow), pytest.param("png", marks=pytest.mark.slow)]
 )
 def test_the_same_bytes_every_time(run: Run, tmp_path: Path, kind: str) -> None:
-    """In another process, an hour later, and whatever the user's own matplotlib settings are."""
+    """Neither the process, nor the time, nor the user's matplotlib settings enter."""
     words = ["figure", "8", "--mark", "quartz@100nm", "-o"]
     assert run(*words, f"one.{kind}").code == 0
     (tmp_path / "matplotlibrc").write_text("font.size: 20\nlines.linewidth: 9\n", encoding="utf-8")
@@ -123,7 +123,7 @@ def test_light_is_another_name_of_paper(run: Run, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("style", [PAPER, DARK])
-def test_bands_can_be_told_apart_in_grey_and_read_on(style: Style) -> None:
+def test_bands_can_be_differ_in_grey_and_read_on(style: Style) -> None:
     greys = [
         0.299 * red + 0.587 * green + 0.114 * blue for red, green, blue in (style.band(part / 8) for part in range(9))
     ]
@@ -199,7 +199,7 @@ def test_no_label_of_a_contour_covers_a_line_or_another_label(name: str, width: 
 
 @pytest.mark.parametrize("name", ["6b", "8"])
 def test_no_letter_stands_outside_of_a_narrow_page(name: str) -> None:
-    """At a journal's column width everything is within the sheet, as the renderer measures it."""
+    """Everything lies within the page at a journal's column width."""
     drawn = figure(name, known_materials(), OF_PAPER, as_printed=True)
     page = figure_of(drawn, 85 / 25.4, PAPER, has_caption=True)
     page.draw_without_rendering()
@@ -209,7 +209,7 @@ def test_no_letter_stands_outside_of_a_narrow_page(name: str) -> None:
     assert box.y0 > -0.01
 
 
-def test_curves_are_told_apart_in_grey_by_their_dashes(run: Run, tmp_path: Path) -> None:
+def test_curves_are_differ_in_grey_by_their_dashes(run: Run, tmp_path: Path) -> None:
     run("map pull-off quartz,iron,graphite,gold --x radius=1nm:1um -o curves.svg")
     text = (tmp_path / "curves.svg").read_text(encoding="utf-8")
     lines = set(re.findall(r"fill: none; (?:stroke-dasharray: ([^;]*); )?(?:stroke-dashoffset: 0; )?stroke: #", text))
@@ -277,7 +277,7 @@ def test_the_absence_of_the_extra_is_one_line(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 def test_a_million_points_take_less_than_importing_matplotlib() -> None:
-    """In CPU time, each in a process of its own, in turns."""
+    """Compare CPU times, each in a process of its own, in turns."""
     words = ["contact-radius-at-load", "quartz", "--x", "radius=10nm:1mm:1000", "--y", "load=0nN:1uN:1000:lin"]
     ways = {
         "map": f"from jkroll.cli.process import main; main({['map', *words]!r})",
@@ -302,19 +302,19 @@ _NUMBER = re.compile(r"-?\d+\.?\d*")
 
 
 def written(words: str, rest: str, file: Path) -> str:
-    """The picture of a command of the README."""
+    """Draw the picture of a command of the README; return its SVG."""
     assert main([*words.split(), "-o", str(file), *rest.split()]) == 0
     return file.read_text(encoding="utf-8")
 
 
 def drawing_of(svg: str) -> list[float]:
-    """All coordinates of the paths of an SVG."""
+    """Return all coordinates of the paths of an SVG."""
     return [float(number) for path in re.findall(r' d="([^"]*)"', svg) for number in _NUMBER.findall(path)]
 
 
 @pytest.mark.parametrize(("words", "file", "rest"), SHOWN, ids=[file for _, file, _ in SHOWN])
 def test_the_pictures_of_the_readme_are_current(words: str, file: str, rest: str, tmp_path: Path) -> None:
-    """The same texts in the same order, and every line within a tenth of a point, whatever version of matplotlib drew it."""
+    """Texts are the same, and lines within a tenth of a point, for every version of matplotlib."""
     assert f"](tests/data/{file})" in README.read_text(encoding="utf-8")
     kept, new = (KEPT / file).read_text(encoding="utf-8"), written(words, rest, tmp_path / file)
     assert SVG_TEXT.findall(kept) == SVG_TEXT.findall(new)
