@@ -1,9 +1,10 @@
-"""Command lines as people mistype them and adversaries write them, drawn from what the program takes."""
+"""Random command lines, plausible, mistyped and hostile, drawn from the declarations of the commands."""
 
 from random import Random
 
-from jkroll.answers.questions import COMMANDS
-from jkroll.cli.options import Option, options_named
+from jkroll.answers.questions import QUESTIONS
+from jkroll.cli.commands import COMMANDS
+from jkroll.cli.options import Option
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.quantities.unit_table import PLAIN, PREFIXABLE, PREFIXES
 
@@ -38,7 +39,7 @@ VALUES = {
     "mark": ("quartz@100nm", "@1um", "iron", "quartz@100nm,@1nm", "quarz@1nm", "@", "quartz@", "@5nN", ",", "a@b@c", ""),
 }  # fmt: skip
 # How often each command is drawn: figures, tables and the audit take a hundred times as long as a scene.
-WEIGHTS = dict.fromkeys(COMMANDS, 100.0)
+WEIGHTS = dict.fromkeys(QUESTIONS, 100.0)
 WEIGHTS |= {"materials": 50, "batch": 12, "map": 16, "figure": 1, "verify": 0.3, "bench": 1}
 HOSTILE = (
     "", " ", "-", "--", "---", "=", "-=", "--=", "-h", "--help", "--version", "--debug", "-V", "--install-completion=x",
@@ -54,10 +55,12 @@ LONGEST = 8
 
 
 def command_line(source: Random) -> list[str]:
-    """One command line: a command, words and options, of which some are not meant so."""
+    """Return a command line: a command, words and options, some of them with mistakes."""
     (name,) = source.choices([*WEIGHTS], [*WEIGHTS.values()])
     words = [name, *_words(source, name)]
-    options = [option for option in options_named(name) if option.name not in ("dask", "plot")]  # they take seconds
+    options = [
+        option for option in COMMANDS[name].options() if option.name not in ("dask", "plot")
+    ]  # they take seconds
     for _ in range(min(LONGEST, int(source.expovariate(0.7)))):
         words += _option(source, name, source.choice(options))
     if source.random() < 0.12:
@@ -72,7 +75,7 @@ def command_line(source: Random) -> list[str]:
 
 
 def _words(source: Random, name: str) -> list[str]:
-    """What stands behind a command, most of the time as it is meant."""
+    """Return the words of a command, mostly correct."""
     scene = [_material(source)] * (source.random() < 0.85) + [_value(source, "radius")] * (source.random() < 0.9)
     words = {
         "materials": [_material(source)] * (source.random() < 0.5),
@@ -85,7 +88,7 @@ def _words(source: Random, name: str) -> list[str]:
         return [source.choice(TABLES), *["-o", source.choice(TARGETS)] * (source.random() < 0.8), *jobs]
     if name == "map":
         axes = ["--x", _axis(source), *["--y", _axis(source)] * (source.random() < 0.4)]
-        return [source.choice([*QUANTITIES, *(*COMMANDS,) * 9]), *scene[: source.choice((0, 1, 1, 1, 2))], *axes]
+        return [source.choice([*QUANTITIES, *(*QUESTIONS,) * 9]), *scene[: source.choice((0, 1, 1, 1, 2))], *axes]
     if name == "contact" and source.random() < 0.003:
         return [*scene, "--curve", "-o", source.choice(PICTURES)]
     return words.get(name, scene)
@@ -119,7 +122,7 @@ def _material(source: Random) -> str:
 
 
 def _axis(source: Random) -> str:
-    """An axis, most of the time of few points, and as it is meant."""
+    """Return an axis, mostly correct and of few points."""
     name, ends = source.choice(AXES)
     if source.random() < 0.1:
         name = source.choice([*NOMENCLATURE])
@@ -130,7 +133,7 @@ def _axis(source: Random) -> str:
 
 
 def _value(source: Random, name: str) -> str:
-    """A value of a quantity, most of the time one that it can have."""
+    """Return a value of a quantity, mostly one that it can have."""
     kind = source.random()
     if kind < 0.65:
         return NOMENCLATURE[name].example
@@ -145,14 +148,14 @@ def _value(source: Random, name: str) -> str:
 
 
 def _unit(source: Random) -> str:
-    """A unit, or several, of any dimension."""
+    """Return a unit, or a product of several, of any dimension."""
     name = source.choice([*PREFIXABLE]) if source.random() < 0.8 else source.choice([*PLAIN, "furlong", "zorch", "dB"])
     unit = source.choice(["", "", *PREFIXES]) + name + source.choice(("", "", "", "2", "^2", "**-1", "-3", "⁻²", "99"))
     return unit + source.choice(("/", "*", " ", "·")) + _unit(source) if source.random() < 0.3 else unit
 
 
 def _mutated(source: Random, word: str) -> str:
-    """A word with a slip: a letter lost, doubled, exchanged, of another case, or one that nobody expects."""
+    """Return a word with a slip: a letter lost, doubled, exchanged, of another case, or an unexpected character."""
     place = source.randrange(len(word) + 1)
     head, letter, tail = word[:place], word[place : place + 1], word[place + 1 :]
     odd = source.choice("\x00\x07\x1b\x7f\u00ad\u200b\u202e\ufeff\ud83d\U000e0001=-,.:/^ ")

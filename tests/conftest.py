@@ -1,4 +1,4 @@
-"""What the tests share: a call of the command line in this process, away from the user's own files."""
+"""Fixtures of all tests: a call of the command line in this process, away from the user's own files."""
 
 from pathlib import Path
 
@@ -10,7 +10,7 @@ from jkroll.cli.process import main
 
 @pytest.fixture(autouse=True)
 def _alone(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    """No configuration, no environment, an empty directory, a plain terminal of 80 columns."""
+    """Isolate a test: no configuration, no environment, an empty directory, a plain terminal of 80 columns."""
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "configuration"))
     for name in ("JKROLL_MATERIALS", "FORCE_COLOR", "NO_COLOR", "COLORTERM"):
         monkeypatch.delenv(name, raising=False)

@@ -1,4 +1,4 @@
-"""What tests use to run the command line in this process: streams in memory, and what a call left behind."""
+"""Tools to run the command line in this process: streams in memory, and the result of a call."""
 
 import io
 from collections.abc import Callable
@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 
 class Ran(NamedTuple):
-    """What a call left behind."""
+    """Exit code and streams of a call."""
 
     code: int
     out: str
@@ -21,11 +21,11 @@ class Stream(io.TextIOWrapper):
         self.terminal = terminal
 
     def isatty(self) -> bool:
-        """Whether it is to be taken for a terminal."""
+        """Return whether the stream is to be taken for a terminal."""
         return self.terminal
 
     def text(self) -> str:
-        """All that was written."""
+        """Return all that was written."""
         self.flush()
         buffer = self.buffer
         assert isinstance(buffer, io.BytesIO)

@@ -1,4 +1,4 @@
-"""A real shell on a terminal of its own, to which keys are typed."""
+"""Real shells, each on a terminal of its own, to which keys are typed."""
 
 import os
 import pty
@@ -9,7 +9,7 @@ from pathlib import Path
 
 PATIENCE = 30  # seconds until a shell is given up
 
-# What each shell is started with, and what it reads first: nothing of the user's, and jkroll's completion.
+# The options of each shell (no configuration of the user's), and what is typed first: jkroll's completion.
 SHELLS = {
     "bash": (["--norc", "--noprofile", "-i"], "PS1='ready> '; eval \"$(_JKROLL_COMPLETE=source_bash jkroll)\""),
     "zsh": (
@@ -21,7 +21,7 @@ SHELLS = {
         "function fish_prompt; echo -n 'ready> '; end; _JKROLL_COMPLETE=source_fish jkroll | source",
     ),
 }
-# Stands for jkroll: it answers completions as jkroll does, and otherwise writes down the words that it is called with.
+# Stands in for jkroll: answers completions as jkroll does, else writes the words of the call to a file.
 STAND_IN = """#!/bin/sh
 if [ -n "$_JKROLL_COMPLETE" ]; then exec {python} -m jkroll "$@"; fi
 for word in "$@"; do printf '%s\\n' "$word"; done > {words}.new
@@ -33,7 +33,7 @@ class Shell:
     """A shell with jkroll's completion, in a directory of its own."""
 
     def __init__(self, name: str, program: str, directory: Path, **environment: str) -> None:
-        """Start it, and wait until it has read the completion."""
+        """Start the shell, and wait until it has read the completion."""
         self.words, self.screen = directory / "words", b""
         stand_in = directory / "jkroll"
         stand_in.write_text(STAND_IN.format(python=sys.executable, words=self.words), encoding="utf-8")
@@ -41,6 +41,7 @@ class Shell:
         environment |= {
             "PATH": f"{directory}:{os.environ['PATH']}", "HOME": str(directory), "TERM": "xterm", "LANG": "C.UTF-8",
             "XDG_CONFIG_HOME": str(directory), "XDG_DATA_HOME": str(directory),
+            "PYTHONPATH": os.environ.get("PYTHONPATH", ""),
         }  # fmt: skip
         options, setup = SHELLS[name]
         self.process, self.terminal = pty.fork()
@@ -55,7 +56,7 @@ class Shell:
         os.write(self.terminal, keys.encode())
 
     def words_of(self, keys: str) -> list[str]:
-        """The words of the command that the keys and a return leave to be called."""
+        """Return the words of the command that is called after the keys and a return."""
         self.words.unlink(missing_ok=True)
         self.type(keys + "\n")  # a shell reads on when it has completed
         self._wait_for(self.words)

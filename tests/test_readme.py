@@ -15,8 +15,7 @@ from unittest import mock
 
 import pytest
 
-from jkroll.answers.questions import COMMANDS
-from jkroll.cli.options import EXTRAS
+from jkroll.cli.commands import COMMANDS
 from jkroll.cli.process import main
 
 if __package__ in (None, ""):
@@ -62,7 +61,7 @@ def test_transcript(block: str) -> None:
 
 def test_every_command_is_shown() -> None:
     shown = {command.split()[1] for block in BLOCKS for command in commands(block) if not command.startswith("cat ")}
-    assert shown == {*COMMANDS, *EXTRAS} - {"bench", "verify"}
+    assert shown == {*COMMANDS} - {"bench", "verify"}
 
 
 def test_python_examples() -> None:

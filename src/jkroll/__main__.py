@@ -1,4 +1,4 @@
-"""The `jkroll` script, and `python -m jkroll`. It imports as late as it can, so that an interrupt is always met."""
+"""Script `jkroll` and `python -m jkroll`. Imports come late, so that an interrupt during them is handled."""
 
 import os
 import sys
@@ -8,13 +8,15 @@ CANNOT_WRITE = 1
 
 
 def run() -> None:
-    """Run the command line and exit with its code; an interrupt ends it silently, whatever it meets."""
-    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # what needs numpy multiplies no matrices: no thread a core
+    """Run the command line and exit with its code; an interrupt exits silently with 130."""
+    os.environ.setdefault(
+        "OPENBLAS_NUM_THREADS", "1"
+    )  # no matrices are multiplied: do not start a thread for each core
     try:
         from signal import SIGINT, signal
 
         def unwind(*_: object) -> None:
-            """Let what runs put away what it has begun; a second interrupt ends it at once."""
+            """Raise KeyboardInterrupt once, so that files are put away; the next interrupt exits at once."""
             signal(SIGINT, _end)
             raise KeyboardInterrupt
 
@@ -31,7 +33,7 @@ def run() -> None:
         signal(SIGINT, _end)
     except KeyboardInterrupt:
         code = INTERRUPTED
-    # All is written. To take the interpreter down piece by piece would cost a tenth of a call, and could be interrupted.
+    # Everything is written. An orderly shutdown of the interpreter would take a tenth of a call, and could be interrupted.
     os._exit(code)
 
 
@@ -40,7 +42,7 @@ def _end(*_: object) -> None:
 
 
 def _end_if_interrupted(unraisable: "sys.UnraisableHookArgs") -> None:
-    """An interrupt that came in a callback, out of which nothing can be raised, would be lost."""
+    """Exit if an interrupt came in a callback, from which Python cannot raise it."""
     if unraisable.exc_type is KeyboardInterrupt:
         _end()
     sys.__unraisablehook__(unraisable)

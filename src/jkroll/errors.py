@@ -22,6 +22,14 @@ class NoResult(JkrollError):
     """Error raised when a quantity has no value for the given inputs."""
 
     exit_code = 1
+    name = ""  # the quantity that has no value, or whose value rules a contact out
+
+    def reason(self) -> str:
+        """Return why there is no answer, without the name of the quantity."""
+        return ""
+
+    def __str__(self) -> str:
+        return f"{self.name}: {self.reason()}"
 
 
 class BadRequest(JkrollError):

@@ -41,10 +41,10 @@ def formulas() -> list[tuple[str, str]]:
 
 def results() -> list[str]:
     """The quantities that `jkroll batch` writes of this table."""
-    from jkroll.answers.questions import COMMANDS
+    from jkroll.answers.questions import QUESTIONS
 
     known = {name for name, _ in formulas()}
-    return [name for name in COMMANDS["report"].quantities if name in known]
+    return [name for name in QUESTIONS["report"].quantities if name in known]
 
 
 def write_table(path: Path, rows: int) -> None:

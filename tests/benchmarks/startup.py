@@ -1,4 +1,4 @@
-"""What one call costs: CPU time (user and system) of whole processes, as ratios to a typer program that does nothing.
+"""Cost of one call: CPU time (user and system) of whole processes, as ratios to a typer program that does nothing.
 
 python tests/benchmarks/startup.py [ROUNDS]
 
@@ -46,7 +46,7 @@ NO_VARIABLES: Mapping[str, str] = MappingProxyType({})
 
 
 class Program(NamedTuple):
-    """A process to be timed: what it is called, its words, its variables, and whether it writes to a terminal."""
+    """A process to be timed: its name, words and variables, and whether it writes to a terminal."""
 
     name: str
     words: Sequence[str]
@@ -55,7 +55,7 @@ class Program(NamedTuple):
 
 
 def programs(folder: Path) -> list[Program]:
-    """All that are compared; their files are written to a folder."""
+    """Return the programs that are compared; their files are written to a folder."""
     own = folder / "own.toml"
     own.write_text("".join(MATERIAL.format(number=number) for number in range(1, 51)), encoding="utf-8")
     (folder / "hello_app.py").write_text(HELLO, encoding="utf-8")
@@ -100,7 +100,7 @@ def programs(folder: Path) -> list[Program]:
 
 
 def cpu_seconds(program: Program, folder: Path) -> float:
-    """User and system time of one run; what it prints is thrown away."""
+    """Return user and system time of one run; its output is discarded."""
     unwanted = ("PYTHONDONTWRITEBYTECODE", "JKROLL_MATERIALS", "NO_COLOR", "FORCE_COLOR")
     kept = {name: value for name, value in os.environ.items() if name not in unwanted}
     own = {"PYTHONPATH": str(folder), "XDG_CONFIG_HOME": str(folder), "LANG": "C.UTF-8", "COLUMNS": "80"}

@@ -14,7 +14,7 @@ import pytest
 
 from harness import Run
 from jkroll import NOMENCLATURE, __version__
-from jkroll.answers.questions import COMMANDS
+from jkroll.answers.questions import QUESTIONS
 
 REFERENCE = {  # audit.md, the reference point: quartz, R1 = 100 nm
     "pull_off_force": "1.1781e-8",
@@ -32,7 +32,7 @@ REFERENCE = {  # audit.md, the reference point: quartz, R1 = 100 nm
 
 
 def at_precision_of(text: str, value: float) -> bool:
-    """Whether a value rounds to a printed text."""
+    """Return whether a value rounds to a printed text."""
     digits = len(text.split("e", maxsplit=1)[0].replace(".", "").lstrip("0"))
     return float(f"{value:.{digits}g}") == float(text)
 
@@ -62,7 +62,22 @@ MESSAGES = {
     "pull-off quartz 100N": (2, "radius: '100N' is a force; expected a length such as 100nm"),
     "pull-off quartz 100": (2, "radius: '100' has no unit; expected a length such as 100nm"),
     "pull-off quartz 0nm": (2, "radius: '0nm' must be positive; expected a length such as 100nm"),
-    "pull-off quartz -5nm": (2, "radius: '−5nm' must be positive; expected a length such as 100nm"),
+    "pull-off quartz -5nm": (
+        2,
+        "'-5nm' begins with a hyphen, as options do; a negative value follows the option that takes it: --load -5nN",
+    ),
+    "contact quartz 100nm --load -5nN --load=-6nN": (2, "--load is given more than once"),
+    "contact quartz 100nm --load -5nN -5nm": (
+        2,
+        "'-5nm' begins with a hyphen, as options do; a negative value follows the option that takes it: --load -5nN",
+    ),
+    "batch -1.csv -oout.csv": (
+        2,
+        "'-1.csv' begins with a hyphen, as options do; write './-1.csv' for a file of that name",
+    ),
+    "pull-off quartz 100nm -o ": (2, "Option '-o' requires an argument."),
+    "batch grains.csv --output=": (2, "-o: the name of the output file is empty"),
+    "pull-off quartz 100nm --to nN,pN": (2, "--to: 'nN' and 'pN' are units of one dimension; give one of them"),
     "pull-off quartz plane": (2, "a plane is sphere 2: write --radius2 plane"),
     "pull-off quartz 5 pints": (2, "radius: '5 pints' is a volume; expected a length such as 100nm"),
     "pull-off": (
@@ -111,7 +126,7 @@ MESSAGES = {
     ),
     "yield-force quartz 100nm --load -1nN:1nN:3": (
         2,
-        "load: '−1nN:1nN:3' has an end that is not positive; end it with :lin; expected a force such as -5nN",
+        "load: '-1nN:1nN:3' has an end that is not positive; end it with :lin; expected a force such as -5nN",
     ),
     "pull-off quartz iron 100nm": (
         2,
@@ -126,7 +141,7 @@ MESSAGES = {
         "--to: 'nm' fits none of the results: pull_off_force in N, pull_off_force_dmt in N",
     ),
     "pull-off quartz 100nm --json --csv": (2, "--json and --csv exclude each other"),
-    "pull-off quartz 100nm --digits 0": (2, "Invalid value for '--digits': 0 is not in the range 1<=x<=17."),
+    "pull-off quartz 100nm --digits 0": (2, "--digits: '0' is not a whole number from 1 to 17"),
     "pull-off quartz 100nm --laod 5nN": (
         2,
         "pull-off takes no '--laod'; --load is an option of yield-force, n-grav, frequencies, ...",
@@ -171,7 +186,7 @@ def test_wrong_case_of_a_unit(run: Run) -> None:
 def test_plain_lines_have_name_value_unit(run: Run) -> None:
     ran = run("yield-force quartz 100nm")
     lines = [line.split(" ", 2) for line in ran.out.splitlines()]
-    assert [line[0] for line in lines] == list(COMMANDS["yield-force"].quantities)
+    assert [line[0] for line in lines] == list(QUESTIONS["yield-force"].quantities)
     assert all(float(line[1]) > 0 for line in lines)
     assert [line[2:] for line in lines] == [["N"], [], ["N m"], ["rad"]]
     assert ran.err.startswith("note: assumed ξ = 200 pm (--xi), P = 0 N (--load), z0 = 400 pm (--z0)\n")
@@ -181,7 +196,7 @@ def test_quiet(run: Run) -> None:
     assert run("yield-force quartz 100nm --quiet").err == ""
 
 
-@pytest.mark.parametrize("name", COMMANDS)
+@pytest.mark.parametrize("name", QUESTIONS)
 def test_json_of_every_command(run: Run, name: str) -> None:
     ran = run(*name.split(), "quartz", "100nm", "--json")
     data = json.loads(ran.out)
@@ -281,7 +296,7 @@ def test_explain_names_formula_steps_and_power_law(run: Run) -> None:
         assert piece in text
 
 
-@pytest.mark.parametrize("name", COMMANDS)
+@pytest.mark.parametrize("name", QUESTIONS)
 def test_every_quantity_is_explained_and_cited(run: Run, name: str) -> None:
     for radius2 in ("100nm", "plane"):
         words = [name, "quartz", "100nm", "--radius2", radius2]
@@ -302,7 +317,7 @@ def test_materials_in_every_format(run: Run) -> None:
 
 
 @pytest.mark.parametrize("columns", [20, 40, 80, 200])
-@pytest.mark.parametrize("name", [*COMMANDS, "materials"])
+@pytest.mark.parametrize("name", [*QUESTIONS, "materials"])
 def test_a_terminal_cuts_no_number(run: Run, monkeypatch: pytest.MonkeyPatch, name: str, columns: int) -> None:
     monkeypatch.setenv("COLUMNS", str(columns))
     words = ["materials"] if name == "materials" else [name, "quartz,gold", "100nm", "1um", "--quiet"]
@@ -311,7 +326,7 @@ def test_a_terminal_cuts_no_number(run: Run, monkeypatch: pytest.MonkeyPatch, na
     assert "…" not in ran.out
 
 
-@pytest.mark.parametrize("name", COMMANDS)
+@pytest.mark.parametrize("name", QUESTIONS)
 @pytest.mark.parametrize("how", ["", "--explain", "--json", "--csv"])
 def test_a_stream_that_knows_only_ascii(run: Run, name: str, how: str) -> None:
     ran = run(*f"{name} quartz 100nm {how}".split(), terminal=True, encoding="ascii")
@@ -320,7 +335,7 @@ def test_a_stream_that_knows_only_ascii(run: Run, name: str, how: str) -> None:
 
 
 def test_help_fits_a_screen_and_its_example_works(run: Run) -> None:
-    for name in (*COMMANDS, "materials", "map", "figure"):
+    for name in (*QUESTIONS, "materials", "map", "figure"):
         text = run(name, "--help").out
         assert len(text.splitlines()) <= 30, name
         assert max(map(len, text.splitlines())) <= 80
@@ -437,6 +452,20 @@ def test_completion_survives_its_environment() -> None:
     assert jkroll(env=environment).stdout.split() == ["quartz"]
     environment |= {"COMP_WORDS": "jkroll pull-off quartz 100", "COMP_CWORD": "3"}
     assert "100nm" in jkroll(env=environment).stdout.split()
+
+
+@pytest.mark.parametrize(
+    "said", [{}, {"COMP_WORDS": "jkroll pull"}, {"COMP_WORDS": "jkroll '", "COMP_CWORD": "x"}, {"COMP_CWORD": "1"}]
+)
+def test_a_request_for_completions_that_is_not_from_bash(
+    run: Run, monkeypatch: pytest.MonkeyPatch, said: dict[str, str]
+) -> None:
+    for name in ("COMP_WORDS", "COMP_CWORD"):
+        monkeypatch.delenv(name, raising=False)
+    for name, text in (said | {"_JKROLL_COMPLETE": "complete_bash"}).items():
+        monkeypatch.setenv(name, text)
+    problem = "_JKROLL_COMPLETE=complete_bash is for bash: it sets COMP_WORDS, and COMP_CWORD to a number"
+    assert run("pull-off") == (2, "", f"jkroll: {problem}\n")
 
 
 # --- The contact at any state, and the ladder of models ----------------------------------------------------------------

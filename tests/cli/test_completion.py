@@ -68,6 +68,13 @@ def test_no_name_in_a_file_becomes_a_command(shell: Shell) -> None:
     assert not (shell.words.parent / "hacked").exists()
 
 
+@pytest.mark.parametrize("word", ["$(touch hacked),qu", r"\$(touch hacked),qu", "`touch hacked`,qu"])
+def test_nothing_that_is_typed_is_run(shell: Shell, word: str) -> None:
+    typed = "".join(character if character.isalnum() or character == "," else f"\\{character}" for character in word)
+    assert shell.words_of(f"jkroll pull-off {typed}\t") == ["pull-off", word]
+    assert not (shell.words.parent / "hacked").exists()
+
+
 def test_a_broken_file_takes_nothing_from_completion(shell: Shell) -> None:
     path = shell.words.parent / "mine.toml"
     content = path.read_bytes()

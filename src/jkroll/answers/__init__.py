@@ -1,1 +1,1 @@
-"""What a command asks of a scene, and the answers."""
+"""The questions that commands ask of a scene, and the answers."""

@@ -1,59 +1,50 @@
-"""A check: what the paper prints beside what follows from its premises, and the verdict that the two numbers give."""
+"""A check: a claim of the paper beside what follows from its premises, and the verdict that the two numbers give."""
 
-from collections.abc import Callable
 from typing import Literal, NamedTuple
 
 Verdict = Literal["holds", "sign", "misprint", "wrong", "approximate"]
-Terms = float | tuple[float, ...]
+Terms = float | tuple[float, ...]  # one number, or several: the terms of a sum, the ends of a range, or cases
 
-ROUNDING = 1e-9  # how far two routes to one number may differ
+ROUNDING = 1e-9  # relative difference that two routes to one number may have
 
 
 class Check(NamedTuple):
-    """A claim of the paper. It is evaluated where nothing is special, so that only what is equal agrees.
-
-    Its numbers are one, or several: the terms of a sum, the ends of a range, or cases.
-    """
+    """A claim of the paper, evaluated at values where nothing is special, so that only equal formulas agree."""
 
     equation: str  # numbers of equations, or the place in the prose
     claim: str
     expected: Verdict
     reason: str
-    printed: Callable[[], Terms]
-    follows: Callable[[], Terms]
-    restated: Callable[[], Terms] | None = None  # the same thing where the paper itself says it again
-    within: float = ROUNDING  # relative, what the printed digits or the order of a series admit
-    hedge: float = 1.0  # the factor that an "about" or a "≈" of the paper admits
+    printed: Terms
+    follows: Terms
+    restated: Terms | None = None  # the printed claim where the paper states it again
+    within: float = ROUNDING  # relative difference admitted by the printed digits or the order of a series
+    hedge: float = 1.0  # factor admitted by an "about" or a "≈" of the paper
 
-    def row(self) -> "Row":
-        """Compute both sides and compare them."""
-        printed, follows = _terms(self.printed()), _terms(self.follows())
-        worst = max(range(len(follows)), key=lambda place: _difference(printed[place], follows[place]))
-        return Row(
-            self.equation,
-            self.claim,
-            printed[worst],
-            follows[worst],
-            _difference(printed[worst], follows[worst]),
-            self._verdict(printed, follows),
-            self.expected,
-            self.reason,
-        )
-
-    def _verdict(self, printed: tuple[float, ...], follows: tuple[float, ...]) -> Verdict:
+    @property
+    def verdict(self) -> Verdict:
+        """The verdict that the numbers give."""
+        printed, follows = _terms(self.printed), _terms(self.follows)
         if _agree(printed, follows, self.within):
             return "holds"
         if _agree(tuple(map(abs, printed)), tuple(map(abs, follows)), self.within):
             return "sign"
-        if self.restated is not None and _agree(_terms(self.restated()), follows, self.within):
+        if self.restated is not None and _agree(_terms(self.restated), follows, self.within):
             return "misprint"
         if all(1 <= self.hedge * one / other <= self.hedge**2 for one, other in zip(printed, follows, strict=True)):
             return "approximate"
         return "wrong"
 
+    def row(self) -> "Row":
+        """Return the outcome, with those of several numbers that differ most."""
+        pairs = zip(_terms(self.printed), _terms(self.follows), strict=True)
+        printed, follows = max(pairs, key=lambda pair: _difference(*pair))
+        difference = _difference(printed, follows)
+        return Row(self.equation, self.claim, printed, follows, difference, self.verdict, self.expected, self.reason)
+
 
 class Row(NamedTuple):
-    """The outcome of a check; of several numbers, those that differ most."""
+    """The outcome of a check."""
 
     equation: str
     claim: str

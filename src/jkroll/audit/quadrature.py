@@ -12,7 +12,7 @@ _DIRECTIONS = 24
 
 @cache
 def _gauss_legendre() -> tuple[tuple[float, float], ...]:
-    """Nodes and weights on −1 … 1: the roots of a Legendre polynomial, by Newton's method."""
+    """Return the nodes and weights on −1 … 1: the roots of a Legendre polynomial, by Newton's method."""
     rule = []
     for place in range(_NODES):
         node = cos(pi * (place + 0.75) / (_NODES + 0.5))
@@ -27,32 +27,32 @@ def _gauss_legendre() -> tuple[tuple[float, float], ...]:
 
 
 def integral(function: Function, low: float, high: float) -> float:
-    """Integral of a smooth function."""
+    """Return the integral of a smooth function."""
     middle, half = (low + high) / 2, (high - low) / 2
     return half * sum(weight * function(middle + half * node) for node, weight in _gauss_legendre())
 
 
 def to_rim(function: Function, a: float) -> float:
-    """Integral from 0 to a of a function that may have a square root at a, above or below a fraction line."""
+    """Return the integral from 0 to a of a function with a factor √(a − s), or 1/√(a − s), if any."""
     return integral(lambda angle: function(a * sin(angle)) * a * cos(angle), 0, pi / 2)
 
 
 def across(function: Function, a: float) -> float:
-    """Integral from −a to a of a function that may have a square root at both ends."""
+    """Return the integral from −a to a of a function with such a factor at both ends, if any."""
     return to_rim(lambda s: function(s) + function(-s), a)
 
 
 def over_disc(function: Callable[[float, float], float], a: float) -> float:
-    """Integral over a circle of a function of x and y that may have a square root at the rim."""
+    """Return the integral over a circle of a function of x and y with such a factor at the rim, if any."""
     turn = 2 * pi / _DIRECTIONS
     angles = [(place + 0.5) * turn for place in range(_DIRECTIONS)]
     return to_rim(lambda r: turn * r * sum(function(r * cos(angle), r * sin(angle)) for angle in angles), a)
 
 
 def principal_value(function: Function, x: float, a: float) -> float:
-    """Cauchy principal value of the integral of f(s)/(√(a² − s²)(x − s)) from −a to a, for a smooth f and |x| < a.
+    """Return the Cauchy principal value of ∫ f(s)/(√(a² − s²)(x − s)) ds from −a to a, for a smooth f and |x| < a.
 
-    That of a constant f is 0, so that f(x) may be taken off and no singularity remains.
+    For a constant f it is 0. So f(x) is subtracted, and no singularity remains.
     """
     at_x = function(x)
     nodes = [a * cos(pi * (place + 0.5) / _NODES) for place in range(_NODES)]
@@ -60,18 +60,18 @@ def principal_value(function: Function, x: float, a: float) -> float:
 
 
 def slope(function: Callable[[complex], complex], x: float) -> float:
-    """Derivative, by a step so small and imaginary that nothing cancels."""
+    """Return the derivative by a complex step, in which nothing cancels."""
     step = 1e-30
     return function(complex(x, step)).imag / step
 
 
 def first_order(function: Function, step: float) -> float:
-    """Derivative at 0 of an odd function, to the third order of the step."""
+    """Return the derivative at 0 of an odd function, to the third order of the step."""
     return (8 * function(step) - function(2 * step)) / (6 * step)
 
 
 def root(function: Function, low: float, high: float) -> float:
-    """Where a function that is negative at one end and positive at the other vanishes."""
+    """Return a root of a function that changes sign between two ends, by bisection."""
     rising = function(high) > 0
     for _ in range(60):
         middle = (low + high) / 2
@@ -80,7 +80,7 @@ def root(function: Function, low: float, high: float) -> float:
 
 
 def lowest(function: Function, low: float, high: float) -> float:
-    """Least value of a function with one minimum."""
+    """Return the least value of a function with one minimum, by golden-section search."""
     golden = (sqrt(5) - 1) / 2
     for _ in range(50):
         left, right = high - golden * (high - low), low + golden * (high - low)
@@ -89,5 +89,5 @@ def lowest(function: Function, low: float, high: float) -> float:
 
 
 def nearest(value: float, low: float, high: float) -> float:
-    """The number of a range that is nearest to a value: the value itself if it is inside."""
+    """Return the number of a range that is nearest to a value."""
     return min(max(value, low), high)

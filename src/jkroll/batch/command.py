@@ -2,9 +2,7 @@
 
 import sys
 from collections.abc import Mapping
-from typing import Any
 
-from ..errors import BadRequest
 from ..materials.library import known_materials
 from ..materials.places import materials_files
 from ..text import say
@@ -17,12 +15,8 @@ from .settings import Order, Settings, input_format
 ROWS_FAILED = 1
 
 
-def run(path: str | None, given: Mapping[str, Any]) -> int:
+def run(path: str, settings: Settings, inputs: Mapping[str, str]) -> int:
     """Convert a table; return the exit code."""
-    if path is None:
-        raise BadRequest("batch needs a table, such as grains.csv, or - for what comes in")
-    settings = Settings(**{name: value for name, value in given.items() if name in Settings._fields})
-    inputs = {name: value for name, value in given.items() if name not in Settings._fields}
     files = materials_files(settings.materials)
     order = Order(settings, inputs, known_materials(*files))
     order.known.materials  # noqa: B018  a table may name any of them

@@ -4,7 +4,7 @@ import sys
 from collections.abc import Mapping
 from typing import Any
 
-from ..answers.questions import COMMANDS
+from ..answers.questions import QUESTIONS
 from ..errors import BadRequest
 from ..materials.library import Material, Materials
 from ..quantities.errors import UnknownQuantity
@@ -58,8 +58,8 @@ def _named(text: str) -> tuple[list[str], list[str]]:
     named: list[str] = []
     offered: list[str] = []
     for word in map(str.strip, text.split(",")):
-        if word in COMMANDS:
-            offered += COMMANDS[word].quantities
+        if word in QUESTIONS:
+            offered += QUESTIONS[word].quantities
         elif word in NOMENCLATURE and NOMENCLATURE[word].unit:
             named.append(word)
         else:

@@ -1,1 +1,1 @@
-"""Speed against error of the ways to each number."""
+"""Speed against error of the ways to compute each quantity."""

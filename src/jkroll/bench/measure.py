@@ -1,22 +1,33 @@
-"""Nanoseconds a point and errors in units of the last place, for every way to every headline quantity."""
+"""The cost and the errors of every way to every headline quantity, and the cost of `jkroll.solve` beside plain programs."""
 
-from collections.abc import Callable, Mapping, Sequence
+import math
+import tracemalloc
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from time import perf_counter_ns
 from typing import Any, NamedTuple
 
+import numpy
+
+from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.solver import solve
-from .bare import WANTED, BareArrays, bare_numbers
-from .reference import arguments_of, at, exact, references
-from .scenes import Arrays, hard, ordinary, point_maker
-from .ways import OTHER_WAYS, QUANTITIES, default, with_units
+from .by_hand import by_hand
+from .points import Arrays, each, hard, ordinary, scenes
+from .reference import exact, inputs_of, references
+from .ways import OTHER_WAYS, QUANTITIES, own_way
 
 DEFAULT = "jkroll, arrays"
-_SAME_COST = 1.1  # clocks do not tell less apart
+USUAL = (
+    "pull_off_force", "contact_radius", "approach", "yield_force", "yield_force_ratio", "yield_moment", "yield_angle",
+    "r_min", "n_grav", "vertical_frequency", "rolling_frequency", "n_roll",
+)  # fmt: skip
+_NUMPY = numpy.sqrt, numpy.cbrt, numpy.minimum, numpy.maximum
+_MATH = math.sqrt, math.cbrt, min, max
+_SAME_COST = 1.1  # ratio of times that clocks do not tell apart
 
 
 class Size(NamedTuple):
-    """How much is measured."""
+    """The extent of a measurement."""
 
     points: int  # of each kind whose errors are measured
     elements: int  # of the arrays that are timed
@@ -47,24 +58,31 @@ class Row(NamedTuple):
 
 
 class Ratio(NamedTuple):
-    """`jkroll.solve` against the same arithmetic written out by hand."""
+    """The cost of `jkroll.solve` beside a plain program of the same formulas."""
 
     case: str
     scenes: int
     solved: float  # ns a scene
-    bare: float  # ns a scene
+    by_hand: float  # ns a scene
     extra_memory: float  # bytes that `solve` takes at most beyond the arrays it returns
 
     @property
     def ratio(self) -> float:
-        """How many times the bare time `solve` takes."""
-        return self.solved / self.bare
+        """The time of `solve` in units of that of the plain program."""
+        return self.solved / self.by_hand
+
+
+class _Candidate(NamedTuple):
+    """A way to be measured: `prepare` makes of arrays what `run`, which is timed, takes."""
+
+    name: str
+    prepare: Callable[[Arrays], Any]
+    run: Callable[[Any], Any]
+    is_of_arrays: bool = True
 
 
 def measure(size: Size, quantities: Sequence[str] = QUANTITIES) -> list[Row]:
-    """Every way to the quantities."""
-    import numpy
-
+    """Measure every way to the quantities."""
     kinds = ordinary(size.points), hard(size.points)
     rows: list[Row] = []
     with numpy.errstate(all="ignore"):
@@ -74,89 +92,78 @@ def measure(size: Size, quantities: Sequence[str] = QUANTITIES) -> list[Row]:
 
 
 def _measure_quantity(quantity: str, kinds: Sequence[Arrays], size: Size) -> list[Row]:
-    import numpy
-
-    ways = OTHER_WAYS[quantity]
-    names = dict.fromkeys(name for way in (references()[quantity], *ways.values()) for name in arguments_of(way))
+    ways = OTHER_WAYS[quantity].values()
+    names = dict.fromkeys(name for way in (references()[quantity], *ways) for name in inputs_of(way))
     kinds = [{name: kind[name] for name in names} for kind in kinds]
     many = {name: numpy.resize(values, size.elements) for name, values in kinds[0].items()}
-    single = {name: values.astype(numpy.float32) for name, values in many.items()}
-    points = [[point_maker(kind)(place) for place in range(size.points)] for kind in kinds]
-    wanted = [_columns(exact(quantity, some)) for some in points]
-    few, ours, digits = points[0][: size.numbers], default(quantity), at(quantity)
-    runs: dict[str, tuple[Callable[[], Any], int]] = {}
-    found: dict[str, list[Any]] = {}
-
-    def add(way: str, timed: Callable[[], Any], count: int, values: Callable[[int], Any]) -> None:
-        runs[way] = timed, count
-        found[way] = [values(kind) for kind in range(len(kinds))]
-
-    add(DEFAULT, partial(ours, many), size.elements, lambda kind: ours(kinds[kind]))
-    add("jkroll, floats", partial(_each, ours, few), len(few), lambda kind: _each(ours, points[kind]))
-    for way, function in ways.items():
-        taken = arguments_of(function)
-        add(
-            way,
-            partial(function, *(many[name] for name in taken)),
-            size.elements,
-            partial(_called, function, taken, kinds),
-        )
-    add(
-        "jkroll, float32",
-        partial(ours, single),
-        size.elements,
-        lambda kind: ours({name: values.astype(numpy.float32) for name, values in kinds[kind].items()}),
-    )
-    united = with_units(many)
-    add(
-        "jkroll, pint arrays",
-        lambda: ours(united).to_base_units(),
-        size.elements,
-        lambda kind: ours(with_units(kinds[kind])).to_base_units().magnitude,
-    )
-    add("mpmath", partial(_each, digits, few), len(few), lambda kind: wanted[kind][0])
-    costs = _best({way: timed for way, (timed, _) in runs.items()}, size.repeats)
+    few = {name: values[: size.numbers] for name, values in kinds[0].items()}
+    wanted = [numpy.array([exact(quantity, point) for point in each(kind)]).T for kind in kinds]
+    candidates = list(_candidates(quantity))
+    timed = {one.name: partial(one.run, one.prepare(many if one.is_of_arrays else few)) for one in candidates}
+    times = _best(timed, size.repeats)
     rows = []
-    for way, values in found.items():
-        usual, difficult = (_errors(value, *want) for value, want in zip(values, wanted, strict=True))
-        cost = costs[way] / runs[way][1]
-        rows.append(Row(quantity, way, cost, float(numpy.median(usual)), float(usual.max()), float(difficult.max())))
+    for one in candidates:
+        usual, difficult = (
+            _errors(one.run(one.prepare(kind)), *want) for kind, want in zip(kinds, wanted, strict=True)
+        )
+        cost = times[one.name] / (size.elements if one.is_of_arrays else len(each(few)))
+        rows.append(
+            Row(quantity, one.name, cost, float(numpy.median(usual)), float(usual.max()), float(difficult.max()))
+        )
     return rows
 
 
-def _called(function: Callable[..., Any], names: Sequence[str], kinds: Sequence[Arrays], kind: int) -> Any:
-    return function(*(kinds[kind][name] for name in names))
+def _candidates(quantity: str) -> Iterator[_Candidate]:
+    """Iterate over all ways to a quantity."""
+    own = own_way(quantity)
+    yield _Candidate(DEFAULT, dict, own)
+    yield _Candidate("jkroll, floats", each, partial(_numbers, own), is_of_arrays=False)
+    for name, way in OTHER_WAYS[quantity].items():
+        yield _Candidate(name, partial(_arguments, inputs_of(way)), partial(_called, way))
+    yield _Candidate("jkroll, float32", _in_single_precision, own)
+    yield _Candidate("jkroll, pint arrays", _with_units, lambda given: own(given).to_base_units().magnitude)
+    yield _Candidate("mpmath", each, lambda points: [exact(quantity, point)[0] for point in points], is_of_arrays=False)
 
 
-def _each(function: Callable[[Mapping[str, float]], Any], points: Sequence[Mapping[str, float]]) -> list[Any]:
-    """One call a point; a call that has no answer says nan."""
+def _arguments(names: Sequence[str], points: Arrays) -> list[Any]:
+    return [points[name] for name in names]
+
+
+def _called(way: Callable[..., Any], arguments: Sequence[Any]) -> Any:
+    return way(*arguments)
+
+
+def _in_single_precision(points: Arrays) -> Arrays:
+    return {name: values.astype(numpy.float32) for name, values in points.items()}
+
+
+def _with_units(points: Arrays) -> Arrays:
+    """Return pint Quantities in base units: cube roots of J/m² and Pa have dimensions that round differently."""
+    from ..quantities.pint_names import registry
+
+    return {name: registry().Quantity(value, NOMENCLATURE[name].unit).to_base_units() for name, value in points.items()}
+
+
+def _numbers(function: Callable[[Mapping[str, float]], Any], points: Sequence[Mapping[str, float]]) -> list[Any]:
+    """Call a function for each point; nan stands for no answer."""
     results = []
     for point in points:
         try:
             results.append(function(point))
         except (ValueError, ZeroDivisionError, OverflowError):
-            results.append(float("nan"))
+            results.append(math.nan)
     return results
 
 
-def _columns(pairs: Sequence[tuple[float, float]]) -> tuple[Any, Any]:
-    import numpy
-
-    nearest, rest = numpy.array(pairs).T
-    return nearest, rest
-
-
 def _errors(values: Any, nearest: Any, rest: Any) -> Any:
-    """Distances from the exact values, in units of the last place of the doubles next to them; inf for no number."""
-    import numpy
-
+    """Return distances from the exact values, in units of the last place of the nearest doubles; inf for no number."""
     error = abs((numpy.asarray(values, dtype=float) - nearest) - rest) / numpy.spacing(abs(nearest))
     return numpy.where(numpy.isfinite(error), error, numpy.inf)
 
 
 def _best(runs: Mapping[str, Callable[[], Any]], repeats: int) -> dict[str, float]:
-    """The shortest time of each, ns; they take turns, so that a busy spell of the machine meets all of them."""
-    best = dict.fromkeys(runs, float("inf"))
+    """Return the shortest time of each, in ns; they take turns, so that a busy machine slows all of them."""
+    best = dict.fromkeys(runs, math.inf)
     for _ in range(repeats):
         for name, run in runs.items():
             for _warm in (False, True):
@@ -167,54 +174,46 @@ def _best(runs: Mapping[str, Callable[[], Any]], repeats: int) -> dict[str, floa
 
 
 def with_front(rows: Sequence[Row]) -> list[Row]:
-    """The rows of one quantity, with a mark on those that none of the others beats."""
+    """Return the rows of one quantity with a mark on those that no other beats."""
     return [row._replace(on_front=not any(beats(other, row) for other in rows)) for row in rows]
 
 
 def beats(one: Row, two: Row) -> bool:
-    """Whether one way is cheaper and no less accurate than another, or more accurate and no dearer."""
+    """Return whether one way is cheaper and no less accurate than another, or more accurate and no dearer."""
     cheaper, dearer = one.cost * _SAME_COST < two.cost, one.cost > two.cost * _SAME_COST
     return (cheaper and one.error <= two.error) or (one.error < two.error and not dearer)
 
 
 def compare(size: Size) -> list[Ratio]:
-    """`jkroll.solve` against bare numpy into outputs allocated beforehand, and against bare `math`."""
-    many = _scenes(size.scenes)
-    bare = BareArrays(size.scenes)
-    times = _best({"solve": lambda: solve(WANTED, **many), "bare": lambda: bare.run(many)}, size.repeats)
-    rows = [
-        Ratio("arrays", size.scenes, times["solve"] / size.scenes, times["bare"] / size.scenes, _extra_memory(many))
-    ]
-    few: list[dict[str, Any]] = [dict(point_maker(many)(place)) for place in range(size.numbers)]
-    times = _best(
+    """Compare `jkroll.solve` with plain expressions of numpy for many scenes, and of `math` for one."""
+    many = scenes(size.scenes)
+    few: list[dict[str, Any]] = list(each({name: values[: size.numbers] for name, values in many.items()}))
+    arrays = _best(
+        {"solve": lambda: solve(USUAL, **many), "by hand": lambda: by_hand(*_NUMPY, **many)},
+        size.repeats,
+    )
+    numbers = _best(
         {
-            "solve": lambda: [solve(WANTED, **scene) for scene in few],
-            "bare": lambda: [bare_numbers(scene) for scene in few],
+            "solve": lambda: [solve(USUAL, **scene) for scene in few],
+            "by hand": lambda: [by_hand(*_MATH, **scene) for scene in few],
         },
         size.repeats,
     )
-    rows.append(Ratio("one scene", 1, times["solve"] / len(few), times["bare"] / len(few), _extra_memory(few[0])))
-    return rows
+    return [
+        _ratio("arrays, numpy", size.scenes, arrays, size.scenes, _extra_memory(many)),
+        _ratio("one scene, math", 1, numbers, len(few), _extra_memory(few[0])),
+    ]
 
 
-def _scenes(count: int) -> Arrays:
-    """Scenes in which everything differs, as `jkroll.solve` takes them."""
-    points = ordinary(count)
-    given: dict[str, Any] = {name: points[name] for name in ("radius", "radius2", "density")}
-    given["surface_energy"] = points["work_of_adhesion"] / 2
-    given["youngs_modulus"] = points["contact_modulus"]
-    given["poisson_ratio"] = 0.1 + 0.3 * (points["approach"] * points["density"] % 1)
-    given["load"] = points["load"]
-    return given
+def _ratio(case: str, scenes: int, times: Mapping[str, float], count: int, memory: float) -> Ratio:
+    return Ratio(case, scenes, times["solve"] / count, times["by hand"] / count, memory)
 
 
 def _extra_memory(given: Mapping[str, Any]) -> float:
-    """Bytes that a call takes at its peak beyond what it returns."""
-    import tracemalloc
-
+    """Return the bytes that a call takes at its peak beyond what it returns."""
     tracemalloc.start()
     try:
-        results = solve(WANTED, **given)
+        results = solve(USUAL, **given)
         peak = tracemalloc.get_traced_memory()[1]
     finally:
         tracemalloc.stop()

@@ -1,12 +1,12 @@
-"""What the benchmark measures errors against: the paper's equations in 60 digits, in their plainest form.
+"""The paper's equations in 60 digits, in their plainest form, against which the benchmark measures errors.
 
-The only module that imports mpmath. Inputs are doubles and taken as exact; the state is that of a load and a pull-off
+The only module that imports mpmath. Inputs are doubles and taken as exact. The state is that of a load and a pull-off
 force, or of an approach in units of the unloaded one.
 """
 
 # ruff: noqa: N803  (the paper's symbols)
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Any
 
@@ -19,15 +19,15 @@ SYMBOLS = {
 }  # fmt: skip
 
 
-def arguments_of(way: Callable[..., Any]) -> tuple[str, ...]:
-    """The names of the inputs of a function whose parameters are the paper's symbols."""
+def inputs_of(way: Callable[..., Any]) -> tuple[str, ...]:
+    """Return the names of the inputs of a function whose parameters are the paper's symbols."""
     code = way.__code__
     return tuple(SYMBOLS[symbol] for symbol in code.co_varnames[: code.co_argcount])
 
 
 @cache
-def digits() -> Any:
-    """Arithmetic of 60 digits, in a context of its own."""
+def _digits() -> Any:
+    """Return mpmath's arithmetic of 60 digits, in a context of its own."""
     from mpmath import MPContext  # type: ignore[import-untyped]
 
     context = MPContext()
@@ -37,9 +37,9 @@ def digits() -> Any:
 
 @cache
 def references() -> Mapping[str, Callable[..., Any]]:
-    """The equation of each headline quantity, for arguments of 60 digits in the paper's symbols."""
-    mp = digits()
-    mpf, pi, sqrt, cbrt = mp.mpf, +mp.pi, mp.sqrt, mp.cbrt
+    """Return the equation of each quantity, for arguments of 60 digits in the paper's symbols."""
+    mp = _digits()
+    pi, sqrt, cbrt = +mp.pi, mp.sqrt, mp.cbrt
 
     def reduced(one: Any, two: Any) -> Any:
         return 1 / (1 / one + 1 / two)
@@ -76,10 +76,10 @@ def references() -> Mapping[str, Callable[..., Any]]:
         return 2 * mass(R, rho) * R**2 / 5
 
     def factor_at_approach(delta: Any, delta0: Any) -> Any:
-        """Eq 6 by Newton's method from beyond the root, past which its steps do not go."""
-        ratio, step = delta / delta0, mpf(1)
+        """Eq 6 by Newton's method, which is monotone from above the root."""
+        ratio, step = delta / delta0, mp.mpf(1)
         y = 1 + sqrt(sqrt(abs(ratio)))
-        while abs(step) > abs(y) * mpf(10) ** -(DIGITS // 2):  # the last one squares that
+        while abs(step) > abs(y) * mp.mpf(10) ** -(DIGITS // 2):  # the last step squares that
             step = (3 * y**4 - 2 * y - ratio) / (12 * y**3 - 2)
             y -= step
         return y**3
@@ -90,8 +90,7 @@ def references() -> Mapping[str, Callable[..., Any]]:
         "approach": approach,
         "contact_radius_at_load": lambda R1, R2, w, E, P, P_c: radius(R1, R2, w, E) * stretch(P, P_c),
         "approach_at_load": lambda R1, R2, w, E, P, P_c: (
-            approach(R1, R2, w, E) * (3 * stretch(P, P_c) ** 2 - 2 * sqrt(stretch(P, P_c)))
-        ),
+            approach(R1, R2, w, E) * (3 * stretch(P, P_c) ** 2 - 2 * sqrt(stretch(P, P_c)))),
         "stiffness": stiffness,
         "load_factor_at_approach": factor_at_approach,
         "yield_moment": moment,
@@ -99,23 +98,16 @@ def references() -> Mapping[str, Callable[..., Any]]:
         "r_min": lambda R1, R2, xi: R1 * R2 / xi,
         "n_grav": lambda R1, R2, w, rho, xi, g, P, P_c: sqrt(moment(R1, R2, w, xi, P, P_c) / (mass(R1, rho) * g * R1)),
         "vertical_frequency": lambda R1, R2, w, E, rho, P, P_c: (
-            sqrt(stiffness(R1, R2, w, E, P, P_c) / reduced(mass(R1, rho), mass(R2, rho))) / (2 * pi)
-        ),
+            sqrt(stiffness(R1, R2, w, E, P, P_c) / reduced(mass(R1, rho), mass(R2, rho))) / (2 * pi)),
         "rolling_frequency": lambda R1, R2, w, rho, P, P_c: (
             sqrt(4 * force(R1, R2, w) * state(P, P_c) * reduced(R1, R2) / reduced(inertia(R1, rho), inertia(R2, rho)))
-            / (2 * pi)
-        ),
+            / (2 * pi)),
         "n_roll": lambda R1, R2, w, E, xi, P, P_c: approach(R1, R2, w, E) / (14 * pi * state(P, P_c) * xi),
-    }
+    }  # fmt: skip
 
 
-def exact(quantity: str, points: Sequence[Mapping[str, float]]) -> list[tuple[float, float]]:
-    """For each point, the double next to the exact value and what the exact value has beyond it."""
-    return [(float(value), float(value - float(value))) for value in map(at(quantity), points)]
-
-
-def at(quantity: str) -> Callable[[Mapping[str, float]], Any]:
-    """The reference of a quantity as a function of a point."""
-    reference, number = references()[quantity], digits().mpf
-    names = arguments_of(reference)
-    return lambda point: reference(*(number(point[name]) for name in names))
+def exact(quantity: str, point: Mapping[str, float]) -> tuple[float, float]:
+    """Return the double nearest to the exact value at a point, and the rest."""
+    reference = references()[quantity]
+    value = reference(*(_digits().mpf(point[name]) for name in inputs_of(reference)))
+    return float(value), float(value - float(value))

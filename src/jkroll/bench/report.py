@@ -1,91 +1,75 @@
-"""Speed against error: what every way to a quantity costs, and how many digits it leaves."""
+"""`jkroll bench`: the cost and the errors of every way to a quantity, as a table, plain lines, CSV, JSON or a plot."""
 
-import csv
 import math
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TextIO
+from typing import Any, TextIO
 
 from ..output.files import whole_file
+from ..output.records import Cell, write_records
 from ..text import json_text, say
 from .measure import DEFAULT, FULL, QUICK, Ratio, Row, beats, compare, measure
 
 HEADS = ("quantity", "way", "ns_per_point", "median_ulp", "worst_ulp", "worst_ulp_hard", "on_front")
-RATIO_HEADS = ("case", "scenes", "solve_ns_per_scene", "bare_ns_per_scene", "ratio", "extra_memory_bytes")
+RATIO_HEADS = ("case", "scenes", "solve_ns_per_scene", "by_hand_ns_per_scene", "ratio", "extra_memory_bytes")
+TABLE_HEADS = ("quantity", "way", "ns/point", "median ulp", "worst ulp", "hard", "front")
+RATIO_TABLE_HEADS = ("solve", "scenes", "ns/scene", "by hand", "ratio", "extra memory")
 
 
 def write_bench(out: TextIO, kind: str, quick: bool, plot: str | Path | None = None) -> int:
-    """Measure everything and write it as a table, plain lines, CSV or JSON, and draw it into a file if one is named.
-
-    Return the exit code.
-    """
+    """Measure everything, write it in a format, draw it into a file if one is named, and return the exit code."""
     if plot is not None:
-        from ..pictures import page as drawing  # noqa: F401  if it is missing, it is missed before anything is measured
+        from ..pictures import page  # noqa: F401  a missing library is reported before anything is measured
     size = QUICK if quick else FULL
     rows, ratios = measure(size), compare(size)
     if plot is not None:
         plot_bench(rows, plot)
+    if kind == "table":
+        write_records(TABLE_HEADS, map(_table_row, rows), kind, out)
+        say("* no other way is both as accurate and, to 10 %, as cheap", out)
+        for line in off_front(rows):
+            say(line, out)
+        say("", out)
+        write_records(RATIO_TABLE_HEADS, map(_ratio_table_row, ratios), kind, out)
+        return 0
+    ways = [[*map(_finite, row)] for row in rows]
+    solved = [[_finite(getattr(one, name)) for name in _RATIO_FIELDS] for one in ratios]
     if kind == "json":
-        whole = {
-            "ways": [dict(zip(HEADS, _bare(row), strict=True)) for row in rows],
-            "solve": [dict(zip(RATIO_HEADS, _bare(ratio), strict=True)) for ratio in ratios],
+        parts = {"ways": (HEADS, ways), "solve": (RATIO_HEADS, solved)}
+        objects = {
+            name: [dict(zip(heads, line, strict=True)) for line in lines] for name, (heads, lines) in parts.items()
         }
-        say(json_text(whole, out), out)
-    elif kind == "csv":
-        writer = csv.writer(out, lineterminator="\n")
-        writer.writerows([HEADS, *map(_bare, rows)])
-        out.write("\n")
-        writer.writerows([RATIO_HEADS, *map(_bare, ratios)])
-    elif kind == "table":
-        _write_tables(rows, ratios, out)
+        say(json_text(objects, out), out)
     else:
-        for heads, lines in ((HEADS, rows), (RATIO_HEADS, ratios)):
-            say("\t".join(heads), out)
-            for line in lines:
-                say("\t".join(map(str, _bare(line))), out)
+        write_records(HEADS, ways, kind, out)
+        say("", out)
+        write_records(RATIO_HEADS, solved, kind, out)
     return 0
 
 
-def _write_tables(rows: Sequence[Row], ratios: Sequence[Ratio], out: TextIO) -> None:
-    from ..output.table import write_rows
+_RATIO_FIELDS = ("case", "scenes", "solved", "by_hand", "ratio", "extra_memory")
 
-    write_rows(
-        ["quantity", "way", "ns/point", "median ulp", "worst ulp", "hard", "front"],
-        [
-            [
-                row.quantity,
-                row.way,
-                _short(row.cost),
-                *map(_short, (row.median, row.worst, row.worst_hard)),
-                "*" if row.on_front else "",
-            ]
-            for row in rows
-        ],
-        out,
-    )
-    say("* no other way is both as accurate and, to 10 %, as cheap", out)
-    for line in off_front(rows):
-        say(line, out)
-    say("", out)
-    write_rows(
-        ["solve", "scenes", "ns/scene", "by hand", "ratio", "extra memory"],
-        [
-            [
-                ratio.case,
-                str(ratio.scenes),
-                _short(ratio.solved),
-                _short(ratio.bare),
-                _short(ratio.ratio),
-                f"{ratio.extra_memory / 1e6:.2f} MB",
-            ]
-            for ratio in ratios
-        ],
-        out,
-    )
+
+def _finite(cell: Any) -> Any:
+    return None if isinstance(cell, float) and not math.isfinite(cell) else cell
+
+
+def _table_row(row: Row) -> list[Cell]:
+    errors = map(_short, (row.median, row.worst, row.worst_hard))
+    return [row.quantity, row.way, _short(row.cost), *errors, "*" if row.on_front else ""]
+
+
+def _ratio_table_row(one: Ratio) -> list[Cell]:
+    numbers = map(_short, (one.solved, one.by_hand, one.ratio))
+    return [one.case, one.scenes, *numbers, f"{one.extra_memory / 1e6:.2f} MB"]
+
+
+def _short(value: float) -> str:
+    return f"{value:.3g}" if math.isfinite(value) else "no number"
 
 
 def off_front(rows: Sequence[Row]) -> list[str]:
-    """A line for each quantity whose default is beaten, and by what."""
+    """Return a line for each quantity whose default is beaten, with the way that beats it."""
     lines = []
     for row in rows:
         if row.way == DEFAULT and not row.on_front:
@@ -99,14 +83,15 @@ def off_front(rows: Sequence[Row]) -> list[str]:
 
 
 def plot_bench(rows: Sequence[Row], path: str | Path) -> None:
-    """Error against cost, a panel a quantity, with the front, as the ending of a file says; needs matplotlib."""
+    """Draw error against cost, a panel for each quantity, with the front; needs matplotlib."""
     from ..pictures.page import sheet
 
     names = list(dict.fromkeys(row.quantity for row in rows))
     columns = math.ceil(math.sqrt(len(names)))
-    figure = sheet(4 * columns, 3.2 * math.ceil(len(names) / columns))
+    lines = math.ceil(len(names) / columns)
+    figure = sheet(4 * columns, 3.2 * lines)
     for place, name in enumerate(names, 1):
-        axes = figure.add_subplot(math.ceil(len(names) / columns), columns, place)
+        axes = figure.add_subplot(lines, columns, place)
         ways = sorted((row for row in rows if row.quantity == name), key=lambda row: row.cost)
         front = [row for row in ways if row.on_front]
         axes.step([row.cost for row in front], [_drawn(row.error) for row in front], where="post", color="0.7")
@@ -119,19 +104,5 @@ def plot_bench(rows: Sequence[Row], path: str | Path) -> None:
 
 
 def _drawn(error: float) -> float:
-    """An error on a logarithmic axis: all digits lost where there is no number."""
+    """Return an error on a logarithmic axis; where there is no number, all digits are lost."""
     return min(max(error, 0.1), 2.0**53)
-
-
-def _bare(line: Row | Ratio) -> list[str | float | None]:
-    """The fields in the order of the heads; what is no number is none."""
-    fields: list[str | float]
-    if isinstance(line, Row):
-        fields = [*line]
-    else:
-        fields = [line.case, line.scenes, line.solved, line.bare, line.ratio, line.extra_memory]
-    return [None if isinstance(field, float) and not math.isfinite(field) else field for field in fields]
-
-
-def _short(value: float) -> str:
-    return f"{value:.3g}" if math.isfinite(value) else "no number"

@@ -1,1 +1,1 @@
-"""The command line: words to a call to an exit code."""
+"""The command line: from words to a call to an exit code."""

@@ -1,13 +1,14 @@
-"""What the shell offers on TAB: materials, and values with the units of the quantity."""
+"""Completers: the candidates for a word or an option value that is begun."""
 
-from collections.abc import Callable, Iterable
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterable, Mapping
+from functools import partial
 
 from ..errors import JkrollError
+from ..materials.library import Materials, known_materials
+from ..materials.places import materials_files
 from ..quantities.nomenclature import NOMENCLATURE
 
-if TYPE_CHECKING:
-    from ..materials.library import Materials
+Completer = Callable[[str], list[str]]
 
 _UNITS = {
     "m": ("nm", "um", "mm", "m", "angstrom"),
@@ -21,24 +22,38 @@ _UNITS = {
 }
 
 
-def complete_words(incomplete: str) -> list[str]:
-    """Materials for a word that begins with a letter, radii for one that begins with a number.
+def completer_of_words(command: str) -> Completer | None:
+    """Return the completer for the words of a command; None if they are files, which the shell completes."""
+    return _OF_COMMAND.get(command, complete_words)
 
-    An alias is offered where no name fits; never what a shell would take for more than a word, such as $(date).
+
+def completer_of_option(name: str) -> Completer | None:
+    """Return the completer for the value of an option, or None."""
+    if name in _OF_OPTION:
+        return _OF_OPTION[name]
+    return partial(complete_input, name) if name in NOMENCLATURE else None
+
+
+def is_safe(candidate: str) -> bool:
+    """Return whether every shell reads a candidate as a plain word, so that nothing of it can be run."""
+    return all(character.isalnum() or character in "_-−.+,@=:/" for character in candidate)
+
+
+def complete_words(incomplete: str) -> list[str]:
+    """Return materials for a word that begins with a letter, radii for one that begins with a digit.
+
+    An alias is offered where no name fits.
     """
     if incomplete[:1].isdigit():
         return _with_units(incomplete, "m")
     head, comma, word = incomplete.rpartition(",")
     materials = _materials()
     fitting = _beginning([*materials.names, "all"], word) or _beginning(materials.aliases, word)
-    return [head + comma + name for name in fitting if all(_is_plain(character) for character in name)]
+    return [head + comma + name for name in fitting]
 
 
-def _materials() -> "Materials":
-    """The materials that are known; while a user's file is broken, the shipped ones: here is no place to say so."""
-    from ..materials.library import known_materials
-    from ..materials.places import materials_files
-
+def _materials() -> Materials:
+    """Return the known materials; only the shipped ones while a user's file is broken, which a later call reports."""
     try:
         return known_materials(*materials_files(None))
     except JkrollError:
@@ -49,19 +64,15 @@ def _beginning(names: Iterable[str], word: str) -> list[str]:
     return [name for name in names if name.casefold().startswith(word.casefold())]
 
 
-def _is_plain(character: str) -> bool:
-    return character.isalnum() or character in "_-.+"
-
-
 def complete_map(incomplete: str) -> list[str]:
-    """Quantities of a map, and what else it takes."""
+    """Return quantities to draw; for a word that is begun, materials and radii too."""
     word = incomplete.replace("-", "_")
     quantities = [name for name in NOMENCLATURE if name.startswith(word) and NOMENCLATURE[name].equation]
     return [*quantities, *complete_words(incomplete)] if incomplete else quantities
 
 
 def complete_figure(incomplete: str) -> list[str]:
-    """The figures with data."""
+    """Return the figures that can be drawn."""
     from ..pictures.figures import FIGURES
     from ..pictures.profiles import PROFILES
 
@@ -69,42 +80,35 @@ def complete_figure(incomplete: str) -> list[str]:
 
 
 def complete_axis(incomplete: str) -> list[str]:
-    """Quantities for an axis, each with a range to be changed."""
-    ends = {name: f"{name}=" for name in NOMENCLATURE if NOMENCLATURE[name].range}
-    return [text for name, text in ends.items() if text.startswith(incomplete)]
+    """Return quantities for an axis, each with the sign before its range."""
+    return [f"{name}=" for name in NOMENCLATURE if NOMENCLATURE[name].range and f"{name}=".startswith(incomplete)]
 
 
 def complete_mark(incomplete: str) -> list[str]:
-    """Materials, and after an @ radii."""
+    """Return materials, and radii after an @."""
     head, at, radius = incomplete.rpartition("@")
     if at:
         return [f"{head}@{text}" for text in _with_units(radius, "m")]
     return [f"{name}@" for name in complete_words(incomplete) if name.rpartition(",")[2] != "all"]
 
 
-ARGUMENTS = {"map": complete_map, "figure": complete_figure}
-OPTIONS = {"x": complete_axis, "y": complete_axis, "mark": complete_mark}
-
-
-def complete_option(name: str) -> Callable[[str], list[str]] | None:
-    """The completer for the value of an option, if there is one."""
-    return OPTIONS.get(name) or (complete_input(name) if name in NOMENCLATURE else None)
-
-
-def complete_input(name: str) -> Callable[[str], list[str]]:
-    """The completer for an option: materials, or values in the units of the quantity."""
-    if name == "material2":
-        return complete_words
-    unit = NOMENCLATURE[name].unit
-    example = NOMENCLATURE[name].example
-
-    def complete(incomplete: str) -> list[str]:
-        return _with_units(incomplete, unit) if incomplete else [example]
-
-    return complete
+def complete_input(name: str, incomplete: str) -> list[str]:
+    """Return a value of an input in each unit of its dimension; its example if nothing is typed yet."""
+    quantity = NOMENCLATURE[name]
+    return _with_units(incomplete, quantity.unit) if incomplete else [quantity.example]
 
 
 def _with_units(incomplete: str, unit: str) -> list[str]:
     digits = len(incomplete) - len(incomplete.lstrip("0123456789.-+−"))
     number = incomplete[:digits]
     return [number + candidate for candidate in _UNITS.get(unit, ()) if (number + candidate).startswith(incomplete)]
+
+
+_OF_COMMAND: Mapping[str, Completer | None] = {"map": complete_map, "figure": complete_figure, "batch": None}
+_OF_OPTION: Mapping[str, Completer] = {
+    "x": complete_axis,
+    "y": complete_axis,
+    "mark": complete_mark,
+    "material": complete_words,
+    "material2": complete_words,
+}

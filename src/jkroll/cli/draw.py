@@ -1,10 +1,9 @@
-"""A call of `map`, `figure` or `contact --curve -o`, from what was typed to a terminal or a file."""
+"""Runners of `map`, `figure` and `contact --curve -o`: from words and option values to a drawing."""
 
 import io
 import sys
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from math import isnan
-from typing import NamedTuple
 
 from ..errors import BadRequest, MissingExtra
 from ..materials.library import known_materials
@@ -20,9 +19,10 @@ from ..quantities.nomenclature import header
 from ..quantities.parsing import parse_value
 from ..quantities.units import BadUnit, dimension_of
 from ..text import quoted, say
-from .map_request import asked, marks_of
+from .map_request import map_request, marks_of
+from .options import Values
 from .request import Request
-from .run import PICTURES, Output, no_picture
+from .run import PICTURES, ending, format_name, no_picture
 
 ON_SCREEN = (241, 121)  # points of a map that is drawn in cells
 IN_FILE = (201, 201)
@@ -30,127 +30,119 @@ OF_PAPER = (21, 21)  # its contours are of powers, straight on logarithmic axes:
 ALONG = 1001  # points of a curve
 
 
-class Target(NamedTuple):
-    """Where a picture goes, and how it is to look there."""
-
-    file: str | None = None
-    width: str | None = None
-    style: str | None = None
-    uncaptioned: bool = False
-    panel: str | None = None
-    data: str | None = None
-
-    def check(self) -> None:
-        """Refuse what cannot be drawn before anything is computed, and say what is missing."""
-        if self.style not in (None, *STYLES):
-            raise BadRequest(f"--style: {quoted(self.style or '')} is not a style; there are paper and dark")
-        if self.panel not in (None, *PANELS):
-            raise BadRequest(f"--panel: {quoted(self.panel or '')} is not a panel; there are {', '.join(PANELS)}")
-        self.inches()
-        if self.file is None:
-            given = [_flag(name) for name in ("width", "style", "panel") if self._asdict()[name]]
-            if given or self.uncaptioned:
-                raise BadRequest(f"{', '.join(given) or '--no-caption'}: this is of a file; name one with -o")
-            return
-        if self.file.rpartition(".")[2].lower() not in PICTURES:
-            raise no_picture("-o", self.file)
-        try:
-            from ..pictures import page as drawing  # noqa: F401
-        except ModuleNotFoundError as error:
-            raise MissingExtra(error.name or "", "plot") from None
-
-    def inches(self) -> float | None:
-        """The width of the picture, if it was given."""
-        if self.width is None:
-            return None
-        try:
-            metres = parse_value(self.width, dimension_of("m"))
-        except BadUnit as error:
-            remedy = error.remedy([dimension_of("m")]) or "expected a width such as 85mm"
-            raise BadRequest(f"--width: {quoted(self.width)} {error}; {remedy}") from None
-        if not 0.07 <= metres <= 1:
-            raise BadRequest(f"--width: {quoted(self.width)} is not between 70mm and 1m")
-        return metres / 0.0254
+def _check(values: Values) -> None:
+    """Refuse what cannot be drawn, before anything is computed."""
+    if values.style not in (None, *STYLES):
+        raise BadRequest(f"--style: {quoted(values.style or '')} is not a style; there are paper and dark")
+    if values.panel not in (None, *PANELS):
+        raise BadRequest(f"--panel: {quoted(values.panel or '')} is not a panel; there are {', '.join(PANELS)}")
+    _inches(values.width)
+    if values.target is None:
+        looks = {
+            "--width": values.width,
+            "--style": values.style,
+            "--no-caption": values.uncaptioned,
+            "--panel": values.panel,
+        }
+        if given := [flag for flag, value in looks.items() if value]:
+            raise BadRequest(f"{', '.join(given)}: for a file only; name one with -o")
+        return
+    if ending(values.target) not in PICTURES:
+        raise no_picture("-o", values.target)
+    try:
+        from ..pictures import page  # noqa: F401
+    except ModuleNotFoundError as error:
+        raise MissingExtra(error.name or "", "plot") from None
 
 
-def run_map(words: Sequence[str], options: Mapping[str, str], output: Output, target: Target) -> int:
+def _inches(width: str | None) -> float | None:
+    """Return the width of a page in inches, None if it was not given."""
+    if width is None:
+        return None
+    try:
+        metres = parse_value(width, dimension_of("m"))
+    except BadUnit as error:
+        remedy = error.remedy([dimension_of("m")]) or "expected a width such as 85mm"
+        raise BadRequest(f"--width: {quoted(width)} {error}; {remedy}") from None
+    if not 0.07 <= metres <= 1:
+        raise BadRequest(f"--width: {quoted(width)} is not between 70mm and 1m")
+    return metres / 0.0254
+
+
+def run_map(words: Sequence[str], values: Values) -> int:
     """Draw a quantity over one or two inputs; return the exit code."""
-    target.check()
-    wish = asked(words, options, materials_files(output.materials))
+    _check(values)
+    request = map_request(words, values)
     drawn: Map | Picture
-    if wish.y is None:
-        drawn, notes = curves_of(wish, ALONG)
+    if request.y is None:
+        drawn, notes = curves_of(request, ALONG)
     else:
-        drawn, notes = map_of(wish, IN_FILE if target.file else ON_SCREEN, show_progress)
-    return _deliver(drawn, notes, target, is_quiet=output.quiet)
+        drawn, notes = map_of(request, IN_FILE if values.target else ON_SCREEN, show_progress)
+    return _deliver(drawn, notes, values)
 
 
-def run_figure(words: Sequence[str], options: Mapping[str, str], output: Output, target: Target) -> int:
+def run_figure(words: Sequence[str], values: Values) -> int:
     """Draw a figure of the paper; return the exit code."""
-    target.check()
+    _check(values)
     names = sorted({*FIGURES, *PROFILES})
     if len(words) != 1 or words[0] not in names:
         given = f"{quoted(' '.join(words))} is not a figure with data; " if words else ""
         raise BadRequest(f"{given}there are {', '.join(names)}")
     name = words[0]
-    materials = known_materials(*materials_files(output.materials))
+    materials = known_materials(*materials_files(values.materials))
     if name in PROFILES:
-        if options:
-            raise BadRequest(f"figure {name} takes no {', '.join(map(_flag, options))}")
-        return _deliver(PROFILES[name](materials), (), target, is_quiet=output.quiet)
-    size = OF_PAPER if target.file else ON_SCREEN
-    drawn = figure(name, materials, size, as_printed="as_printed" in options)
-    if "as_printed" in options and drawn.printed is None:
+        if values.mark or values.as_printed:
+            raise BadRequest(f"figure {name} takes no {'--mark' if values.mark else '--as-printed'}")
+        return _deliver(PROFILES[name](materials), (), values)
+    size = OF_PAPER if values.target else ON_SCREEN
+    drawn = figure(name, materials, size, as_printed=values.as_printed)
+    if values.as_printed and drawn.printed is None:
         raise BadRequest(f"figure {name} is as printed; --as-printed is for 6b")
     setting = Setting(FIGURES[name].given)
-    marks = [mark_at(text, materials, setting, drawn.x, drawn.y) for text in marks_of(options)]
-    return _deliver(drawn._replace(marks=(*drawn.marks, *marks)), (), target, is_quiet=output.quiet)
+    marks = [mark_at(text, materials, setting, drawn.x, drawn.y) for text in marks_of(values.mark)]
+    return _deliver(drawn._replace(marks=(*drawn.marks, *marks)), (), values)
 
 
-def _flag(name: str) -> str:
-    return f"--{name.replace('_', '-')}"
-
-
-def run_contact(words: Sequence[str], options: Mapping[str, str], output: Output, target: Target) -> int:
+def run_contact(words: Sequence[str], values: Values) -> int:
     """Draw the curves of a contact; return the exit code."""
-    target.check()
-    if not output.curve:
+    _check(values)
+    if not values.curve:
         raise BadRequest("-o draws the curve: add --curve")
-    if (kind := output.format_name(sys.stdout)) not in ("table", "plain"):
+    if (kind := format_name(values, sys.stdout)) not in ("table", "plain"):
         raise BadRequest(f"-o and --{kind} exclude each other")
-    if {"load", "approach_at_load"} & options.keys():
+    if {"load", "approach_at_load"} & values.inputs.keys():
         raise BadRequest("--curve goes through all loads and approaches; it takes none")
-    request = Request(words, options, materials_files(output.materials))
+    request = Request(words, values.inputs, materials_files(values.materials))
     if request.count > 1:
         raise BadRequest(f"{request.count} scenes are more than one picture of a contact")
     scene = next(request.scenes())
     setting = Setting(scene.stated, scene.material, scene.material2)
     context = Context("fixed_approach_moment", setting, {"load": 0.0})
-    shown = () if target.panel else ("Both branches of the force curve; pressure; moment without load.",)
+    shown = () if values.panel else ("Both branches of the force curve; pressure; moment without load.",)
     caption = (*shown, *fixed_inputs(context.inputs))
-    return _deliver(curves_of_contact(setting, caption, target.panel), context.notes, target, is_quiet=output.quiet)
+    return _deliver(curves_of_contact(setting, caption, values.panel), context.notes, values)
 
 
-def _deliver(drawn: Map | Picture, notes: Iterable[str], target: Target, *, is_quiet: bool) -> int:
-    """Draw into the file and say what is in it, or draw on the screen, and write the numbers."""
-    if target.data is not None:
-        _write_data(drawn, target.data)
-    if target.file is not None:
+def _deliver(drawn: Map | Picture, notes: Iterable[str], values: Values) -> int:
+    """Draw into a file and print its caption, or draw on the screen; write the numbers where they are wanted."""
+    if values.data is not None:
+        _write_data(drawn, values.data)
+    if values.target is not None:
         from ..pictures.page import draw
 
         content = draw(
             drawn,
-            target.file.rpartition(".")[2].lower(),
-            target.inches(),
-            target.style or "paper",
-            has_caption=not target.uncaptioned,
+            ending(values.target),
+            _inches(values.width),
+            values.style or "paper",
+            has_caption=not values.uncaptioned,
         )
-        with whole_file(target.file) as stream:
+        with whole_file(values.target) as stream:
             stream.write(content)
-        if target.data != "-" and not is_quiet:
+        if values.data != "-" and not values.quiet:
             for text in filter(None, (drawn.title, *drawn.caption)):
                 say(text, sys.stdout)
-    elif target.data != "-":
+    elif values.data != "-":
         from ..pictures.terminal import draw_map, draw_picture
 
         if isinstance(drawn, Map):
@@ -158,13 +150,13 @@ def _deliver(drawn: Map | Picture, notes: Iterable[str], target: Target, *, is_q
         else:
             draw_picture(drawn, sys.stdout)
     sys.stdout.flush()
-    for note in () if is_quiet else notes:
+    for note in () if values.quiet else notes:
         say(f"note: {note}", sys.stderr)
     return 0
 
 
 def _write_data(drawn: Map | Picture, path: str) -> None:
-    """The numbers as CSV, into a file or, for "-", on stdout."""
+    """Write the numbers as CSV into a file, or to stdout for "-"."""
     import csv
 
     if path == "-":
@@ -175,14 +167,15 @@ def _write_data(drawn: Map | Picture, path: str) -> None:
 
 
 def _table(drawn: Map | Picture) -> Iterable[Sequence[str | float]]:
-    """The numbers with a header, those of several panels with an empty line between; a cell without a value is empty."""
+    """Iterate over the rows with a header. An empty line separates panels; a cell without a value is empty."""
     if isinstance(drawn, Map):
         yield [header(drawn.x.name), header(drawn.y.name), header(drawn.quantity)]
         for row in rows_of(drawn):
             yield [_cell(value) for value in row]
         return
     for number, panel in enumerate(drawn.panels):
-        yield from [[]] if number else []
+        if number > 0:
+            yield []
         yield ["curve", header(panel.x.name), header(panel.y.name)]
         for curve in panel.curves:
             for x, y in zip(curve.x.tolist(), curve.y.tolist(), strict=True):
@@ -194,10 +187,7 @@ def _cell(value: float) -> str | float:
 
 
 def show_progress(part: float) -> None:
-    """How much of a long map is done, on a terminal; nothing is left of it."""
+    """Show the finished part of a long map on a terminal, and erase it at the end."""
     if sys.stderr.isatty():
         sys.stderr.write(f"\r{100 * part:3.0f} %\r" if part < 1 else "\r     \r")
         sys.stderr.flush()
-
-
-RUNNERS = {"map": run_map, "figure": run_figure, "contact": run_contact}

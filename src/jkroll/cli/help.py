@@ -1,56 +1,55 @@
-"""What `--help` prints, from the declarations of the commands and their options."""
+"""The text that `--help` prints, from the declarations of the commands and their options."""
 
 import sys
 from collections.abc import Iterable, Sequence
+from textwrap import wrap
 
-from ..answers.questions import COMMANDS
+from ..answers.questions import QUESTIONS
 from ..text import columns, fitting
-from .options import EXTRAS, Option, flags_of, sentence_of, sentences
+from .commands import COMMANDS, flags_of
+from .options import Option
 
 TITLE = "Adhesive contact of two elastic spheres: pull-off, rolling, chains, vibrations."
-LISTS = "Lists (1nm,1um) and ranges (1nm:1um:50, or :50:lin) give a row each."
+LISTS = "Lists (1nm,1um) and ranges (1nm:1um:50, or :50:lin) give one row each."
 MAX_WIDTH = 98
 MIN_WIDTH = 48
 MIN_TEXT = 20
 
 
 def help_of(name: str | None) -> str:
-    """The help of a command, or of the program: usage, what it does, its options, an example; as the stream can write it."""
+    """Return the help of a command, or of the program: usage, meaning, options, an example; as stdout can encode it."""
     width = max(MIN_WIDTH, min(MAX_WIDTH, columns() - 2))
+    listed = [_listed("Options", _rows(dict.fromkeys(flags_of(name).values())), width)]
     if name is None:
-        usage, sentence, ends = "[OPTIONS] COMMAND [ARGS]...", TITLE, ["Example: jkroll report quartz 100nm"]
-    elif name in COMMANDS:
-        command = COMMANDS[name]
-        usage, sentence = f"{name} [OPTIONS] [MATERIAL] [RADIUS]...", command.sentence
-        ends = [LISTS, f"Example: jkroll {name} {command.example}"]
+        usage, sentence, example = "[OPTIONS] COMMAND [ARGS]...", TITLE, "report quartz 100nm"
+        rows = [(command.name, command.sentence) for command in COMMANDS.values()]
+        listed.append(_listed("Commands", rows, width))
     else:
-        extra = EXTRAS[name]
-        usage, sentence = f"{name} [OPTIONS] {extra.argument}".rstrip(), extra.sentence
-        ends = [f"Example: jkroll {name} {extra.example}"]
-    options = dict.fromkeys(flags_of(name).values())
+        command = COMMANDS[name]
+        usage, sentence = f"{name} [OPTIONS] {command.words.metavar}".rstrip(), command.sentence
+        example = f"{name} {command.example}"
     parts = [
         _wrapped(f"Usage: jkroll {usage}", width),
         _wrapped(sentence, width, "  "),
-        _listed("Options", _rows(options), width),
-        *([_listed("Commands", list(sentences().items()), width)] if name is None else []),
-        *(_wrapped(end, width, "  ") for end in ends),
+        *listed,
+        *([_wrapped(LISTS, width, "  ")] if name in QUESTIONS else []),
+        _wrapped(f"Example: jkroll {example}", width, "  "),
     ]
     return fitting("\n\n".join("\n".join(lines) for lines in parts), sys.stdout)
 
 
 def _rows(options: Iterable[Option]) -> list[tuple[str, str]]:
-    """Options as they are typed, those of one meaning together, and what they mean."""
+    """Return options as they are typed, those with one text together, and the text."""
     rows: dict[str, list[str]] = {}
     for option in options:
         if not option.hidden:
-            rows.setdefault(sentence_of(option), []).append(
-                f"{', '.join(reversed(option.flags))} {option.metavar}".rstrip()
-            )
+            typed = f"{', '.join(reversed(option.flags))} {option.metavar}".rstrip()
+            rows.setdefault(option.sentence(), []).append(typed)
     return [(", ".join(flags), text) for text, flags in rows.items()]
 
 
 def _listed(title: str, rows: Sequence[tuple[str, str]], width: int) -> list[str]:
-    """Rows below a title, in two columns."""
+    """Return rows in two columns below a title."""
     left = max(len(name) for name, _ in rows) + 4
     lines = [f"{title}:"]
     for name, text in rows:
@@ -60,10 +59,12 @@ def _listed(title: str, rows: Sequence[tuple[str, str]], width: int) -> list[str
 
 
 def _wrapped(text: str, width: int, indent: str = "") -> list[str]:
-    """A text in lines that end between words."""
-    lines = [""]
-    for word in text.split():
-        if lines[-1] and len(indent) + len(lines[-1]) + 1 + len(word) > width:
-            lines.append("")
-        lines[-1] += f" {word}" if lines[-1] else word
-    return [indent + line for line in lines]
+    """Return the lines of a text, broken at spaces only."""
+    return wrap(
+        text,
+        width,
+        initial_indent=indent,
+        subsequent_indent=indent,
+        break_long_words=False,
+        break_on_hyphens=False,
+    )

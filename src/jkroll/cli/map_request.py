@@ -1,9 +1,10 @@
-"""What `jkroll map` is asked for, as a map or as curves."""
+"""From the words and options of `map` to a map or curves."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
-from ..answers.questions import COMMANDS
+from ..answers.questions import QUESTIONS
 from ..errors import BadRequest
+from ..materials.places import materials_files
 from ..pictures.axes import Axis
 from ..pictures.maps import Setting
 from ..pictures.plot_request import PlotRequest
@@ -13,6 +14,7 @@ from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.ranges import spreads_of
 from ..scene.scene import Scene
 from ..scene.wiring import depends_on
+from .options import Values
 from .request import Request
 
 MOST_POINTS = 25_000_000
@@ -20,7 +22,7 @@ MOST_CURVES = 12
 
 
 def axis_of(text: str, option: str) -> Axis:
-    """The axis that a text gives: `NAME=FROM:TO`, with a count and `:lin` or `:log` if wanted.
+    """Return the axis of a text `NAME=FROM:TO`, optionally with `:COUNT` and `:lin` or `:log`.
 
     >>> axis_of("radius=1nm:1mm", "--x")
     Axis(name='radius', low=1e-09, high=0.001, is_log=True, size=0)
@@ -44,7 +46,7 @@ def axis_of(text: str, option: str) -> Axis:
 
 
 def quantity_named(word: str) -> str:
-    """The name of a quantity, for its name with _ or -, its option, or the command that is named after it.
+    """Return the name of a quantity, given its name with _ or -, its option, or the command named after it.
 
     >>> quantity_named("radius"), quantity_named("gamma"), quantity_named("pull-off")
     ('radius', 'surface_energy', 'pull_off_force')
@@ -52,25 +54,26 @@ def quantity_named(word: str) -> str:
     name = word.strip().replace("-", "_").lstrip("_")
     by_option = {quantity.option[2:]: known for known, quantity in NOMENCLATURE.items() if quantity.option}
     known = name if name in NOMENCLATURE else by_option.get(word.strip().lstrip("-"))
-    if known is None and word in COMMANDS:
-        known = COMMANDS[word].headline[0]
+    if known is None and word in QUESTIONS:
+        known = QUESTIONS[word].headline[0]
     if known is None:
         raise UnknownQuantity(word)
     return known
 
 
-def asked(words: Sequence[str], options: Mapping[str, str], files: Sequence[str]) -> PlotRequest:
-    """What a command line asks for: a quantity, materials and radii, axes, marks, and inputs that are held."""
+def map_request(words: Sequence[str], values: Values) -> PlotRequest:
+    """Return what words and options ask for: a quantity, axes, scenes to draw, and marks."""
     if not words:
         raise BadRequest("map needs a quantity, such as pull_off_force")
     quantity = quantity_named(words[0])
     if NOMENCLATURE[quantity].unit == "":
         raise BadRequest(f"{quantity} has no values")
-    held = {name: text for name, text in options.items() if name not in ("x", "y", "mark")}
-    if "x" not in options:
+    if values.x is None:
         raise BadRequest("map needs an axis: --x radius=1nm:1mm")
-    axes = [axis_of(options[key], f"--{key}") for key in ("x", "y") if key in options]
-    request = Request(words[1:], held, files)
+    x = axis_of(values.x, "--x")
+    y = axis_of(values.y, "--y") if values.y is not None else None
+    axes = [x, y] if y is not None else [x]
+    request = Request(words[1:], values.inputs, materials_files(values.materials))
     within = depends_on([quantity])
     for axis in axes:
         if axis.name in request.options:
@@ -88,18 +91,17 @@ def asked(words: Sequence[str], options: Mapping[str, str], files: Sequence[str]
         (_distinction(scene, request), Setting(scene.stated, scene.material, scene.material2))
         for scene in request.scenes()
     )
-    y = axes[1] if len(axes) > 1 else None
-    return PlotRequest(quantity, axes[0], y, settings, marks_of(options), request.materials)
+    return PlotRequest(quantity, x, y, settings, marks_of(values.mark), request.materials)
 
 
 def _distinction(scene: Scene, request: Request) -> str:
-    """What tells a scene from the others of its request: materials and values of which several were given."""
+    """Return the materials of a scene, and those of its values of which several were given."""
     parts = [one.name for one in (scene.material, scene.material2) if one is not None]
     several = [name for name, text in request.options.items() if "," in text or ":" in text]
     parts += [f"{NOMENCLATURE[name].symbol} = {pretty(amount(name, scene.stated[name]))}" for name in several]
     return ", ".join(parts)
 
 
-def marks_of(options: Mapping[str, str]) -> tuple[str, ...]:
-    """The marks that were asked for."""
-    return tuple(filter(None, options.get("mark", "").split(",")))
+def marks_of(text: str) -> tuple[str, ...]:
+    """Return the marks of a list."""
+    return tuple(filter(None, text.split(",")))

@@ -1,18 +1,17 @@
-"""Options that a command does not take, and what was probably meant. Read only when there is an error to word."""
+"""The message for an option that a command does not take, with what was probably meant."""
 
 from collections.abc import Iterable
 
-from ..answers.questions import COMMANDS
 from ..errors import JkrollError
 from ..quantities.nomenclature import NOMENCLATURE
 from ..text import closest, quoted
-from .options import EXTRAS, flags_of
+from .commands import COMMANDS, flags_of
 
 MAX_OTHERS = 3
 
 
 class UnknownOption(JkrollError):
-    """An option that a command, or the program before any command, does not take."""
+    """Error raised when a command, or the program before any command, does not take an option."""
 
     def __init__(self, flag: str, command: str | None) -> None:
         super().__init__(flag, command)
@@ -20,10 +19,12 @@ class UnknownOption(JkrollError):
 
     def __str__(self) -> str:
         shown, name = quoted(self.flag), self.flag.lstrip("-").replace("-", "_").casefold()
+        if name[:1].isdigit() or name[:1] == ".":
+            return f"{shown} begins with a hyphen, as options do; {self._correction()}"
         if name in ("radius", "material"):
             return f"no such option {shown}; a {name} stands alone: jkroll pull-off quartz 100nm"
         program = f"jkroll {self.command}" if self.command else "jkroll"
-        takers = {flag: command for command in (*EXTRAS, *reversed(list(COMMANDS))) for flag in flags_of(command)}
+        takers = {flag: command.name for command in reversed([*COMMANDS.values()]) for flag in command.flags()}
         own = None if self.flag in takers else _meant(name, flags_of(self.command))
         if own is not None:
             return f"no such option {shown}; did you mean {own}?"
@@ -32,13 +33,19 @@ class UnknownOption(JkrollError):
             return f"no such option {shown}; see {program} --help"
         if self.command is None:
             return f"{guess} goes behind a command: jkroll {takers[guess]} ... {guess}"
-        others = [command for command in (*COMMANDS, *EXTRAS) if guess in flags_of(command)]
+        others = [command.name for command in COMMANDS.values() if guess in command.flags()]
         more = ", ..." if len(others) > MAX_OTHERS else ""
         return f"{self.command} takes no {shown}; {guess} is an option of {', '.join(others[:MAX_OTHERS])}{more}"
 
+    def _correction(self) -> str:
+        """Return how a word that begins with a hyphen and a digit can be given."""
+        if self.command and COMMANDS[self.command].words.are_files:
+            return f"write {quoted('./' + self.flag)} for a file of that name"
+        return "a negative value follows the option that takes it: --load -5nN"
+
 
 def _meant(name: str, flags: Iterable[str]) -> str | None:
-    """The option that a name stands for, begins or resembles."""
+    """Return the option that a name stands for, begins or resembles; None if there is none."""
     known = {flag.lstrip("-").replace("-", "_"): flag for flag in flags}
     quantity = NOMENCLATURE.get(name)
     if quantity is not None and quantity.option in known.values():

@@ -1,199 +1,194 @@
-"""The options of every command, declared once: typer, the quick reader of `shell`, help and completion are made from them."""
+"""Options of the command line: how each is typed, what its value may be, and what the help says of it."""
 
+from collections.abc import Iterable, Mapping
+from math import nan
+from types import MappingProxyType
 from typing import NamedTuple
 
-from ..answers.questions import COMMANDS, Command
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE
-from ..scene.rolling_models import OF_MEAN, OF_PEAK, OF_SLOPE
+from ..errors import BadRequest
+from ..quantities.nomenclature import NOMENCLATURE
+from ..text import quoted
 
 
 class Option(NamedTuple):
-    """An option of a command: the name of its value, how it is typed, its kind, and how the help shows it.
+    """An option, by the name of its value in `Values` or in the nomenclature.
 
-    Without a text of its own, the help of an input is its sentence in the nomenclature.
+    The help of an input is its sentence in the nomenclature, unless the option has a text of its own.
     """
 
     name: str
     flag: str
-    kind: type
-    metavar: str
+    kind: type[str] | type[int] | type[float] | type[bool]
+    metavar: str = ""
     help: str = ""
-    low: float | None = None
-    high: float | None = None
+    low: float = 0.0  # of a number
+    high: float = 0.0
     hidden: bool = False
     short: str = ""
 
     @property
     def flags(self) -> tuple[str, ...]:
-        """All its spellings."""
+        """The spellings of the option."""
         return (self.flag, self.short) if self.short else (self.flag,)
 
+    def read(self, text: str) -> str | float:
+        """Return the value that a text stands for, or raise BadRequest."""
+        if self.kind is str:
+            return text
+        try:
+            number = int(text) if self.kind is int else float(text)
+        except ValueError:
+            number = nan
+        if not self.low <= number <= self.high:
+            noun = "a whole number" if self.kind is int else "a number"
+            raise BadRequest(f"{self.flag}: {quoted(text, 40)} is not {noun} from {self.low:g} to {self.high:g}")
+        return number
 
-_FORMAT = "Numbers only, JSON, CSV; or to a file."
-_INSTEAD = "Instead: how it comes about; what to cite."
+    def sentence(self) -> str:
+        """Return the help text: meaning, range and default."""
+        if self.help:
+            span = f", {self.low:g} to {self.high:g}" if self.kind in (int, float) else ""
+            return f"{self.help}{span}."
+        from ..quantities.formatting import amount
+        from ..scene.scene import DEFAULTS
+
+        meaning = NOMENCLATURE[self.name].sentence
+        default = f", default {amount(self.name, DEFAULTS[self.name])}" if self.name in DEFAULTS else ""
+        others = ", or --gamma2 and so on" if self.name == "material2" else ""
+        return f"{meaning[0].upper()}{meaning[1:]}{default}{others}."
+
+
+class Values(NamedTuple):
+    """Values of the options of one call. Each command reads those that it declares; the others keep their defaults."""
+
+    inputs: Mapping[str, str] = MappingProxyType({})  # of the scene: texts, by the names of the nomenclature
+    materials: str | None = None
+    quiet: bool = False
+    # how results are written
+    to: str | None = None
+    digits: int | None = None
+    bare: bool = False
+    json: bool = False
+    csv: bool = False
+    explain: bool = False
+    cite: bool = False
+    target: str | None = None
+    resume: bool = False
+    rtol: float | None = None
+    curve: bool = False
+    # of pictures
+    x: str | None = None
+    y: str | None = None
+    mark: str = ""
+    data: str | None = None
+    width: str | None = None
+    style: str | None = None
+    uncaptioned: bool = False
+    panel: str | None = None
+    as_printed: bool = False
+    # of tables
+    format: str = ""
+    quantities: str = ""
+    strict: bool = False
+    jobs: int = 0
+    dask: str = ""
+    excel_safe: bool = False
+    # of the measurements of speed
+    quick: bool = False
+    plot: str | None = None
+
+
+_FORMAT = "Numbers only, JSON or CSV; output file"
+_INSTEAD = "Show the derivation or the BibTeX entry instead of results"
+MATERIALS = Option("materials", "--materials", str, "FILE", "Read materials from your own file as well")
+QUIET = Option("quiet", "--quiet", bool, "", "Suppress notes")
 OUTPUT = (
-    Option("to", "--to", str, "UNIT", "Unit of the results; several with commas."),
-    Option("digits", "--digits", int, "N", "Significant digits.", 1, 17),
+    Option("to", "--to", str, "UNIT", "Unit of the results; several with commas"),
+    Option("digits", "--digits", int, "N", "Significant digits", 1, 17),
     Option("bare", "--bare", bool, "", _FORMAT),
     Option("json", "--json", bool, "", _FORMAT),
     Option("csv", "--csv", bool, "", _FORMAT),
     Option("target", "-o", str, "OUT", _FORMAT),
-    Option("resume", "--resume", bool, "", "Go on with that file after an interrupt.", hidden=True),
+    Option("resume", "--resume", bool, "", "Continue the output file after an interruption", hidden=True),
     Option("explain", "--explain", bool, "", _INSTEAD),
     Option("cite", "--cite", bool, "", _INSTEAD),
-    Option("materials", "--materials", str, "FILE", "Materials of your own."),
-    Option("quiet", "--quiet", bool, "", "No notes."),
+    MATERIALS,
+    QUIET,
 )
-_RTOL = Option("rtol", "--rtol", float, "1e-3", "Cheapest model of rolling that is this good.", 0.0, 1.0)
-_CURVE = Option("curve", "--curve", bool, "", "The whole force curve: rows, or a picture (-o).")
-_INTO_FILE = Option("target", "-o", str, "FILE", "Draw a .svg, .pdf or .png (plot extra).")
-_PICTURE = (
-    Option("width", "--width", str, "85mm", "Width of what is drawn."),
-    Option("style", "--style", str, "dark", "Colours, paper or dark."),
-    Option("uncaptioned", "--no-caption", bool, "", "No caption below it."),
+RTOL = Option("rtol", "--rtol", float, "1e-3", "Use the cheapest rolling model within this relative error", 0, 1)
+CURVE = Option("curve", "--curve", bool, "", "Whole force curve; with -o as a picture")
+_AS_TEXT = "Output as JSON or CSV"
+JSON = Option("json", "--json", bool, "", _AS_TEXT)
+CSV = Option("csv", "--csv", bool, "", _AS_TEXT)
+CITE = Option("cite", "--cite", bool, "", "Show the BibTeX entries of the data")
+
+_AXIS = "NAME=FROM:TO, with :lin for a linear axis"
+AXES = (Option("x", "--x", str, "AXIS", _AXIS), Option("y", "--y", str, "AXIS", _AXIS))
+AS_PRINTED = Option("as_printed", "--as-printed", bool, "", "Add Eq (41) as printed to 6b, dashed")
+STYLE = (
+    Option("width", "--width", str, "85mm", "Width of the drawing"),
+    Option("style", "--style", str, "dark", "Colours, paper or dark"),
+    Option("uncaptioned", "--no-caption", bool, "", "Omit the caption"),
 )
-_PANEL = Option("panel", "--panel", str, "force", "One panel only: force, pressure or moment.")
-_AXIS = "NAME=FROM:TO, with :lin if it is not log."
-_DATA = Option("data", "--data", str, "FILE", "The numbers as CSV; - is stdout.")
-_MARK = Option("mark", "--mark", str, "quartz@100nm", "A grain as a point; several with commas.")
-
-
-# What typer adds of its own: to every command, and to the program before any.
-HELP = tuple(Option("help", flag, bool, "", "Show this message and exit.") for flag in ("-h", "--help"))
-PROGRAM = (
-    Option("version", "--version", bool, "", "Show the version and exit."),
-    Option("install_completion", "--install-completion", bool, "", "Install completion for the current shell."),
-    Option(
-        "show_completion",
-        "--show-completion",
-        bool,
-        "",
-        "Show completion for the current shell, to copy it or customize the installation.",
-    ),
-    *HELP,
+PANEL = Option("panel", "--panel", str, "force", "One panel only: force, pressure or moment")
+PICTURE = (
+    Option("mark", "--mark", str, "quartz@100nm", "Mark grains as points, separated by commas"),
+    Option("data", "--data", str, "FILE", "Write the numbers as CSV; - is standard output"),
+    Option("target", "-o", str, "FILE", "Draw a .svg, .pdf or .png file (plot extra)"),
+    *STYLE,
+    MATERIALS,
+    QUIET,
 )
 
-
-class Extra(NamedTuple):
-    """A command that asks no scene."""
-
-    sentence: str
-    example: str
-    options: tuple[Option, ...]
-    argument: str = ""
-    takes_scene: bool = False  # materials, radii and inputs besides
-
-
-def _some(*names: str) -> tuple[Option, ...]:
-    return tuple(option for option in OUTPUT if option.name in names)
-
-
-_FILLS = "Fills what rows do not give; so do --radius, --gamma, --load ..."
-_SCENE = (
-    Option("material", "--material", str, "NAME", _FILLS),
-    Option("radius", "--radius", str, "", _FILLS, hidden=True),
+_DEFAULT = "Default for rows that give none; likewise --radius, --gamma and so on"
+TABLE = (
+    Option("target", "--output", str, "OUT", "Output file (written atomically)", short="-o"),
+    Option("format", "--format", str, "FORMAT", "csv, tsv, ndjson or parquet, if no name says so; with .gz, .zst"),
+    Option("quantities", "--quantities", str, "NAMES", "Quantities to compute, separated by commas; default all"),
+    Option("strict", "--strict", bool, "", "Stop at the first row that fails"),
+    Option("resume", "--resume", bool, "", "Continue after an interruption"),
+    Option("jobs", "--jobs", int, "N", "Number of processes (default: one per core)", 1, 64),
+    Option("dask", "--dask", str, "ADDRESS", "Convert many tables on a Dask cluster; local starts one"),
+    Option("excel_safe", "--excel-safe", bool, "", "Escape text that a spreadsheet would run"),
+    Option("material", "--material", str, "NAME", _DEFAULT),
+    Option("radius", "--radius", str, "", _DEFAULT, hidden=True),
     *(
-        Option(name, quantity.option, str, "", _FILLS, hidden=True)
+        Option(name, quantity.option, str, "", _DEFAULT, hidden=True)
         for name, quantity in NOMENCLATURE.items()
         if quantity.option
     ),
+    MATERIALS,
+    QUIET,
+)
+BENCH = (
+    Option("quick", "--quick", bool, "", "Measure fewer points"),
+    Option("plot", "--plot", str, "FILE", "Draw error against cost (needs the plot extra)"),
+    JSON,
+    CSV,
 )
 
-EXTRAS = {
-    "batch": Extra(
-        "Tables of scenes: the same rows with their results.",
-        "grains.csv -o forces.csv",
-        (
-            Option("target", "--output", str, "OUT", "Where to; it appears when it is whole.", short="-o"),
-            Option("format", "--format", str, "FORMAT", "csv, tsv, ndjson or parquet, if no name says so; .gz, .zst."),
-            Option(
-                "quantities", "--quantities", str, "NAMES", "What to compute, with commas; else all that is possible."
-            ),
-            Option("strict", "--strict", bool, "", "Stop at the first row that fails."),
-            Option("resume", "--resume", bool, "", "Go on after an interrupt."),
-            Option("jobs", "--jobs", int, "N", "Processes; one for each core.", 1, 64),
-            Option("dask", "--dask", str, "ADDRESS", "Many tables on a Dask cluster, or on a local one."),
-            Option("excel_safe", "--excel-safe", bool, "", "No cell of text that a spreadsheet takes for a formula."),
-            *_SCENE,
-            *_some("materials", "quiet"),
-        ),
-        "[IN]",
-    ),
-    "materials": Extra(
-        "The materials that are known, or one of them whole.",
-        "quartz",
-        _some("json", "csv", "cite", "materials", "quiet"),
-        "[NAME]",
-    ),
-    "verify": Extra("The audit of the paper, computed anew.", "--csv", _some("json", "csv")),
-    "bench": Extra(
-        "Speed against error of every way to every number.",
-        "--quick --csv",
-        (
-            Option("quick", "--quick", bool, "", "Fewer points."),
-            Option("plot", "--plot", str, "FILE", "Draw error against cost (needs the plot extra)."),
-            *_some("json", "csv"),
-        ),
-    ),
-    "map": Extra(
-        "Any quantity over two inputs as a map, or over one as curves.",
-        "pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2",
-        (
-            Option("x", "--x", str, "AXIS", _AXIS),
-            Option("y", "--y", str, "AXIS", _AXIS),
-            _MARK,
-            _DATA,
-            _INTO_FILE,
-            *_PICTURE,
-            *_some("materials", "quiet"),
-        ),
-        "QUANTITY [MATERIAL] [RADIUS]...",
-        takes_scene=True,
-    ),
-    "figure": Extra(
-        "A figure of the paper, from its equations.",
-        "3a --mark quartz@100nm",
-        (
-            Option("as_printed", "--as-printed", bool, "", "In 6b, Eq (41) as it is printed, dashed."),
-            _MARK,
-            _DATA,
-            _INTO_FILE,
-            *_PICTURE,
-            *_some("materials", "quiet"),
-        ),
-        "NAME",
-    ),
-}
+# The options that every command takes, and those of the program before any command.
+HELP = tuple(Option("help", flag, bool, "", "Show this message and exit") for flag in ("-h", "--help"))
+VERSION = Option("version", "--version", bool, "", "Show the version and exit")
+PROGRAM = (
+    VERSION,
+    Option("install_completion", "--install-completion", bool, "", "Install completion for the current shell"),
+    Option("show_completion", "--show-completion", bool, "", "Print the completion script of the current shell"),
+    *HELP,
+)
 
 _ALWAYS = ("radius2", "material2", "surface_energy", "work_of_adhesion", "youngs_modulus", "poisson_ratio", "density")
 _HIDDEN = ("surface_energy2", "youngs_modulus2", "poisson_ratio2", "density2", "atomic_spacing", "energy_ratio")
 
 
-def options_named(name: str) -> tuple[Option, ...]:
-    """The options of a command by its name, whether it asks a scene or not."""
-    if name in COMMANDS:
-        return options_of(COMMANDS[name])
-    extra = EXTRAS[name]
-    return (*extra.options, *_inputs(COMMANDS["report"])) if extra.takes_scene else extra.options
-
-
-def options_of(command: Command) -> tuple[Option, ...]:
-    """The options of a command: the inputs its quantities depend on, and the ways to write the results.
+def inputs_of(quantities: Iterable[str]) -> tuple[Option, ...]:
+    """Return the options for the inputs that quantities depend on.
 
     The properties of a material are taken by every command, but shown only where they are used.
     """
-    has_models = {*OF_PEAK, *OF_MEAN, *OF_SLOPE} & {*command.quantities} and command is not COMMANDS["report"]
-    models = (_RTOL,) if has_models else ()
-    looks = tuple(option._replace(hidden=True) for option in (*_PICTURE, _PANEL))
-    curve = (_CURVE, *looks) if command is COMMANDS["contact"] else ()
-    return (*_inputs(command), *models, *curve, *OUTPUT)
-
-
-def _inputs(command: Command) -> tuple[Option, ...]:
-    """The inputs that the quantities of a command depend on."""
     from ..scene.wiring import depends_on
 
-    depends = depends_on(command.quantities)
+    depends = depends_on(quantities)
     names = dict.fromkeys((*_ALWAYS, *_HIDDEN, *(name for name in NOMENCLATURE if name in depends)))
     shown = {*depends, "material2", "radius2"} - {*_HIDDEN}
     return tuple(
@@ -201,36 +196,3 @@ def _inputs(command: Command) -> tuple[Option, ...]:
         for name, quantity in ((name, NOMENCLATURE[name]) for name in names)
         if quantity.option and (name != "energy_ratio" or name in depends)
     )
-
-
-def sentences() -> dict[str, str]:
-    """Every command and what it does."""
-    sentences = {name: command.sentence for name, command in COMMANDS.items()}
-    return sentences | {name: extra.sentence for name, extra in EXTRAS.items()}
-
-
-def flags_of(name: str | None) -> dict[str, Option]:
-    """All that a command takes, or the program before any, by what is typed for it."""
-    if name is None:
-        return {option.flag: option for option in PROGRAM}
-    return {flag: option for option in (*options_named(name), *HELP) for flag in option.flags}
-
-
-def room_for_words(name: str) -> float:
-    """How many words a command takes besides its options."""
-    takes_any = name in COMMANDS or EXTRAS[name].takes_scene
-    return INFINITY if takes_any else len(EXTRAS[name].argument.split())
-
-
-def sentence_of(option: Option) -> str:
-    """What the help says of an option: of an input its sentence in the nomenclature, and its default."""
-    if option.help:
-        span = "" if option.low is None else f", {option.low:g} to {option.high:g}"
-        return f"{option.help.removesuffix('.')}{span}."
-    from ..quantities.formatting import amount
-    from ..scene.scene import DEFAULTS
-
-    name, sentence = option.name, NOMENCLATURE[option.name].sentence
-    default = f", default {amount(name, DEFAULTS[name])}" if name in DEFAULTS else ""
-    others = ", or --gamma2 and the like" if name == "material2" else ""
-    return f"{sentence[0].upper()}{sentence[1:]}{default}{others}."

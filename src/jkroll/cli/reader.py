@@ -1,108 +1,91 @@
-"""Reader of plain command lines, which need no typer."""
+"""Reader of plain command lines: a command, its words, and its options spelled in full.
 
-import os
+It exists because importing typer doubles the time of a call. Everything that is not plain (mistakes, options written
+together) is left to typer, which understands plain lines in the same way.
+"""
+
 import re
+import sys
 from collections.abc import Mapping, Sequence
 from functools import partial
 
-from ..answers.questions import COMMANDS
-from .calls import Call, _show_help, _show_version, call
-from .options import EXTRAS, Option, flags_of, room_for_words
+from ..text import say
+from .commands import COMMANDS, Call
+from .options import Option
 
-COMPLETE = "_JKROLL_COMPLETE"  # the variable in which a shell asks for completions
+_NEGATIVE = re.compile("-[0-9.]")  # the beginning of a negative value, or of a file name
 
 
-def quick_call(words: list[str]) -> Call | None:
-    """The call that plain words ask for; None for whatever typer had better look at. UnknownOption for what is none."""
-    if os.environ.get(COMPLETE):
-        from .tab import quick_answer
-
-        return quick_answer(os.environ)
-    name = words[0] if words[0] in COMMANDS or words[0] in EXTRAS else None
-    flags = flags_of(name)
-    read = read_quickly(words[1:] if name else words, flags)
+def plain_call(words: Sequence[str]) -> Call | None:
+    """Return the call that plain words ask for; None for words that are not plain."""
+    name, *rest = words
+    if name not in COMMANDS:
+        return _PROGRAM.get(name) if not rest else None
+    command = COMMANDS[name]
+    read = _read(rest, command.flags(), files=command.words.are_files)
     if read is None:
-        unknown = first_unknown(words[1:], flags) if name else None
-        if unknown is not None:
-            from .mistakes import UnknownOption
-
-            raise UnknownOption(unknown, name)
         return None
-    arguments, values = read
-    if "help" in values and (name or len(words) == 1):
-        return partial(_show_help, name)
-    if name is None:
-        return _show_version if words == ["--version"] else None
-    if len(arguments) > room_for_words(name):
-        return None
-    return call(name, arguments, values)
+    arguments, given = read
+    if "help" in given:
+        return partial(_print_help, name)
+    return command.call(arguments, given) if len(arguments) <= command.words.most else None
 
 
-def with_minus_signs(words: Sequence[str]) -> list[str]:
-    """Negative values with a minus sign in place of the hyphen, so that they are not taken for options."""
-    before = [None, *words][: len(words)]
-    return [
-        "−" + word[1:] if _NEGATIVE.match(word) and option not in _TAKES_NO_QUANTITY else word
-        for option, word in zip(before, words, strict=True)
-    ]
+def _print_help(name: str | None) -> int:
+    """Print the help of a command, or of the program."""
+    from .help import help_of
+
+    say(help_of(name), sys.stdout)
+    return 0
 
 
-_NEGATIVE = re.compile(r"-[0-9.]")
+def print_version() -> int:
+    """Print the version."""
+    from .. import __version__
+
+    say(f"jkroll {__version__}", sys.stdout)
+    return 0
 
 
-_TAKES_NO_QUANTITY = ("--to", "--digits", "--materials")
+_PROGRAM: Mapping[str, Call] = {
+    "--help": partial(_print_help, None),
+    "-h": partial(_print_help, None),
+    "--version": print_version,
+}
 
 
-def read_quickly(words: list[str], options: Mapping[str, Option]) -> tuple[list[str], dict[str, object]] | None:
-    """The arguments and option values of plain words; None for whatever is not plain."""
+def _read(
+    words: Sequence[str], flags: Mapping[str, Option], *, files: bool
+) -> tuple[list[str], dict[str, str | bool]] | None:
+    """Return the words without the options, and the texts of the options by name; None for words that are not plain.
+
+    A value that begins with a hyphen and a digit is read where an option takes one, or where a word is a file.
+    """
     arguments: list[str] = []
-    values: dict[str, object] = {}
+    given: dict[str, str | bool] = {}
     rest = iter(words)
     for word in rest:
-        if not word.startswith("-"):
+        if _is_word(word) or (files and _NEGATIVE.match(word)):
             arguments.append(word)
             continue
         flag, has_value, text = word.partition("=")
-        option = options.get(flag)
-        if option is None or (has_value and (option.kind is bool or not flag.startswith("--"))):
+        option = flags.get(flag)
+        if option is None or (option.name in given and option.kind is not bool):
             return None
         if option.kind is bool:
-            values[option.name] = True
+            if has_value:
+                return None
+            given[option.name] = True
             continue
-        text = text if has_value else next(rest, "-")
-        value = _value(text, option)
-        if value is None:
+        if has_value and not flag.startswith("--"):
             return None
-        values[option.name] = value
-    return arguments, values
-
-
-def first_unknown(words: list[str], options: Mapping[str, Option]) -> str | None:
-    """The first long option among the words that is none; None if there is none, or before it something that is not plain."""
-    rest = iter(words)
-    for word in rest:
-        flag, has_value, _ = word.partition("=")
-        if not word.startswith("-"):
-            continue
-        option = options.get(flag)
-        if option is None:
-            return flag if flag.startswith("--") and len(flag) > len("--") else None
-        if has_value and (option.kind is bool or not flag.startswith("--")):
+        value = text if has_value else next(rest, "--")
+        if not _is_word(value) and not _NEGATIVE.match(value):
             return None
-        if option.kind is not bool and not has_value and next(rest, "-").startswith("-"):
-            return None
-    return None
+        given[option.name] = value
+    return arguments, given
 
 
-def _value(text: str, option: Option) -> object:
-    """The value of an option's text; None if it is not plainly one."""
-    if text.startswith("-"):
-        return None
-    if option.kind is str:
-        return text
-    try:
-        number = int(text) if option.kind is int and text.isdecimal() and text.isascii() else float(text)
-    except ValueError:
-        return None
-    is_kind = isinstance(number, option.kind) and option.low is not None and option.high is not None
-    return number if is_kind and option.low <= number <= option.high else None  # type: ignore[operator]
+def _is_word(text: str) -> bool:
+    """Return whether a text cannot be taken for an option; a single hyphen is standard input or output."""
+    return text == "-" or not text.startswith("-")

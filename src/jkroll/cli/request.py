@@ -1,17 +1,16 @@
-"""What a user typed, as scenes: words and options to materials and values, lists and ranges to a row each."""
+"""From words and options to scenes: materials and values, with a scene for each element of a list or range."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import chain, islice, product
 from math import prod
-from typing import Any
 
 from ..errors import BadRequest
 from ..materials.library import Material, Materials, known_materials
 from ..quantities.formatting import Format
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.ranges import Spread, spreads_of
-from ..quantities.units import BadUnit, dimension_of, parse_unit
+from ..quantities.units import BadUnit, Unit, dimension_of, parse_unit
 from ..scene.scene import EXCLUSIVE, Scene
 from ..text import quoted
 
@@ -23,7 +22,10 @@ class Request:
     """The words and options of one call, read as far as they are needed."""
 
     def __init__(self, words: Sequence[str], options: Mapping[str, str], files: Sequence[str] = ()) -> None:
-        """`words`: materials and radii; `options`: text by the name of the input; `files`: of materials, by rising precedence."""
+        """Sort words into materials and radii.
+
+        `options` are texts by the names of inputs; `files` are of materials, by rising precedence.
+        """
         self.options = dict(options)
         self.files = files
         words = _joined(words)
@@ -48,12 +50,12 @@ class Request:
 
     @cached_property
     def materials(self) -> Materials:
-        """All materials that are known; the files are read when the first is asked for."""
+        """The known materials; their files are read at the first access."""
         return known_materials(*self.files)
 
     @cached_property
     def spreads(self) -> dict[str, list[Spread]]:
-        """What was given for each input, in the order of the nomenclature."""
+        """The values of each input, in the order of the nomenclature."""
         spreads = {name: spreads_of(text, name) for name, text in self.options.items()}
         return {name: spreads[name] for name in NOMENCLATURE if name in spreads}
 
@@ -64,23 +66,23 @@ class Request:
 
     @cached_property
     def count(self) -> int:
-        """How many scenes there are."""
+        """The number of scenes."""
         return len(self.pairs) * prod(sum(map(len, spreads)) for spreads in self.spreads.values())
 
     def check_count(self) -> None:
-        """Refuse more scenes than are answered one by one."""
+        """Raise BadRequest if there are more scenes than are answered one by one."""
         if self.count > MAX_SCENES:
             raise BadRequest(f"{self.count} scenes are more than {MAX_SCENES}; --csv and -o FILE write any number")
 
     def scenes(self) -> Iterator[Scene]:
-        """A scene for each combination of the materials and values that were given."""
+        """Iterate over the scenes, one for each combination of materials and values."""
         values = [[*chain.from_iterable(spreads)] for spreads in self.spreads.values()]
         for material, material2 in self.pairs:
             for row in product(*values):
                 yield Scene(dict(zip(self.spreads, row, strict=True)), material, material2)
 
     def samples(self) -> list[Scene]:
-        """Scenes of all kinds that occur: each pair of materials, the ends of every range, alike and unlike spheres."""
+        """Return scenes of every kind: each pair of materials, both ends of ranges, equal and unequal spheres."""
         first = {name: spreads[0].low for name, spreads in self.spreads.items()}
         last = {name: spreads[-1].high for name, spreads in self.spreads.items()}
         radii2 = islice(chain.from_iterable(self.spreads.get("radius2", [])), MAX_SAMPLES)
@@ -96,7 +98,7 @@ class Request:
 
 
 def _joined(words: Sequence[str]) -> list[str]:
-    """The words, with a number and the unit that was typed after a space made one."""
+    """Return the words, joining a number and a unit that follows it after a space."""
     joined: list[str] = []
     for word in words:
         if joined and joined[-1][-1:].isdigit() and not joined[-1].strip("+-−.0123456789eE") and _is_material(word):
@@ -111,8 +113,8 @@ def _is_material(word: str) -> bool:
 
 
 def format_of(to: str | None, digits: int | None, quantities: Sequence[str]) -> Format:
-    """How results are to be written: each unit of `--to` serves the quantities of its dimension."""
-    units: dict[str, Any] = {}
+    """Return the format of results; each unit of `--to` applies to the quantities of its dimension."""
+    units: dict[str, tuple[str, Unit]] = {}
     for text in to.split(",") if to is not None else []:
         try:
             unit = parse_unit(text)
@@ -126,5 +128,9 @@ def format_of(to: str | None, digits: int | None, quantities: Sequence[str]) -> 
         if not fitting:
             kinds = ", ".join(dict.fromkeys(f"{name} in {NOMENCLATURE[name].unit}" for name in quantities))
             raise BadRequest(f"--to: {quoted(text)} fits none of the results: {kinds}")
+        if fitting[0] in units:
+            raise BadRequest(
+                f"--to: {quoted(units[fitting[0]][0])} and {quoted(text)} are units of one dimension; give one of them"
+            )
         units |= dict.fromkeys(fitting, (" ".join(text.split()), unit))
     return Format(units, digits)

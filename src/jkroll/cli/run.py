@@ -1,20 +1,19 @@
-"""One call of the command line, from what was typed to what is printed."""
+"""Runners of the commands: from words and option values to printed text and an exit code."""
 
-import os
 import sys
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import Any, NamedTuple, TextIO
+from collections.abc import Iterable, Iterator, Sequence
+from typing import TextIO
 
-from ..answers.answer import Answer, answer, in_units
-from ..answers.questions import Command
+from ..answers.answer import Answer, Note, answer, in_units
+from ..answers.questions import Question
 from ..errors import BadRequest, JkrollError, MissingExtra
 from ..materials.library import known_materials
 from ..materials.places import materials_files
 from ..output.layout import layout
 from ..output.writers import WRITERS
 from ..quantities.formatting import Format
-from ..scene.limits import sentence
 from ..text import quoted, say
+from .options import Values
 from .request import Request, format_of
 
 MAX_NOTES = 20
@@ -23,120 +22,115 @@ PICTURES = ("svg", "pdf", "png")
 MANY = 20_000  # rows from which on a sweep is streamed by blocks
 
 
-class Output(NamedTuple):
-    """How a call is to answer."""
-
-    to: str | None = None
-    digits: int | None = None
-    bare: bool = False
-    json: bool = False
-    csv: bool = False
-    explain: bool = False
-    cite: bool = False
-    materials: str | None = None
-    quiet: bool = False
-    rtol: float | None = None
-    curve: bool = False
-    target: str | None = None
-    resume: bool = False
-
-    def format_name(self, out: TextIO) -> str:
-        """The one format that was asked for, else what suits where the output goes."""
-        chosen = [name for name in ("bare", "json", "csv", "explain", "cite") if getattr(self, name)]
-        if len(chosen) > 1:
-            raise BadRequest(f"--{chosen[0]} and --{chosen[1]} exclude each other")
-        return chosen[0] if chosen else "table" if out.isatty() else "plain"
+def format_name(values: Values, out: TextIO) -> str:
+    """Return the name of the output format: the one that was chosen, else a table on a terminal and plain lines in a pipe."""
+    formats = {
+        "bare": values.bare,
+        "json": values.json,
+        "csv": values.csv,
+        "explain": values.explain,
+        "cite": values.cite,
+    }
+    chosen = [name for name, is_chosen in formats.items() if is_chosen]
+    if len(chosen) > 1:
+        raise BadRequest(f"--{chosen[0]} and --{chosen[1]} exclude each other")
+    if chosen:
+        return chosen[0]
+    return "table" if out.isatty() else "plain"
 
 
 class Tally:
-    """What is to be said at the end about the answers that went by."""
+    """Notes and failures of answers, collected while they are written."""
 
     def __init__(self) -> None:
-        """Nothing went by yet."""
-        self.notes: dict[str, None] = {}
+        """Begin with no answer."""
+        self.notes: dict[Note, None] = {}
         self.failures: list[JkrollError] = []
         self.failed = 0
 
     def watch(self, answers: Iterable[Answer]) -> Iterator[Answer]:
-        """Pass answers on."""
+        """Iterate over answers, and collect their notes and failures."""
         for one in answers:
             if len(self.notes) <= MAX_NOTES:
-                self.notes |= dict.fromkeys(one.notes)
-                self.notes |= {f"doubtful: {sentence(verdict)}": None for verdict in one.validity if not verdict.holds}
+                self.notes |= dict.fromkeys([*one.notes, *one.doubts()])
             if one.failure is not None:
                 self.failed += 1
                 self.failures = self.failures or [one.failure]
             yield one
 
 
-def run_command(command: Command, words: Sequence[str] | None, options: Mapping[str, str], output: Output) -> int:
-    """Answer a command for every scene that was described; return the exit code."""
+def run_question(question: Question, words: Sequence[str], values: Values) -> int:
+    """Answer a question for every scene that was described; return the exit code."""
     out = sys.stdout
-    kind = output.format_name(out)
-    if output.resume and output.target is None:
-        raise BadRequest("--resume needs a file to go on with: -o FILE")
-    form = format_of(output.to, output.digits, command.quantities)
-    request = Request(words or [], options, materials_files(output.materials))
-    if output.materials is not None:
-        request.materials  # noqa: B018  a file that was named is read, whether it is needed or not
-    if output.curve:
+    kind = format_name(values, out)
+    if values.resume and values.target is None:
+        raise BadRequest("--resume needs a file to continue: -o FILE")
+    form = format_of(values.to, values.digits, question.quantities)
+    files = materials_files(values.materials)
+    request = Request(words, values.inputs, files)
+    if values.materials is not None:
+        known_materials(*files)  # a file that was named is checked even if no material is needed
+    if values.curve:
         return _run_curve(request, kind, form)
     samples = (
-        [in_units(answer(command, scene, output.rtol), form) for scene in request.samples()]
+        [in_units(answer(question, scene, values.rtol), form) for scene in request.samples()]
         if request.count > 1
         else []
     )
-    if output.target is not None or (kind == "csv" and request.count > MANY):
-        return _run_stream(command, request, samples, kind, output)
+    if values.target is not None or (kind == "csv" and request.count > MANY):
+        return _run_stream(question, request, samples, kind, values)
     request.check_count()
     tally = Tally()
     if kind in ("explain", "cite"):
-        from ..output.explain import write_citations, write_explanation
+        from ..output.citations import write_citations
+        from ..output.explain import write_explanation
 
         write = write_citations if kind == "cite" else write_explanation
         write(
-            ((scene, one) for scene in request.scenes() for one in tally.watch([answer(command, scene, output.rtol)])),
+            ((scene, one) for scene in request.scenes() for one in tally.watch([answer(question, scene, values.rtol)])),
             out,
             form,
         )
     else:
-        answers = tally.watch(in_units(answer(command, scene, output.rtol), form) for scene in request.scenes())
+        answers = tally.watch(in_units(answer(question, scene, values.rtol), form) for scene in request.scenes())
         if request.count == 1:
-            answers = iter([_unless_failed(next(answers), command)])
-        WRITERS[kind](answers, out, form, layout(command, samples, request.count))
+            answers = iter([_unless_failed(next(answers), question)])
+        WRITERS[kind](answers, out, form, layout(question, samples, request.count))
     out.flush()
-    if not output.quiet and kind not in ("json", "explain", "cite"):
-        _note(note for note in tally.notes if kind != "table" or request.count > 1 or not note.startswith("doubtful"))
+    if not values.quiet and kind not in ("json", "explain", "cite"):
+        has_doubts = kind == "table" and request.count == 1  # the table of one scene shows them
+        _note(note.text for note in tally.notes if not (has_doubts and note.kind == "doubt"))
     return _say_failures(tally, request.count)
 
 
 def no_picture(flag: str, path: str) -> BadRequest:
-    """The refusal of a name that does not end as a picture's does."""
+    """Return the error for a file name whose ending is not that of a picture."""
     return BadRequest(f"{flag}: {quoted(path)} does not end in .{', .'.join(PICTURES[:-1])} or .{PICTURES[-1]}")
 
 
-def _ending(path: str) -> str:
-    return os.path.splitext(path)[1][1:].casefold()
+def ending(path: str) -> str:
+    """Return the ending of a file name, in lower case."""
+    return path.rpartition(".")[2].casefold()
 
 
-def _run_stream(command: Command, request: Request, samples: list[Answer], kind: str, output: Output) -> int:
+def _run_stream(question: Question, request: Request, samples: list[Answer], kind: str, values: Values) -> int:
     """Write a sweep of any length to a file, or as CSV to a pipe; return the exit code."""
     from ..batch.axes import Axis
     from ..batch.settings import Settings
     from ..batch.sweep import Sweep, stream
 
-    if output.target and _ending(output.target) in PICTURES:
-        raise BadRequest(f"-o: {quoted(output.target)} is a picture; add --curve to contact, or see jkroll map --help")
-    if output.to or output.digits or output.rtol is not None or kind not in ("csv", "plain", "table"):
+    if values.target and ending(values.target) in PICTURES:
+        raise BadRequest(f"-o: {quoted(values.target)} is a picture; add --curve to contact, or see jkroll map --help")
+    if values.to or values.digits or values.rtol is not None or kind not in ("csv", "plain", "table"):
         raise BadRequest("a long sweep is written in SI units with all digits: -o and long ranges take --csv alone")
-    samples = samples or [answer(command, scene) for scene in request.samples()]
+    samples = samples or [answer(question, scene) for scene in request.samples()]
     axes = [Axis(name, spreads) for name, spreads in request.spreads.items()]
-    sweep = Sweep(request.pairs, axes, layout(command, samples, request.count), request.materials)
-    tally = stream(sweep, Settings(target=output.target or "-", resume=output.resume, quiet=output.quiet))
-    if not output.quiet:
+    sweep = Sweep(request.pairs, axes, layout(question, samples, request.count), request.materials)
+    tally = stream(sweep, Settings(target=values.target or "-", resume=values.resume, quiet=values.quiet))
+    if not values.quiet:
         ends = Tally()
         list(ends.watch(samples))
-        _note(ends.notes)
+        _note(note.text for note in ends.notes)
     if tally.failed:
         say(f"jkroll: {tally.failed} of {tally.rows} rows failed", sys.stderr)
         return ROWS_FAILED
@@ -162,16 +156,16 @@ def _run_curve(request: Request, kind: str, form: Format) -> int:
 
 
 def _say_failures(tally: Tally, count: int) -> int:
-    """Say how many rows failed, if any did, and return the exit code."""
+    """Print how many rows failed, if any did; return the exit code."""
     if not tally.failed:
         return 0
     say(f"jkroll: {tally.failures[0] if count == 1 else f'{tally.failed} of {count} rows failed'}", sys.stderr)
     return ROWS_FAILED
 
 
-def _unless_failed(one: Answer, command: Command) -> Answer:
-    """The answer of a single scene, unless it has nothing of what the command is named after."""
-    if one.failure is not None and all(one.value(name) is None for name in command.headline):
+def _unless_failed(one: Answer, question: Question) -> Answer:
+    """Return the answer of a single scene, or raise its failure if it lacks the headline of the question."""
+    if one.failure is not None and all(one.value(name) is None for name in question.headline):
         raise one.failure
     return one
 
@@ -185,47 +179,61 @@ def _note(notes: Iterable[str]) -> None:
         say("note: and more", sys.stderr)
 
 
-def run_materials(name: str | None, output: Output) -> int:
-    """List the materials, or show one whole; return the exit code."""
+def run_materials(words: Sequence[str], values: Values) -> int:
+    """List the materials, or show one in full; return the exit code."""
     from ..output.catalogue import write_materials
 
     out = sys.stdout
-    kind = output.format_name(out)
-    materials = known_materials(*materials_files(output.materials))
-    chosen = list(materials.materials.values()) if name in (None, "all") else [materials[name]]
-    write_materials(chosen, out, kind, whole=name not in (None, "all"))
-    if not output.quiet:
+    kind = format_name(values, out)
+    materials = known_materials(*materials_files(values.materials))
+    shows_one = bool(words) and words[0] != "all"
+    chosen = [materials[words[0]]] if shows_one else list(materials.materials.values())
+    write_materials(chosen, out, kind, whole=shows_one)
+    if not values.quiet:
         _note(f"{material.name}: {text}" for material in chosen for text in material.shadows)
     return 0
 
 
-def run_verify(output: Output) -> int:
+def run_verify(_words: Sequence[str], values: Values) -> int:
     """Compute the audit of the paper; return 1 if a verdict is not the expected one."""
     from ..audit.verify import write_verification
 
-    code = write_verification(sys.stdout, output.format_name(sys.stdout))
+    code = write_verification(sys.stdout, format_name(values, sys.stdout))
     sys.stdout.flush()
     return code
 
 
-def run_bench(output: Output, *, quick: bool = False, plot: str | None = None) -> int:
+def run_bench(_words: Sequence[str], values: Values) -> int:
     """Measure speed against error; return the exit code."""
     from ..bench.report import write_bench
 
-    if plot is not None and _ending(plot) not in PICTURES:
-        raise no_picture("--plot", plot)
+    if values.plot is not None and ending(values.plot) not in PICTURES:
+        raise no_picture("--plot", values.plot)
     try:
-        code = write_bench(sys.stdout, output.format_name(sys.stdout), quick=quick, plot=plot)
+        code = write_bench(sys.stdout, format_name(values, sys.stdout), quick=values.quick, plot=values.plot)
     except ModuleNotFoundError as error:
-        raise MissingExtra(error.name or "", "plot" if plot else "bench") from None
+        raise MissingExtra(error.name or "", "plot" if values.plot else "bench") from None
     sys.stdout.flush()
     return code
 
 
-def run_batch(path: str | None, output: Output, given: Mapping[str, Any]) -> int:
+def run_batch(words: Sequence[str], values: Values) -> int:
     """Convert a table of scenes; return the exit code."""
     from ..batch.command import run
+    from ..batch.settings import Settings
 
-    names = ("materials", "resume", "quiet")
-    settings = {"target": output.target or "-", **{name: getattr(output, name) for name in names}}
-    return run(path, {**given, **settings})
+    if not words:
+        raise BadRequest("batch needs a table, such as grains.csv, or - for standard input")
+    settings = Settings(
+        target=values.target or "-",
+        format=values.format,
+        quantities=values.quantities,
+        strict=values.strict,
+        resume=values.resume,
+        jobs=values.jobs,
+        excel_safe=values.excel_safe,
+        dask=values.dask,
+        materials=values.materials,
+        quiet=values.quiet,
+    )
+    return run(words[0], settings, values.inputs)

@@ -1,134 +1,186 @@
-"""The command line as typer sees it: words that are not plain. The only module that knows typer."""
+"""The command line as typer reads it: lines that are not plain, completion and its installation."""
 
-from collections.abc import Iterator, Sequence
+import os
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from inspect import Parameter, Signature
-from typing import Annotated, Any
+from functools import partial
+from itertools import pairwise
+from typing import Any
 
 import typer
-from typer.core import TyperCommand, TyperGroup
+from typer._click.exceptions import NoSuchOption  # the only one of typer's errors that is worded anew
+from typer.core import TyperArgument, TyperCommand, TyperGroup, TyperOption
 
-from .. import __version__
-from ..answers.questions import COMMANDS
-from .calls import Call, call
-from .completion import ARGUMENTS, complete_option, complete_words
+from ..errors import BadRequest
+from ..text import shown
+from .commands import COMMANDS, Call, Command, flags_of
+from .completion import Completer, completer_of_option, completer_of_words, is_safe
 from .help import help_of
 from .mistakes import UnknownOption
-from .options import EXTRAS, HELP, Option, options_named, sentence_of
+from .options import HELP, VERSION, Option
+from .reader import print_version
+
+MAX_MESSAGE = 1000
 
 
-class Program(TyperGroup):
-    """The program, with our help and our words for an option it does not take."""
+def typer_call(words: Sequence[str]) -> Call:
+    """Return the call that words ask for, or raise BadRequest; what typer answers by itself is printed already."""
+    try:
+        made = application().main(words, prog_name="jkroll", standalone_mode=False)
+    except typer.TyperException as error:
+        raise BadRequest(shown(" ".join(error.format_message().split()), MAX_MESSAGE)) from None
+    return made if callable(made) else partial(int, made or 0)
+
+
+def application() -> TyperGroup:
+    """Return the program: typer's own group, which knows the shells, with our commands and options in it."""
+    app = typer.Typer(
+        cls=_Program,
+        rich_markup_mode=None,
+        context_settings={"help_option_names": [option.flag for option in HELP]},
+    )
+    app.callback()(_no_callback)
+    group = typer.main.get_command(app)
+    assert isinstance(group, TyperGroup)
+    group.params.append(
+        TyperOption(
+            param_decls=[VERSION.flag],
+            is_flag=True,
+            is_eager=True,
+            expose_value=False,
+            callback=_show_version,
+            help=VERSION.sentence(),
+        )
+    )
+    for command in COMMANDS.values():
+        group.add_command(_TyperCommand(command))
+    return group
+
+
+def _no_callback() -> None:
+    """Do nothing: typer makes a group of an application with a callback."""
+
+
+def _show_version(_context: object, _parameter: object, is_wanted: bool) -> None:
+    if is_wanted:
+        print_version()
+        raise typer.Exit
+
+
+class _Program(TyperGroup):
+    """The program, with our help and our message for an unknown option."""
 
     def get_help(self, ctx: Any) -> str:  # noqa: ARG002
-        """What `--help` prints."""
+        """Return what `--help` prints."""
         return help_of(None)
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
         """Read the options before the command."""
-        with _our_words(None, args):
+        with _unknown_options_named(None, args):
             return super().parse_args(ctx, args)
 
 
-class OneCommand(TyperCommand):
-    """A command, with our help and our words for an option it does not take."""
+class _TyperCommand(TyperCommand):
+    """A command, with our help and our message for an unknown option."""
+
+    def __init__(self, command: Command) -> None:
+        super().__init__(command.name, callback=partial(_call, command), short_help=command.sentence)
+        self.command = command
+
+    def get_params(self, ctx: Any) -> list[Any]:
+        """Return the parameters, made only for the command that is called.
+
+        A repeated option is collected, to be refused. While completing, a given option is not offered again.
+        """
+        if not self.params:
+            self.params = _parameters(self.command, collects=not ctx.resilient_parsing)
+        return super().get_params(ctx)
 
     def get_help(self, ctx: Any) -> str:  # noqa: ARG002
-        """What `--help` prints."""
+        """Return what `--help` prints."""
         return help_of(self.name)
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
         """Read the words after the command."""
-        with _our_words(self.name, args):
+        with _unknown_options_named(self.name, args):
             return super().parse_args(ctx, args)
 
 
+def _call(command: Command, words: str | Sequence[str] | None = None, **values: Any) -> Call:
+    """Return the call for what typer has read: of an option all values that were given, of a flag whether it was."""
+    flags = {option.name: option.flag for option in command.options()}
+    given: dict[str, str | bool] = {}
+    for name, value in values.items():
+        if value is True:
+            given[name] = True
+        elif value and len(value) > 1:
+            raise BadRequest(f"{flags[name]} is given more than once")
+        elif value:
+            given[name] = value[0]
+    return command.call([words] if isinstance(words, str) else words or (), given)
+
+
+def _parameters(command: Command, *, collects: bool) -> list[Any]:
+    """Return the words and options of a command as typer wants them."""
+    options = [_option(option, collects=collects) for option in command.options()]
+    if not command.words.most:
+        return options
+    words = TyperArgument(
+        param_decls=["words"],
+        nargs=1 if command.words.most == 1 else -1,
+        metavar=command.words.metavar,
+        autocompletion=_safe(completer_of_words(command.name)),
+    )
+    return [words, *options]
+
+
+class _TyperOption(TyperOption):
+    """An option whose values are also completed in the form --option=value."""
+
+    def shell_complete(self, ctx: Any, incomplete: str) -> list[Any]:
+        """Return the candidates; with the option before them for zsh and fish, which replace the whole word."""
+        items = super().shell_complete(ctx, incomplete)
+        flag, has_value, _ = os.environ.get("_TYPER_COMPLETE_ARGS", "").rpartition(" ")[2].partition("=")
+        if has_value and flag in self.opts:
+            for item in items:
+                item.value = f"{flag}={item.value}"
+        return items
+
+
+def _option(option: Option, *, collects: bool) -> TyperOption:
+    """Return an option as typer wants it; its text is read by us."""
+    is_flag = option.kind is bool
+    return _TyperOption(
+        param_decls=[option.name, *option.flags],
+        is_flag=is_flag,
+        default=False if is_flag else None,
+        type=None if is_flag else str,
+        multiple=collects and not is_flag,
+        help=option.sentence(),
+        hidden=option.hidden,
+        autocompletion=_safe(completer_of_option(option.name)),
+    )
+
+
+def _safe(complete: Completer | None) -> Callable[[object, object, str], list[str]] | None:
+    """Return a completer in typer's form. It offers nothing that a shell could run: typer quotes too little for zsh."""
+    if complete is None:
+        return None
+    return lambda _context, _words, incomplete: list(filter(is_safe, complete(incomplete)))
+
+
 @contextmanager
-def _our_words(command: str | None, words: Sequence[str]) -> Iterator[None]:
-    """Say of an option that nothing takes what was probably meant, in place of what typer says."""
-    words = tuple(words)
+def _unknown_options_named(command: str | None, words: Sequence[str]) -> Iterator[None]:
+    """Replace typer's message for an unknown option by ours."""
+    words = tuple(words)  # typer consumes them
     try:
         yield
-    except Exception as error:
-        if not hasattr(error, "possibilities"):
-            raise
-        flag = str(getattr(error, "option_name", ""))
-        begun = [word.partition("=")[0] for word in words if word.startswith(flag)]
-        typed = flag if flag in begun else next(iter(begun), flag)
-        raise UnknownOption(typed, command) from None
+    except NoSuchOption as error:
+        raise UnknownOption(_typed(error.option_name, words, command), command) from None
 
 
-def build(only: str | None = None) -> typer.Typer:
-    """The application. Only the command that is called gets its options; the others are there to be listed."""
-    app = typer.Typer(
-        cls=Program,
-        add_completion=True,
-        no_args_is_help=True,
-        rich_markup_mode=None,
-        pretty_exceptions_enable=False,
-        context_settings={"help_option_names": [option.flag for option in HELP]},
-    )
-    app.callback()(_root)
-    for name, command in COMMANDS.items():
-        parameters = []
-        if name == only:
-            parameters = [_words("[MATERIAL] [RADIUS]...", list[str] | None), *map(_parameter, options_named(name))]
-        _add(app, name, command.sentence, parameters)
-    for name, extra in EXTRAS.items():
-        kind = list[str] | None if extra.takes_scene else str | None
-        words = [_words(extra.argument, kind, name)] if extra.argument else []
-        parameters = [*words, *map(_parameter, options_named(name))] if name == only else []
-        _add(app, name, extra.sentence, parameters)
-    return app
-
-
-def _add(app: typer.Typer, name: str, sentence: str, parameters: list[Parameter]) -> None:
-    """Add a command with a signature of its own."""
-
-    def function(words: Any = None, **values: Any) -> Call:
-        return call(name, [words] if isinstance(words, str) else words or [], values)
-
-    function.__signature__ = Signature(parameters)  # type: ignore[attr-defined]
-    function.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
-    function.__name__ = name.replace("-", "_")
-    app.command(name, cls=OneCommand, short_help=sentence)(function)
-
-
-def _words(metavar: str, kind: Any, command: str = "") -> Parameter:
-    completer = ARGUMENTS.get(command, complete_words)
-    argument = typer.Argument(metavar=metavar, autocompletion=completer, show_default=False)
-    return _annotated("words", kind, None, argument)
-
-
-def _parameter(option: Option) -> Parameter:
-    """An option as typer wants it."""
-    declaration = typer.Option(
-        *option.flags,
-        metavar=option.metavar or None,
-        help=sentence_of(option),
-        min=option.low,
-        max=option.high,
-        hidden=option.hidden,
-        show_default=False,
-        autocompletion=complete_option(option.name),
-    )
-    kind: Any = option.kind
-    return _annotated(option.name, kind if kind is bool else kind | None, False if kind is bool else None, declaration)
-
-
-def _annotated(name: str, kind: Any, default: Any, declaration: Any) -> Parameter:
-    return Parameter(name, Parameter.KEYWORD_ONLY, default=default, annotation=Annotated[kind, declaration])
-
-
-def _show_version(wanted: bool) -> None:
-    if wanted:
-        typer.echo(f"jkroll {__version__}")
-        raise typer.Exit
-
-
-def _root(
-    version: Annotated[
-        bool, typer.Option("--version", help="Show the version and exit.", is_eager=True, callback=_show_version)
-    ] = False,
-) -> None:
-    """Options of the program itself."""
+def _typed(flag: str, words: Sequence[str], command: str | None) -> str:
+    """Return the option as typed, of which typer names only a letter if there is one hyphen: -g of -gamma."""
+    takes_value = {spelling for spelling, option in flags_of(command).items() if option.kind is not bool}
+    typed = (word for before, word in pairwise(["", *words]) if word.startswith(flag) and before not in takes_value)
+    return next(typed, flag).partition("=")[0]

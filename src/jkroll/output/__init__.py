@@ -1,1 +1,1 @@
-"""Answers as text."""
+"""Answers, materials and records as text."""

@@ -1,34 +1,33 @@
-"""`--explain` and `--cite`: how a number comes about and what to cite for it, worded from the formulas' docstrings."""
+"""`--explain`: the derivation of a number, worded from the docstrings of the formulas."""
 
 import re
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Iterable
 from fractions import Fraction
 from math import isfinite, log
 from typing import Any, TextIO
 
 from ..answers.answer import Answer, Result
 from ..errors import JkrollError
-from ..quantities.formatting import Format, amount
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE, word_for_infinity
+from ..quantities.formatting import Format, amount, in_words
+from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.scene import Scene
 from ..scene.wiring import Step
 from ..text import say
 
-PAPER = """@article{dominik-tielens-1995,
-  author  = {Dominik, C. and Tielens, A. G. G. M.},
-  title   = {Resistance to rolling in the adhesive contact of two elastic spheres},
-  journal = {Philosophical Magazine A},
-  volume  = {72},
-  number  = {3},
-  pages   = {783--803},
-  year    = {1995},
-  doi     = {10.1080/01418619508243800},
-  note    = {%s}
-}"""
+_SECTIONS = ("Source", "Valid", "Accuracy")
+_STEP = 1e-4  # relative, of the differences that give a power law
+_LARGEST_DENOMINATOR = 12  # of an exponent shown as a fraction
+
+
+class NoDocstrings(JkrollError):
+    """Error raised where Python runs without docstrings."""
+
+    def __str__(self) -> str:
+        return "--explain is worded from docstrings, which python -OO drops"
 
 
 def docstring_fields(formula: Any) -> dict[str, str]:
-    """The parts of a formula's docstring: "summary", "formula", and "Source", "Valid", "Accuracy".
+    """Return the parts of a formula's docstring: "summary", "formula", "Source", "Valid" and "Accuracy".
 
     >>> from jkroll.physics.chain import r_min
     >>> docstring_fields(r_min)["formula"]
@@ -40,7 +39,7 @@ def docstring_fields(formula: Any) -> dict[str, str]:
     for line in text.splitlines():
         stripped = line.strip()
         head, colon, rest = stripped.partition(":")
-        if colon and head in ("Source", "Valid", "Accuracy"):
+        if colon and head in _SECTIONS:
             key, stripped = head, rest.strip()
         elif key == "summary" and line.startswith(" " * 8):
             key = "formula"
@@ -52,150 +51,96 @@ def docstring_fields(formula: Any) -> dict[str, str]:
 
 
 def write_explanation(pairs: Iterable[tuple[Scene, Answer]], out: TextIO, form: Format) -> None:
-    """For each result: formula, numbers put in, steps, result, equation, validity, accuracy and power law."""
+    """Write for each result its formula, inputs, steps, value, source, validity, accuracy and power law."""
     if not docstring_fields(power_law)["summary"]:
         raise NoDocstrings
     for number, (scene, result) in enumerate((scene, result) for scene, answer in pairs for result in answer.results):
         if number:
             say("", out)
-        _explain(result, scene, out, form)
+        for line in _explanation(result, scene, form):
+            say(line, out)
 
 
-def _explain(result: Result, scene: Scene, out: TextIO, form: Format) -> None:
+def _explanation(result: Result, scene: Scene, form: Format) -> list[str]:
+    """Return the lines that explain one result."""
     quantity = NOMENCLATURE[result.name]
-    say(f"{result.name} — {quantity.sentence}, Eq {quantity.equation}", out)
+    title = f"{result.name} — {quantity.sentence}, Eq {quantity.equation}"
     if result.value is None:
-        say(f"  {result.reason}", out)
-        return
+        return [title, f"  {result.reason}"]
     steps = scene.plan(result.name).steps
     fields = docstring_fields(steps[-1].formula)
-    lines = [f"  {fields['formula']}", "  given"]
-    for name in scene.inputs_of(result.name):
-        value = f"{NOMENCLATURE[name].symbol} = {amount(name, _shown(name, scene), form)}"
-        lines.append(f"    {value:22} {NOMENCLATURE[name].sentence}{_origin(name, scene)}")
+    lines = [title, f"  {fields['formula']}", "  given"]
+    lines += [_line(name, scene, form, _meaning(name, scene)) for name in scene.inputs_of(result.name)]
     if len(steps) > 1:
         lines.append("  steps")
-    for step in steps[:-1]:
-        formula = _of_its_sphere(step, docstring_fields(step.formula)["formula"])
-        value = f"{NOMENCLATURE[step.name].symbol} = {amount(step.name, _shown(step.name, scene), form)}"
-        lines.append(f"    {value:22} {formula}")
+    lines += [_line(step.name, scene, form, _formula_of(step)) for step in steps[:-1]]
     lines.append(f"  result    {quantity.symbol} = {amount(result.name, result.value, form)}")
-    lines += [f"  {key.lower():9} {fields[key]}" for key in ("Source", "Valid", "Accuracy")]
+    lines += [f"  {key.lower():9} {fields[key]}" for key in _SECTIONS]
     lines.append(f"  power law {power_law(scene, result.name)}")
     if quantity.note:
         lines.append(f"  note      {quantity.note}")
-    for line in lines:
-        say(line, out)
+    return lines
 
 
-class NoDocstrings(JkrollError):
-    """Python was told to drop them."""
-
-    def __str__(self) -> str:
-        return "--explain is worded from docstrings, which python -OO drops"
-
-
-def _shown(name: str, scene: Scene) -> float | str:
-    value: float = scene.values[name]
-    return word_for_infinity(name) or "infinite" if value == INFINITY else value
+def _line(name: str, scene: Scene, form: Format, remark: str) -> str:
+    """Return a line with the symbol and value of an input or a step, and a remark beside it."""
+    value = f"{NOMENCLATURE[name].symbol} = {amount(name, in_words(name, scene.values[name]), form)}"
+    return f"    {value:22} {remark}"
 
 
-def _of_its_sphere(step: Step, formula: str) -> str:
-    """A formula written for sphere 1, for the sphere it was used for."""
+def _formula_of(step: Step) -> str:
+    """Return the formula of a step, with the indices of sphere 2 if it was evaluated for sphere 2."""
+    formula = docstring_fields(step.formula)["formula"]
     is_of_sphere_2 = step.name.endswith("2") and step.name != step.formula.__name__
     return re.sub(r"(?<=[^\W\d])1(?![0-9])", "2", formula) if is_of_sphere_2 else formula
 
 
-def _origin(name: str, scene: Scene) -> str:
-    """Where an input comes from: a material's file, unless it was stated."""
+def _meaning(name: str, scene: Scene) -> str:
+    """Return the meaning of an input, with the material and file it comes from, or that it was assumed."""
+    sentence = NOMENCLATURE[name].sentence
     of_sphere_2 = name.endswith("2")
     for material, of_material in scene.data_used([name]):
         if of_material == name.removesuffix("2") and (material is scene.material2 or not of_sphere_2):
-            return f" ({material.name}, {material.title})"
-    return "" if name in scene.given else " (assumed)"
+            return f"{sentence} ({material.name}, {material.title})"
+    return sentence if name in scene.given else f"{sentence} (assumed)"
 
 
-def power_law(scene: Scene, name: str, step: float = 1e-4) -> str:
-    """The exponents with which a quantity depends on each of its inputs here, by central differences.
-
-    An exponent that is a simple fraction is shown as one.
-    """
-    exponents = []
-    for given in scene.inputs_of(name):
-        value = scene.values[given]
-        if not isinstance(value, float) or not isfinite(value) or value == 0:
-            continue
-        exponent = _log_derivative(scene, name, given, value, step)
-        if exponent:
-            symbol = NOMENCLATURE[given].symbol
-            exponents.append(
-                symbol
-                if exponent == "1"
-                else f"{symbol}^{exponent}"
-                if "/" not in exponent
-                else f"{symbol}^({exponent})"
-            )
-    return " ".join(exponents) or "none"
+def power_law(scene: Scene, name: str) -> str:
+    """Return the exponents of a quantity in each of its inputs at this scene, by central differences."""
+    powers = [_power(scene, name, given) for given in scene.inputs_of(name)]
+    return " ".join(filter(None, powers)) or "none"
 
 
-def _log_derivative(scene: Scene, name: str, given: str, value: float, step: float) -> str:
-    """Exponent d ln(name)/d ln(given) as text; empty where it is zero, "?" where it cannot be had."""
-    logs = []
-    for factor in (1 / (1 + step), 1.0, 1 + step):
+def _power(scene: Scene, name: str, given: str) -> str:
+    """Return an input to the power with which a quantity depends on it, as text; empty if it does not."""
+    value, symbol = scene.values[given], NOMENCLATURE[given].symbol
+    if not isinstance(value, float) or not isfinite(value) or value == 0:
+        return ""
+    exponent = _exponent(scene, name, given, value)
+    text = "?" if exponent is None else _fraction_or_number(exponent)
+    if text == "0":
+        return ""
+    if text == "1":
+        return symbol
+    return f"{symbol}^({text})" if "/" in text else f"{symbol}^{text}"
+
+
+def _fraction_or_number(exponent: float) -> str:
+    """Return an exponent as a simple fraction where it is one, else as three digits."""
+    fraction = Fraction(exponent).limit_denominator(_LARGEST_DENOMINATOR)
+    return str(fraction) if abs(exponent - fraction) < 1e-6 else f"{exponent:.3g}"
+
+
+def _exponent(scene: Scene, name: str, given: str, value: float) -> float | None:
+    """Return d ln(name)/d ln(given), one-sided at the end of a range; None where there is no value beside it."""
+    points = []
+    for factor in (1 / (1 + _STEP), 1.0, 1 + _STEP):
         try:
-            logs.append(
-                (
-                    log(factor),
-                    log(abs(Scene({**scene.stated, given: value * factor}, scene.material, scene.material2)[name])),
-                )
-            )
+            beside = Scene({**scene.stated, given: value * factor}, scene.material, scene.material2)
+            points.append((log(factor), log(abs(beside[name]))))
         except (JkrollError, ValueError):
             continue
-    if len(logs) < 2:
-        return "?"
-    exponent = (logs[-1][1] - logs[0][1]) / (logs[-1][0] - logs[0][0])
-    simple = Fraction(exponent).limit_denominator(12)
-    if abs(exponent - simple) < 1e-6:
-        return str(simple) if simple else ""
-    return f"{exponent:.3g}"
-
-
-def write_citations(pairs: Iterable[tuple[Scene, Answer]], out: TextIO, _: Format) -> None:
-    """BibTeX of the paper, with the equations used, and of the material data used."""
-    equations: dict[str, None] = {}
-    references: dict[str, Mapping[str, str]] = {}
-    failure: JkrollError | None = None
-    for scene, answer in pairs:
-        failure = failure or answer.failure
-        known = [result.name for result in answer.results if result.value is not None]
-        equations |= {equation: None for name in known for equation in _equations(scene, name)}
-        references |= {str(entry["key"]): entry for entry in material_references(scene, answer.inputs)}
-    if failure is not None and not equations:
-        raise failure
-    order = sorted(equations, key=int)
-    say(PAPER % (("Eq. " if len(order) == 1 else "Eqs. ") + ", ".join(f"({equation})" for equation in order)), out)
-    for entry in references.values():
-        say(bibtex(entry), out)
-
-
-def _equations(scene: Scene, name: str) -> list[str]:
-    return [NOMENCLATURE[step.name].equation for step in scene.plan(name).steps if NOMENCLATURE[step.name].equation]
-
-
-def material_references(scene: Scene, inputs: Collection[str]) -> list[Mapping[str, str]]:
-    """The references of the materials whose data are among the inputs."""
-    return [entry for material, _ in scene.data_used(inputs) for entry in material.references]
-
-
-def bibtex(entry: Mapping[str, str]) -> str:
-    """One BibTeX entry.
-
-    >>> print(bibtex({"key": "book", "type": "misc", "title": "A Book"}))
-    @misc{book,
-      title = {A Book}
-    }
-    """
-    fields = {name: text for name, text in entry.items() if name not in ("key", "type")}
-    width = max(map(len, fields), default=0)
-    lines = [f"  {name:{width}} = {{{text}}}" for name, text in fields.items()]
-    return f"@{entry.get('type', 'misc')}{{{entry['key']},\n" + ",\n".join(lines) + "\n}"
+    if len(points) < 2:
+        return None
+    (first, first_log), (last, last_log) = points[0], points[-1]
+    return (last_log - first_log) / (last - first)

@@ -1,4 +1,4 @@
-"""Files that are whole or not there: written beside their place and then put there."""
+"""Files written atomically."""
 
 import os
 from collections.abc import Iterator
@@ -9,7 +9,7 @@ from typing import BinaryIO
 
 @contextmanager
 def whole_file(path: str) -> Iterator[BinaryIO]:
-    """A file to write to, which takes its place when it is complete; a device or a pipe is written to as it is."""
+    """Open a temporary file that replaces `path` when it is complete; write to a device or a pipe directly."""
     place = Path(os.path.realpath(path))
     if place.exists() and not place.is_file():
         with place.open("wb") as stream:

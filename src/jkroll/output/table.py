@@ -1,4 +1,4 @@
-"""Tables on a terminal. The only module that imports rich."""
+"""Tables on a terminal, set by rich."""
 
 from collections.abc import Collection, Mapping, Sequence
 from typing import TextIO
@@ -8,48 +8,48 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from ..answers.answer import Answer
+from ..answers.answer import Answer, Result
 from ..quantities.formatting import Format, amount, pretty
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
 from ..scene.limits import sentence
 from ..text import columns, fitting, say
 from .layout import Layout
 
+_HEADS = ("quantity", "symbol", "value", "unit", "Eq")
+_WIDTHS = (slice(0, 5), slice(1, 5), slice(1, 4))  # columns of a scene's table, for narrower and narrower terminals
+
 
 def scene_table(answer: Answer, out: TextIO, form: Format) -> None:
-    """The inputs of one scene, and its results below each other; on a narrow terminal without descriptions."""
-    rows = []
-    for result in answer.results:
-        quantity = NOMENCLATURE[result.name]
-        value, unit = form.rounded(result.name, result.value) if result.value is not None else ("—", "")
-        style = "dim" if quantity.note or result.value is None else ""
-        rows.append(([quantity.sentence, quantity.symbol, value, pretty(unit), quantity.equation], style))
+    """Write the inputs of one scene, its results below each other, and the limits of the model."""
+    rows = [_result_row(result, form) for result in answer.results]
+    styles = ["dim" if _is_aside(result) else "" for result in answer.results]
     say(_inputs(answer.inputs, form), out)
-    heads = ["quantity", "symbol", "value", "unit", "Eq"]
-    for first, last in ((0, 5), (1, 5), (1, 4)):
-        table = _table(heads[first:last], [(cells[first:last], style) for cells, style in rows], out, {"value", "Eq"})
-        if _print(table, out):
-            break
-    else:
-        for cells, _ in rows:
-            say(" ".join(cell for cell in cells[1:4] if cell), out)
+    tables = (_table(_HEADS[part], [row[part] for row in rows], out, {"value", "Eq"}, styles) for part in _WIDTHS)
+    if not any(_print(table, out) for table in tables):
+        for row in rows:
+            say(" ".join(cell for cell in row[1:4] if cell), out)
     for verdict in answer.validity:
         say(f"{'valid' if verdict.holds else 'DOUBT'}: {sentence(verdict)}", out)
 
 
-def sweep_table(answers: Sequence[Answer], out: TextIO, form: Format, shape: Layout) -> None:
-    """A row a scene: what differs between the scenes, then the results, in as many tables as the width takes.
+def _result_row(result: Result, form: Format) -> list[str]:
+    quantity = NOMENCLATURE[result.name]
+    value, unit = ("—", "") if result.value is None else form.rounded(result.name, result.value)
+    return [quantity.sentence, quantity.symbol, value, pretty(unit), quantity.equation]
 
-    What the scenes share stands above.
-    """
-    names = shape.columns
-    distinct = {name: {answer.inputs.get(name) for answer in answers} for name in names}
-    shared = {name: answers[0].inputs[name] for name in names if name in answers[0].inputs and len(distinct[name]) == 1}
-    silent = {name for name in names if name in shape.inputs and len(distinct[name] - {None}) == 1}
-    shown = [name for name in names if name not in silent and not _follows(name, answers)]
-    leading = [name for name in shown if name in shape.inputs]
-    results = [name for name in shown if name not in shape.inputs]
-    say(_inputs(shared, form), out)
+
+def _is_aside(result: Result) -> bool:
+    """Return whether a result is shown dimmed: it stands beside a headline, or has no value."""
+    return bool(NOMENCLATURE[result.name].note) or result.value is None
+
+
+def sweep_table(answers: Sequence[Answer], out: TextIO, form: Format, shape: Layout) -> None:
+    """Write a row for each scene, in as many tables as the width takes; inputs that all scenes share stand above."""
+    values = {name: {answer.inputs.get(name) for answer in answers} for name in shape.columns}
+    inputs = answers[0].inputs
+    say(_inputs({name: inputs[name] for name in shape.columns if name in inputs and len(values[name]) == 1}, form), out)
+    leading = [name for name in shape.inputs if len(values[name] - {None}) != 1 and not _is_implied(name, answers)]
+    results = [name for name in shape.columns if name not in shape.inputs and not _is_implied(name, answers)]
     while results:
         count = len(results)
         while not _print(_columns_table([*leading, *results[:count]], answers, out, form), out, anyway=count == 1):
@@ -58,37 +58,34 @@ def sweep_table(answers: Sequence[Answer], out: TextIO, form: Format, shape: Lay
 
 
 def _columns_table(names: Sequence[str], answers: Sequence[Answer], out: TextIO, form: Format) -> Table:
-    rows = []
-    for answer in answers:
-        values = [answer.inputs[name] if name in answer.inputs else answer.value(name) for name in names]
-        cells = [
-            "—" if value is None else pretty(amount(name, value, form))
-            for name, value in zip(names, values, strict=True)
-        ]
-        rows.append((cells, ""))
+    rows = [[_cell(answer, name, form) for name in names] for answer in answers]
     heads = [NOMENCLATURE[name].symbol or name for name in names]
     return _table(heads, rows, out, set(heads))
 
 
-def _follows(name: str, answers: Sequence[Answer]) -> bool:
-    """Whether an input says nothing new: sphere 2 is as large as sphere 1, or the material decides."""
-    leaders = (
-        {"radius2": "radius"} | dict.fromkeys(PROPERTIES, "material") | {prop + "2": "material2" for prop in PROPERTIES}
-    )
+def _cell(answer: Answer, name: str, form: Format) -> str:
+    value = answer.inputs[name] if name in answer.inputs else answer.value(name)
+    return "—" if value is None else pretty(amount(name, value, form))
+
+
+_LEADERS = dict.fromkeys(PROPERTIES, "material") | {name + "2": "material2" for name in PROPERTIES}
+
+
+def _is_implied(name: str, answers: Sequence[Answer]) -> bool:
+    """Return whether a column repeats another: sphere 2 is as large as sphere 1, or the material sets a property."""
     if name == "energy":
         return any("energy_ratio" in answer.inputs for answer in answers)
-    leader = leaders.get(name)
+    if name == "radius2":
+        return all(answer.inputs.get(name) == answer.inputs.get("radius") for answer in answers)
+    leader = _LEADERS.get(name)
     if leader is None or any(leader not in answer.inputs for answer in answers):
         return False
-    if name == "radius2":
-        return all(answer.inputs.get(name) == answer.inputs[leader] for answer in answers)
-    return len({(answer.inputs[leader], answer.inputs.get(name)) for answer in answers}) == len(
-        {answer.inputs[leader] for answer in answers}
-    )
+    pairs = {(answer.inputs[leader], answer.inputs.get(name)) for answer in answers}
+    return len(pairs) == len({material for material, _ in pairs})
 
 
 def _inputs(inputs: Mapping[str, float | str], form: Format) -> str:
-    """The inputs as understood, in lines that end between two of them."""
+    """Return the inputs as understood, broken into lines between two of them."""
     width = columns()
     lines = [""]
     for name, value in inputs.items():
@@ -102,27 +99,31 @@ def _inputs(inputs: Mapping[str, float | str], form: Format) -> str:
 
 
 def write_rows(heads: Sequence[str], rows: Sequence[Sequence[str]], out: TextIO) -> None:
-    """A table of texts, or, on a narrow terminal, a line a cell."""
-    if not _print(_table(heads, [([pretty(cell) for cell in row], "") for row in rows], out, set()), out):
+    """Write a table of texts, or, on a terminal too narrow for it, a line for each cell."""
+    if not _print(_table(heads, [list(map(pretty, row)) for row in rows], out), out):
         for row in rows:
             for head, cell in zip(heads, row, strict=True):
                 say(f"{head}: {cell}", out)
 
 
 def _table(
-    heads: Sequence[str], rows: Sequence[tuple[Sequence[str], str]], out: TextIO, right: Collection[str]
+    heads: Sequence[str],
+    rows: Sequence[Sequence[str]],
+    out: TextIO,
+    right: Collection[str] = (),
+    styles: Sequence[str] = (),
 ) -> Table:
-    """A table of texts, each row in a style, the columns named in `right` set to the right."""
+    """Return a table of texts, with a style for each row if any, and the columns named in `right` set to the right."""
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
     for head in heads:
         table.add_column(Text(fitting(head, out)), justify="right" if head in right else "left", no_wrap=True)
-    for cells, style in rows:
-        table.add_row(*(Text(fitting(cell, out), style) for cell in cells))
+    for row, style in zip(rows, styles or [""] * len(rows), strict=True):
+        table.add_row(*(Text(fitting(cell, out), style) for cell in row))
     return table
 
 
 def _print(table: Table, out: TextIO, *, anyway: bool = False) -> bool:
-    """Print a table if the terminal is wide enough to show it whole, or anyway, uncut; whether it was printed."""
+    """Print a table if the terminal is wide enough for it, or anyway, and return whether it was printed."""
     console = Console(file=out, width=columns(), highlight=False, markup=False, emoji=False)
     width = console.measure(table, options=console.options.update(width=10_000)).maximum
     if width > console.width and not anyway:

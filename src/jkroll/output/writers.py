@@ -1,116 +1,60 @@
-"""Answers to text: a table on a terminal, plain lines in a pipe, bare numbers, CSV, JSON.
+"""Answers as text: a table on a terminal, plain lines in a pipe, bare numbers, CSV, JSON.
 
-Nothing a user or a file wrote is ever taken for markup, and nothing is cut where it does not fit.
+Text of a user or a file is never read as markup, and nothing is cut where it does not fit.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import Any, TextIO
 
-from ..answers.answer import Answer
+from ..answers.answer import Answer, Result
 from ..quantities.formatting import AS_USUAL, Format
 from ..quantities.nomenclature import NOMENCLATURE
-from ..text import fitting, json_text, say
+from ..scene.limits import Verdict
+from ..text import json_text, say
 from .layout import Layout, layout
+from .records import write_records
 
-MAX_TABLE = 10_000  # rows that are set as a table
+MAX_TABLE = 10_000  # rows of a table on a terminal
 
 
 def write_plain(answers: Iterable[Answer], out: TextIO, form: Format, shape: Layout) -> None:
-    """One scene: a line `name value unit` a result. Several: a table with tabs, its header first."""
+    """Write a line `name value unit` for each result of one scene, or tab-separated rows of several scenes."""
     if shape.size > 1:
-        say("\t".join(shape.headers(form)), out)
-        for answer in answers:
-            say("\t".join(cell or "-" for cell in row(answer, shape.columns, form)), out)
+        write_records(shape.headers(form), _rows(answers, shape.columns, form), "plain", out)
         return
     for result in next(iter(answers)).results:
         if result.value is not None:
-            say(
-                f"{result.name} {form.text(result.name, result.value)} {form.unit(result.name)}".removesuffix(" 1"), out
-            )
+            line = f"{result.name} {form.text(result.name, result.value)} {form.unit(result.name)}"
+            say(line.removesuffix(" 1"), out)
 
 
 def write_bare(answers: Iterable[Answer], out: TextIO, form: Format, shape: Layout) -> None:
-    """A line a scene: the numbers of the quantities that the command is named after, with tabs between them."""
-    for answer in answers:
-        say("\t".join(cell or "-" for cell in row(answer, shape.command.headline, form)), out)
+    """Write a line for each scene: the numbers of the quantities that the command is named after, tab-separated."""
+    for row in _rows(answers, shape.question.headline, form):
+        say("\t".join(cell or "-" for cell in row), out)
 
 
 def write_csv(answers: Iterable[Answer], out: TextIO, form: Format, shape: Layout) -> None:
-    """A header with units and a row a scene: inputs, then results; a cell without a value is empty."""
-    import csv
-
-    rows = list(answers) if shape.size == 1 else answers
-    shape = layout(shape.command, rows, 1) if shape.size == 1 else shape
-    writer = csv.writer(out, lineterminator="\n")
-    writer.writerow([fitting(text, out) for text in shape.headers(form)])
-    for answer in rows:
-        writer.writerow([fitting(cell, out) for cell in row(answer, shape.columns, form)])
+    """Write a header with units and a row for each scene: inputs, then results."""
+    if shape.size == 1:
+        answers = list(answers)
+        shape = layout(shape.question, answers, 1)
+    write_records(shape.headers(form), _rows(answers, shape.columns, form), "csv", out)
 
 
 def write_json(answers: Iterable[Answer], out: TextIO, form: Format, shape: Layout) -> None:
-    """An object a scene; an array of them if there are several."""
-    for place, answer in enumerate(answers):
-        text = json_text(as_object(answer, form), out)
-        if shape.size > 1:
-            text = ("[\n" if place == 0 else "") + text + ("\n]" if place == shape.size - 1 else ",")
-        say(text, out)
-
-
-def as_object(answer: Answer, form: Format) -> dict[str, Any]:
-    """The JSON object of one scene."""
-    from .. import __version__
-
-    results = []
-    for result in answer.results:
-        quantity = NOMENCLATURE[result.name]
-        entry = {
-            "name": result.name,
-            "symbol": quantity.symbol,
-            "value": None if result.value is None else float(form.text(result.name, result.value)),
-            "unit": form.unit(result.name),
-            "equation": quantity.equation,
-            "description": quantity.sentence,
-        }
-        if quantity.note:
-            entry["note"] = quantity.note
-        if result.value is None:
-            entry["reason"] = result.reason
-        if result.error is not None:
-            entry["relative_error"] = result.error
-        results.append(entry)
-    validity = [
-        {
-            "name": one.name,
-            "symbol": NOMENCLATURE[one.name].symbol,
-            "value": one.value,
-            "holds": one.holds,
-            "text": one.text,
-        }
-        for one in answer.validity
-    ]
-    return {
-        "inputs": dict(answer.inputs),
-        "results": results,
-        "validity": validity,
-        "notes": list(answer.notes),
-        "version": __version__,
-    }
-
-
-def row(answer: Answer, names: Iterable[str], form: Format) -> list[str]:
-    """The cells of one scene; empty where it has no value."""
-    cells = []
-    for name in names:
-        if name in answer.inputs:
-            cells.append(AS_USUAL.text(name, answer.inputs[name]))
-        else:
-            value = answer.value(name)
-            cells.append("" if value is None else form.text(name, value))
-    return cells
+    """Write an object for each scene; several scenes are an array, written as they are computed."""
+    if shape.size == 1:
+        say(json_text(as_object(next(iter(answers)), form), out), out)
+        return
+    for place, answer in enumerate(answers, 1):
+        start = "[\n" if place == 1 else ""
+        end = "\n]" if place == shape.size else ","
+        say(start + json_text(as_object(answer, form), out) + end, out)
 
 
 def write_table(answers: Iterable[Answer], out: TextIO, form: Format, shape: Layout) -> None:
-    """A table for a terminal: the results of one scene below each other, or a row a scene."""
+    """Write a table for a terminal: the results of one scene below each other, or a row for each scene."""
     from .table import scene_table, sweep_table
 
     if shape.size == 1:
@@ -122,3 +66,59 @@ def write_table(answers: Iterable[Answer], out: TextIO, form: Format, shape: Lay
 
 
 WRITERS = {"plain": write_plain, "bare": write_bare, "csv": write_csv, "json": write_json, "table": write_table}
+
+
+def _rows(answers: Iterable[Answer], names: Iterable[str], form: Format) -> Iterator[list[str | None]]:
+    """Iterate over the cells of each scene: inputs in SI units, results as the format has them."""
+    names = tuple(names)
+    for answer in answers:
+        yield [_cell(answer, name, form) for name in names]
+
+
+def _cell(answer: Answer, name: str, form: Format) -> str | None:
+    if name in answer.inputs:
+        return AS_USUAL.text(name, answer.inputs[name])
+    value = answer.value(name)
+    return None if value is None else form.text(name, value)
+
+
+def as_object(answer: Answer, form: Format) -> dict[str, Any]:
+    """Return the JSON object of one scene."""
+    from .. import __version__
+
+    return {
+        "inputs": dict(answer.inputs),
+        "results": [_result_object(result, form) for result in answer.results],
+        "validity": [_verdict_object(verdict) for verdict in answer.validity],
+        "notes": [note.text for note in answer.notes],
+        "version": __version__,
+    }
+
+
+def _result_object(result: Result, form: Format) -> dict[str, Any]:
+    quantity = NOMENCLATURE[result.name]
+    entry: dict[str, Any] = {
+        "name": result.name,
+        "symbol": quantity.symbol,
+        "value": None if result.value is None else float(form.text(result.name, result.value)),
+        "unit": form.unit(result.name),
+        "equation": quantity.equation,
+        "description": quantity.sentence,
+    }
+    if quantity.note:
+        entry["note"] = quantity.note
+    if result.value is None:
+        entry["reason"] = result.reason
+    if result.error is not None:
+        entry["relative_error"] = result.error
+    return entry
+
+
+def _verdict_object(verdict: Verdict) -> dict[str, Any]:
+    return {
+        "name": verdict.name,
+        "symbol": NOMENCLATURE[verdict.name].symbol,
+        "value": verdict.value,
+        "holds": verdict.holds,
+        "text": verdict.text,
+    }

@@ -6,8 +6,8 @@ from typing import NamedTuple
 from ..answers.answer import about_data, assumptions
 from ..errors import BadRequest, NoResult
 from ..materials.library import Materials
-from ..quantities.formatting import amount, pretty
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, word_for_infinity
+from ..quantities.formatting import amount, in_words, pretty
+from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
 from ..quantities.parsing import parse_quantity
 from ..scene.errors import MissingInput
 from ..scene.scene import Scene
@@ -145,7 +145,7 @@ class Context:
         inputs = self.scene.inputs_of(*names)
         self.inputs = tuple(self._texts(name for name in inputs if name not in values))
         note = NOMENCLATURE[quantity].note
-        data = [*assumptions(self.scene, inputs, names), *about_data(self.scene, inputs)]
+        data = [note.text for note in (*assumptions(self.scene, inputs, names), *about_data(self.scene, inputs))]
         self.notes = tuple(dict.fromkeys([*notes[:1], *data, *([f"{quantity}: {note}"] if note else [])]))
 
     def _texts(self, names: Iterable[str]) -> Iterable[str]:
@@ -156,8 +156,7 @@ class Context:
             yield f"material2 = {self.setting.material2.name}"
         for name in names:
             value = self.scene.values[name]
-            word = word_for_infinity(name) if value == INFINITY else None
-            yield f"{NOMENCLATURE[name].symbol} = {pretty(amount(name, word or value))}"
+            yield f"{NOMENCLATURE[name].symbol} = {pretty(amount(name, in_words(name, value)))}"
 
     def doubts(self, x: Axis, curve: str) -> Iterable[str]:
         """Iterate over sentences that say where along an axis the model has no meaning or is not exact."""

@@ -5,7 +5,7 @@ from math import floor, isinf, log10
 from types import MappingProxyType
 from typing import NamedTuple
 
-from .nomenclature import NOMENCLATURE
+from .nomenclature import INFINITY, NOMENCLATURE, word_for_infinity
 from .units import Unit, convert
 
 DIGITS = 6  # significant, of a rounded value
@@ -90,3 +90,14 @@ def amount(name: str, value: float | str, form: Format = AS_USUAL) -> str:
     '200 pm'
     """
     return " ".join(part for part in form.rounded(name, value) if part)
+
+
+def in_words(name: str, value: float | str) -> float | str:
+    """Return the word for an infinite value, and any other value unchanged.
+
+    >>> in_words("radius2", float("inf")), in_words("radius2", 1e-7)
+    ('plane', 1e-07)
+    """
+    if value != INFINITY:
+        return value
+    return word_for_infinity(name) or "infinite"

@@ -55,56 +55,70 @@ class ShapeMismatch(JkrollError):
 
 
 class BeyondPullOff(NoResult):
-    """A tension larger than the pull-off force: there is no contact."""
+    """Error raised at a tension larger than the pull-off force, where there is no contact."""
+
+    name = "load"
 
     def __init__(self, load: float, pull_off_force: float) -> None:
         super().__init__(load, pull_off_force)
         self.load, self.pull_off_force = load, pull_off_force
 
-    def __str__(self) -> str:
-        return f"load: {self.load!r} N is beyond pull-off; this contact holds down to {-self.pull_off_force!r} N"
+    def reason(self) -> str:
+        """Return which loads this contact holds."""
+        return f"{self.load!r} N is beyond pull-off; this contact holds down to {-self.pull_off_force!r} N"
 
 
 class BeyondFold(NoResult):
-    """An approach at which even fixed grips have let go."""
+    """Error raised at an approach at which even fixed grips have let go."""
+
+    name = "approach_at_load"
 
     def __init__(self, approach: float, least: float) -> None:
         super().__init__(approach, least)
         self.approach, self.least = approach, least
 
-    def __str__(self) -> str:
-        return f"approach_at_load: {self.approach!r} m is beyond the fold; fixed grips hold this contact down to {self.least!r} m"
+    def reason(self) -> str:
+        """Return which approaches this contact holds."""
+        return f"{self.approach!r} m is beyond the fold; fixed grips hold this contact down to {self.least!r} m"
 
 
 class TwoRigidBodies(NoResult):
-    """Neither body yields, so there is no area of contact."""
+    """Error raised where both bodies are rigid, so that there is no area of contact."""
 
-    def __str__(self) -> str:
-        return "contact_modulus: both bodies are rigid; a contact area needs one that yields"
+    name = "contact_modulus"
+
+    def reason(self) -> str:
+        """Return what a contact area needs."""
+        return "both bodies are rigid; a contact area needs one that yields"
 
 
 class NoChain(NoResult):
-    """A chain of spheres and planes."""
+    """Error raised for a chain that has a plane in it."""
 
-    def __str__(self) -> str:
-        return "r_min: sphere 2 is a plane; a chain needs two spheres"
+    name = "r_min"
+
+    def reason(self) -> str:
+        """Return what a chain needs."""
+        return "sphere 2 is a plane; a chain needs two spheres"
 
 
 class NoVibration(NoResult):
-    """A contact between pull-off and the fold: the spheres are free, and it does not hold them."""
+    """Error raised between pull-off and the fold, where free spheres are not held together."""
 
-    def __str__(self) -> str:
-        return "vertical_frequency: beyond pull-off only fixed grips hold the contact; free spheres fly apart"
+    name = "vertical_frequency"
+
+    def reason(self) -> str:
+        """Return why nothing vibrates."""
+        return "beyond pull-off only fixed grips hold the contact; free spheres fly apart"
 
 
 class NoFiniteValue(NoResult):
-    """A result outside the range of doubles, or without limit."""
+    """Error raised for a result outside the range of doubles, or without limit."""
 
     def __init__(self, name: str, value: float) -> None:
         super().__init__(name, value)
         self.name, self.value = name, value
 
-    def __str__(self) -> str:
-        return f"{self.name}: " + (
-            "no finite value for these inputs" if abs(self.value) > 1 else "no value that a double can hold"
-        )
+    def reason(self) -> str:
+        """Return on which side of the range of doubles the result lies."""
+        return "no finite value for these inputs" if abs(self.value) > 1 else "no value that a double can hold"

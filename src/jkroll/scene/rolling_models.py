@@ -36,12 +36,12 @@ class Rung(NamedTuple):
 class NotGoodEnough(NoResult):
     """No model of the ladder reaches the tolerance."""
 
-    def __init__(self, rtol: float, reason: str) -> None:
-        super().__init__(rtol, reason)
-        self.rtol, self.reason = rtol, reason
+    def __init__(self, rtol: float, detail: str) -> None:
+        super().__init__(rtol, detail)
+        self.rtol, self.detail = rtol, detail
 
     def __str__(self) -> str:
-        return f"--rtol {self.rtol:g}: no model of rolling is that good here; {self.reason}"
+        return f"--rtol {self.rtol:g}: no model of rolling is that good here; {self.detail}"
 
 
 _MODELS = {  # from the cheapest on: the equation of each

@@ -1,0 +1,162 @@
+"""The commands: the words and options that each takes, and the function that runs it."""
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+from ..answers.questions import QUESTIONS
+from ..errors import BadRequest
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE
+from .options import (
+    AS_PRINTED,
+    AXES,
+    BENCH,
+    CITE,
+    CSV,
+    CURVE,
+    HELP,
+    JSON,
+    MATERIALS,
+    OUTPUT,
+    PANEL,
+    PICTURE,
+    PROGRAM,
+    QUIET,
+    RTOL,
+    STYLE,
+    TABLE,
+    Option,
+    Values,
+    inputs_of,
+)
+from .run import run_batch, run_bench, run_materials, run_question, run_verify
+
+Call = Callable[[], int]
+
+
+class Words(NamedTuple):
+    """The words that a command takes besides its options: how the help shows them, and how many there may be."""
+
+    metavar: str = ""
+    most: float = 0
+    are_files: bool = False
+
+
+class Command(NamedTuple):
+    """A command. `run` answers a call and returns the exit code."""
+
+    name: str
+    sentence: str
+    words: Words
+    options: Callable[[], tuple[Option, ...]]
+    run: Callable[[Sequence[str], Values], int]
+    example: str
+
+    def flags(self) -> dict[str, Option]:
+        """Return the options by their spellings."""
+        return {flag: option for option in (*self.options(), *HELP) for flag in option.flags}
+
+    def call(self, words: Sequence[str], given: Mapping[str, str | bool]) -> Call:
+        """Return the call for words and for the texts of options by name; BadRequest for a value that is none."""
+        options = {option.name: option for option in self.options()}
+        if given.get("target") == "":
+            raise BadRequest(f"{options['target'].flags[-1]}: the name of the output file is empty")
+        values: dict[str, Any] = {
+            name: options[name].read(value) if isinstance(value, str) else value for name, value in given.items()
+        }
+        inputs = {name: values.pop(name) for name in given if name in NOMENCLATURE}
+        return partial(self.run, tuple(words), Values(inputs, **values))
+
+
+# What draws imports numpy, so that it is imported only by a call that draws.
+
+
+def _contact(words: Sequence[str], values: Values) -> int:
+    is_drawn = values.curve and values.target is not None
+    if is_drawn or values.width is not None or values.style is not None or values.uncaptioned or values.panel:
+        from .draw import run_contact
+
+        return run_contact(words, values)
+    return run_question(QUESTIONS["contact"], words, values)
+
+
+def _map(words: Sequence[str], values: Values) -> int:
+    from .draw import run_map
+
+    return run_map(words, values)
+
+
+def _figure(words: Sequence[str], values: Values) -> int:
+    from .draw import run_figure
+
+    return run_figure(words, values)
+
+
+_SCENE = Words("[MATERIAL] [RADIUS]...", INFINITY)
+_LOOKS = tuple(option._replace(hidden=True) for option in (*STYLE, PANEL))
+
+
+def _options_of(name: str, *own: Option) -> tuple[Option, ...]:
+    """Return the options of a question: inputs, its own, output."""
+    return (*inputs_of(QUESTIONS[name].quantities), *own, *OUTPUT)
+
+
+def _question(name: str, sentence: str, example: str, *own: Option) -> Command:
+    run = partial(run_question, QUESTIONS[name])
+    return Command(name, sentence, _SCENE, partial(_options_of, name, *own), run, example)
+
+
+_COMMANDS = (
+    _question("pull-off", "Force that pulls two spheres apart.", "quartz 100nm --to nN"),
+    _question("yield-force", "Force that starts a sphere rolling.", "quartz 100nm --load -5nN", RTOL),
+    _question("r-min", "How sharply a chain of spheres can bend without rolling.", "100nm --xi 2angstrom"),
+    _question("n-grav", "How many grains a horizontal chain can carry.", "quartz 100nm --gravity 1.62m/s2"),
+    _question("frequencies", "Vibration frequencies of the contact.", "quartz 100nm --radius2 plane", RTOL),
+    _question("n-roll", "How far a sphere rolls over a fixed one after a collision.", "quartz 1um --speed 10cm/s"),
+    _question(
+        "contact", "Contact radius, approach, stiffness and pressure.", "quartz 100nm --load -5nN", CURVE, *_LOOKS
+    )._replace(run=_contact),
+    _question("moment", "Rolling resistance at a displacement ξ.", "quartz 100nm --xi 1angstrom", RTOL),
+    _question("report", "All quantities that your inputs allow.", "quartz 100nm"),
+    Command(
+        "batch",
+        "Add results to each row of a table.",
+        Words("[IN]", 1, are_files=True),
+        lambda: TABLE,
+        run_batch,
+        "grains.csv -o forces.csv",
+    ),
+    Command(
+        "materials",
+        "List the known materials, or show one in full.",
+        Words("[NAME]", 1),
+        lambda: (JSON, CSV, CITE, MATERIALS, QUIET),
+        run_materials,
+        "quartz",
+    ),
+    Command("verify", "Recompute the audit of the paper.", Words(), lambda: (JSON, CSV), run_verify, "--csv"),
+    Command("bench", "Measure speed and error of each method.", Words(), lambda: BENCH, run_bench, "--quick --csv"),
+    Command(
+        "map",
+        "Draw a quantity over two inputs as a map, or over one as curves.",
+        Words("QUANTITY [MATERIAL] [RADIUS]...", INFINITY),
+        lambda: (*AXES, *PICTURE, *inputs_of(QUESTIONS["report"].quantities)),
+        _map,
+        "pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2",
+    ),
+    Command(
+        "figure",
+        "Draw a figure of the paper from its equations.",
+        Words("NAME", 1),
+        lambda: (AS_PRINTED, *PICTURE),
+        _figure,
+        "3a --mark quartz@100nm",
+    ),
+)
+COMMANDS: Mapping[str, Command] = MappingProxyType({command.name: command for command in _COMMANDS})
+
+
+def flags_of(name: str | None) -> dict[str, Option]:
+    """Return the options of a command, or of the program before any command, by their spellings."""
+    return COMMANDS[name].flags() if name else {option.flag: option for option in PROGRAM}

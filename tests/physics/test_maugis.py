@@ -1,0 +1,340 @@
+"""Maugis' contact against his own two equations in 80 digits, against quadrature, limits, other theories and a 3-D solver."""
+
+import math
+import random
+from typing import Any
+
+import maugis_reference as reference
+import maugis_rivals as rivals
+import numpy
+import pytest
+from maugis_boundary_elements import rolling_moment
+from maugis_reference import Exact, mpf
+
+from jkroll.physics import dugdale, maugis, maugis_energies, maugis_pull_off
+
+BOUND = 10.0  # ulp, times 1 plus the condition in the load or approach and in λ
+UNIT = {"work_of_adhesion": 1 / math.pi, "reduced_radius": 1.0, "contact_modulus": 0.75}  # all three units are 1
+
+# λ: −P̄ at pull-off; then Ā, δ̄, k̄ and −Φ̄ without load. Computed at 90 digits from Maugis' equations and the closed energy.
+PRINTED = {
+    0.01: "1.9982877843215089083 1.2693666336872056853 1.4600454795258214652 1.8768996237088486450 65.427945895368515576",
+    0.1: "1.9505948921234289055 1.3361798084375040120 1.2924253454824103000 1.8073069117643995518 7.9887144690404900973",
+    0.3: "1.8155558270448521470 1.4418125525780610752 1.2007720436870045549 1.7368405246813545145 3.7161934249729344407",
+    1.0: "1.6007349112540914600 1.6360904896091255212 1.1298938914698703659 1.6665618613535844055 2.3098211117246998207",
+    3.0: "1.5167639000369277835 1.7749050688096475979 1.1057124031314381929 1.6407335729789905072 2.0288434778409739128",
+    10.0: "1.5016248604263581614 1.8126249543255590490 1.1011420871107963599 1.6359288470975518272 1.9856737533477376737",
+}
+
+
+def state(transition: float, edge_ratio: Any) -> dict[str, Any]:
+    """Return all of a contact, dimensionless."""
+    at = dugdale.shape(edge_ratio)
+    span = dugdale.span(transition, at)
+    approach = dugdale.approach(transition, at, span)
+    return {
+        "radius": edge_ratio * span,
+        "zone": at.n * span,
+        "approach": approach,
+        "load": dugdale.load(transition, at, span),
+        "moment": transition * span * span * at.g3,
+        "stiffness": dugdale.stiffness(transition, at, span),
+        "energy": dugdale.energy(transition, at, span, approach),
+    }
+
+
+def exact_state(transition: Exact, a: Exact, m: Exact) -> dict[str, Exact]:
+    load = reference.load(a, m, transition)
+    return {
+        "radius": a,
+        "zone": a * m,
+        "approach": reference.approach(a, m, transition),
+        "load": load,
+        "moment": a**3 - load,
+        "stiffness": reference.stiffness(a, m, transition),
+    }
+
+
+def ulps(value: float, exact: Exact) -> float:
+    return float(abs(mpf(float(value)) - exact)) / math.ulp(float(exact))
+
+
+def start(transition: float, edge_ratio: float) -> tuple[float, float]:
+    return state(transition, edge_ratio)["radius"], 1 / edge_ratio
+
+
+def check(solve: Any, transition: float, given: float, edge_ratio: float, names: str) -> None:
+    """Hold a state against the reference; its condition is that of the reference."""
+    near = start(transition, edge_ratio)
+    step = mpf(10) ** -18
+    exact_transition, exact_given = mpf(transition), mpf(given)
+    exact, *others = (
+        exact_state(x, *solve(x, y, near))
+        for x, y in (
+            (exact_transition, exact_given),
+            (exact_transition * (1 + step), exact_given),
+            (exact_transition, exact_given * (1 + step)),
+        )
+    )
+    values = state(transition, edge_ratio)
+    for name in names.split():
+        condition = float(sum(abs(other[name] / exact[name] - 1) for other in others) / step)
+        assert ulps(values[name], exact[name]) <= BOUND * (1 + condition), (name, transition, given)
+
+
+@pytest.mark.parametrize("transition", PRINTED)
+def test_reference_values(transition: float) -> None:
+    pull_off, *unloaded = map(mpf, PRINTED[transition].split())
+    assert (
+        ulps(maugis_pull_off.pull_off_force_maugis(**_without_modulus(), transition_parameter=transition), pull_off)
+        <= BOUND
+    )
+    values = state(transition, dugdale.ratio_at_load(transition, 0.0))
+    for name, exact in zip(("radius", "approach", "stiffness", "energy"), unloaded, strict=True):
+        assert ulps(abs(values[name]), exact) <= BOUND, name
+
+
+def _without_modulus() -> dict[str, float]:
+    return {name: value for name, value in UNIT.items() if name != "contact_modulus"}
+
+
+@pytest.mark.parametrize("count", [15, pytest.param(400, marks=pytest.mark.slow)])
+def test_states_at_random_loads(count: int) -> None:
+    random.seed(count)
+    for _ in range(count):
+        transition = 10 ** random.uniform(-4, 4)
+        pull_off_ratio = dugdale.pull_off_ratio(transition)
+        at = state(transition, pull_off_ratio)
+        a, m = reference.pull_off(mpf(transition), 1 / pull_off_ratio)
+        least = reference.load(a, m, mpf(transition))
+        assert ulps(at["load"], least) <= BOUND
+        assert ulps(at["radius"], a) <= BOUND
+        load = at["load"] * (1 - 10 ** random.uniform(-8, 3))
+        if load > least:
+            edge_ratio = dugdale.ratio_at_load(transition, load)
+            check(reference.at_load, transition, load, edge_ratio, "radius zone approach moment stiffness")
+
+
+@pytest.mark.parametrize("count", [15, pytest.param(400, marks=pytest.mark.slow)])
+def test_states_at_random_approaches(count: int) -> None:
+    random.seed(count)
+    for _ in range(count):
+        transition = 10 ** random.uniform(-4, 4)
+        touch = state(transition, max(dugdale.fold_ratio(transition), 1e-9))["approach"]
+        approach = touch + 10 ** random.uniform(-6, 2)
+        edge_ratio = dugdale.ratio_at_approach(transition, approach)
+        assert edge_ratio > 0
+        check(reference.at_approach, transition, approach, edge_ratio, "radius zone load moment stiffness")
+
+
+@pytest.mark.parametrize("transition", [0.94, 0.95, 1.0, 3.0, 30.0, 1e3])
+def test_fold_in_contact(transition: float) -> None:
+    edge_ratio = dugdale.fold_ratio(transition)
+    a, m = reference.fold(mpf(transition), 1 / edge_ratio)
+    exact = exact_state(mpf(transition), a, m)
+    values = state(transition, edge_ratio)
+    condition = 1 + transition / (transition - dugdale.FOLD_WITHOUT_CONTACT)
+    assert ulps(values["radius"], exact["radius"]) <= BOUND * condition
+    for name in ("approach", "load", "zone"):
+        assert ulps(values[name], exact[name]) <= 2 * BOUND, name
+
+
+@pytest.mark.parametrize("transition", [0.03, 0.5, 0.9379, 2.0])
+def test_energy_is_the_integral_of_the_force(transition: float) -> None:
+    edge_ratio = dugdale.ratio_at_load(transition, 0.0)
+    _, m = reference.at_load(mpf(transition), mpf(0), start(transition, edge_ratio))
+    with reference.digits.workdps(30):
+        exact = reference.energy(m, mpf(transition))
+    assert math.isclose(state(transition, edge_ratio)["energy"], exact, rel_tol=1e-14)
+
+
+def gap_energy(transition: float, zone: float) -> float:
+    approach = zone**2 / 2 - 8 * transition * zone / (3 * math.pi) - 2 / (math.pi * transition)
+    return float(dugdale.energy(transition, dugdale.shape(0.0), zone, approach))
+
+
+@pytest.mark.parametrize("transition", [0.01, 0.3, 0.6])
+def test_sticking_energy_where_neither_jump_touches(transition: float) -> None:
+    b = 8 * transition / (3 * math.pi)
+    value = maugis_energies.sticking_energy_maugis(**UNIT, transition_parameter=transition)
+    assert math.isclose(value, 17 / 24 * math.pi * transition * b**4, rel_tol=1e-14)
+    difference = gap_energy(transition, b) - gap_energy(transition, 2 * b)
+    assert math.isclose(value, difference, rel_tol=1e-9, abs_tol=1e-14)
+
+
+@pytest.mark.parametrize("edge", [dugdale.FOLD_WITHOUT_CONTACT, dugdale.JUMP_WITHOUT_CONTACT])
+@pytest.mark.parametrize(
+    "energy",
+    [maugis_energies.sticking_energy_maugis, maugis_energies.pull_off_work_maugis, maugis_energies.well_energy_maugis],
+)
+def test_energies_are_continuous(energy: Any, edge: float) -> None:
+    below, above = (energy(**UNIT, transition_parameter=edge * (1 + side)) for side in (-1e-9, 1e-9))
+    assert math.isclose(below, above, rel_tol=1e-7)
+    at = energy(**UNIT, transition_parameter=edge)
+    assert math.isclose(at, below, rel_tol=1e-7)
+
+
+def test_constants() -> None:
+    pi = reference.pi
+    assert ulps(dugdale.FOLD_WITHOUT_CONTACT, reference.cbrt(9 * pi / (16 * (pi - 1)))) <= 0.5
+    assert ulps(dugdale.JUMP_WITHOUT_CONTACT, reference.cbrt(mpf(9) / 32)) <= 0.5
+    root = reference.sqrt(mpf(3))
+    assert ulps(maugis_pull_off.TRANSITION_OVER_TABOR, 32 / (9 * root) * reference.cbrt(9 / (16 * pi))) <= 0.5
+    assert ulps(maugis_pull_off.cohesive_stress(work_of_adhesion=1.0, atomic_spacing=1.0), 16 / (9 * root)) <= 0.5
+
+
+@pytest.mark.parametrize("transition", [0.2, 0.5, 0.7, 0.9, 0.937])
+def test_spheres_that_attract_without_contact(transition: float) -> None:
+    lowest = dugdale.lowest_approach(transition)
+    assert dugdale.fold_ratio(transition) == 0.0
+    at = dugdale.shape(0.0)
+    touch = dugdale.span(transition, at)
+    touching = dugdale.approach(transition, at, touch)
+    assert math.isclose(dugdale.span_apart(transition, touching), touch, rel_tol=1e-12)
+    for approach in numpy.linspace(lowest, touching, 7)[1:-1].tolist():
+        zone = dugdale.span_apart(transition, approach)
+        assert dugdale.ratio_at_approach(transition, approach) == 0.0
+        assert math.isclose(dugdale.load(transition, at, zone), -math.pi * transition / 2 * zone**2, rel_tol=1e-14)
+        assert dugdale.stiffness(transition, at, zone) < 0
+    b = 8 * transition / (3 * math.pi)
+    assert math.isclose(dugdale.span_apart(transition, lowest), b, rel_tol=1e-6)
+
+
+@pytest.mark.parametrize("transition", [0.05, 0.5, 0.9, 0.95, 5.0])
+def test_load_and_stiffness_are_derivatives(transition: float) -> None:
+    step = 1e-5
+    lowest = dugdale.lowest_approach(transition)
+    for approach in (lowest + 0.05, lowest + 0.4, 0.3, 2.0):
+        energies, loads = [], []
+        for each in (approach - step, approach, approach + step):
+            at = dugdale.shape(dugdale.ratio_at_approach(transition, each))
+            span = dugdale.span(transition, at) if at.v > 0 else dugdale.span_apart(transition, each)
+            energies.append(dugdale.energy(transition, at, span, each))
+            loads.append(dugdale.load(transition, at, span))
+            if each == approach:
+                stiffness = dugdale.stiffness(transition, at, span)
+        assert math.isclose((energies[2] - energies[0]) / (2 * step), loads[1], rel_tol=1e-5, abs_tol=1e-6)
+        assert math.isclose((loads[2] - loads[0]) / (2 * step), stiffness, rel_tol=1e-4)
+
+
+def test_limit_of_jkr() -> None:
+    transition = 1e4
+    values = state(transition, dugdale.ratio_at_load(transition, 0.0))
+    assert math.isclose(values["radius"], 6 ** (1 / 3), rel_tol=1e-8)
+    assert math.isclose(values["approach"], 6 ** (2 / 3) / 3, rel_tol=1e-8)
+    assert math.isclose(values["moment"], 6.0, rel_tol=1e-7)  # 4P_c
+    unit = 1.5 * 6 ** (2 / 3) / 3  # P_cδ0
+    for energy, factor in (
+        (maugis_energies.well_energy_maugis, 6 / 5),
+        (maugis_energies.pull_off_work_maugis, 6 / 5 + 2 / 15 * 6 ** (-1 / 3)),
+        (maugis_energies.pull_off_work_at_dead_load_maugis, 6 / 5 - 2 / 5 * 2 ** (-1 / 3)),
+    ):
+        assert math.isclose(energy(**UNIT, transition_parameter=transition), factor * unit, rel_tol=1e-7)
+    stick = (2 / 15 * 6 ** (-1 / 3) + 4 / 5 * (2 / 3) ** (1 / 3)) * unit
+    value = maugis_energies.sticking_energy_maugis(**UNIT, transition_parameter=transition)
+    assert math.isclose(value, stick * (1 - 0.666 / transition), rel_tol=1e-6)
+
+
+def test_limit_of_dmt() -> None:
+    transition = 1e-4
+    assert math.isclose(-state(transition, dugdale.pull_off_ratio(transition))["load"], 2.0, rel_tol=1e-6)
+    for load in (-1.0, 0.0, 10.0):
+        values = state(transition, dugdale.ratio_at_load(transition, load))
+        assert math.isclose(values["radius"] ** 3, load + 2, rel_tol=1e-3)
+        assert math.isclose(values["moment"], 2.0, rel_tol=1e-3)
+
+
+def test_states_outside_the_domain() -> None:
+    with pytest.raises(ValueError, match="domain"):
+        dugdale.ratio_at_load(1.0, -1.61)
+    with pytest.raises(ValueError, match="domain"):
+        dugdale.ratio_at_approach(0.5, dugdale.lowest_approach(0.5) - 1e-9)
+    ratios = dugdale.ratio_at_load(1.0, numpy.array([-1.61, 0.0]))
+    assert numpy.isnan(ratios).tolist() == [True, False]
+
+
+def test_arrays_give_the_numbers_of_floats() -> None:
+    transitions = numpy.geomspace(1e-3, 1e3, 50)
+    scenes = {name: numpy.full(50, value) for name, value in UNIT.items()}
+    for formula in (
+        maugis_energies.well_energy_maugis,
+        maugis_energies.pull_off_work_maugis,
+        maugis_energies.pull_off_work_at_dead_load_maugis,
+        maugis_energies.sticking_energy_maugis,
+    ):
+        values = formula(**scenes, transition_parameter=transitions)
+        singles = [formula(**UNIT, transition_parameter=each) for each in transitions.tolist()]
+        numpy.testing.assert_allclose(values, singles, rtol=1e-9, atol=1e-15)
+
+
+def test_si_formulas_agree_with_each_other() -> None:
+    scene = {"work_of_adhesion": 0.05, "reduced_radius": 50e-9}
+    modulus, spacing, load = {"contact_modulus": 27.8e9}, 0.4e-9, 3e-9
+    tabor = (50e-9 * 0.05**2 / (27.8e9**2 * spacing**3)) ** (1 / 3)
+    transition = maugis_pull_off.transition_parameter(tabor_parameter=tabor)
+    stress = maugis_pull_off.cohesive_stress(work_of_adhesion=0.05, atomic_spacing=spacing)
+    ratio = maugis.edge_ratio_at_load(load=load, transition_parameter=transition, **scene)
+    span = maugis.zone_span(edge_ratio=ratio, transition_parameter=transition, **scene, **modulus)
+    known = {"edge_ratio": ratio, "zone_span": span, "reduced_radius": 50e-9, "cohesive_stress": stress, **modulus}
+    assert math.isclose(maugis.load_maugis(**known), load, rel_tol=1e-12)
+    approach = maugis.approach_maugis(**known)
+    again = maugis.edge_ratio_at_approach(
+        approach_at_load=approach, transition_parameter=transition, **scene, **modulus
+    )
+    assert math.isclose(again, ratio, rel_tol=1e-12)
+    a = maugis.contact_radius_maugis(edge_ratio=ratio, zone_span=span)
+    moment = maugis_pull_off.yield_moment_maugis(
+        edge_ratio=ratio, zone_span=span, cohesive_stress=stress, yield_displacement=2e-10
+    )
+    assert math.isclose(moment, (4 * 27.8e9 * a**3 / (3 * 50e-9) - load) * 2e-10, rel_tol=1e-12)
+    step = 1e-4 * approach
+    nearby = [_load_at(approach + side, transition, stress, {**scene, **modulus}) for side in (-step, step)]
+    assert math.isclose((nearby[1] - nearby[0]) / (2 * step), maugis.stiffness_maugis(**known), rel_tol=1e-6)
+
+
+def _load_at(approach: float, transition: float, stress: float, scene: dict[str, float]) -> float:
+    given = {**scene, "transition_parameter": transition, "approach_at_load": approach}
+    ratio = maugis.edge_ratio_at_approach(**given)
+    span = maugis.zone_span_at_approach(edge_ratio=ratio, **given)
+    del scene
+    value = maugis.load_maugis(
+        edge_ratio=ratio,
+        zone_span=span,
+        reduced_radius=given["reduced_radius"],
+        contact_modulus=given["contact_modulus"],
+        cohesive_stress=stress,
+    )
+    return float(value)
+
+
+def test_contact_radius_of_carpick_ogletree_and_salmeron() -> None:
+    for transition in numpy.geomspace(0.003, 100, 12).tolist():
+        for load in (-1.2, 0.0, 3.0):
+            radius = state(transition, dugdale.ratio_at_load(transition, load))["radius"]
+            assert math.isclose(rivals.carpick_radius(load, transition), radius, rel_tol=0.03)
+
+
+def test_approach_of_pietrement_and_troyon() -> None:
+    unloaded = 6 ** (2 / 3) / 3
+    for transition in numpy.geomspace(0.01, 100, 9).tolist():
+        approach = state(transition, dugdale.ratio_at_load(transition, 0.0))["approach"]
+        assert abs(rivals.pietrement_approach(0.0, transition) - approach) < 0.09 * unloaded
+
+
+@pytest.mark.parametrize("transition", [0.1, 0.3, 1.0, 3.0])
+@pytest.mark.parametrize(("points", "bound"), [(96, 3e-3), pytest.param(256, 1e-3, marks=pytest.mark.slow)])
+def test_rolling_moment_of_a_three_dimensional_contact(transition: float, points: int, bound: float) -> None:
+    values = state(transition, dugdale.ratio_at_load(transition, 0.0))
+    lag = 0.05 * values["radius"]
+    found = rolling_moment(transition=transition, load=0.0, zone_radius=values["zone"], lag=lag, points=points)
+    assert math.isclose(found, values["moment"] * lag, rel_tol=bound)
+
+
+@pytest.mark.parametrize(
+    ("tabor", "ratio"), [(0.03, 1.99468), (0.1, 1.96896), (0.5, 1.78748), (1.0, 1.67068), (2.0, 1.58349)]
+)
+def test_pull_off_of_lennard_jones(tabor: float, ratio: float) -> None:
+    """Numbers of tests/tools/lennard_jones.py."""
+    assert math.isclose(
+        maugis_pull_off.pull_off_force_lennard_jones(**_without_modulus(), tabor_parameter=tabor), ratio, rel_tol=3e-3
+    )
