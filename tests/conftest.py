@@ -1,11 +1,23 @@
 """Fixtures of all tests: a call of the command line in this process, away from the user's own files."""
 
+import os
+import secrets
 from pathlib import Path
 
 import pytest
 
 from harness import Ran, Run, Stream
 from jkroll.cli.process import main
+
+
+def pytest_configure() -> None:
+    """Choose the seed of the slow accuracy test, the same in all processes of a run."""
+    os.environ.setdefault("ACCURACY_SEED", str(secrets.randbelow(10**9)))
+
+
+def pytest_report_header() -> str:
+    """Print the seed, so that a failure can be repeated."""
+    return f"ACCURACY_SEED={os.environ['ACCURACY_SEED']}"
 
 
 @pytest.fixture(autouse=True)

@@ -11,16 +11,16 @@ if TYPE_CHECKING:
 
     from .errors import JkrollError
     from .materials.library import Material, Materials, known_materials
-    from .physics import FORMULAS
     from .quantities.nomenclature import NOMENCLATURE, Quantity
+    from .scene.formulas import FORMULAS
     from .scene.solver import solve
 
 __version__ = "0.1.0"
 __all__ = ["FORMULAS", "NOMENCLATURE", "JkrollError", "Material", "Materials", "Quantity", "known_materials", "solve"]
 
-# Imported when first asked for, so that the command line pays for no more than a call uses.
+# The modules are imported when a name is first used, so that a command line pays only for what it needs.
 _HOMES = {
-    "FORMULAS": "physics",
+    "FORMULAS": "scene.formulas",
     "JkrollError": "errors",
     "Material": "materials.library",
     "Materials": "materials.library",
@@ -32,12 +32,12 @@ _HOMES = {
 
 
 def __getattr__(name: str) -> "Any":
-    """The public names, and every formula of `FORMULAS` by its own name: `jkroll.pull_off_force`."""
+    """Return a public name, or a formula of `FORMULAS` by its own name: `jkroll.pull_off_force`."""
     from importlib import import_module
 
     if name in _HOMES:
         value = getattr(import_module(f".{_HOMES[name]}", __name__), name)
-    elif name.startswith("_") or (value := import_module(".physics", __name__).FORMULAS.get(name)) is None:
+    elif name.startswith("_") or (value := import_module(".scene.formulas", __name__).FORMULAS.get(name)) is None:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     globals()[name] = value
     return value

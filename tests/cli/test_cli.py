@@ -108,14 +108,14 @@ MESSAGES = {
     ),
     "yield-force quartz 100nm --load -20nN": (
         1,
-        "load: -2e-08 N is beyond pull-off; this contact holds down to -1.1780972450961725e-08 N",
+        "load: -2e-08 N is beyond pull-off; this contact holds down to -1.1780972450961723e-08 N",
     ),
     "contact quartz 100nm --poisson 0.6": (
         2,
         "poisson_ratio: '0.6' must lie between -1 and 0.5; expected a number such as 0.17",
     ),
     "r-min 100nm --radius2 plane": (1, "r_min: sphere 2 is a plane; a chain needs two spheres"),
-    "r-min 1e-170m": (1, "r_min: no value that a double can hold"),
+    "r-min 1e-170m": (2, "radius: 1e-170 must lie between 1e-60 and 1e60 in SI units"),
     "pull-off quartz 1nm:1um": (
         2,
         "radius: '1nm:1um' is not a range; write FROM:TO:COUNT, with :lin for equal steps; expected a length such as 100nm",
@@ -147,10 +147,6 @@ MESSAGES = {
         "pull-off takes no '--laod'; --load is an option of yield-force, n-grav, frequencies, ...",
     ),
     "contact quartz 100nm --laod 5nN": (2, "no such option '--laod'; did you mean --load?"),
-    "pull-off quartz 100nm --rtol 1e-3": (
-        2,
-        "pull-off takes no '--rtol'; --rtol is an option of yield-force, frequencies, moment",
-    ),
     "pull-off 100nm --surface-energy 25mJ/m2": (2, "no such option '--surface-energy'; did you mean --gamma?"),
     "pull-off 100nm --GAMMA=25mJ/m2": (2, "no such option '--GAMMA'; did you mean --gamma?"),
     "pull-off 100nm -gamma 25mJ/m2": (2, "no such option '-gamma'; did you mean --gamma?"),
@@ -258,7 +254,7 @@ def test_to_and_digits(run: Run) -> None:
 
 def test_spellings_of_a_radius_give_the_same_bytes(run: Run) -> None:
     outputs = {run("pull-off", "quartz", text, "--bare").out for text in ("100nm", "0.1 µm", "1e-7m", "1000Å")}
-    assert outputs == {"1.1780972450961725e-08\n"}
+    assert outputs == {"1.1780972450961723e-08\n"}
 
 
 def test_a_failed_row_is_counted_and_the_others_stand(run: Run) -> None:
@@ -380,11 +376,11 @@ def test_debug_shows_where_an_error_comes_from() -> None:
 # --- What an adversary found ----------------------------------------------------------------------------------------
 
 
-def test_ranges_over_all_doubles(run: Run) -> None:
-    middle = json.loads(run("yield-force quartz 1m --load 1e200N:1e-200N:3 --json").out)[1]
+def test_ranges_over_many_orders(run: Run) -> None:
+    middle = json.loads(run("yield-force quartz 1m --load 1e50N:1e-50N:3 --json").out)[1]
     assert middle["inputs"]["load"] == 1.0
-    middle = json.loads(run("pull-off quartz 100nm --radius2 1e-100m:1e300m:3 --json").out)[1]
-    assert middle["inputs"]["radius2"] == 1e100
+    middle = json.loads(run("pull-off quartz 100nm --radius2 1e-20m:1e60m:3 --json").out)[1]
+    assert middle["inputs"]["radius2"] == 1e20
     loads = [
         one["inputs"]["load"] for one in json.loads(run("yield-force quartz 1um --load -3nN:1nN:5:lin --json").out)
     ]
@@ -510,25 +506,6 @@ def test_the_curve_has_its_states(run: Run) -> None:
     assert approaches[fold:] == sorted(approaches[fold:])
 
 
-def test_rtol_takes_the_cheapest_model_that_is_good_enough(run: Run) -> None:
-    exact = float(run("yield-force quartz 100nm --load 0.01nN --bare").out)
-    rough = run("yield-force quartz 100nm --load 0.01nN --rtol 1e-3 --bare")
-    assert "by unloaded_moment, Eq 26; relative error 0.000212, allowed 0.001" in rough.err
-    assert 0 < abs(float(rough.out) / exact - 1) < 1e-3
-    fine = run("yield-force quartz 100nm --load 0.01nN --rtol 1e-4 --bare")
-    assert "by yield_moment, Eq 25; relative error 0 (exact)" in fine.err
-    assert float(fine.out) == exact
-    held = run("moment quartz 100nm --approach 0.2nm --rtol 1e-4 --json")
-    values = {result["name"]: result["value"] for result in json.loads(held.out)["results"]}
-    assert math.isclose(values["yield_moment"], values["fixed_approach_moment"], rel_tol=1e-15)
-
-
-def test_rtol_refuses_where_no_model_is_good(run: Run) -> None:
-    ran = run("yield-force quartz 3nm --rtol 1e-3")
-    assert (ran.code, ran.out) == (1, "")
-    assert ran.err.startswith("jkroll: --rtol 0.001: no model of rolling is that good here; ξ is 1.5")
-
-
 def test_every_answer_says_how_far_it_can_be_trusted(run: Run) -> None:
     validity = {one["name"]: one for one in json.loads(run("report quartz 100nm --json").out)["validity"]}
     modulus = 54e9 / (2 * (1 - 0.17**2))
@@ -544,30 +521,6 @@ def test_every_answer_says_how_far_it_can_be_trusted(run: Run) -> None:
 
 
 # --- What a review found ------------------------------------------------------------------------------------------------
-
-
-def test_rtol_knows_the_mean_moment_from_the_largest(run: Run) -> None:
-    """The mean of cξ + dξ³ over a step holds half of what the cubic term adds to the largest."""
-    words = "moment quartz 20nm --approach 0.06nm --json"
-    plain, fine = (
-        {result["name"]: result for result in json.loads(run(line).out)["results"]}
-        for line in (words, f"{words} --rtol 1e-9")
-    )
-    linear, exact = plain["yield_moment"]["value"], plain["fixed_approach_moment"]["value"]
-    assert math.isclose(fine["yield_moment"]["value"], exact, rel_tol=1e-14)
-    assert math.isclose(fine["mean_rolling_moment"]["value"], linear / 2 + (exact - linear) / 4, rel_tol=1e-14)
-    assert "relative_error" not in fine["yield_moment"]
-
-
-def test_rtol_holds_for_frequencies_far_from_unloaded(run: Run) -> None:
-    assert "by yield_moment, Eq 25" in run("frequencies quartz 100nm --load 1uN --rtol 0.41").err
-
-
-def test_rtol_answers_what_is_answered_without(run: Run) -> None:
-    for line in ("yield-force quartz 100nm --young rigid", "yield-force --gamma 25mJ/m2"):
-        assert run(f"{line} --bare --rtol 1e-3").out == run(f"{line} --bare").out != ""
-    refused = json.loads(run("yield-force quartz 3nm 100nm --rtol 1e-3 --json").out)
-    assert [result["value"] is None for result in refused[0]["results"]] == [True, True, True, False]
 
 
 def test_a_row_that_fails_fails_alone(run: Run) -> None:

@@ -82,7 +82,7 @@ def test_a_full_disk_is_said_in_a_line(what: str) -> None:
 def test_notes_that_cannot_be_written_are_an_error_and_the_result_stands() -> None:
     with open("/dev/full", "wb") as full:
         ran = run("pull-off quartz 100nm --bare", stderr=full)
-        assert (ran.returncode, ran.stdout) == (1, b"1.1780972450961725e-08\n")
+        assert (ran.returncode, ran.stdout) == (1, b"1.1780972450961723e-08\n")
         assert run("pull-off quarz", stderr=full).returncode == 2
         assert run("pull-off quartz 100nm", stdout=full, stderr=full).returncode == 1
 
@@ -117,7 +117,7 @@ def test_a_listener_to_notes_that_goes_away_is_141() -> None:
     os.close(reader)
     ran = run("pull-off quartz 100nm --bare", stderr=writer)
     os.close(writer)
-    assert (ran.returncode, ran.stdout) == (141, b"1.1780972450961725e-08\n")
+    assert (ran.returncode, ran.stdout) == (141, b"1.1780972450961723e-08\n")
 
 
 def test_a_file_that_may_not_grow(tmp_path: Path) -> None:
@@ -134,7 +134,7 @@ def test_a_directory_that_is_gone(tmp_path: Path) -> None:
     command = f"cd gone; rmdir ../gone; {' '.join(JKROLL)} pull-off quartz 100nm --bare --quiet"
     environment = {**os.environ, "PYTHONPATH": str(Path(__file__).parents[2] / "src")}
     ran = subprocess.run(["bash", "-c", command], capture_output=True, text=True, check=False, env=environment)
-    assert (ran.returncode, ran.stdout, ran.stderr) == (0, "1.1780972450961725e-08\n", "")
+    assert (ran.returncode, ran.stdout, ran.stderr) == (0, "1.1780972450961723e-08\n", "")
 
 
 # --- Signals ------------------------------------------------------------------------------------------------------------
@@ -319,7 +319,7 @@ ENVIRONMENTS = {
 def test_no_environment_changes_a_number(what: str) -> None:
     ran = run("report quartz 100nm", env=ENVIRONMENTS[what])
     assert ran.returncode == 0
-    assert ran.stdout.splitlines()[0] == b"pull_off_force 1.1780972450961725e-08 N"
+    assert ran.stdout.splitlines()[0] == b"pull_off_force 1.1780972450961723e-08 N"
     assert all(line.startswith(b"note: ") for line in ran.stderr.splitlines())
 
 

@@ -30,7 +30,7 @@ PLAIN = [
     "contact quartz 100nm --curve --csv",
     "contact quartz 100nm --load=-3nN",
     "contact quartz 100nm --load -.3nN --quiet --quiet",
-    "moment quartz 100nm --xi 1angstrom --rtol 1e-3",
+    "moment quartz 100nm --xi 1angstrom",
     "materials",
     "materials quartz --json",
     "batch - -o -1out.csv",

@@ -1,203 +1,120 @@
-"""How far results and formulas are from the exact value, in units of the last place (ulp)."""
+"""The distance of results and formulas from the exact value, in units of the last place (ulp)."""
 
 import inspect
 import math
+import os
 import re
 from collections import defaultdict
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cache
-from itertools import islice, product
 from random import Random
+from statistics import median
 from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
 
-from jkroll import FORMULAS, solve
-from reference import BOUND, EQUATIONS, FOLD, Exact, conditions, exact_results, formula_error, ulp_error
+from jkroll import FORMULAS, NOMENCLATURE, solve
+from jkroll.physics.jkr import load_factor_at_approach, load_factor_at_approach_unstable
+from jkroll.scene.wiring import formula_of
+from reference import BOUND, EQUATIONS, FOLD, MEDIAN, conditions, exact_results, formula_error, ulp_error
+from scenes import Scene, hard_approaches, hard_loads, hard_scenes, log_uniform, random_scenes, steps_from
 
 pytestmark = pytest.mark.filterwarnings("error")  # of numpy, too
 
-Values = dict[str, Any]  # SI numbers by name, and `solve` takes texts too
-
-SCENES = 1000
-MANY_SCENES = (100_000,)
-FEWER_SCENES = 400  # for each formula, and for arrays
-INPUTS = ("radius", "surface_energy", "youngs_modulus", "poisson_ratio", "density", "speed")
-RESULTS = tuple(
-    dict.fromkeys(
-        name
-        for state in ("load", "approach_at_load")
-        for name in exact_results({**dict.fromkeys(INPUTS, 0.5), state: -0.1})
-    )
-)
+COUNT, MANY = 500, 20_000
 
 
-# --- Scenes ---------------------------------------------------------------------------------------------------------
+# --- Results ------------------------------------------------------------------------------------------------------------
 
 
-def log_uniform(random: Random, low: float, high: float) -> float:
-    """A number of any magnitude between two."""
-    return math.exp(random.uniform(math.log(low), math.log(high)))
+class Error(NamedTuple):
+    """The error of a result, and the scene in which it occurs."""
+
+    ulp: float  # over 1 + κ
+    scene: Scene
 
 
-def any_sphere(random: Random) -> Values:
-    """A sphere of any size and material."""
-    return {
-        "radius": log_uniform(random, 1e-12, 1e3),
-        "surface_energy": log_uniform(random, 1e-9, 1e3),
-        "youngs_modulus": log_uniform(random, 1e2, 1e14),
-        "poisson_ratio": random.choice([random.uniform(-1, 0.5), 0.5, log_uniform(random, 1e-9, 1) - 1]),
-        "density": log_uniform(random, 1, 1e5),
-    }
+class Errors(NamedTuple):
+    """The errors of results over many scenes."""
+
+    of_numbers: Mapping[str, list[Error]]
+    of_arrays: Mapping[str, list[Error]]
+    between: Mapping[str, list[Error]]  # how far the two are from each other
 
 
-def any_scene(random: Random) -> Values:
-    """Two spheres or a sphere on a plane, one perhaps rigid, with or without a load or an approach, an energy, a speed."""
-    scene = any_sphere(random)
-    kind = random.choice(["identical", "unequal", "unequal", "similar", "plane", "rigid", "rigid plane"])
-    if kind != "identical":
-        similar = {name: value * random.uniform(0.5, 2) for name, value in scene.items() if name != "poisson_ratio"}
-        other = any_sphere(random) | (similar if kind == "similar" else {})
-        scene |= {name + "2": value for name, value in other.items()}
-    if "plane" in kind:
-        scene["radius2"] = math.inf
-    if "rigid" in kind:
-        scene |= random.choice([{"youngs_modulus2": math.inf}, {"poisson_ratio2": -1.0}])
-    scene["yield_displacement"] = log_uniform(random, 1e-13, 1e-3)
-    scene["gravity"] = log_uniform(random, 1e-3, 1e3)
-    state = random.choice(["none", "load", "approach"])
-    if state != "none":
-        ratios = [random.uniform(-0.8, 1), log_uniform(random, 1e-18, 1e6), -log_uniform(random, 1e-18, 0.8)]
-        name, unit = ("load", "pull_off_force") if state == "load" else ("approach_at_load", "approach")
-        scene[name] = random.choice(ratios) * solve(unit, **scene)
-    match random.choice(["adhesion", "ratio", "energy", "speed"]):
-        case "ratio":
-            scene["energy_ratio"] = log_uniform(random, 1e-6, 1e6)
-        case "energy":
-            scene["energy"] = log_uniform(random, 1e-30, 1e3)
-        case "speed":
-            scene["speed"] = log_uniform(random, 1e-9, 1e6)
-    return scene
-
-
-def scenes(count: int) -> Iterator[Values]:
-    """The same scenes every time."""
-    random = Random(1995)
-    return (any_scene(random) for _ in range(count))
-
-
-# --- Results --------------------------------------------------------------------------------------------------------
-
-
-class Worst(NamedTuple):
-    """The largest error of a result and the scene in which it occurs."""
-
-    error: float  # ulp / (1 + condition)
-    scene: Values
-
-
-def finite_results(scene: Values) -> Mapping[str, Exact]:
-    """The finite results of a scene: on a plane, some are infinite."""
-    return {name: value for name, value in exact_results(scene).items() if abs(value) < math.inf}
-
-
-class Known(NamedTuple):
-    """A scene, its exact results, and how much the rounding of the load counts in each."""
-
-    scene: Values
-    exact: Mapping[str, Exact]
-    condition: Mapping[str, float]
+def errors_of(scenes: Iterable[Scene]) -> Errors:
+    """Solve scenes one by one, and as arrays those of which the same is given."""
+    alike = defaultdict(list)
+    for scene in scenes:
+        exact = {name: value for name, value in exact_results(scene).items() if abs(value) < math.inf}
+        alike[frozenset(scene), frozenset(exact)].append((scene, exact, conditions(scene, exact)))
+    found = Errors(defaultdict(list), defaultdict(list), defaultdict(list))
+    for (given, wanted), same in alike.items():
+        arrays: Scene = {name: np.array([scene[name] for scene, _, _ in same]) for name in given}
+        columns = solve(wanted, **arrays)
+        for row, (scene, exact, condition) in enumerate(same):
+            for name, value in solve(wanted, **scene).items():
+                element = float(np.broadcast_to(columns[name], len(same))[row])
+                scale = 1 + condition[name]
+                found.of_numbers[name].append(Error(ulp_error(value, exact[name]) / scale, scene))
+                found.of_arrays[name].append(Error(ulp_error(element, exact[name]) / scale, scene))
+                found.between[name].append(Error(ulp_error(element, value) / scale, scene))
+    return found
 
 
 @cache
-def worst_results(count: int) -> Mapping[tuple[str, str], Worst]:
-    """The worst of each result over many scenes, solved one by one and as arrays, without keeping many of them."""
-    worst = dict.fromkeys(product(("float", "array"), RESULTS), Worst(0.0, {}))
-    remaining = scenes(count)
-    while some := list(islice(remaining, SCENES)):
-        alike = defaultdict(list)
-        for scene in some:
-            exact = finite_results(scene)
-            alike[frozenset(scene), frozenset(exact)].append(Known(scene, exact, conditions(scene, exact)))
-        for (given, wanted), same in alike.items():
-            arrays: Values = {name: np.array([known.scene[name] for known in same]) for name in given}
-            columns = solve(wanted, **arrays)
-            for row, (scene, exact, condition) in enumerate(same):
-                for name, value in solve(wanted, **scene).items():
-                    error = ulp_error(value, exact[name]) / (1 + condition[name])
-                    if error > worst["float", name].error:
-                        worst["float", name] = Worst(error, scene)
-                    element = float(np.broadcast_to(columns[name], len(same))[row])
-                    if element != value:
-                        error = ulp_error(element, exact[name]) / (1 + condition[name])
-                    if error > worst["array", name].error:
-                        worst["array", name] = Worst(error, scene)
-    return worst
+def errors_of_kind(kind: str) -> Errors:
+    """Return the errors of random scenes or of hard ones."""
+    return errors_of(random_scenes(COUNT, seed=1995) if kind == "random" else hard_scenes(float(FOLD)))
 
 
-@pytest.mark.parametrize("kind", ["float", "array"])
+def worst(errors: Iterable[Error]) -> Error:
+    """Return the largest error."""
+    return max(errors, key=lambda error: error.ulp, default=Error(0.0, {}))
+
+
+RESULTS = [name for name in NOMENCLATURE if formula_of(name) is not None]
+
+
+@pytest.mark.parametrize("kind", ["random", "hard"])
 @pytest.mark.parametrize("name", RESULTS)
-def test_result_is_accurate(name: str, kind: str) -> None:
-    worst = worst_results(SCENES)[kind, name]
-    assert worst.error <= BOUND, worst
+def test_result_is_within_the_bound(name: str, kind: str) -> None:
+    errors = errors_of_kind(kind)
+    assert worst(errors.of_numbers[name]).ulp <= BOUND, worst(errors.of_numbers[name])
+    assert worst(errors.of_arrays[name]).ulp <= BOUND, worst(errors.of_arrays[name])
+    assert worst(errors.between[name]).ulp <= 4, worst(errors.between[name])
+
+
+def test_half_of_all_results_are_within_the_median() -> None:
+    errors = errors_of_kind("random").of_numbers
+    assert median(error.ulp for name in RESULTS for error in errors[name]) <= MEDIAN
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("count", MANY_SCENES)
-@pytest.mark.parametrize("kind", ["float", "array"])
-@pytest.mark.parametrize("name", RESULTS)
-def test_result_of_many_scenes_is_accurate(name: str, kind: str, count: int) -> None:
-    worst = worst_results(count)[kind, name]
-    assert worst.error <= BOUND, worst
+def test_results_of_fresh_scenes_are_within_the_bound() -> None:
+    """The seed stands at the head of the run; with ACCURACY_SEED set to it, the same scenes come again."""
+    errors = errors_of(random_scenes(MANY, seed=int(os.environ["ACCURACY_SEED"])))
+    for name in RESULTS:
+        assert worst(errors.of_numbers[name]).ulp <= BOUND, (name, worst(errors.of_numbers[name]))
+        assert worst(errors.of_arrays[name]).ulp <= BOUND, (name, worst(errors.of_arrays[name]))
 
 
-# --- Arrays ---------------------------------------------------------------------------------------------------------
-
-
-@cache
-def differences(length: int) -> Mapping[str, Worst]:
-    """How far results of arrays of some length are from those of floats, over all scenes in which the same is given."""
-    alike = defaultdict(list)
-    for scene in scenes(FEWER_SCENES):
-        alike[frozenset(scene), frozenset(finite_results(scene))].append(scene)
-    worst = dict.fromkeys(RESULTS, Worst(0.0, {}))
-    for (given, wanted), same in alike.items():
-        for start in range(0, len(same), length):
-            some = same[start : start + length]
-            arrays: Values = {name: np.array([scene[name] for scene in some]) for name in given}
-            columns = solve(wanted, **arrays)
-            for row, scene in enumerate(some):
-                for name, value in solve(wanted, **scene).items():
-                    error = ulp_error(float(np.broadcast_to(columns[name], len(some))[row]), value)
-                    if error > worst[name].error:
-                        worst[name] = Worst(error, scene)
-    return worst
-
-
-@pytest.mark.parametrize("length", [1, FEWER_SCENES])
-@pytest.mark.parametrize("name", RESULTS)
-def test_array_agrees_with_float_to_1_ulp(name: str, length: int) -> None:
-    worst = differences(length)[name]
-    assert worst.error <= 1, worst
-
-
-# --- Formulas -------------------------------------------------------------------------------------------------------
+# --- Formulas -----------------------------------------------------------------------------------------------------------
 
 
 @cache
-def parameter_values(count: int) -> Sequence[Values]:
-    """Values of every parameter of every formula, of magnitudes that go together, each taken as exact."""
+def parameter_values() -> list[Scene]:
+    """Return values of every parameter of every formula, of magnitudes that go together, each taken as exact."""
     random = Random(1997)
-    return [dict(any_values(random, scene, exact_results(scene))) for scene in scenes(count)]
+    return [dict(_values(random, scene)) for scene in random_scenes(COUNT // 2, seed=1998)]
 
 
-def any_values(random: Random, scene: Values, results: Mapping[str, Exact]) -> Iterator[tuple[str, Any]]:
-    """One set, from a scene and its results."""
-    for name in INPUTS[:-1]:
+def _values(random: Random, scene: Scene) -> Iterator[tuple[str, Any]]:
+    for name in ("radius", "surface_energy", "youngs_modulus", "poisson_ratio", "density"):
         yield name + "2", scene.get(name + "2", scene[name])
-    for name, value in results.items():
-        yield name, float(value) * random.uniform(1, 2)
+    results = {name: float(value) for name, value in exact_results(scene).items()}
+    yield from ((name, value * random.uniform(1, 2)) for name, value in results.items())
     for name, low, high in (
         ("energy", 1e-30, 1e3),
         ("energy_ratio", 1e-6, 1e6),
@@ -211,53 +128,71 @@ def any_values(random: Random, scene: Values, results: Mapping[str, Exact]) -> I
         yield name, log_uniform(random, low, high)
     near_1 = 1 + random.choice([-1, 1]) * log_uniform(random, 1e-15, 0.5)
     yield "contact_radius_ratio", random.choice([near_1, log_uniform(random, 1e-6, 1e6)])
-    radius = float(results["contact_radius_at_load"])
+    radius, force, approach = (results[name] for name in ("contact_radius_at_load", "pull_off_force", "approach"))
     yield "contact_radius_at_load", radius
     yield "distance", radius * random.choice([random.random(), 1 - log_uniform(random, 1e-15, 1)])
     yield "half_circle_radius", radius * random.uniform(0, 2)
-    approach = float(results["approach"])
-    yield "approach", approach
-    near_fold, near_0 = FOLD + log_uniform(random, 1e-15, 0.8), log_uniform(random, 1e-18, 0.8)
-    yield "approach_at_load", approach * float(random.choice([near_fold, -near_0, near_0, log_uniform(random, 1, 1e9)]))
-    force = float(results["pull_off_force"])
-    yield "pull_off_force", force
     yield from scene.items()
-    yield "load", force * (log_uniform(random, 1e-15, 1e6) - 1)
-    if random.random() < 0.5:  # where the approach passes through zero
-        yield "load_margin", near_1 / 3
+    yield "approach", approach
+    yield "approach_at_load", random.choice([*hard_approaches(approach, float(FOLD))])
+    yield "pull_off_force", force
+    load = random.choice([*hard_loads(force), *(force * (log_uniform(random, 1e-15, 1e6) - 1) for _ in range(20))])
+    yield "load", load
+    if load >= -force:
+        yield "load_margin", math.sqrt((load + force) / force)
 
 
 # Where some formulas have no value, or state no accuracy.
-OUTSIDE: Mapping[str, Callable[[Values], bool]] = {
+OUTSIDE: Mapping[str, Callable[[Scene], bool]] = {
+    "load_margin": lambda values: values["load"] < -values["pull_off_force"],
+    "load_factor_at_load_unstable": lambda values: values["load"] > 0,
     "load_factor_at_approach_unstable": lambda values: values["approach_at_load"] > 0,
     "stiffness": lambda values: values["load_margin"] < 0,
     "vertical_frequency": lambda values: values["stiffness"] < 0,
 }
 
 
-def test_every_formula_has_its_equation() -> None:
-    assert EQUATIONS.keys() == FORMULAS.keys()
-
-
 @pytest.mark.parametrize("name", FORMULAS)
 def test_formula_is_as_accurate_as_it_says(name: str) -> None:
     formula = FORMULAS[name]
-    stated = re.search(r"Accuracy: (?:(?P<exact>[Ee]xact)|(?P<ulp>[\d.]+) ulp)", formula.__doc__ or "")
+    stated = re.search(r"Accuracy:? +(?:(?P<exact>[Ee]xact)|(?P<ulp>[\d.]+) ulp)", formula.__doc__ or "")
     assert stated, "no number of ulp"
     bound = 0.0 if stated["exact"] else float(stated["ulp"])
-    worst = worst_of_formula(name, FEWER_SCENES)
-    assert worst.error <= bound, f"{worst}, {bound} stated"
-
-
-@cache
-def worst_of_formula(name: str, count: int) -> Worst:
-    """The largest error of a formula, at arguments taken as exact."""
-    parameters = inspect.signature(FORMULAS[name]).parameters
-    worst = Worst(0.0, {})
-    for values in parameter_values(count):
+    for values in parameter_values():
         if name in OUTSIDE and OUTSIDE[name](values):
             continue
-        arguments = {parameter: values[parameter] for parameter in parameters}
-        error = formula_error(name, arguments, FORMULAS[name](**arguments))
-        worst = max(worst, Worst(error, arguments), key=lambda each: each.error)
-    return worst
+        arguments = {parameter: values[parameter] for parameter in inspect.signature(formula).parameters}
+        number = formula(**arguments)
+        [element] = formula(**{parameter: np.array([value]) for parameter, value in arguments.items()})
+        for value in (number, float(element)):
+            error = formula_error(name, arguments, value)
+            assert error <= bound, f"{error} ulp, {bound} stated, at {arguments}"
+
+
+# --- Seams between two forms --------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("formula", "place"),
+    [
+        (load_factor_at_approach, 3 / 6 ** (1 / 3) + float(FOLD)),
+        (load_factor_at_approach, 1.0),
+        (load_factor_at_approach_unstable, 0.5 / 6 ** (1 / 3) + float(FOLD)),
+    ],
+)
+def test_states_at_neighbouring_approaches_do_not_jump(formula: Callable[..., Any], place: float) -> None:
+    ratios = np.sort(steps_from(place, *range(1, 10_000)))
+    values = formula(approach_at_load=ratios, approach=1.0)
+    steps = np.diff(values) * np.sign(values[-1] - values[0])
+    assert steps.min() >= -4 * np.spacing(values[0])
+
+
+# --- One place to add a quantity ----------------------------------------------------------------------------------------
+
+
+def test_every_formula_has_its_independent_equation() -> None:
+    assert EQUATIONS.keys() == FORMULAS.keys()
+
+
+def test_every_result_of_the_nomenclature_has_its_exact_value() -> None:
+    assert set(RESULTS) <= errors_of_kind("random").of_numbers.keys()

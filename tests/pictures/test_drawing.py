@@ -223,7 +223,7 @@ def test_the_curves_of_a_contact(run: Run, tmp_path: Path) -> None:
     assert (ran.code, ran.err) == (0, "")
     shown = SVG_TEXT.findall((tmp_path / "contact.svg").read_text(encoding="utf-8"))
     assert {"fold", "pull-off", "jump-in", "stable", "unstable", "fixed grips"} <= {*shown}
-    models = (typeset(symbol) for symbol in ("M:", "M_0:", "M_half:", "M_int:", "M_δ:"))
+    models = (typeset(symbol) for symbol in ("M:", "M_0:", "M_half:", "M_δ:"))
     assert all(any(text.startswith(model) for text in shown) for model in models)
 
 

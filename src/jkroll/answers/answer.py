@@ -7,8 +7,8 @@ from ..errors import JkrollError, NoResult
 from ..quantities.formatting import Format, amount, in_words
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..scene.errors import BeyondFold, BeyondPullOff, MissingInput
-from ..scene.limits import Verdict, sentence, uses_spacing, verdicts
-from ..scene.rolling_models import NotGoodEnough, model_error, within
+from ..scene.limits import LIMIT_NAMES, Verdict, sentence, uses_spacing, verdicts
+from ..scene.rolling_models import model_error
 from ..scene.scene import DEFAULTS, Scene
 from ..scene.wiring import STATE, depends_on
 from .questions import Question
@@ -26,7 +26,7 @@ class Result(NamedTuple):
 class Note(NamedTuple):
     """A sentence about an answer."""
 
-    kind: Literal["model", "assumption", "data", "result", "missing", "doubt"]
+    kind: Literal["assumption", "data", "result", "missing", "doubt"]
     text: str
 
 
@@ -48,33 +48,26 @@ class Answer(NamedTuple):
         return [Note("doubt", f"doubtful: {sentence(one)}") for one in self.validity if not one.holds]
 
 
-def answer(question: Question, scene: Scene, rtol: float | None = None) -> Answer:
-    """Compute the quantities of a command as far as the scene allows; rolling by the cheapest model within `rtol`."""
+def answer(question: Question, scene: Scene) -> Answer:
+    """Compute the quantities of a command as far as the scene allows."""
     results: list[Result] = []
     errors: dict[str, JkrollError] = {}
-    for name in question.quantities:
-        if not _concerns(name, scene):
-            continue
-        try:
-            results.append(Result(name, scene[name], error=model_error(name, scene)))
-        except (MissingInput, NoResult) as error:
-            errors[name] = error
-            results.append(Result(name, None, _reason(name, error)))
+    shown = [name for name in question.quantities if _concerns(name, scene)]
+    values = scene.evaluate((*shown, *LIMIT_NAMES))
+    for name in shown:
+        value = values[name]
+        if isinstance(value, MissingInput | NoResult):
+            errors[name] = value
+            results.append(Result(name, None, _reason(name, value)))
+        else:
+            results.append(Result(name, value, error=model_error(name, scene)))
     known = [result.name for result in results if result.value is not None]
-    models: list[str] = []
-    if rtol is not None and known:
-        values = {one.name: one.value for one in results if one.value is not None}
-        changed, models = within(values, scene, rtol)
-        errors |= {name: value for name, value in changed.items() if isinstance(value, NotGoodEnough)}
-        results = [_changed(one, changed[one.name]) if one.name in changed else one for one in results]
-        known = [result.name for result in results if result.value is not None]
     planned = [result.name for result in results if not isinstance(errors.get(result.name), MissingInput)]
     used = scene.inputs_of(*planned) if planned else depends_on(question.quantities) & scene.given.keys()
     inputs = _echo(scene, used)
     validity = verdicts(scene, known)
     entering = {*inputs, "atomic_spacing"} if uses_spacing(validity) else {*inputs}
     notes = (
-        *(Note("model", text) for text in models),
         *assumptions(scene, entering, planned),
         *about_data(scene, inputs),
         *_about_results(results, scene),
@@ -86,7 +79,7 @@ def answer(question: Question, scene: Scene, rtol: float | None = None) -> Answe
 
 
 # Errors that leave nothing of a scene to be trusted, even where something could be computed.
-_FATAL = (BeyondPullOff, BeyondFold, NotGoodEnough)
+_FATAL = (BeyondPullOff, BeyondFold)
 
 
 def _reason(name: str, error: MissingInput | NoResult) -> str:
@@ -94,13 +87,6 @@ def _reason(name: str, error: MissingInput | NoResult) -> str:
     if isinstance(error, MissingInput):
         return f"needs {error.needs()}"
     return error.reason() if error.name == name else str(error)
-
-
-def _changed(result: Result, value: float | NotGoodEnough) -> Result:
-    """Return a result by the model that was chosen, or with the reason why none was."""
-    if isinstance(value, NotGoodEnough):
-        return Result(result.name, None, str(value))
-    return Result(result.name, value)
 
 
 def in_units(answer: Answer, form: Format) -> Answer:

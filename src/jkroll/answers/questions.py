@@ -48,7 +48,6 @@ _QUESTIONS = {
             "yield_moment",
             "unloaded_moment",
             "half_circles_moment",
-            "integrated_moment",
             "fixed_approach_moment",
             "rolling_stiffness",
             "mean_rolling_moment",

@@ -11,8 +11,9 @@ import numpy
 
 from ..errors import JkrollError
 from ..materials.library import Material
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE, RANGES
+from ..quantities.nomenclature import INFINITY
 from ..scene.errors import BeyondPullOff, NoChain
+from ..scene.inputs import outside
 from ..scene.scene import MAY_BE_ZERO, SMALLEST, Scene
 from .cells import Floats, Mask, Numbers
 from .materials import UNKNOWN, Codes, Lookup
@@ -114,7 +115,7 @@ class Evaluator:
         wanted = [name for name in self.task.quantities if concerns(name, scene)]
         missing = [name for name in wanted if lacking(name, scene) is not None]
         found = [name for name in wanted if name not in missing]
-        values = _values(scene, found)
+        values = {name: _or_nan(value) for name, value in scene.evaluate(found).items()}
         is_all = isinstance(rows, slice)
         results = numbers if is_all else numpy.empty((len(self.task.quantities), len(members)))
         for place, name in enumerate(self.task.quantities):
@@ -189,16 +190,9 @@ class Evaluator:
         return self.lookups[name].known[code]
 
 
-def _values(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
-    """The quantities that a scene of arrays allows."""
-    plan = scene.plan(*names)
-    values = scene.values
-    for step in plan.steps:
-        try:
-            values[step.name] = step.formula(**{parameter: values[name] for parameter, name in step.arguments})
-        except (OverflowError, ZeroDivisionError, ValueError):
-            values[step.name] = numpy.nan  # of floats alone; each row says it in words
-    return {name: values[plan.found[name]] for name in names}
+def _or_nan(value: Any) -> Any:
+    """Return a value; nan for a failure, which each row says in words."""
+    return numpy.nan if isinstance(value, JkrollError) else value
 
 
 def _is_plausible(results: Floats) -> bool:
@@ -235,16 +229,10 @@ def _identical(scene: Scene, size: int) -> Mask:
 
 def _outside(name: str, column: Numbers) -> list[int]:
     """The rows whose number the quantity cannot have."""
-    limits = RANGES.get(NOMENCLATURE[name].range)
-    if limits is None:
+    refused = outside(name, column.values)
+    if not refused.any():
         return []
-    values = column.values
-    above = values >= limits.low if limits.low_allowed else values > limits.low
-    inside = above & (values <= limits.high if limits.high_allowed else values < limits.high)
-    if inside.all():
-        return []
-    outside = ~inside if column.given is None else ~inside & column.given
-    rows: list[int] = numpy.flatnonzero(outside).tolist()
+    rows: list[int] = numpy.flatnonzero(refused if column.given is None else refused & column.given).tolist()
     return rows
 
 

@@ -100,7 +100,7 @@ class Evaluators:
         ]
 
         first = {axis.name: axis.spreads[0].low for axis in sweep.axes}
-        self.said = [answer(sweep.shape.command, Scene(first, *pair)).inputs.keys() for pair in sweep.pairs]
+        self.said = [answer(sweep.shape.question, Scene(first, *pair)).inputs.keys() for pair in sweep.pairs]
 
     def rows(self, start: int, count: int) -> Rows:
         """The rows from a place on, which are of one pair."""

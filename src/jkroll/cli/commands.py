@@ -23,7 +23,6 @@ from .options import (
     PICTURE,
     PROGRAM,
     QUIET,
-    RTOL,
     STYLE,
     TABLE,
     Option,
@@ -109,15 +108,15 @@ def _question(name: str, sentence: str, example: str, *own: Option) -> Command:
 
 _COMMANDS = (
     _question("pull-off", "Force that pulls two spheres apart.", "quartz 100nm --to nN"),
-    _question("yield-force", "Force that starts a sphere rolling.", "quartz 100nm --load -5nN", RTOL),
+    _question("yield-force", "Force that starts a sphere rolling.", "quartz 100nm --load -5nN"),
     _question("r-min", "How sharply a chain of spheres can bend without rolling.", "100nm --xi 2angstrom"),
     _question("n-grav", "How many grains a horizontal chain can carry.", "quartz 100nm --gravity 1.62m/s2"),
-    _question("frequencies", "Vibration frequencies of the contact.", "quartz 100nm --radius2 plane", RTOL),
+    _question("frequencies", "Vibration frequencies of the contact.", "quartz 100nm --radius2 plane"),
     _question("n-roll", "How far a sphere rolls over a fixed one after a collision.", "quartz 1um --speed 10cm/s"),
     _question(
         "contact", "Contact radius, approach, stiffness and pressure.", "quartz 100nm --load -5nN", CURVE, *_LOOKS
     )._replace(run=_contact),
-    _question("moment", "Rolling resistance at a displacement ξ.", "quartz 100nm --xi 1angstrom", RTOL),
+    _question("moment", "Rolling resistance at a displacement ξ.", "quartz 100nm --xi 1angstrom"),
     _question("report", "All quantities that your inputs allow.", "quartz 100nm"),
     Command(
         "batch",

@@ -74,7 +74,6 @@ class Values(NamedTuple):
     cite: bool = False
     target: str | None = None
     resume: bool = False
-    rtol: float | None = None
     curve: bool = False
     # of pictures
     x: str | None = None
@@ -115,7 +114,6 @@ OUTPUT = (
     MATERIALS,
     QUIET,
 )
-RTOL = Option("rtol", "--rtol", float, "1e-3", "Use the cheapest rolling model within this relative error", 0, 1)
 CURVE = Option("curve", "--curve", bool, "", "Whole force curve; with -o as a picture")
 _AS_TEXT = "Output as JSON or CSV"
 JSON = Option("json", "--json", bool, "", _AS_TEXT)

@@ -72,11 +72,7 @@ def run_question(question: Question, words: Sequence[str], values: Values) -> in
         known_materials(*files)  # a file that was named is checked even if no material is needed
     if values.curve:
         return _run_curve(request, kind, form)
-    samples = (
-        [in_units(answer(question, scene, values.rtol), form) for scene in request.samples()]
-        if request.count > 1
-        else []
-    )
+    samples = [in_units(answer(question, scene), form) for scene in request.samples()] if request.count > 1 else []
     if values.target is not None or (kind == "csv" and request.count > MANY):
         return _run_stream(question, request, samples, kind, values)
     request.check_count()
@@ -87,12 +83,12 @@ def run_question(question: Question, words: Sequence[str], values: Values) -> in
 
         write = write_citations if kind == "cite" else write_explanation
         write(
-            ((scene, one) for scene in request.scenes() for one in tally.watch([answer(question, scene, values.rtol)])),
+            ((scene, one) for scene in request.scenes() for one in tally.watch([answer(question, scene)])),
             out,
             form,
         )
     else:
-        answers = tally.watch(in_units(answer(question, scene, values.rtol), form) for scene in request.scenes())
+        answers = tally.watch(in_units(answer(question, scene), form) for scene in request.scenes())
         if request.count == 1:
             answers = iter([_unless_failed(next(answers), question)])
         WRITERS[kind](answers, out, form, layout(question, samples, request.count))
@@ -121,7 +117,7 @@ def _run_stream(question: Question, request: Request, samples: list[Answer], kin
 
     if values.target and ending(values.target) in PICTURES:
         raise BadRequest(f"-o: {quoted(values.target)} is a picture; add --curve to contact, or see jkroll map --help")
-    if values.to or values.digits or values.rtol is not None or kind not in ("csv", "plain", "table"):
+    if values.to or values.digits or kind not in ("csv", "plain", "table"):
         raise BadRequest("a long sweep is written in SI units with all digits: -o and long ranges take --csv alone")
     samples = samples or [answer(question, scene) for scene in request.samples()]
     axes = [Axis(name, spreads) for name, spreads in request.spreads.items()]

@@ -1,35 +1,43 @@
-"""The JKR contact: Eqs 1-9 and 12-15.
+"""The JKR contact: Eqs 1-6.
 
 A load is positive in compression and negative in tension; the stable branch is meant. The load enters through
 s = √(1 + P/P_c) alone (`load_margin`), which is 1 without load and 0 at pull-off and loses no digit there.
 """
 
-from .dimensions import Force, Length, Number, Stiffness, Stress, SurfaceEnergy
-from .elementary import Constant, Sum, cbrt, pi, product, sqrt, where
+from __future__ import annotations
 
-_THREE_HALVES_PI, _THREE_QUARTERS_PI_SQUARED = Constant(3, 2, 1), Constant(3, 4, 2)
+from .dimensions import Force, Length, Number, Stiffness, Stress, SurfaceEnergy
+from .elementary import cbrt, pi, sqrt, where
 
 
 def pull_off_force(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length) -> Force:
-    """Force that separates the two spheres.
+    """Return the force that separates the two spheres.
 
         P_c = 3πγR = (3/2)πwR
 
+    work_of_adhesion  [J/m²]  > 0
+    reduced_radius    [m]     > 0
+
+    Returns:  [N]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (1).
     Valid:    Large, soft spheres (JKR); small, hard ones tend to 4πγR (DMT).
-    Accuracy: 1 ulp above w and R.
+    Accuracy: 2 ulp above w and R.
 
     >>> f"{pull_off_force(work_of_adhesion=0.05, reduced_radius=50e-9):.4e}"
     '1.1781e-08'
     """
-    return product(_THREE_HALVES_PI, work_of_adhesion, reduced_radius)
+    return 3 / 2 * pi * work_of_adhesion * reduced_radius
 
 
 def pull_off_force_dmt(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length) -> Force:
-    """Force that separates two small, hard spheres.
+    """Return the force that separates two small, hard spheres.
 
         P_DMT = 4πγR = 2πwR
 
+    work_of_adhesion  [J/m²]  > 0
+    reduced_radius    [m]     > 0
+
+    Returns:  [N]; a float for floats, an array for arrays, which broadcast.
     Source:   Text below Eq (1): "for very hard spheres, this factor should rather be 4".
     Valid:    Small, hard spheres (Tabor parameter well below 0.1).
     Accuracy: 2 ulp above w and R.
@@ -41,25 +49,35 @@ def pull_off_force_dmt(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Lengt
 
 
 def contact_radius(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress) -> Length:
-    """Radius of the contact circle without load.
+    """Return the radius of the contact circle without load.
 
         a0 = (9πγR²/E*)^(1/3) = (9πwR²/2E*)^(1/3)
 
+    work_of_adhesion  [J/m²]  > 0
+    reduced_radius    [m]     > 0
+    contact_modulus   [Pa]    > 0
+
+    Returns:  [m]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (2).
     Valid:    a0 ≪ R, and a0 well above the atomic spacing.
-    Accuracy: 1.5 ulp above w, R and E*.
+    Accuracy: 2 ulp above w, R and E*.
 
     >>> f"{contact_radius(work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9) * 1e9:.3f} nm"
     '3.991 nm'
     """
-    return cbrt(9 / 2 * pi * (work_of_adhesion / contact_modulus) * reduced_radius * reduced_radius)
+    return cbrt(9 / 2 * pi * work_of_adhesion * reduced_radius**2 / contact_modulus)
 
 
 def approach(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress) -> Length:
-    """Displacement of the two centres towards each other without load.
+    """Return the displacement of the two centres towards each other without load.
 
         δ0 = P_c/(E*a0) = a0²/(3R) = (3π²γ²R/E*²)^(1/3) = (3π²w²R/4E*²)^(1/3)
 
+    work_of_adhesion  [J/m²]  > 0
+    reduced_radius    [m]     > 0
+    contact_modulus   [Pa]    > 0
+
+    Returns:  [m]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (3).
     Valid:    As Eq (2).
     Accuracy: 1.5 ulp above w, R and E*.
@@ -67,15 +85,18 @@ def approach(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact
     >>> f"{approach(work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9) * 1e9:.5f} nm"
     '0.10617 nm'
     """
-    length = work_of_adhesion / contact_modulus
-    return cbrt(product(_THREE_QUARTERS_PI_SQUARED, length, length, reduced_radius))
+    return cbrt(3 / 4 * pi**2 * (work_of_adhesion / contact_modulus) ** 2 * reduced_radius)
 
 
 def load_margin(*, load: Force, pull_off_force: Force) -> Number:
-    """How far the contact is from pull-off: 1 without load, 0 at pull-off.
+    """Return the distance of the contact from pull-off: 1 without load, 0 at pull-off.
 
         s = √(1 + P/P_c)
 
+    load            [N]  any; tension is negative
+    pull_off_force  [N]  > 0
+
+    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (5), solved for â^(3/2) = (1 + s)/2.
     Valid:    P ≥ −P_c. Beyond, a float raises ValueError and an array holds NaN.
     Accuracy: 1.5 ulp for the two forces as they are given.
@@ -87,10 +108,13 @@ def load_margin(*, load: Force, pull_off_force: Force) -> Number:
 
 
 def load_factor(*, load_margin: Number) -> Number:
-    """Factor by which the load scales the rolling moment: 1 without load, 1/2 at pull-off.
+    """Return the factor by which the load scales the rolling moment: 1 without load, 1/2 at pull-off.
 
         x = â^(3/2) = (1 + s)/2
 
+    load_margin  [1]  ≥ 0; negative between pull-off and the fold
+
+    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (5).
     Valid:    The stable branch.
     Accuracy: 0.5 ulp above s.
@@ -104,10 +128,16 @@ def load_factor(*, load_margin: Number) -> Number:
 def contact_radius_at_load(
     *, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress, load_factor: Number
 ) -> Length:
-    """Radius of the contact circle under a load.
+    """Return the radius of the contact circle under a load.
 
         a = a0 x^(2/3) = (9πwR²x²/2E*)^(1/3)
 
+    work_of_adhesion  [J/m²]  > 0
+    reduced_radius    [m]     > 0
+    contact_modulus   [Pa]    > 0
+    load_factor       [1]     > 0
+
+    Returns:  [m]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (5).
     Valid:    As Eq (2); the stable branch.
     Accuracy: 2 ulp above w, R, E* and x.
@@ -116,8 +146,7 @@ def contact_radius_at_load(
     >>> f"{a * 1e9:.3f} nm"
     '3.991 nm'
     """
-    stretched = reduced_radius * load_factor
-    return cbrt(9 / 2 * pi * (work_of_adhesion / contact_modulus) * stretched * stretched)
+    return cbrt(9 / 2 * pi * work_of_adhesion / contact_modulus * (reduced_radius * load_factor) ** 2)
 
 
 def approach_at_load(
@@ -130,13 +159,22 @@ def approach_at_load(
     load_margin: Number,
     load_factor: Number,
 ) -> Length:
-    """Displacement of the two centres towards each other under a load; negative where the neck is stretched.
+    """Return the displacement of the two centres towards each other under a load; negative where the neck is stretched.
 
         δ = δ0(3â² − 2√â) = δ0 x^(1/3) (3s − 1)/2 = δ0 x^(1/3) (8P_c + 9P)/(2P_c(1 + 3s))
 
+    work_of_adhesion  [J/m²]  > 0
+    reduced_radius    [m]     > 0
+    contact_modulus   [Pa]    > 0
+    load              [N]     any; tension is negative
+    pull_off_force    [N]     > 0
+    load_margin       [1]     ≥ 0; negative between pull-off and the fold
+    load_factor       [1]     > 0
+
+    Returns:  [m]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (6).
     Valid:    x > 0. It passes through 0 at P = −(8/9)P_c, where the last form keeps its digits.
-    Accuracy: 2.5 ulp above w, R, E*, P, P_c and s.
+    Accuracy: 3.5 ulp above w, R, E*, P, P_c and s.
 
     >>> delta = approach_at_load(
     ...     work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9, load=0.0, pull_off_force=1.1781e-8,
@@ -144,74 +182,42 @@ def approach_at_load(
     >>> f"{delta * 1e9:.5f} nm"
     '0.10617 nm'
     """
-    length = work_of_adhesion / contact_modulus
-    at_margin_1 = cbrt(3 / 4 * (pi * pi) * length * length * reduced_radius * load_factor)
-    margin = abs(load_margin)
-    slope = Sum(margin, (1 - margin) / 4)
-    ratio = product(Sum(load + pull_off_force, load / 8), over=(pull_off_force, slope))
-    return at_margin_1 * where(load_margin < 0, (3 * load_margin - 1) / 2, ratio)
+    unit = cbrt(3 / 4 * pi**2 * (work_of_adhesion / contact_modulus) ** 2 * reduced_radius * load_factor)
+    ratio = (8 * (load + pull_off_force) + load) / (2 * pull_off_force * (1 + 3 * abs(load_margin)))
+    return unit * where(load_margin < 0, (3 * load_margin - 1) / 2, ratio)
 
 
 def stiffness(*, contact_modulus: Stress, contact_radius_at_load: Length, load_margin: Number) -> Stiffness:
-    """Normal stiffness of the contact: (6/5)E*a0 without load, 0 at pull-off.
+    """Return the normal stiffness of the contact: (6/5)E*a0 without load, 0 at pull-off.
 
         dP/dδ = 6 E*a s/(2 + 3s)
 
+    contact_modulus         [Pa]  > 0
+    contact_radius_at_load  [m]   > 0
+    load_margin             [1]   ≥ 0; negative between pull-off and the fold
+
+    Returns:  [N/m]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (5) and (6); Eq (34) without load.
     Valid:    Small vibrations about the load.
-    Accuracy: 1.5 ulp above E*, a and s for s ≥ 0; beyond, 2 + 3s cancels towards the fold.
+    Accuracy: 3 ulp above E*, a and s for s ≥ 0; beyond, 2 + 3s cancels towards the fold.
 
     >>> stiffness(contact_modulus=1.0, contact_radius_at_load=1.0, load_margin=1.0)
     1.2
     """
-    return product(6.0, load_margin, contact_modulus, contact_radius_at_load, over=(Sum(2.0, 3 * load_margin),))
-
-
-def hertz_pressure(
-    *, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress, load_factor: Number
-) -> Stress:
-    """Constant of the Hertz part of the pressure, which flattens the spheres.
-
-        p_H = 2aE*/(πR) = 6P_câ/(πa0²) = E*(36wx²/(π²RE*))^(1/3)
-
-    Source:   Eq (8), and the text below Eq (13).
-    Valid:    As Eq (2).
-    Accuracy: 2.5 ulp above w, R, E* and x.
-
-    >>> p = hertz_pressure(work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9, load_factor=1.0)
-    >>> f"{p:.4e}"
-    '1.4128e+09'
-    """
-    slope = 36 / (pi * pi) * (work_of_adhesion / contact_modulus) / reduced_radius
-    return contact_modulus * cbrt(slope * (load_factor * load_factor))
-
-
-def boussinesq_pressure(*, hertz_pressure: Stress, load_factor: Number) -> Stress:
-    """Constant of the flat-punch part of the pressure, which pulls at the rim.
-
-        p_B = −2P_c/(πa0²√â) = −p_H/(3x)
-
-    Source:   Eqs (8) and (9).
-    Valid:    JKR equilibrium at the load; the stable branch.
-    Accuracy: 1.5 ulp above p_H and x.
-
-    >>> boussinesq_pressure(hertz_pressure=6.0, load_factor=1.0)
-    -2.0
-    """
-    return -hertz_pressure / (3 * load_factor)
-
-
-# --- The same relations in the paper's reduced variables, and at a prescribed approach ------------------------------
+    return 6 * contact_modulus * contact_radius_at_load * load_margin / (2 + 3 * load_margin)
 
 
 def load_ratio(*, contact_radius_ratio: Number) -> Number:
-    """Load over the pull-off force, at a contact radius.
+    """Return the load at a contact radius, over the pull-off force.
 
         P̂ = 4(â³ − â^(3/2))
 
+    contact_radius_ratio  [1]  ≥ 0
+
+    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (5).
     Valid:    â ≥ 0, both branches.
-    Accuracy: 4 ulp of the larger term.
+    Accuracy: 2.5 ulp of the larger term.
 
     >>> load_ratio(contact_radius_ratio=1.0)
     0.0
@@ -221,10 +227,13 @@ def load_ratio(*, contact_radius_ratio: Number) -> Number:
 
 
 def approach_ratio(*, contact_radius_ratio: Number) -> Number:
-    """Approach over the unloaded approach, at a contact radius.
+    """Return the approach at a contact radius, over the one without load.
 
         δ̂ = 3â² − 2√â
 
+    contact_radius_ratio  [1]  ≥ 0
+
+    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (6).
     Valid:    â ≥ 0, both branches.
     Accuracy: 2 ulp of the larger term.
@@ -232,58 +241,4 @@ def approach_ratio(*, contact_radius_ratio: Number) -> Number:
     >>> approach_ratio(contact_radius_ratio=1.0)
     1.0
     """
-    return 3 * contact_radius_ratio * contact_radius_ratio - 2 * sqrt(contact_radius_ratio)
-
-
-def pressure(
-    *, distance: Length, contact_radius_at_load: Length, hertz_pressure: Stress, boussinesq_pressure: Stress
-) -> Stress:
-    """Pressure at a distance from the centre of the contact; tension is negative and infinite at the rim.
-
-        p(r) = p_H √(1 − r²/a²) + p_B/√(1 − r²/a²)
-
-    Source:   Eq (12); Eq (7) lost both square roots in print.
-    Valid:    0 ≤ r < a.
-    Accuracy: 4 ulp of the larger term.
-
-    >>> pressure(distance=0.0, contact_radius_at_load=1.0, hertz_pressure=3.0, boussinesq_pressure=-1.0)
-    2.0
-    """
-    a = contact_radius_at_load
-    depth = sqrt((a - distance) / a * ((a + distance) / a))
-    return hertz_pressure * depth + boussinesq_pressure / depth
-
-
-def approach_of_pressure(
-    *, contact_radius_at_load: Length, contact_modulus: Stress, hertz_pressure: Stress, boussinesq_pressure: Stress
-) -> Length:
-    """Approach of the two centres that goes with the two parts of the pressure.
-
-        δ = (πa/2E*)(p_H + 2p_B)
-
-    Source:   Eq (13).
-    Valid:    Any circular contact, in adhesive equilibrium or not.
-    Accuracy: 2.5 ulp of the larger term.
-
-    >>> round(approach_of_pressure(contact_radius_at_load=1.0, contact_modulus=1.0, hertz_pressure=2.0, boussinesq_pressure=0.0), 6)
-    3.141593
-    """
-    return pi / 2 * (contact_radius_at_load / contact_modulus) * (hertz_pressure + 2 * boussinesq_pressure)
-
-
-def boussinesq_pressure_at_approach(
-    *, approach_at_load: Length, contact_radius_at_load: Length, contact_modulus: Stress, hertz_pressure: Stress
-) -> Stress:
-    """Flat-punch part of the pressure in a contact of given radius and approach, in equilibrium or not.
-
-        p_B = E*δ/(πa) − p_H/2
-
-    Source:   Eq (14); put into Eq (12) it is Eq (15).
-    Valid:    Any circular contact.
-    Accuracy: 3 ulp of the larger term.
-
-    >>> boussinesq_pressure_at_approach(
-    ...     approach_at_load=0.0, contact_radius_at_load=1.0, contact_modulus=1.0, hertz_pressure=2.0)
-    -1.0
-    """
-    return contact_modulus * approach_at_load / (pi * contact_radius_at_load) - hertz_pressure / 2
+    return 3 * contact_radius_ratio**2 - 2 * sqrt(contact_radius_ratio)

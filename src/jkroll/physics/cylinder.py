@@ -5,15 +5,22 @@ Where the paper has E, this appendix means E′ = E/(1 − ν²). Two parallel c
 stands for the load; a contact without adhesion has C = a²/2, and p, the pressure, is negative in tension.
 """
 
+from __future__ import annotations
+
 from .dimensions import Area, ForcePerLength, Length, MomentPerLength, Stress
 from .elementary import pi, sqrt
 
 
 def surface_displacement(*, position: Length, approach_at_load: Length, cylinder_radius: Length) -> Length:
-    """Displacement of the cylinder's surface in contact, at a position from the contact point.
+    """Return the displacement of the cylinder's surface in contact, at a position from the contact point.
 
         u = δ − x²/(2R)
 
+    position          [m]  any
+    approach_at_load  [m]  any
+    cylinder_radius   [m]  > 0
+
+    Returns:  [m]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (50) and (60), which is (50) on a shifted strip; with x = X − ξ it is Eq (62).
     Valid:    −a − ξ ≤ x ≤ a − ξ, a ≪ R. In two dimensions the load does not determine δ.
     Accuracy: 2.5 ulp of the larger term.
@@ -32,10 +39,17 @@ def symmetric_pressure(
     plane_strain_modulus: Stress,
     load_constant: Area,
 ) -> Stress:
-    """Pressure at a position in a strip that is centred on the contact point.
+    """Return the pressure at a position in a strip that is centred on the contact point.
 
         p_s = (E′/2R)[√(a² − x²) + (C − a²/2)/√(a² − x²)]
 
+    position              [m]   any
+    contact_half_width    [m]   > 0
+    cylinder_radius       [m]   > 0
+    plane_strain_modulus  [Pa]  > 0
+    load_constant         [m²]  any
+
+    Returns:  [Pa]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (56), which solves Eq (51).
     Valid:    |x| < a ≪ R, C ≤ a²/2; beyond, the surfaces would interpenetrate outside the strip.
     Accuracy: 7 ulp of the largest term.
@@ -58,10 +72,18 @@ def asymmetric_pressure(
     plane_strain_modulus: Stress,
     load_constant: Area,
 ) -> Stress:
-    """Pressure in a strip that lags by ξ behind the contact point, at a position from the strip's centre.
+    """Return the pressure in a strip that lags by ξ behind the contact point, at a position from the strip's centre.
 
         p_a = (E′/2R)[√(a² − X²) + (C − a²/2 + ξX)/√(a² − X²)]
 
+    position_in_strip     [m]   −a to a
+    contact_half_width    [m]   > 0
+    yield_displacement    [m]   > 0
+    cylinder_radius       [m]   > 0
+    plane_strain_modulus  [Pa]  > 0
+    load_constant         [m²]  any
+
+    Returns:  [Pa]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (64), which solves Eq (51). The C inside Eq (63) is minus this one.
     Valid:    |X| < a ≪ R, ξ ≤ a/2 − C/a; beyond, the leading edge, X = a, would interpenetrate.
     Accuracy: 7 ulp of the largest term.
@@ -76,10 +98,15 @@ def asymmetric_pressure(
 
 
 def load_per_length(*, cylinder_radius: Length, plane_strain_modulus: Stress, load_constant: Area) -> ForcePerLength:
-    """Load on the cylinder per length; tension is negative.
+    """Return the load on the cylinder per length; tension is negative.
 
         P = πE′C/(2R)
 
+    cylinder_radius       [m]   > 0
+    plane_strain_modulus  [Pa]  > 0
+    load_constant         [m²]  any
+
+    Returns:  [N/m]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (59) and (65): it does not depend on ξ.
     Valid:    a ≪ R.
     Accuracy: 2.5 ulp.
@@ -91,10 +118,15 @@ def load_per_length(*, cylinder_radius: Length, plane_strain_modulus: Stress, lo
 
 
 def load_constant(*, load_per_length: ForcePerLength, cylinder_radius: Length, plane_strain_modulus: Stress) -> Area:
-    """Area that stands for the load in the pressure and the moments.
+    """Return the area that stands for the load in the pressure and the moments.
 
         C = 2PR/(πE′)
 
+    load_per_length       [N/m]  > 0
+    cylinder_radius       [m]    > 0
+    plane_strain_modulus  [Pa]   > 0
+
+    Returns:  [m²]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (59) and (65), solved for C.
     Valid:    a ≪ R.
     Accuracy: 3 ulp.
@@ -108,10 +140,16 @@ def load_constant(*, load_per_length: ForcePerLength, cylinder_radius: Length, p
 def strip_moment(
     *, contact_half_width: Length, yield_displacement: Length, cylinder_radius: Length, plane_strain_modulus: Stress
 ) -> MomentPerLength:
-    """Moment of the asymmetric pressure about the centre of the strip, per length.
+    """Return the moment of the asymmetric pressure about the centre of the strip, per length.
 
         M(X = 0) = πE′a²ξ/(4R)
 
+    contact_half_width    [m]   > 0
+    yield_displacement    [m]   > 0
+    cylinder_radius       [m]   > 0
+    plane_strain_modulus  [Pa]  > 0
+
+    Returns:  [N]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (68).
     Valid:    As Eq (64).
     Accuracy: 3.5 ulp.
@@ -132,10 +170,17 @@ def contact_point_moment(
     plane_strain_modulus: Stress,
     load_constant: Area,
 ) -> MomentPerLength:
-    """Moment with which the strip resists to rolling: that of its pressure about the contact point, per length.
+    """Return the moment with which the strip resists to rolling: that of its pressure about the contact point, per length.
 
         M(x = 0) = M(X = 0) − ξP = (π/4)(E′/R)ξ(a² − 2C)
 
+    contact_half_width    [m]   > 0
+    yield_displacement    [m]   > 0
+    cylinder_radius       [m]   > 0
+    plane_strain_modulus  [Pa]  > 0
+    load_constant         [m²]  any
+
+    Returns:  [N]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (69) and (70), which has +2C for −2C and ≈ for =.
     Valid:    As Eq (64). Without adhesion it vanishes.
     Accuracy: 6 ulp of the larger term.
@@ -154,10 +199,16 @@ def contact_point_moment(
 def half_strip_moment(
     *, half_strip_width: Length, cylinder_radius: Length, plane_strain_modulus: Stress, load_constant: Area
 ) -> MomentPerLength:
-    """Moment of one half of a symmetric strip about the contact point, per length.
+    """Return the moment of one half of a symmetric strip about the contact point, per length.
 
         M½ = (E′/2R)(C𝒜 − 𝒜³/6)
 
+    half_strip_width      [m]   > 0
+    cylinder_radius       [m]   > 0
+    plane_strain_modulus  [Pa]  > 0
+    load_constant         [m²]  any
+
+    Returns:  [N]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (76).
     Valid:    𝒜 ≪ R.
     Accuracy: 5 ulp of the larger term.
@@ -177,10 +228,17 @@ def half_strips_moment(
     plane_strain_modulus: Stress,
     load_constant: Area,
 ) -> MomentPerLength:
-    """Moment of two half-strips of width a + ξ and a − ξ at the same load, per length.
+    """Return the moment of two half-strips of width a + ξ and a − ξ at the same load, per length.
 
         M = M½(a − ξ) − M½(a + ξ) = (E′/2R)ξ(a² − 2C + ξ²/3)
 
+    contact_half_width    [m]   > 0
+    yield_displacement    [m]   > 0
+    cylinder_radius       [m]   > 0
+    plane_strain_modulus  [Pa]  > 0
+    load_constant         [m²]  any
+
+    Returns:  [N]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (76) and (77), multiplied out so that no digit is lost.
     Valid:    ξ < a. Where ξ ≪ a, Eq (70) is π/2 times this.
     Accuracy: 6 ulp of the largest term.
@@ -201,10 +259,17 @@ def linearised_half_strips_moment(
     plane_strain_modulus: Stress,
     load_constant: Area,
 ) -> MomentPerLength:
-    """Moment of the two half-strips to first order in ξ, per length.
+    """Return the moment of the two half-strips to first order in ξ, per length.
 
         M = (E′/2R)ξ(a² − 2C)
 
+    contact_half_width    [m]   > 0
+    yield_displacement    [m]   > 0
+    cylinder_radius       [m]   > 0
+    plane_strain_modulus  [Pa]  > 0
+    load_constant         [m²]  any
+
+    Returns:  [N]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (78).
     Valid:    ξ ≪ a. It is 2/π of the exact Eq (70) for any load.
     Accuracy: 5.5 ulp of the larger term.

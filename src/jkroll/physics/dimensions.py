@@ -1,30 +1,32 @@
 """The dimension of every parameter and result, as an annotation that carries the SI unit.
 
-A value is a float, or an array of them; arrays broadcast. The annotation is for the reader, for the help texts and for
-the test that feeds each formula pint Quantities: at run time it costs nothing.
+A value is a float, or an array of floats; arrays broadcast. The annotation is for the reader, for the help texts and for
+the tests, which feed each formula pint Quantities and compare the units of the nomenclature: at run time it costs nothing.
 """
 
 from typing import Annotated, Any
 
-Length = Annotated[Any, "m"]
-Area = Annotated[Any, "m^2"]
-Volume = Annotated[Any, "m^3"]
-Mass = Annotated[Any, "kg"]
-Density = Annotated[Any, "kg/m^3"]
-Inertia = Annotated[Any, "kg m^2"]
-Speed = Annotated[Any, "m/s"]
-Acceleration = Annotated[Any, "m/s^2"]
-Force = Annotated[Any, "N"]
-ForcePerLength = Annotated[Any, "N/m"]
-Stiffness = Annotated[Any, "N/m"]
-Stress = Annotated[Any, "Pa"]
-SurfaceEnergy = Annotated[Any, "J/m^2"]
-Energy = Annotated[Any, "J"]
-Moment = Annotated[Any, "N m"]
-MomentPerLength = Annotated[Any, "N"]
-RollingStiffness = Annotated[Any, "N m/rad"]
-Angle = Annotated[Any, "rad"]
-AngularSpeed = Annotated[Any, "rad/s"]
-AngularAcceleration = Annotated[Any, "rad/s^2"]
-Frequency = Annotated[Any, "Hz"]
-Number = Annotated[Any, "1"]
+FloatOrArray = Any  # a float gives a float and an array an array, which a union of the two could not say
+
+Length = Annotated[FloatOrArray, "m"]
+Area = Annotated[FloatOrArray, "m^2"]
+Volume = Annotated[FloatOrArray, "m^3"]
+Mass = Annotated[FloatOrArray, "kg"]
+Density = Annotated[FloatOrArray, "kg/m^3"]
+Inertia = Annotated[FloatOrArray, "kg m^2"]
+Speed = Annotated[FloatOrArray, "m/s"]
+Acceleration = Annotated[FloatOrArray, "m/s^2"]
+Force = Annotated[FloatOrArray, "N"]
+ForcePerLength = Annotated[FloatOrArray, "N/m"]
+Stiffness = Annotated[FloatOrArray, "N/m"]
+Stress = Annotated[FloatOrArray, "Pa"]
+SurfaceEnergy = Annotated[FloatOrArray, "J/m^2"]
+Energy = Annotated[FloatOrArray, "J"]
+Moment = Annotated[FloatOrArray, "N m"]
+MomentPerLength = Annotated[FloatOrArray, "N"]
+RollingStiffness = Annotated[FloatOrArray, "N m/rad"]
+Angle = Annotated[FloatOrArray, "rad"]
+AngularSpeed = Annotated[FloatOrArray, "rad/s"]
+AngularAcceleration = Annotated[FloatOrArray, "rad/s^2"]
+Frequency = Annotated[FloatOrArray, "Hz"]
+Number = Annotated[FloatOrArray, "1"]

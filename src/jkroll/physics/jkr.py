@@ -5,22 +5,33 @@ fixed grips let go, and runs down to 0 on the unstable branch. Loads have two st
 two between the fold and 0.
 """
 
+from __future__ import annotations
+
 from typing import Any
 
-from .dimensions import Energy, Force, Length, Number, Stress, SurfaceEnergy
-from .elementary import cbrt, leading_bits, product, sqrt, where, within
+from .dimensions import Energy, Force, Length, Number
+from .elementary import cbrt, cube, sqrt, where, within
 
-FOLD_APPROACH = -0.8254818122236567  # −(3/4)^(2/3), the least δ̂; rounded, and what rounding took:
-_FOLD_REST = 1.4776601947357812e-17
-_CBRT_6 = 1.8171205928321397
-_NEWTON_STEPS = 8  # from the starts below, one less reaches the last digit
+FOLD_APPROACH = -0.8254818122236567  # −(3/4)^(2/3), the least δ̂, rounded
+FOLD_APPROACH_REST = 1.4776601947357812e-17  # what rounding took from it
+CBRT_6 = cbrt(6.0)
+NEWTON_STEPS = 6  # from the starts below; a seventh changes nothing
+
+# Energies between states of the curve, in P_cδ0: from ∫P̂ dδ̂ = 24/5 y^10 − 8y^7 + 2y^4 with y = √â.
+WELL = 6 / 5
+PULL_OFF_AT_FIXED_GRIPS = 6 / 5 + 2 / 15 / CBRT_6
+PULL_OFF_AT_DEAD_LOAD = 6 / 5 - 2 / 5 * 2 ** (-1 / 3)
+STICKING = 2 / 15 / CBRT_6 + 4 / 5 * (2 / 3) ** (1 / 3)
 
 
 def load_margin_of_factor(*, load_factor: Number) -> Number:
-    """√(1 + P/P_c) on the stable branch, and its negative beyond pull-off, where only fixed grips hold the contact.
+    """Return √(1 + P/P_c) on the stable branch, and its negative beyond pull-off, where only fixed grips hold the contact.
 
         s = 2x − 1
 
+    load_factor  [1]  > 0
+
+    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (5), as x = (1 + s)/2.
     Valid:    0 < x.
     Accuracy: 0.5 ulp of 2x.
@@ -32,10 +43,14 @@ def load_margin_of_factor(*, load_factor: Number) -> Number:
 
 
 def load_at_factor(*, pull_off_force: Force, load_factor: Number) -> Force:
-    """Load that holds a contact in a state.
+    """Return the load that holds a contact in a state.
 
         P = 4P_c(x² − x)
 
+    pull_off_force  [N]  > 0
+    load_factor     [1]  > 0
+
+    Returns:  [N]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (5).
     Valid:    0 < x, both branches.
     Accuracy: 2 ulp above P_c and x − 1.
@@ -47,10 +62,14 @@ def load_at_factor(*, pull_off_force: Force, load_factor: Number) -> Force:
 
 
 def load_factor_at_approach(*, approach_at_load: Length, approach: Length) -> Number:
-    """State on the stable branch, x = â^(3/2), at an approach of the centres.
+    """Return the state on the stable branch, x = â^(3/2), at an approach of the centres.
 
         3x^(4/3) − 2x^(1/3) = δ/δ0
 
+    approach_at_load  [m]  any
+    approach          [m]  > 0
+
+    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (6), solved by Newton's method in η = x^(1/3)/x_fold^(1/3) − 1: η²(3 + 2η + η²/2) = 6^(1/3)(δ̂ − δ̂_fold).
     Valid:    δ̂ ≥ −(3/4)^(2/3). Beyond, a float raises ValueError and an array holds NaN.
     Accuracy: 2 ulp for the ratio δ̂ as it is rounded, also at the fold, where the state itself is ill-conditioned.
@@ -58,14 +77,19 @@ def load_factor_at_approach(*, approach_at_load: Length, approach: Length) -> Nu
     >>> load_factor_at_approach(approach_at_load=1.0, approach=1.0)
     1.0
     """
-    return _factor(approach_at_load / approach)
+    return _stable_factor(approach_at_load / approach)
 
 
 def load_factor_at_load_unstable(*, load: Force, pull_off_force: Force, load_margin: Number) -> Number:
-    """State on the unstable branch, x = â^(3/2), at a tension.
+    """Return the state on the unstable branch, x = â^(3/2), at a tension.
 
         x = (1 − s)/2 = −P/(2P_c(1 + s))
 
+    load            [N]  any; tension is negative
+    pull_off_force  [N]  > 0
+    load_margin     [1]  ≥ 0; negative between pull-off and the fold
+
+    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (5).
     Valid:    −P_c ≤ P ≤ 0.
     Accuracy: 2 ulp above s.
@@ -73,17 +97,21 @@ def load_factor_at_load_unstable(*, load: Force, pull_off_force: Force, load_mar
     >>> load_factor_at_load_unstable(load=-1.0, pull_off_force=1.0, load_margin=0.0)
     0.5
     """
-    return -load / pull_off_force / (2 * (1 + load_margin))
+    return within(load <= 0, -load / pull_off_force / (2 * (1 + load_margin)))
 
 
 def load_factor_at_approach_unstable(*, approach_at_load: Length, approach: Length) -> Number:
-    """State on the unstable branch, x = â^(3/2), at an approach of the centres between the fold and 0.
+    """Return the state on the unstable branch, x = â^(3/2), at an approach of the centres between the fold and 0.
 
         3x^(4/3) − 2x^(1/3) = δ/δ0
 
+    approach_at_load  [m]  any
+    approach          [m]  > 0
+
+    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (6), solved by Newton's method.
     Valid:    −(3/4)^(2/3) ≤ δ̂ ≤ 0. Elsewhere, a float raises ValueError and an array holds NaN.
-    Accuracy: 3 ulp for the ratio δ̂ as it is rounded, also at the fold.
+    Accuracy: 1 ulp for the ratio δ̂ as it is rounded, also at the fold.
 
     >>> load_factor_at_approach_unstable(approach_at_load=0.0, approach=1.0)
     0.0
@@ -91,141 +119,130 @@ def load_factor_at_approach_unstable(*, approach_at_load: Length, approach: Leng
     return _unstable_factor(approach_at_load / approach)
 
 
-def _factor(approach_ratio: Any) -> Any:
-    """State x of the stable branch at an approach ratio δ̂."""
+def _stable_factor(approach_ratio: Any) -> Any:
+    """Return x = (2 + δ̂/y)/3, which is y³ on the stable branch, at δ̂ ≥ δ̂_fold; an error of y counts once in it."""
     excess = _excess(approach_ratio)
     start = where(excess < 3, sqrt(excess / 3), sqrt(sqrt(2 * excess)))
-    return _factor_of_eta(_newton_eta(start, excess), excess)
+    y = (1 + _root_of_excess(start, excess)) / CBRT_6
+    return (2 + approach_ratio / y) / 3
 
 
 def _unstable_factor(approach_ratio: Any) -> Any:
-    """State x of the unstable branch at an approach ratio δ̂: near the fold by η, elsewhere by y = (3y⁴ − δ̂)/2."""
+    """Return x = y³ on the unstable branch, at δ̂_fold ≤ δ̂ ≤ 0: y by η near the fold, elsewhere from 2y = 3y⁴ − δ̂."""
     excess = _excess(within(approach_ratio <= 0, approach_ratio))
-    near = excess < 0.5
-    bounded = where(near, excess, 0.5)
-    near_fold = _factor_of_eta(_newton_eta(-sqrt(bounded / 3), bounded), bounded)
-    depth = -where(near, -0.5, approach_ratio)
-    root = depth / 2
-    for _ in range(_NEWTON_STEPS):
-        root = root + (3 * (root * root) * (root * root) + depth - 2 * root) / (2 - 12 * (root * root * root))
-    head = leading_bits(root, 12)
-    cube = head * head * head
-    rest = root - head
-    slope = 2 - 3 * (4 * cube + rest * (6 * head * head + rest * (4 * head + rest)))
-    rest = ((depth - 2 * head) + 3 * cube * head) / slope
-    far = cube + rest * (3 * head * (head + rest) + rest * rest)
-    return where(excess >= 0, where(near, near_fold, far), float("nan"))
-
-
-def _factor_of_eta(eta: Any, excess: Any) -> Any:
-    """X = (1 + η)³/6 to 2 ulp, from the 13 leading bits of η, whose quartic is exact, and what the equation leaves."""
-    h = leading_bits(eta, 13)
-    d = eta - h
-    slope = h * (6 + h * (6 + 2 * h)) + d * (3 + h * (6 + 3 * h) + d * (2 + 2 * h + d / 2))
-    d = where(slope == 0, 0.0, (excess - h * h * (3 + h * (2 + h / 2))) / where(slope == 0, 1.0, slope))
-    return (1 + (h * (3 + h * (3 + h)) + d * (3 * (1 + h) * (1 + h + d) + d * d))) / 6
+    is_near_fold = excess < 0.5
+    near = where(is_near_fold, excess, 0.5)
+    near_fold = (1 + _root_of_excess(-sqrt(near / 3), near)) / CBRT_6
+    depth = where(is_near_fold, 0.5, -approach_ratio)
+    y = depth / 2
+    for _ in range(NEWTON_STEPS):
+        y = y + (3 * y * cube(y) - 2 * y + depth) / (2 - 12 * cube(y))
+    return cube(where(is_near_fold, near_fold, y))
 
 
 def _excess(approach_ratio: Any) -> Any:
-    """6^(1/3)(δ̂ − δ̂_fold), with the digits of δ̂_fold beyond a double; its domain ends at the fold."""
-    beyond_fold = approach_ratio - FOLD_APPROACH
-    return within(beyond_fold >= 0, where(beyond_fold > 0, (beyond_fold - _FOLD_REST) * _CBRT_6, 0.0))
+    """Return 6^(1/3)(δ̂ − δ̂_fold), with the digits of δ̂_fold beyond a double; the domain ends at the fold."""
+    above_fold = approach_ratio - FOLD_APPROACH
+    return within(above_fold >= 0, where(above_fold > 0, above_fold - FOLD_APPROACH_REST, 0.0) * CBRT_6)
 
 
-def _newton_eta(eta: Any, excess: Any) -> Any:
-    """The root of η²(3 + 2η + η²/2) = excess; the start is no further from the fold than a convex function allows."""
-    for _ in range(_NEWTON_STEPS):
+def _root_of_excess(eta: Any, excess: Any) -> Any:
+    """Return the root of the convex η²(3 + 2η + η²/2) = excess by Newton's method, from a start beyond it."""
+    for _ in range(NEWTON_STEPS):
         slope = eta * (6 + eta * (6 + 2 * eta))
-        step = (eta * eta * (3 + eta * (2 + eta / 2)) - excess) / where(slope == 0, 1.0, slope)
-        eta = eta - step
+        eta = eta - (eta * eta * (3 + eta * (2 + eta / 2)) - excess) / where(slope == 0, 1.0, slope)
     return eta
 
 
-# --- Energies, from Eqs (5) and (6): ∫P dδ = P_cδ0 (24/5 y^10 − 8y^7 + 2y^4), y = √â -----------------------------------
+# --- Energies ---------------------------------------------------------------------------------------------------------
 
 
-def adhesion_energy(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress) -> Energy:
-    """Energy typical of adhesion: what a slow head-on collision dissipates, to order of magnitude.
+def adhesion_energy(*, pull_off_force: Force, approach: Length) -> Energy:
+    """Return the energy typical of adhesion: what a slow head-on collision dissipates, to order of magnitude.
 
         W = P_c δ0 = (81π⁵w⁵R⁴/(32E*²))^(1/3)
 
+    pull_off_force  [N]  > 0
+    approach        [m]  > 0
+
+    Returns:  [J]; a float for floats, an array for arrays, which broadcast.
     Source:   Text below Eq (48).
     Valid:    The largest energy that sticks is 0.7722 P_cδ0.
     Accuracy: 1.5 ulp above w, R and E*.
 
-    >>> f"{adhesion_energy(work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9):.4e}"
-    '1.2508e-18'
+    >>> adhesion_energy(pull_off_force=2.0, approach=3.0)
+    6.0
     """
-    return _in_adhesion_energies(774.6123271127436, work_of_adhesion, reduced_radius, contact_modulus)
+    return pull_off_force * approach
 
 
-def well_energy(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress) -> Energy:
-    """Energy that binds the two spheres: released from first touch to equilibrium along the whole of the curve.
+def well_energy(*, adhesion_energy: Energy) -> Energy:
+    """Return the energy that binds the two spheres: released from first touch to equilibrium along the whole of the curve.
 
         (6/5) P_cδ0
 
+    adhesion_energy  [J]  > 0
+
+    Returns:  [J]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (5) and (6).
     Valid:    JKR; quasi-static.
     Accuracy: 1.5 ulp above w, R and E*.
 
-    >>> scene = {"work_of_adhesion": 0.05, "reduced_radius": 50e-9, "contact_modulus": 27.804e9}
-    >>> round(well_energy(**scene) / adhesion_energy(**scene), 7)
+    >>> round(well_energy(adhesion_energy=1.0), 7)
     1.2
     """
-    return _in_adhesion_energies(1338.5301012508212, work_of_adhesion, reduced_radius, contact_modulus)
+    return WELL * adhesion_energy
 
 
-def pull_off_work(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress) -> Energy:
-    """Work to separate the spheres from P = 0 with fixed grips, which hold on to the fold.
+def pull_off_work(*, adhesion_energy: Energy) -> Energy:
+    """Return the work to separate the spheres from P = 0 with fixed grips, which hold on to the fold.
 
         (6/5 + (2/15)6^(−1/3)) P_cδ0 = 1.2733762 P_cδ0
 
+    adhesion_energy  [J]  > 0
+
+    Returns:  [J]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (5) and (6).
     Valid:    JKR; quasi-static; the jump at the fold dissipates what is left.
     Accuracy: 1.5 ulp above w, R and E*.
 
-    >>> scene = {"work_of_adhesion": 0.05, "reduced_radius": 50e-9, "contact_modulus": 27.804e9}
-    >>> round(pull_off_work(**scene) / adhesion_energy(**scene), 7)
+    >>> round(pull_off_work(adhesion_energy=1.0), 7)
     1.2733762
     """
-    return _in_adhesion_energies(1599.390637874992, work_of_adhesion, reduced_radius, contact_modulus)
+    return PULL_OFF_AT_FIXED_GRIPS * adhesion_energy
 
 
-def pull_off_work_at_dead_load(
-    *, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress
-) -> Energy:
-    """Work to separate the spheres from P = 0 with a load that grows to P_c.
+def pull_off_work_at_dead_load(*, adhesion_energy: Energy) -> Energy:
+    """Return the work to separate the spheres from P = 0 with a load that grows to P_c.
 
         (6/5 − (2/5)2^(−1/3)) P_cδ0 = 0.8825198 P_cδ0
 
+    adhesion_energy  [J]  > 0
+
+    Returns:  [J]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (5) and (6).
     Valid:    JKR; quasi-static up to the jump at P = −P_c.
-    Accuracy: 1.5 ulp above w, R and E*.
+    Accuracy: 2 ulp above w, R and E*.
 
-    >>> scene = {"work_of_adhesion": 0.05, "reduced_radius": 50e-9, "contact_modulus": 27.804e9}
-    >>> round(pull_off_work_at_dead_load(**scene) / adhesion_energy(**scene), 7)
+    >>> round(pull_off_work_at_dead_load(adhesion_energy=1.0), 7)
     0.8825198
     """
-    return _in_adhesion_energies(532.4241697888572, work_of_adhesion, reduced_radius, contact_modulus)
+    return PULL_OFF_AT_DEAD_LOAD * adhesion_energy
 
 
-def sticking_energy(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress) -> Energy:
-    """Largest energy of a head-on collision after which the spheres stick: what jump-in and the fold dissipate.
+def sticking_energy(*, adhesion_energy: Energy) -> Energy:
+    """Return the largest energy of a head-on collision after which the spheres stick: what jump-in and the fold dissipate.
 
         ((2/15)6^(−1/3) + (4/5)(2/3)^(1/3)) P_cδ0 = 0.7722405 P_cδ0
 
+    adhesion_energy  [J]  > 0
+
+    Returns:  [J]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (5) and (6); text below Eq (48) has P_cδ0 as its order of magnitude.
     Valid:    JKR; no other loss.
     Accuracy: 1.5 ulp above w, R and E*.
 
-    >>> scene = {"work_of_adhesion": 0.05, "reduced_radius": 50e-9, "contact_modulus": 27.804e9}
-    >>> round(sticking_energy(**scene) / adhesion_energy(**scene), 7)
+    >>> round(sticking_energy(adhesion_energy=1.0), 7)
     0.7722405
     """
-    return _in_adhesion_energies(356.73209358051355, work_of_adhesion, reduced_radius, contact_modulus)
-
-
-def _in_adhesion_energies(cube: float, work_of_adhesion: Any, reduced_radius: Any, contact_modulus: Any) -> Any:
-    """A multiple of P_cδ0, with 81π⁵/32 times its cube given: under the root, what rounding takes counts a third."""
-    w, R, E = work_of_adhesion, reduced_radius, contact_modulus  # noqa: N806
-    return cbrt(cube * product(w, w, w, w, w, over=(E, E)) * product(R, R, R, R))
+    return STICKING * adhesion_energy

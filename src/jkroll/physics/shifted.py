@@ -3,9 +3,11 @@
 The centre of the circle, X = 0, lags by ξ behind the contact point, x = X − ξ = 0, as in Fig. 2; x points ahead.
 """
 
-from .contact import boussinesq_pressure_at_approach, pressure
+from __future__ import annotations
+
 from .dimensions import Length, Number, Stress, SurfaceEnergy
 from .elementary import cbrt, pi, sqrt
+from .pressure import boussinesq_pressure_at_approach, pressure
 
 
 def exact_pressure(
@@ -18,10 +20,19 @@ def exact_pressure(
     hertz_pressure: Stress,
     boussinesq_pressure: Stress,
 ) -> Stress:
-    """Exact pressure of a shifted circle at a fixed load, along its diameter in the direction of rolling.
+    """Return the exact pressure of a shifted circle at a fixed load, along its diameter in the direction of rolling.
 
         p = p_H √(1 − X²/a²) + (p_B + (2E*ξ/πR)(X/a))/√(1 − X²/a²)
 
+    position_in_circle      [m]   −a to a
+    contact_radius_at_load  [m]   > 0
+    contact_modulus         [Pa]  > 0
+    reduced_radius          [m]   > 0
+    yield_displacement      [m]   > 0
+    hertz_pressure          [Pa]  > 0
+    boussinesq_pressure     [Pa]  any; negative in equilibrium
+
+    Returns:  [Pa]; a float for floats, an array for arrays, which broadcast.
     Source:   Hertz, flat punch and tilted flat punch on one circle; Eq (64) in three dimensions.
     Valid:    |X| < a, ξ < a0/(3√â).
     Accuracy: 6 ulp of the largest term.
@@ -44,10 +55,17 @@ def half_circle_pressure(
     contact_modulus: Stress,
     reduced_radius: Length,
 ) -> Stress:
-    """Pressure in one half of a symmetric contact of a given radius and approach: one side of Eq (16).
+    """Return the pressure in one half of a symmetric contact of a given radius and approach: one side of Eq (16).
 
         p = p_H √(1 − r²/𝒜²) + (E*δ/(π𝒜) − p_H/2)/√(1 − r²/𝒜²), p_H = 2𝒜E*/(πR)
 
+    distance            [m]   ≥ 0, below a
+    half_circle_radius  [m]   > 0
+    approach_at_load    [m]   any
+    contact_modulus     [Pa]  > 0
+    reduced_radius      [m]   > 0
+
+    Returns:  [Pa]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (15) and (16).
     Valid:    r < 𝒜, which is a + ξ behind the contact point and a − ξ ahead of it.
     Accuracy: 8 ulp of the largest term.
@@ -71,10 +89,15 @@ def half_circle_pressure(
 def unloaded_half_width(
     *, work_of_adhesion: SurfaceEnergy, cylinder_radius: Length, plane_strain_modulus: Stress
 ) -> Length:
-    """Half the width of the strip in which a cylinder sticks to a rigid plane without load.
+    """Return half the width of the strip in which a cylinder sticks to a rigid plane without load.
 
         a = (32wR²/(πE′))^(1/3)
 
+    work_of_adhesion      [J/m²]  > 0
+    cylinder_radius       [m]     > 0
+    plane_strain_modulus  [Pa]    > 0
+
+    Returns:  [m]; a float for floats, an array for arrays, which broadcast.
     Source:   Griffith's criterion K²/(2E′) = w with the edge of Eq (56), C = 0; the paper leaves a free.
     Valid:    a ≪ R.
     Accuracy: 2 ulp.
@@ -82,14 +105,19 @@ def unloaded_half_width(
     >>> round(unloaded_half_width(work_of_adhesion=pi / 4, cylinder_radius=1.0, plane_strain_modulus=1.0), 12)
     2.0
     """
-    return cbrt(32 / pi * (work_of_adhesion / plane_strain_modulus) * cylinder_radius * cylinder_radius)
+    return cbrt(32 / pi * work_of_adhesion / plane_strain_modulus * cylinder_radius**2)
 
 
 def rolled_over_displacement(*, n_roll: Number, radius: Length, yield_displacement: Length) -> Number:
-    """Distance that sphere 1 rolls, over the yield displacement: below 1 it springs back, as in the corner of Fig. 8.
+    """Return the distance that sphere 1 rolls, over the yield displacement: below 1 it springs back, as in the corner of Fig. 8.
 
         2πR1 n_roll/ξ
 
+    n_roll              [1]  > 0
+    radius              [m]  > 0
+    yield_displacement  [m]  > 0
+
+    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Caption of Fig. 8.
     Valid:    As Eq (48).
     Accuracy: 2 ulp above n_roll.

@@ -1,5 +1,7 @@
 """Vibrations of the contact: Eqs 31-42. Frequencies are in cycles per second."""
 
+from __future__ import annotations
+
 from .dimensions import (
     Acceleration,
     Angle,
@@ -15,14 +17,18 @@ from .dimensions import (
     Stiffness,
     SurfaceEnergy,
 )
-from .elementary import pi, sqrt
+from .elementary import cube, pi, sqrt
 
 
 def sphere_acceleration(*, load: Force, mass: Mass) -> Acceleration:
-    """Acceleration of a free sphere away from the contact by the contact's own force.
+    """Return the acceleration of a free sphere away from the contact by the contact's own force.
 
         dv/dt = P/m1
 
+    load  [N]   any; tension is negative
+    mass  [kg]  > 0
+
+    Returns:  [m/s²]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (31) and (32); with the reduced mass, the second rate of the distance of the centres, Eq (33).
     Valid:    P is the force at the present approach, positive where it repels.
     Accuracy: 0.5 ulp.
@@ -34,10 +40,15 @@ def sphere_acceleration(*, load: Force, mass: Mass) -> Acceleration:
 
 
 def approach_acceleration(*, displacement: Length, stiffness: Stiffness, reduced_mass: Mass) -> Acceleration:
-    """Second rate of the approach after a small displacement from equilibrium.
+    """Return the second rate of the approach after a small displacement from equilibrium.
 
         d²δ/dt² = −(dP/dδ)(δ − δ0)/m
 
+    displacement  [m]    any
+    stiffness     [N/m]  ≥ 0
+    reduced_mass  [kg]   > 0
+
+    Returns:  [m/s²]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (34), which lost its sign in print.
     Valid:    |δ − δ0| ≪ δ0.
     Accuracy: 1.5 ulp.
@@ -49,27 +60,36 @@ def approach_acceleration(*, displacement: Length, stiffness: Stiffness, reduced
 
 
 def vertical_frequency(*, stiffness: Stiffness, reduced_mass: Mass) -> Frequency:
-    """Frequency at which the distance of the two centres vibrates.
+    """Return the frequency at which the distance of the two centres vibrates.
 
         f_z = (1/2π)√((dP/dδ)/m) = (1/2π)√((6/5)E*a0/m) without load
 
+    stiffness     [N/m]  ≥ 0
+    reduced_mass  [kg]   > 0
+
+    Returns:  [Hz]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (35), where a frequency is Ω; under a load with the stiffness there.
     Valid:    Free spheres, amplitudes well below δ0.
-    Accuracy: 1.5 ulp above dP/dδ and m.
+    Accuracy: 2 ulp above dP/dδ and m.
 
     >>> round(vertical_frequency(stiffness=(2 * pi) ** 2, reduced_mass=1.0), 12)
     1.0
     """
-    return sqrt(stiffness / (4 * (pi * pi) * reduced_mass))
+    return sqrt(stiffness / reduced_mass) / (2 * pi)
 
 
 def angular_acceleration(
     *, angle: Angle, rolling_stiffness: RollingStiffness, moment_of_inertia: Inertia
 ) -> AngularAcceleration:
-    """Angular acceleration of a sphere that has rolled by a small angle.
+    """Return the angular acceleration of a sphere that has rolled by a small angle.
 
         dω/dt = −k δ_α/I1
 
+    angle              [rad]      any
+    rolling_stiffness  [N m/rad]  > 0
+    moment_of_inertia  [kg m²]    > 0
+
+    Returns:  [rad/s²]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (37)-(39), which lost their sign in print; with the reduced moment of inertia, Eq (39).
     Valid:    Angles below the yield angle.
     Accuracy: 1.5 ulp.
@@ -81,25 +101,34 @@ def angular_acceleration(
 
 
 def rolling_frequency(*, rolling_stiffness: RollingStiffness, reduced_moment_of_inertia: Inertia) -> Frequency:
-    """Frequency at which the two spheres roll back and forth over each other, each about its own centre.
+    """Return the frequency at which the two spheres roll back and forth over each other, each about its own centre.
 
         f_roll = (1/2π)√(4P_c â^(3/2) R/I)
 
+    rolling_stiffness          [N m/rad]  > 0
+    reduced_moment_of_inertia  [kg m²]    > 0
+
+    Returns:  [Hz]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (40).
     Valid:    Exact for identical spheres; unequal free spheres also move their centres (`rolling_frequency_no_slip`).
-    Accuracy: 1.5 ulp above k and I.
+    Accuracy: 2 ulp above k and I.
 
     >>> round(rolling_frequency(rolling_stiffness=(2 * pi) ** 2, reduced_moment_of_inertia=1.0), 12)
     1.0
     """
-    return sqrt(rolling_stiffness / (4 * (pi * pi) * reduced_moment_of_inertia))
+    return sqrt(rolling_stiffness / reduced_moment_of_inertia) / (2 * pi)
 
 
 def rolling_frequency_as_printed(*, work_of_adhesion: SurfaceEnergy, radius: Length, density: Density) -> Frequency:
-    """Rolling frequency of identical spheres as the paper prints it: 2.5 times too low.
+    """Return the rolling frequency of identical spheres as the paper prints it: 2.5 times too low.
 
         f_roll(41) = (3/2π)√(γ/(5R1³ρ)), γ = w/2
 
+    work_of_adhesion  [J/m²]   > 0
+    radius            [m]      > 0
+    density           [kg/m³]  > 0
+
+    Returns:  [Hz]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (41) and (42). They are Eq (40) with k² = (5/2)R1² in place of (2/5)R1².
     Valid:    For comparison only.
     Accuracy: 3 ulp.
@@ -107,14 +136,19 @@ def rolling_frequency_as_printed(*, work_of_adhesion: SurfaceEnergy, radius: Len
     >>> f"{rolling_frequency_as_printed(work_of_adhesion=0.2, radius=1e-7, density=2000.0):.3e}"
     '4.775e+07'
     """
-    return 3 / (2 * pi) * sqrt(work_of_adhesion / 10 / (radius * radius * radius * density))
+    return 3 / (2 * pi) * sqrt(work_of_adhesion / (10 * cube(radius) * density))
 
 
 def rolling_frequency_no_slip(*, work_of_adhesion: SurfaceEnergy, load_factor: Number, rolling_mass: Mass) -> Frequency:
-    """Frequency at which two free spheres that do not slip roll back and forth over each other.
+    """Return the frequency at which two free spheres that do not slip roll back and forth over each other.
 
         f_free = (1/2π)√(4P_c â^(3/2)/(R m_eff)) = √(3w â^(3/2)/(2π m_eff))
 
+    work_of_adhesion  [J/m²]  > 0
+    load_factor       [1]     > 0
+    rolling_mass      [kg]    > 0
+
+    Returns:  [Hz]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (25) and (37)-(39), with the motion of the centres that no slip demands.
     Valid:    Homogeneous spheres; body 2 may be a plane, which is held. Equal to Eq (40) for identical spheres.
     Accuracy: 2 ulp above w, x and m_eff.

@@ -4,8 +4,8 @@ from typing import Any
 
 from ..answers.curve import EQUILIBRIUM, FOLD, JUMP_IN, PULL_OFF
 from ..materials.library import Materials
-from ..physics.contact import pressure
 from ..physics.cylinder import asymmetric_pressure, contact_point_moment, half_strips_moment, symmetric_pressure
+from ..physics.pressure import pressure
 from ..physics.shifted import exact_pressure, half_circle_pressure, unloaded_half_width
 from ..quantities.formatting import amount, pretty
 from ..quantities.nomenclature import NOMENCLATURE
@@ -14,7 +14,7 @@ from .maps import Mark, Setting
 from .panels import Curve, Panel, Picture, axis_around, clipped
 
 POINTS = 401
-MOMENTS = ("yield_moment", "unloaded_moment", "half_circles_moment", "integrated_moment", "fixed_approach_moment")
+MOMENTS = ("yield_moment", "unloaded_moment", "half_circles_moment", "fixed_approach_moment")
 SIZE = {"radius": 2e-8}  # of the spheres of Fig. 2, small enough that ξ is visible
 _STATE = ("contact_radius_at_load", "hertz_pressure", "boussinesq_pressure")
 

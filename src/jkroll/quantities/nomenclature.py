@@ -140,10 +140,8 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "sticking_energy": Quantity("U_stick", "J", "largest impact energy that sticks", "48"),
         # rolling
         "yield_moment": Quantity("M", "N m", "rolling moment at the displacement ξ", "25"),
-        "linearised_moment": Quantity("M", "N m", "moment of two half-circles, to first order", "24"),
         "unloaded_moment": Quantity("M_0", "N m", "moment of the contact without load", "26"),
         "half_circles_moment": Quantity("M_half", "N m", "moment of the two half-circles", "19"),
-        "integrated_moment": Quantity("M_int", "N m", "moment of half-circles by integration", "17"),
         "fixed_approach_moment": Quantity("M_δ", "N m", "exact moment at a fixed approach", "25"),
         "rolling_stiffness": Quantity("k", "N m/rad", "rolling moment per angle", "39"),
         "yield_force": Quantity("Q", "N", "force that starts sphere 1 rolling", "26"),

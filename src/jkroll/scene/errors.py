@@ -1,13 +1,15 @@
 """Errors about a scene: inputs that are missing or exclude each other, and contacts that do not exist."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 from ..errors import JkrollError, NoResult
-from ..quantities.nomenclature import NOMENCLATURE
+from ..physics.jkr import FOLD_APPROACH
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 
 
 class MissingInput(JkrollError):
-    """A quantity that cannot be computed from what was given."""
+    """Error raised when a quantity cannot be computed from what was given."""
 
     def __init__(self, wanted: str, missing: Sequence[str], instead: Sequence[str] = (), lacking: str = "") -> None:
         super().__init__(wanted, tuple(missing), tuple(instead), lacking)
@@ -17,7 +19,7 @@ class MissingInput(JkrollError):
         return f"{self.wanted} needs {self.needs()}"
 
     def needs(self) -> str:
-        """The missing inputs, which material does not have them, and how they are given."""
+        """Return the missing inputs, the materials that do not have them, and how they are given."""
         words = " and ".join(NOMENCLATURE[name].sentence for name in self.missing)
         options = " ".join(_as_typed(name) for name in self.missing if NOMENCLATURE[name].option)
         radii = [
@@ -33,7 +35,7 @@ def _as_typed(name: str) -> str:
 
 
 class Contradiction(JkrollError):
-    """Inputs of which one follows from the other."""
+    """Error raised for inputs of which one follows from the other."""
 
     def __init__(self, names: Sequence[str]) -> None:
         super().__init__(tuple(names))
@@ -44,7 +46,7 @@ class Contradiction(JkrollError):
 
 
 class ShapeMismatch(JkrollError):
-    """Arrays that do not broadcast."""
+    """Error raised for arrays that do not broadcast."""
 
     def __init__(self, shapes: Sequence[tuple[str, tuple[int, ...]]]) -> None:
         super().__init__(tuple(shapes))
@@ -122,3 +124,41 @@ class NoFiniteValue(NoResult):
     def reason(self) -> str:
         """Return on which side of the range of doubles the result lies."""
         return "no finite value for these inputs" if abs(self.value) > 1 else "no value that a double can hold"
+
+
+class NoUnstableState(NoResult):
+    """Error raised for a load or an approach that has one state only, the stable one."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__(name)
+        self.name = name
+
+    def reason(self) -> str:
+        """Return where there is an unstable state."""
+        return "only a tension, or an approach below 0, has a second, unstable state"
+
+
+def failure_of(name: str, given: Mapping[str, Any]) -> NoResult | None:
+    """Return why a formula has no result for these numbers, if the physics forbids it."""
+    found: NoResult | None = None
+    match name:
+        case "load_margin" if given["load"] < -given["pull_off_force"]:
+            found = BeyondPullOff(given["load"], given["pull_off_force"])
+        case "contact_modulus" if _is_rigid(given, "") and _is_rigid(given, "2"):
+            found = TwoRigidBodies()
+        case "r_min" if given["radius2"] == INFINITY:
+            found = NoChain()
+        case "vertical_frequency" if given["stiffness"] < 0:
+            found = NoVibration()
+        case "load_factor_at_load_unstable" if given["load"] > 0:
+            found = NoUnstableState(name)
+        case "load_factor_at_approach_unstable" if given["approach_at_load"] > 0:
+            found = NoUnstableState(name)
+        case "load_factor_at_approach" | "load_factor_at_approach_unstable":
+            least = FOLD_APPROACH * given["approach"]
+            found = BeyondFold(given["approach_at_load"], least) if given["approach_at_load"] <= least else None
+    return found
+
+
+def _is_rigid(given: Mapping[str, Any], sphere: str) -> bool:
+    return bool(given["youngs_modulus" + sphere] == INFINITY or given["poisson_ratio" + sphere] == -1)

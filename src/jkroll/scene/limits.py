@@ -1,11 +1,10 @@
-"""How far an answer can be trusted: the numbers that limit the model, and what they say."""
+"""The numbers that limit the model, and the sentences that say how far an answer can be trusted."""
 
 from collections.abc import Callable, Collection
 from typing import NamedTuple
 
-from ..errors import NoResult
+from ..errors import JkrollError
 from ..quantities.nomenclature import NOMENCLATURE
-from .errors import MissingInput
 from .scene import Scene
 from .wiring import STATE
 
@@ -94,37 +93,38 @@ LIMITS = (
     Limit("energy_over_yield", frozenset({"n_roll", "n_roll_energy_balance"}), _energy),
 )  # fmt: skip
 
+LIMIT_NAMES = tuple(limit.name for limit in LIMITS)
 
-# What is said of the state only where a state was asked for.
+# Limits of the state, which are judged only where a state was asked for.
 _OF_STATE = ("load_over_pull_off", "load_margin")
 _STATED = STATE | {"load"}
 
 
 def uses_spacing(found: tuple[Verdict, ...]) -> bool:
-    """Whether a verdict rests on the atomic spacing."""
+    """Return whether a verdict rests on the atomic spacing."""
     return any(
         verdict.name in ("tabor_parameter", "contact_radius_in_spacings", "approach_in_spacings") for verdict in found
     )
 
 
 def verdicts(scene: Scene, names: Collection[str]) -> tuple[Verdict, ...]:
-    """What limits the answers to these names, as far as the scene allows to say."""
+    """Return what limits the answers to these names, as far as the scene allows to judge it."""
     if not names:
         return ()
+    values = scene.evaluate((*names, *LIMIT_NAMES))
     plan = scene.plan(*names)
-    used = {*names, *scene.inputs_of(*names), *(step.name for step in plan.steps)}
+    used = {*names, *plan.stated, *(step.name for step in plan.steps)}
     found = []
     for limit in LIMITS:
-        if limit.touches & used and (limit.name not in _OF_STATE or _STATED & scene.stated.keys()):
-            try:
-                value = scene[limit.name]
-            except (MissingInput, NoResult):
-                continue
+        value = values[limit.name]
+        if isinstance(value, JkrollError) or not limit.touches & used:
+            continue
+        if limit.name not in _OF_STATE or _STATED & scene.stated.keys():
             found.append(Verdict(limit.name, value, *limit.judge(value)))
     return tuple(found)
 
 
 def sentence(verdict: Verdict) -> str:
-    """A verdict as a line: "Tabor parameter μ = 0.14, between DMT and JKR"."""
+    """Return a verdict as a line: "Tabor parameter μ = 0.14, between DMT and JKR"."""
     quantity = NOMENCLATURE[verdict.name]
     return f"{quantity.symbol} = {verdict.value:.3g}, {quantity.sentence}; {verdict.text}"

@@ -2,19 +2,18 @@
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from contextlib import AbstractContextManager, nullcontext
-from copy import copy
 from itertools import product
 from typing import Any
 
-from ..errors import NoResult
+from ..errors import JkrollError
 from ..materials.library import Material, Materials, known_materials
 from ..quantities.errors import QuantityError, UnknownQuantity
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE
+from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.parsing import parse_quantity
 from ..text import MAX_QUOTED
 from .errors import ShapeMismatch
-from .scene import MAY_BE_ZERO, SMALLEST, Scene, check_range, is_extreme
+from .scene import Scene
+from .wiring import Plan
 
 Place = tuple[slice, ...]  # of a block in an array
 BLOCK = 16384  # elements evaluated at once: few enough that what lies between two formulas stays in the cache
@@ -52,9 +51,10 @@ def solve(
     Raises
     ------
     MissingInput, UnknownMaterial, UnknownQuantity, QuantityError, OutOfRange
-        What was given is wrong, or not enough.
+        An input is wrong, or one is missing. Sizes range from 1e-60 to 1e60 in SI units.
     NoResult
-        The physics has no answer: a tension beyond pull-off, two rigid bodies. Arrays hold nan there instead.
+        The physics has no answer: a tension beyond pull-off, two rigid bodies; or a number on the way to it leaves the
+        doubles. Arrays hold nan there instead.
 
     Source: the equation of each quantity, see `jkroll.NOMENCLATURE`. Valid: as each formula says.
 
@@ -63,100 +63,96 @@ def solve(
     >>> {name: round(value, 1) for name, value in solve(["n_grav"], material="quartz", radius=1e-7).items()}
     {'n_grav': 939.4}
     """
-    names = [wanted] if isinstance(wanted, str) else list(wanted)
+    names = _names(wanted)
     described, registry = _in_si(given)
-    spheres = (_material(material, materials), _material(material2, materials))
-    with _quiet(described.values()):
-        if _is_large(described):
-            results = _in_blocks(names, described, spheres)
-        else:
-            scene = Scene(described, *spheres)
-            results = {name: _with_nan(name, scene[name]) for name in names}
-        results = _with_extremes(results, described, spheres)
+    spheres = (_material("material", material, materials), _material("material2", material2, materials))
+    arrays = {name: value for name, value in described.items() if not isinstance(value, float)}
+    shape = _broadcast(arrays)
+    if math.prod(shape) <= BLOCK:
+        results = _answers(Scene(described, *spheres), names)
+    else:
+        results = _in_blocks(names, described, spheres, shape)
     if registry is not None:
         results = {name: registry.Quantity(value, NOMENCLATURE[name].unit) for name, value in results.items()}
     return results[names[0]] if isinstance(wanted, str) else results
 
 
-def _material(material: str | Material | None, materials: Materials | None) -> Material | None:
+def _names(wanted: str | Iterable[str]) -> list[str]:
+    """Return the wanted names as a list."""
+    if isinstance(wanted, str):
+        return [wanted]
+    if not isinstance(wanted, Iterable):
+        raise UnknownQuantity(str(wanted))
+    return [name if isinstance(name, str) else str(name) for name in wanted]
+
+
+def _material(argument: str, material: str | Material | None, materials: Materials | None) -> Material | None:
     """Return the material of a name; a material, or None, as it is."""
-    return (materials or known_materials())[material] if isinstance(material, str) else material
+    if material is None or isinstance(material, Material):
+        return material
+    if not isinstance(material, str):
+        raise QuantityError(argument, str(material)[:MAX_QUOTED], "is not the name of one material")
+    return (materials or known_materials())[material]
 
 
-def _with_extremes(
-    results: dict[str, Any], given: Mapping[str, Any], spheres: tuple[Material | None, Material | None]
-) -> dict[str, Any]:
-    """The results, those of elements with very large or small inputs computed as single numbers, which may be any."""
-    arrays = {name: value for name, value in given.items() if not isinstance(value, float)}
-    if not arrays or not is_extreme(given, given):
-        return results
-    import numpy
-
-    shape = numpy.broadcast_shapes(*(value.shape for value in arrays.values()))
-    everywhere = {name: numpy.broadcast_to(value, shape) for name, value in given.items()}
-    results = {name: numpy.array(numpy.broadcast_to(value, shape)) for name, value in results.items()}
-    for place in numpy.ndindex(shape):
-        scene = {name: float(value[place]) for name, value in everywhere.items()}
-        if is_extreme(scene, scene):
-            one = Scene(scene, *spheres)
-            for name, values in results.items():
-                try:
-                    values[place] = one[name]
-                except NoResult:
-                    values[place] = math.nan
-    return results
-
-
-def _is_large(given: Mapping[str, Any]) -> bool:
-    """Whether the arrays among the inputs, broadcast, have more elements than a block."""
-    arrays = [value for value in given.values() if not isinstance(value, float)]
+def _broadcast(arrays: Mapping[str, Any]) -> tuple[int, ...]:
+    """Return the shape of the arrays together; raise ShapeMismatch if they do not broadcast."""
     if not arrays:
-        return False
+        return ()
     import numpy
 
     try:
-        shape = numpy.broadcast_shapes(*(value.shape for value in arrays))
+        return numpy.broadcast_shapes(*(value.shape for value in arrays.values()))
     except ValueError:
-        raise ShapeMismatch(
-            [(name, value.shape) for name, value in given.items() if not isinstance(value, float)]
-        ) from None
-    return math.prod(shape) > BLOCK and all(type(value) is numpy.ndarray for value in arrays)
+        raise ShapeMismatch([(name, value.shape) for name, value in arrays.items()]) from None
+
+
+def _answers(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
+    """Return the values of quantities; raise the error of the first that has none."""
+    values = scene.evaluate(names)
+    for value in values.values():
+        if isinstance(value, JkrollError):
+            raise value
+    return values
 
 
 def _in_blocks(
-    names: Sequence[str], given: Mapping[str, Any], spheres: tuple[Material | None, Material | None]
+    names: Sequence[str],
+    given: Mapping[str, Any],
+    spheres: tuple[Material | None, Material | None],
+    shape: tuple[int, ...],
 ) -> dict[str, Any]:
-    """The results for large arrays, a block of elements at a time: beyond the results, it takes the memory of one."""
+    """Return the results for large arrays, a block of elements at a time: what lies between results stays in the cache."""
     import numpy
 
     arrays = {name: value for name, value in given.items() if not isinstance(value, float)}
-    for name, value in arrays.items():
-        for place in _blocks(value.shape):
-            check_range(name, value[place])
-    # One element of each array says what is asked, what of it no array enters, and whether a float forbids it.
-    scene = Scene({**given, **{name: value[(slice(1),) * value.ndim] for name, value in arrays.items()}}, *spheres)
-    results = {name: scene[name] for name in names}
-    plan = scene.plan(*names)
-    shapes = {name: value.shape for name, value in arrays.items() if name in plan.inputs}
-    space = numpy.broadcast_shapes(*shapes.values())
-    for step in plan.steps:
-        entering = [shapes[name] for _, name in step.arguments if name in shapes]
-        if entering:
-            shapes[step.name] = numpy.broadcast_shapes(*entering)
-    varying = [name for name in results if plan.found[name] in shapes]
-    results |= {name: numpy.empty(shapes[plan.found[name]]) for name in varying}
-    constant = {name: value for name, value in scene.values.items() if name not in shapes}
-    for place in _blocks(space) if varying else ():
-        block = copy(scene)
-        block.values = {**constant, **{name: _part(arrays[name], place) for name in arrays if name in shapes}}
-        for name in varying:
-            value = block[name]
-            _part(results[name], place)[...] = value if _has_answers(value) else _with_nan(name, value)
+    results: dict[str, Any] = {}
+    for place in _blocks(shape):
+        scene = Scene({**given, **{name: _part(value, place) for name, value in arrays.items()}}, *spheres)
+        values = _answers(scene, names)
+        if not results:
+            shapes = _shapes(scene.plan(*names), {name: value.shape for name, value in arrays.items()})
+            results = {name: numpy.empty(shapes[name]) if name in shapes else value for name, value in values.items()}
+        for name, value in values.items():
+            if not isinstance(value, float):
+                _part(results[name], place)[...] = value
     return results
 
 
+def _shapes(plan: Plan, shapes: Mapping[str, tuple[int, ...]]) -> dict[str, tuple[int, ...]]:
+    """Return the shapes of the wanted quantities that depend on arrays of these shapes."""
+    import numpy
+
+    known = dict(shapes)
+    for step in plan.steps:
+        entering = [known[name] for _, name in step.arguments if name in known]
+        if entering:
+            known[step.name] = numpy.broadcast_shapes(*entering)
+    return {name: known[source] for name, source in plan.found.items() if source in known}
+
+
 def _blocks(shape: tuple[int, ...]) -> Iterator[Place]:
-    """Where the blocks of an array are: whole along its last axes, as far as a block reaches."""
+    """Iterate over the blocks of an array, which are whole along its last axes as far as a block reaches."""
     slices, room = [], BLOCK
     for length in reversed(shape):
         step = max(1, min(length, room))
@@ -166,39 +162,13 @@ def _blocks(shape: tuple[int, ...]) -> Iterator[Place]:
 
 
 def _part(array: Any, place: Place) -> Any:
-    """The part of an array that broadcasts to a block."""
+    """Return the part of an array that broadcasts to a block."""
     own = place[len(place) - array.ndim :]
     return array[tuple(where if length > 1 else slice(1) for where, length in zip(own, array.shape, strict=True))]
 
 
-def _has_answers(values: Any) -> bool:
-    """Whether each element is a number that doubles hold with all digits, and not 0: soon seen, and the usual case."""
-    size = abs(values)
-    return bool(size.min() >= SMALLEST and size.max() < INFINITY)
-
-
-def _with_nan(name: str, value: Any) -> Any:
-    """A result; the elements of an array that are no answer become nan."""
-    if isinstance(value, float):
-        return value
-    import numpy
-
-    size = abs(value)
-    may_be = (size == 0) if name in MAY_BE_ZERO else False
-    return numpy.where((size >= SMALLEST) & (size < INFINITY) | may_be, value, math.nan)
-
-
-def _quiet(values: Iterable[Any]) -> AbstractContextManager[Any]:
-    """No warnings from numpy where an element of an array has no answer and holds nan or inf."""
-    if all(isinstance(value, float) for value in values):
-        return nullcontext()
-    import numpy
-
-    return numpy.errstate(all="ignore")
-
-
 def _in_si(given: Mapping[str, Any]) -> tuple[dict[str, Any], Any]:
-    """SI numbers for texts, lists and pint Quantities, and the registry of the latter if there were any."""
+    """Return SI numbers for texts, lists and pint Quantities, and the registry of the latter if there were any."""
     values: dict[str, Any] = {}
     registry = None
     for name, value in given.items():
@@ -214,19 +184,24 @@ def _in_si(given: Mapping[str, Any]) -> tuple[dict[str, Any], Any]:
 
 
 def _number(name: str, value: Any) -> Any:
-    """A float or an array of floats, for a number, a text, or a sequence of either."""
+    """Return a float or an array of floats for a number, a text, or a sequence of either."""
     if isinstance(value, str):
         return parse_quantity(value, name)
+    if isinstance(value, list | tuple):
+        value = [_number(name, item) for item in value]
+    return as_floats(name, value)
+
+
+def as_floats(name: str, value: Any) -> Any:
+    """Return a float or an array of floats for a number, a sequence or an array of any number type."""
     if isinstance(value, float):
         return float(value)
-    if isinstance(value, (list, tuple)):
-        value = [_number(name, item) for item in value]
     import numpy
 
+    if numpy.ma.isMaskedArray(value):
+        raise QuantityError(name, "a masked array", "has cells without a value; fill it first")
     try:
-        array = numpy.asanyarray(value)
-        if numpy.ma.isMaskedArray(array):
-            raise QuantityError(name, "a masked array", "has cells without a value; fill it first")
+        array = numpy.asarray(value)
         if array.dtype.kind in "fiu":
             return array.astype(float, copy=False) if array.ndim else float(array)
     except (ValueError, OverflowError):

@@ -1,4 +1,4 @@
-"""Which formulas lead to a quantity, and in which order: a formula's parameters name what it needs.
+"""The formulas that lead to a quantity, in their order: a formula's parameters name what it needs.
 
 What belongs to sphere 2 (`mass2`) comes from the same formula as for sphere 1 (`mass`), and an input of sphere 2 that was
 not given is that of sphere 1, unless sphere 2 has a material of its own that should have had it.
@@ -11,7 +11,6 @@ from typing import Any, NamedTuple
 from ..physics import FORMULAS
 from ..quantities.errors import UnknownQuantity
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
-from .errors import MissingInput
 
 # Where a quantity can be had in another way: the names of which one is known, and the formula that then serves.
 # The state of the contact follows from the load unless the approach, or x itself, is given.
@@ -39,8 +38,11 @@ class Step(NamedTuple):
     arguments: tuple[tuple[str, str], ...]  # (parameter, name of the value)
 
 
-# The input from which an implied value follows, to be echoed in its place.
-_STATED_BY = {"load_margin": "load", "radius_ratio": "radius2", "mass2": "radius2", "moment_of_inertia2": "radius2"}
+class Missing(NamedTuple):
+    """The inputs that a quantity lacks, and quantities that may be given in place of them."""
+
+    names: tuple[str, ...]
+    instead: tuple[str, ...]
 
 
 class Plan(NamedTuple):
@@ -50,6 +52,33 @@ class Plan(NamedTuple):
     inputs: tuple[str, ...]
     stated: tuple[str, ...]  # the same as a user states them
     found: Mapping[str, str]  # wanted name → the name under which its value is known
+    missing: Mapping[str, Missing]  # the wanted names to which no formulas lead
+
+    def knows(self, names: Iterable[str]) -> bool:
+        """Return whether the plan was made for these names, among others."""
+        return all(name in self.found or name in self.missing for name in names)
+
+    def part(self, names: Iterable[str]) -> "Plan":
+        """Return what of the plan leads to some of its quantities."""
+        found = {name: self.found[name] for name in names if name in self.found}
+        used = set(found.values())
+        steps = []
+        for step in reversed(self.steps):
+            if step.name in used:
+                steps.append(step)
+                used.update(source for _, source in step.arguments)
+        inputs = tuple(name for name in self.inputs if name in used)
+        stated = {_STATED_BY.get(name, name) for name in inputs}
+        missing = {name: self.missing[name] for name in names if name in self.missing}
+        return Plan(
+            tuple(reversed(steps)), inputs, tuple(name for name in self.stated if name in stated), found, missing
+        )
+
+
+NO_PLAN = Plan((), (), (), {}, {})
+
+# The input from which an implied value follows, to be echoed in its place.
+_STATED_BY = {"load_margin": "load", "radius_ratio": "radius2", "mass2": "radius2", "moment_of_inertia2": "radius2"}
 
 
 @cache
@@ -57,77 +86,101 @@ def plan(wanted: tuple[str, ...], known: frozenset[str], own_material2: bool) ->
     """Order the formulas so that each runs after those whose results it takes."""
     steps: dict[str, Step] = {}
     inputs: set[str] = set()
-    missing: list[str] = []
-    instead: list[str] = []
-
-    def source(name: str) -> str:
-        """The name under which a value is known or computed."""
-        base = name.removesuffix("2")
-        if name in known:
-            return name
-        if name in _ROUTES and known & _ROUTES[name][0]:
-            return _ROUTES[name][1]
-        if name in _ROUTES_WITHOUT and not known & _ROUTES_WITHOUT[name][0]:
-            return _ROUTES_WITHOUT[name][1]
-        if base != name and base not in FORMULAS and not (own_material2 and base in PROPERTIES):
-            return base
-        return name
-
-    def visit(asked: str) -> str:
-        name = source(asked)
-        if name in known:
-            inputs.add(name)
-        elif name not in steps:
-            base = name if name in FORMULAS else name.removesuffix("2")
-            if name not in NOMENCLATURE:
-                raise UnknownQuantity(name)
-            if base not in FORMULAS:
-                missing.append(name)
-                return name
-            before = len(missing)
-            suffix = name[len(base) :]
-            arguments = tuple((parameter, visit(parameter + suffix)) for parameter in parameters_of(FORMULAS[base]))
-            if suffix and not any(source.endswith("2") for _, source in arguments):
-                return visit(base)  # in this, sphere 2 is sphere 1
-            if len(missing) > before and (NOMENCLATURE[asked].option or asked in _ROUTES_WITHOUT):
-                instead.append("energy" if asked in _ROUTES_WITHOUT else asked)
-            steps.setdefault(name, Step(name, FORMULAS[base], arguments))
-        return name
-
     found: dict[str, str] = {}
+    missing: dict[str, Missing] = {}
     for name in wanted:
-        found[name] = visit(name)
-        if missing:
-            raise MissingInput(name, tuple(dict.fromkeys(missing)), tuple(dict.fromkeys(instead)))
+        path = _Path(known, own_material2, dict(steps))
+        source = path.visit(name)
+        if path.missing:
+            missing[name] = Missing(tuple(dict.fromkeys(path.missing)), tuple(dict.fromkeys(path.instead)))
+        else:
+            found[name] = source
+            steps = path.steps
+            inputs |= path.inputs
     stated = {_STATED_BY.get(name, name) for name in inputs} & known
-    return Plan(tuple(steps.values()), _in_order(inputs), _in_order(stated), found)
+    return Plan(tuple(steps.values()), _in_order(inputs), _in_order(stated), found, missing)
+
+
+class _Path:
+    """The way to one quantity: the steps so far, and what is missing for it."""
+
+    def __init__(self, known: frozenset[str], own_material2: bool, steps: dict[str, Step]) -> None:
+        self.known, self.own_material2, self.steps = known, own_material2, steps
+        self.inputs: set[str] = set()
+        self.missing: list[str] = []
+        self.instead: list[str] = []
+
+    def visit(self, wanted: str) -> str:
+        """Add the steps that lead to a quantity, and return the name under which its value is known."""
+        name = self._source(wanted)
+        if name in self.known:
+            self.inputs.add(name)
+        elif name not in NOMENCLATURE:
+            raise UnknownQuantity(name)
+        elif name in self.steps:
+            return name
+        elif formula_of(name) is None:
+            self.missing.append(name)
+        else:
+            return self._add(name, wanted)
+        return name
+
+    def _add(self, name: str, wanted: str) -> str:
+        """Add the formula of a quantity after those of its arguments."""
+        formula, suffix = formula_of(name), suffix_of(name)
+        before = len(self.missing)
+        arguments = tuple((parameter, self.visit(parameter + suffix)) for parameter in parameters_of(formula))
+        if suffix and not any(source.endswith("2") for _, source in arguments):
+            return self.visit(name.removesuffix(suffix))  # in this, sphere 2 is like sphere 1
+        if len(self.missing) > before and (NOMENCLATURE[wanted].option or wanted in _ROUTES_WITHOUT):
+            self.instead.append("energy" if wanted in _ROUTES_WITHOUT else wanted)
+        self.steps.setdefault(name, Step(name, formula, arguments))
+        return name
+
+    def _source(self, name: str) -> str:
+        """Return the name under which a value is known or computed."""
+        if name in self.known:
+            return name
+        if name in _ROUTES and self.known & _ROUTES[name][0]:
+            return _ROUTES[name][1]
+        if name in _ROUTES_WITHOUT and not self.known & _ROUTES_WITHOUT[name][0]:
+            return _ROUTES_WITHOUT[name][1]
+        is_property_of_2 = self.own_material2 and name.removesuffix("2") in PROPERTIES
+        if name.endswith("2") and formula_of(name) is None and not is_property_of_2:
+            return name.removesuffix("2")
+        return name
+
+
+def formula_of(name: str) -> Any:
+    """Return the formula of a quantity, which for sphere 2 is that of sphere 1; None for an input."""
+    return FORMULAS.get(name) or FORMULAS.get(name.removesuffix("2"))
+
+
+def suffix_of(name: str) -> str:
+    """Return "2" for a quantity of sphere 2 that has the formula of sphere 1, otherwise nothing."""
+    return "2" if name not in FORMULAS and name.endswith("2") else ""
 
 
 def _in_order(names: Collection[str]) -> tuple[str, ...]:
-    """Names in the order of the nomenclature."""
+    """Return names in the order of the nomenclature."""
     return tuple(name for name in NOMENCLATURE if name in names)
 
 
 def depends_on(names: Iterable[str]) -> frozenset[str]:
-    """Every name on which quantities can depend, whatever is given."""
+    """Return every name on which quantities can depend, whatever is given."""
     found: set[str] = set()
     pending = list(names)
     while pending:
         name = pending.pop()
         if name not in found:
             found.add(name)
-            routes = [name, *(table[name][1] for table in (_ROUTES, _ROUTES_WITHOUT) if name in table)]
-            for route in routes:
-                base = route if route in FORMULAS else route.removesuffix("2")
-                pending += (
-                    [parameter + route[len(base) :] for parameter in parameters_of(FORMULAS[base])]
-                    if base in FORMULAS
-                    else []
-                )
+            for route in [name, *(table[name][1] for table in (_ROUTES, _ROUTES_WITHOUT) if name in table)]:
+                if (formula := formula_of(route)) is not None:
+                    pending += [parameter + suffix_of(route) for parameter in parameters_of(formula)]
     return frozenset(found)
 
 
 def parameters_of(formula: Any) -> tuple[str, ...]:
-    """Names of a formula's parameters."""
-    code = formula.__code__
+    """Return the names of a formula's parameters."""
+    code = getattr(formula, "__wrapped__", formula).__code__
     return tuple(code.co_varnames[: code.co_argcount + code.co_kwonlyargcount])

@@ -1,0 +1,115 @@
+"""Scenes for the tests: of any size and material at random, and hard ones, where a careless formula loses digits."""
+
+import math
+from collections.abc import Iterator
+from random import Random
+from typing import Any
+
+from jkroll import solve
+
+Scene = dict[str, Any]  # SI numbers by name
+
+QUARTZ: Scene = {
+    "radius": 1e-7, "surface_energy": 0.025, "youngs_modulus": 54e9, "poisson_ratio": 0.17, "density": 2600.0
+}  # fmt: skip
+OTHER: Scene = {
+    "radius2": 3.7e-6, "surface_energy2": 3.0, "youngs_modulus2": 210e9, "poisson_ratio2": 0.27, "density2": 7700.0
+}  # fmt: skip
+
+
+def log_uniform(random: Random, low: float, high: float) -> float:
+    """Return a number of any magnitude between two."""
+    return math.exp(random.uniform(math.log(low), math.log(high)))
+
+
+def any_sphere(random: Random) -> Scene:
+    """Return a sphere of any size and material."""
+    return {
+        "radius": log_uniform(random, 1e-12, 1e3),
+        "surface_energy": log_uniform(random, 1e-9, 1e3),
+        "youngs_modulus": log_uniform(random, 1e2, 1e14),
+        "poisson_ratio": random.choice([random.uniform(-1, 0.5), 0.5, log_uniform(random, 1e-9, 1) - 1]),
+        "density": log_uniform(random, 1, 1e5),
+    }
+
+
+def any_scene(random: Random) -> Scene:
+    """Return two spheres or a sphere on a plane, one perhaps rigid, in any state, with any energy."""
+    scene = any_sphere(random)
+    kind = random.choice(["identical", "unequal", "unequal", "similar", "plane", "rigid", "rigid plane"])
+    if kind != "identical":
+        similar = {name: value * random.uniform(0.5, 2) for name, value in scene.items() if name != "poisson_ratio"}
+        other = any_sphere(random) | (similar if kind == "similar" else {})
+        scene |= {name + "2": value for name, value in other.items()}
+    if "plane" in kind:
+        scene["radius2"] = math.inf
+    if "rigid" in kind:
+        scene |= random.choice([{"youngs_modulus2": math.inf}, {"poisson_ratio2": -1.0}])
+    scene["yield_displacement"] = log_uniform(random, 1e-13, 1e-3)
+    scene["gravity"] = log_uniform(random, 1e-3, 1e3)
+    match random.choice(["none", "load", "approach"]):
+        case "load":
+            scene["load"] = _any_ratio(random) * solve("pull_off_force", **scene)
+        case "approach":
+            scene["approach_at_load"] = _any_ratio(random) * solve("approach", **scene)
+    match random.choice(["adhesion", "ratio", "energy", "speed"]):
+        case "ratio":
+            scene["energy_ratio"] = log_uniform(random, 1e-6, 1e6)
+        case "energy":
+            scene["energy"] = log_uniform(random, 1e-30, 1e3)
+        case "speed":
+            scene["speed"] = log_uniform(random, 1e-9, 1e6)
+    return scene
+
+
+def _any_ratio(random: Random) -> float:
+    """Return a load in pull-off forces, or an approach in δ0."""
+    return random.choice([random.uniform(-0.8, 1), log_uniform(random, 1e-18, 1e6), -log_uniform(random, 1e-18, 0.8)])
+
+
+def random_scenes(count: int, seed: int) -> Iterator[Scene]:
+    """Iterate over scenes of any kind."""
+    random = Random(seed)
+    return (any_scene(random) for _ in range(count))
+
+
+def steps_from(value: float, *counts: float) -> list[float]:
+    """Return a double and those that are so many steps from it on either side."""
+    return [value + sign * count * math.ulp(value) for count in (0.0, *counts) for sign in (-1, 1)][1:]
+
+
+def hard_loads(force: float) -> Iterator[float]:
+    """Iterate over loads next to pull-off, next to -8/9 of it where the approach is 0, and of any magnitude."""
+    yield from (
+        -force + count * math.ulp(force) for count in (0, 1, 2, 3, 10, *(10.0**power for power in range(2, 16)))
+    )
+    yield from steps_from(-8 * (force / 9), 1, 2, 10, *(10.0**power for power in range(2, 15)))
+    yield from (ratio * force for power in range(-24, 25, 4) for ratio in (10.0**power, -(10.0**power)) if ratio >= -1)
+
+
+def hard_approaches(approach: float, fold: float) -> Iterator[float]:
+    """Iterate over approaches next to the fold, to 0, to equilibrium, to where two forms meet, and of any magnitude."""
+    yield from (approach * (fold + 10.0**power) for power in range(-14, 0))
+    meeting = (0.5 / 6 ** (1 / 3) + fold, 3 / 6 ** (1 / 3) + fold)
+    yield from (approach * ratio for middle in (1.0, *meeting) for ratio in steps_from(middle, 1, 1e3, 1e6, 1e9))
+    yield from (sign * approach * 10.0**power for power in range(-24, 0, 4) for sign in (1, -1))
+    yield from (approach * 10.0**power for power in range(0, 25, 4))
+
+
+ENDS: dict[str, tuple[float, ...]] = {
+    "radius": (1e-12, 1e-9, 1e3), "radius2": (1e-12, 1e3, math.inf), "surface_energy": (1e-9, 1e3),
+    "surface_energy2": (1e-9, 1e3), "youngs_modulus": (1e2, 1e14), "youngs_modulus2": (1e2, 1e14, math.inf),
+    "poisson_ratio": (-1.0, -1 + 2.0**-53, -0.5, 0.0, 0.5), "poisson_ratio2": (-1 + 2.0**-53, 0.5),
+    "density": (1.0, 1e5), "yield_displacement": (1e-13, 1e-3), "gravity": (1e-3, 1e3),
+}  # fmt: skip
+
+
+def hard_scenes(fold: float) -> Iterator[Scene]:
+    """Iterate over scenes in hard states, and over scenes with an input at the end of its range."""
+    for scene in (QUARTZ, QUARTZ | OTHER):
+        force, approach = solve(["pull_off_force", "approach"], **scene).values()
+        yield from ({**scene, "load": load} for load in hard_loads(force))
+        yield from ({**scene, "approach_at_load": each} for each in hard_approaches(approach, fold))
+    yield from ({**QUARTZ, **OTHER, name: value} for name, values in ENDS.items() for value in values)
+    for radius, radius2 in ((1e-12, 1e3), (1e3, 1e-12), (1e-12, 1e-12), (1e3, math.inf)):
+        yield {**QUARTZ, **OTHER, "radius": radius, "radius2": radius2}
