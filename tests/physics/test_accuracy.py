@@ -139,7 +139,8 @@ def _values(random: Random, scene: Scene) -> Iterator[tuple[str, Any]]:
     load = random.choice([*hard_loads(force), *(force * (log_uniform(random, 1e-15, 1e6) - 1) for _ in range(20))])
     yield "load", load
     if load >= -force:
-        yield "load_margin", math.sqrt((load + force) / force)
+        is_beyond_pull_off = -0.9 * force < load < -1e-6 * force and random.random() < 0.3
+        yield "load_margin", (-1 if is_beyond_pull_off else 1) * math.sqrt((load + force) / force)
 
 
 # Where some formulas have no value, or state no accuracy.

@@ -4,14 +4,14 @@ import math
 import random
 from typing import Any
 
-import maugis_reference as reference
-import maugis_rivals as rivals
 import numpy
 import pytest
+
+import maugis_reference as reference
+import maugis_rivals as rivals
+from jkroll.physics import dugdale, maugis, maugis_energies, maugis_pull_off
 from maugis_boundary_elements import rolling_moment
 from maugis_reference import Exact, mpf
-
-from jkroll.physics import dugdale, maugis, maugis_energies, maugis_pull_off
 
 BOUND = 10.0  # ulp, times 1 plus the condition in the load or approach and in λ
 UNIT = {"work_of_adhesion": 1 / math.pi, "reduced_radius": 1.0, "contact_modulus": 0.75}  # all three units are 1

@@ -200,7 +200,7 @@ def n_roll_at_energy_ratio(
     Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (49), which is Eq (48) in other words.
     Valid:    As Eq (48).
-    Accuracy: 3 ulp above w, R, E* and x.
+    Accuracy: 3.5 ulp above w, R, E* and x.
 
     >>> n = n_roll_at_energy_ratio(energy_ratio=1.0, work_of_adhesion=0.05, contact_modulus=27.804e9,
     ...                            reduced_radius=50e-9, load_factor=1.0, yield_displacement=2e-10)

@@ -80,7 +80,7 @@ def approach(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact
     Returns:  [m]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (3).
     Valid:    As Eq (2).
-    Accuracy: 1.5 ulp above w, R and E*.
+    Accuracy: 2 ulp above w, R and E*.
 
     >>> f"{approach(work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9) * 1e9:.5f} nm"
     '0.10617 nm'
@@ -174,7 +174,7 @@ def approach_at_load(
     Returns:  [m]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (6).
     Valid:    x > 0. It passes through 0 at P = −(8/9)P_c, where the last form keeps its digits.
-    Accuracy: 3.5 ulp above w, R, E*, P, P_c and s.
+    Accuracy: 4.5 ulp above w, R, E*, P, P_c and s.
 
     >>> delta = approach_at_load(
     ...     work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9, load=0.0, pull_off_force=1.1781e-8,
@@ -217,7 +217,7 @@ def load_ratio(*, contact_radius_ratio: Number) -> Number:
     Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (5).
     Valid:    â ≥ 0, both branches.
-    Accuracy: 2.5 ulp of the larger term.
+    Accuracy: 3 ulp of the larger term.
 
     >>> load_ratio(contact_radius_ratio=1.0)
     0.0

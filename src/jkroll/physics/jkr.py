@@ -111,7 +111,7 @@ def load_factor_at_approach_unstable(*, approach_at_load: Length, approach: Leng
     Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (6), solved by Newton's method.
     Valid:    −(3/4)^(2/3) ≤ δ̂ ≤ 0. Elsewhere, a float raises ValueError and an array holds NaN.
-    Accuracy: 1 ulp for the ratio δ̂ as it is rounded, also at the fold.
+    Accuracy: 1.5 ulp for the ratio δ̂ as it is rounded, also at the fold.
 
     >>> load_factor_at_approach_unstable(approach_at_load=0.0, approach=1.0)
     0.0

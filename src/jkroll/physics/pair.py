@@ -105,7 +105,7 @@ def mass(*, radius: Length, density: Density) -> Mass:
     Returns:  [kg]; a float for floats, an array for arrays, which broadcast.
     Source:   Text above Eq (41).
     Valid:    No coating, no pores.
-    Accuracy: 3 ulp.
+    Accuracy: 3.5 ulp.
 
     >>> f"{mass(radius=1e-7, density=2600.0):.4e}"
     '1.0891e-17'

@@ -92,7 +92,7 @@ def angular_acceleration(
     Returns:  [rad/s²]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (37)-(39), which lost their sign in print; with the reduced moment of inertia, Eq (39).
     Valid:    Angles below the yield angle.
-    Accuracy: 1.5 ulp.
+    Accuracy: 2 ulp.
 
     >>> angular_acceleration(angle=1.0, rolling_stiffness=2.0, moment_of_inertia=4.0)
     -0.5

@@ -42,9 +42,14 @@ def outside(name: str, values: Any) -> Any:
     return ~admitted
 
 
-def is_ordinary(value: float) -> bool:
-    """Return whether no formula can leave the normal doubles because of a number."""
-    return _LEAST_ORDINARY <= abs(value) <= _MOST_ORDINARY or value in (0, INFINITY)
+def is_ordinary(name: str, value: Any) -> bool:
+    """Check the range of an input; return whether it is a number because of which no formula can leave the doubles."""
+    if isinstance(value, float) and _LEAST_ORDINARY <= value <= _MOST_ORDINARY and name in _SCALED:
+        return True
+    check_range(name, value)
+    if not isinstance(value, float | int):
+        return False
+    return _LEAST_ORDINARY <= abs(value) <= _MOST_ORDINARY or value in (0, INFINITY) or name in _OF_ANY_SIZE
 
 
 def _has_magnitude(name: str, value: float) -> bool:
@@ -52,3 +57,4 @@ def _has_magnitude(name: str, value: float) -> bool:
 
 
 _OF_ANY_SIZE = ("poisson_ratio", "poisson_ratio2")  # only 1 − ν² enters a formula
+_SCALED = NOMENCLATURE.keys() - _OF_ANY_SIZE  # any ordinary positive number is within their range

@@ -11,7 +11,7 @@ from ..errors import JkrollError
 from ..materials.library import Material
 from ..quantities.nomenclature import INFINITY, PROPERTIES
 from .errors import Contradiction, MissingInput, NoFiniteValue, failure_of
-from .inputs import check_range, is_ordinary
+from .inputs import is_ordinary
 from .wiring import NO_PLAN, STATE, Missing, Plan, Step, plan
 
 DEFAULTS = {
@@ -71,13 +71,12 @@ class Scene:
         own2 = {name + "2": value for name, value in material2.properties.items()} if material2 is not None else {}
         self.stated = dict(given)
         self.given = {**own, **own2, **given}
-        for name, value in self.given.items():
-            check_range(name, value)
+        checked = [is_ordinary(name, value) for name, value in self.given.items()]
+        self._is_ordinary = all(checked)
         self.values = {**_assumed(self.given), **_implied(self.given), **self.given}
         self._failures: dict[str, JkrollError] = {}
         self._plan = NO_PLAN
         self._known = frozenset(self.values)
-        self._is_ordinary = all(isinstance(value, float | int) and is_ordinary(value) for value in self.given.values())
 
     def replace(self, **values: Any) -> "Scene":
         """Return the scene in which some inputs have other values, of the same materials."""

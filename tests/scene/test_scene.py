@@ -1,0 +1,74 @@
+"""Scenes: one plan for all that is asked, failures that leave other quantities alone, and changed inputs."""
+
+from typing import Any
+
+import pytest
+
+from jkroll.physics import FORMULAS
+from jkroll.quantities.nomenclature import NOMENCLATURE
+from jkroll.scene.errors import BeyondPullOff, MissingInput, NoChain, NoFiniteValue
+from jkroll.scene.limits import LIMIT_NAMES, LIMITS
+from jkroll.scene.scene import Scene
+from jkroll.scene.wiring import Plan, depends_on, formula_of, plan
+from scenes import QUARTZ
+
+
+def test_one_plan_leads_to_answers_and_their_limits(monkeypatch: pytest.MonkeyPatch) -> None:
+    plans: list[Any] = []
+
+    def counted(*given: Any) -> Plan:
+        plans.append(given)
+        return plan(*given)
+
+    monkeypatch.setattr("jkroll.scene.scene.plan", counted)
+    scene = Scene(QUARTZ)
+    names = ("pull_off_force", "n_roll", *LIMIT_NAMES)
+    values = scene.evaluate(names)
+    assert all(scene[name] == value for name, value in values.items())
+    assert scene.inputs_of("pull_off_force") == ("radius", "surface_energy")
+    assert len(plans) == 1
+
+
+def test_a_quantity_that_fails_leaves_the_others_alone() -> None:
+    scene = Scene({**QUARTZ, "radius2": float("inf"), "load": -1.0}).replace(density=1e-60)
+    values = scene.evaluate(("r_min", "pull_off_force", "yield_force", "n_grav", "mass", "speed"))
+    kinds = {name: type(value) for name, value in values.items()}
+    assert kinds == {
+        "r_min": NoChain, "pull_off_force": float, "yield_force": BeyondPullOff, "n_grav": BeyondPullOff, "mass": float,
+        "speed": MissingInput,
+    }  # fmt: skip
+    for name, kind in kinds.items():
+        if kind is not float:
+            with pytest.raises(kind):
+                scene[name]
+
+
+def test_a_number_that_leaves_the_doubles_takes_what_follows_with_it() -> None:
+    values = Scene({**QUARTZ, "radius": 1e-60, "density": 1e-60}).evaluate(
+        ("mass", "moment_of_inertia", "rolling_frequency")
+    )
+    assert isinstance(values["mass"], float)
+    for name in ("moment_of_inertia", "rolling_frequency"):
+        assert isinstance(values[name], NoFiniteValue)
+        assert "moment_of_inertia: no value that a double can hold" in str(values[name])
+
+
+def test_a_scene_with_other_inputs_is_another_scene() -> None:
+    scene = Scene(QUARTZ)
+    assert scene["pull_off_force"] > 0
+    doubled = scene.replace(radius=2e-7)
+    assert doubled["pull_off_force"] == 2 * scene["pull_off_force"]
+    assert scene.values["radius"] == 1e-7
+
+
+def test_every_limit_is_a_result_and_touches_what_exists() -> None:
+    assert all(formula_of(name) is not None and name in NOMENCLATURE for name in LIMIT_NAMES)
+    assert all(limit.touches <= NOMENCLATURE.keys() for limit in LIMITS)
+
+
+def test_every_parameter_is_a_name_that_something_gives() -> None:
+    """The formulas of the nomenclature end at names that a user can give."""
+    wanted = [name for name in NOMENCLATURE if name in FORMULAS]
+    ends = {name for name in depends_on(wanted) if formula_of(name) is None}
+    without_option = {name for name in ends if name not in NOMENCLATURE or not NOMENCLATURE[name].option}
+    assert without_option == {"radius"}
