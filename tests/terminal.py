@@ -1,11 +1,11 @@
-"""A terminal for a program to run on."""
+"""Run a program on a pseudo-terminal."""
 
 import os
 import pty
 
 
 def on_terminal(words: list[str], **environment: str) -> tuple[int, str]:
-    """Run a program on a terminal of its own; its code, and what it showed."""
+    """Run a program on a terminal of its own; return its exit code and its output."""
     settings = {name: value for name, value in os.environ.items() if name not in ("COLUMNS", "NO_COLOR", "FORCE_COLOR")}
     process, terminal = pty.fork()
     if process == 0:
@@ -18,7 +18,7 @@ def on_terminal(words: list[str], **environment: str) -> tuple[int, str]:
 
 
 def _read(terminal: int) -> bytes:
-    """What a terminal shows next; nothing when the program has ended."""
+    """Return the next output of a terminal; nothing when the program has ended."""
     try:
         return os.read(terminal, 65536)
     except OSError:

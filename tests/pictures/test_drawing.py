@@ -1,4 +1,4 @@
-"""Pictures in files: contours lie where the formula says, bytes do not change, and nothing else is needed but the extra."""
+"""Pictures in files: contours follow the formulas, labels cover nothing, and the same call gives the same bytes."""
 
 import re
 import subprocess
@@ -16,22 +16,27 @@ from jkroll.cli.draw import OF_PAPER
 from jkroll.cli.map_request import map_request
 from jkroll.cli.options import Values
 from jkroll.cli.process import main
+from jkroll.pictures.axes import described
 from jkroll.pictures.figures import FIGURES, figure
 from jkroll.pictures.maps import Map, inputs_at
-from jkroll.pictures.plots import map_of
+from jkroll.pictures.plot_request import map_of
+from jkroll.quantities.nomenclature import NOMENCLATURE
 
 pytest.importorskip("matplotlib")
-from jkroll.pictures.canvas import LINES
-from jkroll.pictures.page import figure_of
-from jkroll.pictures.page_axes import STYLES
+from matplotlib.mathtext import MathTextParser
 
-LIGHT = STYLES["light"]
-SVG_TEXT = re.compile(r"<text[^>]*>([^<]*)</text>")
+from jkroll.pictures.canvas import LINES
+from jkroll.pictures.labels import _lines_of
+from jkroll.pictures.mathtext import typeset, typeset_lines
+from jkroll.pictures.page import figure_of
+from jkroll.pictures.styles import DARK, PAPER, STYLES, Style
+
+SVG_TEXT = re.compile(r"<!-- (.*?) -->", re.DOTALL)  # letters are paths; their text stands beside them
 
 
 def contours(drawn: Map) -> list[tuple[float, Any]]:
-    """The levels of a drawn map, and points on their paths, between the vertices too, in SI units."""
-    axes = figure_of(drawn, 4.0, LIGHT, has_caption=True).axes[0]
+    """Return the levels of a drawn map, and points on their paths in SI units, between the vertices too."""
+    axes = figure_of(drawn, 4.0, PAPER, has_caption=True).axes[0]
     sets = [one for one in axes.collections if hasattr(one, "levels") and len(one.get_paths()) == len(drawn.levels())]
     found = []
     for level, path in zip(drawn.levels(), sets[0].get_paths(), strict=True):
@@ -80,7 +85,7 @@ def test_a_contour_of_a_users_map_is_its_formula(
     "kind", ["svg", pytest.param("pdf", marks=pytest.mark.slow), pytest.param("png", marks=pytest.mark.slow)]
 )
 def test_the_same_bytes_every_time(run: Run, tmp_path: Path, kind: str) -> None:
-    """In another process, an hour later, and whatever the user's own matplotlib settings are."""
+    """Neither the process, nor the time, nor the user's matplotlib settings enter."""
     words = ["figure", "8", "--mark", "quartz@100nm", "-o"]
     assert run(*words, f"one.{kind}").code == 0
     (tmp_path / "matplotlibrc").write_text("font.size: 20\nlines.linewidth: 9\n", encoding="utf-8")
@@ -96,7 +101,7 @@ def test_every_figure_is_drawn_and_says_what_it_is(run: Run, tmp_path: Path, nam
     text = (tmp_path / "figure.svg").read_text(encoding="utf-8")
     assert f'<svg xmlns:xlink="http://www.w3.org/1999/xlink" width="{0.085 / 0.0254 * 72:.5f}'[:-2] in text
     shown = " ".join(SVG_TEXT.findall(text))
-    assert {word for line in ran.out.splitlines()[1:] for word in line.split()} <= {*unescape(shown).split()}
+    assert {word for line in ran.out.splitlines()[1:] for word in typeset(line).split()} <= {*unescape(shown).split()}
     assert STYLES["dark"].paper in text
 
 
@@ -105,11 +110,99 @@ def test_a_picture_without_a_caption(run: Run, tmp_path: Path) -> None:
     assert "Assumed" not in " ".join(SVG_TEXT.findall((tmp_path / "bare.svg").read_text(encoding="utf-8")))
 
 
+def test_one_panel_of_a_contact(run: Run, tmp_path: Path) -> None:
+    assert run("contact quartz 100nm --curve --panel force -o force.svg --quiet").code == 0
+    shown = SVG_TEXT.findall((tmp_path / "force.svg").read_text(encoding="utf-8"))
+    assert "stable" in shown
+    assert not any("pressure" in text or "moment" in text for text in shown)
+
+
+def test_light_is_another_name_of_paper(run: Run, tmp_path: Path) -> None:
+    for style in ("paper", "light"):
+        run(f"figure 3a -o {style}.svg --style {style}")
+    assert (tmp_path / "paper.svg").read_bytes() == (tmp_path / "light.svg").read_bytes()
+
+
+@pytest.mark.parametrize("style", [PAPER, DARK])
+def test_bands_can_be_differ_in_grey_and_read_on(style: Style) -> None:
+    greys = [
+        0.299 * red + 0.587 * green + 0.114 * blue for red, green, blue in (style.band(part / 8) for part in range(9))
+    ]
+    steps = np.diff(greys)
+    assert (steps < -0.01).all() or (steps > 0.01).all()
+    ink = int(style.ink[1:3], 16) / 255
+    assert min(abs(ink - grey) for grey in greys) > 0.45
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        ("P_c = 3πγR with R = R1/2", r"$P_{\mathrm{c}}$ = $3\mathrm{π}γR$ with $R$ = $R_{1}/2$"),
+        ("E1/(1 − ν1²) = 10 GPa", "$E_{1}/(1$ − $ν_{1}^{2}$) = 10 GPa"),
+        ("E*/γ above 3·10¹² m⁻¹", r"$E^{*}/γ$ above $3{\cdot}10^{12}$ m⁻¹"),
+        ("contact radius at the load, a", "contact radius at the load, $a$"),
+        ("a moment of 1.9 aN m, Eq (25)", "a moment of 1.9 aN m, Eq (25)"),
+        ("δ_α in mJ/m² or kg/m³", "$δ_{α}$ in mJ/m² or kg/m³"),
+        ("half-circle a + ξ", "half-circle $a$ + $ξ$"),
+        ("-10 at 1.2e-13 N", r"−10 at $1.2{\cdot}10^{-13}$ N"),
+        ("my_dust costs $1", r"my_dust costs \$1"),
+    ],
+)
+def test_symbols_are_typeset(text: str, wanted: str) -> None:
+    assert typeset(text) == wanted
+
+
+def test_every_symbol_is_typeset_and_can_be_drawn() -> None:
+    parser = MathTextParser("path")
+    for name, quantity in NOMENCLATURE.items():
+        if quantity.unit:
+            parser.parse(typeset(described(name, quantity.unit)))
+            assert "$" in typeset(f"{quantity.symbol} = 1"), name
+
+
+def test_lines_are_broken_before_typesetting_and_not_before_a_unit() -> None:
+    assert typeset_lines("a radius R1 = 100 nm of spheres", 18) == ["a radius $R_{1}$ =", "100 nm of spheres"]
+
+
+def test_the_edge_of_a_gap_is_where_the_contact_breaks() -> None:
+    """The border of the part without a value, as drawn, is P = -P_c."""
+    request = map_request(["contact-radius-at-load", "quartz"], Values(x="radius=10nm:1um", y="load=-20nN:50nN:lin"))
+    drawn, _ = map_of(request, (41, 41))
+    mesh = drawn.mesh()
+    is_moved = np.isfinite(mesh.values) & np.isnan(drawn.values)
+    assert is_moved.sum() > 20
+    radius, load = drawn.x.value(mesh.x[is_moved]), drawn.y.value(mesh.y[is_moved])
+    np.testing.assert_allclose(load, -solve("pull_off_force", material="quartz", radius=radius), rtol=1e-9)
+
+
+def test_regions_may_have_gaps(run: Run, tmp_path: Path) -> None:
+    """The margins of bounds have no value beyond the fold, as the quantity has none."""
+    run("map load_at_factor quartz --x radius=10nm:1um --y approach_at_load=-0.3nm:1nm:lin -o load.svg --quiet")
+    assert "no value" in SVG_TEXT.findall((tmp_path / "load.svg").read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize("name", FIGURES)
+@pytest.mark.parametrize("width", [85, 170])
+def test_no_label_of_a_contour_covers_a_line_or_another_label(name: str, width: int) -> None:
+    drawn = figure(name, known_materials(), OF_PAPER, as_printed=True)
+    page = figure_of(drawn, width / 25.4, PAPER, has_caption=False)
+    axes = page.axes[0]
+    labels = [text for text in axes.texts if text.get_text() in {typeset(level.text) for level in drawn.levels()}]
+    assert len(labels) >= 0.6 * len(drawn.levels())
+    lines = _lines_of(axes)
+    for text in labels:
+        box = text.get_window_extent()
+        centre, upright = np.array([(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2]), np.radians(text.get_rotation())
+        turn = np.array([[np.cos(upright), -np.sin(upright)], [np.sin(upright), np.cos(upright)]])
+        along, across = abs((lines - centre) @ turn).T
+        assert not ((along < 3) & (across < 3)).any(), text.get_text()
+
+
 @pytest.mark.parametrize("name", ["6b", "8"])
 def test_no_letter_stands_outside_of_a_narrow_page(name: str) -> None:
-    """At a journal's column width everything is within the sheet, as the renderer measures it."""
+    """Everything lies within the page at a journal's column width."""
     drawn = figure(name, known_materials(), OF_PAPER, as_printed=True)
-    page = figure_of(drawn, 85 / 25.4, LIGHT, has_caption=True)
+    page = figure_of(drawn, 85 / 25.4, PAPER, has_caption=True)
     page.draw_without_rendering()
     box = page.get_tightbbox()
     assert box.x0 > -0.01
@@ -117,7 +210,7 @@ def test_no_letter_stands_outside_of_a_narrow_page(name: str) -> None:
     assert box.y0 > -0.01
 
 
-def test_curves_are_told_apart_in_grey_by_their_dashes(run: Run, tmp_path: Path) -> None:
+def test_curves_are_differ_in_grey_by_their_dashes(run: Run, tmp_path: Path) -> None:
     run("map pull-off quartz,iron,graphite,gold --x radius=1nm:1um -o curves.svg")
     text = (tmp_path / "curves.svg").read_text(encoding="utf-8")
     lines = set(re.findall(r"fill: none; (?:stroke-dasharray: ([^;]*); )?(?:stroke-dashoffset: 0; )?stroke: #", text))
@@ -130,7 +223,8 @@ def test_the_curves_of_a_contact(run: Run, tmp_path: Path) -> None:
     assert (ran.code, ran.err) == (0, "")
     shown = SVG_TEXT.findall((tmp_path / "contact.svg").read_text(encoding="utf-8"))
     assert {"fold", "pull-off", "jump-in", "stable", "unstable", "fixed grips"} <= {*shown}
-    assert all(any(text.startswith(f"{model}:") for text in shown) for model in ("M", "M_0", "M_half", "M_δ"))
+    models = (typeset(symbol) for symbol in ("M:", "M_0:", "M_half:", "M_δ:"))
+    assert all(any(text.startswith(model) for text in shown) for model in models)
 
 
 @pytest.mark.parametrize(
@@ -143,6 +237,7 @@ def test_the_curves_of_a_contact(run: Run, tmp_path: Path) -> None:
         ("figure 3a -o nowhere/figure.svg", "cannot write"),
         ("figure 2 --mark quartz@1nm", "takes no --mark"),
         ("figure 3a --as-printed", "for 6b"),
+        ("contact quartz 100nm --curve --panel tides -o contact.svg", "there are force, pressure, moment"),
     ],
 )
 def test_what_cannot_be_drawn(run: Run, tmp_path: Path, line: str, message: str) -> None:
@@ -183,7 +278,7 @@ def test_the_absence_of_the_extra_is_one_line(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 def test_a_million_points_take_less_than_importing_matplotlib() -> None:
-    """In CPU time, each in a process of its own, in turns."""
+    """Compare CPU times, each in a process of its own, in turns."""
     words = ["contact-radius-at-load", "quartz", "--x", "radius=10nm:1mm:1000", "--y", "load=0nN:1uN:1000:lin"]
     ways = {
         "map": f"from jkroll.cli.process import main; main({['map', *words]!r})",
@@ -199,7 +294,7 @@ def test_a_million_points_take_less_than_importing_matplotlib() -> None:
     assert least["map"] < least["import"]
 
 
-# --- The pictures of the README: written anew by `python tests/test_drawing.py` ---------------------------------------------
+# --- The pictures of the README: written anew by `python tests/pictures/test_drawing.py` ---------------------------------------------
 
 README = Path(__file__).parents[2] / "README.md"
 KEPT = Path(__file__).parents[1] / "data"
@@ -208,24 +303,24 @@ _NUMBER = re.compile(r"-?\d+\.?\d*")
 
 
 def written(words: str, rest: str, file: Path) -> str:
-    """The picture of a command of the README."""
+    """Draw the picture of a command of the README; return its SVG."""
     assert main([*words.split(), "-o", str(file), *rest.split()]) == 0
     return file.read_text(encoding="utf-8")
 
 
 def drawing_of(svg: str) -> list[float]:
-    """All coordinates of the paths of an SVG."""
+    """Return all coordinates of the paths of an SVG."""
     return [float(number) for path in re.findall(r' d="([^"]*)"', svg) for number in _NUMBER.findall(path)]
 
 
 @pytest.mark.parametrize(("words", "file", "rest"), SHOWN, ids=[file for _, file, _ in SHOWN])
 def test_the_pictures_of_the_readme_are_current(words: str, file: str, rest: str, tmp_path: Path) -> None:
-    """The same texts in the same order, and every line within a tenth of a point, whatever version of matplotlib drew it."""
+    """Texts are the same, and lines within a tenth of a point, for every version of matplotlib."""
     assert f"](tests/data/{file})" in README.read_text(encoding="utf-8")
     kept, new = (KEPT / file).read_text(encoding="utf-8"), written(words, rest, tmp_path / file)
     assert SVG_TEXT.findall(kept) == SVG_TEXT.findall(new)
     np.testing.assert_allclose(drawing_of(kept), drawing_of(new), atol=0.1)
-    assert len(kept) < 60_000
+    assert len(kept) < 150_000
 
 
 def test_the_readme_shows_two_pictures() -> None:

@@ -1,4 +1,4 @@
-"""Maps and curves as data and in a terminal: what they show is what the formulas say, and what the paper's text sees."""
+"""Maps and curves as data and in a terminal: they follow the formulas, and show what the paper's text reads off them."""
 
 import csv
 import io
@@ -29,7 +29,7 @@ SOFT: dict[str, Any] = {"youngs_modulus": 1e10, "poisson_ratio": 0.0}
 
 
 def at(drawn: Map, x: float, y: float) -> float:
-    """The value at the point of a map that is nearest."""
+    """Return the value at the nearest point of a map."""
     column = int(np.argmin(abs(np.log(drawn.x.values() / x))))
     row = int(np.argmin(abs(np.log(drawn.y.values() / y))))
     return float(drawn.values[row, column])
@@ -229,7 +229,7 @@ def test_colour_says_the_same_as_ascii(run: Run, monkeypatch: pytest.MonkeyPatch
 
 
 def test_a_band_is_bounded_by_its_contours(run: Run) -> None:
-    """Below the contour of 10 nN stands one sign, above it the next, as in the scale."""
+    """One sign stands below the contour of 10 nN and the next above it, as in the scale."""
     lines = run("map pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2 --quiet", terminal=True).out.splitlines()
     scale = " ".join(line for line in lines if "P_c:" in line or line.startswith(" ::"))
     below, above = re.search(r"(.)\1 10 nN (.)\2", scale).groups()  # type: ignore[union-attr]
@@ -242,7 +242,7 @@ def test_a_band_is_bounded_by_its_contours(run: Run) -> None:
 
 
 @pytest.mark.parametrize("colours", [256, 2**24])
-def test_half_blocks_have_colours_that_can_be_told_in_grey(colours: int) -> None:
+def test_half_blocks_have_colours_that_differ_in_grey(colours: int) -> None:
     bands = [shade(step / 12, colours) for step in range(13)]
     greys = [0.299 * red + 0.587 * green + 0.114 * blue for red, green, blue in bands]
     assert all(second - first > 10 for first, second in itertools.pairwise(greys))
@@ -315,7 +315,7 @@ def test_a_material_that_lacks_a_property_leaves_the_others(run: Run) -> None:
 
 
 def test_where_a_curve_is_doubtful_is_said(run: Run) -> None:
-    """The radius up to which DMT is closer, as the verdict of one answer has it."""
+    """The radius up to which DMT is closer is that of a single answer."""
     said = run("map contact_radius quartz --x radius=10nm:1um").out
     radius = re.search(r"R1 = 10 nm to (\d+) nm: μ < 0.1", said)
     assert radius is not None
@@ -382,24 +382,24 @@ def test_no_value_anywhere_is_a_failure(run: Run) -> None:
 
 def test_progress_of_a_long_map_and_of_no_short_one() -> None:
     setting = Setting({"surface_energy": 0.025})
-    told: list[float] = []
+    reported: list[float] = []
     evaluate(
         setting,
         "yield_force_ratio",
         Axis("radius", 1e-9, 1e-6, size=1000),
         Axis("yield_displacement", 1e-10, 1e-9, size=1000),
-        told.append,
+        reported.append,
     )
-    assert told == []
+    assert reported == []
     evaluate(
         setting,
         "yield_force_ratio",
         Axis("radius", 1e-9, 1e-6, size=2000),
         Axis("yield_displacement", 1e-10, 1e-9, size=2000),
-        told.append,
+        reported.append,
     )
-    assert told == sorted(told)
-    assert (told[0], told[-1], len(told)) == (0.0, 1.0, 9)
+    assert reported == sorted(reported)
+    assert (reported[0], reported[-1], len(reported)) == (0.0, 1.0, 9)
 
 
 def test_progress_leaves_nothing_on_the_line(monkeypatch: pytest.MonkeyPatch) -> None:

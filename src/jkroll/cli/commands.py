@@ -19,6 +19,7 @@ from .options import (
     JSON,
     MATERIALS,
     OUTPUT,
+    PANEL,
     PICTURE,
     PROGRAM,
     QUIET,
@@ -72,7 +73,7 @@ class Command(NamedTuple):
 
 def _contact(words: Sequence[str], values: Values) -> int:
     is_drawn = values.curve and values.target is not None
-    if is_drawn or values.width is not None or values.style is not None or values.uncaptioned:
+    if is_drawn or values.width is not None or values.style is not None or values.uncaptioned or values.panel:
         from .draw import run_contact
 
         return run_contact(words, values)
@@ -92,7 +93,7 @@ def _figure(words: Sequence[str], values: Values) -> int:
 
 
 _SCENE = Words("[MATERIAL] [RADIUS]...", INFINITY)
-_LOOKS = tuple(option._replace(hidden=True) for option in STYLE)
+_LOOKS = tuple(option._replace(hidden=True) for option in (*STYLE, PANEL))
 
 
 def _options_of(name: str, *own: Option) -> tuple[Option, ...]:

@@ -74,9 +74,9 @@ def complete_map(incomplete: str) -> list[str]:
 def complete_figure(incomplete: str) -> list[str]:
     """Return the figures that can be drawn."""
     from ..pictures.figures import FIGURES
-    from ..pictures.profiles import DRAWN
+    from ..pictures.profiles import PROFILES
 
-    return [name for name in sorted({*FIGURES, *DRAWN}) if name.startswith(incomplete)]
+    return [name for name in sorted({*FIGURES, *PROFILES}) if name.startswith(incomplete)]
 
 
 def complete_axis(incomplete: str) -> list[str]:

@@ -12,8 +12,9 @@ from ..output.files import whole_file
 from ..pictures.figures import FIGURES, figure
 from ..pictures.maps import Map, Setting, rows_of
 from ..pictures.panels import Picture
-from ..pictures.plots import Held, as_held, curves_of, map_of, mark_at
-from ..pictures.profiles import DRAWN, curves_of_contact
+from ..pictures.plot_request import Context, curves_of, fixed_inputs, map_of, mark_at
+from ..pictures.profiles import PANELS, PROFILES, curves_of_contact
+from ..pictures.styles import STYLES
 from ..quantities.nomenclature import header
 from ..quantities.parsing import parse_value
 from ..quantities.units import BadUnit, dimension_of
@@ -27,16 +28,22 @@ ON_SCREEN = (241, 121)  # points of a map that is drawn in cells
 IN_FILE = (201, 201)
 OF_PAPER = (21, 21)  # its contours are of powers, straight on logarithmic axes: few points draw them exactly
 ALONG = 1001  # points of a curve
-STYLES = ("light", "dark")
 
 
 def _check(values: Values) -> None:
     """Refuse what cannot be drawn, before anything is computed."""
     if values.style not in (None, *STYLES):
-        raise BadRequest(f"--style: {quoted(values.style or '')} is not a style; there are {' and '.join(STYLES)}")
+        raise BadRequest(f"--style: {quoted(values.style or '')} is not a style; there are paper and dark")
+    if values.panel not in (None, *PANELS):
+        raise BadRequest(f"--panel: {quoted(values.panel or '')} is not a panel; there are {', '.join(PANELS)}")
     _inches(values.width)
     if values.target is None:
-        looks = {"--width": values.width, "--style": values.style, "--no-caption": values.uncaptioned}
+        looks = {
+            "--width": values.width,
+            "--style": values.style,
+            "--no-caption": values.uncaptioned,
+            "--panel": values.panel,
+        }
         if given := [flag for flag, value in looks.items() if value]:
             raise BadRequest(f"{', '.join(given)}: for a file only; name one with -o")
         return
@@ -48,10 +55,10 @@ def _check(values: Values) -> None:
         raise MissingExtra(error.name or "", "plot") from None
 
 
-def _inches(width: str | None) -> float:
-    """Return the width of a page in inches."""
+def _inches(width: str | None) -> float | None:
+    """Return the width of a page in inches, None if it was not given."""
     if width is None:
-        return 120 / 25.4
+        return None
     try:
         metres = parse_value(width, dimension_of("m"))
     except BadUnit as error:
@@ -77,16 +84,16 @@ def run_map(words: Sequence[str], values: Values) -> int:
 def run_figure(words: Sequence[str], values: Values) -> int:
     """Draw a figure of the paper; return the exit code."""
     _check(values)
-    names = sorted({*FIGURES, *DRAWN})
+    names = sorted({*FIGURES, *PROFILES})
     if len(words) != 1 or words[0] not in names:
         given = f"{quoted(' '.join(words))} is not a figure with data; " if words else ""
         raise BadRequest(f"{given}there are {', '.join(names)}")
     name = words[0]
     materials = known_materials(*materials_files(values.materials))
-    if name in DRAWN:
+    if name in PROFILES:
         if values.mark or values.as_printed:
             raise BadRequest(f"figure {name} takes no {'--mark' if values.mark else '--as-printed'}")
-        return _deliver(DRAWN[name](materials), (), values)
+        return _deliver(PROFILES[name](materials), (), values)
     size = OF_PAPER if values.target else ON_SCREEN
     drawn = figure(name, materials, size, as_printed=values.as_printed)
     if values.as_printed and drawn.printed is None:
@@ -109,10 +116,11 @@ def run_contact(words: Sequence[str], values: Values) -> int:
     if request.count > 1:
         raise BadRequest(f"{request.count} scenes are more than one picture of a contact")
     scene = next(request.scenes())
-    setting = Setting(scene.stated, scene.material, scene.material2, request.materials)
-    held = Held("fixed_approach_moment", setting, {"load": 0.0})
-    caption = ("Both branches of the force curve; pressure; moment without load.", *as_held(held.inputs))
-    return _deliver(curves_of_contact(setting, caption), held.notes, values)
+    setting = Setting(scene.stated, scene.material, scene.material2)
+    context = Context("fixed_approach_moment", setting, {"load": 0.0})
+    shown = () if values.panel else ("Both branches of the force curve; pressure; moment without load.",)
+    caption = (*shown, *fixed_inputs(context.inputs))
+    return _deliver(curves_of_contact(setting, caption, values.panel), context.notes, values)
 
 
 def _deliver(drawn: Map | Picture, notes: Iterable[str], values: Values) -> int:
@@ -126,7 +134,7 @@ def _deliver(drawn: Map | Picture, notes: Iterable[str], values: Values) -> int:
             drawn,
             ending(values.target),
             _inches(values.width),
-            values.style or STYLES[0],
+            values.style or "paper",
             has_caption=not values.uncaptioned,
         )
         with whole_file(values.target) as stream:

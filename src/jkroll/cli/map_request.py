@@ -7,7 +7,7 @@ from ..errors import BadRequest
 from ..materials.places import materials_files
 from ..pictures.axes import Axis
 from ..pictures.maps import Setting
-from ..pictures.plots import Asked
+from ..pictures.plot_request import PlotRequest
 from ..quantities.errors import QuantityError, UnknownQuantity
 from ..quantities.formatting import amount, pretty
 from ..quantities.nomenclature import NOMENCLATURE
@@ -61,7 +61,7 @@ def quantity_named(word: str) -> str:
     return known
 
 
-def map_request(words: Sequence[str], values: Values) -> Asked:
+def map_request(words: Sequence[str], values: Values) -> PlotRequest:
     """Return what words and options ask for: a quantity, axes, scenes to draw, and marks."""
     if not words:
         raise BadRequest("map needs a quantity, such as pull_off_force")
@@ -88,10 +88,10 @@ def map_request(words: Sequence[str], values: Values) -> Asked:
         most = f"{MOST_CURVES} curves" if len(axes) == 1 else "one map"
         raise BadRequest(f"{request.count} scenes are more than {most}")
     settings = tuple(
-        (_distinction(scene, request), Setting(scene.stated, scene.material, scene.material2, request.materials))
+        (_distinction(scene, request), Setting(scene.stated, scene.material, scene.material2))
         for scene in request.scenes()
     )
-    return Asked(quantity, x, y, settings, marks_of(values.mark), request.materials)
+    return PlotRequest(quantity, x, y, settings, marks_of(values.mark), request.materials)
 
 
 def _distinction(scene: Scene, request: Request) -> str:

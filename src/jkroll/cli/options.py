@@ -83,6 +83,7 @@ class Values(NamedTuple):
     width: str | None = None
     style: str | None = None
     uncaptioned: bool = False
+    panel: str | None = None
     as_printed: bool = False
     # of tables
     format: str = ""
@@ -124,9 +125,10 @@ AXES = (Option("x", "--x", str, "AXIS", _AXIS), Option("y", "--y", str, "AXIS", 
 AS_PRINTED = Option("as_printed", "--as-printed", bool, "", "Add Eq (41) as printed to 6b, dashed")
 STYLE = (
     Option("width", "--width", str, "85mm", "Width of the drawing"),
-    Option("style", "--style", str, "dark", "Colours, light or dark"),
+    Option("style", "--style", str, "dark", "Colours, paper or dark"),
     Option("uncaptioned", "--no-caption", bool, "", "Omit the caption"),
 )
+PANEL = Option("panel", "--panel", str, "force", "One panel only: force, pressure or moment")
 PICTURE = (
     Option("mark", "--mark", str, "quartz@100nm", "Mark grains as points, separated by commas"),
     Option("data", "--data", str, "FILE", "Write the numbers as CSV; - is standard output"),

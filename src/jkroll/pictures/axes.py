@@ -1,6 +1,6 @@
-"""The axes of maps and curves: a quantity from one end to the other, its ticks, and the levels of contours.
+"""Axes of maps and curves: the range of a quantity, its ticks, and round values for contours.
 
-An axis is logarithmic or linear; a place on it is a fraction of its length.
+An axis is logarithmic or linear. A place on it is a fraction of its length.
 """
 
 from collections.abc import Callable
@@ -18,44 +18,50 @@ _STEPS = (1, 2, 5)  # of a decade that has few ticks
 
 
 class Tick(NamedTuple):
-    """A value that is marked, and what stands beside it; between ticks with a text there may be some without."""
+    """A marked value and its label."""
 
     value: float
     text: str
 
 
 class Axis(NamedTuple):
-    """A quantity of the nomenclature from one end to the other."""
+    """A quantity of the nomenclature between two values."""
 
     name: str
     low: float
     high: float
     is_log: bool = True
-    size: int = 0  # number of values; 0 leaves it to the picture
+    size: int = 0  # number of values; 0: the picture's default
 
     def values(self) -> Any:
-        """Its values, as an array."""
+        """Return the values as an array, equally spaced along the axis."""
         import numpy
 
         spaced = numpy.geomspace if self.is_log else numpy.linspace
         return spaced(self.low, self.high, self.size)
 
     def place(self, value: Any) -> Any:
-        """Where on the axis a value is: 0 at its beginning, 1 at its end."""
+        """Return the place of a value: 0 at the low end, 1 at the high end."""
         if not self.is_log:
             return (value - self.low) / (self.high - self.low)
         import numpy
 
         return (numpy.log10(value) - log10(self.low)) / (log10(self.high) - log10(self.low))
 
+    def value(self, place: Any) -> Any:
+        """Return the value at a place."""
+        if not self.is_log:
+            return self.low + (self.high - self.low) * place
+        return self.low * (self.high / self.low) ** place
+
     def ticks(self, most: int) -> list[Tick]:
-        """At most so many ticks with a text, at round values."""
+        """Return at most `most` labelled ticks at round values."""
         values = round_values(self.low, self.high, most, is_log=self.is_log)
         texts = with_units(self.name, values) if self.is_log else in_one_unit(self.name, values)[0]
         return [Tick(value, text) for value, text in zip(values, texts, strict=True)]
 
     def small_ticks(self) -> list[float]:
-        """Round values between the ticks, where there is room: those of each decade, of a logarithmic axis."""
+        """Return the values of the unlabelled ticks: 2 to 9 of each decade of a short logarithmic axis."""
         if not self.is_log or self.high / self.low > _FEW_DECADES:
             return []
         decades = range(floor(log10(self.low)), ceil(log10(self.high)))
@@ -63,7 +69,7 @@ class Axis(NamedTuple):
         return [value for value in values if self.low <= value <= self.high]
 
     def label(self, most: int = 8) -> str:
-        """What the axis shows, with the unit if its ticks have none."""
+        """Return the title of the axis, with the unit if its ticks have none."""
         unit = "" if self.is_log else in_one_unit(self.name, [tick.value for tick in self.ticks(most)])[1]
         if self.is_log and not any(" " in tick.text for tick in self.ticks(most)):
             unit = pretty(NOMENCLATURE[self.name].unit)
@@ -71,7 +77,7 @@ class Axis(NamedTuple):
 
 
 def described(name: str, unit: str) -> str:
-    """A quantity for an axis: "radius of sphere 1, R1 [nm]".
+    """Return a quantity as the title of an axis.
 
     >>> described("load", "nN")
     'load, tension negative, P [nN]'
@@ -81,7 +87,7 @@ def described(name: str, unit: str) -> str:
 
 
 def round_values(low: float, high: float, most: int, *, is_log: bool) -> list[float]:
-    """At most so many round values from one to another: powers of ten, or 1, 2 and 5 times them, or equal steps.
+    """Return at most `most` round values between two: powers of ten, or 1, 2 and 5 times them, or equal steps.
 
     >>> round_values(1e-9, 1e-6, 5, is_log=True), round_values(-1.0, 1.0, 5, is_log=False)
     ([1e-09, 1e-08, 1e-07, 1e-06], [-1.0, -0.5, 0.0, 0.5, 1.0])
@@ -108,8 +114,23 @@ def round_values(low: float, high: float, most: int, *, is_log: bool) -> list[fl
     return values[:: ceil(len(values) / most)]
 
 
+def contour_values(low: float, high: float, most: int, *, is_log: bool) -> list[float]:
+    """Return at most `most` values for contours: 1, 2 and 5 times powers of ten where they fit, else as `round_values` does.
+
+    >>> contour_values(1e-9, 1e-8, 12, is_log=True), contour_values(1.0, 1e6, 12, is_log=True)[:3]
+    ([1e-09, 2e-09, 5e-09, 1e-08], [1.0, 10.0, 100.0])
+    """
+    if is_log:
+        decades = range(floor(log10(low)), ceil(log10(high)) + 1)
+        values = [float(f"{digit}e{decade}") for decade in decades for digit in _STEPS]
+        found = [value for value in values if low <= value <= high]
+        if len(found) <= most:
+            return found
+    return round_values(low, high, most, is_log=is_log)
+
+
 def with_units(name: str, values: list[float]) -> list[str]:
-    """Values, each with the unit and the prefix that fits it; powers of ten where no prefix does.
+    """Return values as text, each with the prefix that fits it; powers of ten where none does.
 
     >>> with_units("radius", [1e-9, 1e-7]), with_units("n_grav", [1000.0, 1e6])
     (['1 nm', '100 nm'], ['1000', '10⁶'])
@@ -124,11 +145,11 @@ def with_units(name: str, values: list[float]) -> list[str]:
             found.append(f"{number} {pretty(shown)}" if is_fitting else power_of_ten(value))
         return found if all(" " in text for text in found) else [power_of_ten(value) for value in values]
 
-    return _told_apart(texts)
+    return _distinct(texts)
 
 
 def in_one_unit(name: str, values: list[float]) -> tuple[list[str], str]:
-    """Values in the unit whose prefix fits the largest of them, and that unit.
+    """Return values as text in the unit whose prefix fits the largest of them, and that unit.
 
     >>> in_one_unit("load", [-1e-8, 0.0, 1e-8])
     (['-10', '0', '10'], 'nN')
@@ -139,16 +160,16 @@ def in_one_unit(name: str, values: list[float]) -> tuple[list[str], str]:
         shown = values
     else:
         shown = [convert(value, unit_of(unit, name)) for value in values]
-    return _told_apart(lambda digits: [f"{value:.{digits}g}" for value in shown]), pretty(unit)
+    return _distinct(lambda digits: [f"{value:.{digits}g}" for value in shown]), pretty(unit)
 
 
-def _told_apart(texts: Callable[[int], list[str]]) -> list[str]:
-    """Texts of different values with six digits, or with as many as it takes to tell them apart."""
+def _distinct(texts: Callable[[int], list[str]]) -> list[str]:
+    """Return the texts of values with six digits, or with as many as make them differ."""
     return next((found for digits in range(6, 16) if len({*(found := texts(digits))}) == len(found)), texts(16))
 
 
 def power_of_ten(value: float) -> str:
-    """A value as a person writes it: as a power of ten where it is a large or a small one.
+    """Return a value as text, as a power of ten where it is large or small.
 
     >>> power_of_ten(1e9), power_of_ten(0.01), power_of_ten(2e6)
     ('10⁹', '0.01', '2·10⁶')

@@ -1,4 +1,4 @@
-"""Pictures in a terminal: pixels and texts as lines, in half-blocks and colour or, where there is neither, in ASCII."""
+"""A canvas of character cells: colours in half-blocks where the terminal has colours, else signs in ASCII."""
 
 import os
 from collections.abc import Sequence
@@ -8,25 +8,25 @@ from ..text import columns, fitting, rows
 
 NARROWEST = 20
 Colour = tuple[int, int, int]
-# From dark to light, also in greyscale and for the colour-blind: matplotlib's cividis.
+# From dark to light, in greyscale too and for the colour-blind: matplotlib's cividis.
 _DARK_TO_LIGHT: tuple[Colour, ...] = (
     (0, 34, 78), (18, 53, 112), (59, 73, 108), (87, 93, 109), (112, 113, 115), (138, 134, 120), (165, 156, 116),
     (195, 179, 105), (225, 204, 85), (254, 232, 56),
 )  # fmt: skip
-# The same where there are 256 colours, whose cube has no steps between greys: from blue through green to yellow.
+# The same for 256 colours, from blue through green to yellow; their cube has too few greys.
 _OF_CUBE: tuple[Colour, ...] = (
     (0, 0, 95), (95, 0, 135), (0, 95, 135), (0, 135, 135), (0, 175, 135), (0, 215, 95), (95, 215, 95), (135, 215, 95),
     (175, 215, 95), (215, 215, 95), (255, 215, 95), (255, 255, 95), (255, 255, 215),
 )  # fmt: skip
 RAMP = " .:-~=+*oO#%@"
 _CUBE = (0, 95, 135, 175, 215, 255)
-# Okabe and Ito's colours for the colour-blind, those that stand out from white and from black.
+# Okabe and Ito's colours for the colour-blind, without those that are too light or too dark for some background.
 LINES: tuple[Colour, ...] = ((0, 114, 178), (213, 94, 0), (0, 158, 115), (204, 121, 167), (86, 180, 233), (230, 159, 0))
 SIGNS = "*o+x#%"
 
 
 class Screen(NamedTuple):
-    """What a stream can show: its size, and how many colours, 0 for none."""
+    """The size of a terminal and its number of colours, 0 for none."""
 
     width: int
     height: int
@@ -34,7 +34,7 @@ class Screen(NamedTuple):
 
 
 def screen_of(out: TextIO) -> Screen:
-    """What a stream can show, by the terminal and the environment: NO_COLOR, FORCE_COLOR, COLORTERM, TERM, COLUMNS."""
+    """Return the screen behind a stream; the environment decides too: NO_COLOR, FORCE_COLOR, COLORTERM, TERM, COLUMNS."""
     is_plain = bool(os.environ.get("NO_COLOR")) or os.environ.get("TERM") == "dumb" or fitting("▀", out) != "▀"
     has_colour = not is_plain and (out.isatty() or bool(os.environ.get("FORCE_COLOR")))
     is_exact = os.environ.get("COLORTERM") in ("truecolor", "24bit")
@@ -42,7 +42,7 @@ def screen_of(out: TextIO) -> Screen:
 
 
 def shade(place: float, colours: int = 2**24) -> Colour:
-    """A colour between the darkest, 0, and the lightest, 1, of as many as there are."""
+    """Return a colour between the darkest, 0, and the lightest, 1, for a screen of so many colours."""
     if colours <= 256:
         return _OF_CUBE[round(place * (len(_OF_CUBE) - 1))]
     scaled = place * (len(_DARK_TO_LIGHT) - 1)
@@ -53,51 +53,56 @@ def shade(place: float, colours: int = 2**24) -> Colour:
 
 
 def ink_on(paper: Colour) -> Colour:
-    """Black or white, whichever can be read on a colour."""
+    """Return black or white, whichever can be read on a colour."""
     red, green, blue = paper
     return (0, 0, 0) if 0.299 * red + 0.587 * green + 0.114 * blue > 110 else (255, 255, 255)
 
 
 class Canvas:
-    """Cells of two pixels, one above the other, each with a colour or none; a character may take a cell's place."""
+    """Cells of two pixels, one above the other, each with a colour or none.
+
+    Above the pixels lies a layer of hatches, and above that a layer of letters: a cell shows the topmost character it has.
+    """
 
     def __init__(self, width: int, height: int) -> None:
-        """An empty canvas of so many cells."""
+        """Create an empty canvas of so many cells."""
         self.width, self.height = width, height
         self.pixels: list[list[Colour | None]] = [[None] * width for _ in range(2 * height)]
         self.signs: list[list[str]] = [[" "] * width for _ in range(height)]  # in ASCII
-        self.texts: list[list[str]] = [[""] * width for _ in range(height)]
+        self.hatches: list[list[str]] = [[""] * width for _ in range(height)]
+        self.letters: list[list[str]] = [[""] * width for _ in range(height)]
 
     def write(self, column: int, row: int, text: str) -> bool:
-        """Put a text over cells, if all of them are there and free of other texts; whether it was put."""
+        """Write a text into a row if there is room beside other texts; return True if there was."""
         if not (0 <= row < self.height and column >= 0 and column + len(text) <= self.width):
             return False
-        free = self.texts[row][max(0, column - 1) : column + len(text) + 1]
-        if any(len(one) > 1 for one in free):
+        if any(self.letters[row][max(0, column - 1) : column + len(text) + 1]):
             return False
-        for place, character in enumerate(text):
-            self.texts[row][column + place] = character + "\0"  # a letter, not a hatch
+        self.letters[row][column : column + len(text)] = text
         return True
 
     def hatch(self, column: int, row: int, sign: str) -> None:
-        """Put a sign over a cell, beneath all texts."""
-        self.texts[row][column] = sign
+        """Put a hatch into a cell."""
+        self.hatches[row][column] = sign
 
     def lines(self, screen: Screen) -> list[str]:
-        """The canvas as lines of text."""
+        """Return the canvas as lines of text."""
         rows = range(self.height)
         return [self._coloured(row, screen.colours) if screen.colours else self._plain(row) for row in rows]
 
+    def _texts(self, row: int) -> list[str]:
+        """Return the topmost character of each cell of a row, "" where there is none."""
+        return [letter or hatch for letter, hatch in zip(self.letters[row], self.hatches[row], strict=True)]
+
     def _plain(self, row: int) -> str:
-        cells = zip(self.texts[row], self.signs[row], strict=True)
-        return "".join(text[0] if text else sign for text, sign in cells)
+        return "".join(text or sign for text, sign in zip(self._texts(row), self.signs[row], strict=True))
 
     def _coloured(self, row: int, colours: int) -> str:
         pieces, before = [], ""
-        for text, above, below in zip(self.texts[row], self.pixels[2 * row], self.pixels[2 * row + 1], strict=True):
+        for text, above, below in zip(self._texts(row), self.pixels[2 * row], self.pixels[2 * row + 1], strict=True):
             if text:
                 paper = above or below
-                character, code = text[0], _code(ink_on(paper) if paper else None, paper, colours)
+                character, code = text, _code(ink_on(paper) if paper else None, paper, colours)
             elif above == below:
                 character, code = " ", _code(None, above, colours)
             else:
@@ -108,7 +113,7 @@ class Canvas:
 
 
 def _code(ink: Colour | None, paper: Colour | None, colours: int) -> str:
-    """The escape sequence for an ink on a paper, each the terminal's own if it is None."""
+    """Return the escape sequence for an ink on a paper, each the terminal's own if it is None."""
     return "\x1b[0" + _part(38, ink, colours) + _part(48, paper, colours) + "m"
 
 
@@ -121,20 +126,13 @@ def _part(layer: int, colour: Colour | None, colours: int) -> str:
 
 
 def _of_256(colour: Colour) -> int:
-    """The number of the nearest of 256 colours, in their cube of 6 by 6 by 6."""
+    """Return the number of the nearest colour in the cube of 6 by 6 by 6 among the 256 colours."""
     red, green, blue = (min(range(6), key=lambda digit: abs(_CUBE[digit] - part)) for part in colour)
     return 16 + 36 * red + 6 * green + blue
 
 
-def wrapped(text: str, width: int) -> list[str]:
-    """A text as lines of at most a width, broken between words."""
-    from textwrap import wrap
-
-    return wrap(text, width) or [""]
-
-
 def stacked(labels: Sequence[tuple[int, str]], width: int) -> list[str]:
-    """Labels above places, in as few lines as they take, with a tick beneath each.
+    """Return labels above their places, in as few lines as possible, with a tick beneath each.
 
     >>> stacked([(2, "quartz"), (5, "iron")], 20)
     ['  quartz            ', '     iron           ', '  |  |              ']

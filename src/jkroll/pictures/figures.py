@@ -1,4 +1,4 @@
-"""The paper's figures that carry data, as declarations; Figs. 1, 4, 5 and 7 are drawings."""
+"""Declarations of the paper's maps: Figs. 3, 6 and 8. Figs. 2 and 9 are in `profiles`; the others carry no data."""
 
 from collections.abc import Collection, Mapping
 from types import MappingProxyType
@@ -11,11 +11,12 @@ from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.scene import DEFAULTS, Scene
 from ..scene.wiring import depends_on
 from .axes import Axis
-from .maps import Bound, Map, Mark, Setting, bounds, equation_of, evaluate, inputs_at, label_of, material_marks, regions
+from .maps import Map, Mark, Setting, equation_of, evaluate, inputs_at, label_of, material_marks
+from .regions import Bound, bounds, regions
 
 
 class Figure(NamedTuple):
-    """A map of the paper: what it shows over what, what its text says one sees there, and what is assumed."""
+    """A map of the paper: its quantity, its axes, what it assumes, and what the paper's text reads off it."""
 
     quantity: str
     x: Axis
@@ -93,7 +94,7 @@ FIGURES: Mapping[str, Figure] = MappingProxyType(
 
 
 def figure(name: str, materials: Materials, size: tuple[int, int], *, as_printed: bool = False) -> Map:
-    """A map of the paper, of so many points across and up."""
+    """Return a map of the paper with `size` points across and up."""
     declared = FIGURES[name]
     setting = Setting(declared.given)
     x, y = declared.x._replace(size=size[0]), RADII._replace(size=size[1])
@@ -102,22 +103,22 @@ def figure(name: str, materials: Materials, size: tuple[int, int], *, as_printed
     points = (Mark(declared.point[2], *declared.point[:2]),) if declared.point else ()
     return Map(
         declared.quantity,
+        setting,
         x,
         y,
         evaluate(setting, declared.quantity, x, y),
-        True,
-        declared.has_log_labels,
         (*shaded, *regions(setting, bounds(), x, y)),
         (*material_marks(materials, x, y), *points),
         f"Fig. {name}: {label_of(declared.quantity, has_log_labels=declared.has_log_labels)}",
         _caption(declared, as_printed=printed is not None),
+        declared.has_log_labels,
         printed,
         (Mark(declared.guide[1], None, declared.guide[0]),) if declared.guide else (),
     )
 
 
 def _caption(declared: Figure, *, as_printed: bool) -> tuple[str, ...]:
-    """What the figure shows, by which equation, what the text says of it, and what is assumed."""
+    """Return the caption: the quantity and its equation, the remark, and the assumptions."""
     quantity = NOMENCLATURE[declared.quantity]
     sentence = f"{quantity.sentence[0].upper()}{quantity.sentence[1:]}"
     at_a_corner = {RADII.name: RADII.high, **inputs_at(declared.x.name, declared.x.low)}
@@ -132,7 +133,7 @@ def _caption(declared: Figure, *, as_printed: bool) -> tuple[str, ...]:
 
 
 def _assumed(scene: Scene, declared: Figure, names: Collection[str]) -> list[str]:
-    """What the figure takes for granted for these quantities."""
+    """Return the assumed inputs of these quantities, as texts."""
     used = {*scene.inputs_of(*names), *(name for name in ("load", "energy_ratio") if name in depends_on(names))}
     texts = []
     for name, value in {**DEFAULTS, **declared.given}.items():

@@ -1,4 +1,4 @@
-"""Maps as data: a quantity over two inputs, its contours, where the model has no meaning, and what is marked.
+"""Maps as data: a quantity over two inputs, its contours, the regions and marks on it.
 
 Nothing is drawn here. Everything is computed by `solve`, on whole arrays.
 """
@@ -11,69 +11,39 @@ from ..errors import NoResult
 from ..materials.library import Material, Materials
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.errors import MissingInput
-from ..scene.limits import DMT_UP_TO, JKR_FROM, LIMITS
 from ..scene.scene import Scene
 from ..scene.solver import solve
-from .axes import Axis, in_one_unit, round_values, with_units
+from .axes import Axis, contour_values, in_one_unit, round_values, with_units
 
 CHUNK = 500_000  # points between two reports of progress
-COARSE = 200  # points a side that are enough for the smooth border of a region
-MOST_BANDS = 12
+MOST_CONTOURS = 12
+NEIGHBOURS = ((0, 1), (0, -1), (1, 0), (-1, 0))  # steps of rows and columns
 _WIDE = 30.0  # ratio of the ends from which contours are logarithmic
+_HALVINGS = 40  # of an interval that holds an edge: its place is known to 1e-12 of a cell
 
 Progress = Callable[[float], None]
 
 
 class Setting(NamedTuple):
-    """What is the same all over a map: values, materials, and where materials are looked up."""
+    """The part of a scene that is the same all over a picture: values and materials."""
 
     given: Mapping[str, float]
     material: Material | None = None
     material2: Material | None = None
-    materials: Materials | None = None
 
     def solve(self, names: Sequence[str], values: Mapping[str, Any]) -> dict[str, Any]:
-        """Quantities for further values, which are arrays that broadcast."""
-        names1, names2 = ((one.name if one else None) for one in (self.material, self.material2))
-        given = {**self.given, **values}
-        return dict(solve(names, material=names1, material2=names2, materials=self.materials, **given))
+        """Return quantities for further values, which are arrays that broadcast."""
+        return dict(solve(names, material=self.material, material2=self.material2, **{**self.given, **values}))
 
     def scene(self, values: Mapping[str, float], material: Material | None = None) -> Scene:
-        """The scene of one point, of another material if one is given."""
+        """Return the scene of one point, with another material of sphere 1 if one is given."""
         return Scene({**self.given, **values}, material or self.material, self.material2)
 
 
-class Bound(NamedTuple):
-    """A number that limits the model: how it is computed, and on which side of which value there is no meaning."""
-
-    names: tuple[str, ...]
-    value: Callable[..., Any]
-    limit: float
-    is_least: bool
-    text: str
-    kind: str = "hatched"
-
-    @property
-    def broken(self) -> str:
-        """What is said of values beyond it."""
-        return (
-            f"{NOMENCLATURE[self.names[0]].symbol} < {self.limit:g}, JKR is not exact"
-            if self.kind == "border"
-            else self.text
-        )
-
-    def margin(self, setting: Setting, values: Mapping[str, Any]) -> Any:
-        """How far values are from it, in powers of ten; negative beyond it."""
-        import numpy
-
-        ratio = numpy.log10(self.value(**setting.solve(self.names, values)) / self.limit)
-        return ratio if self.is_least else -ratio
-
-
 class Region(NamedTuple):
-    """Part of a map: where a margin, on axes of its own, is negative; hatched, shaded, or only its border drawn.
+    """Part of a map: the points with a negative margin.
 
-    One that is everywhere is only told.
+    `kind` says how it is shown: "hatched", "shaded", "border" (a line around it) or "everywhere" (only mentioned).
     """
 
     text: str
@@ -92,39 +62,63 @@ class Mark(NamedTuple):
 
 
 class Level(NamedTuple):
-    """A contour: its value, and how it is labelled."""
+    """A contour: its value and its label."""
 
     value: float
     text: str
+
+
+class Mesh(NamedTuple):
+    """Values at points of a map; `x` and `y` are places on the axes. nan where there is no value."""
+
+    x: Any
+    y: Any
+    values: Any
 
 
 class Map(NamedTuple):
     """A quantity over two inputs."""
 
     quantity: str
+    setting: Setting
     x: Axis
     y: Axis
-    values: Any  # a row for each value of y
-    is_log: bool  # whether the contours are those of the logarithm
-    has_log_labels: bool
+    values: Any  # a row for each value of y; nan where there is no value
     regions: tuple[Region, ...]
     marks: tuple[Mark, ...]
     title: str
     caption: tuple[str, ...]
+    has_log_labels: bool = False
     printed: Any = None  # the same quantity as the paper prints it
     guides: tuple[Mark, ...] = ()  # straight lines across
 
     @property
+    def is_log(self) -> bool:
+        """True if contours are those of the logarithm."""
+        return is_wide(self.values)
+
+    @property
     def has_gaps(self) -> bool:
-        """Whether there is no value somewhere."""
+        """True if some point has no value."""
         import numpy
 
         return bool(numpy.isnan(self.values).any())
 
-    def levels(self, most: int = MOST_BANDS) -> list[Level]:
-        """The contours, at round values."""
+    def bands(self, most: int) -> list[Level]:
+        """Return at most `most` round values that divide the map into bands, for a terminal."""
         low, high = extent(self.values)
-        values = [value for value in round_values(low, high, most, is_log=self.is_log) if low <= value <= high]
+        return self._levels(round_values(low, high, most, is_log=self.is_log), low, high)
+
+    def levels(self) -> list[Level]:
+        """Return the contours of a page."""
+        low, high = extent(self.values)
+        if self.has_log_labels:
+            return self.bands(MOST_CONTOURS)
+        return self._levels(contour_values(low, high, MOST_CONTOURS, is_log=self.is_log), low, high)
+
+    def _levels(self, values: Iterable[float], low: float, high: float) -> list[Level]:
+        """Return the levels within the extent of the map, with labels."""
+        values = [value for value in values if low <= value <= high]
         if self.has_log_labels:
             texts = [f"{log10(value):.3g}".replace("-", "−") for value in values]
         elif self.is_log:
@@ -134,9 +128,56 @@ class Map(NamedTuple):
             texts = [f"{number} {unit}".strip() for number in numbers]
         return [Level(value, text) for value, text in zip(values, texts, strict=True)]
 
+    def mesh(self) -> Mesh:
+        """Return the values with the points at the border of a gap moved onto the exact edge.
+
+        A point without a value that has a neighbour with one is moved towards it, to where values begin (by bisection).
+        """
+        import numpy
+
+        x, y = numpy.meshgrid(self.x.place(self.x.values()), self.y.place(self.y.values()))
+        values = self.values.copy()
+        known = numpy.isfinite(self.values)
+        for step in NEIGHBOURS:
+            neighbour = shifted(numpy.arange(values.size).reshape(values.shape), step)
+            rows, columns = numpy.nonzero(numpy.isnan(values) & shifted(known, step))
+            if not rows.size:
+                continue
+            inside = numpy.unravel_index(neighbour[rows, columns], values.shape)
+            ends = [(places[inside], places[rows, columns]) for places in (x, y)]
+            x[rows, columns], y[rows, columns], values[rows, columns] = self._edge(*ends)
+        return Mesh(x, y, values)
+
+    def _edge(self, across: tuple[Any, Any], up: tuple[Any, Any]) -> tuple[Any, Any, Any]:
+        """Return the last places with a value between places with one and places without, and the values there."""
+        import numpy
+
+        def at(part: Any) -> tuple[Any, Any, Any]:
+            x, y = (inside + part * (outside - inside) for inside, outside in (across, up))
+            here = {**inputs_at(self.x.name, self.x.value(x)), **inputs_at(self.y.name, self.y.value(y))}
+            return x, y, numpy.broadcast_to(self.setting.solve([self.quantity], here)[self.quantity], x.shape)
+
+        low, high = numpy.zeros(across[0].shape), numpy.ones(across[0].shape)
+        for _ in range(_HALVINGS):
+            middle = (low + high) / 2
+            has_value = numpy.isfinite(at(middle)[2])
+            low, high = numpy.where(has_value, middle, low), numpy.where(has_value, high, middle)
+        return at(low)
+
+
+def shifted(array: Any, step: tuple[int, int]) -> Any:
+    """Return an array moved by a step of rows and columns, with zeros where nothing moved to."""
+    import numpy
+
+    moved = numpy.zeros_like(array)
+    to = tuple(slice(max(0, by), array.shape[axis] + min(0, by)) for axis, by in enumerate(step))
+    source = tuple(slice(max(0, -by), array.shape[axis] + min(0, -by)) for axis, by in enumerate(step))
+    moved[to] = array[source]
+    return moved
+
 
 def extent(values: Any) -> tuple[float, float]:
-    """The least and the largest of the values that are numbers."""
+    """Return the least and the largest of the finite values."""
     import numpy
 
     known = values[numpy.isfinite(values)]
@@ -144,25 +185,25 @@ def extent(values: Any) -> tuple[float, float]:
 
 
 def has_values(values: Any) -> bool:
-    """Whether any of the values is a number."""
+    """Return True if any of the values is finite."""
     import numpy
 
     return bool(numpy.isfinite(values).any())
 
 
 def is_wide(values: Any) -> bool:
-    """Whether values are positive and of different orders of magnitude."""
+    """Return True if values are positive and of different orders of magnitude."""
     low, high = extent(values)
     return low > 0 and high > _WIDE * low
 
 
 def inputs_at(name: str, values: Any) -> dict[str, Any]:
-    """The inputs that a value on an axis stands for."""
+    """Return the inputs that values on an axis stand for."""
     return {"contact_modulus": values, "surface_energy": 1.0} if name == "modulus_over_energy" else {name: values}
 
 
 def coordinate(axis: Axis, scene: Scene) -> float | None:
-    """Where a scene is on an axis; None if it does not say, or is beyond the ends."""
+    """Return the place of a scene on an axis; None if the scene does not determine it or it is beyond the ends."""
     try:
         if axis.name == "modulus_over_energy":
             value = 2 * scene["contact_modulus"] / scene["work_of_adhesion"]
@@ -174,7 +215,7 @@ def coordinate(axis: Axis, scene: Scene) -> float | None:
 
 
 def evaluate(setting: Setting, quantity: str, x: Axis, y: Axis, progress: Progress | None = None) -> Any:
-    """A quantity over two axes, a row for each value of y; nan where it has no value."""
+    """Return a quantity over two axes, a row for each value of y; nan where it has no value."""
     import numpy
 
     across, up = x.values()[None, :], y.values()[:, None]
@@ -192,78 +233,15 @@ def evaluate(setting: Setting, quantity: str, x: Axis, y: Axis, progress: Progre
 
 
 def along(setting: Setting, quantity: str, x: Axis) -> Any:
-    """A quantity along one axis."""
+    """Return a quantity along one axis."""
     import numpy
 
     values = x.values()
     return numpy.broadcast_to(setting.solve([quantity], inputs_at(x.name, values))[quantity], values.shape)
 
 
-def regions(setting: Setting, bounds: Iterable[Bound], x: Axis, y: Axis) -> list[Region]:
-    """Where bounds are broken, as far as the setting allows to say."""
-    import numpy
-
-    x, y = (axis._replace(size=min(axis.size, COARSE)) for axis in (x, y))
-    here = {**inputs_at(x.name, x.values()[None, :]), **inputs_at(y.name, y.values()[:, None])}
-    found = []
-    for bound in bounds:
-        try:
-            margin = numpy.broadcast_to(bound.margin(setting, here), (y.size, x.size))
-        except (MissingInput, NoResult):
-            continue
-        if bound.kind == "border" and (margin < 0).all():
-            found.append(Region(f"everywhere {bound.broken}", x, y, margin, "everywhere"))
-        elif (margin < 0).any():
-            found.append(Region(bound.text, x, y, margin, bound.kind))
-    return found
-
-
-def margin_along(setting: Setting, bound: Bound, x: Axis) -> Any:
-    """How far a bound is along an axis; negative beyond it."""
-    import numpy
-
-    values = x.values()
-    return numpy.broadcast_to(bound.margin(setting, inputs_at(x.name, values)), values.shape)
-
-
-def _itself(**values: Any) -> Any:
-    (value,) = values.values()
-    return value
-
-
-def _bound(name: str, limit: float, *, is_least: bool) -> Bound:
-    """The bound of a limit of the model, in the words with which `judgement` judges what is beyond it."""
-    judge = next(one.judge for one in LIMITS if one.name == name)
-    words = judge(limit * (0.5 if is_least else 2))[1].partition(": ")[2]
-    text = f"{NOMENCLATURE[name].symbol} {'<' if is_least else '>'} {limit:g}: {words}"
-    return Bound((name,), _itself, limit, is_least, text)
-
-
-def bounds() -> tuple[Bound, ...]:
-    """Where the model has no meaning, the smallest region first, and from where on it is exact."""
-    symbol = NOMENCLATURE["tabor_parameter"].symbol
-    text = f"{symbol} = {JKR_FROM:g}: JKR holds where it is larger"
-    return (
-        _bound("contact_radius_in_spacings", 1.0, is_least=True),
-        _bound("displacement_ratio", 1.0, is_least=False),
-        _bound("tabor_parameter", DMT_UP_TO, is_least=True),
-        Bound(("tabor_parameter",), _itself, JKR_FROM, True, text, "border"),
-    )
-
-
-def bounds_of(scene: Scene, quantity: str) -> list[Bound]:
-    """The bounds that touch a quantity of a scene."""
-    try:
-        plan = scene.plan(quantity)
-    except MissingInput:
-        return []
-    used = {quantity, *scene.inputs_of(quantity), *(step.name for step in plan.steps)}
-    touched = {limit.name for limit in LIMITS if limit.touches & used}
-    return [bound for bound in bounds() if bound.names[0] in touched]
-
-
 def material_marks(materials: Materials, x: Axis, y: Axis) -> list[Mark]:
-    """Where the materials are on an axis that their properties determine, each by its name."""
+    """Return a mark for each material that determines a place on an axis."""
     marks = []
     for material in materials.materials.values():
         scene = Scene({}, material)
@@ -274,12 +252,12 @@ def material_marks(materials: Materials, x: Axis, y: Axis) -> list[Mark]:
 
 
 def equation_of(quantity: str, scene: Scene) -> str:
-    """The number of the equation by which a scene has a quantity."""
+    """Return the number of the equation that gives a quantity of a scene."""
     return NOMENCLATURE[scene.plan(quantity).found[quantity]].equation
 
 
 def rows_of(drawn: Map) -> Iterable[list[float]]:
-    """The numbers of a map: x, y and the quantity, nan where it has no value."""
+    """Iterate over the numbers of a map: x, y and the quantity, nan where it has no value."""
     across = drawn.x.values().tolist()
     for up, row in zip(drawn.y.values().tolist(), drawn.values, strict=True):
         for place, value in zip(across, row.tolist(), strict=True):
@@ -287,7 +265,7 @@ def rows_of(drawn: Map) -> Iterable[list[float]]:
 
 
 def label_of(quantity: str, *, has_log_labels: bool) -> str:
-    """What the labels of the contours say: "log P_c [N]"."""
+    """Return the heading of contour labels: "log P_c [N]"."""
     unit = NOMENCLATURE[quantity].unit
     symbol = NOMENCLATURE[quantity].symbol
     return f"log {symbol}" + (f" [{unit}]" if unit != "1" else "") if has_log_labels else symbol

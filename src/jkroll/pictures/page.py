@@ -1,37 +1,56 @@
-"""Maps and curves drawn into files, for a journal's page or a dark slide. The only module that knows matplotlib.
+"""Draw maps and curves into SVG, PDF and PNG files, for a journal's page or a dark slide.
 
-The same picture gives the same bytes: no date, ids from the content, and nothing from the user's own matplotlib settings.
+Only this module and `labels` import matplotlib. The same picture gives the same bytes: no date, ids from the content, and nothing from the
+user's own matplotlib settings.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from io import BytesIO
-from textwrap import wrap
-from typing import Any
+from typing import Any, NamedTuple
 
 import matplotlib as mpl  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.figure import Figure  # type: ignore[import-not-found,unused-ignore]
-from matplotlib.layout_engine import ConstrainedLayoutEngine  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.lines import Line2D  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.patches import Patch  # type: ignore[import-not-found,unused-ignore]
 
 from .. import __version__
+from .labels import label_map, label_panel
 from .maps import Map
-from .page_axes import HATCHES, LABEL, SHADE, SMALL, STYLES, TICK, Style, draw_map, draw_panel, line_of
-from .panels import Picture
+from .mathtext import typeset, typeset_lines
+from .page_axes import draw_map, draw_panel, line_of
+from .panels import Panel, Picture
+from .styles import HATCHES, LABEL, SHADE, SMALL, STYLES, TICK, Style
 
-_LINE = 1.35  # height of a line of text over the size of its letters
-_LETTER = 0.56  # width of a letter over its size, on average
-_PANEL = 2.9  # least width of a panel in inches, beside others
+_ONE_PANEL, _MORE_PANELS = 120 / 25.4, 180 / 25.4  # default widths in inches
+_NARROWEST = 2.0  # width of a panel beside others
+_ASPECT, _ASPECT_BESIDE = 0.75, 1.0  # height of axes over their width, alone in a row and beside others
+_LETTER = 0.54  # width of a letter over its size, on average
+_GAP = 0.05  # between the parts of a page, in inches
 
 
-def sheet(width: float, height: float, **layout: Any) -> Figure:
-    """An empty figure of a size in inches, whose parts make room for each other."""
-    return Figure(figsize=(width, height), layout=ConstrainedLayoutEngine(**layout))
+def sheet(width: float, height: float) -> Figure:
+    """Return an empty figure of a size in inches, whose parts make room for each other."""
+    return Figure(figsize=(width, height), layout="constrained")
 
 
-def draw(drawn: Map | Picture, kind: str, inches: float, style: str, *, has_caption: bool = True) -> bytes:
-    """A picture as the content of an SVG, PDF or PNG file of a width in inches."""
+class _Block(NamedTuple):
+    """Axes and the legend below them."""
+
+    axes: Any
+    legend: Any
+    aspect: float
+
+    def margins(self) -> tuple[float, float, float, float]:
+        """Return the room in inches that texts take to the left, right, bottom and top of the axes."""
+        outer, inner = self.axes.get_tightbbox(), self.axes.get_window_extent()
+        room = (inner.x0 - outer.x0, outer.x1 - inner.x1, inner.y0 - outer.y0, outer.y1 - inner.y1)
+        left, right, bottom, top = (max(0.0, part) / self.axes.figure.dpi + _GAP / 2 for part in room)
+        return left, right, bottom, top
+
+
+def draw(drawn: Map | Picture, kind: str, inches: float | None, style: str, *, has_caption: bool = True) -> bytes:
+    """Return a picture as the content of an SVG, PDF or PNG file of a width in inches, or of the default width."""
     with _settings(STYLES[style]):
         figure = figure_of(drawn, inches, STYLES[style], has_caption=has_caption)
         buffer = BytesIO()
@@ -39,81 +58,140 @@ def draw(drawn: Map | Picture, kind: str, inches: float, style: str, *, has_capt
     return buffer.getvalue()
 
 
-def figure_of(drawn: Map | Picture, inches: float, style: Style, *, has_caption: bool) -> Figure:
-    """A picture as matplotlib's figure: axes above, then legend and caption."""
-    keys = _legend(drawn, style, _letters(inches - 0.4))
-    lines = [line for text in (drawn.caption if has_caption else ()) for line in wrap(text, _letters(inches))]
-    foot = (len(lines) + sum(1 + key.get_label().count("\n") for key in keys)) * SMALL * _LINE / 72
-    foot += 0.1 if lines or keys else 0.02
+def figure_of(drawn: Map | Picture, inches: float | None, style: Style, *, has_caption: bool) -> Figure:
+    """Return a picture as matplotlib's figure: title, rows of axes with their legends, caption."""
+    panels = 1 if isinstance(drawn, Map) else len(drawn.panels)
+    inches = inches or (_ONE_PANEL if panels == 1 else _MORE_PANELS)
+    columns = panels if inches / panels >= _NARROWEST else 1
+    figure = Figure(figsize=(inches, inches))
     if isinstance(drawn, Map):
-        height = 0.75 * inches + 0.35 + foot
-        rows = columns = 1
+        blocks = [_map_block(figure, drawn, inches, style)]
     else:
-        columns = max(1, min(len(drawn.panels), int(inches / _PANEL)))
-        rows = -(-len(drawn.panels) // columns)
-        height = rows * (0.75 * inches / columns + 0.35) + foot
-    figure = sheet(inches, height, rect=(0.0, foot / height, 1.0, 1 - foot / height))
+        blocks = _panel_blocks(figure, drawn.panels, inches / columns, columns, style)
+    title = figure.text(0.5, 1, typeset(drawn.title), fontsize=LABEL, ha="center", va="top")
+    lines = [line for text in (drawn.caption if has_caption else ()) for line in typeset_lines(text, _letters(inches))]
+    caption = figure.text(0.015, 0, "\n".join(lines), fontsize=SMALL, linespacing=1.3, ha="left", va="bottom")
+    rows = [blocks[start : start + columns] for start in range(0, panels, columns)]
+    _arrange(figure, inches, title, rows, caption)
     if isinstance(drawn, Map):
-        draw_map(figure.add_subplot(), drawn, inches, style)
+        label_map(blocks[0].axes, drawn, style)
     else:
-        for place, panel in enumerate(drawn.panels, 1):
-            axes = figure.add_subplot(rows, columns, place)
-            draw_panel(axes, panel, inches / columns, style)
-            if len(drawn.panels) > 1 and len(panel.curves) > 1:
-                axes.legend(fontsize=SMALL, frameon=False, labelcolor=style.ink)
-    if drawn.title:
-        figure.suptitle(drawn.title, fontsize=LABEL)
-    top = foot / height
-    if keys:
-        figure.legend(
-            handles=keys, loc="upper left", bbox_to_anchor=(0.0, top), fontsize=SMALL, frameon=False, borderpad=0.2,
-            labelspacing=0.2, handleheight=1.0,
-        )  # fmt: skip
-    if lines:
-        figure.text(
-            0.02, 0.03 / height, "\n".join(lines), fontsize=SMALL, linespacing=_LINE - 0.1, va="bottom", ha="left"
-        )
+        for block, panel in zip(blocks, drawn.panels, strict=True):
+            label_panel(block.axes, panel, style)
     return figure
 
 
+def _map_block(figure: Figure, drawn: Map, inches: float, style: Style) -> _Block:
+    """Return the axes and the legend of a map."""
+    axes = figure.add_axes((0.1, 0.1, 0.8, 0.8))
+    draw_map(axes, drawn, inches, style)
+    return _Block(axes, _legend(figure, _keys_of_map(drawn, style, _letters(inches - 0.4))), _ASPECT)
+
+
+def _panel_blocks(figure: Figure, panels: Sequence[Panel], inches: float, columns: int, style: Style) -> list[_Block]:
+    """Return the axes and the legends of panels. The titles of several have letters."""
+    blocks = []
+    for panel, letter in zip(panels, "abcdef", strict=False):
+        axes = figure.add_axes((0.1, 0.1, 0.8, 0.8), label=letter)
+        draw_panel(axes, panel, inches, style)
+        if len(panels) == 1:
+            axes.set_title(typeset(panel.title), fontsize=LABEL)
+        else:
+            axes.set_title(f"({letter}) {typeset(panel.title)}", fontsize=LABEL, loc="left")
+        keys = _keys_of_curves(panel, style, _letters(inches - 0.4)) if len(panel.curves) > 1 else []
+        aspect = _ASPECT if columns == 1 else _ASPECT_BESIDE
+        if panel.is_true_to_scale:
+            aspect = (panel.y.high - panel.y.low) / (panel.x.high - panel.x.low)
+        blocks.append(_Block(axes, _legend(figure, keys), aspect))
+    return blocks
+
+
+def _legend(figure: Figure, keys: Sequence[Any]) -> Any:
+    """Return a legend, which is placed later; None without keys."""
+    if not keys:
+        return None
+    return figure.legend(
+        handles=keys, loc="upper left", fontsize=SMALL, frameon=False, borderpad=0.0, borderaxespad=0.0, labelspacing=0.3,
+        handleheight=1.0, handlelength=2.4,
+    )  # fmt: skip
+
+
+def _arrange(figure: Figure, inches: float, title: Any, rows: Sequence[Sequence[_Block]], caption: Any) -> None:
+    """Set the height of a page and the places of its parts, measured as they are drawn.
+
+    Axes in a row have the same margins, so that they stand on one line.
+    """
+    figure.draw_without_rendering()
+    dpi = figure.dpi
+    slot = inches / max(map(len, rows))
+    margins = [[max(sides) for sides in zip(*(block.margins() for block in row), strict=True)] for row in rows]
+    heights = [
+        max((slot - left - right) * block.aspect for block in row)
+        for row, (left, right, _, _) in zip(rows, margins, strict=True)
+    ]
+    legends = [max(_height(block.legend, dpi) for block in row) for row in rows]
+    head, foot = _height(title, dpi), _height(caption, dpi)
+    total = head + foot + _GAP * (1 + len(rows))
+    total += sum(bottom + top for _, _, bottom, top in margins) + sum(heights) + sum(legends)
+    figure.set_size_inches(inches, total)
+    title.set_y(1 - _GAP / 2 / total)
+    caption.set_y(_GAP / 2 / total)
+    at = total - head - _GAP
+    for row, (left, right, bottom, top), height, legend in zip(rows, margins, heights, legends, strict=True):
+        at -= top + height
+        for place, block in enumerate(row):
+            size = slot - left - right, height
+            block.axes.set_position(((place * slot + left) / inches, at / total, size[0] / inches, size[1] / total))
+            if block.legend is not None:
+                block.legend.set_bbox_to_anchor((place / len(row) + 0.015, (at - bottom) / total))
+        at -= bottom + legend + _GAP
+
+
+def _height(part: Any, dpi: float) -> float:
+    """Return the height of a text or legend in inches."""
+    return 0.0 if part is None else float(part.get_window_extent().height / dpi)
+
+
 def _letters(inches: float) -> int:
-    """How many letters of a caption a line takes."""
-    return int(0.96 * inches * 72 / (_LETTER * SMALL))
+    """Return the number of letters of a caption or legend that fit into a width."""
+    return int(0.97 * inches * 72 / (_LETTER * SMALL))
 
 
 @contextmanager
 def _settings(style: Style) -> Iterator[None]:
-    """Matplotlib's own settings, not the user's, with ours on top."""
+    """Use matplotlib's own settings, not the user's, with ours on top."""
     with mpl.rc_context():
         mpl.rcdefaults()
         mpl.rcParams.update(
             {
                 "font.size": LABEL,
                 "font.family": "DejaVu Sans",
-                "axes.titlesize": LABEL,
-                "axes.labelsize": LABEL,
+                "mathtext.fontset": "dejavusans",
                 "xtick.labelsize": TICK,
                 "ytick.labelsize": TICK,
-                "legend.fontsize": TICK,
                 "axes.linewidth": 0.6,
+                "xtick.major.width": 0.6,
+                "ytick.major.width": 0.6,
                 "hatch.linewidth": 0.35,
-                "hatch.color": style.ink,
+                "hatch.color": style.hatch,
                 "svg.hashsalt": "jkroll",
-                "svg.fonttype": "none",
+                "svg.fonttype": "path",  # looks the same where the font is missing
                 "pdf.fonttype": 42,
                 "figure.facecolor": style.paper,
                 "savefig.facecolor": style.paper,
                 "axes.facecolor": style.paper,
-                **dict.fromkeys(
-                    ("text.color", "axes.edgecolor", "axes.labelcolor", "xtick.color", "ytick.color"), style.ink
-                ),
+                "text.color": style.ink,
+                "axes.edgecolor": style.ink,
+                "axes.labelcolor": style.ink,
+                "xtick.color": style.ink,
+                "ytick.color": style.ink,
             }
         )
         yield
 
 
 def _metadata(drawn: Map | Picture, kind: str) -> dict[str, Any]:
-    """What the file says of itself; never when it was made."""
+    """Return what the file says of itself, without the time at which it was made."""
     about = " ".join(drawn.caption)
     who = f"jkroll {__version__}, matplotlib {mpl.__version__}"
     if kind == "pdf":
@@ -123,38 +201,30 @@ def _metadata(drawn: Map | Picture, kind: str) -> dict[str, Any]:
     return {"Title": drawn.title, "Description": about, "Software": who}
 
 
-def _legend(drawn: Map | Picture, style: Style, letters: int) -> list[Any]:
-    """What stands below the axes: a key for each sign, its text in lines of so many letters."""
-    return _keys_of_map(drawn, style, letters) if isinstance(drawn, Map) else _keys_of_curves(drawn, letters)
-
-
 def _keys_of_map(drawn: Map, style: Style, letters: int) -> list[Any]:
-    """A key for each region, for the dashed contours, and for where there is no value."""
+    """Return a key for each region, for the dashed contours, and for the part without a value."""
     keys: list[Any] = []
     for place, region in enumerate(drawn.regions):
-        text = "\n".join(wrap(region.text, letters))
+        text = "\n".join(typeset_lines(region.text, letters))
         if region.kind == "border":
             keys.append(Line2D([], [], color=style.ink, linewidth=0.9, linestyle="dashdot", label=text))
-            continue
-        if region.kind == "everywhere":
+        elif region.kind == "everywhere":
             keys.append(Patch(label=text, facecolor="none", edgecolor="none"))
-            continue
-        is_shaded = region.kind == "shaded"
-        fill = {"facecolor": style.ink, "alpha": SHADE} if is_shaded else {"facecolor": "none"}
-        hatch = None if is_shaded else HATCHES[place % len(HATCHES)]
-        keys.append(Patch(label=text, hatch=hatch, edgecolor=style.ink, linewidth=0.4, **fill))
+        elif region.kind == "shaded":
+            keys.append(Patch(label=text, facecolor=style.ink, alpha=SHADE))
+        else:
+            hatch = HATCHES[place % len(HATCHES)]
+            keys.append(Patch(label=text, facecolor="none", hatch=hatch, edgecolor=style.hatch, linewidth=0.4))
     if drawn.printed is not None:
         keys.append(Line2D([], [], color=style.ink, linewidth=0.6, linestyle="dashed", label="as printed"))
     if drawn.has_gaps:
-        keys.append(Patch(label="blank: no value", facecolor=style.paper, edgecolor=style.ink, linewidth=0.4))
+        keys.append(Patch(label="no value", facecolor=style.paper, edgecolor=style.ink, linewidth=0.8))
     return keys
 
 
-def _keys_of_curves(drawn: Picture, letters: int) -> list[Any]:
-    """A key for each curve of a single panel; several have theirs inside."""
-    if len(drawn.panels) > 1 or len(drawn.panels[0].curves) == 1:
-        return []
+def _keys_of_curves(panel: Panel, style: Style, letters: int) -> list[Any]:
+    """Return a key for each curve of a panel."""
     return [
-        Line2D([], [], label="\n".join(wrap(curve.text, letters)), **line_of(curve, number))
-        for number, curve in enumerate(drawn.panels[0].curves)
+        Line2D([], [], label="\n".join(typeset_lines(curve.text, letters)), **line_of(curve, number, style))
+        for number, curve in enumerate(panel.curves)
     ]

@@ -11,7 +11,7 @@ _FIRST, _LAST = -323, 308  # decades of the doubles
 
 
 class Curve(NamedTuple):
-    """A line through points; several that belong together have one colour."""
+    """A line through points. Curves that belong together share a colour."""
 
     text: str
     x: Any
@@ -32,7 +32,7 @@ class Panel(NamedTuple):
 
 
 class Picture(NamedTuple):
-    """Panels beside each other, and what they show."""
+    """Panels beside each other, with a title and a caption."""
 
     title: str
     panels: tuple[Panel, ...]
@@ -40,7 +40,7 @@ class Picture(NamedTuple):
 
 
 def axis_around(name: str, values: Iterable[Any], *, is_log: bool | None = None, margin: float = 0.05) -> Axis:
-    """An axis that holds all values that are numbers, with a margin; logarithmic where they are of different orders."""
+    """Return an axis that holds all finite values, with a margin; logarithmic where they are of different orders."""
     import numpy
 
     known = numpy.concatenate([numpy.ravel(one) for one in values])
@@ -52,7 +52,7 @@ def axis_around(name: str, values: Iterable[Any], *, is_log: bool | None = None,
 
 
 def clipped(values: Any, low: float, high: float) -> Any:
-    """Values between two limits; nan where they are beyond."""
+    """Return the values between two limits; nan elsewhere."""
     import numpy
 
     return numpy.where((values >= low) & (values <= high), values, numpy.nan)

@@ -1,4 +1,4 @@
-"""A contact in curves: its force, its pressure and its moment; and Figs. 2 and 9, the shifted contact in three and in two dimensions."""
+"""Curves of one contact: force, pressure and moment; and Figs. 2 and 9, the shifted contact in three and two dimensions."""
 
 from typing import Any
 
@@ -14,18 +14,13 @@ from .maps import Mark, Setting
 from .panels import Curve, Panel, Picture, axis_around, clipped
 
 POINTS = 401
-RUNGS = ("yield_moment", "unloaded_moment", "half_circles_moment", "fixed_approach_moment")
-SIZE = {"radius": 2e-8}  # of the spheres of Fig. 2, small enough for ξ to be seen
+MOMENTS = ("yield_moment", "unloaded_moment", "half_circles_moment", "fixed_approach_moment")
+SIZE = {"radius": 2e-8}  # of the spheres of Fig. 2, small enough that ξ is visible
 _STATE = ("contact_radius_at_load", "hertz_pressure", "boussinesq_pressure")
 
 
-def curves_of_contact(setting: Setting, told: tuple[str, ...]) -> Picture:
-    """Force against approach, pressure, and moment against ξ of one contact without load."""
-    return Picture("", (_force(setting), _pressure(setting), _moment(setting)), told)
-
-
 def _force(setting: Setting) -> Panel:
-    """Both branches, with the states where something happens."""
+    """Return force against approach on both branches, with the states at which the contact changes."""
     import numpy
 
     parts = (("unstable", 1e-7, FOLD), ("fixed grips", FOLD, PULL_OFF), ("stable", PULL_OFF, 1.35))
@@ -45,7 +40,7 @@ def _force(setting: Setting) -> Panel:
 
 
 def _pressure(setting: Setting) -> Panel:
-    """The pressure across the contact, as it is without load and as it is when it lets go."""
+    """Return the pressure across the contact without load and at pull-off."""
     curves = []
     for number, (text, factor) in enumerate((("P = 0", EQUILIBRIUM), ("pull-off", PULL_OFF))):
         state = setting.solve(_STATE, {"load_factor": factor})
@@ -55,15 +50,15 @@ def _pressure(setting: Setting) -> Panel:
 
 
 def _moment(setting: Setting) -> Panel:
-    """The moment against the displacement, up to where the leading edge would interpenetrate, by every model."""
+    """Return the moment against ξ by every model, up to the ξ at which the leading edge would interpenetrate."""
     import numpy
 
     limit = setting.solve(("displacement_limit",), {})["displacement_limit"]
     shifts = numpy.linspace(0, limit, POINTS)[1:]
-    found = setting.solve(RUNGS, {"yield_displacement": shifts})
+    found = setting.solve(MOMENTS, {"yield_displacement": shifts})
     curves = [
         Curve(f"{NOMENCLATURE[name].symbol}: {NOMENCLATURE[name].sentence}", shifts, found[name], number)
-        for number, name in enumerate(RUNGS)
+        for number, name in enumerate(MOMENTS)
     ]
     ends = [numpy.array([0.0]), *(curve.y for curve in curves)]
     at = setting.solve(("yield_moment",), {})["yield_moment"]
@@ -75,11 +70,20 @@ def _moment(setting: Setting) -> Panel:
     )  # fmt: skip
 
 
+PANELS = {"force": _force, "pressure": _pressure, "moment": _moment}  # of a contact
+
+
+def curves_of_contact(setting: Setting, caption: tuple[str, ...], panel: str | None = None) -> Picture:
+    """Return force against approach, pressure, and moment against ξ of one contact; or one of these panels."""
+    names = (panel,) if panel is not None else tuple(PANELS)
+    return Picture("", tuple(PANELS[name](setting) for name in names), caption)
+
+
 def figure_2(materials: Materials) -> Picture:
-    """The shifted contact from above, with its two half-circles, and its pressure along the way, exact and simplified."""
+    """Return Fig. 2: the shifted contact from above with its half-circles, and its pressure, exact and simplified."""
     import numpy
 
-    setting = Setting(SIZE, materials["quartz"], None, materials)
+    setting = Setting(SIZE, materials["quartz"])
     names = (*_STATE, "contact_modulus", "reduced_radius", "approach_at_load", "yield_moment", "half_circles_moment")
     state = setting.solve(names, {})
     shift = float(setting.scene({}).values["yield_displacement"])
@@ -122,7 +126,7 @@ def figure_2(materials: Materials) -> Picture:
 
 
 def figure_9(materials: Materials) -> Picture:
-    """The pressure of a cylinder on a rigid plane: symmetric, and shifted, exact and simplified."""
+    """Return Fig. 9: the pressure of a cylinder on a rigid plane, symmetric and shifted, exact and simplified."""
     quartz = materials["quartz"].properties
     modulus = quartz["youngs_modulus"] / (1 - quartz["poisson_ratio"] ** 2)
     radius = SIZE["radius"]
@@ -165,7 +169,7 @@ def figure_9(materials: Materials) -> Picture:
 
 
 def _across(first: float, last: float) -> Any:
-    """Positions between two ends, closer to each other where the pressure is steep."""
+    """Return positions between two ends, closer to each other near the ends, where the pressure is steep."""
     import numpy
 
     parts = (1 - numpy.cos(numpy.linspace(0, numpy.pi, POINTS)[1:-1])) / 2
@@ -173,10 +177,10 @@ def _across(first: float, last: float) -> Any:
 
 
 def _panel(curves: list[Curve], highest: float, title: str) -> Panel:
-    """Pressures over one axis, cut where they grow beyond bounds at a rim."""
+    """Return a panel of pressures, cut where they diverge at a rim."""
     cut = tuple(curve._replace(y=clipped(curve.y, -2.5 * highest, 1.5 * highest)) for curve in curves)
     x = axis_around("position_across", [curve.x for curve in curves], is_log=False)
     return Panel(x, Axis("pressure_across", -2.5 * highest, 1.5 * highest, is_log=False), cut, (), title)
 
 
-DRAWN = {"2": figure_2, "9": figure_9}
+PROFILES = {"2": figure_2, "9": figure_9}  # figures of the paper

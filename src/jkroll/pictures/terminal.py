@@ -1,11 +1,12 @@
-"""Maps and curves drawn in a terminal, to its width."""
+"""Draw maps and curves in a terminal, to its width."""
 
 from math import isnan
+from textwrap import wrap
 from typing import Any, TextIO
 
 from ..text import say
 from .axes import Axis
-from .canvas import LINES, RAMP, SIGNS, Canvas, Colour, Screen, screen_of, shade, stacked, wrapped
+from .canvas import LINES, RAMP, SIGNS, Canvas, Colour, Screen, screen_of, shade, stacked
 from .maps import Level, Map, Mark, Region, label_of
 from .panels import Curve, Panel, Picture
 
@@ -16,10 +17,10 @@ HATCHES = "x/\\|"
 
 
 def draw_map(drawn: Map, out: TextIO) -> None:
-    """A map in bands between its contours, which are labelled, with what is marked and where it has no meaning."""
+    """Draw a map: bands between labelled contours, hatched regions, and marks."""
     screen = screen_of(out)
     axis = _Frame(drawn.x, drawn.y, screen)
-    levels = drawn.levels(BAND_STEPS)
+    levels = drawn.bands(BAND_STEPS)
     canvas = Canvas(axis.width, axis.height)
     _paint(canvas, drawn, levels, screen)
     _hatch(canvas, drawn)
@@ -38,7 +39,7 @@ def draw_map(drawn: Map, out: TextIO) -> None:
     if drawn.printed is not None:
         _label(canvas, drawn.printed, levels, "({})", 0.8)
         legend.append("( ) as printed")
-    for line in wrapped(drawn.title, screen.width):
+    for line in wrap(drawn.title, screen.width):
         say(line, out)
     for line in stacked(above, axis.width):
         say(" " * axis.margin + line, out)
@@ -46,12 +47,12 @@ def draw_map(drawn: Map, out: TextIO) -> None:
     for line in _scale(drawn, levels, screen):
         say(line, out)
     for text in (*legend, *drawn.caption):
-        for line in wrapped(text, screen.width):
+        for line in wrap(text, screen.width):
             say(line, out)
 
 
 def draw_picture(drawn: Picture, out: TextIO) -> None:
-    """Panels below each other, each with its curves, points and axes."""
+    """Draw panels below each other, each with its curves, points and axes."""
     screen = screen_of(out)
     if drawn.title:
         say(drawn.title, out)
@@ -69,12 +70,12 @@ def draw_picture(drawn: Picture, out: TextIO) -> None:
             for number, curve in enumerate(panel.curves):
                 say(f"{_key(curve.colour, SIGNS[number % len(SIGNS)], screen)} {curve.text}", out)
     for text in drawn.caption:
-        for line in wrapped(text, screen.width):
+        for line in wrap(text, screen.width):
             say(line, out)
 
 
 def _key(colour: int, sign: str, screen: Screen) -> str:
-    """The line of a curve, for the legend."""
+    """Return a sample of a curve's line, for the legend."""
     strip = Canvas(2, 1)
     strip.pixels[0] = [LINES[colour % len(LINES)]] * 2
     strip.signs[0] = [sign] * 2
@@ -82,7 +83,7 @@ def _key(colour: int, sign: str, screen: Screen) -> str:
 
 
 def _trace(canvas: Canvas, panel: Panel, curve: Curve, sign: str) -> None:
-    """A curve, without gaps between its points."""
+    """Draw a curve, without gaps between its points."""
     import numpy
 
     places = []
@@ -101,7 +102,7 @@ def _trace(canvas: Canvas, panel: Panel, curve: Curve, sign: str) -> None:
 
 
 class _Frame:
-    """The place of the axes on the screen: the ticks of y to the left, those of x below."""
+    """Axes on a screen: the ticks of y to the left, those of x below."""
 
     def __init__(self, x: Axis, y: Axis, screen: Screen, *, is_true_to_scale: bool = False) -> None:
         self.x, self.y, self.screen = x, y, screen
@@ -114,13 +115,13 @@ class _Frame:
         self.x_ticks = x.ticks(max(2, self.width // 9))
 
     def column(self, value: float) -> int:
-        """The column of a value of x."""
+        """Return the column of a value of x."""
         return _cell(self.x, value, self.width)
 
     def say(self, canvas: Canvas, out: TextIO) -> None:
         """Write the canvas with its axes."""
         texts = {canvas.height - 1 - _cell(self.y, tick.value, canvas.height): tick.text for tick in self.y_ticks}
-        for line in wrapped(self.y.label(), self.screen.width):
+        for line in wrap(self.y.label(), self.screen.width):
             say(line, out)
         for row, line in enumerate(canvas.lines(self.screen)):
             say(f"{texts.get(row, ''):>{self.margin - 1}} {line}", out)
@@ -132,17 +133,17 @@ class _Frame:
                 below[start : start + len(tick.text)] = tick.text
                 end = start + len(tick.text)
         say("".join(below).rstrip(), out)
-        for line in wrapped(self.x.label(), self.screen.width):
+        for line in wrap(self.x.label(), self.screen.width):
             say(f"{line:^{self.screen.width}}".rstrip(), out)
 
 
 def _cell(axis: Axis, value: float, count: int) -> int:
-    """Which of so many cells a value falls into."""
+    """Return the number of the cell, among `count` along an axis, into which a value falls."""
     return min(max(round(float(axis.place(value)) * (count - 1)), 0), count - 1)
 
 
 def _paint(canvas: Canvas, drawn: Map, levels: list[Level], screen: Screen) -> None:
-    """The band of every pixel; where there is no value, none."""
+    """Colour every pixel by its band; a pixel without a value gets no colour."""
     import numpy
 
     def bands(height: int) -> Any:
@@ -158,7 +159,7 @@ def _paint(canvas: Canvas, drawn: Map, levels: list[Level], screen: Screen) -> N
 
 
 def _sampled(values: Any, width: int, height: int) -> Any:
-    """The values nearest to the middles of so many pixels, the highest row first."""
+    """Return the values nearest to the middles of so many pixels, the highest row first."""
     import numpy
 
     rows = numpy.rint(numpy.linspace(values.shape[0] - 1, 0, height)).astype(int)
@@ -167,7 +168,7 @@ def _sampled(values: Any, width: int, height: int) -> Any:
 
 
 def _hatch(canvas: Canvas, drawn: Map) -> None:
-    """Hatch the regions; where they overlap, their signs take turns with each other and with the band."""
+    """Hatch the regions; where they overlap, their signs alternate with each other and with the band."""
     signs: list[list[str]] = [[""] * canvas.width for _ in range(canvas.height)]
     for sign, region in _signs(drawn):
         if region.kind == "everywhere":
@@ -185,14 +186,14 @@ def _hatch(canvas: Canvas, drawn: Map) -> None:
 
 
 def _signs(drawn: Map) -> list[tuple[str, Region]]:
-    """The regions, each with its sign."""
+    """Return the regions, each with its sign."""
     hatches = iter(HATCHES)
     others = {"border": BORDER, "everywhere": " "}
     return [(others.get(region.kind) or next(hatches), region) for region in drawn.regions]
 
 
 def _edge(is_above: Any) -> Any:
-    """Cells whose neighbour to the right or below is on the other side."""
+    """Return True for cells whose neighbour to the right or below is on the other side."""
     import numpy
 
     edge = numpy.zeros(is_above.shape, bool)
@@ -202,7 +203,7 @@ def _edge(is_above: Any) -> Any:
 
 
 def _across(canvas: Canvas, y: Axis, guide: Mark) -> None:
-    """A dotted line across, with its text at the right end."""
+    """Draw a dotted line across, with its text at the right end."""
     if guide.y is not None:
         row = canvas.height - 1 - _cell(y, guide.y, canvas.height)
         for column in range(0, canvas.width, 2):
@@ -211,7 +212,7 @@ def _across(canvas: Canvas, y: Axis, guide: Mark) -> None:
 
 
 def _point(canvas: Canvas, x: Axis, y: Axis, mark: Mark) -> None:
-    """A mark with its text, on the side where there is room; one on the y axis alone at the right end."""
+    """Draw a mark with its text on the side that has room; a mark on the y axis alone goes to the right end."""
     column = canvas.width - 1 if mark.x is None else _cell(x, mark.x, canvas.width)
     row = canvas.height - 1 - _cell(y, y.low if mark.y is None else mark.y, canvas.height)
     if not canvas.write(column, row, f"o {mark.text}"):
@@ -219,7 +220,7 @@ def _point(canvas: Canvas, x: Axis, y: Axis, mark: Mark) -> None:
 
 
 def _label(canvas: Canvas, values: Any, levels: list[Level], form: str, middle: float) -> None:
-    """Each contour's label, on it, as near to a place in the middle row as there is room."""
+    """Label each contour, as near to a place in the middle row as there is room."""
     import numpy
 
     values = _sampled(values, canvas.width, canvas.height)
@@ -237,7 +238,7 @@ def _label(canvas: Canvas, values: Any, levels: list[Level], form: str, middle: 
 
 
 def _scale(drawn: Map, levels: list[Level], screen: Screen) -> list[str]:
-    """The bands in order, with the values between them, in as many lines as the width takes."""
+    """Return the scale: the bands in order with the values between them, wrapped to the width."""
     lines = [label_of(drawn.quantity, has_log_labels=drawn.has_log_labels) + ":"]
     length = len(lines[0])
     for band in range(len(levels) + 1):

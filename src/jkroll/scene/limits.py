@@ -28,6 +28,7 @@ class Limit(NamedTuple):
     name: str
     touches: frozenset[str]
     judge: Callable[[float], tuple[bool, str]]
+    doubt: str = ""  # about values far beyond it
 
 
 def _tabor(mu: float) -> tuple[bool, str]:
@@ -79,15 +80,18 @@ def _force(ratio: float) -> tuple[bool, str]:
 
 
 LIMITS = (
-    Limit("tabor_parameter", frozenset({"work_of_adhesion"}), _tabor),
-    Limit("contact_radius_in_spacings", frozenset({"work_of_adhesion"}), _spacings),
+    Limit("tabor_parameter", frozenset({"work_of_adhesion"}), _tabor, "DMT is closer than JKR"),
+    Limit("contact_radius_in_spacings", frozenset({"work_of_adhesion"}), _spacings, "elasticity is in doubt"),
     Limit("approach_in_spacings", frozenset({"approach", "approach_at_load"}), _approach),
     Limit("load_over_pull_off", frozenset({"load", "load_factor", "load_factor_at_approach"}), _load),
     Limit("load_margin", frozenset({"load_factor", "load_factor_at_approach"}), _margin),
-    Limit("displacement_ratio", frozenset({"yield_displacement"}), _displacement),
+    Limit(
+        "displacement_ratio", frozenset({"yield_displacement"}), _displacement,
+        "the leading edge would interpenetrate, and rolling has no meaning",
+    ),
     Limit("yield_force_ratio", frozenset({"yield_force"}), _force),
     Limit("energy_over_yield", frozenset({"n_roll", "n_roll_energy_balance"}), _energy),
-)
+)  # fmt: skip
 
 LIMIT_NAMES = tuple(limit.name for limit in LIMITS)
 

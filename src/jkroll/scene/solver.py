@@ -23,8 +23,8 @@ def solve(
     wanted: str | Iterable[str],
     /,
     *,
-    material: str | None = None,
-    material2: str | None = None,
+    material: str | Material | None = None,
+    material2: str | Material | None = None,
     materials: Materials | None = None,
     **given: Any,
 ) -> Any:
@@ -35,7 +35,7 @@ def solve(
     wanted
         A name of the nomenclature, or several.
     material, material2
-        Names or aliases of materials; `material2` for sphere 2, which is otherwise like sphere 1. A property given
+        Materials, or their names or aliases; `material2` for sphere 2, which is otherwise like sphere 1. A property given
         by name overrides the material's.
     materials
         Where materials are looked up: `Materials(["mine.toml"])` for some of your own besides the shipped ones.
@@ -65,7 +65,7 @@ def solve(
     """
     names = _names(wanted)
     described, registry = _in_si(given)
-    spheres = _materials(material, material2, materials)
+    spheres = (_material("material", material, materials), _material("material2", material2, materials))
     arrays = {name: value for name, value in described.items() if not isinstance(value, float)}
     shape = _broadcast(arrays)
     if math.prod(shape) <= BLOCK:
@@ -86,20 +86,13 @@ def _names(wanted: str | Iterable[str]) -> list[str]:
     return [name if isinstance(name, str) else str(name) for name in wanted]
 
 
-def _materials(
-    material: str | None, material2: str | None, materials: Materials | None
-) -> tuple[Material | None, Material | None]:
-    """Return the materials of the two spheres."""
-    if material is None and material2 is None:
-        return None, None
-    known = materials or known_materials()
-    for argument, name in (("material", material), ("material2", material2)):
-        if not isinstance(name, str | None):
-            raise QuantityError(argument, str(name)[:MAX_QUOTED], "is not the name of one material")
-    return (
-        known[material] if material is not None else None,
-        known[material2] if material2 is not None else None,
-    )
+def _material(argument: str, material: str | Material | None, materials: Materials | None) -> Material | None:
+    """Return the material of a name; a material, or None, as it is."""
+    if material is None or isinstance(material, Material):
+        return material
+    if not isinstance(material, str):
+        raise QuantityError(argument, str(material)[:MAX_QUOTED], "is not the name of one material")
+    return (materials or known_materials())[material]
 
 
 def _broadcast(arrays: Mapping[str, Any]) -> tuple[int, ...]:

@@ -1,4 +1,4 @@
-"""What was asked for, as a map or as curves with all that is to be said of them."""
+"""Turn the request for a plot into a map or curves, with caption and notes."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
@@ -14,42 +14,38 @@ from ..scene.scene import Scene
 from ..text import quoted
 from .axes import Axis, described
 from .maps import (
-    Bound,
     Map,
     Mark,
     Progress,
     Setting,
     along,
-    bounds_of,
     coordinate,
     equation_of,
     evaluate,
     has_values,
     inputs_at,
-    is_wide,
-    margin_along,
     material_marks,
-    regions,
 )
 from .panels import Curve, Panel, Picture, axis_around
+from .regions import Bound, bounds_of, margin_along, regions
 
 MOST_POINTS = 25_000_000  # of a map
 MOST_ALONG = 1_000_000  # points of all curves together
 
 
-class Asked(NamedTuple):
-    """A map, or curves, as they were asked for."""
+class PlotRequest(NamedTuple):
+    """A quantity to draw over one axis as curves, or over two as a map."""
 
     quantity: str
     x: Axis
     y: Axis | None
-    settings: tuple[tuple[str, Setting], ...]  # with what tells them apart
+    settings: tuple[tuple[str, Setting], ...]  # a curve each, with its label
     marks: tuple[str, ...]
     materials: Materials
 
 
 class NothingToDraw(NoResult):
-    """A map or curves without a single value."""
+    """Error raised when a map or curves have no value at all."""
 
     def __init__(self, quantity: str) -> None:
         super().__init__(quantity)
@@ -60,7 +56,7 @@ class NothingToDraw(NoResult):
 
 
 def mark_at(text: str, materials: Materials, setting: Setting, x: Axis, y: Axis) -> Mark:
-    """The place of `MATERIAL@RADIUS`, `MATERIAL` or `@RADIUS` on a map."""
+    """Return the mark of `MATERIAL@RADIUS`, `MATERIAL` or `@RADIUS` on a map."""
     name, _, radius = text.partition("@")
     material = materials[name] if name else None
     values = {"radius": parse_quantity(radius, "radius")} if radius else {}
@@ -72,65 +68,69 @@ def mark_at(text: str, materials: Materials, setting: Setting, x: Axis, y: Axis)
 
 
 def sized(axis: Axis, size: int) -> Axis:
-    """An axis with a number of values, unless it was given one."""
+    """Return the axis with `size` values if it has no size of its own."""
     return axis if axis.size else axis._replace(size=size)
 
 
-def map_of(wish: Asked, size: tuple[int, int], progress: Progress | None = None) -> tuple[Map, tuple[str, ...]]:
-    """The map that was asked for, of so many points unless told, and notes on it."""
-    assert wish.y is not None
-    quantity, setting = wish.quantity, wish.settings[0][1]
-    x, y = sized(wish.x, size[0]), sized(wish.y, size[1])
+def map_of(
+    request: PlotRequest, size: tuple[int, int], progress: Progress | None = None
+) -> tuple[Map, tuple[str, ...]]:
+    """Return the map of a request, by default with `size` points across and up, and notes on it."""
+    assert request.y is not None
+    quantity, setting = request.quantity, request.settings[0][1]
+    x, y = sized(request.x, size[0]), sized(request.y, size[1])
     if x.size * y.size > MOST_POINTS:
         raise BadRequest(f"{x.size} x {y.size} points are more than {MOST_POINTS}")
-    held = Held(quantity, setting, {**_one_of(x), **_one_of(y)})
+    context = Context(quantity, setting, {**_one_of(x), **_one_of(y)})
     values = evaluate(setting, quantity, x, y, progress)
     if not has_values(values):
         raise NothingToDraw(quantity)
-    marks = [mark_at(text, wish.materials, setting, x, y) for text in wish.marks]
+    marks = [mark_at(text, request.materials, setting, x, y) for text in request.marks]
     if setting.material is None and {x.name, y.name} & {*PROPERTIES}:
-        marks = [*material_marks(wish.materials, x, y), *marks]
-    found = tuple(regions(setting, held.bounds, x, y))
-    caption = (shown(quantity, held.scene), *as_held(held.inputs))
-    drawn = Map(quantity, x, y, values, is_wide(values), False, found, tuple(marks), described(quantity, ""), caption)
-    return drawn, held.notes
+        marks = [*material_marks(request.materials, x, y), *marks]
+    found = tuple(regions(setting, context.bounds, x, y))
+    caption = (shown(quantity, context.scene), *fixed_inputs(context.inputs))
+    return Map(quantity, setting, x, y, values, found, tuple(marks), described(quantity, ""), caption), context.notes
 
 
-def curves_of(wish: Asked, size: int) -> tuple[Picture, tuple[str, ...]]:
-    """The curves that were asked for, and notes on them."""
-    x = sized(wish.x, size)
-    if x.size * len(wish.settings) > MOST_ALONG:
-        raise BadRequest(f"{len(wish.settings)} x {x.size} points are more than {MOST_ALONG}")
-    every: list[Held] = []
+def curves_of(request: PlotRequest, size: int) -> tuple[Picture, tuple[str, ...]]:
+    """Return the curves of a request, by default of `size` points, and notes on them."""
+    x = sized(request.x, size)
+    if x.size * len(request.settings) > MOST_ALONG:
+        raise BadRequest(f"{len(request.settings)} x {x.size} points are more than {MOST_ALONG}")
+    contexts: list[Context] = []
     curves: list[Curve] = []
     missing: dict[str, MissingInput] = {}
-    for text, setting in wish.settings:
+    for text, setting in request.settings:
         try:
-            held = Held(wish.quantity, setting, _one_of(x))
+            context = Context(request.quantity, setting, _one_of(x))
         except MissingInput as error:
             missing[text] = error
             continue
-        curves.append(Curve(text, x.values(), along(setting, wish.quantity, x), len(every)))
-        every.append(held)
+        curves.append(Curve(text, x.values(), along(setting, request.quantity, x), len(contexts)))
+        contexts.append(context)
     if not curves:
         raise next(iter(missing.values()))
     if not any(has_values(curve.y) for curve in curves):
-        raise NothingToDraw(wish.quantity)
-    y = axis_around(wish.quantity, [curve.y for curve in curves])
-    points = [mark_at(text, wish.materials, wish.settings[0][1], x, y) for text in wish.marks]
-    shared = [part for part in every[0].inputs if all(part in held.inputs for held in every)]
-    doubts = [text for held, curve in zip(every, curves, strict=True) for text in held.doubts(x, curve.text)]
-    caption = (shown(wish.quantity, every[0].scene), *as_held(shared), *doubts)
+        raise NothingToDraw(request.quantity)
+    y = axis_around(request.quantity, [curve.y for curve in curves])
+    points = [mark_at(text, request.materials, request.settings[0][1], x, y) for text in request.marks]
+    shared = [text for text in contexts[0].inputs if all(text in context.inputs for context in contexts)]
+    doubts = [text for context, curve in zip(contexts, curves, strict=True) for text in context.doubts(x, curve.text)]
+    caption = (shown(request.quantity, contexts[0].scene), *fixed_inputs(shared), *doubts)
     notes = [f"no curve: {error}" for error in missing.values()]
-    notes += dict.fromkeys(note for held in every for note in held.notes)
+    notes += dict.fromkeys(note for context in contexts for note in context.notes)
     return Picture("", (Panel(x, y, tuple(curves), tuple(points)),), caption), tuple(notes)
 
 
-class Held:
-    """What is the same all over a picture, what limits it, and what is to be known of it; MissingInput if something is missing."""
+class Context:
+    """The inputs that are fixed all over a picture, the bounds of the model, and notes on the data.
+
+    Raises MissingInput if the quantity cannot be computed.
+    """
 
     def __init__(self, quantity: str, setting: Setting, values: Mapping[str, float]) -> None:
-        """`values`: one of each axis."""
+        """Describe a quantity of a setting; `values` holds one value of each axis."""
         self.setting = setting
         self.scene = setting.scene(values)
         self.bounds: list[Bound] = []
@@ -149,18 +149,17 @@ class Held:
         self.notes = tuple(dict.fromkeys([*notes[:1], *data, *([f"{quantity}: {note}"] if note else [])]))
 
     def _texts(self, names: Iterable[str]) -> Iterable[str]:
-        """Materials, and inputs with their values."""
+        """Iterate over the materials, and over inputs with their values."""
         if self.setting.material is not None:
             yield self.setting.material.name
         if self.setting.material2 is not None:
             yield f"material2 = {self.setting.material2.name}"
         for name in names:
             value = self.scene.values[name]
-            text = amount(name, in_words(name, value))
-            yield f"{NOMENCLATURE[name].symbol} = {pretty(text)}"
+            yield f"{NOMENCLATURE[name].symbol} = {pretty(amount(name, in_words(name, value)))}"
 
     def doubts(self, x: Axis, curve: str) -> Iterable[str]:
-        """Where along an axis the model has no meaning, or is not exact."""
+        """Iterate over sentences that say where along an axis the model has no meaning or is not exact."""
         for bound in self.bounds:
             where = x.values()[margin_along(self.setting, bound, x) < 0]
             if where.size:
@@ -170,17 +169,17 @@ class Held:
 
 
 def shown(quantity: str, scene: Scene) -> str:
-    """What a picture shows, by which equation."""
+    """Return the first sentence of a caption: the quantity and its equation."""
     entry, number = NOMENCLATURE[quantity], equation_of(quantity, scene)
     equation = f", Eq ({number})" if number else ""
     return f"{entry.sentence[0].upper()}{entry.sentence[1:]} {entry.symbol}{equation}."
 
 
-def as_held(inputs: Sequence[str]) -> tuple[str, ...]:
-    """What is the same all over a picture, as a sentence."""
+def fixed_inputs(inputs: Sequence[str]) -> tuple[str, ...]:
+    """Return the sentence of a caption about fixed inputs, if there are any."""
     return (f"Held: {', '.join(inputs)}.",) if inputs else ()
 
 
 def _one_of(axis: Axis) -> dict[str, float]:
-    """One value of an axis, to ask what it takes and what it assumes."""
+    """Return inputs at one end of an axis; which inputs a quantity needs is the same all along it."""
     return inputs_at(axis.name, axis.high)

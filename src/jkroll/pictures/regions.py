@@ -1,0 +1,102 @@
+"""Regions of maps where the model has no meaning or is not exact."""
+
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any, NamedTuple
+
+from ..errors import NoResult
+from ..quantities.nomenclature import NOMENCLATURE
+from ..scene.errors import MissingInput
+from ..scene.limits import DMT_UP_TO, JKR_FROM, LIMITS
+from ..scene.scene import Scene
+from .axes import Axis
+from .maps import Region, Setting, inputs_at
+
+COARSE = 200  # points a side that are enough for the smooth border of a region
+
+
+class Bound(NamedTuple):
+    """A number that limits the model: how it is computed, and on which side of which value there is no meaning."""
+
+    names: tuple[str, ...]
+    value: Callable[..., Any]
+    limit: float
+    is_least: bool
+    text: str
+    kind: str = "hatched"
+
+    @property
+    def broken(self) -> str:
+        """The sentence about values beyond the bound."""
+        if self.kind == "border":
+            return f"{NOMENCLATURE[self.names[0]].symbol} < {self.limit:g}, JKR is not exact"
+        return self.text
+
+    def margin(self, setting: Setting, values: Mapping[str, Any]) -> Any:
+        """Return the distance of values from the bound in powers of ten, negative beyond it."""
+        import numpy
+
+        ratio = numpy.log10(self.value(**setting.solve(self.names, values)) / self.limit)
+        return ratio if self.is_least else -ratio
+
+
+def bounds() -> tuple[Bound, ...]:
+    """Return the bounds of the model: first those beyond which it has no meaning, then the one from which it is exact."""
+    symbol = NOMENCLATURE["tabor_parameter"].symbol
+    text = f"{symbol} = {JKR_FROM:g}: JKR holds where it is larger"
+    return (
+        _bound("contact_radius_in_spacings", 1.0, is_least=True),
+        _bound("displacement_ratio", 1.0, is_least=False),
+        _bound("tabor_parameter", DMT_UP_TO, is_least=True),
+        Bound(("tabor_parameter",), _same, JKR_FROM, True, text, "border"),
+    )
+
+
+def bounds_of(scene: Scene, quantity: str) -> list[Bound]:
+    """Return the bounds that concern a quantity of a scene."""
+    try:
+        plan = scene.plan(quantity)
+    except MissingInput:
+        return []
+    used = {quantity, *scene.inputs_of(quantity), *(step.name for step in plan.steps)}
+    touched = {limit.name for limit in LIMITS if limit.touches & used}
+    return [bound for bound in bounds() if bound.names[0] in touched]
+
+
+def regions(setting: Setting, bounds: Iterable[Bound], x: Axis, y: Axis) -> list[Region]:
+    """Return the regions in which bounds are broken. A bound that lacks an input is left out."""
+    import numpy
+
+    x, y = (axis._replace(size=min(axis.size, COARSE)) for axis in (x, y))
+    here = {**inputs_at(x.name, x.values()[None, :]), **inputs_at(y.name, y.values()[:, None])}
+    found = []
+    for bound in bounds:
+        try:
+            margin = numpy.broadcast_to(bound.margin(setting, here), (y.size, x.size))
+        except (MissingInput, NoResult):
+            continue
+        if bound.kind == "border" and (margin < 0).all():
+            found.append(Region(f"everywhere {bound.broken}", x, y, margin, "everywhere"))
+        elif (margin < 0).any():
+            found.append(Region(bound.text, x, y, margin, bound.kind))
+    return found
+
+
+def margin_along(setting: Setting, bound: Bound, x: Axis) -> Any:
+    """Return the distance from a bound along one axis, negative beyond it."""
+    import numpy
+
+    values = x.values()
+    return numpy.broadcast_to(bound.margin(setting, inputs_at(x.name, values)), values.shape)
+
+
+def _bound(name: str, limit: float, *, is_least: bool) -> Bound:
+    """Return the bound of a limit of the model, in the words of that limit."""
+    doubt = next(one.doubt for one in LIMITS if one.name == name)
+    text = f"{NOMENCLATURE[name].symbol} {'<' if is_least else '>'} {limit:g}: {doubt}"
+    return Bound((name,), _same, limit, is_least, text)
+
+
+def _same(**values: Any) -> Any:
+    """Return the only value."""
+    (value,) = values.values()
+    return value

@@ -1,0 +1,56 @@
+"""Looks of a page: colours of paper, ink and bands, and sizes of letters."""
+
+from typing import Any, NamedTuple
+
+from .canvas import Colour
+
+LABEL, TICK, SMALL = 8.0, 7.0, 6.5  # sizes of letters in points, whatever the width of the page
+SHADE = 0.25  # opacity of a shaded region
+DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)))
+HATCHES = ("xxxx", "////", "\\\\\\\\", "||||")
+BORDERS: dict[str, dict[str, Any]] = {
+    "hatched": {"linewidths": 0.5, "linestyles": "dotted"},
+    "shaded": {"linewidths": 0.5, "linestyles": "dotted"},
+    "border": {"linewidths": 0.9, "linestyles": "dashdot"},
+}
+
+
+class Style(NamedTuple):
+    """Colours of a page: paper, ink, hatches, the bands of a map from low to high, and curves.
+
+    The lightness of the bands changes steadily, so that their order shows in grey and to the colour-blind, and ink can be read on
+    each of them.
+    """
+
+    paper: str
+    ink: str
+    hatch: str
+    bands: tuple[Colour, ...]
+    lines: tuple[Colour, ...]
+
+    def band(self, place: float) -> tuple[float, float, float]:
+        """Return the colour of a band between the lowest, 0, and the highest, 1, as matplotlib takes it."""
+        scaled = place * (len(self.bands) - 1)
+        first = min(int(scaled), len(self.bands) - 2)
+        low, high = self.bands[first], self.bands[first + 1]
+        red, green, blue = ((a + (b - a) * (scaled - first)) / 255 for a, b in zip(low, high, strict=True))
+        return red, green, blue
+
+    def line(self, number: int) -> tuple[float, float, float]:
+        """Return the colour of curves of one number, as matplotlib takes it."""
+        red, green, blue = self.lines[number % len(self.lines)]
+        return red / 255, green / 255, blue / 255
+
+
+# ColorBrewer's GnBu without its ends, and a dark counterpart. The lines are Okabe and Ito's colours.
+PAPER = Style(
+    "#ffffff", "#000000", "#555555",
+    ((232, 246, 226), (204, 235, 197), (168, 221, 181), (123, 204, 196), (78, 179, 211)),
+    ((0, 114, 178), (213, 94, 0), (0, 158, 115), (204, 121, 167), (86, 180, 233), (0, 0, 0)),
+)  # fmt: skip
+DARK = Style(
+    "#12151c", "#f2f2f2", "#a0a4ad",
+    ((24, 36, 66), (24, 58, 92), (26, 82, 110), (38, 108, 120), (66, 134, 126)),
+    ((86, 180, 233), (230, 159, 0), (0, 158, 115), (204, 121, 167), (240, 228, 66), (242, 242, 242)),
+)  # fmt: skip
+STYLES = {"paper": PAPER, "dark": DARK, "light": PAPER}  # light: the former name of paper
