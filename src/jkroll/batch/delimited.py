@@ -122,7 +122,7 @@ class Delimited:
                 lines.append(line)
                 rows.append(cells)
             starts.append(start)
-        columns = {place: [_encoded(row[place]) for row in rows] for place in self.places.values()}
+        columns = {place: _column([row[place] for row in rows]) for place in self.places.values()}
         return Records(lines, columns, odd, {row: b"".join(some) for row, some in blank.items()}, starts)
 
     def _problem(self, line: bytes, cells: list[str] | None) -> str:
@@ -176,6 +176,12 @@ class Delimited:
     def safe(self, line: bytes) -> bytes:
         """Return a line in which a spreadsheet takes no cell of text for a formula."""
         return self.dialect.formula.sub(rb"\1\2'", line)
+
+
+def _column(cells: Sequence[str]) -> list[bytes]:
+    """Return cells as bytes: all at once, unless one holds what is put between them."""
+    encoded = _encoded("\0".join(cells)).split(b"\0") if cells else []
+    return encoded if len(encoded) == len(cells) else [*map(_encoded, cells)]
 
 
 def _encoded(cell: str) -> bytes:

@@ -8,11 +8,14 @@ from collections import deque
 from collections.abc import Callable, Iterator
 from functools import partial
 from itertools import islice
+from typing import TYPE_CHECKING
 from zlib import crc32
 
 from .lines import Converted
 from .output import Output, Writer, Written
-from .workers import Worker, answered, started
+
+if TYPE_CHECKING:
+    from .workers import Worker
 
 ALONE = 32  # blocks that this process converts before it starts others, which takes 0.2 s
 
@@ -30,6 +33,8 @@ def run(blocks: Iterator[bytes], make: Callable[[], Convert], output: Output, jo
         show()
     first = next(blocks, None)
     if first is not None:
+        from .workers import started  # with multiprocessing, which a small table does not pay for
+
         with started(jobs, partial(_ConvertAndWrite, make, output.writer)) as workers:
             _share(first, blocks, workers, output, show)
 
@@ -52,14 +57,16 @@ class _ConvertAndWrite:
 class _Share:
     """A block that a process has at work."""
 
-    def __init__(self, worker: Worker, text: bytes) -> None:
+    def __init__(self, worker: "Worker", text: bytes) -> None:
         self.worker, self.checksum = worker, crc32(text)
         self.converted: Converted | None = None
         self.has_turn = False
         worker.ask(text)
 
 
-def _share(first: bytes, blocks: Iterator[bytes], workers: list[Worker], output: Output, show: Show) -> None:
+def _share(first: bytes, blocks: Iterator[bytes], workers: "list[Worker]", output: Output, show: Show) -> None:
+    from .workers import answered
+
     text: bytes | None = first
     free = [*workers]
     shares: deque[_Share] = deque()  # in the order of the blocks

@@ -16,12 +16,11 @@ from itertools import islice
 from typing import Any, NamedTuple
 
 from .. import __version__
-from ..errors import BadRequest, JkrollError
+from ..errors import BadRequest, JkrollError, MissingExtra
 from ..text import quoted, say
 from .errors import BadTable, missing_extra
 from .settings import Order, Settings, Tally, input_format
 from .spans import Span
-from .workers import answered, started
 
 MANIFEST = "manifest.json"
 JOURNAL = "manifest.journal"
@@ -71,6 +70,8 @@ def convert_part(order: Order, part: Part) -> Done:
     settings = order.settings._replace(target=part.target, resume=False, jobs=1, quiet=True)
     try:
         return Done(convert_one(part.path, order._replace(settings=settings), part.span))
+    except MissingExtra:
+        raise  # as it would for every part
     except JkrollError as error:
         problem = str(error).removeprefix(f"{quoted(part.path)}: ")
         return Done(Tally(0, 0), problem, error.exit_code)
@@ -82,6 +83,10 @@ def by_processes(order: Order, parts: list[Part]) -> Iterator[tuple[Part, Done]]
     alone = parts if jobs == 1 else parts[:ALONE]
     for part in alone:
         yield part, convert_part(order, part)
+    if len(alone) == len(parts):
+        return
+    from .workers import answered, started
+
     left = iter(parts[len(alone) :])
     with started(min(jobs, len(parts) - len(alone)), partial(_answer, order)) as workers:
         at_work = {}
@@ -208,6 +213,8 @@ def _done(entry: Any, part: Part) -> Done | None:
     """Return the outcome of a part that is done already."""
     if entry is None or "problem" in entry or not os.path.exists(part.target):
         return None
+    if os.path.getsize(part.target) != entry["bytes"]:
+        return None
     return Done(Tally(entry["rows"], entry["failed"]))
 
 
@@ -215,6 +222,7 @@ def _entry(part: Part, done: Done, identity: str) -> dict[str, Any]:
     entry = {
         "input": part.path,
         "output": os.path.basename(part.target),
+        "bytes": 0 if done.problem else os.path.getsize(part.target),
         "rows": done.tally.rows,
         "failed": done.tally.failed,
         "identity": identity,

@@ -23,6 +23,7 @@ from .formats import CHUNK
 from .lines import Converted
 
 MARK = "jkroll journal"  # key in the first line of a journal: the file is ours
+LARGE = 1 << 20  # bytes from which a file is flushed to the disk: 10 000 small ones would take minutes
 LOCK_SECONDS = 10.0  # the processes of a run that was killed end within a block
 
 
@@ -180,7 +181,8 @@ class OutputFile(Output):
         """Give the whole file its name, and the mode of the file that had it."""
         with suppress(FileNotFoundError):
             os.chmod(self.partial, stat.S_IMODE(os.stat(self.target).st_mode))
-        os.fsync(self.writer.descriptor)
+        if self.done.written >= LARGE:
+            os.fsync(self.writer.descriptor)
         os.replace(self.partial, self.target)
         os.unlink(self.journal_path)
 

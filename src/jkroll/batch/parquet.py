@@ -4,9 +4,10 @@ This thread reads and computes, another writes, and pyarrow has threads of its o
 ends with an index of all of it: one that was interrupted is begun anew.
 """
 
+import os
 import sys
 from collections.abc import Iterator
-from contextlib import closing, contextmanager
+from contextlib import closing, contextmanager, suppress
 from math import isnan
 from queue import Queue
 from threading import Thread
@@ -177,6 +178,8 @@ def write(
     settings: Settings, schema: Any, tables: Iterator[Rows], total: int, identity: dict[str, str], first_line: int = 0
 ) -> Tally:
     """Write tables as one file that gets its name when it is whole. `total`: all rows."""
+    if os.path.exists(settings.target) and not os.path.isfile(settings.target):
+        raise BadRequest(f"-o: {quoted(settings.target)} is no file")
     output = OutputFile(settings.target, strict=settings.strict)
     output.goes_on = False
     output.done = output.done._replace(lines=first_line)
@@ -242,6 +245,8 @@ class _Writer:
         if self._thread.is_alive():
             self._tables.put(None)
             self._thread.join()
+        with suppress(OSError, pyarrow.ArrowException):
+            self._writer.close()  # else it would be closed after its file
 
 
 def as_column(values: Floats) -> Any:

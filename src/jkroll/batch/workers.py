@@ -6,7 +6,7 @@ process may be ended at any moment.
 
 import copyreg
 import signal
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from multiprocessing import connection, get_context, resource_tracker
 from types import MappingProxyType
@@ -16,8 +16,13 @@ from .errors import LostWorker
 
 CONTEXT = get_context("spawn")  # safe beside threads, and the same on every system
 
+
+def _read_only(values: dict[str, Any]) -> Mapping[str, Any]:
+    return MappingProxyType(values)
+
+
 # The properties of materials are read-only mappings, which do not pickle by themselves.
-copyreg.pickle(MappingProxyType, lambda mapping: (MappingProxyType, (dict(mapping),)))
+copyreg.pickle(MappingProxyType, lambda mapping: (_read_only, (dict(mapping),)))
 
 Answer = Callable[[Any], Any]
 
