@@ -3,11 +3,8 @@
 import csv
 import datetime
 import math
-import os
-import subprocess
 import sys
 from pathlib import Path
-from typing import Any
 
 import pytest
 from hypothesis import given, settings

@@ -86,7 +86,8 @@ def test_resume_leaves_out_what_is_done(run: Run, grains: list[str]) -> None:
     assert ran.code == 1
 
 
-def test_nothing_of_the_users_is_touched(run: Run, grains: list[str]) -> None:
+@pytest.mark.usefixtures("grains")
+def test_nothing_of_the_users_is_touched(run: Run) -> None:
     Path("forces").mkdir()
     Path("forces/.mine.part-0.csv").write_text("mine")
     Path("forces/manifest.json").write_text('{"name": "mine"}')
