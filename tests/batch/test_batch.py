@@ -214,6 +214,41 @@ def test_strict_stops_with_the_line(run: Run) -> None:
     assert not Path("out.csv").exists()
 
 
+def test_rows_stay_rows_whatever_their_cells_hold(run: Run) -> None:
+    """Quoted cells of many lines and many bytes, and stray quotes, each in the midst of plain rows."""
+    cells = ["x\ny" * 300, "long " * 60_000, 'said ""so""', "a\r\nb", "a,b"]
+    lines = [f'"{cell}",quartz,100,0\n' for cell in cells] + ['5" d,quartz,100,0\n', '"open,quartz,100,0\n']
+    name = table(GRAINS + "plain,quartz,100,0\n".join(["", *lines, ""]))
+    found = batch(run, name, "--quantities", "r_min")
+    assert len(found) == 2 + 2 * len(lines) + 1
+    assert [row["status"] for row in found if row["status"]] == ["a quote is not closed"]
+    assert [row["name"].replace("\r\n", "\n") for row in found[3:-4:2]] == [
+        cell.replace('""', '"').replace("\r\n", "\n") for cell in cells
+    ]
+
+
+def test_other_separators_and_line_ends_are_named(run: Run) -> None:
+    run("batch", table(GRAINS.replace("\n", "\r")), "-o", "out.csv")
+    assert run("batch", table(GRAINS.replace("\n", "\r")), "-o", "out.csv").err == (
+        "jkroll: the lines end in carriage returns alone; save the table with line feeds\n"
+    )
+    message = "has semicolons between its columns; write commas, with decimal points"
+    for header in ("material;radius [nm];a,b", '"material";"radius [nm]"'):
+        ran = run("batch", table(f"{header}\nquartz;100,5\n"), "-o", "out.csv")
+        assert (ran.code, message in ran.err) == (2, True)
+
+
+@pytest.mark.parametrize("jobs", ["1", "2"])
+def test_a_truncated_input_makes_no_output(run: Run, jobs: str) -> None:
+    import gzip
+
+    text = gzip.compress(random_table(2000, 1).encode())
+    Path("grains.csv.gz").write_bytes(text[: len(text) // 2])
+    ran = run("batch", "grains.csv.gz", "-o", "out.csv", "--jobs", jobs)
+    assert (ran.code, ran.err) == (2, "jkroll: 'grains.csv.gz' is not what its name says, or its end is missing\n")
+    assert not Path("out.csv").exists()
+
+
 # --- Headers --------------------------------------------------------------------------------------------------------------
 
 ANOTHER = "A column to pass through needs another name"

@@ -6,7 +6,7 @@ process may be ended at any moment.
 
 import copyreg
 import signal
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from multiprocessing import connection, get_context, resource_tracker
 from types import MappingProxyType
@@ -17,7 +17,7 @@ from .errors import LostWorker
 CONTEXT = get_context("spawn")  # safe beside threads, and the same on every system
 
 
-def _read_only(values: dict[str, Any]) -> Mapping[str, Any]:
+def _read_only(values: dict[str, Any]) -> MappingProxyType[str, Any]:
     return MappingProxyType(values)
 
 
