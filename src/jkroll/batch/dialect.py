@@ -90,15 +90,17 @@ class Dialect:
         except UnicodeDecodeError:
             raise BadTable("header: is not UTF-8; save the table as UTF-8") from None
         size, names = rows[0]
+        self._check_separator(names or [], lines[0].decode().strip())
         if names is None or not lines[0].strip():
             raise BadTable("header: " + ("is empty" if names is not None else "has a quote that is not closed"))
-        self._check_separator(names, lines[0].decode().strip())
         sample = [cells for _, cells in rows[1:] if cells is not None and len(cells) == len(names)]
         return Head(bom + b"".join(lines[:size]), tuple(names), sample)
 
     def _check_separator(self, names: list[str], line: str) -> None:
         """Refuse a header that only another separator makes a header of."""
         for mark, kind, advice in _MISTAKEN:
+            if mark == self.separator.decode():
+                continue
             others = line.replace('"', "").split(mark)
             is_other = len(names) == 1 and mark in names[0] and '"' not in line
             if is_other or (len(others) > 1 and any(map(is_input, others)) and not any(map(is_input, names))):

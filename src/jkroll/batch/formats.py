@@ -64,13 +64,13 @@ def _gzip(text: bytes) -> bytes:
     return gzip.compress(text, 1, mtime=0)
 
 
-def decompressed(file: BinaryIO, compression: str) -> Iterator[bytes]:
+def decompressed(file: BinaryIO, compression: str, path: str) -> Iterator[bytes]:
     """Iterate over the decompressed bytes of a file, at most 16 MiB at a time. Raises BadTable for a damaged file."""
     pieces = _from_gzip if compression == "gzip" else _from_zstd
     try:
         yield from pieces(file)
     except (EOFError, zlib.error, gzip.BadGzipFile):
-        raise BadTable(f"{quoted(file.name)} is not what its name says, or its end is missing") from None
+        raise BadTable(f"{quoted(path)} is not what its name says, or its end is missing") from None
 
 
 def _from_gzip(file: BinaryIO) -> Iterator[bytes]:

@@ -204,6 +204,12 @@ def output_to(target: str, *, strict: bool) -> Output:
     return OutputFile(target, strict=strict)
 
 
+def check_file(target: str) -> None:
+    """Refuse to put a file in the place of a directory or device."""
+    if os.path.exists(target) and not os.path.isfile(target):
+        raise BadRequest(f"-o: {quoted(target)} is no file")
+
+
 def is_whole(target: str, input_time: int) -> bool:
     """Return whether nothing is left to resume: the output is newer than the input, and nothing stands beside it."""
     real = real_path(target)

@@ -4,7 +4,6 @@ This thread reads and computes, another writes, and pyarrow has threads of its o
 ends with an index of all of it: one that was interrupted is begun anew.
 """
 
-import os
 import sys
 from collections.abc import Iterator
 from contextlib import closing, contextmanager, suppress
@@ -24,7 +23,7 @@ from .cells import Floats, Numbers, Reader, times_power_of_ten
 from .columns import STATUS, check_first
 from .errors import BadTable
 from .lines import Converted
-from .output import OutputFile, Written, is_whole, say_whole
+from .output import OutputFile, Written, check_file, is_whole, say_whole
 from .progress import watched
 from .rows import Block, Evaluator
 from .settings import Order, Settings, Tally, input_format, output_format
@@ -178,8 +177,7 @@ def write(
     settings: Settings, schema: Any, tables: Iterator[Rows], total: int, identity: dict[str, str], first_line: int = 0
 ) -> Tally:
     """Write tables as one file that gets its name when it is whole. `total`: all rows."""
-    if os.path.exists(settings.target) and not os.path.isfile(settings.target):
-        raise BadRequest(f"-o: {quoted(settings.target)} is no file")
+    check_file(settings.target)
     output = OutputFile(settings.target, strict=settings.strict)
     output.goes_on = False
     output.done = output.done._replace(lines=first_line)

@@ -43,7 +43,9 @@ class Input:
         """Iterate over the bytes to convert."""
         if span is not None:
             return span.read(self.file)
-        return decompressed(self.file, compression) if compression else iter(lambda: self.file.read(CHUNK), b"")
+        return (
+            decompressed(self.file, compression, self.path) if compression else iter(lambda: self.file.read(CHUNK), b"")
+        )
 
     def position(self) -> int:
         """Return the number of bytes read of a file; 0 of a pipe."""

@@ -29,7 +29,7 @@ from .delimited import DIALECTS, quoted_cell
 from .errors import missing_extra
 from .formats import compressor, format_of
 from .lines import Converted
-from .output import OutputFile, is_whole, output_to, say_whole
+from .output import OutputFile, check_file, is_whole, output_to, say_whole
 from .progress import watched
 from .rows import Block, Evaluator
 from .settings import Settings, Tally, fingerprint
@@ -218,6 +218,8 @@ def stream(sweep: Sweep, settings: Settings) -> Tally:
     make = partial(_make_convert, sweep, kind, compression)
     head = DIALECTS[kind].separator.join(header(name).encode() for name in sweep.shape.columns) + b"\n"
     blocks = sweep.blocks()
+    if settings.target != "-":
+        check_file(settings.target)
     with closing(output_to(settings.target, strict=False)) as output:
         if isinstance(output, OutputFile) and not (settings.resume and output.resume(sweep.identity(), b"", blocks)):
             output.begin(sweep.identity())
