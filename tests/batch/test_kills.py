@@ -220,7 +220,7 @@ def test_a_run_that_waited_leaves_alone_what_was_finished_meanwhile(run: Run, mo
         os.unlink("out.csv.journal")
         os.close(other)
 
-    monkeypatch.setattr("jkroll.batch.output.time.sleep", finish)
+    monkeypatch.setattr("jkroll.batch.locks.time.sleep", finish)
     assert run("batch", "grains.csv", "-o", "out.csv", "--jobs", "1").code == 0
     assert Path("finished.csv").read_bytes() == b"of another run"
     assert Path("out.csv").read_text(encoding="utf-8").startswith("radius [nm],material,pull_off_force [N]")

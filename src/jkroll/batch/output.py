@@ -5,12 +5,10 @@ checksum of each; `--resume` goes on from there if input, options and version ar
 two runs never write the same file. Files of these names that jkroll did not write are left alone.
 """
 
-import errno
 import json
 import os
 import stat
 import sys
-import time
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from typing import Any, BinaryIO, NamedTuple
@@ -21,10 +19,9 @@ from ..text import quoted, say
 from .errors import BadRow, BadTable, NotTheSame
 from .formats import CHUNK
 from .lines import Converted
+from .locks import MARK, locked, opened, refuse_foreign
 
-MARK = "jkroll journal"  # key in the first line of a journal: the file is ours
 LARGE = 1 << 20  # bytes from which a file is flushed to the disk: 10 000 small ones would take minutes
-LOCK_SECONDS = 10.0  # the processes of a run that was killed end within a block
 
 
 class Step(NamedTuple):
@@ -114,10 +111,10 @@ class OutputFile(Output):
         """Open and lock the file beside. A link is written through."""
         self.target = real_path(target)
         self.partial, self.journal_path = self.target + ".partial", self.target + ".journal"
-        _refuse_foreign(self.partial, self.journal_path)
-        super().__init__(_locked(self.partial), strict=strict)
+        refuse_foreign(self.partial, self.journal_path)
+        super().__init__(locked(self.partial), strict=strict)
         try:
-            self.journal = _opened(self.journal_path)
+            self.journal = opened(self.journal_path)
         except (OSError, BadTable):
             super().close()
             raise
@@ -238,66 +235,3 @@ def _checksum_of(file: BinaryIO, size: int) -> int:
         checksum = crc32(piece, checksum)
         size -= len(piece)
     return checksum
-
-
-def _refuse_foreign(partial: str, journal: str) -> None:
-    """Raise BadRequest if a file that the run would write beside the output is not jkroll's."""
-    is_ours = True
-    with suppress(OSError), open(journal, "rb") as file:
-        first = file.readline(1000)
-        is_ours = first.startswith(b'{"%b"' % MARK.encode()) or not first
-        if is_ours and first:
-            return
-    for path, is_foreign in ((journal, not is_ours), (partial, os.path.isfile(partial) and os.path.getsize(partial))):
-        if is_foreign:
-            raise BadRequest(f"-o: {quoted(path)} would be overwritten, and jkroll did not write it; move it away")
-
-
-def _opened(path: str) -> int:
-    """Open a file to append to; BadTable for a link or what is no file."""
-    flags = os.O_RDWR | os.O_CREAT | os.O_APPEND | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)
-    try:
-        descriptor = os.open(path, flags, 0o666)
-    except OSError as error:
-        if error.errno == errno.ELOOP:
-            raise BadTable(f"{quoted(path)} is a link; nothing is written through it") from None
-        raise
-    if not stat.S_ISREG(os.fstat(descriptor).st_mode):
-        os.close(descriptor)
-        raise BadTable(f"{quoted(path)} is no file")
-    return descriptor
-
-
-def _locked(path: str) -> int:
-    """Open and lock a file to append to. While it is waited for, another run may give it its name: then it is a new one."""
-    give_up = time.monotonic() + LOCK_SECONDS
-    while True:
-        descriptor = _opened(path)
-        try:
-            _lock(descriptor, path)
-            with suppress(FileNotFoundError):
-                if os.path.samestat(os.fstat(descriptor), os.stat(path)):
-                    return descriptor
-            os.close(descriptor)
-        except BlockingIOError:
-            os.close(descriptor)
-            if time.monotonic() > give_up:
-                raise BadTable(f"{quoted(path)} is being written by another run") from None
-            time.sleep(0.02)
-
-
-_UNSUPPORTED = (errno.ENOLCK, errno.ENOSYS, errno.ENOTSUP, errno.EOPNOTSUPP, errno.EINVAL)
-
-
-def _lock(descriptor: int, path: str) -> None:
-    """Lock a file; where the system has no locks, say so. Raises BlockingIOError."""
-    try:
-        from fcntl import LOCK_EX, LOCK_NB, flock
-
-        flock(descriptor, LOCK_EX | LOCK_NB)
-    except BlockingIOError:
-        raise
-    except (ImportError, OSError) as error:
-        if isinstance(error, OSError) and error.errno not in _UNSUPPORTED:
-            raise
-        say(f"note: {quoted(path)} cannot be locked here; let no other run write it", sys.stderr)
