@@ -13,6 +13,7 @@ def test_a_bar_shows_part_and_rows(monkeypatch: pytest.MonkeyPatch) -> None:
     out = Stream(terminal=True)
     monkeypatch.setattr("sys.stderr", out)
     monkeypatch.setenv("TERM", "xterm")
+    monkeypatch.setattr("jkroll.batch.progress.WAIT", 0)
     with watched(4000, lambda: (1000, 50_000), is_quiet=False, goes_on=True) as show:
         show()
     assert " 25%" in out.text()

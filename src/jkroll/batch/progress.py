@@ -1,11 +1,13 @@
 """The progress of a run as a bar on a terminal."""
 
 import sys
+import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 
 from ..text import say
 
+WAIT = 0.5  # seconds before a bar is shown
 Counts = Callable[[], tuple[int, int]]  # how much is done of the total, and the rows so far
 
 
@@ -26,6 +28,23 @@ def watched(total: int, counts: Counts, *, is_quiet: bool, goes_on: bool) -> Ite
 
 @contextmanager
 def _bar(total: int, counts: Counts) -> Iterator[Callable[[], None]]:
+    """Yield a function that shows a bar once the run has taken a while."""
+    began = time.monotonic()
+    with ExitStack() as until_the_end:
+        update: Callable[[], None] | None = None
+
+        def show() -> None:
+            nonlocal update
+            if update is None and time.monotonic() - began >= WAIT:
+                update = until_the_end.enter_context(_shown(total, counts))
+            if update is not None:
+                update()
+
+        yield show
+
+
+@contextmanager
+def _shown(total: int, counts: Counts) -> Iterator[Callable[[], None]]:
     from rich.console import Console
     from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 
@@ -33,11 +52,11 @@ def _bar(total: int, counts: Counts) -> Iterator[Callable[[], None]]:
     with Progress(*layout, TimeRemainingColumn(), console=Console(stderr=True), transient=True) as bar:
         task = bar.add_task("", total=total or None, rows=0)
 
-        def show() -> None:
+        def update() -> None:
             done, rows = counts()
             bar.update(task, completed=done, rows=rows)
 
-        yield show
+        yield update
 
 
 def _nothing() -> None:
