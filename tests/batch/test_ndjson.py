@@ -61,6 +61,15 @@ def test_lines_that_are_no_objects(run: Run, monkeypatch: pytest.MonkeyPatch) ->
     assert found[3]["load [nN]"] == 1
 
 
+def test_an_object_a_line(run: Run) -> None:
+    """Two objects in a line and one over two lines would have made as many objects as lines."""
+    lines = ['{"radius [nm]": 1}, {"radius [nm]": 2}', '{"radius [nm]": [{"x": 3}', '{"y": 4}]}', '{"radius [nm]": 5}']
+    found = converted(run, "\n".join(['{"radius [nm]": 0.5}', *lines]), "--quantities", "r_min")
+    assert [one["status"] for one in found] == [None, *["is not a JSON object"] * 3, None]
+    assert [one.get("line") for one in found] == [None, *lines[:3], None]
+    assert found[4]["r_min [m]"] == pytest.approx(1.25e-7)
+
+
 def test_tables_that_are_none(run: Run) -> None:
     for text, message in (("", "the table is empty"), ("[1]\n", "the first line is not a JSON object with members")):
         Path("x.ndjson").write_text(text, encoding="utf-8")

@@ -3,11 +3,8 @@
 import csv
 import datetime
 import math
-import os
-import subprocess
 import sys
 from pathlib import Path
-from typing import Any
 
 import pytest
 from hypothesis import given, settings
@@ -58,7 +55,7 @@ def test_the_same_as_in_csv(run: Run) -> None:
 def test_a_double_in_a_unit_is_read_as_its_text(values: list[float], exponent: int) -> None:
     import numpy
 
-    from jkroll.batch.parquet import times_power_of_ten
+    from jkroll.batch.cells import times_power_of_ten
 
     array = numpy.array(values)
     found = times_power_of_ten(array, exponent, ~numpy.isnan(array))
@@ -93,19 +90,6 @@ def test_numbers_of_any_kind_and_nulls(run: Run, monkeypatch: pytest.MonkeyPatch
             for name in list(line)[3:-1]:
                 assert row[name] == (float(line[name]) if line[name] else None), name
             assert bool(row["status"]) == bool(line["status"])
-
-
-def test_pandas_is_not_imported() -> None:
-    Path("pandas.py").write_text("open('imported', 'w').close(); __version__ = '3.0'\n", encoding="utf-8")
-    name = write({"radius [nm]": [100.0, None, 0.0], "load [nN]": [1, None, 2], "material": ["iron", None, "x"]})
-    sweep = "pull-off quartz,iron 1nm:1um:10000 -o sweep.parquet".split()
-    for command in (["batch", name, "-o", "out.parquet"], sweep):
-        ran = subprocess.run([sys.executable, "-m", "jkroll", *command], capture_output=True, text=True)
-        assert ran.returncode == ("batch" in command), ran.stderr
-        assert parquet.ParquetFile(command[-1]).metadata.num_rows in (3, 20_000)
-    assert not Path("imported").exists()
-    subprocess.run([sys.executable, "-c", "import pyarrow; pyarrow.array([1.0])"], check=False)
-    assert Path("imported").exists()
 
 
 def test_what_is_no_parquet(run: Run) -> None:
@@ -173,27 +157,23 @@ def test_what_a_file_says_of_itself_stays(run: Run) -> None:
     assert parquet.read_schema("out.parquet").metadata[b"source"] == b"a cloud"
 
 
-def test_resume_looks_at_more_than_the_time_of_the_input(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    from jkroll.batch import pieces
-
-    def grains(first: float) -> None:
-        write({"radius [nm]": [first + row for row in range(1000)]})
-        os.utime("grains.parquet", (1, 1))
-
-    grains(1000.0)
-    monkeypatch.setattr(pieces, "ROWS", 300)
-    with monkeypatch.context() as patch:
-        patch.setattr(pieces._PieceSink, "finish", interrupt)
-        assert run("batch grains.parquet -o out.parquet --jobs 1").code == 130
-    grains(2000.0)
-    assert "another input" in run("batch grains.parquet -o out.parquet --jobs 1 --resume").err
-    grains(1000.0)
-    assert run("batch grains.parquet -o out.parquet --jobs 1 --resume").code == 0
-
-
-def interrupt(_: object) -> None:
+def interrupt(*_: object) -> None:
     """As if someone pressed Ctrl-C."""
     raise KeyboardInterrupt
+
+
+def test_an_interrupted_file_is_begun_anew(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    from jkroll.batch.output import OutputFile
+
+    name = write({"radius [nm]": [100.0 + row for row in range(1000)]})
+    with monkeypatch.context() as patch:
+        patch.setattr(OutputFile, "finish", interrupt)
+        stopped = run("batch", name, "-o", "out.parquet")
+        assert (stopped.code, stopped.err) == (130, "")
+    note = "note: --resume: a Parquet file cannot be gone on with; it is begun anew\n"
+    assert run("batch", name, "-o", "out.parquet", "--resume") == (0, "", note)
+    note = "note: 'out.parquet' is whole; without --resume it is made anew\n"
+    assert run("batch", name, "-o", "out.parquet", "--resume") == (0, "", note)
 
 
 def test_strict_writes_nothing(run: Run) -> None:
@@ -212,62 +192,26 @@ def test_strict_writes_nothing(run: Run) -> None:
 def test_a_run_of_several_pieces_has_all_rows(
     run: Run, monkeypatch: pytest.MonkeyPatch, rows: int, group: int, jobs: int
 ) -> None:
-    """Pieces of 300 rows or somewhat more, computed 20 at a time, however many the file has together."""
+    """About 300 rows are written together and 20 computed together, whatever groups the file has."""
     from jkroll.batch import parquet as batch
-    from jkroll.batch import pieces
 
     table = pyarrow.table({"radius [nm]": [100.0 + row for row in range(rows)], "id": pyarrow.array(range(rows))})
     parquet.write_table(table, "grains.parquet", row_group_size=group)
     assert run("batch grains.parquet -o one.parquet --jobs 1") == (0, "", "")
-    monkeypatch.setattr(pieces, "ROWS", 300)
+    monkeypatch.setattr(batch, "BYTES", 15_000)
     monkeypatch.setattr(batch, "BLOCK", 20)
     assert run(f"batch grains.parquet -o several.parquet --jobs {jobs}") == (0, "", "")
     found = parquet.ParquetFile("several.parquet")
     assert found.read().equals(parquet.read_table("one.parquet"))
     assert Path("several.parquet").read_bytes()[:4] == b"PAR1" == Path("several.parquet").read_bytes()[-4:]
-    assert found.metadata.num_row_groups == (0 if not rows else 4 if group < 300 else 3)
+    assert found.metadata.num_row_groups >= 3 * bool(rows)
     assert found.read(["id"]).column(0).to_pylist() == [*range(rows)]
-
-
-@pytest.mark.parametrize("command", ["batch grains.parquet --strict", "pull-off quartz,iron 1nm:1um:600"])
-def test_resume_makes_only_the_pieces_that_are_missing(run: Run, monkeypatch: pytest.MonkeyPatch, command: str) -> None:
-    from jkroll.batch import pieces
-
-    write({"radius [nm]": [100.0 + row for row in range(1000)]})
-    monkeypatch.setattr(pieces, "ROWS", 300)
-    monkeypatch.setattr("os.cpu_count", lambda: 1)
-    assert run(f"{command} -o whole.parquet --quiet") == (0, "", "")
-    append = pieces._PieceSink.append
-    written: list[int] = []
-    most = 5
-
-    def stopping(sink: pieces._PieceSink, table: Any) -> None:
-        if table.num_rows:
-            if len(written) == most:
-                raise KeyboardInterrupt
-            written.append(table.num_rows)
-        append(sink, table)
-
-    monkeypatch.setattr(pieces._PieceSink, "append", stopping)
-    expected = [300, 300, 300, 100] if "batch" in command else [300] * 4
-    for most in range(len(expected)):
-        written.clear()
-        stopped = run(f"{command} -o out.parquet --quiet")
-        assert stopped.code == 130
-        assert f"jkroll: interrupted after {300 * most} rows; --resume goes on\n" in stopped.err
-        before, most = [*written], 5
-        assert run(f"{command} -o out.parquet --quiet --resume") == (0, "", "")
-        assert written == expected
-        assert before == written[: len(before)]
-        assert Path("out.parquet").read_bytes() == Path("whole.parquet").read_bytes()
-        assert {path.name for path in Path().iterdir()} == {"grains.parquet", "out.parquet", "whole.parquet"}
 
 
 def test_without_pyarrow_a_line_says_which_extra_brings_it(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     name = write({"radius [nm]": [100.0]})
     monkeypatch.setitem(sys.modules, "pyarrow", None)
-    for module in ("parquet", "pieces", "sweep_parquet"):
-        monkeypatch.delitem(sys.modules, f"jkroll.batch.{module}", raising=False)
+    monkeypatch.delitem(sys.modules, "jkroll.batch.parquet", raising=False)
     for command in (f"batch {name} -o y.parquet", "r-min 1nm:1um:3 -o y.parquet", "batch *.parquet -o y/"):
         ran = run(command)
         assert (ran.code, ran.err) == (2, "jkroll: this needs pyarrow: pip install 'jkroll[parquet]'\n"), command

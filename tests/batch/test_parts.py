@@ -4,12 +4,10 @@ import csv
 import gzip
 import json
 import os
-import random
 import re
 import signal
 import subprocess
 import sys
-import time
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -70,13 +68,44 @@ def test_resume_leaves_out_what_is_done(run: Run, grains: list[str]) -> None:
     Path(grains[3]).rename("away.csv")
     Path(grains[3]).mkdir()
     ran = run("batch", "grains/*.csv", "-o", "forces/", "--jobs", "1")
-    assert (ran.code, ran.err) == (2, f"jkroll: '{grains[3]}': '{grains[3]}': Is a directory\n")
-    assert sorted(whole_names("forces")) == [".done", "part-0.csv", "part-1.csv", "part-2.csv"]
+    rows_failed = "jkroll: 67 of 87 rows failed; column status says why\n"
+    assert (ran.code, ran.err) == (2, f"jkroll: '{grains[3]}': Is a directory\n{rows_failed}")
+    assert sorted(whole_names("forces")) == ["manifest.json", *(f"part-{place}.csv" for place in (0, 1, 2, 4))]
+    failed = json.loads(Path("forces/manifest.json").read_text())["files"][3]
+    assert failed["problem"] == "Is a directory"
     times = {path.name: path.stat().st_mtime_ns for path in Path("forces").glob("*.csv")}
     Path(grains[3]).rmdir()
     Path("away.csv").rename(grains[3])
     assert run("batch", "grains/*.csv", "-o", "forces/", "--jobs", "1", "--resume").code == 1
     assert {name: (Path("forces") / name).stat().st_mtime_ns for name in times} == times
+    found, wanted = whole("forces"), whole("whole")
+    assert found.keys() == wanted.keys()
+    assert all(found[name] == wanted[name] for name in times)
+    ran = run("batch", "grains/*.csv", "-o", "forces/", "--resume")
+    assert ran.err.startswith("note: all 5 files are done; without --resume they are made anew\n")
+    assert ran.code == 1
+
+
+@pytest.mark.usefixtures("grains")
+def test_nothing_of_the_users_is_touched(run: Run) -> None:
+    Path("forces").mkdir()
+    Path("forces/.mine.part-0.csv").write_text("mine")
+    Path("forces/manifest.json").write_text('{"name": "mine"}')
+    ran = run("batch", "grains/*.csv", "-o", "forces/", "--jobs", "1")
+    message = "'forces/manifest.json' is not a manifest of jkroll; it is not replaced: move it away"
+    assert (ran.code, ran.err) == (2, f"jkroll: -o: {message}\n")
+    Path("forces/manifest.json").unlink()
+    assert run("batch", "grains/*.csv", "-o", "forces/", "--jobs", "1").code == 1
+    assert Path("forces/.mine.part-0.csv").read_text() == "mine"
+
+
+def test_a_pool_writes_what_one_process_writes(run: Run, monkeypatch: pytest.MonkeyPatch, grains: list[str]) -> None:
+    from jkroll.batch import many
+
+    assert run("batch", "grains/*.csv", "-o", "whole/", "--jobs", "1").code == 1
+    monkeypatch.setattr(many, "ALONE", 1)
+    assert run("batch", "grains/*.csv", "-o", "forces/", "--jobs", "2").code == 1
+    assert len(grains) == PARTS
     assert whole("forces") == whole("whole")
 
 
@@ -87,6 +116,7 @@ def test_no_file_stays_open(run: Run) -> None:
     for place in range(5):
         Path(f"grains/{place}.csv").write_text("radius [nm]\n100\n")
         Path(f"grains/{place}.csv.gz").write_bytes(gzip.compress(b"radius [nm]\n100\n"))
+    run("batch", "grains/*", "-o", "first/", "--material", "quartz")  # multiprocessing keeps one for itself
     before = os.listdir("/proc/self/fd")
     for jobs in ("1", "2"):
         ran = run("batch", "grains/*", "-o", "forces/", "--material", "quartz", "--jobs", jobs)
@@ -111,8 +141,9 @@ def test_what_makes_no_directory(run: Run, grains: list[str]) -> None:
 
 @pytest.mark.parametrize("end", ["csv", "ndjson", "parquet"])
 def test_a_large_table_is_split(run: Run, monkeypatch: pytest.MonkeyPatch, end: str) -> None:
-    from jkroll.batch import parts, spans
-    from jkroll.batch.settings import Settings
+    from jkroll.batch import many, spans
+    from jkroll.batch.settings import Order, Settings
+    from jkroll.materials.library import known_materials
 
     name = f"grains.{end}"
     rows = [{"radius [nm]": 100.0 + row, "text": 'a\n"b"' if row % 3 else ""} for row in range(300)]
@@ -127,11 +158,11 @@ def test_a_large_table_is_split(run: Run, monkeypatch: pytest.MonkeyPatch, end: 
         pyarrow, parquet = pytest.importorskip("pyarrow"), pytest.importorskip("pyarrow.parquet")
         parquet.write_table(pyarrow.Table.from_pylist(rows), name, row_group_size=7)
     monkeypatch.setattr(spans, "BYTES", 1000)
-    monkeypatch.setattr(spans, "MAX_RECORD", 100)
+    monkeypatch.setattr(spans, "WINDOW", 100)
     monkeypatch.setattr(spans, "ROWS", 50)
     assert run("batch", name, "-o", f"whole.{end}", "--quantities", "r_min").code == 0
-    tally = parts.convert(name, Settings("out/", quantities="r_min", dask="local"), {}, (), parts.one_by_one)
-    assert tally == (300, 0)
+    settings = Settings("out/", quantities="r_min", dask="local", jobs=1)
+    assert many.convert(name, Order(settings, {}, known_materials()), many.by_processes) == ((300, 0), 0)
     manifest = json.loads(Path("out/manifest.json").read_text())["files"]
     found = [Path("out") / one["output"] for one in manifest]
     assert len(found) >= 5
@@ -197,10 +228,8 @@ def test_two_dask_workers_write_what_one_process_writes(
         command = [sys.executable, "-m", "jkroll", "batch", "grains/*.csv", "-o", "forces/", "--dask", scheduler]
         batch = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
         if kill:
-            while not (Path("forces").exists() and any(name.endswith("partial") for name in whole_names("forces"))):
+            while not (Path("forces").exists() and "manifest.journal" in whole_names("forces")):
                 assert batch.poll() is None
-                time.sleep(0.01)
-            time.sleep(random.Random(1).uniform(0, 0.5))
             os.kill(workers[0].pid, signal.SIGKILL)
         _, message = batch.communicate()
         assert re.fullmatch(r"jkroll: \d+ of 20000 rows failed; column status says why\n", message)

@@ -66,7 +66,7 @@ def test_quick_or_careful(*, table: list[list[str]], dialect: str, end: str, las
     quick = converted(dialect, end, text, excel_safe=excel_safe)
     with (
         patch.object(Delimited, "_quickly", return_value=None),
-        patch.object(Reader, "numbers", Reader._one_by_one),
+        patch.object(Reader, "_together", return_value=None),
         patch.object(delimited, "STRIP", 1),
     ):
         careful = converted(dialect, end, text, excel_safe=excel_safe)
@@ -76,7 +76,7 @@ def test_quick_or_careful(*, table: list[list[str]], dialect: str, end: str, las
 def test_the_quick_way_is_taken() -> None:
     text = b"a,quartz,100,1,0.2,50 nm\n" * 300 + b"b,quartz,-5,0,0.2,50 nm\n"
     with (
-        patch.object(Delimited, "_slowly", side_effect=AssertionError),
+        patch.object(Delimited, "_carefully", side_effect=AssertionError),
         patch.object(Reader, "_one_by_one") as one_by_one,
     ):
         found = converted("csv", "\n", text, excel_safe=False)

@@ -1,12 +1,14 @@
-"""`jkroll batch` against the same work done otherwise: C++, awk, Miller, the csv module, pandas; and with Parquet for CSV.
+"""`jkroll batch` against the same work done otherwise: C++, polars, duckdb, pyarrow, pandas, awk, Miller; Parquet; small files.
 
-    python tests/benchmarks/rivals.py [ROWS] [NAME...]
+    python tests/benchmarks/rivals.py [ROWS] [NAME...]          QUANTITIES=12 for the first twelve quantities alone
 
 Every rival reads the same table and writes the same columns, by the formulas of formulas.txt. They run in turns, ROUNDS (3)
-times; of each the best rate counts, by the clock (a rival has one thread, `jkroll` a process for each core). Needs g++, and
-whichever of gawk, mlr, pandas and pyarrow is to be compared.
+times; of each the best rate counts, by the clock. polars, duckdb and pyarrow have a thread for each core, `jkroll` a process,
+the others one thread. Memory is the proportional set size of all processes, at its highest. Needs g++, and whichever of the
+rivals is to be compared: `pip install 'jkroll[rivals]'`, gawk, mlr.
 """
 
+import contextlib
 import importlib.util
 import math
 import os
@@ -44,7 +46,8 @@ def results() -> list[str]:
     from jkroll.answers.questions import QUESTIONS
 
     known = {name for name, _ in formulas()}
-    return [name for name in QUESTIONS["report"].quantities if name in known]
+    names = [name for name in QUESTIONS["report"].quantities if name in known]
+    return names[: int(os.environ.get("QUANTITIES", "0")) or None]
 
 
 def write_table(path: Path, rows: int) -> None:
@@ -143,6 +146,67 @@ for name, values in zip({names}, function(*columns)):
 table["status"] = ""
 table.to_csv(sys.stdout, index=False)
 """
+ARRAYS = """
+import sys
+import numpy
+from numpy import cbrt, fmax, fmin, pi, sqrt
+{source}
+NAMES = {names}
+scales = [1e-9, 1e-9, 1e-3, 1e9, 1, 1e3, 1e-9, 1e-9]
+def results(columns):
+    return function(*(column * scale for column, scale in zip(columns, scales)))
+"""
+POLARS = (
+    ARRAYS
+    + """
+import polars
+def converted(table):
+    values = results([column.to_numpy() for column in table.get_columns()[1:]])
+    added = [polars.Series(name, column) for name, column in zip(NAMES, values)]
+    return table.with_columns(added).with_columns(polars.lit("").alias("status"))
+table = polars.scan_csv(sys.argv[1])
+schema = {{**table.collect_schema(), **dict.fromkeys(NAMES, polars.Float64), "status": polars.String}}
+table.map_batches(converted, streamable=True, schema=schema).sink_csv(sys.argv[2])
+"""
+)
+PYARROW = (
+    ARRAYS
+    + """
+import pyarrow
+import pyarrow.csv
+writer = None
+for batch in pyarrow.csv.open_csv(sys.argv[1]):
+    values = results([column.to_numpy() for column in batch.columns[1:]])
+    columns = [*batch.columns, *map(pyarrow.array, values), pyarrow.array([""] * len(batch))]
+    table = pyarrow.RecordBatch.from_arrays(columns, [*batch.schema.names, *NAMES, "status"])
+    writer = writer or pyarrow.csv.CSVWriter(sys.argv[2], table.schema)
+    writer.write_batch(table)
+writer.close()
+"""
+)
+DUCKDB = """
+import sys
+import duckdb
+duckdb.sql(f"COPY ({query}) TO '{{sys.argv[2]}}' (HEADER)".replace("FROM input", f"FROM read_csv('{{sys.argv[1]}}')"))
+"""
+
+
+def duckdb_query() -> str:
+    """The formulas in SQL: a table after another, each with one more column."""
+    given = ", ".join(
+        f'"{text}" {SCALES[name]} AS {name}' for text, name in zip(HEADER.split(",")[1:], NAMES, strict=True)
+    )
+    query = f"SELECT *, {given} FROM input"
+    for name, expression in formulas():
+        words = (
+            expression.replace("fmin(", "least(")
+            .replace("fmax(", "greatest(")
+            .replace("pi ", "pi() ")
+            .replace("pi)", "pi())")
+        )
+        query = f"SELECT *, {words} AS {name} FROM ({query})"
+    columns = ", ".join([*(f'"{text}"' for text in HEADER.split(",")), *results()])
+    return f"SELECT {columns}, '' AS status FROM ({query})".replace('"', '\\"')
 
 
 class Rival(NamedTuple):
@@ -154,8 +218,10 @@ class Rival(NamedTuple):
 
 def rivals(folder: Path, table: Path) -> list[Rival]:
     """Those that this machine has."""
-    scripts = {"csv module": CSV_MODULE, "pandas": PANDAS}
+    scripts = {"csv module": CSV_MODULE, "pandas": PANDAS, "polars": POLARS, "pyarrow": PYARROW, "duckdb": DUCKDB}
     batch = [sys.executable, "-m", "jkroll", "batch"]
+    if os.environ.get("QUANTITIES"):
+        batch += ["--quantities", ",".join(results())]
     found = [
         Rival("jkroll", [*batch, str(table), "-o", str(folder / "jkroll.csv")]),
         Rival("jkroll, 1 process", [*batch, str(table), "-o", str(folder / "one.csv"), "--jobs", "1"]),
@@ -172,23 +238,76 @@ def rivals(folder: Path, table: Path) -> list[Rival]:
         if shutil.which(program):
             found.append(Rival(program, words))
     for name, text in scripts.items():
-        if name == "pandas" and not importlib.util.find_spec("pandas"):
+        if name != "csv module" and not importlib.util.find_spec(name):
             continue
         path = folder / f"rival_{name.split()[0]}.py"
-        path.write_text(text.format(source=python_source(), names=results()), encoding="utf-8")
-        found.append(Rival(name, [sys.executable, str(path)]))
+        query = duckdb_query() if name == "duckdb" else ""
+        path.write_text(text.format(source=python_source(), names=results(), query=query), encoding="utf-8")
+        words = [str(table), str(folder / f"{name}.csv")] if name in ("polars", "pyarrow", "duckdb") else []
+        found.append(Rival(name, [sys.executable, str(path), *words]))
     return found
 
 
-def run(rival: Rival, folder: Path, table: Path) -> tuple[float, float]:
-    """Seconds by the clock and of all processors that one run takes."""
+class Taken(NamedTuple):
+    """What a run took: seconds by the clock and of all processors, and megabytes of all processes at their highest."""
+
+    clock: float
+    processor: float
+    memory: float
+
+
+def run(rival: Rival, folder: Path, table: Path) -> Taken:
+    """Run a rival once."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     began = time.monotonic()
-    with table.open("rb") as given, (folder / f"{rival.name}.csv").open("wb") as out:
-        subprocess.run(rival.command, stdin=given, stdout=out, check=True)
+    memory = 0.0
+    output = folder / f"{rival.name}.csv"
+    with table.open("rb") as given, output.with_suffix(".out").open("wb") as out:
+        process = subprocess.Popen(rival.command, stdin=given, stdout=out)
+        while process.poll() is None:
+            memory = max(memory, megabytes(process.pid))
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                process.wait(0.05)
+        if process.returncode:
+            raise subprocess.CalledProcessError(process.returncode, rival.command)
+    if output.with_suffix(".out").stat().st_size:
+        output.with_suffix(".out").replace(output)
     seconds = time.monotonic() - began
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return seconds, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    return Taken(seconds, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, memory)
+
+
+def megabytes(process: int) -> float:
+    """The proportional set size of a process and of all that it started; 0 where the kernel does not count it."""
+    total = 0.0
+    with contextlib.suppress(OSError, StopIteration):
+        lines = Path(f"/proc/{process}/smaps_rollup").read_text().splitlines()
+        total += next(int(line.split()[1]) for line in lines if line.startswith("Pss:")) / 1024
+        for thread in Path(f"/proc/{process}/task").glob("*/children"):
+            total += sum(map(megabytes, map(int, thread.read_text().split())))
+    return total
+
+
+def small_files(folder: Path, table: Path, count: int) -> float:
+    """Files of 20 rows that `jkroll batch` converts in a second."""
+    with table.open() as file:
+        header, *lines = [line for line, _ in zip(file, range(20 * count + 1), strict=False)]
+    (folder / "small").mkdir()
+    for place in range(count):
+        text = header + "".join(lines[20 * place : 20 * place + 20])
+        (folder / "small" / f"{place:05}.csv").write_text(text, encoding="utf-8")
+    began = time.monotonic()
+    command = [
+        sys.executable,
+        "-m",
+        "jkroll",
+        "batch",
+        str(folder / "small" / "*.csv"),
+        "-o",
+        str(folder / "many") + os.sep,
+    ]
+    subprocess.run(command, check=True)
+    return count / (time.monotonic() - began)
 
 
 def main(words: Sequence[str]) -> None:
@@ -199,18 +318,25 @@ def main(words: Sequence[str]) -> None:
         table = folder / "grains.csv"
         write_table(table, rows)
         chosen = [rival for rival in rivals(folder, table) if not words[1:] or rival.name in words[1:]]
-        clock: dict[str, float] = {rival.name: math.inf for rival in chosen}
-        cpu = dict(clock)
+        best: dict[str, Taken] = {rival.name: Taken(math.inf, math.inf, 0) for rival in chosen}
         for _ in range(int(os.environ.get("ROUNDS", "3"))):
             for rival in chosen:
-                seconds, used = run(rival, folder, table)
-                clock[rival.name] = min(clock[rival.name], seconds)
-                cpu[rival.name] = min(cpu[rival.name], used)
-        own = clock.get("jkroll", math.nan)
-        print(f"{'rows/s':>12}  {'jkroll is':>10}  {'us of CPU a row':>15}")
+                taken, before = run(rival, folder, table), best[rival.name]
+                best[rival.name] = Taken(
+                    min(taken.clock, before.clock),
+                    min(taken.processor, before.processor),
+                    max(taken.memory, before.memory),
+                )
+        own = best["jkroll"].clock if "jkroll" in best else math.nan
+        print(f"{'rows/s':>12}  {'jkroll is':>10}  {'us of CPU a row':>15}  {'MB':>6}")
         for rival in chosen:
-            taken = clock[rival.name]
-            print(f"{rows / taken:12,.0f}  {taken / own:9.2f}x  {cpu[rival.name] / rows * 1e6:15.2f}  {rival.name}")
+            taken = best[rival.name]
+            us = taken.processor / rows * 1e6
+            print(
+                f"{rows / taken.clock:12,.0f}  {taken.clock / own:9.2f}x  {us:15.2f}  {taken.memory:6.0f}  {rival.name}"
+            )
+        if not words[1:]:
+            print(f"{small_files(folder, table, min(rows // 20, 3000)):12,.0f}  files of 20 rows a second")
 
 
 if __name__ == "__main__":

@@ -1,12 +1,18 @@
 """Tables of scenes: millions of rows in, the same rows with their results out.
 
-A table is read in blocks of whole records. `columns` says what its header means and `task` what is to be computed; `cells` and
-`materials` read columns, `rows` evaluates a block at once, `single` a row by itself. `delimited`, `ndjson` and `parquet` are the
-formats; `source`, `ring` and `output` carry blocks through several processes into a file that appears when it is whole, `pieces`
-into one of Parquet. `parts`, `spans` and `cluster` do many tables and parts of large ones, `sweep` and `sweep_parquet` rows that
-no file holds. Imported by `batch` and by long sweeps alone.
+From the bottom up:
+
+columns, cells, materials   the header of a table; a column of texts as SI numbers; a column of materials
+rows, single, task          a block of rows evaluated at once; a row by itself, with its words; the quantities to compute
+dialect, delimited, ndjson  formats whose records are lines
+formats, settings           the registry of formats and compressions; the options of a run
+source, output, locks       blocks of whole records; a file that appears when it is whole, with a journal
+workers, loop               processes; the loop that carries blocks through them into the output, in order
+stream, parquet, sweep, axes  a table of lines; Parquet; the rows of ranges, which no file holds
+many, spans, cluster        many tables; parts of a large table; Dask
+command                     the `batch` command
 """
 
 import os
 
-os.environ.setdefault("ARROW_DEFAULT_MEMORY_POOL", "system")  # what pyarrow has of its own keeps more than it needs
+os.environ.setdefault("ARROW_DEFAULT_MEMORY_POOL", "system")  # pyarrow's other pools keep more memory than they need

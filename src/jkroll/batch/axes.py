@@ -1,4 +1,4 @@
-"""The values of an input in a sweep, made where they are needed: no range is ever held whole that has more than a million."""
+"""The values of an input in a sweep. A range of more than a million values is computed where it is needed."""
 
 from collections.abc import Sequence
 from itertools import chain
@@ -10,11 +10,11 @@ import orjson
 from ..quantities.ranges import Spread
 from .cells import Floats, plain_numbers
 
-KEPT = 1_000_000  # values of a range that are made once
+KEPT = 1_000_000  # values of a range that are computed once
 
 
 class Axis:
-    """The values of one input: lists and ranges behind each other."""
+    """The values of an input: lists and ranges behind each other."""
 
     def __init__(self, name: str, spreads: Sequence[Spread]) -> None:
         """`name`: the input."""
@@ -24,7 +24,7 @@ class Axis:
         self._values = numpy.array([*chain.from_iterable(spreads)]) if self.size <= KEPT else None
 
     def values(self, places: Any) -> Floats:
-        """The values at some places."""
+        """Return the values at some places."""
         if self._values is not None:
             found: Floats = self._values[places]
             return found
@@ -38,7 +38,7 @@ class Axis:
 
 
 def of_spread(spread: Spread, places: Any) -> Floats:
-    """Values of a range, to 15 digits; its ends as they were given."""
+    """Return values of a range, to 15 digits; its ends as they were given."""
     part = places / max(spread.size - 1, 1)
     if spread.is_log:
         values = spread.low ** (1 - part) * spread.high**part
@@ -51,7 +51,7 @@ def of_spread(spread: Spread, places: Any) -> Floats:
 
 
 def to_15_digits(values: Floats) -> Floats:
-    """Numbers rounded to 15 digits.
+    """Return numbers rounded to 15 digits.
 
     >>> to_15_digits(numpy.array([0.1 + 0.2, 1e-7 / 3])).tolist()
     [0.3, 3.33333333333333e-08]

@@ -1,13 +1,12 @@
 """A column of texts as SI numbers: orjson reads them all at once, with the power of ten of the unit in the number's own text.
 
-So each number is rounded once, as in a one-liner. What orjson does not take for plain numbers is read cell by cell.
+So each number is rounded once, as in a one-liner. A cell that orjson does not take for a number is read by itself.
 """
 
 import re
-import struct
 from collections.abc import Sequence
 from math import isnan
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy
 import orjson
@@ -22,12 +21,17 @@ Floats = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.float64]]
 Mask = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.bool_]]
 
 PLAIN = b"0123456789.eE+-, "
+_DECIMALS = (0, 3, 6, 9)
 MAX_KEPT = 10_000  # texts whose value is remembered
+PART = 16  # cells read together where some cell of the block is no number
 _OWN_UNIT = re.compile(rb"[-+0-9.eE]+( ?[^\s0-9,][^,]*)")
+_POWER = re.compile(rb"[+-]?[0-9]{1,3}")
+_POWERS = re.compile(rb"e([+-]?[0-9]{1,3}),")
+_DOUBLE_SIGN = re.compile(rb",\+[^0-9]")
 
 
 class Numbers(NamedTuple):
-    """A column as it was read: SI values, nan where there is none; which cells were given; which could not be read."""
+    """A column: SI values, nan where there is none; the cells that are not empty; the cells that are no numbers."""
 
     values: Floats
     given: Mask | None  # None: all of them
@@ -35,7 +39,7 @@ class Numbers(NamedTuple):
 
 
 class Reader:
-    """Reads one column, block after block."""
+    """Reads a column, block after block."""
 
     def __init__(self, column: Column) -> None:
         """`column`: its name and unit."""
@@ -44,20 +48,31 @@ class Reader:
         self._own: tuple[bytes, bytes] | None = None
 
     def numbers(self, cells: Sequence[bytes]) -> Numbers:
-        """The numbers of a block of cells."""
-        exponent = self.column.exponent
-        if exponent is None:
-            text = self._without_units(cells)
-        else:
-            suffix = b"e%d" % exponent if exponent else b""
-            text = (suffix + b",").join(cells) + suffix
-            if exponent and text.count(b"e") != len(cells):
-                text = b",".join([_scaled(cell, exponent) if b"e" in cell else cell + suffix for cell in cells])
-        values = plain_numbers(text, len(cells)) if text is not None else None
-        return Numbers(values, None, []) if values is not None else self._one_by_one(cells)
+        """Return the numbers of a block of cells."""
+        values = self._together(cells)
+        return Numbers(values, None, []) if values is not None else self._in_parts(cells)
+
+    def _together(self, cells: Sequence[bytes]) -> Floats | None:
+        """Return the numbers of cells that are all plain numbers, or all have the same unit; else None."""
+        text = self._without_units(cells) if self.column.exponent is None else times_power(cells, self.column.exponent)
+        return plain_numbers(text, len(cells)) if text is not None else None
+
+    def _in_parts(self, cells: Sequence[bytes]) -> Numbers:
+        """Return the numbers of cells some of which are empty, no numbers, or have units of their own."""
+        values = numpy.full(len(cells), numpy.nan)
+        given = numpy.ones(len(cells), dtype=bool)
+        odd: list[int] = []
+        for start in range(0, len(cells), PART):
+            part = cells[start : start + PART]
+            together = self._together(part) if all(part) else None
+            if together is not None:
+                values[start : start + PART] = together
+            else:
+                self._one_by_one(part, start, values, given, odd)
+        return Numbers(values, None if given.all() else given, odd)
 
     def _without_units(self, cells: Sequence[bytes]) -> bytes | None:
-        """Cells that carry a unit, with its power of ten in its place, if that is the same unit throughout."""
+        """Return cells that all carry the same unit, with its power of ten in its place; else None."""
         if self._own is None or not cells[0].endswith(self._own[0]):
             match = _OWN_UNIT.fullmatch(cells[0].strip())
             try:
@@ -75,13 +90,10 @@ class Reader:
             return None
         return text.replace(unit_text + b",", suffix + b",")[:-1]
 
-    def _one_by_one(self, cells: Sequence[bytes]) -> Numbers:
-        """The same, a cell at a time: with empty ones, spellings and units of their own, and what cannot be read."""
-        values = numpy.full(len(cells), numpy.nan)
-        given = numpy.ones(len(cells), dtype=bool)
-        odd: list[int] = []
+    def _one_by_one(self, cells: Sequence[bytes], start: int, values: Floats, given: Mask, odd: list[int]) -> None:
+        """Read cells into arrays from a place on."""
         suffix = b"e%d" % (self.column.exponent or 0)
-        for place, cell in enumerate(cells):
+        for place, cell in enumerate(cells, start):
             value = self._kept.get(cell)
             if value is None:
                 try:
@@ -93,7 +105,6 @@ class Reader:
                     self._kept[cell] = value
             values[place] = value
             given[place] = not isnan(value)
-        return Numbers(values, None if given.all() else given, odd)
 
     def _value(self, cell: bytes, suffix: bytes) -> float:
         if not cell or cell.isspace():
@@ -103,8 +114,37 @@ class Reader:
         return self.column.read(cell.decode())
 
 
+def times_power(cells: Sequence[bytes], exponent: int) -> bytes:
+    """Return numbers between commas, times a power of ten in their own text.
+
+    >>> times_power([b"1", b"2.5"], -9), times_power([b"+1E2", b"5.0e-1"], -9)
+    (b'1e-9,2.5e-9', b'1E-7,5.0E-10')
+    """
+    text = b",".join(cells) + b","
+    if b"E" in text:
+        text = text.replace(b"E", b"e")
+    if b"+" in text and not _DOUBLE_SIGN.search(b"," + text):
+        text = (b"," + text).replace(b",+", b",")[1:]
+    if exponent and b"e" in text:
+        return _times_powers(text, len(cells), exponent)
+    suffix = b"e%d" % exponent if exponent else b""
+    return text.replace(b",", suffix + b",")[:-1] if suffix else text[:-1]
+
+
+def _times_powers(text: bytes, count: int, exponent: int) -> bytes:
+    """Return the same for numbers of which some have exponents of their own. Each ends with a comma."""
+    powers = _POWERS.findall(text)
+    if len(powers) != count:
+        suffix = b"e%d" % exponent
+        cells = text[:-1].split(b",")
+        return b",".join([_scaled(cell, exponent) if b"e" in cell else cell + suffix for cell in cells])
+    for power in {*powers}:  # an E marks what is replaced already
+        text = text.replace(b"e" + power + b",", b"E%d," % (int(power) + exponent))
+    return text[:-1]
+
+
 def _scaled(cell: bytes, exponent: int) -> bytes:
-    """A number with an exponent, times a power of ten; whatever is no such number becomes none.
+    """Return a number with an exponent, times a power of ten; for anything else what is no number.
 
     >>> _scaled(b"1.5e+3", -9)
     b'1.5e-6'
@@ -113,17 +153,50 @@ def _scaled(cell: bytes, exponent: int) -> bytes:
     return b"%be%d" % (mantissa, int(power) + exponent) if _POWER.fullmatch(power) else b"?"
 
 
-_POWER = re.compile(rb"[+-]?[0-9]{1,3}")
 _JSON_NUMBER = re.compile(rb"-?[0-9]{1,20}(?:\.[0-9]{1,20})?")
 
 
 def plain_numbers(text: bytes, count: int) -> Floats | None:
-    """Numbers between commas; None if there is anything else between them, or not as many."""
+    """Return the numbers between commas; None if there is anything else between them, or not as many."""
     if text.translate(None, PLAIN):
         return None
-    values = numpy.empty(count)
     try:
-        struct.pack_into(f"{count}d", values.data, 0, *orjson.loads(b"[" + text + b"]"))
-    except (orjson.JSONDecodeError, struct.error):
+        found = orjson.loads(b"[" + text + b"]")
+    except orjson.JSONDecodeError:
         return None
-    return values
+    return numpy.array(found, dtype=float) if len(found) == count else None
+
+
+def times_power_of_ten(values: Floats, exponent: int, given: Any = None) -> Floats:
+    """Return numbers times a power of ten, rounded once, as if their shortest decimal texts had been read with it.
+
+    >>> times_power_of_ten(numpy.array([0.1, 123.456]), -9).tolist()
+    [1e-10, 1.23456e-07]
+    """
+    known = values if given is None else values[given]
+    is_usual = bool(known.size) and bool(numpy.abs(known).max() < 1e15)
+    for decimals in _DECIMALS if is_usual else ():
+        down = decimals - exponent
+        if abs(down) > 22:
+            continue
+        # Whole numbers of at most 15 digits over powers of ten that doubles hold: one division, rounded once.
+        whole = numpy.rint(known[:64] * 10.0**decimals)
+        if (whole / 10.0**decimals == known[:64]).all():
+            whole = numpy.rint(values * 10.0**decimals)
+            size = numpy.abs(whole[given] if given is not None else whole).max()
+            if size < 1e15 and (numpy.isnan(values) | (whole / 10.0**decimals == values)).all():
+                return whole / 10.0**down if down >= 0 else whole * 10.0**-down
+    text = orjson.dumps(values, option=orjson.OPT_SERIALIZE_NUMPY)[1:-1]
+    if b"e" not in text and b"n" not in text:
+        suffix = b"e%d" % exponent
+        found = plain_numbers(text.replace(b",", suffix + b",") + suffix, len(values))
+        if found is not None:
+            return found
+    return numpy.array(
+        [
+            float(f"{mantissa}e{int(power or 0) + exponent}")
+            if mantissa.strip("-") not in ("nan", "inf")
+            else float(mantissa)
+            for mantissa, _, power in (repr(value).partition("e") for value in values.tolist())
+        ]
+    )

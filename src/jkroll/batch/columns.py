@@ -1,4 +1,4 @@
-"""What the header of a table means: which columns are inputs, in which unit, and which only pass through."""
+"""The header of a table: the columns that are inputs, their units, and the columns that pass through."""
 
 import re
 from collections.abc import Sequence
@@ -28,17 +28,17 @@ class _Column(NamedTuple):
 
 
 class Column(_Column):
-    """An input of the scenes: where it stands, and the unit of the cells that carry none."""
+    """The column of an input, with the unit of the cells that carry none."""
 
     @cached_property
     def exponent(self) -> int | None:
-        """The unit as a power of ten of the SI unit; None if it is none, or if there is no unit."""
+        """The unit as a power of ten of the SI unit; None if it is no power of ten, or if there is no unit."""
         if self.unit is None:
             return 0 if NOMENCLATURE[self.name].unit == "1" else None
         return power_of_ten(self.unit)
 
     def read(self, text: str) -> float:
-        """The SI value of a cell: a number in the unit of the column, or a number with a unit of its own."""
+        """Return the SI value of a cell: a number in the unit of the column, or a number with a unit of its own."""
         try:
             return parse_quantity(text, self.name)
         except BareNumber:
@@ -48,7 +48,7 @@ class Column(_Column):
 
 
 def power_of_ten(unit: Unit) -> int | None:
-    """The exponent of a unit that is a power of ten times the SI unit.
+    """Return the exponent of a unit that is a power of ten times the SI unit.
 
     >>> power_of_ten(unit_of("nm", "radius")), power_of_ten(unit_of("ft", "radius"))
     (-9, None)
@@ -65,7 +65,7 @@ def power_of_ten(unit: Unit) -> int | None:
 
 
 class Header(NamedTuple):
-    """A header that was understood."""
+    """The columns of a table."""
 
     texts: tuple[str, ...]
     inputs: tuple[Column, ...]
@@ -73,24 +73,23 @@ class Header(NamedTuple):
 
     @property
     def names(self) -> frozenset[str]:
-        """The names of the nomenclature for which there are columns."""
+        """The names of the inputs that have columns."""
         return frozenset({column.name for column in self.inputs} | {name for name, _ in self.materials})
 
     @property
     def passing(self) -> list[str]:
-        """The columns that are no inputs, though they have names of the nomenclature: a user may think they are."""
+        """The columns that pass through though they have names of the nomenclature: a user may take them for inputs."""
         return [text for text in self.texts if split(text)[0] in NOMENCLATURE and split(text)[0] not in self.names]
 
 
 def understood(texts: Sequence[str]) -> Header:
-    """Read a header whole; BadTable says what is wrong with it."""
+    """Return the columns of a header. Raises BadTable."""
     inputs: list[Column] = []
     materials: list[tuple[str, int]] = []
     seen: dict[str, str] = {}
     for place, text in enumerate(texts):
         name, unit_text = split(text)
-        is_input = name in INPUTS or name in MATERIALS
-        key = name if is_input else text
+        key = name if is_input(text) else text
         if key in seen:
             other = seen[key]
             both = f"two columns {quoted(text)}" if other == text else f"the columns {quoted(other)} and {quoted(text)}"
@@ -109,14 +108,19 @@ def understood(texts: Sequence[str]) -> Header:
     return Header(tuple(texts), tuple(inputs), tuple(materials))
 
 
+def is_input(text: str) -> bool:
+    """Return whether a header is that of an input."""
+    return split(text)[0] in (*INPUTS, *MATERIALS)
+
+
 def split(text: str) -> tuple[str, str | None]:
-    """A header as a name and the text of a unit."""
+    """Split a header into a name and the text of a unit."""
     match = _HEADER.fullmatch(text.strip())
     return (match[1], match[2].strip()) if match else (text.strip(), None)
 
 
 def _column(place: int, name: str, unit_text: str | None, text: str) -> Column:
-    """The column of an input; without a unit its cells carry their own, or are plain numbers where that is enough."""
+    """Return the column of an input. Without a unit its cells carry their own, or are plain numbers if it is a ratio."""
     wanted = dimension_of(NOMENCLATURE[name].unit)
     if unit_text is None or (unit_text in ("1", "-") and not any(wanted)):
         return Column(place, name, "", None)
@@ -130,7 +134,7 @@ def _column(place: int, name: str, unit_text: str | None, text: str) -> Column:
 
 
 def _meant(name: str, unit_text: str | None) -> str | None:
-    """The header that a mistaken one was probably meant to be; None if it does not look like one."""
+    """Return the header that a mistaken one was probably meant to be, or None."""
     unit = f" [{unit_text}]" if unit_text else ""
     plain = name.casefold().replace("-", "_").replace(" ", "_")
     known = (*INPUTS, *MATERIALS)
@@ -150,7 +154,7 @@ def _meant(name: str, unit_text: str | None) -> str | None:
 
 
 def _fits(unit_text: str, name: str) -> bool:
-    """Whether a text is a unit of a quantity."""
+    """Return whether a text is a unit of a quantity."""
     try:
         return bool(unit_text) and unit_of(unit_text, name).dimension == dimension_of(NOMENCLATURE[name].unit)
     except QuantityError:
@@ -158,13 +162,13 @@ def _fits(unit_text: str, name: str) -> bool:
 
 
 def _example_unit(name: str) -> str:
-    """A unit for the header of a quantity, if it needs one: that of its example."""
+    """Return a unit for the header of a quantity, if it needs one: that of its example."""
     quantity = NOMENCLATURE[name]
     return f" [{quantity.example.lstrip('+-.0123456789')}]" if any(dimension_of(quantity.unit or "1")) else ""
 
 
 def check_first(column: Column, texts: Sequence[str]) -> None:
-    """Refuse a column whose first cells have no unit, as its header has none: BadTable."""
+    """Raise BadTable for a column that has a unit neither in its header nor in its first cell."""
     if column.unit is not None or column.exponent is not None:
         return
     first = next((text for text in texts if text.strip()), None)

@@ -1,4 +1,4 @@
-"""What can go wrong with a table as a whole. A row that goes wrong is no error: it says so in its status."""
+"""Errors of a table as a whole. A row that fails is no error: its status says why."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -7,7 +7,7 @@ from ..errors import JkrollError, MissingExtra
 
 
 class BadTable(JkrollError):
-    """A header, a format or a file that makes no table of scenes."""
+    """Error raised for a header, a format or a file that makes no table of scenes."""
 
     def __init__(self, problem: str) -> None:
         super().__init__(problem)
@@ -18,7 +18,7 @@ class BadTable(JkrollError):
 
 
 class BadRow(JkrollError):
-    """The first row that failed, where none may."""
+    """Error raised for the first row that fails, with `--strict`."""
 
     exit_code = 1
 
@@ -31,20 +31,20 @@ class BadRow(JkrollError):
 
 
 class LostWorker(JkrollError):
-    """A process that was ended from outside."""
+    """Error raised when a process is ended from outside."""
 
     exit_code = 1
 
-    def __init__(self, signal: int) -> None:
-        super().__init__(signal)
-        self.signal = signal
+    def __init__(self, exit_code: int) -> None:
+        super().__init__(exit_code)
+        self.how = f"was ended by signal {-exit_code}" if exit_code < 0 else f"ended with exit code {exit_code}"
 
     def __str__(self) -> str:
-        return f"a working process was ended by signal {self.signal}; nothing is lost: --resume goes on"
+        return f"a working process {self.how}; nothing is lost: --resume goes on"
 
 
 class NotTheSame(JkrollError):
-    """An interrupted run that was another one."""
+    """Error raised when an interrupted run had another input, other options or another version."""
 
     def __init__(self, partial: str, what: str) -> None:
         super().__init__(partial, what)
@@ -56,7 +56,7 @@ class NotTheSame(JkrollError):
 
 @contextmanager
 def missing_extra(extra: str) -> Iterator[None]:
-    """Say which extra installs a library that is missing."""
+    """Name the extra that installs a missing library."""
     try:
         yield
     except ModuleNotFoundError as error:

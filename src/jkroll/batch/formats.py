@@ -1,30 +1,34 @@
-"""The formats of tables, by the name of a file or as said, and what compresses them."""
+"""The registry of formats and compressions. A format is named by the end of a file's name, or by `--format`."""
 
 import gzip
 import os
-from collections.abc import Callable, Iterator
+import zlib
+from collections.abc import Callable, Iterator, Mapping
 from typing import BinaryIO, NamedTuple
 
 from ..errors import MissingExtra
 from ..text import quoted
-from .errors import BadTable
+from .delimited import DIALECTS
+from .errors import BadTable, missing_extra
+from .lines import LineFormat
+from .ndjson import Ndjson
 
+LINES: Mapping[str, LineFormat] = {**DIALECTS, "ndjson": Ndjson()}
 KINDS = {"csv": "csv", "tsv": "tsv", "tab": "tsv", "ndjson": "ndjson", "jsonl": "ndjson", "parquet": "parquet"}
 COMPRESSIONS = {"gz": "gzip", "gzip": "gzip", "zst": "zstd", "zstd": "zstd"}
-
-
-PIECE = 1 << 17
+CHUNK = 1 << 18  # bytes read at a time: enough rows to pay for a call of numpy, few enough to stay in the cache
+FEED = 1 << 9  # bytes given to zstd at a time: a block of at least 4 bytes holds at most 128 KiB, so 16 MiB come out
 
 
 class Format(NamedTuple):
-    """What a table is written as."""
+    """A format and its compression."""
 
     kind: str
     compression: str = ""
 
 
 def format_of(path: str) -> Format | None:
-    """The format that a name says, as in grains.csv.gz; None if it says none.
+    """Return the format that a name such as grains.csv.gz states, or None.
 
     >>> format_of("grains.csv.gz"), format_of("a/grains")
     (Format(kind='csv', compression='gzip'), None)
@@ -36,7 +40,7 @@ def format_of(path: str) -> Format | None:
 
 
 def stated(text: str) -> Format:
-    """The format of `--format`."""
+    """Return the format of `--format`."""
     found = format_of(text.lstrip("."))
     if found is None:
         raise BadTable(
@@ -46,34 +50,48 @@ def stated(text: str) -> Format:
 
 
 def compressor(compression: str) -> Callable[[bytes], bytes]:
-    """What compresses a block by itself: blocks behind each other are one file to every reader, and the same for any `--jobs`."""
+    """Return a function that compresses a block by itself: compressed blocks behind each other are one file to every reader."""
     if compression == "gzip":
-        return lambda text: gzip.compress(text, 1, mtime=0)
+        return _gzip
     if compression == "zstd":
-        try:
+        with missing_extra("zstd"):
             from zstandard import ZstdCompressor
-        except ModuleNotFoundError as error:
-            raise MissingExtra(error.name or "", "zstd") from None
         return ZstdCompressor(level=3).compress
-    return lambda text: text
+    return bytes
 
 
-def decompressed(file: BinaryIO, compression: str) -> Iterator[bytes]:
-    """The bytes that were compressed, piece by piece; EOFError if the end is missing."""
-    if compression == "gzip":
-        with gzip.open(file, "rb") as stream:
-            while piece := stream.read(PIECE):
-                yield piece
-        return
+def _gzip(text: bytes) -> bytes:
+    return gzip.compress(text, 1, mtime=0)
+
+
+def decompressed(file: BinaryIO, compression: str, path: str) -> Iterator[bytes]:
+    """Iterate over the decompressed bytes of a file, at most 16 MiB at a time. Raises BadTable for a damaged file."""
+    pieces = _from_gzip if compression == "gzip" else _from_zstd
     try:
-        from zstandard import ZstdDecompressor
+        yield from pieces(file)
+    except (EOFError, zlib.error, gzip.BadGzipFile):
+        raise BadTable(f"{quoted(path)} is not what its name says, or its end is missing") from None
+
+
+def _from_gzip(file: BinaryIO) -> Iterator[bytes]:
+    with gzip.open(file, "rb") as stream:
+        while piece := stream.read(CHUNK):
+            yield piece
+
+
+def _from_zstd(file: BinaryIO) -> Iterator[bytes]:
+    try:
+        from zstandard import ZstdDecompressor, ZstdError
     except ModuleNotFoundError as error:
         raise MissingExtra(error.name or "", "zstd") from None
     frame, rest = ZstdDecompressor().decompressobj(), b""
-    while rest or (rest := file.read(PIECE)):
-        if frame.eof:
-            frame = ZstdDecompressor().decompressobj()
-        yield frame.decompress(rest)
-        rest = frame.unused_data
+    try:
+        while rest or (rest := file.read(FEED)):
+            if frame.eof:
+                frame = ZstdDecompressor().decompressobj()
+            yield frame.decompress(rest)
+            rest = frame.unused_data if frame.eof else b""
+    except ZstdError:
+        raise EOFError from None
     if not frame.eof:
         raise EOFError

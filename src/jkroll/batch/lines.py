@@ -1,7 +1,7 @@
-"""What the formats whose records are lines have in common."""
+"""The interface of formats whose records are lines."""
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple, Protocol
+from typing import NamedTuple, Protocol
 
 from .columns import Header
 from .single import Task
@@ -10,9 +10,9 @@ BOM = b"\xef\xbb\xbf"
 
 
 class Converted(NamedTuple):
-    """A block as it is written, and what is to be known of it."""
+    """A converted block and its counts."""
 
-    output: Any  # bytes, or a table of Parquet
+    output: bytes
     rows: int
     failed: int
     lines: int
@@ -20,30 +20,30 @@ class Converted(NamedTuple):
 
 
 class Head(NamedTuple):
-    """What stands at the beginning of a table."""
+    """The beginning of a table."""
 
-    text: bytes  # that is no row
+    text: bytes  # the header line; empty where the format has none
     names: tuple[str, ...]
     sample: list[list[str]]  # cells of the first rows
 
 
 class Converter(Protocol):
-    """Turns blocks of records into blocks of records with results."""
+    """Converts blocks of records."""
 
-    head: bytes  # what the output begins with
+    head: bytes  # first bytes of the output
 
     def convert(self, text: bytes) -> Converted:
-        """Whole records with their results."""
+        """Return whole records with their results."""
 
 
 class LineFormat(Protocol):
     """A format whose records are lines."""
 
     def cut(self, text: bytes, *, is_end: bool) -> int:
-        """How many bytes of a text are whole records."""
+        """Return the number of bytes of whole records at the beginning of a text; all of it at the end."""
 
     def head(self, text: bytes) -> Head:
-        """The beginning of a table; BadTable if it has none."""
+        """Return the beginning of a table. Raises BadTable."""
 
     def converter(self, head: Head, header: Header, task: Task, names: Sequence[str], *, excel_safe: bool) -> Converter:
-        """What converts the blocks after it; `names` head the results."""
+        """Return the converter of the blocks after the head; `names` are the headers of the results."""

@@ -1,4 +1,4 @@
-"""Columns that name materials: the properties of each row by lookup, with the materials looked up once."""
+"""Columns that name materials: each different text is looked up once."""
 
 from collections.abc import Sequence
 
@@ -15,7 +15,7 @@ Codes = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.int64]]
 
 
 class Lookup:
-    """The materials of one column, numbered as they come: number 0 is none."""
+    """The materials of a column, numbered as they come: number 0 is that of an empty cell."""
 
     def __init__(self, materials: Materials, otherwise: Material | None) -> None:
         """`otherwise`: the material of a row whose cell is empty."""
@@ -26,7 +26,7 @@ class Lookup:
         self._kinds: Codes = numpy.zeros(0, dtype=numpy.int64)
 
     def codes(self, cells: Sequence[bytes | str]) -> Codes:
-        """The numbers of the materials that cells name; UNKNOWN for what names none."""
+        """Return the numbers of the materials that cells name; UNKNOWN for an unknown name."""
         try:
             return numpy.array([self._codes[cell] for cell in cells], dtype=numpy.int64)
         except KeyError:
@@ -49,12 +49,12 @@ class Lookup:
         return code
 
     def kinds(self, codes: Codes) -> Codes:
-        """For each row, which properties its material has, as bits above that of having a material at all."""
+        """Return for each row the properties that its material has, as bits above that of having a material at all."""
         self._fill()
         return self._kinds[codes]
 
     def properties(self, codes: Codes) -> dict[str, Floats]:
-        """The properties of rows whose materials are of one kind."""
+        """Return the properties of rows whose materials are of one kind."""
         self._fill()
         first = self.known[int(codes[0])]
         return {name: self._tables[name][codes] for name in (first.properties if first is not None else ())}

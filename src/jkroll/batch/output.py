@@ -1,201 +1,237 @@
-"""Where the results go: beside the file they are to become, under its name only once they are whole.
+"""The output: a stream, or a file that gets its name when it is whole.
 
-A journal says after every block how far input and output came, with a checksum of the input; `--resume` goes on from there
-if input, options and version are the same. Both are locked, so that two runs never write the same file.
+A file is written beside its name as .partial. A journal notes after every block how far input and output came, with a
+checksum of each; `--resume` goes on from there if input, options and version are the same. The partial file is locked, so that
+two runs never write the same file. Files of these names that jkroll did not write are left alone.
 """
 
-import errno
-import fcntl
-import hashlib
 import json
 import os
 import stat
-import time
-from collections.abc import Mapping
+import sys
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
-from typing import Any, NamedTuple, Protocol
+from typing import Any, BinaryIO, NamedTuple
 from zlib import crc32
 
-from ..text import quoted
+from ..errors import BadRequest
+from ..text import quoted, say
 from .errors import BadRow, BadTable, NotTheSame
-from .files import BESIDE
+from .formats import CHUNK
 from .lines import Converted
-from .source import Shared
+from .locks import MARK, locked, opened, refuse_foreign
 
-LOCK_SECONDS = 10.0  # the processes of a run that was killed end on their own within a block
+LARGE = 1 << 20  # bytes from which a file is flushed to the disk: 10 000 small ones would take minutes
 
 
-class Progress(NamedTuple):
-    """How far a run came: bytes of the output, rows, failed rows, lines, and the checksum of the last block read."""
+class Step(NamedTuple):
+    """A line of a journal: counts up to a block, and checksums of the block as read and as written."""
 
-    written: int
-    rows: int
-    failed: int
-    lines: int
+    written: int = 0
+    rows: int = 0
+    failed: int = 0
+    lines: int = 0
+    read_checksum: int = 0
+    written_checksum: int = 0
+
+
+class Written(NamedTuple):
+    """The size and checksum of bytes that were written."""
+
+    size: int
     checksum: int
 
 
-class Blocks(Protocol):
-    """What comes in blocks, the same ones every time."""
+class Writer:
+    """An open descriptor, which can be handed to a process when that is started."""
 
-    def next(self) -> bytes | None:
-        """The next block; None at the end."""
-
-
-def fingerprint(parts: Mapping[str, Any]) -> dict[str, str]:
-    """What identifies a run: a hash of each of its parts."""
-    return {
-        name: hashlib.sha256(json.dumps(value, sort_keys=True, default=str).encode()).hexdigest()[:32]
-        for name, value in parts.items()
-    }
-
-
-class Sink:
-    """A stream that takes what blocks became, in their order."""
-
-    def __init__(self, descriptor: int, shared: Shared, *, strict: bool) -> None:
-        """`strict`: no row may fail."""
+    def __init__(self, descriptor: int) -> None:
         self.descriptor = descriptor
-        self.shared = shared
-        self.strict = strict
 
-    def head(self, text: bytes, output: Any, lines: int) -> None:
-        """Write what stands before the first row. `text` is what it was."""
-        self.append(output)
-        self.done(text, lines=lines)
-
-    def write(self, text: bytes, converted: Converted) -> None:
-        """Write the next block. `text` is what it was."""
-        if self.strict and converted.first_failure is not None:
-            line, status = converted.first_failure
-            raise BadRow(self.shared["lines"] + 1 + line, status)
-        self.append(converted.output)
-        self.done(text, rows=converted.rows, failed=converted.failed, lines=converted.lines)
-
-    def append(self, output: bytes) -> None:
-        """Write bytes that belong to the next block."""
+    def append(self, output: bytes) -> Written:
+        """Write bytes behind what was written before."""
         rest = memoryview(output)
         while rest:
             rest = rest[os.write(self.descriptor, rest) :]
-        self.shared["written"] += len(output)
+        return Written(len(output), crc32(output))
 
-    def done(self, text: bytes, **counts: int) -> None:
-        """Count a block that was written: its rows, those that failed, its lines. `text` is what it was."""
-        for name, count in counts.items():
-            self.shared[name] += count
-        self._note(text)
+    def __reduce__(self) -> tuple[Callable[..., "Writer"], tuple[object]]:
+        from multiprocessing.reduction import DupFd  # which Windows does not have
 
-    def _note(self, text: bytes) -> None:
-        """A block was written."""
+        return _received, (DupFd(self.descriptor),)
+
+
+def _received(descriptor: Any) -> Writer:
+    return Writer(descriptor.detach())
+
+
+class Output:
+    """A stream that takes blocks in their order."""
+
+    goes_on = False  # whether --resume can go on after an interrupt
+
+    def __init__(self, descriptor: int, *, strict: bool) -> None:
+        """`strict`: no row may fail."""
+        self.writer = Writer(descriptor)
+        self.strict = strict
+        self.done = Step()
+
+    def check(self, converted: Converted) -> None:
+        """Raise BadRow if a row of the next block failed and none may."""
+        if self.strict and converted.first_failure is not None:
+            line, status = converted.first_failure
+            raise BadRow(self.done.lines + 1 + line, status)
+
+    def note(self, read_checksum: int, converted: Converted, written: Written) -> None:
+        """Count a block that was written."""
+        done = self.done
+        self.done = Step(
+            done.written + written.size,
+            done.rows + converted.rows,
+            done.failed + converted.failed,
+            done.lines + converted.lines,
+            read_checksum,
+            written.checksum,
+        )
 
     def finish(self) -> None:
-        """Nothing more comes."""
+        """End the output after the last block."""
 
     def close(self) -> None:
-        """Let go of what is open: another run may go on."""
-        os.close(self.descriptor)
+        """Close what is open."""
+        os.close(self.writer.descriptor)
 
 
-class FileSink(Sink):
-    """A file that appears under its name when it is whole."""
+class OutputFile(Output):
+    """A file that gets its name when it is whole."""
 
-    def __init__(self, path: str, shared: Shared, *, strict: bool) -> None:
-        """Open and lock what is written beside."""
-        self.path = path
-        self.partial, self.journal_path = (path + end for end in BESIDE)
-        super().__init__(_locked(self.partial), shared, strict=strict)
+    goes_on = True
+
+    def __init__(self, target: str, *, strict: bool = False) -> None:
+        """Open and lock the file beside. A link is written through."""
+        self.target = real_path(target)
+        self.partial, self.journal_path = self.target + ".partial", self.target + ".journal"
+        refuse_foreign(self.partial, self.journal_path)
+        super().__init__(locked(self.partial), strict=strict)
         try:
-            self.journal = _opened(self.journal_path)
+            self.journal = opened(self.journal_path)
         except (OSError, BadTable):
             super().close()
             raise
 
     def begin(self, identity: Mapping[str, str]) -> None:
         """Begin anew."""
+        os.ftruncate(self.writer.descriptor, 0)
         os.ftruncate(self.journal, 0)
-        os.ftruncate(self.descriptor, 0)
-        os.write(self.journal, json.dumps(identity).encode() + b"\n")
+        os.write(self.journal, json.dumps({MARK: 1, **identity}).encode() + b"\n")
 
-    def _note(self, text: bytes) -> None:
-        """Note that a block was written."""
-        shared = self.shared
-        progress = (shared["written"], shared["rows"], shared["failed"], shared["lines"], crc32(text))
-        os.write(self.journal, (" ".join(map(str, progress)) + "\n").encode())
+    def note(self, read_checksum: int, converted: Converted, written: Written) -> None:
+        """Count a block that was written, and note it in the journal."""
+        super().note(read_checksum, converted, written)
+        os.write(self.journal, (" ".join(map(str, self.done)) + "\n").encode())
 
-    def _lines(self) -> tuple[bytes, list[bytes]]:
-        """The first line of the journal, and the others that are whole."""
+    def has_begun(self) -> bool:
+        """Return whether an interrupted run left something."""
+        return os.fstat(self.journal).st_size > 0
+
+    def resume(self, identity: Mapping[str, str], head: bytes, blocks: Iterator[bytes]) -> bool:
+        """Go to the last block that is whole in the journal, the output and the input; False if there is none."""
         with open(self.journal_path, "rb") as file:
-            return file.readline(), [line for line in file if line.endswith(b"\n")]
-
-    def noted(self) -> list[Progress]:
-        """How far the run came, block by block."""
-        return [Progress(*map(int, line.split())) for line in self._lines()[1]]
-
-    def resume(self, identity: Mapping[str, str], head: bytes, source: Blocks) -> bool:
-        """Go to where the run that was interrupted came to; False if there is nothing to go on from."""
-        first, noted = self._lines()
-        size = os.fstat(self.descriptor).st_size
-        if not first.endswith(b"\n") or not noted:
+            first, *lines = [line for line in file if line.endswith(b"\n")] or [b""]
+        steps = self._steps(lines)
+        if not first or not steps:
             return False
-        before = json.loads(first)
-        for name, value in identity.items():
-            if before.get(name) != value:
-                raise NotTheSame(quoted(self.partial), name)
-        steps = [step for step in (Progress(*map(int, line.split())) for line in noted) if step.written <= size]
-        if not steps:
-            return False
-        if crc32(head) != steps[0].checksum:
-            raise NotTheSame(quoted(self.partial), "input")
-        for step in steps[1:]:
-            text = source.next()
-            if text is None or crc32(text) != step.checksum:
+        try:
+            before = json.loads(first)
+            for name, value in identity.items():
+                if before[name] != value:
+                    raise NotTheSame(quoted(self.partial), name)
+        except (ValueError, TypeError, KeyError):
+            raise BadTable(
+                f"--resume: {quoted(self.journal_path)} is damaged; without --resume the run is begun anew"
+            ) from None
+        for place, step in enumerate(steps):
+            if crc32(next(blocks, b"") if place else head) != step.read_checksum:
                 raise NotTheSame(quoted(self.partial), "input")
-        last = steps[-1]
-        os.ftruncate(self.descriptor, last.written)
-        os.ftruncate(self.journal, len(first) + sum(map(len, noted[: len(steps)])))
-        for name in ("written", "rows", "failed", "lines"):
-            self.shared[name] = getattr(last, name)
+        self.done = steps[-1]
+        os.ftruncate(self.writer.descriptor, self.done.written)
+        os.ftruncate(self.journal, len(first) + sum(map(len, lines[: len(steps)])))
         return True
 
+    def _steps(self, lines: list[bytes]) -> list[Step]:
+        """Return the steps that the output confirms, up to the first that it does not."""
+        steps: list[Step] = []
+        start = 0
+        with open(self.partial, "rb") as file:
+            for line in lines:
+                try:
+                    step = Step(*map(int, line.split()))
+                except (ValueError, TypeError):
+                    break
+                if step.written < start or _checksum_of(file, step.written - start) != step.written_checksum:
+                    break
+                steps.append(step)
+                start = step.written
+        return steps
+
     def finish(self) -> None:
-        """Give the whole result its name."""
-        os.fsync(self.descriptor)
-        os.replace(self.partial, self.path)
+        """Give the whole file its name, and the mode of the file that had it."""
+        with suppress(FileNotFoundError):
+            os.chmod(self.partial, stat.S_IMODE(os.stat(self.target).st_mode))
+        if self.done.written >= LARGE:
+            os.fsync(self.writer.descriptor)
+        os.replace(self.partial, self.target)
         os.unlink(self.journal_path)
 
     def close(self) -> None:
-        """Let go of the files, and of the lock with them."""
+        """Close the files, and give up the lock with them."""
         super().close()
         os.close(self.journal)
 
 
-def _opened(path: str) -> int:
-    """A file to append to, which is no link and no other file of anyone's."""
-    try:
-        descriptor = os.open(path, os.O_RDWR | os.O_CREAT | os.O_APPEND | os.O_NOFOLLOW | os.O_CLOEXEC, 0o666)
-    except OSError as error:
-        if error.errno == errno.ELOOP:
-            raise BadTable(f"{quoted(path)} is a link; nothing is written through it") from None
-        raise
-    if not stat.S_ISREG(os.fstat(descriptor).st_mode):
-        raise BadTable(f"{quoted(path)} is no file")
-    return descriptor
+def output_to(target: str, *, strict: bool) -> Output:
+    """Return the output of `-o`: stdout, a device or pipe, or a file."""
+    if target == "-":
+        sys.stdout.flush()
+        return Output(os.dup(sys.stdout.fileno()), strict=strict)
+    if os.path.isdir(target):
+        raise BadRequest(f"-o: {quoted(target)} is a directory")
+    if os.path.exists(target) and not os.path.isfile(target):
+        return Output(os.open(target, os.O_WRONLY), strict=strict)
+    return OutputFile(target, strict=strict)
 
 
-def _locked(path: str) -> int:
-    """A file to append to that no other process writes any more; what took its name meanwhile is another one."""
-    give_up = time.monotonic() + LOCK_SECONDS
-    descriptor = _opened(path)
-    while True:
-        try:
-            fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            with suppress(FileNotFoundError):
-                if os.path.samestat(os.fstat(descriptor), os.stat(path)):
-                    return descriptor
-            os.close(descriptor)
-            descriptor = _opened(path)
-        except BlockingIOError:
-            if time.monotonic() > give_up:
-                os.close(descriptor)
-                raise BadTable(f"{quoted(path)} is being written by another run") from None
-            time.sleep(0.02)
+def check_file(target: str) -> None:
+    """Refuse to put a file in the place of a directory or device."""
+    if os.path.exists(target) and not os.path.isfile(target):
+        raise BadRequest(f"-o: {quoted(target)} is no file")
+
+
+def is_whole(target: str, input_time: int) -> bool:
+    """Return whether nothing is left to resume: the output is newer than the input, and nothing stands beside it."""
+    real = real_path(target)
+    if os.path.exists(real + ".journal") or not os.path.isfile(real):
+        return False
+    return os.stat(real).st_mtime_ns >= input_time
+
+
+def say_whole(target: str) -> None:
+    """Note that `--resume` has nothing to do."""
+    say(f"note: {quoted(target)} is whole; without --resume it is made anew", sys.stderr)
+
+
+def real_path(target: str) -> str:
+    """Return the file that a link leads to, else the name as it is."""
+    return os.path.realpath(target) if os.path.islink(target) else target
+
+
+def _checksum_of(file: BinaryIO, size: int) -> int:
+    """Return the checksum of the next bytes of a file; -1 if there are not as many."""
+    checksum = 0
+    while size:
+        piece = file.read(min(CHUNK, size))
+        if not piece:
+            return -1
+        checksum = crc32(piece, checksum)
+        size -= len(piece)
+    return checksum

@@ -1,66 +1,88 @@
-"""Parquet to Parquet: the columns of a file, piece by piece, with the results beside them."""
+"""Parquet to Parquet: the columns of a file with the results beside them, a number of rows at a time.
 
-import os
+This thread reads and computes, another writes, and pyarrow has threads of its own; so `--jobs` changes nothing. A Parquet file
+ends with an index of all of it: one that was interrupted is begun anew.
+"""
+
+import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager, suppress
 from math import isnan
-from typing import Any, NamedTuple
-from zlib import crc32
+from queue import Queue
+from threading import Thread
+from typing import Any
 
 import numpy
-import orjson
 import pyarrow
 import pyarrow.parquet
 
-from .. import __version__
 from ..errors import BadRequest
 from ..quantities.nomenclature import header
-from ..text import quoted, shown
-from .cells import Floats, Numbers, Reader, plain_numbers
+from ..text import quoted, say, shown
+from .cells import Floats, Numbers, Reader, times_power_of_ten
 from .columns import STATUS, check_first
 from .errors import BadTable
-from .files import check_output, identity_of, opened
 from .lines import Converted
-from .output import fingerprint
-from .pieces import BYTES, ROWS, as_column, as_numpy, as_texts, rows_of_piece, write
-from .rows import Block, Evaluator, Results
-from .settings import Order, Tally, input_format, output_format
-from .source import Shared
-from .spans import Span, groups_together
+from .output import OutputFile, Written, check_file, is_whole, say_whole
+from .progress import watched
+from .rows import Block, Evaluator
+from .settings import Order, Settings, Tally, input_format, output_format
+from .source import Input
+from .spans import Span, spans_of_groups
 from .task import understood_task
 
 BUFFER = 1 << 18  # bytes read at a time of each column
+BYTES = 1 << 24  # of the rows written together, about: three of these are at work
 BLOCK = 1 << 13  # rows computed together: what lies between two formulas stays in the cache
-_DECIMALS = (0, 3, 6, 9)
+
+
+def rows_together(width: float) -> int:
+    """Return how many rows of so many bytes are written together.
+
+    >>> rows_together(8 * 40), rows_together(1e6)
+    (52428, 16)
+    """
+    return max(int(BYTES / max(width, 1)), 1)
 
 
 def convert(path: str, order: Order, span: Span | None = None) -> Tally:
-    """Convert a Parquet file, or a part of it."""
+    """Convert a Parquet file, or some of its groups of rows."""
     settings = order.settings
     output_format(settings, input_format(path, settings))
     if "-" in (path, settings.target):
         raise BadRequest("Parquet is read from a file and written to a file: -o FILE")
-    descriptor = opened(path)
-    check_output(descriptor, settings.target)
-    identity = identity_of(descriptor)
-    os.close(descriptor)
-    with opened_parquet(path) as file:
+    with closing(Input(path)) as given, _opened(given) as file:
+        given.check_output(settings.target)
+        if settings.resume and is_whole(settings.target, given.about.st_mtime_ns):
+            say_whole(settings.target)
+            return Tally(0, 0)
         with _readable(path):
-            table = _File(path, file, order, span or Span(0, file.metadata.num_row_groups))
-        return table.run([*identity, _checksum(path, file.metadata.serialized_size)])
+            table = _Table(path, file, order, span or Span(0, file.metadata.num_row_groups))
+        tally = write(settings, table.schema, table.converted(), table.size, order.identity(given.identity), table.line)
+        given.check_unchanged()
+        return tally
 
 
-def opened_parquet(path: str) -> Any:
-    """A Parquet file; BadTable if it is none."""
+def spans_of(path: str) -> list[Span]:
+    """Return the parts of a Parquet file."""
+    with closing(Input(path)) as given, _opened(given) as file:
+        return spans_of_groups(file.metadata)
+
+
+@contextmanager
+def _opened(given: Input) -> Iterator[Any]:
+    """Open a Parquet file; BadTable if it is none."""
     try:
-        return pyarrow.parquet.ParquetFile(path, buffer_size=BUFFER, pre_buffer=False)
+        file = pyarrow.parquet.ParquetFile(given.file, buffer_size=BUFFER, pre_buffer=False)
     except (OSError, pyarrow.ArrowException):
-        raise BadTable(f"{quoted(path)} is not Parquet, or its end is missing, or it is encrypted") from None
+        raise BadTable(f"{quoted(given.path)} is not Parquet, or its end is missing, or it is encrypted") from None
+    with file:
+        yield file
 
 
 @contextmanager
 def _readable(path: str) -> Iterator[None]:
-    """What cannot be read is no table."""
+    """Raise BadTable for what cannot be read."""
     try:
         yield
     except (OSError, UnicodeDecodeError, pyarrow.ArrowException) as error:
@@ -68,155 +90,171 @@ def _readable(path: str) -> Iterator[None]:
         raise BadTable(f"{quoted(path)} cannot be read as Parquet: {reason}") from None
 
 
-def _checksum(path: str, size: int) -> int:
-    """Of the index of a file, which says of everything where it stands and how large it is."""
-    with open(path, "rb") as file:
-        file.seek(-size - 8, os.SEEK_END)
-        return crc32(file.read())
+class Rows:
+    """Rows that are written together: a table of Arrow, and their counts."""
+
+    def __init__(self, table: Any, failed: int, first_failure: tuple[int, str] | None = None) -> None:
+        self.table = table
+        self.counts = Converted(b"", table.num_rows, failed, table.num_rows, first_failure)
 
 
-class _Piece(NamedTuple):
-    """Rows that are converted together: of some groups of rows so many, after the first ones."""
-
-    groups: Span
-    skip: int
-    rows: int
-
-
-def _pieces(metadata: Any, rows: int, span: Span) -> Iterator[_Piece]:
-    """Pieces of about so many rows: several small groups, or parts of a large one."""
-    for groups in groups_together(metadata, rows, span):
-        total: int = sum(metadata.row_group(place).num_rows for place in range(groups.start, groups.end))
-        block = min(rows, BLOCK)
-        size = -(-total // max(total // rows, 1) // block) * block
-        for skip in range(0, total, max(size, 1)):
-            yield _Piece(groups, skip, min(size, total - skip))
-
-
-class _Rows:
-    """The rows of a file, from front to back: each process leaves out those that others convert."""
-
-    def __init__(self, file: Any, size: int) -> None:
-        """`size`: how many at most come together."""
-        self.file, self.size = file, size
-        self.groups, self.place = Span(0, 0), 0
-        self.batches: Iterator[Any] = iter(())
-        self.batch: Any = None  # that begins at this place
-
-    def of(self, piece: _Piece) -> Iterator[Any]:
-        """The rows of a piece."""
-        if self.groups != piece.groups:
-            groups = range(piece.groups.start, piece.groups.end)
-            self.groups, self.place, self.batch = piece.groups, 0, None
-            self.batches = self.file.iter_batches(self.size, row_groups=groups, use_threads=False)
-        end = piece.skip + piece.rows
-        while self.place < end:
-            batch = self.batch = self.batch or next(self.batches)
-            wanted = batch.slice(max(piece.skip - self.place, 0), end - max(self.place, piece.skip))
-            if wanted.num_rows:
-                yield wanted
-            if self.place + batch.num_rows > end:
-                return
-            self.place, self.batch = self.place + batch.num_rows, None
-
-
-class _File:
-    """One run over one file."""
+class _Table:
+    """A Parquet file whose rows are computed."""
 
     def __init__(self, path: str, file: Any, order: Order, span: Span) -> None:
-        self.path, self.file, self.order, self.settings = path, file, order, order.settings
-        self.table, self.task = understood_task(tuple(file.schema_arrow.names), order)
-        for name, place in [*((column.name, column.place) for column in self.task.inputs), *self.task.materials_at]:
-            if not _is_cell(file.schema_arrow.types[place]):
-                raise BadTable(
-                    f"header: column {name} holds {file.schema_arrow.types[place]}: neither numbers nor texts"
-                )
-        for column in self.task.inputs:
-            if pyarrow.types.is_string(file.schema_arrow.types[column.place]) or column.unit is None:
-                texts = [self.table.texts[column.place]]
+        self.path, self.file = path, file
+        schema = file.schema_arrow
+        header_of_table, task = understood_task(tuple(schema.names), order)
+        self.places = {column.name: column.place for column in task.inputs} | dict(task.materials_at)
+        for name, place in self.places.items():
+            if not _is_cell(schema.types[place]):
+                raise BadTable(f"header: column {name} holds {schema.types[place]}: neither numbers nor texts")
+        for column in task.inputs:
+            if pyarrow.types.is_string(schema.types[column.place]) or column.unit is None:
+                texts = [header_of_table.texts[column.place]]
                 first = next(file.iter_batches(200, columns=texts, use_threads=False), None)
                 values = [] if first is None else first.column(0).to_pylist()
                 check_first(column, [_text(value) for value in values])
-        self.evaluator = Evaluator(self.task)
-        self.readers = [Reader(column) for column in self.task.inputs]
-        fields = [pyarrow.field(header(name), pyarrow.float64()) for name in self.task.quantities]
-        fields_out = [*file.schema_arrow, *fields, pyarrow.field(STATUS, pyarrow.string())]
-        self.schema = pyarrow.schema(fields_out, metadata=file.schema_arrow.metadata)
-        self.shared = Shared()
-        self.shared["lines"] = sum(file.metadata.row_group(place).num_rows for place in range(span.start))
-        rows = rows_of_piece(_width(file.metadata) + 8 * len(fields))
-        self.pieces = [*_pieces(file.metadata, rows, span)]
-        self.rows = _Rows(file, min(rows, BLOCK))
-        # One array for every piece: the one before is written when the next is begun.
-        self.numbers = numpy.empty((len(fields), max((piece.rows for piece in self.pieces), default=0)))
-
-    def run(self, identity: list[int]) -> Tally:
-        """Convert it."""
-        parts = self.order.parts([__version__, pyarrow.__version__, ROWS, BYTES], identity)
-        write(self.settings, self.shared, self.schema, fingerprint(parts), self, self.convert, len(self.pieces))
-        return Tally(self.shared["rows"], self.shared["failed"])
-
-    def next(self) -> bytes | None:
-        """The number of the next piece."""
-        place = self.shared["read"]
-        if place == len(self.pieces):
-            return None
-        self.shared["read"] = place + 1
-        return b"%d" % place
-
-    def convert(self, text: bytes) -> Converted:
-        """A piece with its results."""
-        with _readable(self.path):
-            return self._converted(self.pieces[int(text)])
-
-    def _converted(self, piece: _Piece) -> Converted:
-        numbers = self.numbers[:, : piece.rows]
-        status: dict[int, str] = {}
-        batches: list[Any] = []
-        row = 0
-        for batch in self.rows.of(piece):
-            results = self._results(batch, numbers[:, row : row + batch.num_rows])
-            status |= {row + place: words for place, words in results.status.items()}
-            batches.append(batch)
-            row += batch.num_rows
-        words = (
-            as_texts([*map(status.get, range(piece.rows))]) if status else pyarrow.nulls(piece.rows, pyarrow.string())
+        self.evaluator = Evaluator(task)
+        self.materials = [name for name, _ in task.materials_at]
+        self.readers = [Reader(column) for column in task.inputs]
+        fields = [pyarrow.field(header(name), pyarrow.float64()) for name in task.quantities]
+        self.schema = pyarrow.schema(
+            [*schema, *fields, pyarrow.field(STATUS, pyarrow.string())], metadata=schema.metadata
         )
-        given = pyarrow.Table.from_batches(batches, self.file.schema_arrow).columns
-        table = pyarrow.Table.from_arrays([*given, *map(as_column, numbers), words], schema=self.schema)
-        first_failure = min(status.items()) if status else None
-        return Converted(table, piece.rows, len(status), piece.rows, first_failure)
+        self.groups = range(span.start, span.end)
+        metadata = [file.metadata.row_group(place) for place in range(file.metadata.num_row_groups)]
+        self.size = sum(metadata[place].num_rows for place in self.groups)
+        self.line = sum(group.num_rows for group in metadata[: span.start])
+        widths = [group.total_byte_size / max(group.num_rows, 1) for group in metadata]
+        self.together = rows_together(max(widths, default=0) + 8 * len(fields))
 
-    def _results(self, part: Any, into: Floats) -> Results:
-        numbers = {reader.column.name: _numbers(part.column(reader.column.place), reader) for reader in self.readers}
+    def converted(self) -> Iterator[Rows]:
+        """Iterate over the rows with their results."""
+        batches = self.file.iter_batches(self.together, row_groups=self.groups)
+        while True:
+            with _readable(self.path):
+                batch = next(batches, None)
+                if batch is None:
+                    return
+                rows = self._rows(batch)
+            yield rows
+
+    def _rows(self, batch: Any) -> Rows:
+        numbers = numpy.empty((len(self.evaluator.task.quantities), batch.num_rows))
+        status: dict[int, str] = {}
+        for start in range(0, batch.num_rows, BLOCK):
+            block = self._block(batch.slice(start, BLOCK))
+            results = self.evaluator.results(block, numbers[:, start : start + block.size])
+            status |= {start + row: words for row, words in results.status.items()}
+        words = pyarrow.array(
+            [*map(status.get, range(batch.num_rows))] if status else [None] * batch.num_rows, "string"
+        )
+        arrays = [*batch.columns, *map(as_column, numbers), words]
+        return Rows(
+            pyarrow.Table.from_arrays(arrays, schema=self.schema), len(status), min(status.items(), default=None)
+        )
+
+    def _block(self, part: Any) -> Block:
+        """Return the inputs of some rows."""
         materials: dict[str, Any] = {}
-        for name, place in self.task.materials_at:
-            array = part.column(place)
+        for name in self.materials:
+            array = part.column(self.places[name])
             encoded = array if pyarrow.types.is_dictionary(array.type) else array.dictionary_encode()
             kinds = [_text(value) for value in encoded.dictionary.to_pylist()]
             codes = self.evaluator.lookups[name].codes([*kinds, ""])
-            materials[name] = codes[as_numpy(encoded.indices, len(kinds))]
-        places = {column.name: column.place for column in self.task.inputs} | dict(self.task.materials_at)
-        return self.evaluator.results(
-            Block(
-                part.num_rows,
-                numbers,
-                materials,
-                {},
-                lambda row, name: _text(part.column(places[name])[row].as_py()),
-            ),
-            into,
+            materials[name] = codes[encoded.indices.fill_null(len(kinds)).to_numpy()]
+        return Block(
+            part.num_rows,
+            {reader.column.name: _numbers(part.column(reader.column.place), reader) for reader in self.readers},
+            materials,
+            {},
+            lambda row, name: _text(part.column(self.places[name])[row].as_py()),
         )
 
 
-def _width(metadata: Any) -> float:
-    """How many bytes a row takes, in the group where it takes most."""
-    groups = [metadata.row_group(place) for place in range(metadata.num_row_groups)]
-    return max((group.total_byte_size / max(group.num_rows, 1) for group in groups), default=0.0)
+def write(
+    settings: Settings, schema: Any, tables: Iterator[Rows], total: int, identity: dict[str, str], first_line: int = 0
+) -> Tally:
+    """Write tables as one file that gets its name when it is whole. `total`: all rows."""
+    check_file(settings.target)
+    output = OutputFile(settings.target, strict=settings.strict)
+    output.goes_on = False
+    output.done = output.done._replace(lines=first_line)
+    with closing(output):
+        if settings.resume and output.has_begun():
+            say("note: --resume: a Parquet file cannot be gone on with; it is begun anew", sys.stderr)
+        output.begin(identity)
+        with (
+            watched(
+                total, lambda: (output.done.rows, output.done.rows), is_quiet=settings.quiet, goes_on=False
+            ) as show,
+            open(output.writer.descriptor, "wb", closefd=False) as file,
+            closing(_Writer(file, schema)) as writer,
+        ):
+            for rows in tables:
+                output.check(rows.counts)
+                writer.put(rows.table)
+                output.note(0, rows.counts, Written(0, 0))
+                show()
+            writer.put(None)
+        output.finish()
+    return Tally(output.done.rows, output.done.failed)
+
+
+class _Writer:
+    """A thread that writes tables while the next ones are computed."""
+
+    def __init__(self, file: Any, schema: Any) -> None:
+        floats = [field.name for field in schema if pyarrow.types.is_floating(field.type)]
+        self._writer = pyarrow.parquet.ParquetWriter(
+            file,
+            schema,
+            compression="snappy",
+            use_dictionary=[name for name in schema.names if name not in floats],
+            column_encoding=dict.fromkeys(floats, "BYTE_STREAM_SPLIT"),
+            write_statistics=False,
+        )
+        self._tables: Queue[Any] = Queue(1)
+        self._error: BaseException | None = None
+        self._thread = Thread(target=self._run, daemon=True)
+        self._thread.start()
+
+    def _run(self) -> None:
+        while (table := self._tables.get()) is not None:
+            try:
+                if self._error is None:
+                    self._writer.write_table(table, table.num_rows)
+            except BaseException as error:
+                self._error = error
+
+    def put(self, table: Any) -> None:
+        """Have a table written; None ends the file. Raises the error of a table before."""
+        self._tables.put(table)
+        if table is None:
+            self._thread.join()
+        if self._error is not None:
+            raise self._error
+        if table is None:
+            self._writer.close()
+
+    def close(self) -> None:
+        """End the thread."""
+        if self._thread.is_alive():
+            self._tables.put(None)
+            self._thread.join()
+        with suppress(OSError, pyarrow.ArrowException):
+            self._writer.close()  # else it would be closed after its file
+
+
+def as_column(values: Floats) -> Any:
+    """Return numbers as a column, nan as null."""
+    missing = numpy.isnan(values)
+    return pyarrow.array(values, mask=missing if missing.any() else None)
 
 
 def _is_cell(kind: Any) -> bool:
-    """Whether a column of a type can be an input: numbers, or what is a cell of text."""
+    """Return whether a column of a type can be an input: numbers, or texts."""
     types = pyarrow.types
     if types.is_dictionary(kind):
         return _is_cell(kind.value_type)
@@ -224,55 +262,20 @@ def _is_cell(kind: Any) -> bool:
 
 
 def _text(value: object) -> str:
-    """A value as a cell of text, a float as its shortest; nothing for null or nan."""
+    """Return a value as a cell of text, a float as its shortest; an empty one for null or nan."""
     if isinstance(value, bytes):
         return value.decode(errors="replace")
     return "" if value is None or (isinstance(value, float) and isnan(value)) else str(value)
 
 
 def _numbers(array: Any, reader: Reader) -> Numbers:
-    """The SI values of a column: numbers in its unit, or texts as in CSV."""
+    """Return the SI values of a column: numbers in its unit, or texts as in CSV."""
     kind = array.type
     exponent = reader.column.exponent
     if exponent is None or not (pyarrow.types.is_floating(kind) or pyarrow.types.is_integer(kind)):
         return reader.numbers([_text(value).encode() for value in array.to_pylist()])
-    values = as_numpy(array, numpy.nan).astype(float, copy=False)
+    values = array.to_numpy(zero_copy_only=False).astype(float, copy=False)
     missing = numpy.isnan(values)
     given = ~missing if missing.any() else None
     scaled = values if exponent == 0 else times_power_of_ten(values, exponent, given)
     return Numbers(scaled, given, numpy.flatnonzero(numpy.isinf(values)).tolist())
-
-
-def times_power_of_ten(values: Floats, exponent: int, given: Any = None) -> Floats:
-    """Numbers times a power of ten as if their shortest decimal texts had been read with it: rounded once.
-
-    >>> times_power_of_ten(numpy.array([0.1, 123.456]), -9).tolist()
-    [1e-10, 1.23456e-07]
-    """
-    known = values if given is None else values[given]
-    is_usual = bool(known.size) and bool(numpy.abs(known).max() < 1e15)
-    for decimals in _DECIMALS if is_usual else ():
-        down = decimals - exponent
-        if abs(down) > 22:
-            continue
-        # Whole numbers of at most 15 digits over powers of ten that doubles hold: one division, rounded once.
-        whole = numpy.rint(known[:64] * 10.0**decimals)
-        if (whole / 10.0**decimals == known[:64]).all():
-            whole = numpy.rint(values * 10.0**decimals)
-            size = numpy.abs(whole[given] if given is not None else whole).max()
-            if size < 1e15 and (numpy.isnan(values) | (whole / 10.0**decimals == values)).all():
-                return whole / 10.0**down if down >= 0 else whole * 10.0**-down
-    text = orjson.dumps(values, option=orjson.OPT_SERIALIZE_NUMPY)[1:-1]
-    if b"e" not in text and b"n" not in text:
-        suffix = b"e%d" % exponent
-        found = plain_numbers(text.replace(b",", suffix + b",") + suffix, len(values))
-        if found is not None:
-            return found
-    return numpy.array(
-        [
-            float(f"{mantissa}e{int(power or 0) + exponent}")
-            if mantissa.strip("-") not in ("nan", "inf")
-            else float(mantissa)
-            for mantissa, _, power in (repr(value).partition("e") for value in values.tolist())
-        ]
-    )

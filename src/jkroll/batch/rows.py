@@ -1,6 +1,6 @@
-"""A block of rows to results: all rows of which the same is known at once, and a row that is odd as a scene of its own.
+"""The evaluation of a block of rows: rows with the same known inputs at once, and an odd row as a scene of its own.
 
-The two ways run the same formulas. Only the second one finds the words for what went wrong.
+The two ways run the same formulas. Only the second one finds the words for a failure.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -26,23 +26,23 @@ class Block(NamedTuple):
     size: int
     numbers: Mapping[str, Numbers]
     materials: Mapping[str, Sequence[bytes | str] | Codes]  # texts, or numbers of the lookup
-    odd: Mapping[int, str]  # rows that are none, and why
+    odd: Mapping[int, str]  # records that are no rows, and why
     text: Callable[[int, str], str]  # the text of a row's cell for an input
 
 
 class Results(NamedTuple):
-    """An array of numbers for each quantity, nan where there is none, and what is to be said of some of the rows."""
+    """An array of numbers for each quantity, nan where there is none, and the status of rows that have one."""
 
     numbers: Floats
     status: dict[int, str]
-    lost: set[int]  # rows of which nothing is to be trusted
+    lost: set[int]  # rows without any trusted result
 
 
 class Evaluator:
     """Computes one block after another."""
 
     def __init__(self, task: Task) -> None:
-        """`task`: what to compute."""
+        """`task`: the quantities to compute."""
         self.task = task
         self.lookups = {
             "material": Lookup(task.known, task.material),
@@ -52,7 +52,7 @@ class Evaluator:
         self._lost: set[int] = set()
 
     def results(self, block: Block, into: Floats | None = None) -> Results:
-        """The results of a block; `into`: an array for the numbers."""
+        """Return the results of a block; `into`: an array for the numbers."""
         numbers = numpy.empty((len(self.task.quantities), block.size)) if into is None else into
         status: dict[int, str] = dict(block.odd)
         self._lost = set()
@@ -73,7 +73,7 @@ class Evaluator:
         return Results(numbers, status, self._lost)
 
     def _in_groups(self, block: Block, codes: Mapping[str, Codes], numbers: Floats, status: dict[int, str]) -> set[int]:
-        """Evaluate the groups of rows of which the same is known; return the rows that are to be looked at singly."""
+        """Evaluate groups of rows with the same known inputs; return the rows that are to be evaluated singly."""
         singly = {*block.odd, *(row for column in block.numbers.values() for row in column.odd)}
         singly |= {int(row) for one in codes.values() for row in numpy.flatnonzero(one == UNKNOWN)}
         for name, column in block.numbers.items():
@@ -98,7 +98,7 @@ class Evaluator:
     def _group(
         self, block: Block, codes: Mapping[str, Codes], rows: Any, numbers: Floats, status: dict[int, str]
     ) -> Mask:
-        """Evaluate rows of which the same is known; say which of them have no plausible result."""
+        """Evaluate rows with the same known inputs; return which of them have no plausible result."""
         members = numpy.arange(block.size)[rows]
         first = int(members[0])
         given: dict[str, Any] = {
@@ -146,7 +146,7 @@ class Evaluator:
         codes: Mapping[str, Codes],
         status: dict[int, str],
     ) -> None:
-        """Say what is wrong with rows where that is plain, and that they are not odd."""
+        """Word the failures that can be told from the arrays; their rows are then not odd."""
         failing: dict[int, Sequence[str]] = dict.fromkeys(range(len(members)), missing) if missing else {}
         if is_odd is None:
             is_odd = numpy.zeros((1, 0), dtype=bool)
@@ -157,7 +157,7 @@ class Evaluator:
                 is_odd[place, plane] = False
                 failing[plane] = [*missing, "r_min"]
         for row, names in failing.items():
-            status[int(members[row])] = self._words(codes, int(members[row]), names, scene)
+            status[int(members[row])] = self._words(codes, int(members[row]), row, names, scene)
         for row in _beyond_pull_off(scene):
             if not self.task.keeps:
                 results[:, row] = numpy.nan
@@ -167,7 +167,7 @@ class Evaluator:
             status[int(members[row])] = str(BeyondPullOff(_at(load, row), _at(pull_off, row)))
 
     def _sphere(self, name: str, codes: Mapping[str, Codes], rows: Any) -> Material | None:
-        """The materials of some rows as one, whose properties are arrays."""
+        """Return the materials of some rows as one, whose properties are arrays."""
         if name not in codes:
             return self.task.material if name == "material" else self.task.material2
         own = codes[name][rows]
@@ -176,12 +176,13 @@ class Evaluator:
         properties: Any = self.lookups[name].properties(own)
         return Material("", properties, (), {}, (), (), "", "")
 
-    def _words(self, codes: Mapping[str, Codes], row: int, names: Sequence[str], scene: Scene) -> str:
-        """Why a row has no value for some quantities; the same words for all rows of the same materials."""
+    def _words(self, codes: Mapping[str, Codes], row: int, place: int, names: Sequence[str], scene: Scene) -> str:
+        """Return why a row has no value for some quantities: the same words for all rows of the same materials and kind."""
         spheres = [self._material(name, int(codes[name][row]) if name in codes else 0) for name in self.lookups]
-        key = (*(one and one.name for one in spheres), frozenset(scene.stated), *names)
+        is_plane = _at(scene.values.get("radius2", 0.0), place) == INFINITY
+        key = (*(one and one.name for one in spheres), is_plane, frozenset(scene.stated), *names)
         if key not in self._reasons:
-            single = Scene({name: _one(name, value) for name, value in scene.stated.items()}, *spheres)
+            single = Scene({name: _one(name, value, place) for name, value in scene.stated.items()}, *spheres)
             in_order = [name for name in self.task.quantities if name in names]
             self._reasons[key] = worded({name: lacking(name, single) or NoChain() for name in in_order})
         return self._reasons[key]
@@ -196,7 +197,7 @@ def _or_nan(value: Any) -> Any:
 
 
 def _is_plausible(results: Floats) -> bool:
-    """Whether all results are numbers that doubles hold with all digits, and not 0: soon seen, and the usual case."""
+    """Return whether all results are numbers that doubles hold with all digits, and not 0: a quick test of the usual case."""
     for column in results:
         low, high = column.min(), column.max()
         if low < 0:
@@ -208,7 +209,7 @@ def _is_plausible(results: Floats) -> bool:
 
 
 def _plausible(results: Floats, names: Sequence[str]) -> Mask:
-    """Which results are numbers that doubles hold with all digits, or the zero that they may be."""
+    """Return which results are numbers that doubles hold with all digits, or a zero that the quantity may be."""
     size = numpy.abs(results)
     fine: Mask = (size >= SMALLEST) & (size < INFINITY)
     places = [place for place, name in enumerate(names) if name in MAY_BE_ZERO]
@@ -217,7 +218,7 @@ def _plausible(results: Floats, names: Sequence[str]) -> Mask:
 
 
 def _identical(scene: Scene, size: int) -> Mask:
-    """In which rows nothing was said that makes sphere 2 differ from sphere 1."""
+    """Return the rows in which no input makes sphere 2 differ from sphere 1."""
     same = numpy.ones(size, dtype=bool)
     for name, value in scene.given.items():
         if name.endswith("2"):
@@ -228,7 +229,7 @@ def _identical(scene: Scene, size: int) -> Mask:
 
 
 def _outside(name: str, column: Numbers) -> list[int]:
-    """The rows whose number the quantity cannot have."""
+    """Return the rows whose number is out of the range of the quantity."""
     refused = outside(name, column.values)
     if not refused.any():
         return []
@@ -237,7 +238,7 @@ def _outside(name: str, column: Numbers) -> list[int]:
 
 
 def _beyond_pull_off(scene: Scene) -> list[int]:
-    """The rows under a tension that their contact does not hold."""
+    """Return the rows under a tension beyond pull-off."""
     if "load_margin" not in scene.values or not {"load", "pull_off_force"} <= scene.values.keys():
         return []
     beyond = numpy.atleast_1d(scene.values["load"] < -scene.values["pull_off_force"])
@@ -249,8 +250,8 @@ def _at(value: Any, place: int) -> float:
     return float(value[place]) if isinstance(value, numpy.ndarray) else float(value)
 
 
-def _one(name: str, value: Any) -> Any:
-    """One of the values of some rows; of loads one that is not zero, because without a load less is needed."""
+def _one(name: str, value: Any, place: int) -> Any:
+    """Return the value of a row; for a load one that is not zero, because without a load less is needed."""
     if not isinstance(value, numpy.ndarray):
         return value
-    return 1.0 if name == "load" else float(value[0])
+    return 1.0 if name == "load" else float(value[place])

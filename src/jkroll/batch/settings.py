@@ -1,17 +1,22 @@
-"""What the options of a batch say, and the formats that follow from them."""
+"""The options of a run, and the formats that follow from them."""
 
+import hashlib
+import json
 import os
-from collections.abc import Mapping, Sequence
-from typing import NamedTuple
+from collections.abc import Mapping
+from typing import Any, NamedTuple
 
+from .. import __version__
 from ..materials.library import Materials
 from ..text import quoted
 from .errors import BadTable
-from .formats import Format, format_of, stated
+from .formats import CHUNK, Format, format_of, stated
+
+MOST_PROCESSES = 16  # unless --jobs asks for more: one process reads for all of them
 
 
 class Settings(NamedTuple):
-    """The options, but for those that describe a scene."""
+    """The options, without those that describe a scene."""
 
     target: str = "-"
     format: str = ""
@@ -26,37 +31,56 @@ class Settings(NamedTuple):
 
     @property
     def processes(self) -> int:
-        """How many are to work."""
-        return self.jobs or os.cpu_count() or 1
+        """Number of processes: `--jobs`, else one for each core that this process may use.
+
+        On Windows, where a process cannot inherit the open output, it is one.
+        """
+        if os.name == "nt":
+            return 1
+        return self.jobs or min(_cores(), MOST_PROCESSES)
+
+
+def _cores() -> int:
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 class Order(NamedTuple):
-    """All that was said of a run: the options, what fills the gaps of rows, and the materials that are known."""
+    """A run: the options, the inputs that fill the gaps of rows, and the known materials."""
 
     settings: Settings
     inputs: Mapping[str, str]
     known: Materials
 
-    def parts(self, version: Sequence[object], read: Sequence[int]) -> dict[str, object]:
-        """What the result depends on: the version of all that makes it, the identity of the input, and what was said."""
-        options = self.settings._replace(resume=False, jobs=0, quiet=False, target="")
-        return {
-            "version": version,
-            "input": read,
-            "options": [options._asdict(), dict(self.inputs)],
-            "materials file": [*map(str, self.known.materials.items())],
-        }
+    def identity(self, read: object) -> dict[str, str]:
+        """Return a hash of each part that the result depends on; `read` identifies the input."""
+        options = self.settings._replace(resume=False, jobs=0, quiet=False, target="", dask="")
+        return fingerprint(
+            {
+                "version": [__version__, CHUNK],
+                "input": read,
+                "options": [options._asdict(), dict(self.inputs)],
+                "materials file": [*map(str, self.known.materials.items())],
+            }
+        )
+
+
+def fingerprint(parts: Mapping[str, Any]) -> dict[str, str]:
+    """Return a hash of each part."""
+    return {
+        name: hashlib.sha256(json.dumps(value, sort_keys=True, default=str).encode()).hexdigest()[:32]
+        for name, value in parts.items()
+    }
 
 
 class Tally(NamedTuple):
-    """What became of the rows."""
+    """The rows of a run, and those of them that failed."""
 
     rows: int
     failed: int
 
 
 def input_format(path: str, settings: Settings) -> Format:
-    """The format of the input."""
+    """Return the format of the input."""
     if settings.format:
         return stated(settings.format)
     found = format_of(path if path != "-" else settings.target)
@@ -68,7 +92,7 @@ def input_format(path: str, settings: Settings) -> Format:
 
 
 def output_format(settings: Settings, of_input: Format) -> Format:
-    """The format of the output: as its name says, else that of the input without compression."""
+    """Return the format of the output: that of its name, else that of the input without compression."""
     found = format_of(settings.target)
     if found is None:
         return Format(of_input.kind)

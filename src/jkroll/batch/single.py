@@ -1,4 +1,4 @@
-"""One row as a scene of its own: slow, but it finds the words of a one-liner for what went wrong."""
+"""A row as a scene of its own: slow, but a failure has the words of a one-liner."""
 
 from collections.abc import Callable, Mapping
 from math import nan
@@ -11,11 +11,11 @@ from ..scene.scene import Scene
 from ..scene.wiring import STATE
 from .columns import Column
 
-FATAL = (BeyondPullOff, BeyondFold)  # they leave nothing of a row to be trusted
+FATAL = (BeyondPullOff, BeyondFold)  # no other result of the row is trusted either
 
 
 class Task(NamedTuple):
-    """What is computed of every row, and what the command line says of all of them."""
+    """The quantities to compute of every row, and the inputs and materials that the command line gives for all of them."""
 
     inputs: tuple[Column, ...]
     materials_at: tuple[tuple[str, int], ...]
@@ -24,11 +24,11 @@ class Task(NamedTuple):
     material: Material | None
     material2: Material | None
     known: Materials
-    keeps: bool = False  # whether what needs no contact is kept where there is none
+    keeps: bool = False  # whether a row beyond pull-off keeps the results that need no contact
 
 
 def alone(task: Task, text_of: Callable[[str], str]) -> tuple[list[float], str, bool]:
-    """The results of one row, of which `text_of` gives the cell of an input, what is to be said of it, and whether it is lost."""
+    """Return the results of a row, its status, and whether it has no trusted result. `text_of` gives the cell of an input."""
     nothing = [nan] * len(task.quantities)
     given: dict[str, float] = {}
     problems: list[str] = []
@@ -68,7 +68,7 @@ def alone(task: Task, text_of: Callable[[str], str]) -> tuple[list[float], str, 
 
 
 def concerns(name: str, scene: Scene) -> bool:
-    """Whether a quantity has something to say of scenes of which this is known."""
+    """Return whether a quantity is a result of a scene, and not one of its inputs."""
     if name == "load":
         return bool(STATE & scene.stated.keys())
     return name not in scene.stated
@@ -79,7 +79,7 @@ def _is_said(name: str, scene: Scene) -> bool:
 
 
 def worded(errors: Mapping[str, JkrollError]) -> str:
-    """Why quantities have no value; one clause for all that have the same reason."""
+    """Return why quantities have no value, with one clause for all that have the same reason."""
     reasons: dict[str, list[str]] = {}
     for name, error in errors.items():
         reason = f"needs {error.needs()}" if isinstance(error, MissingInput) else str(error).removeprefix(f"{name}: ")
@@ -88,7 +88,7 @@ def worded(errors: Mapping[str, JkrollError]) -> str:
 
 
 def lacking(name: str, scene: Scene) -> MissingInput | None:
-    """What a quantity needs that a scene does not have; None if it has all."""
+    """Return the error that names what a quantity needs and a scene does not have, or None."""
     try:
         scene.plan(name)
     except MissingInput as error:

@@ -1,96 +1,124 @@
-"""A stream of bytes as blocks of whole records, cut at the same places whoever reads them."""
+"""The input as blocks of whole records, cut at the same places in every run."""
 
-import mmap
+import errno
 import os
-from collections.abc import Callable
+import stat
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from typing import BinaryIO
 
+from ..errors import BadRequest
+from ..text import quoted
 from .errors import BadTable
+from .formats import CHUNK, decompressed
+from .spans import Span
 
-CHUNK = 1 << 18  # bytes read at a time: enough rows to pay for a call of numpy, few enough to stay in the cache
 MAX_RECORD = 1 << 24
-COUNTERS = ("kept", "ended", "read", "written", "rows", "failed", "lines")
 
-Cut = Callable[[bytes, bool], int]  # how many bytes of a text are whole records; all of them at the end
+Cut = Callable[[bytes, bool], int]  # number of bytes of whole records at the beginning of a text; all of it at the end
 
 
-class Shared:
-    """Counters, and the beginning of a record that a block left over, in memory that processes share."""
+class Input:
+    """An open file or pipe."""
 
-    def __init__(self) -> None:
-        """All counters at 0."""
-        self._memory = mmap.mmap(-1, 8 * len(COUNTERS) + MAX_RECORD + CHUNK)
-        self._counters = memoryview(self._memory)[: 8 * len(COUNTERS)].cast("q")
-
-    def __getitem__(self, name: str) -> int:
-        return self._counters[COUNTERS.index(name)]
-
-    def __setitem__(self, name: str, value: int) -> None:
-        self._counters[COUNTERS.index(name)] = value
+    def __init__(self, path: str) -> None:
+        """Open it; `-` is stdin. Raises BadTable."""
+        self.path = path
+        try:
+            descriptor = os.dup(0) if path == "-" else os.open(path, os.O_RDONLY | getattr(os, "O_BINARY", 0))
+            self.file: BinaryIO = open(descriptor, "rb", buffering=CHUNK)
+        except OSError as error:
+            raise BadTable(f"{quoted(path)}: {error.strerror}") from None
+        self.about = os.fstat(descriptor)
+        self.is_file = stat.S_ISREG(self.about.st_mode)
+        if stat.S_ISDIR(self.about.st_mode):
+            raise BadTable(f"{quoted(path)}: {os.strerror(errno.EISDIR)}")
 
     @property
-    def kept(self) -> bytes:
-        """What was left over."""
-        start = 8 * len(COUNTERS)
-        return self._memory[start : start + self["kept"]]
+    def identity(self) -> list[int]:
+        """Size and time of a file; nothing of a pipe."""
+        return _size_and_time(self.about) if self.is_file else []
 
-    @kept.setter
-    def kept(self, text: bytes) -> None:
-        start = 8 * len(COUNTERS)
-        self._memory[start : start + len(text)] = text
-        self["kept"] = len(text)
+    def pieces(self, compression: str, span: Span | None) -> Iterator[bytes]:
+        """Iterate over the bytes to convert."""
+        if span is not None:
+            return span.read(self.file)
+        return (
+            decompressed(self.file, compression, self.path) if compression else iter(lambda: self.file.read(CHUNK), b"")
+        )
+
+    def position(self) -> int:
+        """Return the number of bytes read of a file; 0 of a pipe."""
+        return self.file.tell() if self.is_file else 0
+
+    def check_unchanged(self) -> None:
+        """Raise BadTable if a file was changed after it was opened."""
+        if self.is_file and _size_and_time(os.fstat(self.file.fileno())) != self.identity:
+            raise BadTable(f"{quoted(self.path)} was changed while it was read; begin anew")
+
+    def check_output(self, target: str) -> None:
+        """Refuse to write over the input."""
+        with suppress(OSError):
+            if self.is_file and os.path.samestat(self.about, os.stat(target)):
+                raise BadRequest(f"-o: {quoted(target)} is the input; it is not overwritten")
+
+    def close(self) -> None:
+        """Close it."""
+        self.file.close()
 
 
-class Source:
-    """Blocks from a file or a pipe. Processes that share it read in turn."""
+def _size_and_time(about: os.stat_result) -> list[int]:
+    return [about.st_size, about.st_mtime_ns]
 
-    def __init__(self, descriptor: int, cut: Cut, shared: Shared) -> None:
-        """`cut`: where records end."""
-        self.descriptor = descriptor
-        self.cut = cut
-        self.shared = shared
 
-    def next(self) -> bytes | None:
-        """The next block; None at the end."""
-        text = self.shared.kept
-        while not self.shared["ended"]:
-            chunk = self._chunk()
-            text += chunk
-            if len(chunk) < CHUNK:
-                self.shared["ended"] = 1
-                break
-            size = self.cut(text, False)
-            if size:
-                self.shared.kept = text[size:]
-                return text[:size]
-            if len(text) > MAX_RECORD:
-                raise BadTable(
-                    f"line {self.shared['lines'] + 1} or a later one is longer than {MAX_RECORD >> 20} MiB: this is no table"
-                )
-        size = min(len(text), self.cut(text[: CHUNK * 2], len(text) <= CHUNK * 2)) or len(text)
-        self.shared.kept = text[size:]
-        return text[:size] or None
+class Blocks:
+    """Iterate over blocks of whole records."""
 
-    def _chunk(self) -> bytes:
-        """The next bytes, as many as are wanted unless the stream ends."""
-        pieces = []
-        missing = CHUNK
-        while missing and (piece := os.read(self.descriptor, missing)):
-            pieces.append(piece)
-            missing -= len(piece)
-            self.shared["read"] += len(piece)
-        return b"".join(pieces)
+    def __init__(self, pieces: Iterator[bytes], cut: Cut) -> None:
+        """`pieces`: the bytes of the table. `cut`: finds the end of the last whole record."""
+        self.pieces, self.cut = pieces, cut
+        self.text, self.start = b"", 0  # bytes at hand, and where the next block begins in them
+        self.is_end = False
+
+    def __iter__(self) -> Iterator[bytes]:
+        return self
+
+    def __next__(self) -> bytes:
+        size = CHUNK
+        while True:
+            self._fill(size)
+            window = self.text[self.start : self.start + size]
+            is_last = self.is_end and self.start + size >= len(self.text)
+            if not window:
+                raise StopIteration
+            # A record longer than any table's ends where a line does; the format says what is wrong with it.
+            end = self.cut(window, is_last or size >= MAX_RECORD)
+            if end:
+                self.start += end
+                return window[:end]
+            if size >= MAX_RECORD:
+                raise BadTable(f"a line is longer than {MAX_RECORD >> 20} MiB: this is no table")
+            size *= 2
+
+    def _fill(self, size: int) -> None:
+        """Have that many bytes at hand, if there are."""
+        if self.is_end or len(self.text) - self.start >= size:
+            return
+        pieces = [self.text[self.start :]]
+        found = len(pieces[0])
+        while found < size and not self.is_end:
+            piece = next(self.pieces, None)
+            self.is_end = piece is None
+            pieces.append(piece or b"")
+            found += len(pieces[-1])
+        self.text, self.start = b"".join(pieces), 0
 
     def head(self) -> bytes:
-        """The first block, to be looked at: it comes again."""
-        text = self.next() or b""
-        self.shared.kept = text + self.shared.kept
+        """Return the first block, which comes again."""
+        text = next(self, b"")
+        self.start -= len(text)
         return text
 
     def skip(self, size: int) -> None:
-        """Leave out the first bytes of what comes."""
-        self.shared.kept = self.shared.kept[size:]
-
-
-def cut_at_line_ends(text: bytes, is_end: bool) -> int:
-    """How many bytes of a text are whole lines."""
-    return len(text) if is_end else text.rfind(b"\n") + 1
+        """Leave out the first bytes."""
+        self.start += size

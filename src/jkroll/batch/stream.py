@@ -1,120 +1,107 @@
-"""A table whose records are lines, from a file or a pipe, block by block into another."""
+"""A table whose records are lines, from a file or a pipe into another."""
 
-import os
-import signal
-import sys
-from collections.abc import Callable
-from contextlib import closing, suppress
+from contextlib import closing
 from functools import partial
+from typing import NamedTuple
+from zlib import crc32
 
-from .. import __version__
 from ..errors import BadRequest
 from ..quantities.nomenclature import header
-from ..text import quoted
-from . import ring
-from .columns import check_first
-from .delimited import DIALECTS
-from .errors import BadTable
-from .files import check_output, feed, identity_of, opened, size_of
-from .formats import compressor, decompressed
-from .lines import Converted, LineFormat
-from .ndjson import Ndjson
-from .output import FileSink, Sink, fingerprint
+from . import loop
+from .columns import Header, check_first
+from .formats import LINES, compressor
+from .lines import Converted, Converter, Head
+from .output import Output, OutputFile, Written, is_whole, output_to, say_whole
 from .progress import watched
 from .settings import Order, Tally, input_format, output_format
-from .source import CHUNK, Shared, Source
-from .spans import Span
+from .single import Task
+from .source import Blocks, Cut, Input
+from .spans import HEAD, Span, spans_of_lines
 from .task import understood_task
 
-FORMATS: dict[str, LineFormat] = {**DIALECTS, "ndjson": Ndjson()}
+
+class _Recipe(NamedTuple):
+    """The parts of a converter, as they are handed to processes."""
+
+    kind: str
+    head: Head
+    table: Header
+    task: Task
+    excel_safe: bool
+    compression: str
+
+    def converter(self) -> Converter:
+        """Return the converter, without the compression."""
+        names = [header(name) for name in self.task.quantities]
+        return LINES[self.kind].converter(self.head, self.table, self.task, names, excel_safe=self.excel_safe)
+
+
+def _make_convert(recipe: _Recipe) -> loop.Convert:
+    converter, compress = recipe.converter(), compressor(recipe.compression)
+
+    def convert(text: bytes) -> Converted:
+        converted = converter.convert(text)
+        return converted._replace(output=compress(converted.output))
+
+    return convert
 
 
 def convert(path: str, order: Order, span: Span | None = None) -> Tally:
     """Convert a table of lines, or a part of it."""
-    return _Stream(path, order).run(span)
+    settings = order.settings
+    form = input_format(path, settings)
+    compress = compressor(output_format(settings, form).compression)
+    compressor(form.compression)  # a missing library is named before anything is opened
+    if settings.resume and settings.target == "-":
+        raise BadRequest("--resume needs a file to go on with: -o FILE")
+    with closing(Input(path)) as given:
+        given.check_output(settings.target)
+        if settings.resume and is_whole(settings.target, given.about.st_mtime_ns if given.is_file else 0):
+            say_whole(settings.target)
+            return Tally(0, 0)
+        blocks = Blocks(given.pieces(form.compression, span), cut_of(form.kind))
+        head = LINES[form.kind].head(blocks.head())
+        blocks.skip(len(head.text))
+        table, task = understood_task(head.names, order)
+        for column in table.inputs:
+            check_first(column, [row[column.place] for row in head.sample])
+        recipe = _Recipe(form.kind, head, table, task, settings.excel_safe, output_format(settings, form).compression)
+        with closing(output_to(settings.target, strict=settings.strict)) as output:
+            if not _goes_on(output, order, given, head, blocks):
+                start = recipe.converter().head
+                written = output.writer.append(compress(start)) if start else Written(0, 0)
+                output.note(crc32(head.text), Converted(b"", 0, 0, head.text.count(b"\n"), None), written)
+            total = given.about.st_size if given.is_file and span is None else 0
+            with watched(
+                total,
+                lambda: (given.position(), output.done.rows),
+                is_quiet=settings.quiet,
+                goes_on=output.goes_on,
+            ) as show:
+                loop.run(blocks, partial(_make_convert, recipe), output, settings.processes, show)
+            given.check_unchanged()
+            output.finish()
+    return Tally(output.done.rows, output.done.failed)
 
 
-class _Stream:
-    """One run over one table."""
-
-    def __init__(self, path: str, order: Order) -> None:
-        self.path, self.order, self.settings = path, order, order.settings
-        self.shared = Shared()
-        self.feeder = 0
-
-    def run(self, span: Span | None) -> Tally:
-        """Convert it."""
-        form = input_format(self.path, self.settings)
-        kind = FORMATS[form.kind]
-        compress = compressor(output_format(self.settings, form).compression)
-        descriptor = opened(self.path)
-        check_output(descriptor, self.settings.target)
-        total = 0 if form.compression or span else size_of(descriptor)
-        identity = identity_of(descriptor)
-        if form.compression:
-            compressor(form.compression)  # if a library is missing, it is missed here
-            descriptor, self.feeder = feed(descriptor, partial(decompressed, compression=form.compression))
-        elif span:
-            descriptor, self.feeder = feed(descriptor, span.read)
-        try:
-            source = Source(descriptor, lambda text, is_end: kind.cut(text, is_end=is_end), self.shared)
-            head = kind.head(source.head())
-            source.skip(len(head.text))
-            table, task = understood_task(head.names, self.order)
-            for column in table.inputs:
-                check_first(column, [row[column.place] for row in head.sample])
-            names = [header(name) for name in task.quantities]
-            converter = kind.converter(head, table, task, names, excel_safe=self.settings.excel_safe)
-
-            def converted(text: bytes) -> Converted:
-                block = converter.convert(text)
-                return block._replace(output=compress(block.output))
-
-            with closing(self._sink()) as sink:
-                if not (isinstance(sink, FileSink) and self._goes_on(sink, identity, head.text, source)):
-                    sink.head(head.text, compress(converter.head) if converter.head else b"", head.text.count(b"\n"))
-                self._convert(source, converted, sink, total)
-                sink.finish()
-        finally:
-            self._stop_feeder()
-            os.close(descriptor)
-        return Tally(self.shared["rows"], self.shared["failed"])
-
-    def _goes_on(self, sink: FileSink, identity: list[int], head: bytes, source: Source) -> bool:
-        """Go on from an interrupted run if that is asked for; else begin."""
-        parts = fingerprint(self.order.parts([__version__, CHUNK], identity))
-        if self.settings.resume and sink.resume(parts, head, source):
-            return True
-        sink.begin(parts)
+def _goes_on(output: Output, order: Order, given: Input, head: Head, blocks: Blocks) -> bool:
+    """Go on from an interrupted run if `--resume` asks for it and there is one; else begin."""
+    if not isinstance(output, OutputFile):
         return False
+    identity = order.identity(given.identity)
+    if order.settings.resume and output.resume(identity, head.text, blocks):
+        return True
+    output.begin(identity)
+    return False
 
-    def _convert(self, source: Source, converted: Callable[[bytes], Converted], sink: Sink, total: int) -> None:
-        """Run the processes, with a bar on a terminal."""
-        goes_on = isinstance(sink, FileSink)
-        with watched(self.shared, total, is_quiet=self.settings.quiet, goes_on=goes_on) as show:
-            ring.run(source, converted, sink, self.settings.processes, show)
-            if self.feeder:
-                _, status = os.waitpid(self.feeder, 0)
-                self.feeder = 0
-                if status:
-                    raise BadTable(f"{quoted(self.path)} is not what its name says, or its end is missing")
 
-    def _stop_feeder(self) -> None:
-        if self.feeder:
-            with suppress(ProcessLookupError):
-                os.kill(self.feeder, signal.SIGKILL)
-            os.waitpid(self.feeder, 0)
+def cut_of(kind: str) -> Cut:
+    """Return the function that finds the end of the last whole record."""
+    return lambda text, is_end: LINES[kind].cut(text, is_end=is_end)
 
-    def _sink(self) -> Sink:
-        """Where the output goes."""
-        path = self.settings.target
-        if path == "-":
-            if self.settings.resume:
-                raise BadRequest("--resume needs a file to go on with: -o FILE")
-            sys.stdout.flush()
-            return Sink(os.dup(sys.stdout.fileno()), self.shared, strict=self.settings.strict)
-        if os.path.exists(path) and not os.path.isfile(path):
-            if os.path.isdir(path):
-                raise BadRequest(f"-o: {quoted(path)} is a directory")
-            return Sink(os.open(path, os.O_WRONLY), self.shared, strict=self.settings.strict)
-        return FileSink(path, self.shared, strict=self.settings.strict)
+
+def spans_of(path: str, kind: str) -> list[Span]:
+    """Return the parts of a table of lines; none for a small one."""
+    with closing(Input(path)) as given:
+        head = LINES[kind].head(given.file.read(HEAD))
+        return spans_of_lines(given.file, given.about.st_size, len(head.text), cut_of(kind))

@@ -1,14 +1,15 @@
-"""Sweeps of any length: the rows of lists and ranges, computed in blocks and streamed to CSV or Parquet.
+"""Sweeps of any length: the rows of lists and ranges, computed in blocks and written as CSV, TSV or Parquet.
 
-The columns are those of a short sweep. A block is a number of rows from a place on, so any process can make any of them.
+The columns are those of a short sweep. A block is a number of rows from a place on, so any process can compute any of them.
 """
 
-import os
-import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import closing
+from functools import partial
+from itertools import chain
 from math import prod
-from typing import NamedTuple
+from typing import Any, NamedTuple
+from zlib import crc32
 
 import numpy
 import orjson
@@ -20,27 +21,25 @@ from ..materials.library import Material, Materials
 from ..output.layout import Layout
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, header, word_for_infinity
 from ..scene.scene import DEFAULTS, Scene
-from . import ring
+from . import loop
 from .axes import Axis
 from .cells import Floats, Numbers
 from .columns import Column
 from .delimited import DIALECTS, quoted_cell
 from .errors import missing_extra
-from .files import check_file
 from .formats import compressor, format_of
 from .lines import Converted
-from .output import FileSink, Sink, fingerprint
+from .output import OutputFile, check_file, is_whole, output_to, say_whole
 from .progress import watched
 from .rows import Block, Evaluator
-from .settings import Settings, Tally
+from .settings import Settings, Tally, fingerprint
 from .single import Task
-from .source import Shared
 
 ROWS = 1 << 12  # of a block
 
 
 class Sweep(NamedTuple):
-    """All rows of a call: what every pair of materials is combined with, and the columns to write."""
+    """All rows of a call: the pairs of materials, the axes that each pair is combined with, and the columns to write."""
 
     pairs: Sequence[tuple[Material | None, Material | None]]
     axes: Sequence[Axis]
@@ -49,17 +48,19 @@ class Sweep(NamedTuple):
 
     @property
     def size(self) -> int:
-        """All rows."""
+        """The number of rows."""
         return len(self.pairs) * self.rows_of_pair
 
     @property
     def rows_of_pair(self) -> int:
-        """Rows of one pair of materials."""
+        """The number of rows of a pair of materials."""
         return prod(axis.size for axis in self.axes)
 
-    def block(self, start: int) -> int:
-        """How many rows the block has that begins at a place; none has rows of two pairs."""
-        return min(ROWS, self.rows_of_pair - start % self.rows_of_pair)
+    def blocks(self) -> Iterator[bytes]:
+        """Iterate over blocks, each as where it begins and how many rows it has. No block has rows of two pairs."""
+        for first in range(0, self.size, self.rows_of_pair):
+            for start in range(first, first + self.rows_of_pair, ROWS):
+                yield b"%d %d" % (start, min(ROWS, first + self.rows_of_pair - start))
 
     @property
     def inputs(self) -> list[str]:
@@ -71,39 +72,39 @@ class Sweep(NamedTuple):
         """The columns of results."""
         return [name for name in self.shape.columns if name not in self.shape.inputs]
 
-    def identity(self, *version: object) -> dict[str, str]:
-        """What tells this sweep from any other, and how it is written."""
+    def identity(self) -> dict[str, str]:
+        """Return a hash of each part that the rows depend on."""
         axes = [(axis.name, [list(vars(spread).values()) for spread in axis.spreads]) for axis in self.axes]
         options = [self.shape.columns, axes, [*map(str, self.pairs)]]
-        return fingerprint({"version": [__version__, ROWS, *version], "options": options})
+        return fingerprint({"version": [__version__, ROWS], "options": options})
 
 
 class Rows(NamedTuple):
     """Some rows of one pair of materials."""
 
     materials: list[str]
-    inputs: list[Floats | float | None]  # None: not said of these
+    inputs: list[Floats | float | None]  # None: the results do not depend on it
     results: Floats
     failed: int
     size: int
 
 
 class Evaluators:
-    """What computes the rows of each pair."""
+    """Compute the rows of each pair."""
 
     def __init__(self, sweep: Sweep) -> None:
         self.sweep = sweep
-        self.names = tuple(name for name in (*sweep.results, *(("energy",) if "energy" in sweep.inputs else ())))
+        names = tuple(name for name in (*sweep.results, *(("energy",) if "energy" in sweep.inputs else ())))
         columns = tuple(Column(place, axis.name, "", None) for place, axis in enumerate(sweep.axes))
         self.evaluators = [
-            Evaluator(Task(columns, (), self.names, {}, *pair, sweep.known, keeps=True)) for pair in sweep.pairs
+            Evaluator(Task(columns, (), names, {}, *pair, sweep.known, keeps=True)) for pair in sweep.pairs
         ]
-
         first = {axis.name: axis.spreads[0].low for axis in sweep.axes}
-        self.said = [answer(sweep.shape.question, Scene(first, *pair)).inputs.keys() for pair in sweep.pairs]
+        self.used = [answer(sweep.shape.question, Scene(first, *pair)).inputs.keys() for pair in sweep.pairs]
 
-    def rows(self, start: int, count: int) -> Rows:
-        """The rows from a place on, which are of one pair."""
+    def rows(self, block: bytes) -> Rows:
+        """Return the rows of a block."""
+        start, count = map(int, block.split())
         sweep = self.sweep
         pair, first = divmod(start, sweep.rows_of_pair)
         places = numpy.arange(first, first + count)
@@ -125,8 +126,8 @@ class Evaluators:
         return Rows(materials, inputs, wanted, failed, count)
 
     def _input(self, name: str, values: dict[str, Floats], pair: int, numbers: Floats) -> Floats | float | None:
-        """A column of an input as it was understood; None where the results do not depend on it."""
-        if name not in self.said[pair]:
+        """Return a column of an input; None where the results do not depend on it."""
+        if name not in self.used[pair]:
             return None
         if name in values:
             return values[name]
@@ -143,27 +144,11 @@ class Evaluators:
 
 
 def _typed(name: str, value: float) -> str:
-    """A value as it could have been typed."""
+    """Return a value as it could have been typed."""
     if value == INFINITY:
         return word_for_infinity(name) or "inf"
     unit = NOMENCLATURE[name].unit
     return f"{float(value)!r} {unit}" if unit != "1" else repr(float(value))
-
-
-class Places:
-    """A source of blocks that are nothing but where they begin, and how many rows they have."""
-
-    def __init__(self, sweep: Sweep, shared: Shared) -> None:
-        self.sweep, self.shared = sweep, shared
-
-    def next(self) -> bytes | None:
-        """The next block."""
-        start = self.shared["read"]
-        if start >= self.sweep.size:
-            return None
-        count = self.sweep.block(start)
-        self.shared["read"] = start + count
-        return b"%d %d" % (start, count)
 
 
 class _Lines:
@@ -173,11 +158,10 @@ class _Lines:
         self.sweep = sweep
         self.separator = DIALECTS[kind].separator
         self.evaluators = Evaluators(sweep)
-        self.head = self.separator.join(header(name).encode() for name in sweep.shape.columns) + b"\n"
 
-    def convert(self, text: bytes) -> Converted:
-        """The lines of a block."""
-        rows = self.evaluators.rows(*map(int, text.split()))
+    def convert(self, block: bytes) -> Converted:
+        """Return the lines of a block."""
+        rows = self.evaluators.rows(block)
         table = numpy.empty((rows.size, len(rows.inputs) + len(rows.results)))
         words: dict[int, bytes] = {}
         for place, column in enumerate([*rows.inputs, *rows.results]):
@@ -186,6 +170,7 @@ class _Lines:
                 words[place] = (word_for_infinity(self.sweep.inputs[place]) or "").encode()
         numbers = orjson.dumps(table + 0.0, option=orjson.OPT_SERIALIZE_NUMPY).replace(b"null", b"")
         lead = b"".join(quoted_cell(name.encode(), self.separator) + self.separator for name in rows.materials)
+        # [[1,2],[3,4]] becomes the lines 1,2 and 3,4.
         lines = (
             numbers[1:]
             .replace(b"[", b"")
@@ -209,42 +194,74 @@ class _Lines:
         return b",".join(cells)
 
 
+def _make_convert(sweep: Sweep, kind: str, compression: str) -> loop.Convert:
+    lines, compress = _Lines(sweep, kind), compressor(compression)
+
+    def convert(block: bytes) -> Converted:
+        converted = lines.convert(block)
+        return converted._replace(output=compress(converted.output))
+
+    return convert
+
+
 def stream(sweep: Sweep, settings: Settings) -> Tally:
     """Write all rows of a sweep."""
-    shared = Shared()
     form = format_of(settings.target)
+    if settings.resume and is_whole(settings.target, 0):
+        say_whole(settings.target)
+        return Tally(0, 0)
     if form is not None and form.kind == "parquet":
-        with missing_extra("parquet"):
-            from .sweep_parquet import write_sweep
-        return write_sweep(sweep, settings, shared)
-    if form is not None and form.kind not in DIALECTS:
-        raise BadRequest(f"-o: a sweep is written as csv, tsv or parquet, not as {form.kind}")
-    compress = compressor(form.compression if form else "")
-    source = Places(sweep, shared)
-    lines = _Lines(sweep, form.kind if form else "csv")
+        return _write_parquet(sweep, settings)
+    kind, compression = form or ("csv", "")
+    if kind not in DIALECTS:
+        raise BadRequest(f"-o: a sweep is written as csv, tsv or parquet, not as {kind}")
+    make = partial(_make_convert, sweep, kind, compression)
+    head = DIALECTS[kind].separator.join(header(name).encode() for name in sweep.shape.columns) + b"\n"
+    blocks = sweep.blocks()
+    if settings.target != "-":
+        check_file(settings.target)
+    with closing(output_to(settings.target, strict=False)) as output:
+        if isinstance(output, OutputFile) and not (settings.resume and output.resume(sweep.identity(), b"", blocks)):
+            output.begin(sweep.identity())
+        if not output.done.lines:
+            written = output.writer.append(compressor(compression)(head))
+            output.note(crc32(b""), Converted(b"", 0, 0, 1, None), written)
+        is_quiet = settings.quiet or settings.target == "-"
+        with watched(
+            sweep.size, lambda: (output.done.rows, output.done.rows), is_quiet=is_quiet, goes_on=output.goes_on
+        ) as show:
+            loop.run(blocks, make, output, settings.processes, show)
+        output.finish()
+    return Tally(output.done.rows, output.done.failed)
 
-    def converted(text: bytes) -> Converted:
-        block = lines.convert(text)
-        return block._replace(output=compress(block.output))
 
-    goes_on = settings.target != "-"
-    with closing(_sink(sweep, settings, shared, source)) as sink:
-        if not shared["lines"]:
-            sink.head(b"", compress(lines.head), 1)
-        with watched(shared, sweep.size, is_quiet=settings.quiet or not goes_on, goes_on=goes_on) as show:
-            ring.run(source, converted, sink, settings.processes, show)
-        sink.finish()
-    return Tally(shared["rows"], shared["failed"])
+def _write_parquet(sweep: Sweep, settings: Settings) -> Tally:
+    with missing_extra("parquet"):
+        import pyarrow
 
+        from . import parquet
+    materials = [pyarrow.field(name, pyarrow.string()) for name in sweep.shape.inputs if not NOMENCLATURE[name].unit]
+    numbers = [pyarrow.field(header(name), pyarrow.float64()) for name in (*sweep.inputs, *sweep.results)]
+    schema = pyarrow.schema([*materials, *numbers])
+    evaluators = Evaluators(sweep)
 
-def _sink(sweep: Sweep, settings: Settings, shared: Shared, source: Places) -> Sink:
-    """Where the lines go: stdout, or a file, at its beginning or where an interrupted run came to."""
-    if settings.target == "-":
-        sys.stdout.flush()
-        return Sink(os.dup(sys.stdout.fileno()), shared, strict=False)
-    check_file(settings.target)
-    sink = FileSink(settings.target, shared, strict=False)
-    identity = sweep.identity()
-    if not (settings.resume and sink.resume(identity, b"", source)):
-        sink.begin(identity)
-    return sink
+    def batch(rows: Rows) -> Any:
+        columns = [numpy.broadcast_to(numpy.nan if one is None else one, rows.size) for one in rows.inputs]
+        arrays = [parquet.as_column(numpy.ascontiguousarray(values)) for values in (*columns, *rows.results)]
+        names = [pyarrow.repeat(name, rows.size) for name in rows.materials]
+        return pyarrow.RecordBatch.from_arrays([*names, *arrays], schema=schema)
+
+    def tables() -> Iterator[parquet.Rows]:
+        most = parquet.rows_together(8 * len(schema))
+        batches: list[Any] = []
+        size = failed = 0
+        for block in chain(sweep.blocks(), [b""]):
+            if batches and (not block or size >= most):
+                yield parquet.Rows(pyarrow.Table.from_batches(batches, schema).combine_chunks(), failed)
+                batches, size, failed = [], 0, 0
+            if block:
+                rows = evaluators.rows(block)
+                batches.append(batch(rows))
+                size, failed = size + rows.size, failed + rows.failed
+
+    return parquet.write(settings, schema, tables(), sweep.size, sweep.identity())

@@ -1,4 +1,4 @@
-"""What a table and the options ask: which quantities of which rows, and what fills the gaps."""
+"""The task that a header and the options make: the quantities to compute, and the inputs that fill gaps."""
 
 import sys
 from collections.abc import Mapping
@@ -19,7 +19,7 @@ from .single import Task, concerns, lacking
 
 
 def task_of(table: Header, inputs: Mapping[str, str], wanted: str, known: Materials) -> Task:
-    """What is to be computed of each row, as the columns and options allow."""
+    """Return the task that the columns and options allow."""
     spheres = {name: known[inputs[name]] if name in inputs else None for name in MATERIALS}
     fixed = {name: parse_quantity(text, name) for name, text in inputs.items() if name not in MATERIALS}
     scene = _as_known(table, fixed, spheres)
@@ -40,7 +40,7 @@ def task_of(table: Header, inputs: Mapping[str, str], wanted: str, known: Materi
 
 
 def _as_known(table: Header, fixed: Mapping[str, float], spheres: Mapping[str, Any]) -> Scene:
-    """A scene of which all is known that a row may say; of columns that exclude each other, the first."""
+    """Return a scene in which every column has a value; of columns that exclude each other, the first."""
     some = Material("", dict.fromkeys(PROPERTIES, _SOME), (), {}, (), (), "", "")
     given: dict[str, float] = {}
     for column in table.inputs:
@@ -54,7 +54,7 @@ _SOME = 0.25  # a value that any input can have
 
 
 def _named(text: str) -> tuple[list[str], list[str]]:
-    """The quantities of `--quantities`: those that are named, and those that commands show as far as they can."""
+    """Return the quantities of `--quantities`: those that are named, and those that commands show where they can."""
     named: list[str] = []
     offered: list[str] = []
     for word in map(str.strip, text.split(",")):
@@ -68,7 +68,7 @@ def _named(text: str) -> tuple[list[str], list[str]]:
 
 
 def understood_task(names: tuple[str, ...], order: Order) -> tuple[Header, Task]:
-    """What a header and the options ask; BadTable, or an error of the options, before the first row."""
+    """Return the columns of a header and the task. Raises BadTable, or an error of the options."""
     table = understood(names)
     task = task_of(table, order.inputs, order.settings.quantities, order.known)
     taken = {header(name) for name in task.quantities} | {STATUS}

@@ -1,0 +1,255 @@
+"""Many tables into a directory: a file for each, and a manifest when the run has ended.
+
+A file is the work of one process, and gets its name when it is whole. Every file that is done or fails is added to a journal,
+so that `--resume` leaves out what is done.
+"""
+
+import glob
+import hashlib
+import json
+import os
+import sys
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
+from functools import partial
+from itertools import islice
+from typing import Any, NamedTuple
+
+from .. import __version__
+from ..errors import BadRequest, JkrollError, MissingExtra
+from ..text import quoted, say
+from .errors import BadTable, missing_extra
+from .settings import Order, Settings, Tally, input_format
+from .spans import Span
+
+MANIFEST = "manifest.json"
+JOURNAL = "manifest.journal"
+MOST_SAID = 20  # files whose failure is said on stderr; the manifest has them all
+ALONE = 8  # files that this process converts itself before it starts others
+KEYS = {"version", "rows", "failed", "files"}  # of a manifest
+
+
+class Part(NamedTuple):
+    """A table, or a part of one, and the file that it becomes."""
+
+    path: str
+    span: Span | None  # None: all of it
+    target: str
+
+
+class Done(NamedTuple):
+    """The outcome of a part: its counts, or why it failed as a whole."""
+
+    tally: Tally
+    problem: str = ""
+    exit_code: int = 0
+
+
+Runner = Callable[[Order, list[Part]], Iterable[tuple[Part, Done]]]
+
+
+def is_many(path: str, settings: Settings) -> bool:
+    """Return whether a path stands for several tables, or the output is a directory."""
+    return (
+        (glob.has_magic(path) and not os.path.exists(path)) or settings.target.endswith(os.sep) or bool(settings.dask)
+    )
+
+
+def convert_one(path: str, order: Order, span: Span | None = None) -> Tally:
+    """Convert a table of any format, or a part of one."""
+    if input_format(path, order.settings).kind == "parquet":
+        with missing_extra("parquet"):
+            from .parquet import convert
+    else:
+        from .stream import convert
+    return convert(path, order, span)
+
+
+def convert_part(order: Order, part: Part) -> Done:
+    """Convert a part in this process; a failure is an outcome."""
+    settings = order.settings._replace(target=part.target, resume=False, jobs=1, quiet=True)
+    try:
+        return Done(convert_one(part.path, order._replace(settings=settings), part.span))
+    except MissingExtra:
+        raise  # as it would for every part
+    except JkrollError as error:
+        problem = str(error).removeprefix(f"{quoted(part.path)}: ")
+        return Done(Tally(0, 0), problem, error.exit_code)
+
+
+def by_processes(order: Order, parts: list[Part]) -> Iterator[tuple[Part, Done]]:
+    """Convert parts by as many processes as there are to be; yield each part as soon as it is done."""
+    jobs = order.settings.processes
+    alone = parts if jobs == 1 else parts[:ALONE]
+    for part in alone:
+        yield part, convert_part(order, part)
+    if len(alone) == len(parts):
+        return
+    from .workers import answered, started
+
+    left = iter(parts[len(alone) :])
+    with started(min(jobs, len(parts) - len(alone)), partial(_answer, order)) as workers:
+        at_work = {}
+        for worker, part in zip(workers, left, strict=False):
+            worker.ask(part)
+            at_work[worker] = part
+        while at_work:
+            for worker in answered([*at_work]):
+                yield at_work.pop(worker), worker.answer()
+                for part in islice(left, 1):
+                    worker.ask(part)
+                    at_work[worker] = part
+
+
+def _answer(order: Order) -> Callable[[Part], Done]:
+    return partial(convert_part, order)
+
+
+def convert(path: str, order: Order, run: Runner) -> tuple[Tally, int]:
+    """Convert all tables that a pattern names; return the counts, and the exit code of the first that failed."""
+    settings = order.settings
+    directory = settings.target
+    if directory == "-" or os.path.isfile(directory.rstrip(os.sep)):
+        raise BadRequest("several tables need a directory for the results: -o DIRECTORY/")
+    parts = _parts(path, settings)
+    folders = {os.path.dirname(part.path) or "." for part in parts}
+    if os.path.exists(directory) and any(os.path.samefile(folder, directory) for folder in folders):
+        raise BadRequest(f"-o: {quoted(directory)} is where the input is; it is not overwritten")
+    os.makedirs(directory, exist_ok=True)
+    manifest, journal = os.path.join(directory, MANIFEST), os.path.join(directory, JOURNAL)
+    before = _read(manifest, journal)
+    if not settings.resume:
+        before = {}
+    options = _options(order)
+    identities = {part: _identity(options, part) for part in parts}
+    done = {part: found for part in parts if (found := _done(before.get(identities[part]), part)) is not None}
+    if settings.resume and len(done) == len(parts):
+        say(f"note: all {len(parts)} files are done; without --resume they are made anew", sys.stderr)
+    with open(journal, "a" if settings.resume else "w", encoding="utf-8") as file:
+        for part, outcome in done.items():
+            _note(file, part, outcome, identities[part])
+        with suppress(FileNotFoundError):
+            os.unlink(manifest)
+        for part, outcome in run(order, [part for part in parts if part not in done]):
+            done[part] = outcome
+            _note(file, part, outcome, identities[part])
+    return _finish(manifest, journal, [(part, done[part], identities[part]) for part in parts])
+
+
+def _parts(path: str, settings: Settings) -> list[Part]:
+    """Return the tables that a pattern names; with `--dask`, parts of those that are large."""
+    paths = sorted(glob.glob(path)) if glob.has_magic(path) else [path]
+    if not paths:
+        raise BadTable(f"{quoted(path)}: no such file")
+    parts = [part for one in paths for part in _parts_of(one, settings)]
+    if len({part.target for part in parts}) < len(parts):
+        raise BadTable(f"{quoted(path)}: two tables have the same name")
+    return parts
+
+
+def _parts_of(path: str, settings: Settings) -> Iterator[Part]:
+    """Iterate over the parts of a table. They are named as the table, with a number if there are several."""
+    name = os.path.basename(path)
+    start, dot, end = name.partition(".")
+    spans = _spans_of(path, settings) if settings.dask else []
+    if len(spans) < 2:
+        yield Part(path, None, os.path.join(settings.target, name))
+        return
+    for place, span in enumerate(spans):
+        yield Part(path, span, os.path.join(settings.target, f"{start}-{place:05}{dot}{end}"))
+
+
+def _spans_of(path: str, settings: Settings) -> list[Span]:
+    form = input_format(path, settings)
+    if form.compression or not os.path.isfile(path):
+        return []
+    if form.kind == "parquet":
+        with missing_extra("parquet"):
+            from .parquet import spans_of
+        return spans_of(path)
+    from .stream import spans_of as spans_of_lines
+
+    return spans_of_lines(path, form.kind)
+
+
+def _options(order: Order) -> str:
+    """Return what the results depend on beside the input."""
+    return json.dumps(order.identity([]), sort_keys=True)
+
+
+def _identity(options: str, part: Part) -> str:
+    """Return a hash of all that the result of a part depends on."""
+    try:
+        about = os.stat(part.path)
+    except OSError:
+        return ""
+    read = [about.st_size, about.st_mtime_ns, part.path, part.span]
+    return hashlib.sha256((options + json.dumps(read)).encode()).hexdigest()[:32]
+
+
+def _read(manifest: str, journal: str) -> dict[str, Any]:
+    """Return the entries of a manifest or journal by their identity. Raises BadRequest for a file that is not ours."""
+    entries: list[Any] = []
+    with suppress(FileNotFoundError), open(manifest, encoding="utf-8") as file:
+        entries += _entries(manifest, file.read())
+    with suppress(FileNotFoundError), open(journal, encoding="utf-8") as file:
+        for line in file:
+            if line.endswith("\n"):  # else the run was ended in the middle of it
+                entries += _entries(journal, f'{{"version": "", "rows": 0, "failed": 0, "files": [{line}]}}')
+    return {entry["identity"]: entry for entry in entries}
+
+
+def _entries(path: str, text: str) -> list[Any]:
+    try:
+        found = json.loads(text)
+        if found.keys() == KEYS and all("output" in entry for entry in found["files"]):
+            return [entry for entry in found["files"] if entry.get("identity")]
+    except (ValueError, AttributeError, TypeError):
+        pass
+    raise BadRequest(f"-o: {quoted(path)} is not a manifest of jkroll; it is not replaced: move it away")
+
+
+def _done(entry: Any, part: Part) -> Done | None:
+    """Return the outcome of a part that is done already."""
+    if entry is None or "problem" in entry or not os.path.exists(part.target):
+        return None
+    if os.path.getsize(part.target) != entry["bytes"]:
+        return None
+    return Done(Tally(entry["rows"], entry["failed"]))
+
+
+def _entry(part: Part, done: Done, identity: str) -> dict[str, Any]:
+    entry = {
+        "input": part.path,
+        "output": os.path.basename(part.target),
+        "bytes": 0 if done.problem else os.path.getsize(part.target),
+        "rows": done.tally.rows,
+        "failed": done.tally.failed,
+        "identity": identity,
+    }
+    return entry | ({"problem": done.problem} if done.problem else {})
+
+
+def _note(journal: Any, part: Part, done: Done, identity: str) -> None:
+    """Note in the journal that a part is done or failed."""
+    journal.write(json.dumps(_entry(part, done, identity)) + "\n")
+    journal.flush()
+
+
+def _finish(manifest: str, journal: str, done: list[tuple[Part, Done, str]]) -> tuple[Tally, int]:
+    """Write the manifest, last of all, and say which files failed."""
+    total = Tally(sum(one.tally.rows for _, one, _ in done), sum(one.tally.failed for _, one, _ in done))
+    files = [_entry(*one) for one in done]
+    with open(f"{manifest}.partial", "w", encoding="utf-8") as file:
+        json.dump({"version": __version__, "rows": total.rows, "failed": total.failed, "files": files}, file, indent=2)
+        file.write("\n")
+        file.flush()
+        os.fsync(file.fileno())
+    os.replace(f"{manifest}.partial", manifest)
+    os.unlink(journal)
+    failures = [(part, one) for part, one, _ in done if one.problem]
+    for part, one in failures[:MOST_SAID]:
+        say(f"jkroll: {quoted(part.path)}: {one.problem}", sys.stderr)
+    if len(failures) > MOST_SAID:
+        say(f"jkroll: and {len(failures) - MOST_SAID} more files failed; {quoted(manifest)} says why", sys.stderr)
+    return total, failures[0][1].exit_code if failures else 0
