@@ -4,10 +4,11 @@ from collections.abc import Collection, Mapping
 from typing import Any, Literal, NamedTuple
 
 from ..errors import JkrollError, NoResult
+from ..physics.jkr import STICKING
 from ..quantities.formatting import Format, amount, in_words
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..scene.errors import BeyondFold, BeyondPullOff, MissingInput
-from ..scene.limits import LIMIT_NAMES, Verdict, sentence, uses_spacing, verdicts
+from ..scene.limits import IMPACT, LIMIT_NAMES, Judgement, Verdict, judged, sentence, uses_spacing
 from ..scene.rolling_models import model_error
 from ..scene.scene import DEFAULTS, Scene
 from ..scene.wiring import STATE, depends_on
@@ -65,17 +66,18 @@ def answer(question: Question, scene: Scene) -> Answer:
     planned = [result.name for result in results if not isinstance(errors.get(result.name), MissingInput)]
     used = scene.inputs_of(*planned) if planned else depends_on(question.quantities) & scene.given.keys()
     inputs = _echo(scene, used)
-    validity = verdicts(scene, known)
-    entering = {*inputs, "atomic_spacing"} if uses_spacing(validity) else {*inputs}
+    limits = judged(scene, known)
+    entering = {*inputs, "atomic_spacing"} if uses_spacing(limits.verdicts) else {*inputs}
     notes = (
         *assumptions(scene, entering, planned),
         *about_data(scene, inputs),
         *_about_results(results, scene),
         *_about_missing(results),
+        *_about_limits(limits),
     )
     fatal = next((error for error in errors.values() if isinstance(error, _FATAL)), None)
     failure = fatal or (None if known else next(iter(errors.values())))
-    return Answer(inputs, tuple(results), notes, validity, failure)
+    return Answer(inputs, tuple(results), notes, limits.verdicts, failure)
 
 
 # Errors that leave nothing of a scene to be trusted, even where something could be computed.
@@ -107,6 +109,10 @@ def _concerns(name: str, scene: Scene) -> bool:
         return scene.is_identical
     if name == "load":
         return bool(STATE & scene.stated.keys())
+    if name == "yield_force_fixed_load":
+        return bool((STATE | {"load"}) & scene.stated.keys())
+    if name == "n_roll_after_impact":
+        return "speed" in scene.stated
     return name not in scene.stated
 
 
@@ -169,16 +175,37 @@ def _about_results(results: list[Result], scene: Scene) -> list[Note]:
         for result in known
         if NOMENCLATURE[result.name].note and not (scene.is_identical and result.name == "rolling_frequency_no_slip")
     ]
-    if not scene.is_identical and any(result.name == "n_grav" for result in known):
-        texts.append(
-            "n_grav: is what the first contact, on body 2, carries; those between spheres 1 may roll before it"
-        )
+    names = {result.name for result in known}
+    if "n_grav" in names and not scene.is_identical:
+        texts.append(f"n_grav: is what the first contact, on body 2, carries; {_between_spheres_1(scene)}")
+    if "n_roll" in names and IMPACT.isdisjoint(scene.stated):
+        texts.append(f"n_roll: W0 = P_cδ0 is {1 / STICKING:.3g} U_stick, the largest energy that sticks")
     texts += [
         f"{result.name}: relative error {result.error:.3g} against the exact moment of this contact"
         for result in known
         if result.error is not None
     ]
     return [Note("result", text) for text in texts]
+
+
+def _between_spheres_1(scene: Scene) -> str:
+    """Return a clause on the contacts between the spheres of a chain that hangs from another body."""
+    stated = {name: value for name, value in scene.stated.items() if not name.endswith("2")}
+    try:
+        carried = Scene(stated, scene.material)["n_grav"] + 1  # the chain that it carries is a sphere shorter
+    except (MissingInput, NoResult):
+        carried = INFINITY
+    if carried < scene["n_grav"]:
+        return f"the one between spheres 1 next to it yields before it, at {carried:.4g}"
+    return "those between spheres 1 may roll before it"
+
+
+def _about_limits(limits: Judgement) -> list[Note]:
+    """Return a note for the limits of the model that could not be judged."""
+    return [
+        Note("missing", f"not checked: {', '.join(NOMENCLATURE[name].symbol for name in names)}: needs {needs}")
+        for needs, names in limits.missing.items()
+    ]
 
 
 def _about_missing(results: list[Result]) -> list[Note]:

@@ -16,7 +16,7 @@ _QUESTIONS = {
     "pull-off": Question(("pull_off_force",), ("pull_off_force", "pull_off_force_dmt")),
     "yield-force": Question(
         ("yield_force",),
-        ("yield_force", "yield_force_ratio", "yield_moment", "yield_angle"),
+        ("yield_force", "yield_force_fixed_load", "yield_force_ratio", "yield_moment", "yield_angle"),
     ),
     "r-min": Question(("r_min",), ("r_min",)),
     "n-grav": Question(("n_grav",), ("n_grav",)),
@@ -24,7 +24,7 @@ _QUESTIONS = {
         ("vertical_frequency", "rolling_frequency"),
         ("vertical_frequency", "rolling_frequency", "rolling_frequency_as_printed", "rolling_frequency_no_slip"),
     ),
-    "n-roll": Question(("n_roll",), ("n_roll", "n_roll_energy_balance")),
+    "n-roll": Question(("n_roll",), ("n_roll", "n_roll_energy_balance", "n_roll_after_impact")),
     "contact": Question(
         ("contact_radius_at_load", "approach_at_load"),
         (

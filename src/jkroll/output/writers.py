@@ -121,4 +121,5 @@ def _verdict_object(verdict: Verdict) -> dict[str, Any]:
         "value": verdict.value,
         "holds": verdict.holds,
         "text": verdict.text,
+        "code": verdict.code or None,
     }

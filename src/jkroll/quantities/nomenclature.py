@@ -98,7 +98,7 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "yield_displacement": Quantity("ξ", "m", "yield displacement", range="positive", option="--xi", example="2angstrom"),
         "load": Quantity("P", "N", "load, tension negative", "5", range="finite", option="--load", example="-5nN"),
         "gravity": Quantity("g", "m/s^2", "gravity", range="positive", option="--gravity", example="1.62m/s2"),
-        "energy": Quantity("W0", "J", "impact energy of sphere 1", range="positive", option="--energy", example="1e-18J"),
+        "energy": Quantity("W0", "J", "impact energy of sphere 1", "48", range="positive", option="--energy", example="1e-18J"),
         "energy_ratio": Quantity(
             "W0/P_cδ0", "1", "W0 over P_cδ0", range="positive", option="--energy-ratio", example="1"
         ),
@@ -137,7 +137,7 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "well_energy": Quantity("U", "J", "binding energy of the spheres", "6"),
         "pull_off_work": Quantity("U_grips", "J", "separation work from P = 0, fixed grips", "6"),
         "pull_off_work_at_dead_load": Quantity("U_load", "J", "separation work from P = 0, dead load", "6"),
-        "sticking_energy": Quantity("U_stick", "J", "largest impact energy that sticks", "48"),
+        "sticking_energy": Quantity("U_stick", "J", "largest relative energy ½mv² that sticks", "48"),
         # rolling
         "yield_moment": Quantity("M", "N m", "rolling moment at the displacement ξ", "25"),
         "unloaded_moment": Quantity("M_0", "N m", "moment of the contact without load", "26"),
@@ -145,6 +145,10 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "fixed_approach_moment": Quantity("M_δ", "N m", "exact moment at a fixed approach", "25"),
         "rolling_stiffness": Quantity("k", "N m/rad", "rolling moment per angle", "39"),
         "yield_force": Quantity("Q", "N", "force that starts sphere 1 rolling", "26"),
+        "yield_force_fixed_load": Quantity(
+            "Q_P", "N", "the same under a load of fixed direction", "26",
+            note="this load keeps its direction and body 2 is held; the load of yield_force turns with the line of centres",
+        ),
         "yield_force_ratio": Quantity("Q/P_c", "1", "yield force over pull-off force", "27"),
         "yield_angle": Quantity("δ_α", "rad", "angle at which rolling starts", "28"),
         "mean_rolling_moment": Quantity("⟨M⟩", "N m", "mean moment against steady rolling", "43"),
@@ -169,10 +173,12 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "displacement_limit": Quantity("ξ_max", "m", "largest meaningful displacement", "25"),
         "displacement_ratio": Quantity("ξ/ξ_max", "1", "displacement over its limit", "25"),
         "contact_radius_in_spacings": Quantity("a/z0", "1", "contact radius over the atomic spacing", "2"),
-        "approach_in_spacings": Quantity("δ0/z0", "1", "approach over the atomic spacing", "3"),
-        "load_over_pull_off": Quantity("P/P_c", "1", "load over pull-off force", "5"),
+        "profile_error": Quantity("Δh/h", "1", "error of the paraboloid at the edge of the contact", "4"),
+        "displacement_over_contact_radius": Quantity("ξ/a", "1", "displacement over the contact radius", "25"),
+        "r_min_over_radius": Quantity("R_min/R1", "1", "smallest curvature radius over the radius", "28"),
         "yield_energy": Quantity("W_yield", "J", "energy to roll to the yield displacement", "25"),
         "energy_over_yield": Quantity("W0/W_yield", "1", "energy over the yield energy", "25"),
+        "energy_over_sticking": Quantity("W0/U_stick", "1", "energy over the largest that sticks", "48"),
         # axes of figures
         "modulus_over_energy": Quantity("E*/γ", "m^-1", "contact modulus over surface energy", "49", range="positive"),
         "position_across": Quantity("x", "m", "position from the contact point", "16", range="finite"),
@@ -180,14 +186,16 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "pressure_across": Quantity("p", "Pa", "pressure, tension negative", "12"),
         # collisions
         "adhesion_energy": Quantity("P_cδ0", "J", "characteristic energy of adhesion", "48"),
-        "energy_at_energy_ratio": Quantity("W0", "J", "energy of sphere 1", "48"),
         "kinetic_energy": Quantity("m1v²/2", "J", "kinetic energy of sphere 1", "45"),
         "n_roll": Quantity("n_roll", "1", "turns until sphere 1 stops", "48"),
-        "n_roll_at_energy_ratio": Quantity("n_roll", "1", "turns until sphere 1 stops", "49"),
-        "n_roll_energy_balance_at_energy_ratio": Quantity("n_bal", "1", "turns by the energy balance", "49"),
         "n_roll_energy_balance": Quantity(
             "n_bal", "1", "turns by the energy balance", "48",
-            note="Eq (47) leaves out the friction that also brakes the rotation; the energy balance gives 7/2 of Eq (48)",
+            note="for rolling without slip from the start, 7/2 of Eq (48); Eq (47) leaves out the friction that sustains the spin, "
+            "so that n_roll is for a contact that slides freely",
+        ),
+        "n_roll_after_impact": Quantity(
+            "n_imp", "1", "turns after a tangential impact", "48",
+            note="for a sphere that arrives without spin and then rolls without slip, 5/2 of Eq (48): 5/7 of W0 remain",
         ),
     }
 )  # fmt: skip

@@ -85,7 +85,7 @@ class BeyondFold(NoResult):
 
 
 class TwoRigidBodies(NoResult):
-    """Error raised where both bodies are rigid, so that there is no area of contact."""
+    """Error raised where both bodies are rigid: JKR's contact has no area then."""
 
     name = "contact_modulus"
 
@@ -144,8 +144,6 @@ def failure_of(name: str, given: Mapping[str, Any]) -> NoResult | None:
     match name:
         case "load_margin" if given["load"] < -given["pull_off_force"]:
             found = BeyondPullOff(given["load"], given["pull_off_force"])
-        case "contact_modulus" if _is_rigid(given, "") and _is_rigid(given, "2"):
-            found = TwoRigidBodies()
         case "r_min" if given["radius2"] == INFINITY:
             found = NoChain()
         case "vertical_frequency" if given["stiffness"] < 0:
@@ -158,7 +156,3 @@ def failure_of(name: str, given: Mapping[str, Any]) -> NoResult | None:
             least = FOLD_APPROACH * given["approach"]
             found = BeyondFold(given["approach_at_load"], least) if given["approach_at_load"] <= least else None
     return found
-
-
-def _is_rigid(given: Mapping[str, Any], sphere: str) -> bool:
-    return bool(given["youngs_modulus" + sphere] == INFINITY or given["poisson_ratio" + sphere] == -1)

@@ -15,6 +15,7 @@ from .errors import ShapeMismatch
 from .scene import Scene
 from .wiring import Plan
 
+_ELASTIC = {"youngs_modulus", "youngs_modulus2", "poisson_ratio", "poisson_ratio2"}
 Place = tuple[slice, ...]  # of a block in an array
 BLOCK = 16384  # elements evaluated at once: few enough that what lies between two formulas stays in the cache
 
@@ -68,7 +69,7 @@ def solve(
     spheres = (_material("material", material, materials), _material("material2", material2, materials))
     arrays = {name: value for name, value in described.items() if not isinstance(value, float)}
     shape = _broadcast(arrays)
-    if math.prod(shape) <= BLOCK:
+    if math.prod(shape) <= BLOCK or (_ELASTIC & arrays.keys() and Scene(described, *spheres).has_rigid_elements):
         results = _answers(Scene(described, *spheres), names)
     else:
         results = _in_blocks(names, described, spheres, shape)

@@ -21,13 +21,6 @@ _ROUTES = {
     "load_factor": (frozenset({"approach_at_load"}), "load_factor_at_approach"),
     "energy": (frozenset({"speed"}), "kinetic_energy"),
 }
-# Where neither an energy nor a speed is given, its ratio to P_cδ0 serves.
-_ENERGY = frozenset({"energy", "speed"})
-_ROUTES_WITHOUT = {
-    "energy": (_ENERGY, "energy_at_energy_ratio"),
-    "n_roll": (_ENERGY, "n_roll_at_energy_ratio"),
-    "n_roll_energy_balance": (_ENERGY, "n_roll_energy_balance_at_energy_ratio"),
-}
 
 
 class Step(NamedTuple):
@@ -132,8 +125,8 @@ class _Path:
         arguments = tuple((parameter, self.visit(parameter + suffix)) for parameter in parameters_of(formula))
         if suffix and not any(source.endswith("2") for _, source in arguments):
             return self.visit(name.removesuffix(suffix))  # in this, sphere 2 is like sphere 1
-        if len(self.missing) > before and (NOMENCLATURE[wanted].option or wanted in _ROUTES_WITHOUT):
-            self.instead.append("energy" if wanted in _ROUTES_WITHOUT else wanted)
+        if len(self.missing) > before and NOMENCLATURE[wanted].option:
+            self.instead.append(wanted)
         self.steps.setdefault(name, Step(name, formula, arguments))
         return name
 
@@ -143,8 +136,6 @@ class _Path:
             return name
         if name in _ROUTES and self.known & _ROUTES[name][0]:
             return _ROUTES[name][1]
-        if name in _ROUTES_WITHOUT and not self.known & _ROUTES_WITHOUT[name][0]:
-            return _ROUTES_WITHOUT[name][1]
         is_property_of_2 = self.own_material2 and name.removesuffix("2") in PROPERTIES
         if name.endswith("2") and formula_of(name) is None and not is_property_of_2:
             return name.removesuffix("2")
@@ -174,7 +165,7 @@ def depends_on(names: Iterable[str]) -> frozenset[str]:
         name = pending.pop()
         if name not in found:
             found.add(name)
-            for route in [name, *(table[name][1] for table in (_ROUTES, _ROUTES_WITHOUT) if name in table)]:
+            for route in (name, _ROUTES[name][1]) if name in _ROUTES else (name,):
                 if (formula := formula_of(route)) is not None:
                     pending += [parameter + suffix_of(route) for parameter in parameters_of(formula)]
     return frozenset(found)
