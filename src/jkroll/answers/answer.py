@@ -158,7 +158,7 @@ def assumptions(scene: Scene, inputs: Collection[str], names: list[str]) -> list
 def about_data(scene: Scene, inputs: Collection[str]) -> list[Note]:
     """Return notes on the material data that were used, those on shadowed materials first."""
     used = scene.data_used(inputs)
-    shadows = [f"{material.name}: {text}" for material, _ in used for text in material.shadows]
+    shadows = [f"{material.name}: {text}" for material, _ in used for text in material.remarks]
     remarks = [
         f"{material.name}: {NOMENCLATURE[name].sentence}: {material.notes[name]}"
         for material, name in used

@@ -186,7 +186,7 @@ def run_materials(words: Sequence[str], values: Values) -> int:
     chosen = [materials[words[0]]] if shows_one else list(materials.materials.values())
     write_materials(chosen, out, kind, whole=shows_one)
     if not values.quiet:
-        _note(f"{material.name}: {text}" for material in chosen for text in material.shadows)
+        _note(f"{material.name}: {text}" for material in chosen for text in material.remarks)
     return 0
 
 

@@ -8,14 +8,17 @@ import os
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..errors import JkrollError
 from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
-from ..quantities.parsing import parse_quantity
+from ..quantities.parsing import has_uncertainty, parse_quantity
 from ..text import closest, quoted, shown
 from .file import MaterialsFileError, data_of
+
+if TYPE_CHECKING:
+    from ..quantities.uncertain import Uncertain
 
 Path = str | os.PathLike[str]
 MAX_NAME = 60
@@ -27,27 +30,40 @@ _PLACES = (os.path.join(folder, "materials.toml") for folder in (_HERE, os.path.
 SHIPPED = next(path for path in _PLACES if os.path.exists(path))
 
 
+class Origin(NamedTuple):
+    """The way in which a property was found: the method, the contact law assumed, and the key of the reference."""
+
+    method: str = ""
+    law: str = ""
+    reference: str = ""
+
+
 class Material(NamedTuple):
     """A material: its properties in SI units, and their sources."""
 
     name: str
     properties: Mapping[str, float]
     aliases: tuple[str, ...]
-    notes: Mapping[str, str]  # by property
-    shadows: tuple[str, ...]  # notes on the materials that this one replaces
+    notes: Mapping[str, str]  # by property or alias
+    remarks: tuple[str, ...]  # on the name by which the material was found, and on materials that it replaces
     references: tuple[Mapping[str, str], ...]
-    title: str  # of the file: "Table 1"
+    title: str  # of the set: "Table 1"
     path: str
+    state: str = ""  # "below 175 K"
+    uncertainties: Mapping[str, "Uncertain"] = MappingProxyType({})  # of properties that have one
+    origins: Mapping[str, Origin] = MappingProxyType({})  # of properties whose origin is stated
 
 
 class UnknownMaterial(JkrollError):
-    """Error raised for a material that no file describes."""
+    """Error raised for a material that no file describes, or for the name of several states of one."""
 
-    def __init__(self, name: str, known: Sequence[str], guess: str | None) -> None:
-        super().__init__(name, tuple(known), guess)
-        self.name, self.known, self.guess = name, tuple(known), guess
+    def __init__(self, name: str, known: Sequence[str], guess: str | None, states: Sequence[str] = ()) -> None:
+        super().__init__(name, tuple(known), guess, tuple(states))
+        self.name, self.known, self.guess, self.states = name, tuple(known), guess, tuple(states)
 
     def __str__(self) -> str:
+        if self.states:
+            return f"material: {quoted(self.name)} has no values of its own; its states are {', '.join(self.states)}"
         hint = f"did you mean {self.guess}? " if self.guess else ""
         more = f" and {len(self.known) - MAX_LISTED} more" if len(self.known) > MAX_LISTED else ""
         return f"material: {quoted(self.name)} is not known; {hint}known are {', '.join(self.known[:MAX_LISTED])}{more}"
@@ -68,7 +84,7 @@ class _Entry(NamedTuple):
     name: str
     aliases: tuple[str, ...]
     file: _File
-    shadows: tuple[str, ...] = ()
+    remarks: tuple[str, ...] = ()
 
 
 class Materials:
@@ -89,7 +105,7 @@ class Materials:
             before = self._entries.get(self._name_of.get(word, ""))
             if before is not None and before.file is not entry.file:
                 note = f"{shown(entry.file.path)} shadows {shown(word)} of {shown(before.file.title)}"
-                entry = entry._replace(shadows=(*entry.shadows, note))
+                entry = entry._replace(remarks=(*entry.remarks, note))
                 if before.name.casefold() == entry.name.casefold():
                     del self._entries[before.name]
                     self._name_of |= {alias.casefold(): entry.name for alias in before.aliases}
@@ -99,14 +115,18 @@ class Materials:
     def __getitem__(self, word: str) -> Material:
         """Return the material of a name or alias, in any case.
 
-        Raises UnknownMaterial, with a suggestion, and MaterialsFileError if something is wrong with the material.
+        Raises UnknownMaterial, with a suggestion or the states of the material, and MaterialsFileError if something is wrong
+        with it.
         """
         key = word.strip().casefold()
         name = self._name_of.get(key)
         if name is None:
-            guess = closest(key, self._name_of)
-            raise UnknownMaterial(word, sorted(self._entries), guess and self._name_of[guess])
-        return self._named(name)
+            states = [known for known in self._entries if known.casefold().startswith(f"{key}-")]
+            guess = None if states else closest(key, self._name_of)
+            raise UnknownMaterial(word, sorted(self._entries), guess and self._name_of[guess], states)
+        found = self._named(name)
+        on_alias = [note for alias, note in found.notes.items() if alias.casefold() == key]
+        return found._replace(remarks=(*found.remarks, *on_alias)) if on_alias else found
 
     def _named(self, name: str) -> Material:
         if name not in self._read:
@@ -218,23 +238,56 @@ def _material(entry: _Entry) -> Material:
 
 
 def _checked(entry: _Entry) -> Material:
-    name, aliases, file, shadows = entry
+    name, aliases, file, remarks = entry
     table = file.materials[name]
-    keys = (*PROPERTIES, "aliases", "notes", "references")
-    for key in table:
-        if key not in keys:
-            guess = closest(key, keys)
-            hint = f"; did you mean {guess}?" if guess else ""
-            raise _Malformed(f"{quoted(name)} has an unknown key {quoted(key)}{hint}")
-    properties = {key: _property(key, table[key], name) for key in PROPERTIES if key in table}
+    _refuse_unknown_keys(name, table, (*PROPERTIES, "aliases", "notes", "references", "state", "source"))
+    properties: dict[str, float] = {}
+    uncertainties: dict[str, Uncertain] = {}
+    origins: dict[str, Origin] = {}
+    for key in PROPERTIES:
+        if key not in table:
+            continue
+        value = table[key]
+        if isinstance(value, dict):
+            origins[key] = _origin(f"{name}.{key}", value)
+            value = value.get("value")
+        found = _property(key, value, name)
+        properties[key] = found if isinstance(found, float) else found.value
+        if not isinstance(found, float):
+            uncertainties[key] = found
     notes = _texts(table.get("notes", {}), f"{name}.notes")
     for key in notes:
-        if key not in properties:
+        if key not in properties and key not in aliases:
             raise _Malformed(f"{quoted(name)} has a note on {quoted(key)}, which it does not give")
-    cited = tuple(_reference(key, name, file) for key in _strings(table.get("references", []), f"{name}.references"))
+    general = _strings(table.get("references", []), f"{name}.references")
+    cited = dict.fromkeys([*general, *(origin.reference for origin in origins.values() if origin.reference)])
     return Material(
-        name, MappingProxyType(properties), aliases, MappingProxyType(notes), shadows, cited, file.title, file.path
+        name,
+        MappingProxyType(properties),
+        aliases,
+        MappingProxyType(notes),
+        remarks,
+        tuple(_reference(key, name, file) for key in cited),
+        _string(table.get("source", file.title), f"{name}.source"),
+        file.path,
+        _string(table.get("state", ""), f"{name}.state"),
+        MappingProxyType(uncertainties),
+        MappingProxyType(origins),
     )
+
+
+def _origin(where: str, table: Mapping[str, Any]) -> Origin:
+    """Return what the table of a property says besides the value."""
+    _refuse_unknown_keys(where, table, ("value", *Origin._fields))
+    return Origin(**_texts({key: text for key, text in table.items() if key != "value"}, where))
+
+
+def _refuse_unknown_keys(where: str, table: Mapping[str, Any], known: Sequence[str]) -> None:
+    for key in table:
+        if key not in known:
+            guess = closest(key, known)
+            hint = f"; did you mean {guess}?" if guess else ""
+            raise _Malformed(f"{quoted(where)} has an unknown key {quoted(key)}{hint}")
 
 
 def _reference(key: str, name: str, file: _File) -> Mapping[str, str]:
@@ -244,12 +297,17 @@ def _reference(key: str, name: str, file: _File) -> Mapping[str, str]:
     return {"key": key, **_texts(file.references[key], f"references.{key}")}
 
 
-def _property(key: str, value: object, name: str) -> float:
+def _property(key: str, value: object, name: str) -> "float | Uncertain":
     """Return the SI value of a property: a text with a unit or, for a property without a unit, a number."""
     if isinstance(value, (int, float)) and not isinstance(value, bool) and NOMENCLATURE[key].unit == "1":
         value = repr(value)
+    text = _string(value, f"{name}.{key}")
     try:
-        return parse_quantity(_string(value, f"{name}.{key}"), key)
+        if has_uncertainty(text):
+            from ..quantities.uncertain import parse_uncertain
+
+            return parse_uncertain(text, key)
+        return parse_quantity(text, key)
     except QuantityError as error:
         raise _Malformed(f"{shown(name)}: {error}") from None
 
