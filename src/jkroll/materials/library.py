@@ -4,7 +4,6 @@ The properties of a material are read and checked when it is asked for. A mistak
 from the others.
 """
 
-import os
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from types import MappingProxyType
@@ -15,19 +14,13 @@ from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
 from ..quantities.parsing import has_uncertainty, parse_quantity
 from ..text import closest, quoted, shown
-from .file import MaterialsFileError, data_of
+from .entries import SHIPPED, Entry, File, Malformed, Path, entries_of, string, strings, texts
+from .file import MaterialsFileError
 
 if TYPE_CHECKING:
     from ..quantities.uncertain import Uncertain
 
-Path = str | os.PathLike[str]
-MAX_NAME = 60
 MAX_LISTED = 20
-
-_HERE = os.path.dirname(os.path.abspath(__file__))
-# A wheel has the file here, and a checkout at its top level.
-_PLACES = (os.path.join(folder, "materials.toml") for folder in (_HERE, os.path.join(_HERE, *[os.pardir] * 3)))
-SHIPPED = next(path for path in _PLACES if os.path.exists(path))
 
 
 class Origin(NamedTuple):
@@ -69,37 +62,19 @@ class UnknownMaterial(JkrollError):
         return f"material: {quoted(self.name)} is not known; {hint}known are {', '.join(self.known[:MAX_LISTED])}{more}"
 
 
-class _File(NamedTuple):
-    """A materials file, of which only the form has been checked."""
-
-    path: str
-    title: str
-    materials: Mapping[str, Any]
-    references: Mapping[str, Any]
-
-
-class _Entry(NamedTuple):
-    """A material in a file, of which only the names have been checked."""
-
-    name: str
-    aliases: tuple[str, ...]
-    file: _File
-    remarks: tuple[str, ...] = ()
-
-
 class Materials:
     """All known materials, by name or alias in any case."""
 
     def __init__(self, paths: Iterable[Path] = ()) -> None:
         """Read the shipped file, then each of `paths`. A material shadows those of the same name in earlier files."""
-        self._entries: dict[str, _Entry] = {}
+        self._entries: dict[str, Entry] = {}
         self._read: dict[str, Material] = {}
         self._name_of: dict[str, str] = {}  # by name or alias, case folded
         for path in dict.fromkeys((SHIPPED, *paths)):
-            for entry in _entries(path):
+            for entry in entries_of(path):
                 self._add(entry)
 
-    def _add(self, entry: _Entry) -> None:
+    def _add(self, entry: Entry) -> None:
         """Add a material, with a note on each name that it takes from a material of another file."""
         for word in dict.fromkeys(word.casefold() for word in (entry.name, *entry.aliases)):
             before = self._entries.get(self._name_of.get(word, ""))
@@ -161,83 +136,18 @@ def _shipped() -> Materials:
 
 def read(path: Path) -> list[Material]:
     """Read and check a materials file as a whole; MaterialsFileError says what is wrong with it."""
-    return [_material(entry) for entry in _entries(path)]
+    return [_material(entry) for entry in entries_of(path)]
 
 
-def is_material_name(word: str) -> bool:
-    """Return whether a word can name a material: it differs from a radius and from a list.
-
-    >>> is_material_name("SiO2"), is_material_name("100nm"), is_material_name("a,b"), is_material_name("all")
-    (True, False, False, False)
-    """
-    return (
-        word[:1].isalpha()
-        and word == word.strip()
-        and len(word) <= MAX_NAME
-        and word.isprintable()
-        and "," not in word
-        and word.casefold() not in ("all", "plane")
-    )
-
-
-class _Malformed(Exception):
-    """Error raised for something in a materials file that is not a material; the file is named where it is caught."""
-
-
-def _entries(path: Path) -> list[_Entry]:
-    """Return the materials of a file, with their names checked."""
-    name = os.fspath(path)
-    data = _shipped_data() if name == SHIPPED else data_of(name)
-    try:
-        return _entries_in(_form_of(data, name))
-    except _Malformed as error:
-        raise MaterialsFileError(name, str(error)) from None
-
-
-def _shipped_data() -> Mapping[str, Any]:
-    """Return the content of the shipped file, which a wheel also holds as a module, made when it was built."""
-    if os.path.dirname(SHIPPED) != _HERE:  # a checkout
-        return data_of(SHIPPED)
-    from .shipped import DATA  # type: ignore  # mypy does not find it, or finds it without types
-
-    return dict(DATA)
-
-
-def _form_of(data: Mapping[str, Any], path: str) -> _File:
-    """Check the outermost level of a file."""
-    unknown = set(data) - {"title", "materials", "references"}
-    if unknown:
-        raise _Malformed(f"has an unknown key {quoted(min(unknown))}; expected [materials.NAME] tables")
-    title = _string(data.get("title", shown(path)), "title")
-    return _File(path, title, *(_table(data.get(name, {}), name) for name in ("materials", "references")))
-
-
-def _entries_in(file: _File) -> list[_Entry]:
-    """Check the names and aliases of all materials of a file."""
-    seen: dict[str, str] = {}
-    entries: list[_Entry] = []
-    for name, table in file.materials.items():
-        aliases = _strings(_table(table, f"materials.{name}").get("aliases", []), f"{name}.aliases")
-        for word in (name, *aliases):
-            other = seen.setdefault(word.casefold(), name)
-            if other != name:
-                both = f"{quoted(other)} and {quoted(name)}"
-                raise _Malformed(f"{quoted(word)} names both {both}; case makes no difference")
-            if not is_material_name(word):
-                raise _Malformed(f"{quoted(word)} is no name for a material; one begins with a letter and has no comma")
-        entries.append(_Entry(name, aliases, file))
-    return entries
-
-
-def _material(entry: _Entry) -> Material:
+def _material(entry: Entry) -> Material:
     """Read and check a material; MaterialsFileError if something is wrong with it."""
     try:
         return _checked(entry)
-    except _Malformed as error:
+    except Malformed as error:
         raise MaterialsFileError(entry.file.path, str(error)) from None
 
 
-def _checked(entry: _Entry) -> Material:
+def _checked(entry: Entry) -> Material:
     name, aliases, file, remarks = entry
     table = file.materials[name]
     _refuse_unknown_keys(name, table, (*PROPERTIES, "aliases", "notes", "references", "state", "source"))
@@ -255,11 +165,11 @@ def _checked(entry: _Entry) -> Material:
         properties[key] = found if isinstance(found, float) else found.value
         if not isinstance(found, float):
             uncertainties[key] = found
-    notes = _texts(table.get("notes", {}), f"{name}.notes")
+    notes = texts(table.get("notes", {}), f"{name}.notes")
     for key in notes:
         if key not in properties and key not in aliases:
-            raise _Malformed(f"{quoted(name)} has a note on {quoted(key)}, which it does not give")
-    general = _strings(table.get("references", []), f"{name}.references")
+            raise Malformed(f"{quoted(name)} has a note on {quoted(key)}, which it does not give")
+    general = strings(table.get("references", []), f"{name}.references")
     cited = dict.fromkeys([*general, *(origin.reference for origin in origins.values() if origin.reference)])
     return Material(
         name,
@@ -268,9 +178,9 @@ def _checked(entry: _Entry) -> Material:
         MappingProxyType(notes),
         remarks,
         tuple(_reference(key, name, file) for key in cited),
-        _string(table.get("source", file.title), f"{name}.source"),
+        string(table.get("source", file.title), f"{name}.source"),
         file.path,
-        _string(table.get("state", ""), f"{name}.state"),
+        string(table.get("state", ""), f"{name}.state"),
         MappingProxyType(uncertainties),
         MappingProxyType(origins),
     )
@@ -279,7 +189,7 @@ def _checked(entry: _Entry) -> Material:
 def _origin(where: str, table: Mapping[str, Any]) -> Origin:
     """Return what the table of a property says besides the value."""
     _refuse_unknown_keys(where, table, ("value", *Origin._fields))
-    return Origin(**_texts({key: text for key, text in table.items() if key != "value"}, where))
+    return Origin(**texts({key: text for key, text in table.items() if key != "value"}, where))
 
 
 def _refuse_unknown_keys(where: str, table: Mapping[str, Any], known: Sequence[str]) -> None:
@@ -287,21 +197,21 @@ def _refuse_unknown_keys(where: str, table: Mapping[str, Any], known: Sequence[s
         if key not in known:
             guess = closest(key, known)
             hint = f"; did you mean {guess}?" if guess else ""
-            raise _Malformed(f"{quoted(where)} has an unknown key {quoted(key)}{hint}")
+            raise Malformed(f"{quoted(where)} has an unknown key {quoted(key)}{hint}")
 
 
-def _reference(key: str, name: str, file: _File) -> Mapping[str, str]:
+def _reference(key: str, name: str, file: File) -> Mapping[str, str]:
     """Return a reference that a material cites."""
     if key not in file.references:
-        raise _Malformed(f"{quoted(name)} cites {quoted(key)}, which [references] does not have")
-    return {"key": key, **_texts(file.references[key], f"references.{key}")}
+        raise Malformed(f"{quoted(name)} cites {quoted(key)}, which [references] does not have")
+    return {"key": key, **texts(file.references[key], f"references.{key}")}
 
 
 def _property(key: str, value: object, name: str) -> "float | Uncertain":
     """Return the SI value of a property: a text with a unit or, for a property without a unit, a number."""
     if isinstance(value, (int, float)) and not isinstance(value, bool) and NOMENCLATURE[key].unit == "1":
         value = repr(value)
-    text = _string(value, f"{name}.{key}")
+    text = string(value, f"{name}.{key}")
     try:
         if has_uncertainty(text):
             from ..quantities.uncertain import parse_uncertain
@@ -309,28 +219,4 @@ def _property(key: str, value: object, name: str) -> "float | Uncertain":
             return parse_uncertain(text, key)
         return parse_quantity(text, key)
     except QuantityError as error:
-        raise _Malformed(f"{shown(name)}: {error}") from None
-
-
-def _table(value: object, where: str) -> Mapping[str, Any]:
-    if not isinstance(value, dict):
-        raise _Malformed(f"{shown(where)} is not a table")
-    return value
-
-
-def _texts(value: object, where: str) -> dict[str, str]:
-    """Return a table of texts."""
-    return {key: _string(text, f"{where}.{key}") for key, text in _table(value, where).items()}
-
-
-def _strings(value: object, where: str) -> tuple[str, ...]:
-    """Return a list of texts."""
-    if not isinstance(value, list):
-        raise _Malformed(f"{shown(where)} is not a list")
-    return tuple(_string(text, where) for text in value)
-
-
-def _string(value: object, where: str) -> str:
-    if not isinstance(value, str):
-        raise _Malformed(f"{shown(where)} is not a text in quotes")
-    return shown(value)
+        raise Malformed(f"{shown(name)}: {error}") from None
