@@ -117,6 +117,7 @@ _COMMANDS = (
         "contact", "Contact radius, approach, stiffness and pressure.", "quartz 100nm --load -5nN", CURVE, *_LOOKS
     )._replace(run=_contact),
     _question("moment", "Rolling resistance at a displacement ξ.", "quartz 100nm --xi 1angstrom"),
+    _question("energies", "Energies to break, to roll and to stick, by convention.", "quartz 100nm --angle 90deg"),
     _question("report", "All quantities that your inputs allow.", "quartz 100nm"),
     Command(
         "batch",
