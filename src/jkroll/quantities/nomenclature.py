@@ -239,7 +239,7 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "sticking_energy_paszun_dominik": Quantity(
             "E_stick(1.07)", "J", "relative energy that sticks, for v_stick(1.07)",
             definition="0.3290 P_cδ0 = 0.3986 F_cδ_c",
-            reference="Paszun & Dominik 2008, Eq 3, as cited in that code",
+            reference="Paszun & Dominik 2008, Eq 3, as cited in Lumajord/DustSimulation",
         ),
         "sticking_energy_pencil_code": Quantity(
             "E_stick(19.2)", "J", "relative energy that sticks",
@@ -253,7 +253,7 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "sticking_speed_paszun_dominik": Quantity(
             "v_stick(1.07)", "m/s", "largest relative speed that sticks",
             definition="1.07 (γ/R)^(5/6)/(E*^(1/3)ρ^(1/2))",
-            reference="Paszun & Dominik 2008, Eq 3, as cited in that code",
+            reference="Paszun & Dominik 2008, Eq 3, as cited in Lumajord/DustSimulation",
         ),
         "sticking_speed_pencil_code": Quantity(
             "v_stick(19.2)", "m/s", "largest relative speed that sticks",
