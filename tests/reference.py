@@ -366,10 +366,10 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "roll_energy": lambda M_0, theta: M_0 * theta,
     "roll_energy_quarter_turn": lambda M_0: M_0 * pi / 2,
     "roll_energy_half_turn": lambda M_0: M_0 * pi,
-    "sticking_energy_paszun_dominik": lambda w, R, E: (
-        8 * pi / 3 * mpf("1.07") ** 2 * cbrt((w / 2) ** 5 * R**4 / E**2)
+    "sticking_energy_paszun_dominik": lambda W_adhesion: (
+        8 * pi / 3 * mpf("1.07") ** 2 / cbrt(81 * pi**5) * W_adhesion
     ),
-    "sticking_energy_pencil_code": lambda w, R, E: mpf("19.2") * cbrt((w / 2) ** 5 * R**4 / E**2),
+    "sticking_energy_pencil_code": lambda W_adhesion: mpf("19.2") / cbrt(81 * pi**5) * W_adhesion,
     "sticking_speed": lambda U_stick, m: sqrt(2 * U_stick / m),
     "sticking_speed_paszun_dominik": lambda E_stick_1, m: sqrt(2 * E_stick_1 / m),
     "sticking_speed_pencil_code": lambda E_stick_2, m: sqrt(2 * E_stick_2 / m),

@@ -5,10 +5,11 @@ Each is the formula of a paper or of a public code, which the nomenclature names
 
 from __future__ import annotations
 
-from .dimensions import Angle, Energy, Length, Mass, Moment, Speed, Stress, SurfaceEnergy
+from .dimensions import Angle, Energy, Mass, Moment, Speed
 from .elementary import cbrt, pi, sqrt
 
 FOLD_DEPTH = cbrt(9 / 16)  # |δ_min|/δ0
+ADHESION_FACTOR = cbrt(81 * pi**5)  # P_cδ0 over γ^(5/3)R^(4/3)/E*^(2/3)
 
 
 def fold_energy(*, adhesion_energy: Energy) -> Energy:
@@ -102,48 +103,40 @@ def roll_energy_half_turn(*, unloaded_moment: Moment) -> Energy:
     return pi * unloaded_moment
 
 
-def sticking_energy_paszun_dominik(
-    *, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress
-) -> Energy:
+def sticking_energy_paszun_dominik(*, adhesion_energy: Energy) -> Energy:
     """Return the largest relative energy that sticks for a speed of 1.07 (γ/R)^(5/6)/(E*^(1/3)ρ^(1/2)).
 
-        E_stick = (8π/3) 1.07² γ^(5/3) R^(4/3)/E*^(2/3), γ = w/2
+        E_stick = (8π/3) 1.07² γ^(5/3) R^(4/3)/E*^(2/3) = 0.3290 P_cδ0
 
-    work_of_adhesion  [J/m²]  > 0
-    reduced_radius    [m]     > 0
-    contact_modulus   [Pa]    > 0
+    adhesion_energy  [J]  > 0
 
     Returns:  [J]; a float for floats, an array for arrays, which broadcast.
     Source:   Paszun & Dominik 2008, Eq 3, as Lumajord/DustSimulation cites it; ½mv² with m = (16/3)πR³ρ.
     Valid:    Equal spheres; the speed of unequal ones follows from the energy.
-    Accuracy: 5 ulp.
+    Accuracy: 3 ulp.
 
-    >>> round(sticking_energy_paszun_dominik(work_of_adhesion=2.0, reduced_radius=1.0, contact_modulus=1.0), 4)
-    9.5914
+    >>> round(sticking_energy_paszun_dominik(adhesion_energy=1.0), 4)
+    0.329
     """
-    return 8 / 3 * pi * 1.07**2 * _elastic_energy(work_of_adhesion, reduced_radius, contact_modulus)
+    return 8 / 3 * pi * 1.07**2 / ADHESION_FACTOR * adhesion_energy
 
 
-def sticking_energy_pencil_code(
-    *, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress
-) -> Energy:
+def sticking_energy_pencil_code(*, adhesion_energy: Energy) -> Energy:
     """Return the largest relative energy that sticks as the Pencil Code has it.
 
-        E_stick = 2·9.6 γ^(5/3) R^(4/3)/E*^(2/3), γ = w/2
+        E_stick = 2·9.6 γ^(5/3) R^(4/3)/E*^(2/3) = 0.6586 P_cδ0
 
-    work_of_adhesion  [J/m²]  > 0
-    reduced_radius    [m]     > 0
-    contact_modulus   [Pa]    > 0
+    adhesion_energy  [J]  > 0
 
     Returns:  [J]; a float for floats, an array for arrays, which broadcast.
     Source:   As coded in pencil-code/pencil-code, dustvelocity.f90, which has the 2 from Dominik & Tielens 1997, Sect. 3.2.
     Valid:    Equal spheres.
-    Accuracy: 4 ulp.
+    Accuracy: 3 ulp.
 
-    >>> round(sticking_energy_pencil_code(work_of_adhesion=2.0, reduced_radius=1.0, contact_modulus=1.0), 12)
-    19.2
+    >>> round(sticking_energy_pencil_code(adhesion_energy=1.0), 4)
+    0.6586
     """
-    return 19.2 * _elastic_energy(work_of_adhesion, reduced_radius, contact_modulus)
+    return 2 * 9.6 / ADHESION_FACTOR * adhesion_energy
 
 
 def sticking_speed(*, sticking_energy: Energy, reduced_mass: Mass) -> Speed:
@@ -201,10 +194,3 @@ def sticking_speed_pencil_code(*, sticking_energy_pencil_code: Energy, reduced_m
     2.0
     """
     return sqrt(2 * sticking_energy_pencil_code / reduced_mass)
-
-
-def _elastic_energy(work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress) -> Energy:
-    """Return γ^(5/3) R^(4/3)/E*^(2/3)."""
-    surface_energy = work_of_adhesion / 2
-    length = cbrt(surface_energy / contact_modulus * reduced_radius**2)
-    return surface_energy * length**2

@@ -171,7 +171,7 @@ def sliding_frequency(*, tangential_stiffness: Stiffness, reduced_mass: Mass) ->
     Returns:  [Hz]; a float for floats, an array for arrays, which broadcast.
     Source:   A force k_s u at the contact moves the centres, 1/m, and turns the spheres, (5/2)/m.
     Valid:    Homogeneous spheres; small amplitudes.
-    Accuracy: 1.5 ulp.
+    Accuracy: 2 ulp.
 
     >>> round(sliding_frequency(tangential_stiffness=8 * pi**2, reduced_mass=7.0), 12)
     1.0
@@ -189,7 +189,7 @@ def time_step(*, sliding_frequency: Frequency) -> Time:
     Returns:  [s]; a float for floats, an array for arrays, which broadcast.
     Source:   Verlet's method is stable up to 2/ω; the fastest mode of spheres with n contacts has ω ≤ √n 2πf_slide.
     Valid:    Stable up to 40 contacts a sphere.
-    Accuracy: 0.5 ulp.
+    Accuracy: 1 ulp.
 
     >>> time_step(sliding_frequency=0.5)
     0.1
