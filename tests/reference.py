@@ -105,11 +105,19 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
     else:
         m_eff = I1 / R1**2 + I2 / R2**2 - (I1 / R1 - I2 / R2) ** 2 / (m * (R1 + R2) ** 2 + I1 + I2)
 
+    # The contact against sliding: 1/G* = Σ(2 − ν)/G with G = E/(2(1 + ν)), and two spheres that slide and turn
+    G = 1 / sum((2 - nu) * 2 * (1 + nu) / modulus for nu, modulus in ((nu1, E1), (nu2, E2)))
+    k_s = 8 * G * a0 * a_
+    turning = sum(1 / each for each in ((m1, m2)[: 1 if on_plane else 2])) + R1**2 / I1 + (0 if on_plane else R2**2 / I2)
+    f_slide = sqrt(k_s * turning) / (2 * pi)
+
     # Eqs 45-48
     adhesion_energy = P_c * delta0
     kinetic = {"kinetic_energy": m1 * known["speed"] ** 2 / 2} if "speed" in known else {}
     W0 = known.get("energy", kinetic.get("kinetic_energy", known["energy_ratio"] * adhesion_energy))
     yield_energy = M**2 / (2 * k)
+    stuck = gamma * cbrt((gamma * R**2 / E) ** 2)
+    E_stick_1, E_stick_2 = 8 * pi / 3 * mpf("1.07") ** 2 * stuck, mpf("19.2") * stuck
     vibration = {"vertical_frequency": sqrt(P_c / delta0 * slope / m) / (2 * pi)} if slope >= 0 else {}
 
     return (
@@ -159,6 +167,20 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
             "adhesion_energy": adhesion_energy,
             "energy": W0,
             **{name: factor * adhesion_energy for name, factor in ENERGIES.items()},
+            "contact_shear_modulus": G,
+            "tangential_stiffness": k_s,
+            "sliding_frequency": f_slide,
+            "time_step": 1 / (20 * f_slide),
+            "fold_energy": -FOLD * adhesion_energy,
+            "break_energy_dust_simulation": mpf("1.8") * -FOLD * adhesion_energy,
+            "roll_energy_quarter_turn": 6 * pi**2 * gamma * R * xi,
+            "roll_energy_half_turn": 12 * pi**2 * gamma * R * xi,
+            **({"roll_energy": 4 * P_c * xi * known["rolling_angle"]} if "rolling_angle" in known else {}),
+            "sticking_energy_paszun_dominik": E_stick_1,
+            "sticking_energy_pencil_code": E_stick_2,
+            "sticking_speed": sqrt(2 * ENERGIES["sticking_energy"] * adhesion_energy / m),
+            "sticking_speed_paszun_dominik": sqrt(2 * E_stick_1 / m),
+            "sticking_speed_pencil_code": sqrt(2 * E_stick_2 / m),
             "n_roll": W0 / (7 * pi * mean_M),
             "n_roll_energy_balance": W0 / (2 * pi * mean_M),
             "n_roll_after_impact": 5 * W0 / 7 / (2 * pi * mean_M),
@@ -248,6 +270,8 @@ SYMBOLS = {
     "mean_M": "mean_rolling_moment", "A": "half_circle_radius", "angle": "angle", "dz": "displacement", "N": "number",
     "W0": "energy", "W": "energy_ratio", "v": "speed",
     "R_min": "r_min", "U_stick": "sticking_energy", "W_adhesion": "adhesion_energy", "W_yield": "yield_energy", "z0": "atomic_spacing", "limit": "displacement_limit", "omega": "angular_speed",
+    "G": "contact_shear_modulus", "k_s": "tangential_stiffness", "f": "sliding_frequency", "W_fold": "fold_energy",
+    "M_0": "unloaded_moment", "theta": "rolling_angle", "E_stick_1": "sticking_energy_paszun_dominik", "E_stick_2": "sticking_energy_pencil_code",
 }  # fmt: skip
 
 # The equation of each formula, for its own accuracy; `exact_results`, for that of the whole, uses none of them.
@@ -329,6 +353,26 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "n_roll": lambda W0, mean_M: W0 / (7 * pi * mean_M),
     "n_roll_energy_balance": lambda W0, mean_M: W0 / (2 * pi * mean_M),
     "n_roll_after_impact": lambda W0, mean_M: 5 * W0 / 7 / (2 * pi * mean_M),
+    # sliding
+    "contact_shear_modulus": lambda E1, nu1, E2, nu2: (
+        1 / (2 * (2 - nu1) * (1 + nu1) / E1 + 2 * (2 - nu2) * (1 + nu2) / E2)
+    ),
+    "tangential_stiffness": lambda G, a: 8 * G * a,
+    "sliding_frequency": lambda k_s, m: sqrt(7 * k_s / (2 * m)) / (2 * pi),
+    "time_step": lambda f: 1 / (20 * f),
+    # conventions
+    "fold_energy": lambda W_adhesion: cbrt(mpf(9) / 16) * W_adhesion,
+    "break_energy_dust_simulation": lambda W_fold: mpf("1.8") * W_fold,
+    "roll_energy": lambda M_0, theta: M_0 * theta,
+    "roll_energy_quarter_turn": lambda M_0: M_0 * pi / 2,
+    "roll_energy_half_turn": lambda M_0: M_0 * pi,
+    "sticking_energy_paszun_dominik": lambda W_adhesion: (
+        8 * pi / 3 * mpf("1.07") ** 2 / cbrt(81 * pi**5) * W_adhesion
+    ),
+    "sticking_energy_pencil_code": lambda W_adhesion: mpf("19.2") / cbrt(81 * pi**5) * W_adhesion,
+    "sticking_speed": lambda U_stick, m: sqrt(2 * U_stick / m),
+    "sticking_speed_paszun_dominik": lambda E_stick_1, m: sqrt(2 * E_stick_1 / m),
+    "sticking_speed_pencil_code": lambda E_stick_2, m: sqrt(2 * E_stick_2 / m),
     # validity
     "tabor_parameter": lambda w, R, E, z0: cbrt(R * w**2 / (E**2 * z0**3)),
     "displacement_limit": lambda a0, x: a0 / (3 * cbrt(x)),

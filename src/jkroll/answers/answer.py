@@ -1,6 +1,6 @@
 """The answer of a command for one scene: its results, the inputs as understood, limits and notes."""
 
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
 from typing import Any, Literal, NamedTuple
 
 from ..errors import JkrollError, NoResult
@@ -103,17 +103,21 @@ def _in_unit(result: Result, form: Format) -> Result:
     return result._replace(value=None, reason=f"no value in {form.unit(result.name)} that a double can hold")
 
 
+# The quantities that are shown for some scenes only.
+_SHOWN_IF: Mapping[str, Callable[[Scene], bool]] = {
+    "rolling_frequency_as_printed": lambda scene: scene.is_identical,
+    "load": lambda scene: bool(STATE & scene.stated.keys()),
+    "yield_force_fixed_load": lambda scene: bool((STATE | {"load"}) & scene.stated.keys()),
+    "n_roll_after_impact": lambda scene: "speed" in scene.stated,
+    "roll_energy": lambda scene: "rolling_angle" in scene.stated,
+    "roll_energy_quarter_turn": lambda scene: "rolling_angle" not in scene.stated,
+    "roll_energy_half_turn": lambda scene: "rolling_angle" not in scene.stated,
+}
+
+
 def _concerns(name: str, scene: Scene) -> bool:
     """Return whether a quantity is shown for this scene."""
-    if name == "rolling_frequency_as_printed":
-        return scene.is_identical
-    if name == "load":
-        return bool(STATE & scene.stated.keys())
-    if name == "yield_force_fixed_load":
-        return bool((STATE | {"load"}) & scene.stated.keys())
-    if name == "n_roll_after_impact":
-        return "speed" in scene.stated
-    return name not in scene.stated
+    return _SHOWN_IF[name](scene) if name in _SHOWN_IF else name not in scene.stated
 
 
 def _echo(scene: Scene, used: Collection[str]) -> dict[str, float | str]:

@@ -59,4 +59,24 @@ _REPORT = Question(
     tuple(name for question in _QUESTIONS.values() for name in question.headline),
     tuple(dict.fromkeys(name for question in _QUESTIONS.values() for name in question.quantities)),
 )
-QUESTIONS: Mapping[str, Question] = MappingProxyType({**_QUESTIONS, "report": _REPORT})
+# Not in the report, which has one number for each quantity and no conventions.
+_ENERGIES = Question(
+    ("fold_energy", "pull_off_work", "break_energy_dust_simulation", "sticking_energy"),
+    (
+        "fold_energy",
+        "well_energy",
+        "pull_off_work",
+        "break_energy_dust_simulation",
+        "pull_off_work_at_dead_load",
+        "sticking_energy",
+        "sticking_energy_paszun_dominik",
+        "sticking_energy_pencil_code",
+        "roll_energy",
+        "roll_energy_quarter_turn",
+        "roll_energy_half_turn",
+        "sticking_speed",
+        "sticking_speed_paszun_dominik",
+        "sticking_speed_pencil_code",
+    ),
+)
+QUESTIONS: Mapping[str, Question] = MappingProxyType({**_QUESTIONS, "report": _REPORT, "energies": _ENERGIES})

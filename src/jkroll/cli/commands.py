@@ -18,6 +18,7 @@ from .options import (
     HELP,
     JSON,
     MATERIALS,
+    MODEL_OF_EXPORT,
     OUTPUT,
     PANEL,
     PICTURE,
@@ -92,6 +93,18 @@ def _figure(words: Sequence[str], values: Values) -> int:
     return run_figure(words, values)
 
 
+def _export(words: Sequence[str], values: Values) -> int:
+    from .export import run_export
+
+    return run_export(words, values)
+
+
+def _options_of_export() -> tuple[Option, ...]:
+    from ..output.lammps import QUANTITIES
+
+    return (*inputs_of(QUANTITIES), MODEL_OF_EXPORT, MATERIALS)
+
+
 _SCENE = Words("[MATERIAL] [RADIUS]...", INFINITY)
 _LOOKS = tuple(option._replace(hidden=True) for option in (*STYLE, PANEL))
 
@@ -117,7 +130,16 @@ _COMMANDS = (
         "contact", "Contact radius, approach, stiffness and pressure.", "quartz 100nm --load -5nN", CURVE, *_LOOKS
     )._replace(run=_contact),
     _question("moment", "Rolling resistance at a displacement ξ.", "quartz 100nm --xi 1angstrom"),
+    _question("energies", "Energies to break, to roll and to stick, by convention.", "quartz 100nm --angle 90deg"),
     _question("report", "All quantities that your inputs allow.", "quartz 100nm"),
+    Command(
+        "export",
+        "Write the contact of a pair as input of LAMMPS.",
+        Words("lammps [MATERIAL] [RADIUS]", INFINITY),
+        _options_of_export,
+        _export,
+        "lammps quartz 100nm --model dmt",
+    ),
     Command(
         "batch",
         "Add results to each row of a table.",

@@ -75,6 +75,7 @@ class Values(NamedTuple):
     target: str | None = None
     resume: bool = False
     curve: bool = False
+    model: str = "jkr"
     # of pictures
     x: str | None = None
     y: str | None = None
@@ -119,6 +120,8 @@ _AS_TEXT = "Output as JSON or CSV"
 JSON = Option("json", "--json", bool, "", _AS_TEXT)
 CSV = Option("csv", "--csv", bool, "", _AS_TEXT)
 CITE = Option("cite", "--cite", bool, "", "Show the BibTeX entries of the data")
+
+MODEL_OF_EXPORT = Option("model", "--model", str, "dmt", "Law of attraction, jkr (the default) or dmt")
 
 _AXIS = "NAME=FROM:TO, with :lin for a linear axis"
 AXES = (Option("x", "--x", str, "AXIS", _AXIS), Option("y", "--y", str, "AXIS", _AXIS))

@@ -64,7 +64,7 @@ def write_explanation(pairs: Iterable[tuple[Scene, Answer]], out: TextIO, form: 
 def _explanation(result: Result, scene: Scene, form: Format) -> list[str]:
     """Return the lines that explain one result."""
     quantity = NOMENCLATURE[result.name]
-    title = f"{result.name} — {quantity.sentence}, Eq {quantity.equation}"
+    title = f"{result.name} — {quantity.sentence}" + (f", Eq {quantity.equation}" if quantity.equation else "")
     if result.value is None:
         return [title, f"  {result.reason}"]
     steps = scene.plan(result.name).steps

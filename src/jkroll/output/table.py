@@ -15,16 +15,22 @@ from ..scene.limits import sentence
 from ..text import columns, fitting, say
 from .layout import Layout
 
-_HEADS = ("quantity", "symbol", "value", "unit", "Eq")
-_WIDTHS = (slice(0, 5), slice(1, 5), slice(1, 4))  # columns of a scene's table, for narrower and narrower terminals
+_HEADS = ("quantity", "symbol", "value", "unit", "Eq", "definition", "reference")
+# The columns of a scene's table, for narrower and narrower terminals: of results, and of results by convention.
+_COLUMNS = ((0, 1, 2, 3, 4), (1, 2, 3, 4), (1, 2, 3))
+_COLUMNS_BY_CONVENTION = ((0, 1, 2, 3, 5, 6), (1, 2, 3, 5, 6), (1, 2, 3, 5), (1, 2, 3))
 
 
 def scene_table(answer: Answer, out: TextIO, form: Format) -> None:
     """Write the inputs of one scene, its results below each other, and the limits of the model."""
     rows = [_result_row(result, form) for result in answer.results]
     styles = ["dim" if _is_aside(result) else "" for result in answer.results]
+    by_convention = all(NOMENCLATURE[result.name].definition for result in answer.results)
     say(_inputs(answer.inputs, form), out)
-    tables = (_table(_HEADS[part], [row[part] for row in rows], out, {"value", "Eq"}, styles) for part in _WIDTHS)
+    tables = (
+        _table([_HEADS[i] for i in chosen], [[row[i] for i in chosen] for row in rows], out, {"value", "Eq"}, styles)
+        for chosen in (_COLUMNS_BY_CONVENTION if by_convention else _COLUMNS)
+    )
     if not any(_print(table, out) for table in tables):
         for row in rows:
             say(" ".join(cell for cell in row[1:4] if cell), out)
@@ -35,7 +41,8 @@ def scene_table(answer: Answer, out: TextIO, form: Format) -> None:
 def _result_row(result: Result, form: Format) -> list[str]:
     quantity = NOMENCLATURE[result.name]
     value, unit = ("—", "") if result.value is None else form.rounded(result.name, result.value)
-    return [quantity.sentence, quantity.symbol, value, pretty(unit), quantity.equation]
+    source = quantity.reference or f"Eq {quantity.equation}"
+    return [quantity.sentence, quantity.symbol, value, pretty(unit), quantity.equation, quantity.definition, source]
 
 
 def _is_aside(result: Result) -> bool:

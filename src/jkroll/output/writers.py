@@ -105,8 +105,9 @@ def _result_object(result: Result, form: Format) -> dict[str, Any]:
         "equation": quantity.equation,
         "description": quantity.sentence,
     }
-    if quantity.note:
-        entry["note"] = quantity.note
+    for key in ("note", "definition", "reference"):
+        if text := getattr(quantity, key):
+            entry[key] = text
     if result.value is None:
         entry["reason"] = result.reason
     if result.error is not None:

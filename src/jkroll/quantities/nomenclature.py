@@ -19,6 +19,8 @@ class Quantity(NamedTuple):
     option: str = ""  # of the command line
     example: str = ""  # a value as a user types it
     note: str = ""  # the reason why it is shown beside another quantity
+    definition: str = ""  # of one among several conventions: the factor, in units that are common to them
+    reference: str = ""  # of a convention: the paper or code where it stands
 
 
 class Range(NamedTuple):
@@ -88,6 +90,8 @@ _BOTH_SPHERES = {
     )
 }
 
+_TRAILING = "takes the moment 4P_cξ of a contact that trails at ξ all the time; n_roll takes the mean moment, half of it"
+
 NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
     {
         # what the user gives
@@ -110,6 +114,7 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "radius_ratio": Quantity("R1/R2", "1", "ratio of the radii", "1"),
         "reduced_radius": Quantity("R", "m", "reduced radius", "1", range="positive"),
         "contact_modulus": Quantity("E*", "Pa", "contact modulus", "2", range="positive"),
+        "contact_shear_modulus": Quantity("G*", "Pa", "contact shear modulus"),
         "reduced_mass": Quantity("m", "kg", "reduced mass", "33", range="positive"),
         "reduced_moment_of_inertia": Quantity("I", "kg m^2", "reduced moment of inertia", "39"),
         "rolling_mass": Quantity("m_eff", "kg", "effective mass of rolling without slip", "40"),
@@ -132,12 +137,22 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "load_factor_at_load_unstable": Quantity("x", "1", "â^(3/2) on the unstable branch", "5"),
         "load_factor_at_approach_unstable": Quantity("x", "1", "â^(3/2) on the unstable branch at the approach", "6"),
         "stiffness": Quantity("dP/dδ", "N/m", "normal stiffness at the load", "34"),
+        "tangential_stiffness": Quantity("k_s", "N/m", "tangential stiffness at the load"),
         "hertz_pressure": Quantity("p_H", "Pa", "Hertz part of the pressure", "8"),
         "boussinesq_pressure": Quantity("p_B", "Pa", "flat-punch part of the pressure", "9"),
-        "well_energy": Quantity("U", "J", "binding energy of the spheres", "6"),
-        "pull_off_work": Quantity("U_grips", "J", "separation work from P = 0, fixed grips", "6"),
-        "pull_off_work_at_dead_load": Quantity("U_load", "J", "separation work from P = 0, dead load", "6"),
-        "sticking_energy": Quantity("U_stick", "J", "largest relative energy ½mv² that sticks", "48"),
+        "well_energy": Quantity(
+            "U", "J", "binding energy of the spheres", "6", definition="6/5 P_cδ0 = 1.4537 F_cδ_c"
+        ),
+        "pull_off_work": Quantity(
+            "U_grips", "J", "separation work from P = 0, fixed grips", "6", definition="1.27338 P_cδ0 = 1.5426 F_cδ_c"
+        ),
+        "pull_off_work_at_dead_load": Quantity(
+            "U_load", "J", "separation work from P = 0, dead load", "6", definition="0.88252 P_cδ0 = 1.0691 F_cδ_c"
+        ),
+        "sticking_energy": Quantity(
+            "U_stick", "J", "largest relative energy ½mv² that sticks", "48",
+            definition="0.77224 P_cδ0 = 0.9355 F_cδ_c", reference="Thornton & Ning 1998, Eq 52",
+        ),
         # rolling
         "yield_moment": Quantity("M", "N m", "rolling moment at the displacement ξ", "25"),
         "unloaded_moment": Quantity("M_0", "N m", "moment of the contact without load", "26"),
@@ -167,6 +182,8 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
             "f_free", "Hz", "rolling frequency without slip", "40",
             note="Eq (40) turns each sphere about its own centre; unequal spheres that do not slip also move their centres",
         ),
+        "sliding_frequency": Quantity("f_slide", "Hz", "frequency of sliding with rotation"),
+        "time_step": Quantity("Δt", "s", "time step for a simulation"),
         # validity
         "atomic_spacing": Quantity("z0", "m", "atomic spacing", range="positive", option="--z0", example="4angstrom"),
         "tabor_parameter": Quantity("μ", "1", "Tabor parameter", "1"),
@@ -196,6 +213,51 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "n_roll_after_impact": Quantity(
             "n_imp", "1", "turns after a tangential impact", "48",
             note="for a sphere that arrives without spin and then rolls without slip, 5/2 of Eq (48): 5/7 of W0 remain",
+        ),
+        # energies and speeds by convention
+        "fold_energy": Quantity(
+            "F_cδ_c", "J", "pull-off force times depth of the fold",
+            definition="0.82548 P_cδ0", reference="code Lumajord/DustSimulation, after Wada et al. 2007",
+        ),
+        "break_energy_dust_simulation": Quantity(
+            "E_break", "J", "rule for the energy to break a contact",
+            note="no path of JKR from P = 0 takes as much; for SiO2 spheres of 1.9 µm diameter, Blum & Wurm 2000 (Icarus 143, 138) use a measured 1.3e-15 J",
+            definition="1.8 F_cδ_c = 1.4859 P_cδ0", reference="code Lumajord/DustSimulation",
+        ),
+        "rolling_angle": Quantity("θ", "rad", "turn of sphere 1, body 2 held", range="positive", option="--angle", example="90deg"),
+        "roll_energy": Quantity(
+            "E_roll", "J", "energy to roll by the angle", note=_TRAILING, definition="4P_cξ θ = 12πγRξ θ", reference="work of the moment of Eq 26"
+        ),
+        "roll_energy_quarter_turn": Quantity(
+            "E_roll(90°)", "J", "energy to roll by 90°", note=_TRAILING,
+            definition="4P_cξ π/2 = 6π²γRξ", reference="code Lumajord/DustSimulation",
+        ),
+        "roll_energy_half_turn": Quantity(
+            "E_roll(180°)", "J", "energy to roll by 180°", note=_TRAILING,
+            definition="4P_cξ π = 12π²γRξ = 6π²γr0ξ (r0 = 2R)", reference="code StephaneMichoulier/Pamdeas",
+        ),
+        "sticking_energy_paszun_dominik": Quantity(
+            "E_stick(1.07)", "J", "relative energy that sticks, for v_stick(1.07)",
+            definition="0.3290 P_cδ0 = 0.3986 F_cδ_c",
+            reference="Paszun & Dominik 2008, Eq 3, as cited in Lumajord/DustSimulation",
+        ),
+        "sticking_energy_pencil_code": Quantity(
+            "E_stick(19.2)", "J", "relative energy that sticks",
+            definition="2·9.6 γ^(5/3)R^(4/3)/E*^(2/3) = 0.7978 F_cδ_c",
+            reference="code pencil-code/pencil-code",
+        ),
+        "sticking_speed": Quantity(
+            "v_stick", "m/s", "largest relative speed that sticks",
+            definition="√(2U_stick/m) = √(14.18/m) (w⁵R⁴/E*²)^(1/6)", reference="Thornton & Ning 1998, Eq 54",
+        ),
+        "sticking_speed_paszun_dominik": Quantity(
+            "v_stick(1.07)", "m/s", "largest relative speed that sticks",
+            definition="1.07 (γ/R)^(5/6)/(E*^(1/3)ρ^(1/2))",
+            reference="Paszun & Dominik 2008, Eq 3, as cited in Lumajord/DustSimulation",
+        ),
+        "sticking_speed_pencil_code": Quantity(
+            "v_stick(19.2)", "m/s", "largest relative speed that sticks",
+            definition="√(2E_stick(19.2)/m)", reference="code pencil-code/pencil-code",
         ),
     }
 )  # fmt: skip
