@@ -4,6 +4,9 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import NamedTuple
 
+from ..quantities.errors import UnknownQuantity
+from ..quantities.nomenclature import NOMENCLATURE, canonical
+
 
 class Question(NamedTuple):
     """The quantities of one question."""
@@ -60,3 +63,32 @@ _REPORT = Question(
     tuple(dict.fromkeys(name for question in _QUESTIONS.values() for name in question.quantities)),
 )
 QUESTIONS: Mapping[str, Question] = MappingProxyType({**_QUESTIONS, "report": _REPORT})
+
+
+def quantity_named(word: str) -> str:
+    """Return the name of a quantity, given a word for it or the command that is named after it.
+
+    >>> quantity_named("radius"), quantity_named("gamma"), quantity_named("pull-off")
+    ('radius', 'surface_energy', 'pull_off_force')
+    """
+    name = canonical(word)
+    if name in NOMENCLATURE:
+        return name
+    if word not in QUESTIONS:
+        raise UnknownQuantity(word)
+    return QUESTIONS[word].headline[0]
+
+
+def quantities_named(text: str) -> tuple[list[str], list[str]]:
+    """Return the quantities of a list: those that are named, and those of the commands in it, which may lack inputs."""
+    named: list[str] = []
+    offered: list[str] = []
+    for word in map(str.strip, text.split(",")):
+        name = canonical(word)
+        if word in QUESTIONS:
+            offered += QUESTIONS[word].quantities
+        elif name in NOMENCLATURE and NOMENCLATURE[name].unit:
+            named.append(name)
+        else:
+            raise UnknownQuantity(word)
+    return named, offered

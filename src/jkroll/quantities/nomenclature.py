@@ -201,6 +201,23 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
 )  # fmt: skip
 
 
+_BY_OPTION = {quantity.option[2:].replace("-", "_"): name for name, quantity in NOMENCLATURE.items() if quantity.option}
+
+
+def canonical(word: str) -> str:
+    """Return the name for which a word stands: the name itself, with "-" for "_", or the word of its option.
+
+    A word that stands for nothing is returned as it is.
+
+    >>> canonical("surface_energy"), canonical("gamma"), canonical("--work-of-adhesion"), canonical("nonsense")
+    ('surface_energy', 'surface_energy', 'work_of_adhesion', 'nonsense')
+    """
+    name = word.strip().lstrip("-").replace("-", "_")
+    if name in NOMENCLATURE:
+        return name
+    return _BY_OPTION.get(name, word)
+
+
 # What a materials file gives of a material.
 PROPERTIES = ("surface_energy", "youngs_modulus", "poisson_ratio", "density")
 
