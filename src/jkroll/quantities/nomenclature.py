@@ -201,7 +201,8 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
 )  # fmt: skip
 
 
-_BY_OPTION = {quantity.option[2:].replace("-", "_"): name for name, quantity in NOMENCLATURE.items() if quantity.option}
+# The names of inputs by the words of their options.
+OPTION_WORDS = {quantity.option[2:].replace("-", "_"): name for name, quantity in NOMENCLATURE.items() if quantity.option}
 
 
 def canonical(word: str) -> str:
@@ -215,7 +216,7 @@ def canonical(word: str) -> str:
     name = word.strip().lstrip("-").replace("-", "_")
     if name in NOMENCLATURE:
         return name
-    return _BY_OPTION.get(name, word)
+    return OPTION_WORDS.get(name, word)
 
 
 # What a materials file gives of a material.

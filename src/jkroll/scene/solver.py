@@ -171,13 +171,14 @@ def _part(array: Any, place: Place) -> Any:
 def _in_si(given: Mapping[str, Any]) -> tuple[dict[str, Any], Any]:
     """Return SI numbers for texts, lists and pint Quantities, and the registry of the latter if there were any."""
     values: dict[str, Any] = {}
+    words: dict[str, str] = {}
     registry = None
     for word, value in given.items():
         name = canonical(word)
         if name not in NOMENCLATURE:
             raise UnknownQuantity(word)
-        if name in values:
-            raise Contradiction((name, word))
+        if words.setdefault(name, word) != word:
+            raise Contradiction((words[name], word))
         if hasattr(value, "m_as"):
             registry = value._REGISTRY
             if not value.is_compatible_with(NOMENCLATURE[name].unit):
