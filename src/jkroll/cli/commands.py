@@ -29,7 +29,7 @@ from .options import (
     Values,
     inputs_of,
 )
-from .run import run_batch, run_bench, run_materials, run_question, run_verify
+from .run import run_batch, run_bench, run_guide, run_materials, run_quantities, run_question, run_verify
 
 Call = Callable[[], int]
 
@@ -134,6 +134,15 @@ _COMMANDS = (
         run_materials,
         "quartz",
     ),
+    Command(
+        "quantities",
+        "List the names of quantities, or show what is known of one.",
+        Words("[NAME]...", INFINITY),
+        lambda: (JSON, CSV),
+        run_quantities,
+        "tabor",
+    ),
+    Command("guide", "Show a page of the manual, or list its topics.", Words("[TOPIC]", 1), tuple, run_guide, "models"),
     Command("verify", "Recompute the audit of the paper.", Words(), lambda: (JSON, CSV), run_verify, "--csv"),
     Command("bench", "Measure speed and error of each method.", Words(), lambda: BENCH, run_bench, "--quick --csv"),
     Command(

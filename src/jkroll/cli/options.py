@@ -102,6 +102,7 @@ _INSTEAD = "Show the derivation or the BibTeX entry instead of results"
 MATERIALS = Option("materials", "--materials", str, "FILE", "Read materials from your own file as well")
 QUIET = Option("quiet", "--quiet", bool, "", "Suppress notes")
 OUTPUT = (
+    Option("quantities", "--quantities", str, "NAMES", "Show these quantities instead, separated by commas"),
     Option("to", "--to", str, "UNIT", "Unit of the results; several with commas"),
     Option("digits", "--digits", int, "N", "Significant digits", 1, 17),
     Option("bare", "--bare", bool, "", _FORMAT),

@@ -16,6 +16,7 @@ from ..text import columns, fitting, say
 from .layout import Layout
 
 _HEADS = ("quantity", "symbol", "value", "unit", "Eq")
+MAX_TEXT = 100  # columns of running text
 _WIDTHS = (slice(0, 5), slice(1, 5), slice(1, 4))  # columns of a scene's table, for narrower and narrower terminals
 
 
@@ -106,6 +107,29 @@ def write_rows(heads: Sequence[str], rows: Sequence[Sequence[str]], out: TextIO)
                 say(f"{head}: {cell}", out)
 
 
+def write_wrapped(heads: Sequence[str], rows: Sequence[Sequence[str]], out: TextIO) -> None:
+    """Write a table of texts whose last column is broken into lines."""
+    table = _table(heads, rows, out)
+    table.columns[-1].no_wrap = False
+    console = _console(out)
+    least = console.measure(table, options=console.options.update(width=10_000)).minimum
+    console.width = max(console.width, least)
+    console.print(table)
+
+
+def write_markdown(text: str, out: TextIO) -> None:
+    """Write Markdown, in lines that are comfortable to read."""
+    from rich.markdown import Markdown
+
+    console = _console(out)
+    console.width = min(console.width, MAX_TEXT)
+    console.print(Markdown(fitting(text, out), code_theme="ansi_light", hyperlinks=False))
+
+
+def _console(out: TextIO) -> Console:
+    return Console(file=out, width=columns(), highlight=False, markup=False, emoji=False)
+
+
 def _table(
     heads: Sequence[str],
     rows: Sequence[Sequence[str]],
@@ -124,7 +148,7 @@ def _table(
 
 def _print(table: Table, out: TextIO, *, anyway: bool = False) -> bool:
     """Print a table if the terminal is wide enough for it, or anyway, and return whether it was printed."""
-    console = Console(file=out, width=columns(), highlight=False, markup=False, emoji=False)
+    console = _console(out)
     width = console.measure(table, options=console.options.update(width=10_000)).maximum
     if width > console.width and not anyway:
         return False
