@@ -139,7 +139,7 @@ PICTURE = (
     QUIET,
 )
 
-_DEFAULT = "Default for rows that give none; likewise --radius, --gamma and so on"
+_DEFAULT = "Default for rows that give none; likewise each input below"
 TABLE = (
     Option("target", "--output", str, "OUT", "Output file (written atomically)", short="-o"),
     Option("format", "--format", str, "FORMAT", "csv, tsv, ndjson or parquet, if no name says so; with .gz, .zst"),
@@ -150,11 +150,10 @@ TABLE = (
     Option("dask", "--dask", str, "ADDRESS", "Convert many tables on a Dask cluster; local starts one"),
     Option("excel_safe", "--excel-safe", bool, "", "Escape text that a spreadsheet would run"),
     Option("material", "--material", str, "NAME", _DEFAULT),
-    Option("radius", "--radius", str, "", _DEFAULT, hidden=True),
     *(
-        Option(name, quantity.option, str, "", _DEFAULT, hidden=True)
+        Option(name, quantity.option or "--radius", str, quantity.example, hidden=True)
         for name, quantity in NOMENCLATURE.items()
-        if quantity.option
+        if quantity.example
     ),
     MATERIALS,
     QUIET,
