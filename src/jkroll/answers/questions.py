@@ -58,11 +58,16 @@ _QUESTIONS = {
         ),
     ),
 }
+# What stands beside a headline and contradicts it.
+_BESIDE = ("rolling_frequency_as_printed", "n_roll_energy_balance")
 _REPORT = Question(
     tuple(name for question in _QUESTIONS.values() for name in question.headline),
-    tuple(dict.fromkeys(name for question in _QUESTIONS.values() for name in question.quantities)),
+    tuple(
+        name for question in _QUESTIONS.values() for name in question.quantities if name in (*question.headline, *_BESIDE)
+    ),
 )
 QUESTIONS: Mapping[str, Question] = MappingProxyType({**_QUESTIONS, "report": _REPORT})
+EVERYTHING = tuple(dict.fromkeys(name for question in _QUESTIONS.values() for name in question.quantities))
 
 
 def quantity_named(word: str) -> str:
@@ -80,7 +85,12 @@ def quantity_named(word: str) -> str:
 
 
 def quantities_named(text: str) -> tuple[list[str], list[str]]:
-    """Return the quantities of a list: those that are named, and those of the commands in it, which may lack inputs."""
+    """Return the quantities of a list: those that are named, and those of the commands in it, which may lack inputs.
+
+    An empty list stands for those of all commands.
+    """
+    if not text:
+        return [], list(EVERYTHING)
     named: list[str] = []
     offered: list[str] = []
     for word in map(str.strip, text.split(",")):

@@ -22,7 +22,7 @@ def task_of(table: Header, inputs: Mapping[str, str], wanted: str, known: Materi
     spheres = {name: known[inputs[name]] if name in inputs else None for name in MATERIALS}
     fixed = {name: parse_quantity(text, name) for name, text in inputs.items() if name not in MATERIALS}
     scene = _as_known(table, fixed, spheres)
-    explicit, offered = quantities_named(wanted or "report")
+    explicit, offered = quantities_named(wanted)
     for name in explicit:
         if name in table.names or name in fixed:
             raise BadRequest(f"--quantities: {name} is an input here")

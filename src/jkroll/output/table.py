@@ -11,7 +11,6 @@ from rich.text import Text
 from ..answers.answer import Answer, Result
 from ..quantities.formatting import Format, amount, pretty
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
-from ..scene.limits import sentence
 from ..text import columns, fitting, say
 from .layout import Layout
 
@@ -21,7 +20,7 @@ _WIDTHS = (slice(0, 5), slice(1, 5), slice(1, 4))  # columns of a scene's table,
 
 
 def scene_table(answer: Answer, out: TextIO, form: Format) -> None:
-    """Write the inputs of one scene, its results below each other, and the limits of the model."""
+    """Write the inputs of one scene, and its results below each other."""
     rows = [_result_row(result, form) for result in answer.results]
     styles = ["dim" if _is_aside(result) else "" for result in answer.results]
     say(_inputs(answer.inputs, form), out)
@@ -29,8 +28,6 @@ def scene_table(answer: Answer, out: TextIO, form: Format) -> None:
     if not any(_print(table, out) for table in tables):
         for row in rows:
             say(" ".join(cell for cell in row[1:4] if cell), out)
-    for verdict in answer.validity:
-        say(f"{'valid' if verdict.holds else 'DOUBT'}: {sentence(verdict)}", out)
 
 
 def _result_row(result: Result, form: Format) -> list[str]:

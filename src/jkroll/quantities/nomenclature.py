@@ -116,7 +116,7 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         # the contact
         "pull_off_force": Quantity("P_c", "N", "pull-off force", "1", range="positive"),
         "pull_off_force_dmt": Quantity(
-            "P_DMT", "N", "pull-off force of small, hard spheres", "1", note="the DMT limit, 4πγR: small, hard spheres tend to it"
+            "P_DMT", "N", "pull-off force of small, hard spheres", "1", note="small, hard spheres tend to it"
         ),
         "contact_radius": Quantity("a0", "m", "contact radius without load", "2", range="positive"),
         "approach": Quantity("δ0", "m", "approach of the centres without load", "3", range="positive"),
@@ -147,7 +147,7 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "yield_force": Quantity("Q", "N", "force that starts sphere 1 rolling", "26"),
         "yield_force_fixed_load": Quantity(
             "Q_P", "N", "the same under a load of fixed direction", "26",
-            note="this load keeps its direction and body 2 is held; the load of yield_force turns with the line of centres",
+            note="for a load that keeps its direction; that of Q turns with the line of centres",
         ),
         "yield_force_ratio": Quantity("Q/P_c", "1", "yield force over pull-off force", "27"),
         "yield_angle": Quantity("δ_α", "rad", "angle at which rolling starts", "28"),
@@ -161,11 +161,11 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "rolling_frequency": Quantity("f_roll", "Hz", "frequency of the rolling vibration", "40"),
         "rolling_frequency_as_printed": Quantity(
             "f_roll(41)", "Hz", "rolling frequency as printed", "41",
-            note="Eq (41) is 2.5 times too low: it is Eq (40) with k² = (5/2)R1² in place of (2/5)R1²",
+            note="2.5 times too low: Eq (40) with k² = (5/2)R1² for (2/5)R1²",
         ),
         "rolling_frequency_no_slip": Quantity(
             "f_free", "Hz", "rolling frequency without slip", "40",
-            note="Eq (40) turns each sphere about its own centre; unequal spheres that do not slip also move their centres",
+            note="unequal spheres that do not slip also move their centres, which Eq (40) leaves out",
         ),
         # validity
         "atomic_spacing": Quantity("z0", "m", "atomic spacing", range="positive", option="--z0", example="4angstrom"),
@@ -190,12 +190,11 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "n_roll": Quantity("n_roll", "1", "turns until sphere 1 stops", "48"),
         "n_roll_energy_balance": Quantity(
             "n_bal", "1", "turns by the energy balance", "48",
-            note="for rolling without slip from the start, 7/2 of Eq (48); Eq (47) leaves out the friction that sustains the spin, "
-            "so that n_roll is for a contact that slides freely",
+            note="7/2 of Eq (48), for rolling without slip from the start",
         ),
         "n_roll_after_impact": Quantity(
             "n_imp", "1", "turns after a tangential impact", "48",
-            note="for a sphere that arrives without spin and then rolls without slip, 5/2 of Eq (48): 5/7 of W0 remain",
+            note="5/2 of Eq (48), for an arrival without spin that then rolls without slip",
         ),
     }
 )  # fmt: skip
