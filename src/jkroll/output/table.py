@@ -45,7 +45,8 @@ def sweep_table(answers: Sequence[Answer], out: TextIO, form: Format, shape: Lay
     """Write a row for each scene, in as many tables as the width takes; inputs that all scenes share stand above."""
     values = {name: {answer.inputs.get(name) for answer in answers} for name in shape.columns}
     inputs = answers[0].inputs
-    say(_inputs({name: inputs[name] for name in shape.columns if name in inputs and len(values[name]) == 1}, form), out)
+    common = {name: inputs[name] for name in shape.columns if name in inputs and len(values[name]) == 1}
+    say(_inputs(common, form, f"{len(answers)} scenes"), out)
     leading = [name for name in shape.inputs if len(values[name] - {None}) != 1 and not _is_implied(name, answers)]
     results = [name for name in shape.columns if name not in shape.inputs and not _is_implied(name, answers)]
     while results:
@@ -56,14 +57,20 @@ def sweep_table(answers: Sequence[Answer], out: TextIO, form: Format, shape: Lay
 
 
 def _columns_table(names: Sequence[str], answers: Sequence[Answer], out: TextIO, form: Format) -> Table:
-    rows = [[_cell(answer, name, form) for name in names] for answer in answers]
-    heads = [NOMENCLATURE[name].symbol or name for name in names]
-    return _table(heads, rows, out, set(heads))
+    columns = [_column(name, answers, form) for name in names]
+    heads = [column[0] for column in columns]
+    return _table(heads, [*zip(*(column[1:] for column in columns), strict=True)], out, set(heads))
 
 
-def _cell(answer: Answer, name: str, form: Format) -> str:
-    value = answer.inputs[name] if name in answer.inputs else answer.value(name)
-    return "—" if value is None else pretty(amount(name, value, form))
+def _column(name: str, answers: Sequence[Answer], form: Format) -> list[str]:
+    """Return the head and the cells of a column; the head has the unit, if one suits all of its values."""
+    head = NOMENCLATURE[name].symbol or name
+    values = [answer.inputs[name] if name in answer.inputs else answer.value(name) for answer in answers]
+    common = form.common_unit(name, [value for value in values if isinstance(value, float)])
+    if common:
+        cells = ["—" if value is None else form.in_unit(value, common) for value in values]
+        return [f"{head} [{pretty(common[0])}]", *cells]
+    return [head, *("—" if value is None else pretty(amount(name, value, form)) for value in values)]
 
 
 _LEADERS = dict.fromkeys(PROPERTIES, "material") | {name + "2": "material2" for name in PROPERTIES}
@@ -82,10 +89,10 @@ def _is_implied(name: str, answers: Sequence[Answer]) -> bool:
     return len(pairs) == len({material for material, _ in pairs})
 
 
-def _inputs(inputs: Mapping[str, float | str], form: Format) -> str:
+def _inputs(inputs: Mapping[str, float | str], form: Format, start: str = "") -> str:
     """Return the inputs as understood, broken into lines between two of them."""
     width = columns()
-    lines = [""]
+    lines = [start]
     for name, value in inputs.items():
         text = pretty(amount(name, value, form))
         part = text if name == "material" else f"{NOMENCLATURE[name].symbol or name} = {text}"

@@ -1,6 +1,6 @@
 """Values as text: rounded and with a suitable prefix to be read, or as the shortest text that parses back to the same value."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from math import floor, isinf, log10
 from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
@@ -51,6 +51,22 @@ class Format(NamedTuple):
         if name in self.units:
             return significant(self.number(name, value), digits), self.units[name][0]
         return engineering(value, NOMENCLATURE[name].unit, digits)
+
+
+    def common_unit(self, name: str, values: Sequence[float]) -> tuple[str, Unit] | None:
+        """Return a unit in which all values of a quantity are short numbers; None if there is none, or if it has no unit."""
+        if name in self.units:
+            return self.units[name]
+        si = NOMENCLATURE[name].unit
+        sizes = [abs(value) for value in values if value and not isinf(value)]
+        if si in ("", "1") or not sizes:
+            return None
+        scale, prefix = _prefix(float(f"{min(sizes):.{self.digits or DIGITS}g}"), si)
+        return (prefix + si, scale) if convert(max(sizes), scale) < _PLAIN else None
+
+    def in_unit(self, value: float | str, unit: tuple[str, Unit]) -> str:
+        """Return a rounded value in a unit, without the unit; a word as it is."""
+        return value if isinstance(value, str) else significant(convert(value, unit[1]), self.digits or DIGITS)
 
 
 def engineering(value: float, unit: str, digits: int = DIGITS) -> tuple[str, str]:
