@@ -108,7 +108,9 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
     # The contact against sliding: 1/G* = Σ(2 − ν)/G with G = E/(2(1 + ν)), and two spheres that slide and turn
     G = 1 / sum((2 - nu) * 2 * (1 + nu) / modulus for nu, modulus in ((nu1, E1), (nu2, E2)))
     k_s = 8 * G * a0 * a_
-    turning = sum(1 / each for each in ((m1, m2)[: 1 if on_plane else 2])) + R1**2 / I1 + (0 if on_plane else R2**2 / I2)
+    turning = (
+        sum(1 / each for each in ((m1, m2)[: 1 if on_plane else 2])) + R1**2 / I1 + (0 if on_plane else R2**2 / I2)
+    )
     f_slide = sqrt(k_s * turning) / (2 * pi)
 
     # Eqs 45-48
@@ -366,9 +368,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "roll_energy": lambda M_0, theta: M_0 * theta,
     "roll_energy_quarter_turn": lambda M_0: M_0 * pi / 2,
     "roll_energy_half_turn": lambda M_0: M_0 * pi,
-    "sticking_energy_paszun_dominik": lambda W_adhesion: (
-        8 * pi / 3 * mpf("1.07") ** 2 / cbrt(81 * pi**5) * W_adhesion
-    ),
+    "sticking_energy_paszun_dominik": lambda W_adhesion: 8 * pi / 3 * mpf("1.07") ** 2 / cbrt(81 * pi**5) * W_adhesion,
     "sticking_energy_pencil_code": lambda W_adhesion: mpf("19.2") / cbrt(81 * pi**5) * W_adhesion,
     "sticking_speed": lambda U_stick, m: sqrt(2 * U_stick / m),
     "sticking_speed_paszun_dominik": lambda E_stick_1, m: sqrt(2 * E_stick_1 / m),

@@ -140,7 +140,9 @@ def test_sliding_frequency_is_an_eigenvalue(radius2: float) -> None:
     radii, masses = [1e-7, radius2], [mass, mass2]
     moving = [place for place in (0, 1) if math.isfinite(radii[place])]
     direction = np.array([*((1.0, -1.0)[place] for place in moving), *(-radii[place] for place in moving)])
-    inertia = np.array([*(masses[place] for place in moving), *(0.4 * masses[place] * radii[place] ** 2 for place in moving)])
+    inertia = np.array(
+        [*(masses[place] for place in moving), *(0.4 * masses[place] * radii[place] ** 2 for place in moving)]
+    )
     matrix = stiffness * np.outer(direction, direction) / np.sqrt(np.outer(inertia, inertia))
     highest = math.sqrt(float(np.linalg.eigvalsh(matrix)[-1])) / (2 * math.pi)
     assert math.isclose(solve("sliding_frequency", **scene), highest, rel_tol=1e-12)
@@ -153,7 +155,9 @@ def test_sliding_is_the_fastest_mode(poisson: float, ratio: float) -> None:
     scene = {**PAIR, "poisson_ratio": poisson, "poisson_ratio2": poisson}
     load = ratio * solve("pull_off_force", **scene)
     slide, *others = solve(
-        ["sliding_frequency", "vertical_frequency", "rolling_frequency", "rolling_frequency_no_slip"], load=load, **scene
+        ["sliding_frequency", "vertical_frequency", "rolling_frequency", "rolling_frequency_no_slip"],
+        load=load,
+        **scene,
     ).values()
     assert slide > 1.4 * max(others)
 

@@ -8,11 +8,13 @@ from ..physics.jkr import STICKING
 from ..quantities.formatting import Format, amount, in_words
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..scene.errors import BeyondFold, BeyondPullOff, MissingInput
-from ..scene.limits import IMPACT, LIMIT_NAMES, Judgement, Verdict, judged, sentence, uses_spacing
+from ..scene.limits import IMPACT, LIMIT_NAMES, Judgement, Verdict, judged, of_any_scene, sentence, uses_spacing
 from ..scene.rolling_models import model_error
 from ..scene.scene import DEFAULTS, Scene
 from ..scene.wiring import STATE, depends_on
 from .questions import Question
+
+MOST_NAMES = 3  # of quantities in a note
 
 
 class Result(NamedTuple):
@@ -27,8 +29,9 @@ class Result(NamedTuple):
 class Note(NamedTuple):
     """A sentence about an answer."""
 
-    kind: Literal["assumption", "data", "result", "missing", "doubt"]
+    kind: Literal["material", "missing", "doubt", "result", "model", "assumption", "unchecked", "data"]
     text: str
+    matter: str = ""  # the same for all scenes that have such a note; by default the text
 
 
 class Answer(NamedTuple):
@@ -46,7 +49,7 @@ class Answer(NamedTuple):
 
     def doubts(self) -> list[Note]:
         """Return a note for each limit of the model that does not hold."""
-        return [Note("doubt", f"doubtful: {sentence(one)}") for one in self.validity if not one.holds]
+        return [Note("doubt", sentence(one), of_any_scene(one)) for one in self.validity if not one.holds]
 
 
 def answer(question: Question, scene: Scene) -> Answer:
@@ -72,7 +75,7 @@ def answer(question: Question, scene: Scene) -> Answer:
         *assumptions(scene, entering, planned),
         *about_data(scene, inputs),
         *_about_results(results, scene),
-        *_about_missing(results),
+        *_about_missing(results, errors),
         *_about_limits(limits),
     )
     fatal = next((error for error in errors.values() if isinstance(error, _FATAL)), None)
@@ -162,34 +165,31 @@ def assumptions(scene: Scene, inputs: Collection[str], names: list[str]) -> list
 def about_data(scene: Scene, inputs: Collection[str]) -> list[Note]:
     """Return notes on the material data that were used, those on shadowed materials first."""
     used = scene.data_used(inputs)
-    shadows = [f"{material.name}: {text}" for material, _ in used for text in material.remarks]
+    shadows = [Note("material", f"{material.name}: {text}") for material, _ in used for text in material.remarks]
     remarks = [
-        f"{material.name}: {NOMENCLATURE[name].sentence}: {material.notes[name]}"
+        Note("data", f"{material.name}: {NOMENCLATURE[name].sentence}: {material.notes[name]}")
         for material, name in used
         if name in material.notes
     ]
-    return [Note("data", text) for text in dict.fromkeys(shadows + remarks)]
+    return [*dict.fromkeys(shadows + remarks)]
 
 
 def _about_results(results: list[Result], scene: Scene) -> list[Note]:
     """Return notes on the values: why one stands beside a headline, what it counts, how exact its model is."""
     known = [result for result in results if result.value is not None]
     texts = [
-        f"{result.name}: {NOMENCLATURE[result.name].note}"
+        f"{_symbol(result.name)}: {NOMENCLATURE[result.name].note}"
         for result in known
         if NOMENCLATURE[result.name].note and not (scene.is_identical and result.name == "rolling_frequency_no_slip")
     ]
     names = {result.name for result in known}
     if "n_grav" in names and not scene.is_identical:
-        texts.append(f"n_grav: is what the first contact, on body 2, carries; {_between_spheres_1(scene)}")
+        texts.append(f"N_grav is what the first contact, on body 2, carries; {_between_spheres_1(scene)}")
     if "n_roll" in names and IMPACT.isdisjoint(scene.stated):
-        texts.append(f"n_roll: W0 = P_cδ0 is {1 / STICKING:.3g} U_stick, the largest energy that sticks")
-    texts += [
-        f"{result.name}: relative error {result.error:.3g} against the exact moment of this contact"
-        for result in known
-        if result.error is not None
-    ]
-    return [Note("result", text) for text in texts]
+        texts.append(f"W0 = P_cδ0 is {1 / STICKING:.3g} U_stick, the largest energy that sticks")
+    notes = [Note("result", text) for text in texts]
+    errors = ", ".join(f"{_symbol(result.name)} by {100 * result.error:.2g} %" for result in known if result.error)
+    return [*notes, Note("model", f"off the exact moment of this contact: {errors}")] if errors else notes
 
 
 def _between_spheres_1(scene: Scene) -> str:
@@ -207,15 +207,34 @@ def _between_spheres_1(scene: Scene) -> str:
 def _about_limits(limits: Judgement) -> list[Note]:
     """Return a note for the limits of the model that could not be judged."""
     return [
-        Note("missing", f"not checked: {', '.join(NOMENCLATURE[name].symbol for name in names)}: needs {needs}")
+        Note("unchecked", f"not checked: {', '.join(map(_symbol, names))}: needs {needs}")
         for needs, names in limits.missing.items()
     ]
 
 
-def _about_missing(results: list[Result]) -> list[Note]:
-    """Return a note for each reason why values are missing, with the names of all that it concerns."""
-    names: dict[str, list[str]] = {}
+def _about_missing(results: list[Result], errors: Mapping[str, JkrollError]) -> list[Note]:
+    """Return a note for each reason why values are missing, with the names of all that it concerns.
+
+    Values that lack the same inputs have one note, though some of them may be had in another way too.
+    """
+    groups: dict[object, list[Result]] = {}
     for result in results:
         if result.value is None:
-            names.setdefault(result.reason, []).append(result.name)
-    return [Note("missing", f"{', '.join(missing)}: {reason}") for reason, missing in names.items()]
+            error = errors.get(result.name)
+            groups.setdefault(error.missing if isinstance(error, MissingInput) else result.reason, []).append(result)
+    notes = []
+    for group in groups.values():
+        names = [result.name for result in group]
+        reason = min((result.reason for result in group), key=len)
+        notes.append(Note("missing", f"{_few(names)}: {reason}", " ".join(names)))
+    return notes
+
+
+def _few(names: list[str]) -> str:
+    """Return the symbols of the first names of a list, and how many more there are."""
+    rest = len(names) - MOST_NAMES
+    return ", ".join(map(_symbol, names[:MOST_NAMES])) + (f" and {rest} more" if rest > 0 else "")
+
+
+def _symbol(name: str) -> str:
+    return NOMENCLATURE[name].symbol or name

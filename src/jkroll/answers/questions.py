@@ -4,6 +4,9 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import NamedTuple
 
+from ..quantities.errors import UnknownQuantity
+from ..quantities.nomenclature import NOMENCLATURE, canonical
+
 
 class Question(NamedTuple):
     """The quantities of one question."""
@@ -55,9 +58,16 @@ _QUESTIONS = {
         ),
     ),
 }
+# What stands beside a headline and contradicts it.
+_BESIDE = ("rolling_frequency_as_printed", "n_roll_energy_balance")
 _REPORT = Question(
     tuple(name for question in _QUESTIONS.values() for name in question.headline),
-    tuple(dict.fromkeys(name for question in _QUESTIONS.values() for name in question.quantities)),
+    tuple(
+        name
+        for question in _QUESTIONS.values()
+        for name in question.quantities
+        if name in (*question.headline, *_BESIDE)
+    ),
 )
 # Not in the report, which has one number for each quantity and no conventions.
 _ENERGIES = Question(
@@ -80,3 +90,38 @@ _ENERGIES = Question(
     ),
 )
 QUESTIONS: Mapping[str, Question] = MappingProxyType({**_QUESTIONS, "report": _REPORT, "energies": _ENERGIES})
+EVERYTHING = tuple(dict.fromkeys(name for question in _QUESTIONS.values() for name in question.quantities))
+
+
+def quantity_named(word: str) -> str:
+    """Return the name of a quantity, given a word for it or the command that is named after it.
+
+    >>> quantity_named("radius"), quantity_named("gamma"), quantity_named("pull-off")
+    ('radius', 'surface_energy', 'pull_off_force')
+    """
+    name = canonical(word)
+    if name in NOMENCLATURE:
+        return name
+    if word not in QUESTIONS:
+        raise UnknownQuantity(word)
+    return QUESTIONS[word].headline[0]
+
+
+def quantities_named(text: str) -> tuple[list[str], list[str]]:
+    """Return the quantities of a list: those that are named, and those of the commands in it, which may lack inputs.
+
+    An empty list stands for those of all commands.
+    """
+    if not text:
+        return [], list(EVERYTHING)
+    named: list[str] = []
+    offered: list[str] = []
+    for word in map(str.strip, text.split(",")):
+        name = canonical(word)
+        if word in QUESTIONS:
+            offered += QUESTIONS[word].quantities
+        elif name in NOMENCLATURE and NOMENCLATURE[name].unit:
+            named.append(name)
+        else:
+            raise UnknownQuantity(word)
+    return named, offered

@@ -30,7 +30,7 @@ from .options import (
     Values,
     inputs_of,
 )
-from .run import run_batch, run_bench, run_materials, run_question, run_verify
+from .run import run_batch, run_bench, run_guide, run_materials, run_quantities, run_question, run_verify
 
 Call = Callable[[], int]
 
@@ -43,6 +43,9 @@ class Words(NamedTuple):
     are_files: bool = False
 
 
+PHYSICS, LOOK_UP, CHECKS = "Commands", "Tables, pictures, look-up", "Checks of the paper and of this program"
+
+
 class Command(NamedTuple):
     """A command. `run` answers a call and returns the exit code."""
 
@@ -52,6 +55,7 @@ class Command(NamedTuple):
     options: Callable[[], tuple[Option, ...]]
     run: Callable[[Sequence[str], Values], int]
     example: str
+    section: str = PHYSICS  # of the help
 
     def flags(self) -> dict[str, Option]:
         """Return the options by their spellings."""
@@ -147,17 +151,8 @@ _COMMANDS = (
         lambda: TABLE,
         run_batch,
         "grains.csv -o forces.csv",
+        LOOK_UP,
     ),
-    Command(
-        "materials",
-        "List the known materials, or show one in full.",
-        Words("[NAME]", 1),
-        lambda: (JSON, CSV, CITE, MATERIALS, QUIET),
-        run_materials,
-        "quartz",
-    ),
-    Command("verify", "Recompute the audit of the paper.", Words(), lambda: (JSON, CSV), run_verify, "--csv"),
-    Command("bench", "Measure speed and error of each method.", Words(), lambda: BENCH, run_bench, "--quick --csv"),
     Command(
         "map",
         "Draw a quantity over two inputs as a map, or over one as curves.",
@@ -165,6 +160,7 @@ _COMMANDS = (
         lambda: (*AXES, *PICTURE, *inputs_of(QUESTIONS["report"].quantities)),
         _map,
         "pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2",
+        LOOK_UP,
     ),
     Command(
         "figure",
@@ -173,6 +169,44 @@ _COMMANDS = (
         lambda: (AS_PRINTED, *PICTURE),
         _figure,
         "3a --mark quartz@100nm",
+        LOOK_UP,
+    ),
+    Command(
+        "materials",
+        "List the known materials, or show one in full.",
+        Words("[NAME]", 1),
+        lambda: (JSON, CSV, CITE, MATERIALS, QUIET),
+        run_materials,
+        "quartz",
+        LOOK_UP,
+    ),
+    Command(
+        "quantities",
+        "List the names of quantities, or show what is known of one.",
+        Words("[NAME]...", INFINITY),
+        lambda: (JSON, CSV),
+        run_quantities,
+        "tabor",
+        LOOK_UP,
+    ),
+    Command(
+        "guide",
+        "Show a page of the manual, or list its topics.",
+        Words("[TOPIC]", 1),
+        tuple,
+        run_guide,
+        "models",
+        LOOK_UP,
+    ),
+    Command("verify", "Recompute the audit of the paper.", Words(), lambda: (JSON, CSV), run_verify, "--csv", CHECKS),
+    Command(
+        "bench",
+        "Measure speed and error of each method.",
+        Words(),
+        lambda: BENCH,
+        run_bench,
+        "--quick --csv",
+        CHECKS,
     ),
 )
 COMMANDS: Mapping[str, Command] = MappingProxyType({command.name: command for command in _COMMANDS})

@@ -17,7 +17,9 @@ def run_export(words: Sequence[str], values: Values) -> int:
     """Write the contact of one pair as the input of a program; return the exit code."""
     program, *described = words or ("",)
     if program.casefold() not in PROGRAMS:
-        raise BadRequest(f"export: {quoted(program)} is no program that is known; write jkroll export lammps quartz 100nm")
+        raise BadRequest(
+            f"export: {quoted(program)} is no program that is known; write jkroll export lammps quartz 100nm"
+        )
     model = values.model
     if model not in MODELS:
         raise BadRequest(f"--model: LAMMPS has {' and '.join(MODELS)}, not {quoted(model)}")

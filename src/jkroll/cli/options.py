@@ -103,6 +103,7 @@ _INSTEAD = "Show the derivation or the BibTeX entry instead of results"
 MATERIALS = Option("materials", "--materials", str, "FILE", "Read materials from your own file as well")
 QUIET = Option("quiet", "--quiet", bool, "", "Suppress notes")
 OUTPUT = (
+    Option("quantities", "--quantities", str, "NAMES", "Show these quantities instead, separated by commas"),
     Option("to", "--to", str, "UNIT", "Unit of the results; several with commas"),
     Option("digits", "--digits", int, "N", "Significant digits", 1, 17),
     Option("bare", "--bare", bool, "", _FORMAT),
@@ -141,7 +142,7 @@ PICTURE = (
     QUIET,
 )
 
-_DEFAULT = "Default for rows that give none; likewise --radius, --gamma and so on"
+_DEFAULT = "Default for rows that give none; likewise each input below"
 TABLE = (
     Option("target", "--output", str, "OUT", "Output file (written atomically)", short="-o"),
     Option("format", "--format", str, "FORMAT", "csv, tsv, ndjson or parquet, if no name says so; with .gz, .zst"),
@@ -152,11 +153,10 @@ TABLE = (
     Option("dask", "--dask", str, "ADDRESS", "Convert many tables on a Dask cluster; local starts one"),
     Option("excel_safe", "--excel-safe", bool, "", "Escape text that a spreadsheet would run"),
     Option("material", "--material", str, "NAME", _DEFAULT),
-    Option("radius", "--radius", str, "", _DEFAULT, hidden=True),
     *(
-        Option(name, quantity.option, str, "", _DEFAULT, hidden=True)
+        Option(name, quantity.option or "--radius", str, quantity.example, hidden=True)
         for name, quantity in NOMENCLATURE.items()
-        if quantity.option
+        if quantity.example
     ),
     MATERIALS,
     QUIET,

@@ -68,6 +68,8 @@ def _explanation(result: Result, scene: Scene, form: Format) -> list[str]:
     if result.value is None:
         return [title, f"  {result.reason}"]
     steps = scene.plan(result.name).steps
+    if not steps:
+        return [title, f"  {quantity.symbol} = {amount(result.name, result.value, form)}"]
     fields = docstring_fields(steps[-1].formula)
     lines = [title, f"  {fields['formula']}", "  given"]
     lines += [_line(name, scene, form, _meaning(name, scene)) for name in scene.inputs_of(result.name)]

@@ -7,7 +7,6 @@ from .dimensions import (
     AngularSpeed,
     Energy,
     Inertia,
-    Length,
     Mass,
     Moment,
     Number,

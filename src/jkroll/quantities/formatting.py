@@ -1,6 +1,6 @@
 """Values as text: rounded and with a suitable prefix to be read, or as the shortest text that parses back to the same value."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from math import floor, isinf, log10
 from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from .uncertain import Uncertain
 
 DIGITS = 6  # significant, of a rounded value
+_PLAIN = 10**DIGITS  # numbers below have no exponent for want of digits
 _PREFIXES = dict(zip(range(-21, 18, 3), ("z", "a", "f", "p", "n", "µ", "m", "", "k", "M", "G", "T", "P"), strict=True))
 _PREFIXABLE = ("m", "N", "J", "Pa", "Hz", "rad", "N m", "N/m", "J/m^2", "N m/rad")
 
@@ -48,8 +49,23 @@ class Format(NamedTuple):
             return value, ""
         digits = self.digits or DIGITS
         if name in self.units:
-            return f"{self.number(name, value):.{digits}g}", self.units[name][0]
+            return significant(self.number(name, value), digits), self.units[name][0]
         return engineering(value, NOMENCLATURE[name].unit, digits)
+
+    def common_unit(self, name: str, values: Sequence[float]) -> tuple[str, Unit] | None:
+        """Return a unit in which all values of a quantity are short numbers; None if there is none, or if it has no unit."""
+        if name in self.units:
+            return self.units[name]
+        si = NOMENCLATURE[name].unit
+        sizes = [abs(value) for value in values if value and not isinf(value)]
+        if si in ("", "1") or not sizes:
+            return None
+        scale, prefix = _prefix(float(f"{min(sizes):.{self.digits or DIGITS}g}"), si)
+        return (prefix + si, scale) if convert(max(sizes), scale) < _PLAIN else None
+
+    def in_unit(self, value: float | str, unit: tuple[str, Unit]) -> str:
+        """Return a rounded value in a unit, without the unit; a word as it is."""
+        return value if isinstance(value, str) else significant(convert(value, unit[1]), self.digits or DIGITS)
 
 
 def engineering(value: float, unit: str, digits: int = DIGITS) -> tuple[str, str]:
@@ -61,7 +77,7 @@ def engineering(value: float, unit: str, digits: int = DIGITS) -> tuple[str, str
     rounded = float(f"{value:.{digits}g}")
     scale, prefix = _prefix(rounded, unit)
     number = convert(rounded, scale) if prefix else rounded
-    return f"{number:.{digits}g}", prefix + ("" if unit == "1" else unit)
+    return significant(number, digits), prefix + ("" if unit == "1" else unit)
 
 
 def _prefix(value: float, unit: str) -> tuple[Unit, str]:
@@ -72,6 +88,16 @@ def _prefix(value: float, unit: str) -> tuple[Unit, str]:
     if exponent not in _PREFIXES:
         exponent = 0
     return _power_of_ten(exponent), _PREFIXES[exponent]
+
+
+def significant(value: float, digits: int) -> str:
+    """Round a number to significant digits; one below a million has no exponent for want of digits.
+
+    >>> significant(2600.0, 3), significant(1234567.0, 3)
+    ('2600', '1.23e+06')
+    """
+    text = f"{value:.{digits}g}"
+    return f"{float(text):.0f}" if "e+" in text and abs(float(text)) < _PLAIN else text
 
 
 def pretty(unit: str) -> str:

@@ -90,7 +90,9 @@ _BOTH_SPHERES = {
     )
 }
 
-_TRAILING = "takes the moment 4P_cξ of a contact that trails at ξ all the time; n_roll takes the mean moment, half of it"
+_TRAILING = (
+    "takes the moment 4P_cξ of a contact that trails at ξ all the time; n_roll takes the mean moment, half of it"
+)
 
 NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
     {
@@ -121,7 +123,7 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         # the contact
         "pull_off_force": Quantity("P_c", "N", "pull-off force", "1", range="positive"),
         "pull_off_force_dmt": Quantity(
-            "P_DMT", "N", "pull-off force of small, hard spheres", "1", note="the DMT limit, 4πγR: small, hard spheres tend to it"
+            "P_DMT", "N", "pull-off force of small, hard spheres", "1", note="small, hard spheres tend to it"
         ),
         "contact_radius": Quantity("a0", "m", "contact radius without load", "2", range="positive"),
         "approach": Quantity("δ0", "m", "approach of the centres without load", "3", range="positive"),
@@ -162,7 +164,7 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "yield_force": Quantity("Q", "N", "force that starts sphere 1 rolling", "26"),
         "yield_force_fixed_load": Quantity(
             "Q_P", "N", "the same under a load of fixed direction", "26",
-            note="this load keeps its direction and body 2 is held; the load of yield_force turns with the line of centres",
+            note="for a load that keeps its direction; that of Q turns with the line of centres",
         ),
         "yield_force_ratio": Quantity("Q/P_c", "1", "yield force over pull-off force", "27"),
         "yield_angle": Quantity("δ_α", "rad", "angle at which rolling starts", "28"),
@@ -176,11 +178,11 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "rolling_frequency": Quantity("f_roll", "Hz", "frequency of the rolling vibration", "40"),
         "rolling_frequency_as_printed": Quantity(
             "f_roll(41)", "Hz", "rolling frequency as printed", "41",
-            note="Eq (41) is 2.5 times too low: it is Eq (40) with k² = (5/2)R1² in place of (2/5)R1²",
+            note="2.5 times too low: Eq (40) with k² = (5/2)R1² for (2/5)R1²",
         ),
         "rolling_frequency_no_slip": Quantity(
             "f_free", "Hz", "rolling frequency without slip", "40",
-            note="Eq (40) turns each sphere about its own centre; unequal spheres that do not slip also move their centres",
+            note="unequal spheres that do not slip also move their centres, which Eq (40) leaves out",
         ),
         "sliding_frequency": Quantity("f_slide", "Hz", "frequency of sliding with rotation"),
         "time_step": Quantity("Δt", "s", "time step for a simulation"),
@@ -207,12 +209,11 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "n_roll": Quantity("n_roll", "1", "turns until sphere 1 stops", "48"),
         "n_roll_energy_balance": Quantity(
             "n_bal", "1", "turns by the energy balance", "48",
-            note="for rolling without slip from the start, 7/2 of Eq (48); Eq (47) leaves out the friction that sustains the spin, "
-            "so that n_roll is for a contact that slides freely",
+            note="7/2 of Eq (48), for rolling without slip from the start",
         ),
         "n_roll_after_impact": Quantity(
             "n_imp", "1", "turns after a tangential impact", "48",
-            note="for a sphere that arrives without spin and then rolls without slip, 5/2 of Eq (48): 5/7 of W0 remain",
+            note="5/2 of Eq (48), for an arrival without spin that then rolls without slip",
         ),
         # energies and speeds by convention
         "fold_energy": Quantity(
@@ -261,6 +262,26 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         ),
     }
 )  # fmt: skip
+
+
+# The names of inputs by the words of their options.
+OPTION_WORDS = {
+    quantity.option[2:].replace("-", "_"): name for name, quantity in NOMENCLATURE.items() if quantity.option
+}
+
+
+def canonical(word: str) -> str:
+    """Return the name for which a word stands: the name itself, with "-" for "_", or the word of its option.
+
+    A word that stands for nothing is returned as it is.
+
+    >>> canonical("surface_energy"), canonical("gamma"), canonical("--work-of-adhesion"), canonical("nonsense")
+    ('surface_energy', 'surface_energy', 'work_of_adhesion', 'nonsense')
+    """
+    name = word.strip().lstrip("-").replace("-", "_")
+    if name in NOMENCLATURE:
+        return name
+    return OPTION_WORDS.get(name, word)
 
 
 # What a materials file gives of a material.

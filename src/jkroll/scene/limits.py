@@ -176,9 +176,13 @@ def doubts(scene: Scene, names: Collection[str]) -> dict[str, Any]:
 
 
 def sentence(verdict: Verdict) -> str:
-    """Return a verdict as a line: "Tabor parameter μ = 0.14, between DMT and JKR"."""
-    quantity = NOMENCLATURE[verdict.name]
-    return f"{quantity.symbol} = {verdict.value:.3g}, {quantity.sentence}; {verdict.text}"
+    """Return a verdict with its number: "μ = 0.14, between DMT and JKR: neither is exact"."""
+    return f"{NOMENCLATURE[verdict.name].symbol} = {verdict.value:.3g}, {verdict.text}"
+
+
+def of_any_scene(verdict: Verdict) -> str:
+    """Return a doubt without the number of a scene: "μ<5, neither is exact"."""
+    return f"{verdict.code}, {verdict.text.rpartition(': ')[2]}"
 
 
 def _touching(scene: Scene, names: Collection[str]) -> Iterator[tuple[Limit, Any]]:

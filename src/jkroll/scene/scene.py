@@ -124,7 +124,7 @@ class Scene:
 
     def inputs_of(self, *wanted: str) -> tuple[str, ...]:
         """Return the inputs that the wanted quantities depend on, in the order of the nomenclature."""
-        return self.plan(*wanted).stated
+        return tuple(name for name in self.plan(*wanted).stated if name in self.given or name in DEFAULTS)
 
     def _missing_input(self, name: str, missing: Missing) -> MissingInput:
         """Return the error of a quantity that needs more inputs, with the materials that should have had them."""
@@ -239,6 +239,10 @@ def _implied(given: Mapping[str, Any]) -> dict[str, Any]:
         implied["radius_ratio"] = 1.0
     elif isinstance(given["radius2"], float) and given["radius2"] == INFINITY:
         implied |= {"radius_ratio": 0.0, "mass2": INFINITY, "moment_of_inertia2": INFINITY}
+    for sphere, is_known in (("", "poisson_ratio2" in given), ("2", True)):
+        modulus = given.get("youngs_modulus" + sphere)
+        if is_known and isinstance(modulus, float) and modulus == INFINITY:
+            implied["poisson_ratio" + sphere] = 0.0  # a rigid body has no strain that it could matter for
     load = given.get("load", 0.0)
     if isinstance(load, float | int) and load == 0 and STATE.isdisjoint(given):
         implied["load_margin"] = 1.0
