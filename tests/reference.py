@@ -47,7 +47,7 @@ def root(approach_ratio: Exact, *, stable: bool = True) -> Exact:
     return y
 
 
-def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
+def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:  # noqa: PLR0915
     """Every result for one scene. What is not said of sphere 2 is as for sphere 1; its radius may be infinite.
 
     The state of the contact is that of a load or, if `approach_at_load` is given, of an approach.

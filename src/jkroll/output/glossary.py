@@ -72,7 +72,7 @@ def commands_of(name: str) -> tuple[str, ...]:
 
 def _searched(name: str) -> str:
     quantity = NOMENCLATURE[name]
-    return " ".join((name, quantity.symbol, quantity.option, quantity.sentence, quantity.note)).casefold()
+    return f"{name} {quantity.symbol} {quantity.option} {quantity.sentence} {quantity.note}".casefold()
 
 
 def _row(name: str) -> list[str]:
