@@ -45,9 +45,9 @@ def lammps_input(scene: Scene, model: str) -> Iterator[str]:
         if isinstance(value, JkrollError):
             raise value
     work, lag, load = scene["work_of_adhesion"], scene["yield_displacement"], scene["load"]
-    pair = "" if scene.is_identical else " for types 1 and 2"
+    of_types = "" if scene.is_identical else " for types 1 and 2"
     yield f"# Contact of two spheres by jkroll: {model.upper()}, gamma = w/2"
-    yield f"# w = {work:.12g} J/m^2, xi = {lag:.12g} m, P = {load:.12g} N{pair}"
+    yield f"# w = {work:.12g} J/m^2, xi = {lag:.12g} m, P = {load:.12g} N{of_types}"
     yield "# units si"
     pairs: dict[tuple[int, int], Scene] = {(1, 1): scene}
     if not scene.is_identical:
