@@ -230,21 +230,21 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
             "E_roll", "J", "energy to roll by the angle", note=_TRAILING, definition="4P_cξ θ = 12πγRξ θ", reference="work of the moment of Eq 26"
         ),
         "roll_energy_quarter_turn": Quantity(
-            "E_roll(90°)", "J", "energy to roll by 90°", note=_TRAILING,
+            "E_roll(π/2)", "J", "energy to roll by 90 degrees", note=_TRAILING,
             definition="4P_cξ π/2 = 6π²γRξ", reference="code Lumajord/DustSimulation",
         ),
         "roll_energy_half_turn": Quantity(
-            "E_roll(180°)", "J", "energy to roll by 180°", note=_TRAILING,
+            "E_roll(π)", "J", "energy to roll by 180 degrees", note=_TRAILING,
             definition="4P_cξ π = 12π²γRξ = 6π²γr0ξ (r0 = 2R)", reference="code StephaneMichoulier/Pamdeas",
         ),
         "sticking_energy_paszun_dominik": Quantity(
             "E_stick(1.07)", "J", "relative energy that sticks, for v_stick(1.07)",
-            definition="0.3290 P_cδ0 = 0.3986 F_cδ_c",
+            definition="0.3290 P_cδ0 = 0.3985 F_cδ_c",
             reference="Paszun & Dominik 2008, Eq 3, as cited in Lumajord/DustSimulation",
         ),
         "sticking_energy_pencil_code": Quantity(
             "E_stick(19.2)", "J", "relative energy that sticks",
-            definition="2·9.6 γ^(5/3)R^(4/3)/E*^(2/3) = 0.7978 F_cδ_c",
+            definition="2·9.6 γ^(5/3)R^(4/3)/E*^(2/3) = 0.7977 F_cδ_c",
             reference="code pencil-code/pencil-code",
         ),
         "sticking_speed": Quantity(
