@@ -56,7 +56,7 @@ def answer(question: Question, scene: Scene) -> Answer:
     """Compute the quantities of a command as far as the scene allows."""
     results: list[Result] = []
     errors: dict[str, JkrollError] = {}
-    shown = [name for name in question.quantities if _concerns(name, scene)]
+    shown = [name for name in question.quantities if concerns(name, scene)]
     values = scene.evaluate((*shown, *LIMIT_NAMES))
     for name in shown:
         value = values[name]
@@ -118,7 +118,7 @@ _SHOWN_IF: Mapping[str, Callable[[Scene], bool]] = {
 }
 
 
-def _concerns(name: str, scene: Scene) -> bool:
+def concerns(name: str, scene: Scene) -> bool:
     """Return whether a quantity is shown for this scene."""
     return _SHOWN_IF[name](scene) if name in _SHOWN_IF else name not in scene.stated
 
@@ -198,10 +198,10 @@ def _between_spheres_1(scene: Scene) -> str:
     try:
         carried = Scene(stated, scene.material)["n_grav"] + 1  # the chain that it carries is a sphere shorter
     except (MissingInput, NoResult):
-        carried = INFINITY
+        return "those between spheres 1 may roll before it"
     if carried < scene["n_grav"]:
         return f"the one between spheres 1 next to it yields before it, at {carried:.4g}"
-    return "those between spheres 1 may roll before it"
+    return "those between spheres 1 carry more"
 
 
 def _about_limits(limits: Judgement) -> list[Note]:

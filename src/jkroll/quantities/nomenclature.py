@@ -192,7 +192,7 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         "displacement_limit": Quantity("ξ_max", "m", "largest meaningful displacement", "25"),
         "displacement_ratio": Quantity("ξ/ξ_max", "1", "displacement over its limit", "25"),
         "contact_radius_in_spacings": Quantity("a/z0", "1", "contact radius over the atomic spacing", "2"),
-        "profile_error": Quantity("Δh/h", "1", "error of the paraboloid at the edge of the contact", "4"),
+        "profile_error": Quantity("e_h", "1", "error of the paraboloid at the edge of the contact", "4"),
         "displacement_over_contact_radius": Quantity("ξ/a", "1", "displacement over the contact radius", "25"),
         "r_min_over_radius": Quantity("R_min/R1", "1", "smallest curvature radius over the radius", "28"),
         "yield_energy": Quantity("W_yield", "J", "energy to roll to the yield displacement", "25"),
