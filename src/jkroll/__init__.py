@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from .quantities.nomenclature import NOMENCLATURE, Quantity
     from .quantities.uncertain import Interval, Measured
     from .scene.formulas import FORMULAS
+    from .scene.infer import infer
     from .scene.solver import solve
 
 __version__ = "0.1.0"
@@ -26,6 +27,7 @@ __all__ = [
     "Materials",
     "Measured",
     "Quantity",
+    "infer",
     "known_materials",
     "solve",
 ]
@@ -40,6 +42,7 @@ _HOMES = {
     "Measured": "quantities.uncertain",
     "NOMENCLATURE": "quantities.nomenclature",
     "Quantity": "quantities.nomenclature",
+    "infer": "scene.infer",
     "known_materials": "materials.library",
     "solve": "scene.solver",
 }

@@ -1,7 +1,7 @@
 """The answer of a command for one scene: its results, the inputs as understood, limits and notes."""
 
-from collections.abc import Callable, Collection, Mapping
-from typing import Any, Literal, NamedTuple
+from collections.abc import Callable, Collection, Iterable, Mapping
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 from ..errors import JkrollError, NoResult
 from ..physics.jkr import STICKING
@@ -10,20 +10,39 @@ from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..scene.errors import BeyondFold, BeyondPullOff, MissingInput
 from ..scene.limits import IMPACT, LIMIT_NAMES, Judgement, Verdict, judged, of_any_scene, sentence, uses_spacing
 from ..scene.rolling_models import model_error
-from ..scene.scene import DEFAULTS, Scene
+from ..scene.scene import DEFAULTS, NO_UNCERTAINTY, Scene
 from ..scene.wiring import STATE, depends_on
 from .questions import Question
 
 MOST_NAMES = 3  # of quantities in a note
+if TYPE_CHECKING:
+    from ..quantities.uncertain import Uncertain
+    from ..scene.uncertainty import Propagated, Source
 
 
 class Result(NamedTuple):
-    """A quantity in SI units, or the reason why it has no value; for a model of the moment, its relative error."""
+    """A quantity in SI units, or the reason why it has no value.
+
+    `error` is the relative error of a model of the moment, `condition` the factor by which an inferred value multiplies the
+    relative error of a measured one.
+    """
 
     name: str
     value: float | None
     reason: str = ""
     error: float | None = None
+    condition: float | None = None
+    propagated: "Propagated | None" = None  # its uncertainty, if an input has one
+
+    def sides(self) -> dict[str, float]:
+        """Return the numbers of the uncertainty by name: minus and plus, or low and high; none if there is no uncertainty."""
+        if self.propagated is None:
+            return {}
+        return {
+            side: number
+            for side, number in self.propagated.uncertainty.as_object().items()
+            if isinstance(number, float)
+        }
 
 
 class Note(NamedTuple):
@@ -42,6 +61,7 @@ class Answer(NamedTuple):
     notes: tuple[Note, ...]
     validity: tuple[Verdict, ...]
     failure: JkrollError | None  # why there is no result, or no contact
+    uncertain: Mapping[str, "Uncertain"] = NO_UNCERTAINTY  # the inputs that are uncertain
 
     def value(self, name: str) -> float | None:
         """Return the value of a result, or None."""
@@ -80,7 +100,36 @@ def answer(question: Question, scene: Scene) -> Answer:
     )
     fatal = next((error for error in errors.values() if isinstance(error, _FATAL)), None)
     failure = fatal or (None if known else next(iter(errors.values())))
-    return Answer(inputs, tuple(results), notes, limits.verdicts, failure)
+    plain = Answer(inputs, tuple(results), notes, limits.verdicts, failure)
+    return with_uncertainties(plain, scene) if scene.is_uncertain else plain
+
+
+def with_uncertainties(answer: Answer, scene: Scene) -> Answer:
+    """Return an answer with the uncertainties of its results, and of the inputs that they come from."""
+    from ..scene.uncertainty import sources, uncertainties
+
+    names = [result.name for result in answer.results if result.value is not None]
+    return add_uncertainties(answer, uncertainties(scene, names), sources(scene))
+
+
+def add_uncertainties(
+    answer: Answer, found: Mapping[str, "Propagated | JkrollError"], effective: Iterable["Source"]
+) -> Answer:
+    """Return an answer with these uncertainties, and with a note for each that does not exist."""
+    results = [
+        result._replace(propagated=one) if not isinstance(one := found.get(result.name), JkrollError) else result
+        for result in answer.results
+    ]
+    failures: dict[str, list[str]] = {}
+    for name, one in found.items():
+        if isinstance(one, MissingInput | NoResult):
+            failures.setdefault(_reason(name, one), []).append(name)
+    notes = [
+        Note("missing", f"{_few(names)}: no uncertainty, as there is no value at an end of an input: {reason}")
+        for reason, names in failures.items()
+    ]
+    stated = {name: source.given for source in effective for name in source.names if name in answer.inputs}
+    return answer._replace(results=tuple(results), notes=(*answer.notes, *notes), uncertain=stated)
 
 
 # Errors that leave nothing of a scene to be trusted, even where something could be computed.
