@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from .dimensions import Energy, Force, Length, Number
-from .elementary import cbrt, cube, sqrt, where, within
+from .dimensions import Energy, Force, Length, Number, Stress, SurfaceEnergy
+from .elementary import cbrt, cube, pi, sqrt, where, within
 
 FOLD_APPROACH = -0.8254818122236567  # −(3/4)^(2/3), the least δ̂, rounded
 FOLD_APPROACH_REST = 1.4776601947357812e-17  # what rounding took from it
@@ -157,23 +157,25 @@ def _root_of_excess(eta: Any, excess: Any) -> Any:
 # --- Energies ---------------------------------------------------------------------------------------------------------
 
 
-def adhesion_energy(*, pull_off_force: Force, approach: Length) -> Energy:
+def adhesion_energy(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress) -> Energy:
     """Return the energy typical of adhesion: what a slow head-on collision dissipates, to order of magnitude.
 
         W = P_c δ0 = (81π⁵w⁵R⁴/(32E*²))^(1/3)
 
-    pull_off_force  [N]  > 0
-    approach        [m]  > 0
+    work_of_adhesion  [J/m²]  > 0
+    reduced_radius    [m]     > 0
+    contact_modulus   [Pa]    > 0
 
     Returns:  [J]; a float for floats, an array for arrays, which broadcast.
-    Source:   Text below Eq (48).
+    Source:   Text below Eq (48), with P_c and δ0 of JKR.
     Valid:    The largest energy that sticks is 0.7722 P_cδ0.
-    Accuracy: 1.5 ulp above w, R and E*.
+    Accuracy: 4 ulp.
 
-    >>> adhesion_energy(pull_off_force=2.0, approach=3.0)
-    6.0
+    >>> round(adhesion_energy(work_of_adhesion=2 / pi, reduced_radius=3.0, contact_modulus=3.0), 7)
+    9.0
     """
-    return pull_off_force * approach
+    force = 3 / 2 * pi * work_of_adhesion * reduced_radius
+    return force * cbrt(3 / 4 * pi**2 * (work_of_adhesion / contact_modulus) ** 2 * reduced_radius)
 
 
 def well_energy(*, adhesion_energy: Energy) -> Energy:

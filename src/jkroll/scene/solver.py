@@ -26,6 +26,7 @@ def solve(
     material: str | Material | None = None,
     material2: str | Material | None = None,
     materials: Materials | None = None,
+    model: str | None = None,
     **given: Any,
 ) -> Any:
     """Compute quantities of the nomenclature from whatever is known of the scene.
@@ -39,6 +40,8 @@ def solve(
         by name overrides the material's.
     materials
         Where materials are looked up: `Materials(["mine.toml"])` for some of your own besides the shipped ones.
+    model
+        The law of attraction: "jkr" (the paper's, which is meant if none is named), "maugis" or "dmt".
     **given
         Inputs by name: a float, an array or a list in SI units, a text with a unit ("100 nm"), or a pint Quantity.
         Arrays broadcast. `radius2` may be infinite (a plane), and one Young's modulus too (a rigid body).
@@ -69,9 +72,9 @@ def solve(
     arrays = {name: value for name, value in described.items() if not isinstance(value, float)}
     shape = _broadcast(arrays)
     if math.prod(shape) <= BLOCK:
-        results = _answers(Scene(described, *spheres), names)
+        results = _answers(Scene(described, *spheres, model=model), names)
     else:
-        results = _in_blocks(names, described, spheres, shape)
+        results = _in_blocks(names, Scene(described, *spheres, model=model), shape)
     if registry is not None:
         results = {name: registry.Quantity(value, NOMENCLATURE[name].unit) for name, value in results.items()}
     return results[names[0]] if isinstance(wanted, str) else results
@@ -116,19 +119,14 @@ def _answers(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
     return values
 
 
-def _in_blocks(
-    names: Sequence[str],
-    given: Mapping[str, Any],
-    spheres: tuple[Material | None, Material | None],
-    shape: tuple[int, ...],
-) -> dict[str, Any]:
+def _in_blocks(names: Sequence[str], whole: Scene, shape: tuple[int, ...]) -> dict[str, Any]:
     """Return the results for large arrays, a block of elements at a time: what lies between results stays in the cache."""
     import numpy
 
-    arrays = {name: value for name, value in given.items() if not isinstance(value, float)}
+    arrays = {name: value for name, value in whole.stated.items() if not isinstance(value, float)}
     results: dict[str, Any] = {}
     for place in _blocks(shape):
-        scene = Scene({**given, **{name: _part(value, place) for name, value in arrays.items()}}, *spheres)
+        scene = whole.replace(**{name: _part(value, place) for name, value in arrays.items()})
         values = _answers(scene, names)
         if not results:
             shapes = _shapes(scene.plan(*names), {name: value.shape for name, value in arrays.items()})
