@@ -247,11 +247,13 @@ _BY_A_LAW = {
 }
 
 NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
-    _QUANTITIES
-    | {
-        name: _QUANTITIES[quantity]._replace(equation="", range="", option="", example="", note="")
-        for quantity, names in _BY_A_LAW.items()
-        for name in names
+    {
+        **_QUANTITIES,
+        **{
+            name: _QUANTITIES[quantity]._replace(equation="", range="", option="", example="", note="")
+            for quantity, names in _BY_A_LAW.items()
+            for name in names
+        },
     }
 )
 
