@@ -7,20 +7,40 @@ from ..errors import JkrollError, NoResult
 from ..quantities.formatting import Format, amount, in_words
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..scene.errors import BeyondFold, BeyondPullOff, MissingInput
+from ..scene.laws import DEFAULT_LAW
 from ..scene.limits import LIMIT_NAMES, Verdict, sentence, uses_spacing, verdicts
 from ..scene.rolling_models import model_error
 from ..scene.scene import DEFAULTS, Scene
 from ..scene.wiring import STATE, depends_on
+from .comparison import (
+    BETWEEN,
+    Difference,
+    at_equal_hysteresis,
+    differences,
+    equation_of,
+    held_otherwise,
+    of_jkr,
+    uncertain_sticking,
+    uses_law,
+    with_differences,
+    without_contact,
+)
 from .questions import Question
 
 
 class Result(NamedTuple):
-    """A quantity in SI units, or the reason why it has no value; for a model of the moment, its relative error."""
+    """A quantity in SI units, or the reason why it has no value; for a model of the moment, its relative error.
+
+    A quantity of another law of attraction than JKR says which, and has JKR's value beside it.
+    """
 
     name: str
     value: float | None
     reason: str = ""
     error: float | None = None
+    model: str = ""  # the law of attraction, if it is another than JKR
+    equation: str = ""  # of that law
+    jkr: float | None = None  # the value of JKR, beside that of another law
 
 
 class Note(NamedTuple):
@@ -38,6 +58,7 @@ class Answer(NamedTuple):
     notes: tuple[Note, ...]
     validity: tuple[Verdict, ...]
     failure: JkrollError | None  # why there is no result, or no contact
+    laws: tuple[Difference, ...] = ()  # how Maugis' law differs from JKR
 
     def value(self, name: str) -> float | None:
         """Return the value of a result, or None."""
@@ -59,13 +80,18 @@ def answer(question: Question, scene: Scene) -> Answer:
         if isinstance(value, MissingInput | NoResult):
             errors[name] = value
             results.append(Result(name, None, _reason(name, value)))
+        elif name == "sticking_energy" and (reason := uncertain_sticking(scene)):
+            results.append(Result(name, None, reason))
         else:
             results.append(Result(name, value, error=model_error(name, scene)))
+    results = _with_law(results, scene)
     known = [result.name for result in results if result.value is not None]
     planned = [result.name for result in results if not isinstance(errors.get(result.name), MissingInput)]
     used = scene.inputs_of(*planned) if planned else depends_on(question.quantities) & scene.given.keys()
     inputs = _echo(scene, used)
-    validity = verdicts(scene, known)
+    headline = {*question.headline, "sticking_energy"}
+    laws = differences(scene, [name for name in known if name in headline])
+    validity = tuple(with_differences(each, laws, scene) for each in verdicts(scene, known))
     entering = {*inputs, "atomic_spacing"} if uses_spacing(validity) else {*inputs}
     notes = (
         *assumptions(scene, entering, planned),
@@ -74,8 +100,21 @@ def answer(question: Question, scene: Scene) -> Answer:
         *_about_missing(results),
     )
     fatal = next((error for error in errors.values() if isinstance(error, _FATAL)), None)
+    if isinstance(fatal, BeyondPullOff):
+        fatal = held_otherwise(fatal, scene)
     failure = fatal or (None if known else next(iter(errors.values())))
-    return Answer(inputs, tuple(results), notes, validity, failure)
+    return Answer(inputs, tuple(results), notes, validity, failure, laws)
+
+
+def _with_law(results: list[Result], scene: Scene) -> list[Result]:
+    """Return results that say of which law they are, with the values of JKR beside them."""
+    beside = of_jkr(scene, [result.name for result in results])
+    return [
+        result._replace(model=scene.law.name, equation=equation_of(scene, result.name), jkr=beside.get(result.name))
+        if result.value is not None and uses_law(scene, result.name)
+        else result
+        for result in results
+    ]
 
 
 # Errors that leave nothing of a scene to be trusted, even where something could be computed.
@@ -104,7 +143,13 @@ def _in_unit(result: Result, form: Format) -> Result:
 def _concerns(name: str, scene: Scene) -> bool:
     """Return whether a quantity is shown for this scene."""
     if name == "rolling_frequency_as_printed":
-        return scene.is_identical
+        return scene.is_identical and scene.law.name == DEFAULT_LAW
+    if name == "pull_off_force_lennard_jones":
+        return scene.law.name == BETWEEN
+    if name == "pull_off_force_dmt":
+        return scene.law.name != "dmt"
+    if name == "yield_displacement":
+        return "adhesion_hysteresis" in scene.stated
     if name == "load":
         return bool(STATE & scene.stated.keys())
     return name not in scene.stated
@@ -117,6 +162,8 @@ def _echo(scene: Scene, used: Collection[str]) -> dict[str, float | str]:
         echoed["material"] = scene.material.name
     if scene.material2 is not None:
         echoed["material2"] = scene.material2.name
+    if scene.stated_model is not None:
+        echoed["model"] = scene.stated_model
     for name in NOMENCLATURE:
         if name in used:
             echoed[name] = scene.values[name]
@@ -178,6 +225,10 @@ def _about_results(results: list[Result], scene: Scene) -> list[Note]:
         for result in known
         if result.error is not None
     ]
+    if any(result.name == "yield_moment" for result in known) and (text := at_equal_hysteresis(scene)):
+        texts.append(text)
+    if any(result.name == "contact_radius_at_load" for result in known) and (text := without_contact(scene)):
+        texts.append(text)
     return [Note("result", text) for text in texts]
 
 

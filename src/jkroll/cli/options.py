@@ -153,7 +153,7 @@ TABLE = (
     *(
         Option(name, quantity.option, str, "", _DEFAULT, hidden=True)
         for name, quantity in NOMENCLATURE.items()
-        if quantity.option
+        if quantity.option and name != "model"
     ),
     MATERIALS,
     QUIET,
@@ -184,9 +184,12 @@ def inputs_of(quantities: Iterable[str]) -> tuple[Option, ...]:
 
     The properties of a material are taken by every command, but shown only where they are used.
     """
+    from ..scene.laws import LAWS, differs
     from ..scene.wiring import depends_on
 
-    depends = depends_on(quantities)
+    depends = depends_on(quantities, tuple(LAWS))
+    if any(map(differs, depends)):
+        depends |= {"model"}
     names = dict.fromkeys((*_ALWAYS, *_HIDDEN, *(name for name in NOMENCLATURE if name in depends)))
     shown = {*depends, "material2", "radius2"} - {*_HIDDEN}
     return tuple(

@@ -119,6 +119,8 @@ def _run_stream(question: Question, request: Request, samples: list[Answer], kin
         raise BadRequest(f"-o: {quoted(values.target)} is a picture; add --curve to contact, or see jkroll map --help")
     if values.to or values.digits or kind not in ("csv", "plain", "table"):
         raise BadRequest("a long sweep is written in SI units with all digits: -o and long ranges take --csv alone")
+    if request.models != [None]:
+        raise BadRequest("a long sweep takes JKR only: --model goes with fewer rows, without -o")
     samples = samples or [answer(question, scene) for scene in request.samples()]
     axes = [Axis(name, spreads) for name, spreads in request.spreads.items()]
     sweep = Sweep(request.pairs, axes, layout(question, samples, request.count), request.materials)

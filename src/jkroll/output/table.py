@@ -15,8 +15,13 @@ from ..scene.limits import sentence
 from ..text import columns, fitting, say
 from .layout import Layout
 
-_HEADS = ("quantity", "symbol", "value", "unit", "Eq")
-_WIDTHS = (slice(0, 5), slice(1, 5), slice(1, 4))  # columns of a scene's table, for narrower and narrower terminals
+_HEADS = ("quantity", "symbol", "value", "unit", "Eq", "JKR")
+_JKR = 5  # the place of JKR's value, shown beside that of another law
+_WIDTHS: Sequence[tuple[int, ...]] = (
+    (0, 1, 2, 3, 4),
+    (1, 2, 3, 4),
+    (1, 2, 3),
+)  # columns of a scene's table, for narrower and narrower terminals
 
 
 def scene_table(answer: Answer, out: TextIO, form: Format) -> None:
@@ -24,7 +29,18 @@ def scene_table(answer: Answer, out: TextIO, form: Format) -> None:
     rows = [_result_row(result, form) for result in answer.results]
     styles = ["dim" if _is_aside(result) else "" for result in answer.results]
     say(_inputs(answer.inputs, form), out)
-    tables = (_table(_HEADS[part], [row[part] for row in rows], out, {"value", "Eq"}, styles) for part in _WIDTHS)
+    has_jkr = any(result.jkr is not None for result in answer.results)
+    widths = [(*part, _JKR) for part in _WIDTHS] if has_jkr else _WIDTHS
+    tables = (
+        _table(
+            [_HEADS[place] for place in part],
+            [[row[place] for place in part] for row in rows],
+            out,
+            {"value", "Eq", "JKR"},
+            styles,
+        )
+        for part in widths
+    )
     if not any(_print(table, out) for table in tables):
         for row in rows:
             say(" ".join(cell for cell in row[1:4] if cell), out)
@@ -35,7 +51,9 @@ def scene_table(answer: Answer, out: TextIO, form: Format) -> None:
 def _result_row(result: Result, form: Format) -> list[str]:
     quantity = NOMENCLATURE[result.name]
     value, unit = ("—", "") if result.value is None else form.rounded(result.name, result.value)
-    return [quantity.sentence, quantity.symbol, value, pretty(unit), quantity.equation]
+    equation = result.equation or quantity.equation
+    jkr = "" if result.jkr is None else amount(result.name, result.jkr, form)
+    return [quantity.sentence, quantity.symbol, value, pretty(unit), equation, pretty(jkr)]
 
 
 def _is_aside(result: Result) -> bool:

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 from typing import Any, TextIO
 
 from ..answers.answer import Answer, Result
+from ..answers.comparison import as_objects
 from ..quantities.formatting import AS_USUAL, Format
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.limits import Verdict
@@ -22,7 +23,10 @@ def write_plain(answers: Iterable[Answer], out: TextIO, form: Format, shape: Lay
     if shape.size > 1:
         write_records(shape.headers(form), _rows(answers, shape.columns, form), "plain", out)
         return
-    for result in next(iter(answers)).results:
+    answer = next(iter(answers))
+    if "model" in answer.inputs:
+        say(f"model {answer.inputs['model']}", out)
+    for result in answer.results:
         if result.value is not None:
             line = f"{result.name} {form.text(result.name, result.value)} {form.unit(result.name)}"
             say(line.removesuffix(" 1"), out)
@@ -86,9 +90,11 @@ def as_object(answer: Answer, form: Format) -> dict[str, Any]:
     """Return the JSON object of one scene."""
     from .. import __version__
 
+    laws = {"laws": as_objects(answer.laws)} if answer.laws else {}
     return {
         "inputs": dict(answer.inputs),
         "results": [_result_object(result, form) for result in answer.results],
+        **laws,
         "validity": [_verdict_object(verdict) for verdict in answer.validity],
         "notes": [note.text for note in answer.notes],
         "version": __version__,
@@ -102,9 +108,12 @@ def _result_object(result: Result, form: Format) -> dict[str, Any]:
         "symbol": quantity.symbol,
         "value": None if result.value is None else float(form.text(result.name, result.value)),
         "unit": form.unit(result.name),
-        "equation": quantity.equation,
+        "equation": result.equation or quantity.equation,
         "description": quantity.sentence,
     }
+    if result.model:
+        entry["model"] = result.model
+        entry["jkr"] = None if result.jkr is None else float(form.text(result.name, result.jkr))
     if quantity.note:
         entry["note"] = quantity.note
     if result.value is None:

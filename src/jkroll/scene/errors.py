@@ -78,13 +78,14 @@ class BeyondPullOff(NoResult):
 
     name = "load"
 
-    def __init__(self, load: float, pull_off_force: float) -> None:
-        super().__init__(load, pull_off_force)
-        self.load, self.pull_off_force = load, pull_off_force
+    def __init__(self, load: float, pull_off_force: float, by_maugis: float = 0.0) -> None:
+        super().__init__(load, pull_off_force, by_maugis)
+        self.load, self.pull_off_force, self.by_maugis = load, pull_off_force, by_maugis
 
     def reason(self) -> str:
         """Return which loads this contact holds."""
-        return f"{self.load!r} N is beyond pull-off; this contact holds down to {-self.pull_off_force!r} N"
+        held = f"; by Maugis' law it holds down to {-self.by_maugis!r} N (--model maugis)" if self.by_maugis else ""
+        return f"{self.load!r} N is beyond pull-off; this contact holds down to {-self.pull_off_force!r} N{held}"
 
 
 class BeyondFold(NoResult):
