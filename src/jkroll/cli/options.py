@@ -184,11 +184,12 @@ def inputs_of(quantities: Iterable[str]) -> tuple[Option, ...]:
 
     The properties of a material are taken by every command, but shown only where they are used.
     """
-    from ..scene.laws import LAWS, differs
-    from ..scene.wiring import depends_on
+    from ..scene.laws import LAWS
+    from ..scene.wiring import depends_on, has_law
 
-    depends = depends_on(quantities, tuple(LAWS))
-    if any(map(differs, depends)):
+    quantities = tuple(quantities)
+    depends = depends_on(quantities, LAWS)
+    if any(map(has_law, quantities)):
         depends |= {"model"}
     names = dict.fromkeys((*_ALWAYS, *_HIDDEN, *(name for name in NOMENCLATURE if name in depends)))
     shown = {*depends, "material2", "radius2"} - {*_HIDDEN}

@@ -169,6 +169,7 @@ def routes_anywhere(name: str, models: Collection[str]) -> list[str]:
     return [route for table in tables if (route := table.get(name)) is not None]
 
 
+@cache
 def differs(name: str) -> bool:
     """Return whether a law other than the default has a quantity by a formula of its own, or not at all."""
     return any(law.routes.get(name, name) != _JKR.routes.get(name, name) for law in LAWS.values())

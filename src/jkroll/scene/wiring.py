@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 from ..physics import FORMULAS
 from ..quantities.errors import UnknownQuantity
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
-from .laws import DEFAULT_LAW, Routes, routes, routes_anywhere
+from .laws import DEFAULT_LAW, Routes, differs, routes, routes_anywhere
 
 # The state of the contact follows from the load unless one of these is given.
 STATE = frozenset({"approach_at_load", "load_factor", "edge_ratio"})
@@ -168,6 +168,16 @@ def _in_order(names: Collection[str]) -> tuple[str, ...]:
 
 def depends_on(names: Iterable[str], models: Collection[str] = (DEFAULT_LAW,)) -> frozenset[str]:
     """Return every name on which quantities can depend under some laws, whatever is given."""
+    return _dependence(tuple(names), tuple(models))
+
+
+def has_law(name: str) -> bool:
+    """Return whether a quantity can differ between the laws of attraction."""
+    return any(map(differs, depends_on((name,))))
+
+
+@cache
+def _dependence(names: tuple[str, ...], models: tuple[str, ...]) -> frozenset[str]:
     found: set[str] = set()
     pending = list(names)
     while pending:
