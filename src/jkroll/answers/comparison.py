@@ -11,7 +11,7 @@ from ..scene.errors import BeyondPullOff, MissingInput
 from ..scene.laws import DEFAULT_LAW, LAWS, differs
 from ..scene.limits import Verdict
 from ..scene.scene import Scene
-from ..scene.wiring import depends_on, has_law
+from ..scene.wiring import depends_on
 
 BETWEEN = "maugis"  # the law that holds between JKR and DMT
 _SHOWN = 2  # differences in the sentence
@@ -32,9 +32,9 @@ def differences(scene: Scene, names: Sequence[str]) -> tuple[Difference, ...]:
     """Return how quantities of a JKR scene differ under Maugis' law, the largest difference first."""
     if scene.law.name != DEFAULT_LAW:
         return ()
-    wanted = [name for name in names if has_law(name)]
-    values = _numbers(scene, wanted)
     between = scene.under(BETWEEN)
+    wanted = [name for name in _numbers(between, names) if uses_law(between, name)]
+    values = _numbers(scene, wanted)
     at_spacing = _numbers(between, wanted)
     at_half = _numbers(_at_half_spacing(between), wanted)
     found = [

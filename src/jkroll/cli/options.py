@@ -176,7 +176,17 @@ PROGRAM = (
 )
 
 _ALWAYS = ("radius2", "material2", "surface_energy", "work_of_adhesion", "youngs_modulus", "poisson_ratio", "density")
-_HIDDEN = ("surface_energy2", "youngs_modulus2", "poisson_ratio2", "density2", "atomic_spacing", "energy_ratio")
+_HIDDEN = (
+    "surface_energy2",
+    "youngs_modulus2",
+    "poisson_ratio2",
+    "density2",
+    "atomic_spacing",
+    "energy_ratio",
+    "adhesion_hysteresis",
+)
+
+_NARROW = ("energy_ratio", "adhesion_hysteresis")  # taken only where a quantity depends on them
 
 
 def inputs_of(quantities: Iterable[str]) -> tuple[Option, ...]:
@@ -196,5 +206,5 @@ def inputs_of(quantities: Iterable[str]) -> tuple[Option, ...]:
     return tuple(
         Option(name, quantity.option, str, quantity.example, hidden=name not in shown)
         for name, quantity in ((name, NOMENCLATURE[name]) for name in names)
-        if quantity.option and (name != "energy_ratio" or name in depends)
+        if quantity.option and (name not in _NARROW or name in depends)
     )

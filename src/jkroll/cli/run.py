@@ -144,13 +144,14 @@ def _run_curve(request: Request, kind: str, form: Format) -> int:
     if {"load", "approach_at_load"} & request.options.keys():
         raise BadRequest("--curve goes through all loads and approaches; it takes none")
     tally = Tally()
-    samples = [row for _, row in curve(iter(request.samples()))]
+    samples = [row for _, row in curve(request.samples())]
     if samples[0].failure is not None and all(row.failure is not None for row in samples):
         raise samples[0].failure
-    shape = layout(CURVE, samples, request.count * len(states()))
+    count = sum(len(states(scene)) for scene in request.scenes())
+    shape = layout(CURVE, samples, count)
     WRITERS[kind](tally.watch(in_units(row, form) for _, row in curve(request.scenes())), sys.stdout, form, shape)
     sys.stdout.flush()
-    return _say_failures(tally, request.count * len(states()))
+    return _say_failures(tally, count)
 
 
 def _say_failures(tally: Tally, count: int) -> int:

@@ -51,6 +51,7 @@ MAY_BE_ZERO = frozenset(
         "stiffness_maugis",
         "approach_maugis",
         "edge_ratio_at_approach",
+        "edge_ratio_at_fold",
         "contact_radius_maugis",
         "contact_radius_in_spacings",
         "load_dmt",
