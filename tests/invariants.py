@@ -11,8 +11,9 @@ from pathlib import Path
 
 from jkroll.cli.process import main
 from jkroll.errors import JkrollError
+from jkroll.materials.entries import is_material_name
 from jkroll.materials.file import MaterialsFileError
-from jkroll.materials.library import is_material_name, read
+from jkroll.materials.library import read
 from jkroll.quantities.errors import QuantityError
 from jkroll.quantities.nomenclature import INFINITY, NOMENCLATURE, RANGES
 from jkroll.quantities.parsing import parse_quantity, unit_of

@@ -47,7 +47,7 @@ def root(approach_ratio: Exact, *, stable: bool = True) -> Exact:
     return y
 
 
-def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
+def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:  # noqa: PLR0915
     """Every result for one scene. What is not said of sphere 2 is as for sphere 1; its radius may be infinite.
 
     The state of the contact is that of a load or, if `approach_at_load` is given, of an approach.
@@ -105,11 +105,21 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
     else:
         m_eff = I1 / R1**2 + I2 / R2**2 - (I1 / R1 - I2 / R2) ** 2 / (m * (R1 + R2) ** 2 + I1 + I2)
 
+    # The contact against sliding: 1/G* = Σ(2 − ν)/G with G = E/(2(1 + ν)), and two spheres that slide and turn
+    G = 1 / sum((2 - nu) * 2 * (1 + nu) / modulus for nu, modulus in ((nu1, E1), (nu2, E2)))
+    k_s = 8 * G * a0 * a_
+    turning = (
+        sum(1 / each for each in ((m1, m2)[: 1 if on_plane else 2])) + R1**2 / I1 + (0 if on_plane else R2**2 / I2)
+    )
+    f_slide = sqrt(k_s * turning) / (2 * pi)
+
     # Eqs 45-48
     adhesion_energy = P_c * delta0
     kinetic = {"kinetic_energy": m1 * known["speed"] ** 2 / 2} if "speed" in known else {}
     W0 = known.get("energy", kinetic.get("kinetic_energy", known["energy_ratio"] * adhesion_energy))
     yield_energy = M**2 / (2 * k)
+    stuck = gamma * cbrt((gamma * R**2 / E) ** 2)
+    E_stick_1, E_stick_2 = 8 * pi / 3 * mpf("1.07") ** 2 * stuck, mpf("19.2") * stuck
     vibration = {"vertical_frequency": sqrt(P_c / delta0 * slope / m) / (2 * pi)} if slope >= 0 else {}
 
     return (
@@ -135,7 +145,6 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
             "load_margin": s,
             "load_margin_of_factor": s,
             "load_factor": x,
-            "load_over_pull_off": P / P_c,
             "contact_radius_at_load": a0 * a_,
             "approach_at_load": delta,
             "stiffness": P_c / delta0 * slope,
@@ -147,6 +156,7 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
             "fixed_approach_moment": M + E * a0 * a_ * xi**3 / R,
             "rolling_stiffness": k,
             "yield_force": M / R1,
+            "yield_force_fixed_load": M / R1 - P * xi / R2,
             "yield_force_ratio": M / R1 / P_c,
             "yield_angle": xi / R,
             "mean_rolling_moment": mean_M,
@@ -157,19 +167,35 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
             "rolling_frequency_as_printed": 3 / (2 * pi) * sqrt(gamma / (5 * R1**3 * rho1)),
             "rolling_frequency_no_slip": sqrt(4 * P_c * x / (R * m_eff)) / (2 * pi),
             "adhesion_energy": adhesion_energy,
-            "energy_at_energy_ratio": known["energy_ratio"] * adhesion_energy,
+            "energy": W0,
             **{name: factor * adhesion_energy for name, factor in ENERGIES.items()},
+            "contact_shear_modulus": G,
+            "tangential_stiffness": k_s,
+            "sliding_frequency": f_slide,
+            "time_step": 1 / (20 * f_slide),
+            "fold_energy": -FOLD * adhesion_energy,
+            "break_energy_dust_simulation": mpf("1.8") * -FOLD * adhesion_energy,
+            "roll_energy_quarter_turn": 6 * pi**2 * gamma * R * xi,
+            "roll_energy_half_turn": 12 * pi**2 * gamma * R * xi,
+            **({"roll_energy": 4 * P_c * xi * known["rolling_angle"]} if "rolling_angle" in known else {}),
+            "sticking_energy_paszun_dominik": E_stick_1,
+            "sticking_energy_pencil_code": E_stick_2,
+            "sticking_speed": sqrt(2 * ENERGIES["sticking_energy"] * adhesion_energy / m),
+            "sticking_speed_paszun_dominik": sqrt(2 * E_stick_1 / m),
+            "sticking_speed_pencil_code": sqrt(2 * E_stick_2 / m),
             "n_roll": W0 / (7 * pi * mean_M),
             "n_roll_energy_balance": W0 / (2 * pi * mean_M),
-            "n_roll_at_energy_ratio": known["energy_ratio"] * adhesion_energy / (7 * pi * mean_M),
-            "n_roll_energy_balance_at_energy_ratio": known["energy_ratio"] * adhesion_energy / (2 * pi * mean_M),
+            "n_roll_after_impact": 5 * W0 / 7 / (2 * pi * mean_M),
             "tabor_parameter": cbrt(4 * R * gamma**2 / (E**2 * z0**3)),
             "displacement_limit": a0 / (3 * sqrt(a_)),
             "displacement_ratio": 3 * xi * sqrt(a_) / a0,
             "contact_radius_in_spacings": a0 * a_ / z0,
-            "approach_in_spacings": delta0 / z0,
+            "profile_error": (a0 * a_) ** 2 * (1 / R1**3 + 1 / R2**3) / (4 * (1 / R1 + 1 / R2)),
+            "displacement_over_contact_radius": xi / (a0 * a_),
+            "r_min_over_radius": R2 / xi,
             "yield_energy": yield_energy,
             "energy_over_yield": W0 / yield_energy,
+            "energy_over_sticking": W0 / (ENERGIES["sticking_energy"] * adhesion_energy),
         }
     )
 
@@ -245,7 +271,9 @@ SYMBOLS = {
     "K": "stiffness", "k": "rolling_stiffness", "xi": "yield_displacement", "M": "yield_moment",
     "mean_M": "mean_rolling_moment", "A": "half_circle_radius", "angle": "angle", "dz": "displacement", "N": "number",
     "W0": "energy", "W": "energy_ratio", "v": "speed",
-    "W_adhesion": "adhesion_energy", "W_yield": "yield_energy", "z0": "atomic_spacing", "limit": "displacement_limit", "omega": "angular_speed",
+    "R_min": "r_min", "U_stick": "sticking_energy", "W_adhesion": "adhesion_energy", "W_yield": "yield_energy", "z0": "atomic_spacing", "limit": "displacement_limit", "omega": "angular_speed",
+    "G": "contact_shear_modulus", "k_s": "tangential_stiffness", "f": "sliding_frequency", "W_fold": "fold_energy",
+    "M_0": "unloaded_moment", "theta": "rolling_angle", "E_stick_1": "sticking_energy_paszun_dominik", "E_stick_2": "sticking_energy_pencil_code",
 }  # fmt: skip
 
 # The equation of each formula, for its own accuracy; `exact_results`, for that of the whole, uses none of them.
@@ -297,6 +325,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "fixed_approach_moment": lambda M, E, a, xi, R: M + E * a * xi**3 / R,
     "rolling_stiffness": lambda w, x, R: 6 * pi * w * x * R**2,
     "yield_force": lambda w, x, xi, q: 6 * pi * w * x * xi / (1 + q),
+    "yield_force_fixed_load": lambda M, R1, P, xi, R2: M / R1 - P * xi / R2,
     "yield_force_ratio": lambda x, xi, R1: 4 * x * xi / R1,
     "yield_angle": lambda xi, R: xi / R,
     "mean_rolling_moment": lambda M: M / 2,
@@ -317,25 +346,44 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "rolling_frequency_as_printed": lambda w, R1, rho1: 3 / (2 * pi) * sqrt(w / 2 / (5 * R1**3 * rho1)),
     "rolling_frequency_no_slip": lambda w, x, m_eff: sqrt(6 * pi * w * x / m_eff) / (2 * pi),
     # collisions
-    "adhesion_energy": lambda P_c, delta0: P_c * delta0,
+    "adhesion_energy": lambda w, R, E: 3 * pi * w * R / 2 * cbrt(3 * pi**2 * w**2 * R / (4 * E**2)),
+    "energy": lambda W, W_adhesion: W * W_adhesion,
     "kinetic_energy": lambda m1, v: m1 * v**2 / 2,
     "rolling_energy": lambda m1, v, I1, omega: m1 * v**2 / 2 + I1 * omega**2 / 2,
     "initial_angular_speed": lambda W0, I1: sqrt(4 * W0 / (7 * I1)),
     "angular_deceleration": lambda mean_M, I1: -mean_M / I1,
     "n_roll": lambda W0, mean_M: W0 / (7 * pi * mean_M),
     "n_roll_energy_balance": lambda W0, mean_M: W0 / (2 * pi * mean_M),
-    "n_roll_at_energy_ratio": lambda W, delta0, x, xi: W * delta0 / (14 * pi * x * xi),
-    "n_roll_energy_balance_at_energy_ratio": lambda W, delta0, x, xi: W * delta0 / (4 * pi * x * xi),
+    "n_roll_after_impact": lambda W0, mean_M: 5 * W0 / 7 / (2 * pi * mean_M),
+    # sliding
+    "contact_shear_modulus": lambda E1, nu1, E2, nu2: (
+        1 / (2 * (2 - nu1) * (1 + nu1) / E1 + 2 * (2 - nu2) * (1 + nu2) / E2)
+    ),
+    "tangential_stiffness": lambda G, a: 8 * G * a,
+    "sliding_frequency": lambda k_s, m: sqrt(7 * k_s / (2 * m)) / (2 * pi),
+    "time_step": lambda f: 1 / (20 * f),
+    # conventions
+    "fold_energy": lambda W_adhesion: cbrt(mpf(9) / 16) * W_adhesion,
+    "break_energy_dust_simulation": lambda W_fold: mpf("1.8") * W_fold,
+    "roll_energy": lambda M_0, theta: M_0 * theta,
+    "roll_energy_quarter_turn": lambda M_0: M_0 * pi / 2,
+    "roll_energy_half_turn": lambda M_0: M_0 * pi,
+    "sticking_energy_paszun_dominik": lambda W_adhesion: 8 * pi / 3 * mpf("1.07") ** 2 / cbrt(81 * pi**5) * W_adhesion,
+    "sticking_energy_pencil_code": lambda W_adhesion: mpf("19.2") / cbrt(81 * pi**5) * W_adhesion,
+    "sticking_speed": lambda U_stick, m: sqrt(2 * U_stick / m),
+    "sticking_speed_paszun_dominik": lambda E_stick_1, m: sqrt(2 * E_stick_1 / m),
+    "sticking_speed_pencil_code": lambda E_stick_2, m: sqrt(2 * E_stick_2 / m),
     # validity
     "tabor_parameter": lambda w, R, E, z0: cbrt(R * w**2 / (E**2 * z0**3)),
     "displacement_limit": lambda a0, x: a0 / (3 * cbrt(x)),
     "displacement_ratio": lambda xi, limit: xi / limit,
     "contact_radius_in_spacings": lambda a, z0: a / z0,
-    "approach_in_spacings": lambda delta0, z0: delta0 / z0,
+    "profile_error": lambda a, R1, R2: a**2 * (1 / R1**3 + 1 / R2**3) / (4 * (1 / R1 + 1 / R2)),
+    "displacement_over_contact_radius": lambda xi, a: xi / a,
+    "r_min_over_radius": lambda R_min, R1: R_min / R1,
     "yield_energy": lambda w, xi, x: 3 * pi * w * x * xi**2,
-    "energy_at_energy_ratio": lambda W, W_adhesion: W * W_adhesion,
-    "energy_over_yield": lambda W0, w, x, xi: W0 / (3 * pi * w * x * xi**2),
-    "load_over_pull_off": lambda P, P_c: P / P_c,
+    "energy_over_yield": lambda W0, W_yield: W0 / W_yield,
+    "energy_over_sticking": lambda W0, U_stick: W0 / U_stick,
 }
 
 # What x is the cube of, for formulas whose accuracy is stated in that.
@@ -352,6 +400,7 @@ TERMS: Mapping[str, Callable[..., Exact]] = {
     "pressure": lambda r, a, p_H, p_B: max(p_H * sqrt(1 - (r / a) ** 2), abs(p_B) / sqrt(1 - (r / a) ** 2)),
     "approach_of_pressure": lambda a, E, p_H, p_B: pi * a / (2 * E) * max(p_H, 2 * abs(p_B)),
     "boussinesq_pressure_at_approach": lambda delta, a, E, p_H: max(E * abs(delta) / (pi * a), p_H / 2),
+    "yield_force_fixed_load": lambda M, R1, P, xi, R2: max(M / R1, abs(P * xi / R2)),
     "half_circle_moment": lambda A, delta, E, R: E * A**2 * max(abs(delta) / 2, A**2 / (4 * R)),
     "linearised_moment": lambda a, xi, delta, E, R: 2 * xi * E * a * max(a**2 / R, abs(delta)),
 }

@@ -47,6 +47,7 @@ def any_scene(random: Random) -> Scene:
         scene |= random.choice([{"youngs_modulus2": math.inf}, {"poisson_ratio2": -1.0}])
     scene["yield_displacement"] = log_uniform(random, 1e-13, 1e-3)
     scene["gravity"] = log_uniform(random, 1e-3, 1e3)
+    scene["rolling_angle"] = 1.6
     match random.choice(["none", "load", "approach"]):
         case "load":
             scene["load"] = _any_ratio(random) * solve("pull_off_force", **scene)

@@ -12,18 +12,32 @@ if TYPE_CHECKING:
     from .errors import JkrollError
     from .materials.library import Material, Materials, known_materials
     from .quantities.nomenclature import NOMENCLATURE, Quantity
+    from .quantities.uncertain import Interval, Measured
     from .scene.formulas import FORMULAS
     from .scene.solver import solve
 
 __version__ = "0.1.0"
-__all__ = ["FORMULAS", "NOMENCLATURE", "JkrollError", "Material", "Materials", "Quantity", "known_materials", "solve"]
+__all__ = [
+    "FORMULAS",
+    "NOMENCLATURE",
+    "Interval",
+    "JkrollError",
+    "Material",
+    "Materials",
+    "Measured",
+    "Quantity",
+    "known_materials",
+    "solve",
+]
 
 # The modules are imported when a name is first used, so that a command line pays only for what it needs.
 _HOMES = {
     "FORMULAS": "scene.formulas",
+    "Interval": "quantities.uncertain",
     "JkrollError": "errors",
     "Material": "materials.library",
     "Materials": "materials.library",
+    "Measured": "quantities.uncertain",
     "NOMENCLATURE": "quantities.nomenclature",
     "Quantity": "quantities.nomenclature",
     "known_materials": "materials.library",

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from jkroll.materials.library import SHIPPED
+from jkroll.materials.entries import SHIPPED
 
 LIBRARIES = {"numpy", "pint", "rich", "typer", "pydantic", "mpmath", "matplotlib", "tomllib"}
 HEAVY = {"dataclasses", "inspect", "pathlib", "difflib", "shutil", "subprocess"}  # of the standard library
@@ -17,9 +17,9 @@ PINT = {"numpy", "pint"}  # pint imports numpy by itself
 PROGRAM = """
 import sys
 import jkroll.materials
-from jkroll.materials import library
+from jkroll.materials import entries
 jkroll.materials.__path__.append(sys.argv[1])
-library.SHIPPED = library.os.path.join(library._HERE, "materials.toml")
+entries.SHIPPED = entries.os.path.join(entries._HERE, "materials.toml")
 sys.stdout.isatty = lambda: sys.argv[2] == "terminal"
 from jkroll.cli.process import main
 codes = {main(words.split()) for words in sys.argv[3:]}

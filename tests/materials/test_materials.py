@@ -1,5 +1,6 @@
 """Materials: the shipped file, the user's files, and malformed files."""
 
+import json
 import os
 from pathlib import Path
 
@@ -10,8 +11,9 @@ from hypothesis import strategies as st
 import jkroll
 from harness import Run
 from jkroll.errors import JkrollError
+from jkroll.materials.entries import SHIPPED
 from jkroll.materials.file import MaterialsFileError
-from jkroll.materials.library import SHIPPED, Materials, read
+from jkroll.materials.library import Material, Materials, read
 from jkroll.text import quoted
 
 ICE = """
@@ -116,6 +118,11 @@ BROKEN = {
     "[materials.ice]\n[materials.Ice]": "'Ice' names both 'ice' and 'Ice'; case makes no difference",
     "[materials.a]\naliases = ['x']\n[materials.b]\naliases = ['X']": "'X' names both 'a' and 'b'; case makes no difference",
     "[materials.'a ']": "'a ' is no name for a material; one begins with a letter and has no comma",
+    "[materials.a]\ndensity = { value = '1 g/cm3', methd = 'x' }": "'a.density' has an unknown key 'methd'; did you mean method?",
+    "[materials.a]\ndensity = { method = 'x' }": "a.density is not a text in quotes",
+    "[materials.a]\ndensity = { value = '1 g/cm3', reference = 'x' }": "'a' cites 'x', which [references] does not have",
+    "[materials.a]\ndensity = '3.4(9) g/cm3'": "a: density: '3.4(9) g/cm3' can be read as 3.4±0.9 or as 3.4e9; write the one that is meant",
+    "[materials.a]\nnotes = { x = 'y' }": "'a' has a note on 'x', which it does not give",
     "title = 3": "title is not a text in quotes",
     "a = " + "[" * 1200: "is not TOML: nested too deeply",
     "a" + ".a" * 1200 + " = 1": "has a line of more than 100 dots",
@@ -205,3 +212,106 @@ def test_solve_takes_materials_by_name() -> None:
     assert jkroll.solve("pull_off_force", material="Fe", radius=1e-6) > 0
     with pytest.raises(JkrollError, match="did you mean quartz"):
         jkroll.solve("pull_off_force", material="quarz", radius=1e-6)
+
+
+# --- The second set: materials by state ----------------------------------------------------------------------------------
+
+SECOND = [material for material in Materials().materials.values() if material.title != "Table 1"]
+
+
+def test_the_sets() -> None:
+    first = [material.name for material in Materials().materials.values() if material.title == "Table 1"]
+    assert first == ["polystyrene", "quartz", "graphite", "gold", "iron"]
+    assert {material.name for material in SECOND} == {
+        *("silica-dry", "silica-humid", "ice-model", "ice-warm", "ice-cold", "tholin", "polystyrene-glassy")
+    }
+
+
+@pytest.mark.parametrize("material", SECOND, ids=lambda material: material.name)
+def test_every_value_of_the_second_set_says_where_it_is_from(material: Material) -> None:
+    """A state; for each property a method, a reference, and an uncertainty or the word that there is none; the law behind γ."""
+    assert material.state
+    keys = {entry["key"] for entry in material.references}
+    for name in material.properties:
+        origin = material.origins[name]
+        assert origin.method
+        assert origin.reference in keys
+        assert ("no uncertainty stated" in origin.method) == (
+            name not in material.uncertainties
+        ) or "-16 °C" in origin.method
+    assert material.origins["surface_energy"].law
+    texts = [
+        material.state,
+        *material.notes.values(),
+        *(text for origin in material.origins.values() for text in origin),
+    ]
+    assert not any(text.endswith("...") for text in texts)
+
+
+def test_the_nominal_value_is_in_the_properties_and_the_uncertainty_beside_it() -> None:
+    ice = Materials()["ice-warm"]
+    assert ice.properties["surface_energy"] == 0.19
+    assert ice.uncertainties["surface_energy"] == jkroll.Measured(0.19, 0.069, 0.069)
+    assert ice.uncertainties["youngs_modulus"] == jkroll.Interval(9.195e9, 9.09e9, 9.3e9)
+    assert not Materials()["quartz"].uncertainties
+
+
+def test_the_error_of_warm_ice_is_that_of_the_two_forces() -> None:
+    share = ((23.8 / 114.8) ** 2 + (3.6 / 12.1) ** 2) ** 0.5
+    assert Materials()["ice-warm"].uncertainties["surface_energy"].high == pytest.approx(0.19 * (1 + share), rel=1e-3)
+
+
+def test_the_elastic_constants_of_ice_are_averages_of_those_of_its_crystals() -> None:
+    """Reuss and Voigt averages of the constants of Gammon et al. (1983) at -16 °C, in 10⁸ N/m²."""
+    c11, c12, c13, c33, c44 = 139.29, 70.82, 57.65, 150.10, 30.14
+    c66 = (c11 - c12) / 2
+    bulk_voigt = (2 * (c11 + c12) + 4 * c13 + c33) / 9
+    shear_voigt = (c11 + c12 + 2 * c33 - 4 * c13 + 12 * c44 + 12 * c66) / 30
+    root = (c11 + c12) * c33 - 2 * c13**2
+    bulk_reuss = root / (c11 + c12 + 2 * c33 - 4 * c13)
+    shear_reuss = 2.5 * root * c44 * c66 / (3 * bulk_voigt * c44 * c66 + root * (c44 + c66))
+    ice = Materials()["ice-warm"]
+    for bulk, shear, end in ((bulk_reuss, shear_reuss, "low"), (bulk_voigt, shear_voigt, "high")):
+        modulus = 9 * bulk * shear / (3 * bulk + shear) * 1e8
+        assert getattr(ice.uncertainties["youngs_modulus"], end) == pytest.approx(modulus, rel=1e-3)
+        ratio = (3 * bulk - 2 * shear) / (6 * bulk + 2 * shear)
+        other = {"low": "high", "high": "low"}[end]
+        assert getattr(ice.uncertainties["poisson_ratio"], other) == pytest.approx(ratio, rel=2e-3)
+
+
+def test_a_material_of_several_states_is_refused_with_their_list(run: Run, tmp_path: Path) -> None:
+    states = "material: 'ice' has no values of its own; its states are ice-model, ice-warm, ice-cold"
+    assert run("pull-off ice 1um") == (2, "", f"jkroll: {states}\n")
+    path = write(tmp_path / "mine.toml", ICE)
+    assert run("pull-off", "ice", "1um", "--materials", str(path)).code == 0
+
+
+def test_silica_is_quartz_and_says_so(run: Run) -> None:
+    note = "note: quartz: silica is read as quartz, 2600 kg/m³; amorphous silica is silica-dry or silica-humid\n"
+    silica, quartz = run("pull-off silica 1um"), run("pull-off quartz 1um")
+    assert silica.out == quartz.out
+    assert note in silica.err
+    assert note in run("materials SILICA").err
+    assert "silica is" not in quartz.err + run("pull-off SiO2 1um").err + run("materials quartz").err
+
+
+def test_the_sets_are_shown_apart(run: Run) -> None:
+    out = run("materials", terminal=True).out
+    assert out.index("Table 1") < out.index("quartz") < out.index("later sources") < out.index("ice-cold")
+    rows = [line.split(",") for line in run("materials --csv").out.splitlines()]
+    assert rows[0][-2:] == ["state", "source"]
+    assert rows[2][0] == "quartz"
+    assert rows[2][-2:] == ["", "Table 1"]
+
+
+def test_a_material_is_shown_with_all_that_is_known_of_it(run: Run) -> None:
+    sheet = run("materials ice-warm", terminal=True).out
+    assert "state           water ice above about 200 K\n" in sheet
+    assert "surface_energy  190 ± 69 mJ/m^2\n  method        critical rolling force" in sheet
+    assert "  reference     gundlach-2011\n" in sheet
+    assert "surface_energy 0.19 J/m^2\nsurface_energy.stated 190 ± 69 mJ/m^2\n" in run("materials ice-warm").out
+    found = json.loads(run("materials ice-warm --json").out)
+    assert found["uncertainties"]["surface_energy"] == {"kind": "standard", "minus": 0.069, "plus": 0.069}
+    assert found["uncertainties"]["density"] == {"kind": "range", "low": 917.0, "high": 934.0}
+    assert found["origins"]["surface_energy"]["reference"] == "gundlach-2011"
+    assert "@article{gundlach-2011,\n" in run("materials ice-warm --cite").out

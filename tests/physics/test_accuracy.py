@@ -84,7 +84,7 @@ def test_result_is_within_the_bound(name: str, kind: str) -> None:
     errors = errors_of_kind(kind)
     assert worst(errors.of_numbers[name]).ulp <= BOUND, worst(errors.of_numbers[name])
     assert worst(errors.of_arrays[name]).ulp <= BOUND, worst(errors.of_arrays[name])
-    assert worst(errors.between[name]).ulp <= 4, worst(errors.between[name])
+    assert worst(errors.between[name]).ulp <= BOUND, worst(errors.between[name])
 
 
 def test_half_of_all_results_are_within_the_median() -> None:

@@ -143,7 +143,9 @@ def test_regions_end_where_the_limits_are(name: str) -> None:
 def test_materials_are_where_table_1_has_them() -> None:
     marks = {mark.text: mark.x for mark in MAPS["3a"].marks}
     assert marks == {
-        name: material.properties["surface_energy"] for name, material in known_materials().materials.items()
+        name: material.properties["surface_energy"]
+        for name, material in known_materials().materials.items()
+        if material.title == "Table 1"
     }
     ratios = {mark.text: mark.x for mark in MAPS["8"].marks}
     assert "gold" not in ratios  # it has no Young's modulus
@@ -302,7 +304,7 @@ def test_several_materials_are_several_curves(run: Run) -> None:
 
 
 def test_a_material_that_lacks_a_property_leaves_the_others(run: Run) -> None:
-    ran = run("map frequencies all --x radius=10nm:1um:3 --data -")
+    ran = run("map frequencies polystyrene,quartz,graphite,gold,iron --x radius=10nm:1um:3 --data -")
     assert ran.code == 0
     assert {row[0] for row in csv.reader(io.StringIO(ran.out))} == {
         "curve",

@@ -60,9 +60,9 @@ class Units:
         }
 
 
-def random_pair(source: random.Random) -> dict[str, float]:
+def random_pair(source: random.Random) -> dict[str, Any]:
     """Return an unequal pair of spheres, or a sphere on a plane."""
-    scene = {"radius": 10 ** source.uniform(-9, -4), "atomic_spacing": 10 ** source.uniform(-10, -9)}
+    scene: dict[str, Any] = {"radius": 10 ** source.uniform(-9, -4), "atomic_spacing": 10 ** source.uniform(-10, -9)}
     scene["radius2"] = source.choice([math.inf, scene["radius"] * 10 ** source.uniform(-1, 1)])
     for sphere in ("", "2"):
         scene["surface_energy" + sphere] = 10 ** source.uniform(-2, 0.5)
@@ -161,7 +161,7 @@ def test_the_moment_is_hertz_load_less_the_load(load: float, radius: float, mode
     ("model", "radius", "spacing", "error"), [("jkr", 1e-3, 1e-11, 1e-4), ("dmt", 1e-9, 1e-6, 1e-2)]
 )
 def test_maugis_tends_to_jkr_and_to_dmt(model: str, radius: float, spacing: float, error: float) -> None:
-    scene = {"material": "quartz", "radius": radius, "atomic_spacing": spacing}
+    scene: dict[str, Any] = {"material": "quartz", "radius": radius, "atomic_spacing": spacing}
     names = [
         "pull_off_force",
         "contact_radius_at_load",

@@ -1,14 +1,15 @@
 """The answer of a command for one scene: its results, the inputs as understood, limits and notes."""
 
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
 from typing import Any, Literal, NamedTuple
 
 from ..errors import JkrollError, NoResult
+from ..physics.jkr import STICKING
 from ..quantities.formatting import Format, amount, in_words
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..scene.errors import BeyondFold, BeyondPullOff, MissingInput
 from ..scene.laws import DEFAULT_LAW
-from ..scene.limits import LIMIT_NAMES, Verdict, sentence, uses_spacing, verdicts
+from ..scene.limits import IMPACT, LIMIT_NAMES, Judgement, Verdict, judged, of_any_scene, sentence, uses_spacing
 from ..scene.rolling_models import model_error
 from ..scene.scene import DEFAULTS, Scene
 from ..scene.wiring import STATE, depends_on
@@ -26,6 +27,8 @@ from .comparison import (
     without_contact,
 )
 from .questions import Question
+
+MOST_NAMES = 3  # of quantities in a note
 
 
 class Result(NamedTuple):
@@ -46,8 +49,9 @@ class Result(NamedTuple):
 class Note(NamedTuple):
     """A sentence about an answer."""
 
-    kind: Literal["assumption", "data", "result", "missing", "doubt"]
+    kind: Literal["material", "missing", "doubt", "result", "model", "assumption", "unchecked", "data"]
     text: str
+    matter: str = ""  # the same for all scenes that have such a note; by default the text
 
 
 class Answer(NamedTuple):
@@ -66,7 +70,7 @@ class Answer(NamedTuple):
 
     def doubts(self) -> list[Note]:
         """Return a note for each limit of the model that does not hold."""
-        return [Note("doubt", f"doubtful: {sentence(one)}") for one in self.validity if not one.holds]
+        return [Note("doubt", sentence(one), of_any_scene(one)) for one in self.validity if not one.holds]
 
 
 def answer(question: Question, scene: Scene) -> Answer:
@@ -91,13 +95,15 @@ def answer(question: Question, scene: Scene) -> Answer:
     inputs = _echo(scene, used)
     headline = {*question.headline, "sticking_energy"}
     laws = differences(scene, [name for name in known if name in headline])
-    validity = tuple(with_differences(each, laws, scene) for each in verdicts(scene, known))
+    limits = judged(scene, known)
+    validity = tuple(with_differences(each, laws, scene) for each in limits.verdicts)
     entering = {*inputs, "atomic_spacing"} if uses_spacing(validity) else {*inputs}
     notes = (
         *assumptions(scene, entering, planned),
         *about_data(scene, inputs),
         *_about_results(results, scene),
-        *_about_missing(results),
+        *_about_missing(results, errors),
+        *_about_limits(limits),
     )
     fatal = next((error for error in errors.values() if isinstance(error, _FATAL)), None)
     if isinstance(fatal, BeyondPullOff):
@@ -140,19 +146,24 @@ def _in_unit(result: Result, form: Format) -> Result:
     return result._replace(value=None, reason=f"no value in {form.unit(result.name)} that a double can hold")
 
 
+# The quantities that are shown for some scenes only.
+_SHOWN_IF: Mapping[str, Callable[[Scene], bool]] = {
+    "rolling_frequency_as_printed": lambda scene: scene.is_identical and scene.law.name == DEFAULT_LAW,
+    "pull_off_force_lennard_jones": lambda scene: scene.law.name == BETWEEN,
+    "pull_off_force_dmt": lambda scene: scene.law.name != "dmt",
+    "yield_displacement": lambda scene: "adhesion_hysteresis" in scene.stated,
+    "load": lambda scene: bool(STATE & scene.stated.keys()),
+    "yield_force_fixed_load": lambda scene: bool((STATE | {"load"}) & scene.stated.keys()),
+    "n_roll_after_impact": lambda scene: "speed" in scene.stated,
+    "roll_energy": lambda scene: "rolling_angle" in scene.stated,
+    "roll_energy_quarter_turn": lambda scene: "rolling_angle" not in scene.stated,
+    "roll_energy_half_turn": lambda scene: "rolling_angle" not in scene.stated,
+}
+
+
 def _concerns(name: str, scene: Scene) -> bool:
     """Return whether a quantity is shown for this scene."""
-    if name == "rolling_frequency_as_printed":
-        return scene.is_identical and scene.law.name == DEFAULT_LAW
-    if name == "pull_off_force_lennard_jones":
-        return scene.law.name == BETWEEN
-    if name == "pull_off_force_dmt":
-        return scene.law.name != "dmt"
-    if name == "yield_displacement":
-        return "adhesion_hysteresis" in scene.stated
-    if name == "load":
-        return bool(STATE & scene.stated.keys())
-    return name not in scene.stated
+    return _SHOWN_IF[name](scene) if name in _SHOWN_IF else name not in scene.stated
 
 
 def _echo(scene: Scene, used: Collection[str]) -> dict[str, float | str]:
@@ -199,43 +210,80 @@ def assumptions(scene: Scene, inputs: Collection[str], names: list[str]) -> list
 def about_data(scene: Scene, inputs: Collection[str]) -> list[Note]:
     """Return notes on the material data that were used, those on shadowed materials first."""
     used = scene.data_used(inputs)
-    shadows = [f"{material.name}: {text}" for material, _ in used for text in material.shadows]
+    shadows = [Note("material", f"{material.name}: {text}") for material, _ in used for text in material.remarks]
     remarks = [
-        f"{material.name}: {NOMENCLATURE[name].sentence}: {material.notes[name]}"
+        Note("data", f"{material.name}: {NOMENCLATURE[name].sentence}: {material.notes[name]}")
         for material, name in used
         if name in material.notes
     ]
-    return [Note("data", text) for text in dict.fromkeys(shadows + remarks)]
+    return [*dict.fromkeys(shadows + remarks)]
 
 
 def _about_results(results: list[Result], scene: Scene) -> list[Note]:
     """Return notes on the values: why one stands beside a headline, what it counts, how exact its model is."""
     known = [result for result in results if result.value is not None]
     texts = [
-        f"{result.name}: {NOMENCLATURE[result.name].note}"
+        f"{_symbol(result.name)}: {NOMENCLATURE[result.name].note}"
         for result in known
         if NOMENCLATURE[result.name].note and not (scene.is_identical and result.name == "rolling_frequency_no_slip")
     ]
-    if not scene.is_identical and any(result.name == "n_grav" for result in known):
-        texts.append(
-            "n_grav: is what the first contact, on body 2, carries; those between spheres 1 may roll before it"
-        )
-    texts += [
-        f"{result.name}: relative error {result.error:.3g} against the exact moment of this contact"
-        for result in known
-        if result.error is not None
+    names = {result.name for result in known}
+    if "n_grav" in names and not scene.is_identical:
+        texts.append(f"N_grav is what the first contact, on body 2, carries; {_between_spheres_1(scene)}")
+    if "n_roll" in names and IMPACT.isdisjoint(scene.stated):
+        texts.append(f"W0 = P_cδ0 is {1 / STICKING:.3g} U_stick, the largest energy that sticks")
+    texts += [at_equal_hysteresis(scene)] if "yield_moment" in names else []
+    texts += [without_contact(scene)] if "contact_radius_at_load" in names else []
+    notes = [Note("result", text) for text in filter(None, texts)]
+    errors = ", ".join(f"{_symbol(result.name)} by {100 * result.error:.2g} %" for result in known if result.error)
+    return [*notes, Note("model", f"off the exact moment of this contact: {errors}")] if errors else notes
+
+
+def _between_spheres_1(scene: Scene) -> str:
+    """Return a clause on the contacts between the spheres of a chain that hangs from another body."""
+    stated = {name: value for name, value in scene.stated.items() if not name.endswith("2")}
+    try:
+        carried = (
+            Scene(stated, scene.material, model=scene.stated_model)["n_grav"] + 1
+        )  # the chain that it carries is a sphere shorter
+    except (MissingInput, NoResult):
+        carried = INFINITY
+    if carried < scene["n_grav"]:
+        return f"the one between spheres 1 next to it yields before it, at {carried:.4g}"
+    return "those between spheres 1 may roll before it"
+
+
+def _about_limits(limits: Judgement) -> list[Note]:
+    """Return a note for the limits of the model that could not be judged."""
+    return [
+        Note("unchecked", f"not checked: {', '.join(map(_symbol, names))}: needs {needs}")
+        for needs, names in limits.missing.items()
     ]
-    if any(result.name == "yield_moment" for result in known) and (text := at_equal_hysteresis(scene)):
-        texts.append(text)
-    if any(result.name == "contact_radius_at_load" for result in known) and (text := without_contact(scene)):
-        texts.append(text)
-    return [Note("result", text) for text in texts]
 
 
-def _about_missing(results: list[Result]) -> list[Note]:
-    """Return a note for each reason why values are missing, with the names of all that it concerns."""
-    names: dict[str, list[str]] = {}
+def _about_missing(results: list[Result], errors: Mapping[str, JkrollError]) -> list[Note]:
+    """Return a note for each reason why values are missing, with the names of all that it concerns.
+
+    Values that lack the same inputs have one note, though some of them may be had in another way too.
+    """
+    groups: dict[object, list[Result]] = {}
     for result in results:
         if result.value is None:
-            names.setdefault(result.reason, []).append(result.name)
-    return [Note("missing", f"{', '.join(missing)}: {reason}") for reason, missing in names.items()]
+            error = errors.get(result.name)
+            groups.setdefault(error.missing if isinstance(error, MissingInput) else result.reason, []).append(result)
+    notes = []
+    for group in groups.values():
+        names = [result.name for result in group]
+        reason = min((result.reason for result in group), key=len)
+        notes.append(Note("missing", f"{_few(names)}: {reason}", " ".join(names)))
+    return notes
+
+
+def _few(names: list[str]) -> str:
+    """Return the symbols of the first names of a list, and how many more there are."""
+    rest = len(names) - MOST_NAMES
+    return ", ".join(map(_symbol, names[:MOST_NAMES])) + (f" and {rest} more" if rest > 0 else "")
+
+
+def _symbol(name: str) -> str:
+    return NOMENCLATURE[name].symbol or name

@@ -47,6 +47,9 @@ def differences(scene: Scene, names: Sequence[str]) -> tuple[Difference, ...]:
 
 def with_differences(verdict: Verdict, found: Sequence[Difference], scene: Scene) -> Verdict:
     """Return the verdict on the Tabor parameter with what Maugis' law says in place of a doubt, or under another law."""
+    if verdict.name == "hysteresis_ratio" and scene.law.name == DEFAULT_LAW and not verdict.holds:
+        between = _numbers(scene.under(BETWEEN), (verdict.name,)).get(verdict.name)
+        return verdict if between is None else verdict._replace(text=f"{verdict.text}; {between:.3g} by Maugis' law")
     if verdict.name != "tabor_parameter":
         return verdict
     if scene.law.name == BETWEEN:

@@ -4,6 +4,9 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import NamedTuple
 
+from ..quantities.errors import UnknownQuantity
+from ..quantities.nomenclature import NOMENCLATURE, canonical
+
 
 class Question(NamedTuple):
     """The quantities of one question."""
@@ -16,7 +19,14 @@ _QUESTIONS = {
     "pull-off": Question(("pull_off_force",), ("pull_off_force", "pull_off_force_dmt", "pull_off_force_lennard_jones")),
     "yield-force": Question(
         ("yield_force",),
-        ("yield_force", "yield_force_ratio", "yield_moment", "yield_angle", "yield_displacement"),
+        (
+            "yield_force",
+            "yield_force_fixed_load",
+            "yield_force_ratio",
+            "yield_moment",
+            "yield_angle",
+            "yield_displacement",
+        ),
     ),
     "r-min": Question(("r_min",), ("r_min",)),
     "n-grav": Question(("n_grav",), ("n_grav",)),
@@ -24,7 +34,7 @@ _QUESTIONS = {
         ("vertical_frequency", "rolling_frequency"),
         ("vertical_frequency", "rolling_frequency", "rolling_frequency_as_printed", "rolling_frequency_no_slip"),
     ),
-    "n-roll": Question(("n_roll",), ("n_roll", "n_roll_energy_balance")),
+    "n-roll": Question(("n_roll",), ("n_roll", "n_roll_energy_balance", "n_roll_after_impact")),
     "contact": Question(
         ("contact_radius_at_load", "approach_at_load"),
         (
@@ -56,8 +66,70 @@ _QUESTIONS = {
         ),
     ),
 }
+# What stands beside a headline and contradicts it.
+_BESIDE = ("rolling_frequency_as_printed", "n_roll_energy_balance")
 _REPORT = Question(
     tuple(name for question in _QUESTIONS.values() for name in question.headline),
-    tuple(dict.fromkeys(name for question in _QUESTIONS.values() for name in question.quantities)),
+    tuple(
+        name
+        for question in _QUESTIONS.values()
+        for name in question.quantities
+        if name in (*question.headline, *_BESIDE)
+    ),
 )
-QUESTIONS: Mapping[str, Question] = MappingProxyType({**_QUESTIONS, "report": _REPORT})
+# Not in the report, which has one number for each quantity and no conventions.
+_ENERGIES = Question(
+    ("fold_energy", "pull_off_work", "break_energy_dust_simulation", "sticking_energy"),
+    (
+        "fold_energy",
+        "well_energy",
+        "pull_off_work",
+        "break_energy_dust_simulation",
+        "pull_off_work_at_dead_load",
+        "sticking_energy",
+        "sticking_energy_paszun_dominik",
+        "sticking_energy_pencil_code",
+        "roll_energy",
+        "roll_energy_quarter_turn",
+        "roll_energy_half_turn",
+        "sticking_speed",
+        "sticking_speed_paszun_dominik",
+        "sticking_speed_pencil_code",
+    ),
+)
+QUESTIONS: Mapping[str, Question] = MappingProxyType({**_QUESTIONS, "report": _REPORT, "energies": _ENERGIES})
+EVERYTHING = tuple(dict.fromkeys(name for question in _QUESTIONS.values() for name in question.quantities))
+
+
+def quantity_named(word: str) -> str:
+    """Return the name of a quantity, given a word for it or the command that is named after it.
+
+    >>> quantity_named("radius"), quantity_named("gamma"), quantity_named("pull-off")
+    ('radius', 'surface_energy', 'pull_off_force')
+    """
+    name = canonical(word)
+    if name in NOMENCLATURE:
+        return name
+    if word not in QUESTIONS:
+        raise UnknownQuantity(word)
+    return QUESTIONS[word].headline[0]
+
+
+def quantities_named(text: str) -> tuple[list[str], list[str]]:
+    """Return the quantities of a list: those that are named, and those of the commands in it, which may lack inputs.
+
+    An empty list stands for those of all commands.
+    """
+    if not text:
+        return [], list(EVERYTHING)
+    named: list[str] = []
+    offered: list[str] = []
+    for word in map(str.strip, text.split(",")):
+        name = canonical(word)
+        if word in QUESTIONS:
+            offered += QUESTIONS[word].quantities
+        elif name in NOMENCLATURE and NOMENCLATURE[name].unit:
+            named.append(name)
+        else:
+            raise UnknownQuantity(word)
+    return named, offered

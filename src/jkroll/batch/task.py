@@ -4,11 +4,10 @@ import sys
 from collections.abc import Mapping
 from typing import Any
 
-from ..answers.questions import QUESTIONS
+from ..answers.questions import quantities_named
 from ..errors import BadRequest
 from ..materials.library import Material, Materials
-from ..quantities.errors import UnknownQuantity
-from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, header
+from ..quantities.nomenclature import PROPERTIES, header
 from ..quantities.parsing import parse_quantity
 from ..scene.scene import EXCLUSIVE, Scene
 from ..text import quoted, say
@@ -23,7 +22,7 @@ def task_of(table: Header, inputs: Mapping[str, str], wanted: str, known: Materi
     spheres = {name: known[inputs[name]] if name in inputs else None for name in MATERIALS}
     fixed = {name: parse_quantity(text, name) for name, text in inputs.items() if name not in MATERIALS}
     scene = _as_known(table, fixed, spheres)
-    explicit, offered = _named(wanted or "report")
+    explicit, offered = quantities_named(wanted)
     for name in explicit:
         if name in table.names or name in fixed:
             raise BadRequest(f"--quantities: {name} is an input here")
@@ -51,20 +50,6 @@ def _as_known(table: Header, fixed: Mapping[str, float], spheres: Mapping[str, A
 
 
 _SOME = 0.25  # a value that any input can have
-
-
-def _named(text: str) -> tuple[list[str], list[str]]:
-    """Return the quantities of `--quantities`: those that are named, and those that commands show where they can."""
-    named: list[str] = []
-    offered: list[str] = []
-    for word in map(str.strip, text.split(",")):
-        if word in QUESTIONS:
-            offered += QUESTIONS[word].quantities
-        elif word in NOMENCLATURE and NOMENCLATURE[word].unit:
-            named.append(word)
-        else:
-            raise UnknownQuantity(word)
-    return named, offered
 
 
 def understood_task(names: tuple[str, ...], order: Order) -> tuple[Header, Task]:

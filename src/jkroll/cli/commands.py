@@ -18,6 +18,7 @@ from .options import (
     HELP,
     JSON,
     MATERIALS,
+    MODEL_OF_EXPORT,
     OUTPUT,
     PANEL,
     PICTURE,
@@ -29,7 +30,7 @@ from .options import (
     Values,
     inputs_of,
 )
-from .run import run_batch, run_bench, run_materials, run_question, run_verify
+from .run import run_batch, run_bench, run_guide, run_materials, run_quantities, run_question, run_verify
 
 Call = Callable[[], int]
 
@@ -42,6 +43,9 @@ class Words(NamedTuple):
     are_files: bool = False
 
 
+PHYSICS, LOOK_UP, CHECKS = "Commands", "Tables, pictures, look-up", "Checks of the paper and of this program"
+
+
 class Command(NamedTuple):
     """A command. `run` answers a call and returns the exit code."""
 
@@ -51,6 +55,7 @@ class Command(NamedTuple):
     options: Callable[[], tuple[Option, ...]]
     run: Callable[[Sequence[str], Values], int]
     example: str
+    section: str = PHYSICS  # of the help
 
     def flags(self) -> dict[str, Option]:
         """Return the options by their spellings."""
@@ -92,6 +97,18 @@ def _figure(words: Sequence[str], values: Values) -> int:
     return run_figure(words, values)
 
 
+def _export(words: Sequence[str], values: Values) -> int:
+    from .export import run_export
+
+    return run_export(words, values)
+
+
+def _options_of_export() -> tuple[Option, ...]:
+    from ..output.lammps import QUANTITIES
+
+    return (*inputs_of(QUANTITIES), MODEL_OF_EXPORT, MATERIALS)
+
+
 _SCENE = Words("[MATERIAL] [RADIUS]...", INFINITY)
 _LOOKS = tuple(option._replace(hidden=True) for option in (*STYLE, PANEL))
 
@@ -117,7 +134,16 @@ _COMMANDS = (
         "contact", "Contact radius, approach, stiffness and pressure.", "quartz 100nm --load -5nN", CURVE, *_LOOKS
     )._replace(run=_contact),
     _question("moment", "Rolling resistance at a displacement ξ.", "quartz 100nm --xi 1angstrom"),
+    _question("energies", "Energies to break, to roll and to stick, by convention.", "quartz 100nm --angle 90deg"),
     _question("report", "All quantities that your inputs allow.", "quartz 100nm"),
+    Command(
+        "export",
+        "Write the contact of a pair as input of LAMMPS.",
+        Words("lammps [MATERIAL] [RADIUS]", INFINITY),
+        _options_of_export,
+        _export,
+        "lammps quartz 100nm --model dmt",
+    ),
     Command(
         "batch",
         "Add results to each row of a table.",
@@ -125,17 +151,8 @@ _COMMANDS = (
         lambda: TABLE,
         run_batch,
         "grains.csv -o forces.csv",
+        LOOK_UP,
     ),
-    Command(
-        "materials",
-        "List the known materials, or show one in full.",
-        Words("[NAME]", 1),
-        lambda: (JSON, CSV, CITE, MATERIALS, QUIET),
-        run_materials,
-        "quartz",
-    ),
-    Command("verify", "Recompute the audit of the paper.", Words(), lambda: (JSON, CSV), run_verify, "--csv"),
-    Command("bench", "Measure speed and error of each method.", Words(), lambda: BENCH, run_bench, "--quick --csv"),
     Command(
         "map",
         "Draw a quantity over two inputs as a map, or over one as curves.",
@@ -143,6 +160,7 @@ _COMMANDS = (
         lambda: (*AXES, *PICTURE, *inputs_of(QUESTIONS["report"].quantities)),
         _map,
         "pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2",
+        LOOK_UP,
     ),
     Command(
         "figure",
@@ -151,6 +169,44 @@ _COMMANDS = (
         lambda: (AS_PRINTED, *PICTURE),
         _figure,
         "3a --mark quartz@100nm",
+        LOOK_UP,
+    ),
+    Command(
+        "materials",
+        "List the known materials, or show one in full.",
+        Words("[NAME]", 1),
+        lambda: (JSON, CSV, CITE, MATERIALS, QUIET),
+        run_materials,
+        "quartz",
+        LOOK_UP,
+    ),
+    Command(
+        "quantities",
+        "List the names of quantities, or show what is known of one.",
+        Words("[NAME]...", INFINITY),
+        lambda: (JSON, CSV),
+        run_quantities,
+        "tabor",
+        LOOK_UP,
+    ),
+    Command(
+        "guide",
+        "Show a page of the manual, or list its topics.",
+        Words("[TOPIC]", 1),
+        tuple,
+        run_guide,
+        "models",
+        LOOK_UP,
+    ),
+    Command("verify", "Recompute the audit of the paper.", Words(), lambda: (JSON, CSV), run_verify, "--csv", CHECKS),
+    Command(
+        "bench",
+        "Measure speed and error of each method.",
+        Words(),
+        lambda: BENCH,
+        run_bench,
+        "--quick --csv",
+        CHECKS,
     ),
 )
 COMMANDS: Mapping[str, Command] = MappingProxyType({command.name: command for command in _COMMANDS})

@@ -19,11 +19,15 @@ MIN_TEXT = 20
 def help_of(name: str | None) -> str:
     """Return the help of a command, or of the program: usage, meaning, options, an example; as stdout can encode it."""
     width = max(MIN_WIDTH, min(MAX_WIDTH, columns() - 2))
-    listed = [_listed("Options", _rows(dict.fromkeys(flags_of(name).values())), width)]
+    options = tuple(dict.fromkeys(flags_of(name).values()))
+    listed = [_listed("Options", _rows(option for option in options if not option.hidden), width)]
+    if more := _rows(option for option in options if option.hidden):
+        listed.append(_listed("More options", more, width))
     if name is None:
         usage, sentence, example = "[OPTIONS] COMMAND [ARGS]...", TITLE, "report quartz 100nm"
-        rows = [(command.name, command.sentence) for command in COMMANDS.values()]
-        listed.append(_listed("Commands", rows, width))
+        for section in dict.fromkeys(command.section for command in COMMANDS.values()):
+            rows = [(one.name, one.sentence) for one in COMMANDS.values() if one.section == section]
+            listed.append(_listed(section, rows, width))
     else:
         command = COMMANDS[name]
         usage, sentence = f"{name} [OPTIONS] {command.words.metavar}".rstrip(), command.sentence
@@ -42,9 +46,8 @@ def _rows(options: Iterable[Option]) -> list[tuple[str, str]]:
     """Return options as they are typed, those with one text together, and the text."""
     rows: dict[str, list[str]] = {}
     for option in options:
-        if not option.hidden:
-            typed = f"{', '.join(reversed(option.flags))} {option.metavar}".rstrip()
-            rows.setdefault(option.sentence(), []).append(typed)
+        typed = f"{', '.join(reversed(option.flags))} {option.metavar}".rstrip()
+        rows.setdefault(option.sentence(), []).append(typed)
     return [(", ".join(flags), text) for text, flags in rows.items()]
 
 

@@ -2,13 +2,13 @@
 
 from collections.abc import Sequence
 
-from ..answers.questions import QUESTIONS
+from ..answers.questions import quantity_named
 from ..errors import BadRequest
 from ..materials.places import materials_files
 from ..pictures.axes import Axis
 from ..pictures.maps import Setting
 from ..pictures.plot_request import PlotRequest
-from ..quantities.errors import QuantityError, UnknownQuantity
+from ..quantities.errors import QuantityError
 from ..quantities.formatting import amount, pretty
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.ranges import spreads_of
@@ -44,22 +44,6 @@ def axis_of(text: str, option: str) -> Axis:
     if not spread.low < spread.high:
         raise QuantityError(name, values, "does not rise")
     return Axis(name, spread.low, spread.high, spread.is_log, spread.size if has_count else 0)
-
-
-def quantity_named(word: str) -> str:
-    """Return the name of a quantity, given its name with _ or -, its option, or the command named after it.
-
-    >>> quantity_named("radius"), quantity_named("gamma"), quantity_named("pull-off")
-    ('radius', 'surface_energy', 'pull_off_force')
-    """
-    name = word.strip().replace("-", "_").lstrip("_")
-    by_option = {quantity.option[2:]: known for known, quantity in NOMENCLATURE.items() if quantity.option}
-    known = name if name in NOMENCLATURE else by_option.get(word.strip().lstrip("-"))
-    if known is None and word in QUESTIONS:
-        known = QUESTIONS[word].headline[0]
-    if known is None:
-        raise UnknownQuantity(word)
-    return known
 
 
 def map_request(words: Sequence[str], values: Values) -> PlotRequest:

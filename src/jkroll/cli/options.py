@@ -75,6 +75,7 @@ class Values(NamedTuple):
     target: str | None = None
     resume: bool = False
     curve: bool = False
+    model: str = "jkr"
     # of pictures
     x: str | None = None
     y: str | None = None
@@ -102,6 +103,7 @@ _INSTEAD = "Show the derivation or the BibTeX entry instead of results"
 MATERIALS = Option("materials", "--materials", str, "FILE", "Read materials from your own file as well")
 QUIET = Option("quiet", "--quiet", bool, "", "Suppress notes")
 OUTPUT = (
+    Option("quantities", "--quantities", str, "NAMES", "Show these quantities instead, separated by commas"),
     Option("to", "--to", str, "UNIT", "Unit of the results; several with commas"),
     Option("digits", "--digits", int, "N", "Significant digits", 1, 17),
     Option("bare", "--bare", bool, "", _FORMAT),
@@ -119,6 +121,8 @@ _AS_TEXT = "Output as JSON or CSV"
 JSON = Option("json", "--json", bool, "", _AS_TEXT)
 CSV = Option("csv", "--csv", bool, "", _AS_TEXT)
 CITE = Option("cite", "--cite", bool, "", "Show the BibTeX entries of the data")
+
+MODEL_OF_EXPORT = Option("model", "--model", str, "dmt", "Law of attraction, jkr (the default) or dmt")
 
 _AXIS = "NAME=FROM:TO, with :lin for a linear axis"
 AXES = (Option("x", "--x", str, "AXIS", _AXIS), Option("y", "--y", str, "AXIS", _AXIS))
@@ -138,7 +142,7 @@ PICTURE = (
     QUIET,
 )
 
-_DEFAULT = "Default for rows that give none; likewise --radius, --gamma and so on"
+_DEFAULT = "Default for rows that give none; likewise each input below"
 TABLE = (
     Option("target", "--output", str, "OUT", "Output file (written atomically)", short="-o"),
     Option("format", "--format", str, "FORMAT", "csv, tsv, ndjson or parquet, if no name says so; with .gz, .zst"),
@@ -149,11 +153,10 @@ TABLE = (
     Option("dask", "--dask", str, "ADDRESS", "Convert many tables on a Dask cluster; local starts one"),
     Option("excel_safe", "--excel-safe", bool, "", "Escape text that a spreadsheet would run"),
     Option("material", "--material", str, "NAME", _DEFAULT),
-    Option("radius", "--radius", str, "", _DEFAULT, hidden=True),
     *(
-        Option(name, quantity.option, str, "", _DEFAULT, hidden=True)
+        Option(name, quantity.option or "--radius", str, quantity.example, hidden=True)
         for name, quantity in NOMENCLATURE.items()
-        if quantity.option and name != "model"
+        if quantity.example and name != "model"
     ),
     MATERIALS,
     QUIET,

@@ -4,19 +4,20 @@ import sys
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TextIO
 
-from ..answers.answer import Answer, Note, answer, in_units
-from ..answers.questions import Question
+from ..answers.answer import Answer, answer, in_units
+from ..answers.questions import Question, quantities_named
+from ..answers.remarks import Remarks
 from ..errors import BadRequest, JkrollError, MissingExtra
 from ..materials.library import known_materials
 from ..materials.places import materials_files
 from ..output.layout import layout
 from ..output.writers import WRITERS
 from ..quantities.formatting import Format
+from ..scene.wiring import formula_of
 from ..text import quoted, say
 from .options import Values
 from .request import Request, format_of
 
-MAX_NOTES = 20
 ROWS_FAILED = 1
 PICTURES = ("svg", "pdf", "png")
 MANY = 20_000  # rows from which on a sweep is streamed by blocks
@@ -44,15 +45,14 @@ class Tally:
 
     def __init__(self) -> None:
         """Begin with no answer."""
-        self.notes: dict[Note, None] = {}
+        self.remarks = Remarks()
         self.failures: list[JkrollError] = []
         self.failed = 0
 
     def watch(self, answers: Iterable[Answer]) -> Iterator[Answer]:
         """Iterate over answers, and collect their notes and failures."""
         for one in answers:
-            if len(self.notes) <= MAX_NOTES:
-                self.notes |= dict.fromkeys([*one.notes, *one.doubts()])
+            self.remarks.add(one)
             if one.failure is not None:
                 self.failed += 1
                 self.failures = self.failures or [one.failure]
@@ -65,9 +65,13 @@ def run_question(question: Question, words: Sequence[str], values: Values) -> in
     kind = format_name(values, out)
     if values.resume and values.target is None:
         raise BadRequest("--resume needs a file to continue: -o FILE")
+    if values.quantities:
+        question = question_of(values.quantities)
     form = format_of(values.to, values.digits, question.quantities)
     files = materials_files(values.materials)
     request = Request(words, values.inputs, files)
+    if values.quantities:
+        _refuse_inputs(question.quantities, request)
     if values.materials is not None:
         known_materials(*files)  # a file that was named is checked even if no material is needed
     if values.curve:
@@ -94,9 +98,23 @@ def run_question(question: Question, words: Sequence[str], values: Values) -> in
         WRITERS[kind](answers, out, form, layout(question, samples, request.count))
     out.flush()
     if not values.quiet and kind not in ("json", "explain", "cite"):
-        has_doubts = kind == "table" and request.count == 1  # the table of one scene shows them
-        _note(note.text for note in tally.notes if not (has_doubts and note.kind == "doubt"))
+        _say_all(tally.remarks.lines())
     return _say_failures(tally, request.count)
+
+
+def question_of(text: str) -> Question:
+    """Return the question for the quantities of a list: all of them are its headline."""
+    named, offered = quantities_named(text)
+    names = tuple(dict.fromkeys((*named, *offered)))
+    return Question(names, names)
+
+
+def _refuse_inputs(names: Iterable[str], request: Request) -> None:
+    """Raise BadRequest for a quantity that is not a result of the scenes, but one of their inputs."""
+    scene = request.samples()[0]
+    for name in names:
+        if name in scene.stated or (name in scene.values and formula_of(name) is None):
+            raise BadRequest(f"--quantities: {name} is an input here")
 
 
 def no_picture(flag: str, path: str) -> BadRequest:
@@ -128,7 +146,7 @@ def _run_stream(question: Question, request: Request, samples: list[Answer], kin
     if not values.quiet:
         ends = Tally()
         list(ends.watch(samples))
-        _note(note.text for note in ends.notes)
+        _say_all(ends.remarks.lines(with_rows=False))
     if tally.failed:
         say(f"jkroll: {tally.failed} of {tally.rows} rows failed", sys.stderr)
         return ROWS_FAILED
@@ -169,13 +187,10 @@ def _unless_failed(one: Answer, question: Question) -> Answer:
     return one
 
 
-def _note(notes: Iterable[str]) -> None:
-    """Print each note once on stderr."""
-    different = list(dict.fromkeys(notes))
-    for note in different[:MAX_NOTES]:
-        say(f"note: {note}", sys.stderr)
-    if len(different) > MAX_NOTES:
-        say("note: and more", sys.stderr)
+def _say_all(lines: Iterable[str]) -> None:
+    """Print lines on stderr."""
+    for line in lines:
+        say(line, sys.stderr)
 
 
 def run_materials(words: Sequence[str], values: Values) -> int:
@@ -189,7 +204,26 @@ def run_materials(words: Sequence[str], values: Values) -> int:
     chosen = [materials[words[0]]] if shows_one else list(materials.materials.values())
     write_materials(chosen, out, kind, whole=shows_one)
     if not values.quiet:
-        _note(f"{material.name}: {text}" for material in chosen for text in material.shadows)
+        _say_all(f"note: {material.name}: {text}" for material in chosen for text in material.remarks)
+    return 0
+
+
+def run_quantities(words: Sequence[str], values: Values) -> int:
+    """List quantities, those that have some words, or one in full; return the exit code."""
+    from ..output.glossary import quantities_found, write_quantities
+
+    write_quantities(quantities_found(words), sys.stdout, format_name(values, sys.stdout))
+    return 0
+
+
+def run_guide(words: Sequence[str], _values: Values) -> int:
+    """Show a page of the manual, or list its topics; return the exit code."""
+    from ..output.manual import write_page, write_topics
+
+    if words:
+        write_page(words[0], sys.stdout)
+    else:
+        write_topics(sys.stdout)
     return 0
 
 

@@ -4,27 +4,31 @@ The properties of a material are read and checked when it is asked for. A mistak
 from the others.
 """
 
-import os
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..errors import JkrollError
 from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
-from ..quantities.parsing import parse_quantity
+from ..quantities.parsing import has_uncertainty, parse_quantity
 from ..text import closest, quoted, shown
-from .file import MaterialsFileError, data_of
+from .entries import SHIPPED, Entry, File, Malformed, Path, entries_of, string, strings, texts
+from .file import MaterialsFileError
 
-Path = str | os.PathLike[str]
-MAX_NAME = 60
+if TYPE_CHECKING:
+    from ..quantities.uncertain import Uncertain
+
 MAX_LISTED = 20
 
-_HERE = os.path.dirname(os.path.abspath(__file__))
-# A wheel has the file here, and a checkout at its top level.
-_PLACES = (os.path.join(folder, "materials.toml") for folder in (_HERE, os.path.join(_HERE, *[os.pardir] * 3)))
-SHIPPED = next(path for path in _PLACES if os.path.exists(path))
+
+class Origin(NamedTuple):
+    """The way in which a property was found: the method, the contact law assumed, and the key of the reference."""
+
+    method: str = ""
+    law: str = ""
+    reference: str = ""
 
 
 class Material(NamedTuple):
@@ -33,42 +37,29 @@ class Material(NamedTuple):
     name: str
     properties: Mapping[str, float]
     aliases: tuple[str, ...]
-    notes: Mapping[str, str]  # by property
-    shadows: tuple[str, ...]  # notes on the materials that this one replaces
+    notes: Mapping[str, str]  # by property or alias
+    remarks: tuple[str, ...]  # on the name by which the material was found, and on materials that it replaces
     references: tuple[Mapping[str, str], ...]
-    title: str  # of the file: "Table 1"
+    title: str  # of the set: "Table 1"
     path: str
+    state: str = ""  # "below 175 K"
+    uncertainties: Mapping[str, "Uncertain"] = MappingProxyType({})  # of properties that have one
+    origins: Mapping[str, Origin] = MappingProxyType({})  # of properties whose origin is stated
 
 
 class UnknownMaterial(JkrollError):
-    """Error raised for a material that no file describes."""
+    """Error raised for a material that no file describes, or for the name of several states of one."""
 
-    def __init__(self, name: str, known: Sequence[str], guess: str | None) -> None:
-        super().__init__(name, tuple(known), guess)
-        self.name, self.known, self.guess = name, tuple(known), guess
+    def __init__(self, name: str, known: Sequence[str], guess: str | None, states: Sequence[str] = ()) -> None:
+        super().__init__(name, tuple(known), guess, tuple(states))
+        self.name, self.known, self.guess, self.states = name, tuple(known), guess, tuple(states)
 
     def __str__(self) -> str:
+        if self.states:
+            return f"material: {quoted(self.name)} has no values of its own; its states are {', '.join(self.states)}"
         hint = f"did you mean {self.guess}? " if self.guess else ""
         more = f" and {len(self.known) - MAX_LISTED} more" if len(self.known) > MAX_LISTED else ""
         return f"material: {quoted(self.name)} is not known; {hint}known are {', '.join(self.known[:MAX_LISTED])}{more}"
-
-
-class _File(NamedTuple):
-    """A materials file, of which only the form has been checked."""
-
-    path: str
-    title: str
-    materials: Mapping[str, Any]
-    references: Mapping[str, Any]
-
-
-class _Entry(NamedTuple):
-    """A material in a file, of which only the names have been checked."""
-
-    name: str
-    aliases: tuple[str, ...]
-    file: _File
-    shadows: tuple[str, ...] = ()
 
 
 class Materials:
@@ -76,20 +67,20 @@ class Materials:
 
     def __init__(self, paths: Iterable[Path] = ()) -> None:
         """Read the shipped file, then each of `paths`. A material shadows those of the same name in earlier files."""
-        self._entries: dict[str, _Entry] = {}
+        self._entries: dict[str, Entry] = {}
         self._read: dict[str, Material] = {}
         self._name_of: dict[str, str] = {}  # by name or alias, case folded
         for path in dict.fromkeys((SHIPPED, *paths)):
-            for entry in _entries(path):
+            for entry in entries_of(path):
                 self._add(entry)
 
-    def _add(self, entry: _Entry) -> None:
+    def _add(self, entry: Entry) -> None:
         """Add a material, with a note on each name that it takes from a material of another file."""
         for word in dict.fromkeys(word.casefold() for word in (entry.name, *entry.aliases)):
             before = self._entries.get(self._name_of.get(word, ""))
             if before is not None and before.file is not entry.file:
                 note = f"{shown(entry.file.path)} shadows {shown(word)} of {shown(before.file.title)}"
-                entry = entry._replace(shadows=(*entry.shadows, note))
+                entry = entry._replace(remarks=(*entry.remarks, note))
                 if before.name.casefold() == entry.name.casefold():
                     del self._entries[before.name]
                     self._name_of |= {alias.casefold(): entry.name for alias in before.aliases}
@@ -99,14 +90,18 @@ class Materials:
     def __getitem__(self, word: str) -> Material:
         """Return the material of a name or alias, in any case.
 
-        Raises UnknownMaterial, with a suggestion, and MaterialsFileError if something is wrong with the material.
+        Raises UnknownMaterial, with a suggestion or the states of the material, and MaterialsFileError if something is wrong
+        with it.
         """
         key = word.strip().casefold()
         name = self._name_of.get(key)
         if name is None:
-            guess = closest(key, self._name_of)
-            raise UnknownMaterial(word, sorted(self._entries), guess and self._name_of[guess])
-        return self._named(name)
+            states = [known for known in self._entries if known.casefold().startswith(f"{key}-")]
+            guess = None if states else closest(key, self._name_of)
+            raise UnknownMaterial(word, sorted(self._entries), guess and self._name_of[guess], states)
+        found = self._named(name)
+        on_alias = [note for alias, note in found.notes.items() if alias.casefold() == key]
+        return found._replace(remarks=(*found.remarks, *on_alias)) if on_alias else found
 
     def _named(self, name: str) -> Material:
         if name not in self._read:
@@ -141,138 +136,87 @@ def _shipped() -> Materials:
 
 def read(path: Path) -> list[Material]:
     """Read and check a materials file as a whole; MaterialsFileError says what is wrong with it."""
-    return [_material(entry) for entry in _entries(path)]
+    return [_material(entry) for entry in entries_of(path)]
 
 
-def is_material_name(word: str) -> bool:
-    """Return whether a word can name a material: it differs from a radius and from a list.
-
-    >>> is_material_name("SiO2"), is_material_name("100nm"), is_material_name("a,b"), is_material_name("all")
-    (True, False, False, False)
-    """
-    return (
-        word[:1].isalpha()
-        and word == word.strip()
-        and len(word) <= MAX_NAME
-        and word.isprintable()
-        and "," not in word
-        and word.casefold() not in ("all", "plane")
-    )
-
-
-class _Malformed(Exception):
-    """Error raised for something in a materials file that is not a material; the file is named where it is caught."""
-
-
-def _entries(path: Path) -> list[_Entry]:
-    """Return the materials of a file, with their names checked."""
-    name = os.fspath(path)
-    data = _shipped_data() if name == SHIPPED else data_of(name)
-    try:
-        return _entries_in(_form_of(data, name))
-    except _Malformed as error:
-        raise MaterialsFileError(name, str(error)) from None
-
-
-def _shipped_data() -> Mapping[str, Any]:
-    """Return the content of the shipped file, which a wheel also holds as a module, made when it was built."""
-    if os.path.dirname(SHIPPED) != _HERE:  # a checkout
-        return data_of(SHIPPED)
-    from .shipped import DATA  # type: ignore  # mypy does not find it, or finds it without types
-
-    return dict(DATA)
-
-
-def _form_of(data: Mapping[str, Any], path: str) -> _File:
-    """Check the outermost level of a file."""
-    unknown = set(data) - {"title", "materials", "references"}
-    if unknown:
-        raise _Malformed(f"has an unknown key {quoted(min(unknown))}; expected [materials.NAME] tables")
-    title = _string(data.get("title", shown(path)), "title")
-    return _File(path, title, *(_table(data.get(name, {}), name) for name in ("materials", "references")))
-
-
-def _entries_in(file: _File) -> list[_Entry]:
-    """Check the names and aliases of all materials of a file."""
-    seen: dict[str, str] = {}
-    entries: list[_Entry] = []
-    for name, table in file.materials.items():
-        aliases = _strings(_table(table, f"materials.{name}").get("aliases", []), f"{name}.aliases")
-        for word in (name, *aliases):
-            other = seen.setdefault(word.casefold(), name)
-            if other != name:
-                both = f"{quoted(other)} and {quoted(name)}"
-                raise _Malformed(f"{quoted(word)} names both {both}; case makes no difference")
-            if not is_material_name(word):
-                raise _Malformed(f"{quoted(word)} is no name for a material; one begins with a letter and has no comma")
-        entries.append(_Entry(name, aliases, file))
-    return entries
-
-
-def _material(entry: _Entry) -> Material:
+def _material(entry: Entry) -> Material:
     """Read and check a material; MaterialsFileError if something is wrong with it."""
     try:
         return _checked(entry)
-    except _Malformed as error:
+    except Malformed as error:
         raise MaterialsFileError(entry.file.path, str(error)) from None
 
 
-def _checked(entry: _Entry) -> Material:
-    name, aliases, file, shadows = entry
+def _checked(entry: Entry) -> Material:
+    name, aliases, file, remarks = entry
     table = file.materials[name]
-    keys = (*PROPERTIES, "aliases", "notes", "references")
-    for key in table:
-        if key not in keys:
-            guess = closest(key, keys)
-            hint = f"; did you mean {guess}?" if guess else ""
-            raise _Malformed(f"{quoted(name)} has an unknown key {quoted(key)}{hint}")
-    properties = {key: _property(key, table[key], name) for key in PROPERTIES if key in table}
-    notes = _texts(table.get("notes", {}), f"{name}.notes")
+    _refuse_unknown_keys(name, table, (*PROPERTIES, "aliases", "notes", "references", "state", "source"))
+    properties: dict[str, float] = {}
+    uncertainties: dict[str, Uncertain] = {}
+    origins: dict[str, Origin] = {}
+    for key in PROPERTIES:
+        if key not in table:
+            continue
+        value = table[key]
+        if isinstance(value, dict):
+            origins[key] = _origin(f"{name}.{key}", value)
+            value = value.get("value")
+        found = _property(key, value, name)
+        properties[key] = found if isinstance(found, float) else found.value
+        if not isinstance(found, float):
+            uncertainties[key] = found
+    notes = texts(table.get("notes", {}), f"{name}.notes")
     for key in notes:
-        if key not in properties:
-            raise _Malformed(f"{quoted(name)} has a note on {quoted(key)}, which it does not give")
-    cited = tuple(_reference(key, name, file) for key in _strings(table.get("references", []), f"{name}.references"))
+        if key not in properties and key not in aliases:
+            raise Malformed(f"{quoted(name)} has a note on {quoted(key)}, which it does not give")
+    general = strings(table.get("references", []), f"{name}.references")
+    cited = dict.fromkeys([*general, *(origin.reference for origin in origins.values() if origin.reference)])
     return Material(
-        name, MappingProxyType(properties), aliases, MappingProxyType(notes), shadows, cited, file.title, file.path
+        name,
+        MappingProxyType(properties),
+        aliases,
+        MappingProxyType(notes),
+        remarks,
+        tuple(_reference(key, name, file) for key in cited),
+        string(table.get("source", file.title), f"{name}.source"),
+        file.path,
+        string(table.get("state", ""), f"{name}.state"),
+        MappingProxyType(uncertainties),
+        MappingProxyType(origins),
     )
 
 
-def _reference(key: str, name: str, file: _File) -> Mapping[str, str]:
+def _origin(where: str, table: Mapping[str, Any]) -> Origin:
+    """Return what the table of a property says besides the value."""
+    _refuse_unknown_keys(where, table, ("value", *Origin._fields))
+    return Origin(**texts({key: text for key, text in table.items() if key != "value"}, where))
+
+
+def _refuse_unknown_keys(where: str, table: Mapping[str, Any], known: Sequence[str]) -> None:
+    for key in table:
+        if key not in known:
+            guess = closest(key, known)
+            hint = f"; did you mean {guess}?" if guess else ""
+            raise Malformed(f"{quoted(where)} has an unknown key {quoted(key)}{hint}")
+
+
+def _reference(key: str, name: str, file: File) -> Mapping[str, str]:
     """Return a reference that a material cites."""
     if key not in file.references:
-        raise _Malformed(f"{quoted(name)} cites {quoted(key)}, which [references] does not have")
-    return {"key": key, **_texts(file.references[key], f"references.{key}")}
+        raise Malformed(f"{quoted(name)} cites {quoted(key)}, which [references] does not have")
+    return {"key": key, **texts(file.references[key], f"references.{key}")}
 
 
-def _property(key: str, value: object, name: str) -> float:
+def _property(key: str, value: object, name: str) -> "float | Uncertain":
     """Return the SI value of a property: a text with a unit or, for a property without a unit, a number."""
     if isinstance(value, (int, float)) and not isinstance(value, bool) and NOMENCLATURE[key].unit == "1":
         value = repr(value)
+    text = string(value, f"{name}.{key}")
     try:
-        return parse_quantity(_string(value, f"{name}.{key}"), key)
+        if has_uncertainty(text):
+            from ..quantities.uncertain import parse_uncertain
+
+            return parse_uncertain(text, key)
+        return parse_quantity(text, key)
     except QuantityError as error:
-        raise _Malformed(f"{shown(name)}: {error}") from None
-
-
-def _table(value: object, where: str) -> Mapping[str, Any]:
-    if not isinstance(value, dict):
-        raise _Malformed(f"{shown(where)} is not a table")
-    return value
-
-
-def _texts(value: object, where: str) -> dict[str, str]:
-    """Return a table of texts."""
-    return {key: _string(text, f"{where}.{key}") for key, text in _table(value, where).items()}
-
-
-def _strings(value: object, where: str) -> tuple[str, ...]:
-    """Return a list of texts."""
-    if not isinstance(value, list):
-        raise _Malformed(f"{shown(where)} is not a list")
-    return tuple(_string(text, where) for text in value)
-
-
-def _string(value: object, where: str) -> str:
-    if not isinstance(value, str):
-        raise _Malformed(f"{shown(where)} is not a text in quotes")
-    return shown(value)
+        raise Malformed(f"{shown(name)}: {error}") from None

@@ -1,10 +1,10 @@
-"""Materials as text: a table, plain lines, CSV, JSON or BibTeX."""
+"""Materials as text: a table for each set, plain lines, CSV, JSON or BibTeX."""
 
 from collections.abc import Sequence
 from typing import Any, TextIO
 
 from ..materials.library import Material
-from ..quantities.formatting import amount
+from ..quantities.formatting import amount, uncertain_amount
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, header
 from ..text import json_text, say
 from .citations import bibtex
@@ -25,10 +25,23 @@ def write_materials(chosen: Sequence[Material], out: TextIO, kind: str, *, whole
     elif whole and kind == "plain":
         _write_lines(chosen[0], out)
     elif kind == "table":
-        symbols = (NOMENCLATURE[name].symbol for name in PROPERTIES)
-        write_records(["material", "also", *symbols, "source"], map(_table_row, chosen), kind, out)
+        _write_tables(chosen, out)
     else:
-        write_records(["material", *map(header, PROPERTIES)], map(_row, chosen), kind, out)
+        write_records(["material", *map(header, PROPERTIES), "state", "source"], map(_row, chosen), kind, out)
+
+
+def _write_tables(chosen: Sequence[Material], out: TextIO) -> None:
+    """Write a table for each set of materials, with its title above."""
+    symbols = [NOMENCLATURE[name].symbol for name in PROPERTIES]
+    for number, title in enumerate(dict.fromkeys(material.title for material in chosen)):
+        members = [material for material in chosen if material.title == title]
+        if number:
+            say("", out)
+        say(title, out)
+        write_records(["material", "also", *symbols], map(_table_row, members), "table", out)
+    if any(material.uncertainties for material in chosen):
+        say("", out)
+        say("nominal values; states, uncertainties and origins: jkroll materials NAME", out)
 
 
 def as_object(material: Material) -> dict[str, Any]:
@@ -37,6 +50,9 @@ def as_object(material: Material) -> dict[str, Any]:
         "name": material.name,
         "aliases": list(material.aliases),
         **{name: material.properties.get(name) for name in PROPERTIES},
+        "state": material.state,
+        "uncertainties": {name: found.as_object() for name, found in material.uncertainties.items()},
+        "origins": {name: origin._asdict() for name, origin in material.origins.items()},
         "notes": dict(material.notes),
         "references": [dict(entry) for entry in material.references],
         "source": material.title,
@@ -44,34 +60,61 @@ def as_object(material: Material) -> dict[str, Any]:
 
 
 def _row(material: Material) -> list[Cell]:
-    return [material.name, *(material.properties.get(name) for name in PROPERTIES)]
+    values = [material.properties.get(name) for name in PROPERTIES]
+    return [material.name, *values, material.state or None, material.title]
 
 
 def _table_row(material: Material) -> list[Cell]:
-    amounts = [_amount(material, name) for name in PROPERTIES]
-    return [material.name, ", ".join(material.aliases), *amounts, material.title]
-
-
-def _amount(material: Material, name: str) -> str | None:
-    return amount(name, material.properties[name]) if name in material.properties else None
+    properties = material.properties
+    amounts = [amount(name, properties[name]) if name in properties else None for name in PROPERTIES]
+    return [material.name, ", ".join(material.aliases), *amounts]
 
 
 def _write_lines(material: Material, out: TextIO) -> None:
-    """Write a line `name value unit` for each property."""
+    """Write a line `name value unit` for each property, and lines `name.field text` for what is known of it."""
     say(f"material {material.name}", out)
+    if material.state:
+        say(f"state {material.state}", out)
     for name, value in material.properties.items():
         say(f"{name} {value!r} {NOMENCLATURE[name].unit}".removesuffix(" 1"), out)
+        if name in material.uncertainties:
+            say(f"{name}.stated {_stated(material, name)}", out)
+        for field, text in _origin(material, name):
+            say(f"{name}.{field} {text}", out)
 
 
 def _write_sheet(material: Material, out: TextIO) -> None:
-    """Write the properties of a material with its aliases, notes and references."""
+    """Write the properties of a material with its state, aliases, origins, notes and references."""
     aliases = f" (also {', '.join(material.aliases)})" if material.aliases else ""
     say(f"material {material.name}{aliases}", out)
+    if material.state:
+        say(f"state           {material.state}", out)
     for name in PROPERTIES:
-        say(f"{name:16}{_amount(material, name) or f'none in {material.title}'}", out)
+        say(f"{name:16}{_stated(material, name)}", out)
+        for field, text in _origin(material, name):
+            say(f"  {field:14}{text}", out)
     for name, note in material.notes.items():
-        say(f"note            {NOMENCLATURE[name].sentence}: {note}", out)
+        about = NOMENCLATURE[name].sentence if name in NOMENCLATURE else name
+        say(f"note            {about}: {note}", out)
     for entry in material.references:
-        fields = (entry.get(key, "") for key in ("author", "title", "journal", "volume", "pages", "year"))
-        say(f"reference       {', '.join(field for field in fields if field)}", out)
+        label = f"{entry['key']}: " if material.origins else ""
+        say(f"reference       {label}{', '.join(entry[field] for field in _REFERENCE if entry.get(field))}", out)
     say(f"source          {material.title}", out)
+
+
+_REFERENCE = ("author", "title", "journal", "volume", "pages", "year", "eprint", "doi", "url", "note")
+
+
+def _stated(material: Material, name: str) -> str:
+    """Return a property with its uncertainty, if it has one, and its unit."""
+    if name not in material.properties:
+        return f"none in {material.title}"
+    if name in material.uncertainties:
+        return uncertain_amount(name, material.uncertainties[name])
+    return amount(name, material.properties[name])
+
+
+def _origin(material: Material, name: str) -> list[tuple[str, str]]:
+    """Return the fields of the origin of a property, with their names."""
+    origin = material.origins.get(name)
+    return [(field, text) for field, text in origin._asdict().items() if text] if origin else []

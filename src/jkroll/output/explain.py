@@ -69,6 +69,8 @@ def _explanation(result: Result, scene: Scene, form: Format) -> list[str]:
     equation = result.equation or quantity.equation
     title = f"{result.name} — {quantity.sentence}, {f'Eq {equation}' if equation.isdigit() else equation}"
     steps = scene.plan(result.name).steps
+    if not steps:
+        return [title, f"  {quantity.symbol} = {amount(result.name, result.value, form)}"]
     fields = docstring_fields(steps[-1].formula)
     lines = [title, f"  {fields['formula']}", "  given"]
     lines += [_line(name, scene, form, _meaning(name, scene)) for name in scene.inputs_of(result.name)]

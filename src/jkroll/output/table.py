@@ -11,49 +11,52 @@ from rich.text import Text
 from ..answers.answer import Answer, Result
 from ..quantities.formatting import Format, amount, pretty
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
-from ..scene.limits import sentence
 from ..text import columns, fitting, say
 from .layout import Layout
 
-_HEADS = ("quantity", "symbol", "value", "unit", "Eq", "JKR")
-_JKR = 5  # the place of JKR's value, shown beside that of another law
-_WIDTHS: Sequence[tuple[int, ...]] = (
-    (0, 1, 2, 3, 4),
-    (1, 2, 3, 4),
-    (1, 2, 3),
-)  # columns of a scene's table, for narrower and narrower terminals
+_HEADS = ("quantity", "symbol", "value", "unit", "Eq", "definition", "reference", "JKR")
+_JKR = 7  # the place of JKR's value, shown beside that of another law
+# The columns of a scene's table, for narrower and narrower terminals: of results, and of results by convention.
+_COLUMNS: Sequence[tuple[int, ...]] = ((0, 1, 2, 3, 4), (1, 2, 3, 4), (1, 2, 3))
+_COLUMNS_BY_CONVENTION: Sequence[tuple[int, ...]] = ((0, 1, 2, 3, 5, 6), (1, 2, 3, 5, 6), (1, 2, 3, 5), (1, 2, 3))
+MAX_TEXT = 100  # columns of running text
 
 
 def scene_table(answer: Answer, out: TextIO, form: Format) -> None:
-    """Write the inputs of one scene, its results below each other, and the limits of the model."""
+    """Write the inputs of one scene, and its results below each other."""
     rows = [_result_row(result, form) for result in answer.results]
     styles = ["dim" if _is_aside(result) else "" for result in answer.results]
+    by_convention = all(NOMENCLATURE[result.name].definition for result in answer.results)
     say(_inputs(answer.inputs, form), out)
-    has_jkr = any(result.jkr is not None for result in answer.results)
-    widths = [(*part, _JKR) for part in _WIDTHS] if has_jkr else _WIDTHS
+    columns_of = _COLUMNS_BY_CONVENTION if by_convention else _COLUMNS
+    if any(result.jkr is not None for result in answer.results):
+        columns_of = [(*chosen, _JKR) for chosen in columns_of]
+    right = {"value", "Eq", "JKR"}
     tables = (
-        _table(
-            [_HEADS[place] for place in part],
-            [[row[place] for place in part] for row in rows],
-            out,
-            {"value", "Eq", "JKR"},
-            styles,
-        )
-        for part in widths
+        _table([_HEADS[i] for i in chosen], [[row[i] for i in chosen] for row in rows], out, right, styles)
+        for chosen in columns_of
     )
     if not any(_print(table, out) for table in tables):
         for row in rows:
             say(" ".join(cell for cell in row[1:4] if cell), out)
-    for verdict in answer.validity:
-        say(f"{'valid' if verdict.holds else 'DOUBT'}: {sentence(verdict)}", out)
 
 
 def _result_row(result: Result, form: Format) -> list[str]:
     quantity = NOMENCLATURE[result.name]
     value, unit = ("—", "") if result.value is None else form.rounded(result.name, result.value)
     equation = result.equation or quantity.equation
-    jkr = "" if result.jkr is None else amount(result.name, result.jkr, form)
-    return [quantity.sentence, quantity.symbol, value, pretty(unit), equation, pretty(jkr)]
+    source = quantity.reference or f"Eq {equation}"
+    jkr = "" if result.jkr is None else pretty(amount(result.name, result.jkr, form))
+    return [
+        quantity.sentence,
+        quantity.symbol,
+        value,
+        pretty(unit),
+        equation,
+        "" if result.model else quantity.definition,
+        source,
+        jkr,
+    ]
 
 
 def _is_aside(result: Result) -> bool:
@@ -65,7 +68,8 @@ def sweep_table(answers: Sequence[Answer], out: TextIO, form: Format, shape: Lay
     """Write a row for each scene, in as many tables as the width takes; inputs that all scenes share stand above."""
     values = {name: {answer.inputs.get(name) for answer in answers} for name in shape.columns}
     inputs = answers[0].inputs
-    say(_inputs({name: inputs[name] for name in shape.columns if name in inputs and len(values[name]) == 1}, form), out)
+    common = {name: inputs[name] for name in shape.columns if name in inputs and len(values[name]) == 1}
+    say(_inputs(common, form, f"{len(answers)} scenes"), out)
     leading = [name for name in shape.inputs if len(values[name] - {None}) != 1 and not _is_implied(name, answers)]
     results = [name for name in shape.columns if name not in shape.inputs and not _is_implied(name, answers)]
     while results:
@@ -76,14 +80,20 @@ def sweep_table(answers: Sequence[Answer], out: TextIO, form: Format, shape: Lay
 
 
 def _columns_table(names: Sequence[str], answers: Sequence[Answer], out: TextIO, form: Format) -> Table:
-    rows = [[_cell(answer, name, form) for name in names] for answer in answers]
-    heads = [NOMENCLATURE[name].symbol or name for name in names]
-    return _table(heads, rows, out, set(heads))
+    columns = [_column(name, answers, form) for name in names]
+    heads = [column[0] for column in columns]
+    return _table(heads, [*zip(*(column[1:] for column in columns), strict=True)], out, set(heads))
 
 
-def _cell(answer: Answer, name: str, form: Format) -> str:
-    value = answer.inputs[name] if name in answer.inputs else answer.value(name)
-    return "—" if value is None else pretty(amount(name, value, form))
+def _column(name: str, answers: Sequence[Answer], form: Format) -> list[str]:
+    """Return the head and the cells of a column; the head has the unit, if one suits all of its values."""
+    head = NOMENCLATURE[name].symbol or name
+    values = [answer.inputs[name] if name in answer.inputs else answer.value(name) for answer in answers]
+    common = form.common_unit(name, [value for value in values if isinstance(value, float)])
+    if common:
+        cells = ["—" if value is None else form.in_unit(value, common) for value in values]
+        return [f"{head} [{pretty(common[0])}]", *cells]
+    return [head, *("—" if value is None else pretty(amount(name, value, form)) for value in values)]
 
 
 _LEADERS = dict.fromkeys(PROPERTIES, "material") | {name + "2": "material2" for name in PROPERTIES}
@@ -102,10 +112,10 @@ def _is_implied(name: str, answers: Sequence[Answer]) -> bool:
     return len(pairs) == len({material for material, _ in pairs})
 
 
-def _inputs(inputs: Mapping[str, float | str], form: Format) -> str:
+def _inputs(inputs: Mapping[str, float | str], form: Format, start: str = "") -> str:
     """Return the inputs as understood, broken into lines between two of them."""
     width = columns()
-    lines = [""]
+    lines = [start]
     for name, value in inputs.items():
         text = pretty(amount(name, value, form))
         part = text if name == "material" else f"{NOMENCLATURE[name].symbol or name} = {text}"
@@ -122,6 +132,29 @@ def write_rows(heads: Sequence[str], rows: Sequence[Sequence[str]], out: TextIO)
         for row in rows:
             for head, cell in zip(heads, row, strict=True):
                 say(f"{head}: {cell}", out)
+
+
+def write_wrapped(heads: Sequence[str], rows: Sequence[Sequence[str]], out: TextIO) -> None:
+    """Write a table of texts whose last column is broken into lines."""
+    table = _table(heads, rows, out)
+    table.columns[-1].no_wrap = False
+    console = _console(out)
+    least = console.measure(table, options=console.options.update(width=10_000)).minimum
+    console.width = max(console.width, least)
+    console.print(table)
+
+
+def write_markdown(text: str, out: TextIO) -> None:
+    """Write Markdown, in lines that are comfortable to read."""
+    from rich.markdown import Markdown
+
+    console = _console(out)
+    console.width = min(console.width, MAX_TEXT)
+    console.print(Markdown(fitting(text, out), code_theme="ansi_light", hyperlinks=False))
+
+
+def _console(out: TextIO) -> Console:
+    return Console(file=out, width=columns(), highlight=False, markup=False, emoji=False)
 
 
 def _table(
@@ -142,7 +175,7 @@ def _table(
 
 def _print(table: Table, out: TextIO, *, anyway: bool = False) -> bool:
     """Print a table if the terminal is wide enough for it, or anyway, and return whether it was printed."""
-    console = Console(file=out, width=columns(), highlight=False, markup=False, emoji=False)
+    console = _console(out)
     width = console.measure(table, options=console.options.update(width=10_000)).maximum
     if width > console.width and not anyway:
         return False

@@ -114,8 +114,9 @@ def _result_object(result: Result, form: Format) -> dict[str, Any]:
     if result.model:
         entry["model"] = result.model
         entry["jkr"] = None if result.jkr is None else float(form.text(result.name, result.jkr))
-    if quantity.note:
-        entry["note"] = quantity.note
+    for key in ("note",) if result.model else ("note", "definition", "reference"):
+        if text := getattr(quantity, key):
+            entry[key] = text
     if result.value is None:
         entry["reason"] = result.reason
     if result.error is not None:
@@ -130,4 +131,5 @@ def _verdict_object(verdict: Verdict) -> dict[str, Any]:
         "value": verdict.value,
         "holds": verdict.holds,
         "text": verdict.text,
+        "code": verdict.code or None,
     }

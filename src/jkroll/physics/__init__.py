@@ -12,6 +12,7 @@ from . import (
     chain,
     collision,
     contact,
+    conventions,
     dmt,
     jkr,
     maugis,
@@ -37,7 +38,7 @@ def _formulas(*modules: Any) -> dict[str, Callable[..., Any]]:
 
 
 PAPER_FORMULAS: Mapping[str, Callable[..., Any]] = _formulas(
-    pair, contact, pressure, jkr, rolling, chain, vibration, collision, validity
+    pair, contact, pressure, jkr, rolling, chain, vibration, collision, conventions, validity
 )
 LAW_FORMULAS: Mapping[str, Callable[..., Any]] = _formulas(
     adhesive_force, dmt, maugis, maugis_states, maugis_pull_off, maugis_energies

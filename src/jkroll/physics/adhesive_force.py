@@ -119,36 +119,6 @@ def rolling_frequency_no_slip_of_stiffness(
     return sqrt(rolling_stiffness / reduced_radius / rolling_mass / reduced_radius) / (2 * pi)
 
 
-def n_roll_of_moment(*, energy: Energy, mean_rolling_moment: Moment) -> Number:
-    """Number of full turns that sphere 1 rolls over a fixed body 2, from the mean moment.
-
-        n = W0/(7π⟨M⟩)
-
-    Source:   Eq (48).
-    Valid:    As Eq (47): it dissipates 2/7 of the energy and lets the rest slide away.
-    Accuracy: 1.5 ulp above W0 and M.
-
-    >>> round(n_roll_of_moment(energy=7 * pi, mean_rolling_moment=1.0), 12)
-    1.0
-    """
-    return energy / (7 * pi * mean_rolling_moment)
-
-
-def n_roll_energy_balance_of_moment(*, energy: Energy, mean_rolling_moment: Moment) -> Number:
-    """Number of full turns until rolling has dissipated the energy of sphere 1, from the mean moment.
-
-        n = W0/(2π⟨M⟩)
-
-    Source:   Caption of Fig. 7: "until all energy is dissipated".
-    Valid:    No slip at any time.
-    Accuracy: 1.5 ulp above W0 and M.
-
-    >>> round(n_roll_energy_balance_of_moment(energy=2 * pi, mean_rolling_moment=1.0), 12)
-    1.0
-    """
-    return energy / (2 * pi * mean_rolling_moment)
-
-
 def yield_energy_of_moment(*, yield_moment: Moment, yield_displacement: Length, reduced_radius: Length) -> Energy:
     """Energy to roll a contact to its yield displacement, from the moment.
 
@@ -162,21 +132,6 @@ def yield_energy_of_moment(*, yield_moment: Moment, yield_displacement: Length, 
     3.0
     """
     return yield_moment * yield_displacement / (2 * reduced_radius)
-
-
-def energy_over_yield_of_energies(*, energy: Energy, yield_energy: Energy) -> Number:
-    """Energy of sphere 1 over that which makes the contact yield: below 1 it does not roll.
-
-        W0/W_yield
-
-    Source:   As the yield energy.
-    Valid:    Always.
-    Accuracy: 0.5 ulp above both.
-
-    >>> energy_over_yield_of_energies(energy=1.0, yield_energy=2.0)
-    0.5
-    """
-    return energy / yield_energy
 
 
 def hertz_pressure_of_radius(

@@ -7,19 +7,16 @@ from .dimensions import (
     AngularSpeed,
     Energy,
     Inertia,
-    Length,
     Mass,
     Moment,
     Number,
     Speed,
-    Stress,
-    SurfaceEnergy,
 )
-from .elementary import cbrt, pi, sqrt
+from .elementary import pi, sqrt
 
 
-def energy_at_energy_ratio(*, energy_ratio: Number, adhesion_energy: Energy) -> Energy:
-    """Return the energy of sphere 1 that is given in units of P_cδ0.
+def energy(*, energy_ratio: Number, adhesion_energy: Energy) -> Energy:
+    """Return the energy of sphere 1 from its ratio to P_cδ0, which is given where neither an energy nor a speed is.
 
         W0 = (W0/P_cδ0) P_cδ0
 
@@ -31,7 +28,7 @@ def energy_at_energy_ratio(*, energy_ratio: Number, adhesion_energy: Energy) -> 
     Valid:    Always.
     Accuracy: 0.5 ulp above P_cδ0.
 
-    >>> energy_at_energy_ratio(energy_ratio=2.0, adhesion_energy=3.0)
+    >>> energy(energy_ratio=2.0, adhesion_energy=3.0)
     6.0
     """
     return energy_ratio * adhesion_energy
@@ -105,8 +102,8 @@ def angular_deceleration(*, mean_rolling_moment: Moment, moment_of_inertia: Iner
     moment_of_inertia    [kg m²]  > 0
 
     Returns:  [rad/s²]; a float for floats, an array for arrays, which broadcast.
-    Source:   Eq (47). It leaves out the friction force that also brakes the rotation: no slip demands
-              −⟨M⟩/(I1 + m1R1²), which is 2/7 of it.
+    Source:   Eq (47). It leaves out the friction at the contact, which brakes the centre and sustains the spin: without
+              slip the rate is −⟨M⟩/(I1 + m1R1²), which is 2/7 of it.
     Valid:    A sphere that spins in place.
     Accuracy: 0.5 ulp.
 
@@ -116,132 +113,58 @@ def angular_deceleration(*, mean_rolling_moment: Moment, moment_of_inertia: Iner
     return -mean_rolling_moment / moment_of_inertia
 
 
-def n_roll(
-    *,
-    energy: Energy,
-    work_of_adhesion: SurfaceEnergy,
-    reduced_radius: Length,
-    load_factor: Number,
-    yield_displacement: Length,
-) -> Number:
-    """Return the number of full turns that sphere 1 rolls over a fixed body 2.
+def n_roll(*, energy: Energy, mean_rolling_moment: Moment) -> Number:
+    """Return the number of full turns that sphere 1 rolls over a fixed body 2 where the contact slides freely.
 
-        n = W0/(7π⟨M⟩) = W0/(14π P_c â^(3/2) ξ) = W0/(21π²wR â^(3/2) ξ)
+        n = W0/(7π⟨M⟩) = W0/(14π P_c â^(3/2) ξ)
 
-    energy              [J]     > 0
-    work_of_adhesion    [J/m²]  > 0
-    reduced_radius      [m]     > 0
-    load_factor         [1]     > 0
-    yield_displacement  [m]     > 0
+    energy               [J]    > 0
+    mean_rolling_moment  [N m]  > 0
 
     Returns:  [1]; a float for floats, an array for arrays, which broadcast.
-    Source:   Eq (48).
+    Source:   Eq (48), and Eq (49), which is Eq (48) at W0 = P_cδ0.
     Valid:    As Eq (47): it dissipates 2/7 of the energy and lets the rest slide away.
-    Accuracy: 3.5 ulp above W0, w, R and x.
+    Accuracy: 2 ulp above W0 and M.
 
-    >>> n = n_roll(energy=42 * pi**2, work_of_adhesion=1.0, reduced_radius=1.0, load_factor=1.0, yield_displacement=1.0)
-    >>> round(n, 12)
+    >>> round(n_roll(energy=14 * pi, mean_rolling_moment=1.0), 12)
     2.0
     """
-    return energy / (21 * pi**2 * work_of_adhesion * reduced_radius * load_factor * yield_displacement)
+    return energy / (7 * pi * mean_rolling_moment)
 
 
-def n_roll_energy_balance(
-    *,
-    energy: Energy,
-    work_of_adhesion: SurfaceEnergy,
-    reduced_radius: Length,
-    load_factor: Number,
-    yield_displacement: Length,
-) -> Number:
-    """Return the number of full turns that sphere 1 rolls over a fixed body 2 until rolling has dissipated its energy.
+def n_roll_energy_balance(*, energy: Energy, mean_rolling_moment: Moment) -> Number:
+    """Return the number of full turns that sphere 1 rolls over a fixed body 2 without slip from the start.
 
-        n = W0/(2π⟨M⟩) = W0/(4π P_c â^(3/2) ξ) = W0/(6π²wR â^(3/2) ξ), which is 7/2 of Eq (48)
+        n = W0/(2π⟨M⟩), which is 7/2 of Eq (48)
 
-    energy              [J]     > 0
-    work_of_adhesion    [J/m²]  > 0
-    reduced_radius      [m]     > 0
-    load_factor         [1]     > 0
-    yield_displacement  [m]     > 0
+    energy               [J]    > 0
+    mean_rolling_moment  [N m]  > 0
 
     Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Caption of Fig. 7: "until all energy is dissipated".
-    Valid:    No slip at any time.
-    Accuracy: 4 ulp above W0, w, R and x.
+    Valid:    No slip at any time; W0 is the energy of the translation and of the spin.
+    Accuracy: 2 ulp above W0 and M.
 
-    >>> n = n_roll_energy_balance(energy=42 * pi**2, work_of_adhesion=1.0, reduced_radius=1.0, load_factor=1.0,
-    ...                           yield_displacement=1.0)
-    >>> round(n, 12)
+    >>> round(n_roll_energy_balance(energy=14 * pi, mean_rolling_moment=1.0), 12)
     7.0
     """
-    return energy / (6 * pi**2 * work_of_adhesion * reduced_radius * load_factor * yield_displacement)
+    return energy / (2 * pi * mean_rolling_moment)
 
 
-def n_roll_at_energy_ratio(
-    *,
-    energy_ratio: Number,
-    work_of_adhesion: SurfaceEnergy,
-    contact_modulus: Stress,
-    reduced_radius: Length,
-    load_factor: Number,
-    yield_displacement: Length,
-) -> Number:
-    """Return the number of full turns that sphere 1 rolls over a fixed body 2, for an energy given in units of P_cδ0.
+def n_roll_after_impact(*, energy: Energy, mean_rolling_moment: Moment) -> Number:
+    """Return the number of full turns of a sphere that arrives along the surface without spin, and then rolls without slip.
 
-        n = (3/(14 ∛(9π))) (γ/E*)^(2/3) (∛R/ξ) W0/(P_cδ0) / â^(3/2) = ∛(3w²R/(10976πE*²)) W0/(P_cδ0) / (ξ â^(3/2))
+        n = (5/7)W0/(2π⟨M⟩), which is 5/2 of Eq (48)
 
-    energy_ratio        [1]     > 0
-    work_of_adhesion    [J/m²]  > 0
-    contact_modulus     [Pa]    > 0
-    reduced_radius      [m]     > 0
-    load_factor         [1]     > 0
-    yield_displacement  [m]     > 0
+    energy               [J]    > 0
+    mean_rolling_moment  [N m]  > 0
 
     Returns:  [1]; a float for floats, an array for arrays, which broadcast.
-    Source:   Eq (49), which is Eq (48) in other words.
-    Valid:    As Eq (48).
-    Accuracy: 3.5 ulp above w, R, E* and x.
+    Source:   The angular momentum about the contact is kept while friction spins the sphere up: 5/7 of W0 remain.
+    Valid:    A tangential impact on a fixed body 2, short beside the rolling; no slip after it.
+    Accuracy: 2 ulp above W0 and M.
 
-    >>> n = n_roll_at_energy_ratio(energy_ratio=1.0, work_of_adhesion=0.05, contact_modulus=27.804e9,
-    ...                            reduced_radius=50e-9, load_factor=1.0, yield_displacement=2e-10)
-    >>> round(n, 4)
-    0.0121
+    >>> round(n_roll_after_impact(energy=14 * pi, mean_rolling_moment=1.0), 12)
+    5.0
     """
-    strain_length = work_of_adhesion / contact_modulus
-    length = cbrt(3 / (10976 * pi) * strain_length**2 * reduced_radius)
-    return energy_ratio * length / (yield_displacement * load_factor)
-
-
-def n_roll_energy_balance_at_energy_ratio(
-    *,
-    energy_ratio: Number,
-    work_of_adhesion: SurfaceEnergy,
-    contact_modulus: Stress,
-    reduced_radius: Length,
-    load_factor: Number,
-    yield_displacement: Length,
-) -> Number:
-    """Return the number of full turns by the energy balance, for an energy given in units of P_cδ0.
-
-        n = ∛(3w²R/(256πE*²)) W0/(P_cδ0) / (ξ â^(3/2)), which is 7/2 of Eq (49)
-
-    energy_ratio        [1]     > 0
-    work_of_adhesion    [J/m²]  > 0
-    contact_modulus     [Pa]    > 0
-    reduced_radius      [m]     > 0
-    load_factor         [1]     > 0
-    yield_displacement  [m]     > 0
-
-    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
-    Source:   Caption of Fig. 7, in the terms of Eq (49).
-    Valid:    No slip at any time.
-    Accuracy: 3 ulp above w, R, E* and x.
-
-    >>> n = n_roll_energy_balance_at_energy_ratio(energy_ratio=1.0, work_of_adhesion=0.05, contact_modulus=27.804e9,
-    ...                                           reduced_radius=50e-9, load_factor=1.0, yield_displacement=2e-10)
-    >>> round(n, 4)
-    0.0422
-    """
-    strain_length = work_of_adhesion / contact_modulus
-    length = cbrt(3 / (256 * pi) * strain_length**2 * reduced_radius)
-    return energy_ratio * length / (yield_displacement * load_factor)
+    return energy / (14 / 5 * pi * mean_rolling_moment)

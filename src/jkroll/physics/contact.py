@@ -207,6 +207,25 @@ def stiffness(*, contact_modulus: Stress, contact_radius_at_load: Length, load_m
     return 6 * contact_modulus * contact_radius_at_load * load_margin / (2 + 3 * load_margin)
 
 
+def tangential_stiffness(*, contact_shear_modulus: Stress, contact_radius_at_load: Length) -> Stiffness:
+    """Return the stiffness of the contact against a tangential displacement, without slip.
+
+        k_s = 8G*a
+
+    contact_shear_modulus   [Pa]  > 0
+    contact_radius_at_load  [m]   > 0
+
+    Returns:  [N/m]; a float for floats, an array for arrays, which broadcast.
+    Source:   As coded in LAMMPS (pair granular, mindlin: 4G/(2 − ν) for identical solids) and Lumajord/DustSimulation.
+    Valid:    Small displacements: the contact circle sticks.
+    Accuracy: 0.5 ulp.
+
+    >>> tangential_stiffness(contact_shear_modulus=2.0, contact_radius_at_load=3.0)
+    48.0
+    """
+    return 8 * contact_shear_modulus * contact_radius_at_load
+
+
 def load_ratio(*, contact_radius_ratio: Number) -> Number:
     """Return the load at a contact radius, over the pull-off force.
 

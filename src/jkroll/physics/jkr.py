@@ -160,22 +160,23 @@ def _root_of_excess(eta: Any, excess: Any) -> Any:
 def adhesion_energy(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress) -> Energy:
     """Return the energy typical of adhesion: what a slow head-on collision dissipates, to order of magnitude.
 
-        W = P_c δ0 = (81π⁵w⁵R⁴/(32E*²))^(1/3)
+        W = P_c δ0 = (3/2)πwR (3π²w²R/(4E*²))^(1/3)
 
     work_of_adhesion  [J/m²]  > 0
     reduced_radius    [m]     > 0
     contact_modulus   [Pa]    > 0
 
     Returns:  [J]; a float for floats, an array for arrays, which broadcast.
-    Source:   Text below Eq (48), with P_c and δ0 of JKR.
+    Source:   Text below Eq (48), with JKR's P_c and δ0, Eqs (1) and (3).
     Valid:    The largest energy that sticks is 0.7722 P_cδ0.
-    Accuracy: 4 ulp.
+    Accuracy: 4 ulp above w, R and E*.
 
-    >>> round(adhesion_energy(work_of_adhesion=2 / pi, reduced_radius=3.0, contact_modulus=3.0), 7)
-    9.0
+    >>> energy = adhesion_energy(work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9)
+    >>> f"{energy:.4e}"
+    '1.2509e-18'
     """
-    force = 3 / 2 * pi * work_of_adhesion * reduced_radius
-    return force * cbrt(3 / 4 * pi**2 * (work_of_adhesion / contact_modulus) ** 2 * reduced_radius)
+    approach = cbrt(3 / 4 * pi**2 * (work_of_adhesion / contact_modulus) ** 2 * reduced_radius)
+    return 3 / 2 * pi * work_of_adhesion * reduced_radius * approach
 
 
 def well_energy(*, adhesion_energy: Energy) -> Energy:
@@ -233,7 +234,9 @@ def pull_off_work_at_dead_load(*, adhesion_energy: Energy) -> Energy:
 
 
 def sticking_energy(*, adhesion_energy: Energy) -> Energy:
-    """Return the largest energy of a head-on collision after which the spheres stick: what jump-in and the fold dissipate.
+    """Return the largest relative energy ½mv² of a head-on collision after which the spheres stick.
+
+    Here m is the reduced mass. It is what jump-in and the fold dissipate.
 
         ((2/15)6^(−1/3) + (4/5)(2/3)^(1/3)) P_cδ0 = 0.7722405 P_cδ0
 

@@ -94,6 +94,31 @@ def contact_modulus(
     return 1 / (compliance + compliance2)
 
 
+def contact_shear_modulus(
+    *, youngs_modulus: Stress, poisson_ratio: Number, youngs_modulus2: Stress, poisson_ratio2: Number
+) -> Stress:
+    """Return the shear modulus of the contact.
+
+        1/G* = (2 − ν1)/G1 + (2 − ν2)/G2, G = E/(2(1 + ν))
+
+    youngs_modulus   [Pa]  > 0; infinite for a rigid body
+    poisson_ratio    [1]   −1 to 1/2
+    youngs_modulus2  [Pa]  > 0; infinite for a rigid body
+    poisson_ratio2   [1]   −1 to 1/2
+
+    Returns:  [Pa]; a float for floats, an array for arrays, which broadcast.
+    Source:   G* of the codes LAMMPS (pair granular, mindlin) and Lumajord/DustSimulation.
+    Valid:    Isotropic, linear elastic solids; one may be rigid (E infinite).
+    Accuracy: 3 ulp.
+
+    >>> contact_shear_modulus(youngs_modulus=12.0, poisson_ratio=0.5, youngs_modulus2=12.0, poisson_ratio2=0.5)
+    1.3333333333333333
+    """
+    compliance = 2 * (2 - poisson_ratio) * (1 + poisson_ratio) / youngs_modulus
+    compliance2 = 2 * (2 - poisson_ratio2) * (1 + poisson_ratio2) / youngs_modulus2
+    return 1 / (compliance + compliance2)
+
+
 def mass(*, radius: Length, density: Density) -> Mass:
     """Return the mass of a homogeneous sphere.
 

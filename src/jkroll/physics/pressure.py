@@ -112,7 +112,7 @@ def boussinesq_pressure_at_approach(
     Returns:  [Pa]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (14); put into Eq (12) it is Eq (15).
     Valid:    Any circular contact.
-    Accuracy: 2 ulp of the larger term.
+    Accuracy: 2.5 ulp of the larger term.
 
     >>> boussinesq_pressure_at_approach(
     ...     approach_at_load=0.0, contact_radius_at_load=1.0, contact_modulus=1.0, hertz_pressure=2.0)

@@ -75,6 +75,30 @@ def yield_force(
     return 6 * pi * work_of_adhesion * load_factor * yield_displacement / (1 + radius_ratio)
 
 
+def yield_force_fixed_load(
+    *, yield_moment: Moment, radius: Length, load: Force, yield_displacement: Length, radius2: Length
+) -> Force:
+    """Return the force at the centre of sphere 1 that starts it rolling under a load that keeps its direction.
+
+        Q = M/R1 − Pξ/R2
+
+    yield_moment        [N m]  > 0
+    radius              [m]    > 0
+    load                [N]    any; tension is negative
+    yield_displacement  [m]    > 0
+    radius2             [m]    > 0; infinite for a plane
+
+    Returns:  [N]; a float for floats, an array for arrays, which broadcast. Negative where the load alone overturns sphere 1.
+    Source:   The moments about the contact; Eq (26) has a load that turns with the line of centres.
+    Valid:    As Eq (25), with body 2 held. On a plane it is M/R1.
+    Accuracy: 2 ulp of the larger term above M.
+
+    >>> yield_force_fixed_load(yield_moment=6.0, radius=2.0, load=4.0, yield_displacement=1.0, radius2=2.0)
+    1.0
+    """
+    return yield_moment / radius - load * (yield_displacement / radius2)
+
+
 def yield_force_ratio(*, load_factor: Number, yield_displacement: Length, radius: Length) -> Number:
     """Return the yield force over the pull-off force.
 

@@ -1,9 +1,9 @@
-"""What limits the model, as numbers."""
+"""Numbers that limit the model."""
 
 from __future__ import annotations
 
-from .dimensions import Energy, Force, Length, Number, Stress, SurfaceEnergy
-from .elementary import cbrt, pi
+from .dimensions import Energy, Length, Number, Stress, SurfaceEnergy
+from .elementary import cbrt, pi, smaller_and_larger
 
 
 def tabor_parameter(
@@ -51,7 +51,7 @@ def displacement_limit(*, contact_radius: Length, load_factor: Number) -> Length
 
 
 def displacement_ratio(*, yield_displacement: Length, displacement_limit: Length) -> Number:
-    """Displacement over its limit: above 1 the rolling moment has no meaning.
+    """Return the displacement over its limit: above 1 the rolling moment has no meaning.
 
         3ξ√â/a0
 
@@ -88,23 +88,64 @@ def contact_radius_in_spacings(*, contact_radius_at_load: Length, atomic_spacing
     return contact_radius_at_load / atomic_spacing
 
 
-def approach_in_spacings(*, approach: Length, atomic_spacing: Length) -> Number:
-    """Return the approach without load over the atomic spacing: contact forces alone need a neck longer than their range.
+def profile_error(*, contact_radius_at_load: Length, radius: Length, radius2: Length) -> Number:
+    """Return how far the paraboloids of the model are from the spheres at the edge of the contact, relative to their depth.
 
-        δ0/z0
+        a²(R1⁻³ + R2⁻³)/(4(R1⁻¹ + R2⁻¹)) = a²(R1⁻² − R1⁻¹R2⁻¹ + R2⁻²)/4
 
-    approach        [m]  > 0
-    atomic_spacing  [m]  > 0
+    contact_radius_at_load  [m]  > 0
+    radius                  [m]  > 0
+    radius2                 [m]  > 0; infinite for a plane
 
     Returns:  [1]; a float for floats, an array for arrays, which broadcast.
-    Source:   Text above Fig. 1 on the assumptions of JKRS.
-    Valid:    Another form of the Tabor parameter.
-    Accuracy: 0.5 ulp above δ0.
+    Source:   The next term of the profile of a sphere, r⁴/(8R1³).
+    Valid:    To first order. It is 1 % at a = 0.2 R1 for identical spheres and on a plane.
+    Accuracy: 6 ulp above a.
 
-    >>> approach_in_spacings(approach=4e-9, atomic_spacing=0.5e-9)
-    8.0
+    >>> round(profile_error(contact_radius_at_load=0.2, radius=1.0, radius2=1.0), 12)
+    0.01
     """
-    return approach / atomic_spacing
+    smaller, larger = smaller_and_larger(radius, radius2)
+    ratio = smaller / larger
+    return (contact_radius_at_load / smaller) ** 2 * (1 - ratio * (1 - ratio)) / 4
+
+
+def displacement_over_contact_radius(*, yield_displacement: Length, contact_radius_at_load: Length) -> Number:
+    """Return the displacement over the contact radius: above 1 the circle no longer covers the apex.
+
+        ξ/a
+
+    yield_displacement      [m]  > 0
+    contact_radius_at_load  [m]  > 0
+
+    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
+    Source:   Fig. 4: the circle lags behind by ξ.
+    Valid:    Always.
+    Accuracy: 0.5 ulp above a.
+
+    >>> displacement_over_contact_radius(yield_displacement=1.0, contact_radius_at_load=2.0)
+    0.5
+    """
+    return yield_displacement / contact_radius_at_load
+
+
+def r_min_over_radius(*, r_min: Length, radius: Length) -> Number:
+    """Return the smallest radius of curvature of a chain over the radius of its sphere 1.
+
+        R_min/R1
+
+    r_min   [m]  > 0
+    radius  [m]  > 0
+
+    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
+    Source:   Eq (28).
+    Valid:    A chain that bends takes R_min well above R1.
+    Accuracy: 0.5 ulp above R_min.
+
+    >>> r_min_over_radius(r_min=6.0, radius=2.0)
+    3.0
+    """
+    return r_min / radius
 
 
 def yield_energy(*, work_of_adhesion: SurfaceEnergy, yield_displacement: Length, load_factor: Number) -> Energy:
@@ -127,44 +168,39 @@ def yield_energy(*, work_of_adhesion: SurfaceEnergy, yield_displacement: Length,
     return 3 * pi * work_of_adhesion * load_factor * yield_displacement**2
 
 
-def energy_over_yield(
-    *, energy: Energy, work_of_adhesion: SurfaceEnergy, load_factor: Number, yield_displacement: Length
-) -> Number:
+def energy_over_yield(*, energy: Energy, yield_energy: Energy) -> Number:
     """Return the energy of sphere 1 over that which makes the contact yield: below 1 it does not roll.
 
         W0/(3πw â^(3/2) ξ²)
 
-    energy              [J]     > 0
-    work_of_adhesion    [J/m²]  > 0
-    load_factor         [1]     > 0
-    yield_displacement  [m]     > 0
+    energy        [J]  > 0
+    yield_energy  [J]  > 0
 
     Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   As the yield energy.
     Valid:    Always.
-    Accuracy: 4 ulp above W0, w and x.
+    Accuracy: 0.5 ulp above W0 and the yield energy.
 
-    >>> ratio = energy_over_yield(energy=18.849555921538759, work_of_adhesion=1.0, load_factor=1.0, yield_displacement=1.0)
-    >>> round(ratio, 12)
+    >>> energy_over_yield(energy=4.0, yield_energy=2.0)
     2.0
     """
-    return energy / (3 * pi * work_of_adhesion * load_factor * yield_displacement**2)
+    return energy / yield_energy
 
 
-def load_over_pull_off(*, load: Force, pull_off_force: Force) -> Number:
-    """Return the load over the pull-off force: −1 at pull-off; the paper thinks of loads up to 1.
+def energy_over_sticking(*, energy: Energy, sticking_energy: Energy) -> Number:
+    """Return the energy of sphere 1 over the largest that sticks: above 1 a head-on impact ends apart.
 
-        P/P_c
+        W0/U_stick
 
-    load            [N]  any; tension is negative
-    pull_off_force  [N]  > 0
+    energy           [J]  > 0
+    sticking_energy  [J]  > 0
 
     Returns:  [1]; a float for floats, an array for arrays, which broadcast.
-    Source:   Text above Eq (26).
-    Valid:    P/P_c ≥ −1.
-    Accuracy: 0.5 ulp above P_c.
+    Source:   Text below Eq (48).
+    Valid:    Body 2 is fixed, so that W0 is the relative energy ½mv².
+    Accuracy: 0.5 ulp above W0 and U_stick.
 
-    >>> load_over_pull_off(load=-1.0, pull_off_force=2.0)
-    -0.5
+    >>> energy_over_sticking(energy=3.0, sticking_energy=2.0)
+    1.5
     """
-    return load / pull_off_force
+    return energy / sticking_energy

@@ -244,9 +244,14 @@ def along(setting: Setting, quantity: str, x: Axis) -> Any:
 
 
 def material_marks(materials: Materials, x: Axis, y: Axis) -> list[Mark]:
-    """Return a mark for each material that determines a place on an axis."""
+    """Return a mark for each material that determines a place on an axis.
+
+    Materials with a state are left out: several of one substance would crowd the edge.
+    """
     marks = []
     for material in materials.materials.values():
+        if material.state:
+            continue
         scene = Scene({}, material)
         mark = Mark(material.name, coordinate(x, scene), coordinate(y, scene))
         if mark.x is not None or mark.y is not None:

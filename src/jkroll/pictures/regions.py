@@ -6,11 +6,12 @@ from typing import Any, NamedTuple
 from ..errors import NoResult
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.errors import MissingInput
-from ..scene.limits import DMT_UP_TO, JKR_FROM, LIMITS
+from ..scene.limits import LIMITS
 from ..scene.scene import Scene
 from .axes import Axis
 from .maps import Region, Setting, inputs_at
 
+_LIMITS = {limit.name: limit for limit in LIMITS}
 COARSE = 200  # points a side that are enough for the smooth border of a region
 
 
@@ -41,13 +42,11 @@ class Bound(NamedTuple):
 
 def bounds() -> tuple[Bound, ...]:
     """Return the bounds of the model: first those beyond which it has no meaning, then the one from which it is exact."""
-    symbol = NOMENCLATURE["tabor_parameter"].symbol
-    text = f"{symbol} = {JKR_FROM:g}: JKR holds where it is larger"
     return (
-        _bound("contact_radius_in_spacings", 1.0, is_least=True),
-        _bound("displacement_ratio", 1.0, is_least=False),
-        _bound("tabor_parameter", DMT_UP_TO, is_least=True),
-        Bound(("tabor_parameter",), _same, JKR_FROM, True, text, "border"),
+        _bound("contact_radius_in_spacings"),
+        _bound("displacement_ratio"),
+        _bound("tabor_parameter"),
+        _border("tabor_parameter", "JKR holds where it is larger"),
     )
 
 
@@ -89,11 +88,20 @@ def margin_along(setting: Setting, bound: Bound, x: Axis) -> Any:
     return numpy.broadcast_to(bound.margin(setting, inputs_at(x.name, values)), values.shape)
 
 
-def _bound(name: str, limit: float, *, is_least: bool) -> Bound:
-    """Return the bound of a limit of the model, in the words of that limit."""
-    doubt = next(one.doubt for one in LIMITS if one.name == name)
-    text = f"{NOMENCLATURE[name].symbol} {'<' if is_least else '>'} {limit:g}: {doubt}"
-    return Bound((name,), _same, limit, is_least, text)
+def _bound(name: str) -> Bound:
+    """Return the outermost doubt of a limit of the model as a bound."""
+    limit = _LIMITS[name]
+    doubt = limit.doubts[-1]
+    is_least = limit.sign.startswith("<")
+    text = f"{NOMENCLATURE[name].symbol} {'<' if is_least else '>'} {doubt.threshold:g}: {doubt.consequence}"
+    return Bound((name,), _same, doubt.threshold, is_least, text)
+
+
+def _border(name: str, words: str) -> Bound:
+    """Return the first doubt of a limit as a line, beyond which the model is not exact."""
+    threshold = _LIMITS[name].doubts[0].threshold
+    text = f"{NOMENCLATURE[name].symbol} = {threshold:g}: {words}"
+    return Bound((name,), _same, threshold, True, text, "border")
 
 
 def _same(**values: Any) -> Any:

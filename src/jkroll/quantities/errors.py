@@ -2,7 +2,7 @@
 
 from ..errors import JkrollError
 from ..text import closest, quoted
-from .nomenclature import NOMENCLATURE, word_for_infinity
+from .nomenclature import NOMENCLATURE, OPTION_WORDS, canonical, word_for_infinity
 from .units import dimension_of, kind_of
 
 
@@ -34,9 +34,9 @@ class UnknownQuantity(JkrollError):
         self.name = name
 
     def __str__(self) -> str:
-        by_option = (name for name, quantity in NOMENCLATURE.items() if quantity.option == f"--{self.name}")
-        guess = next(by_option, None) or closest(self.name, NOMENCLATURE)
-        return f"{quoted(self.name)} is not a quantity" + (f"; did you mean {guess}?" if guess else "")
+        guess = closest(canonical(self.name), (*NOMENCLATURE, *OPTION_WORDS))
+        meant = f"did you mean {guess}? " if guess else ""
+        return f"{quoted(self.name)} is not a quantity; {meant}jkroll quantities lists them"
 
 
 class OutOfRange(JkrollError):

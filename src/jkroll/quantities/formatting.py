@@ -1,14 +1,18 @@
 """Values as text: rounded and with a suitable prefix to be read, or as the shortest text that parses back to the same value."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from math import floor, isinf, log10
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from .nomenclature import INFINITY, NOMENCLATURE, word_for_infinity
 from .units import Unit, convert
 
+if TYPE_CHECKING:
+    from .uncertain import Uncertain
+
 DIGITS = 6  # significant, of a rounded value
+_PLAIN = 10**DIGITS  # numbers below have no exponent for want of digits
 _PREFIXES = dict(zip(range(-21, 18, 3), ("z", "a", "f", "p", "n", "µ", "m", "", "k", "M", "G", "T", "P"), strict=True))
 _PREFIXABLE = ("m", "N", "J", "Pa", "Hz", "rad", "N m", "N/m", "J/m^2", "N m/rad")
 
@@ -45,8 +49,23 @@ class Format(NamedTuple):
             return value, ""
         digits = self.digits or DIGITS
         if name in self.units:
-            return f"{self.number(name, value):.{digits}g}", self.units[name][0]
+            return significant(self.number(name, value), digits), self.units[name][0]
         return engineering(value, NOMENCLATURE[name].unit, digits)
+
+    def common_unit(self, name: str, values: Sequence[float]) -> tuple[str, Unit] | None:
+        """Return a unit in which all values of a quantity are short numbers; None if there is none, or if it has no unit."""
+        if name in self.units:
+            return self.units[name]
+        si = NOMENCLATURE[name].unit
+        sizes = [abs(value) for value in values if value and not isinf(value)]
+        if si in ("", "1") or not sizes:
+            return None
+        scale, prefix = _prefix(float(f"{min(sizes):.{self.digits or DIGITS}g}"), si)
+        return (prefix + si, scale) if convert(max(sizes), scale) < _PLAIN else None
+
+    def in_unit(self, value: float | str, unit: tuple[str, Unit]) -> str:
+        """Return a rounded value in a unit, without the unit; a word as it is."""
+        return value if isinstance(value, str) else significant(convert(value, unit[1]), self.digits or DIGITS)
 
 
 def engineering(value: float, unit: str, digits: int = DIGITS) -> tuple[str, str]:
@@ -55,16 +74,30 @@ def engineering(value: float, unit: str, digits: int = DIGITS) -> tuple[str, str
     >>> engineering(1.1780972e-08, "N")
     ('11.781', 'nN')
     """
-    text = f"{value:.{digits}g}"
-    rounded = float(text)
-    if unit in ("1", ""):
-        return text, ""
-    if unit not in _PREFIXABLE or rounded == 0 or isinf(rounded):
-        return text, unit
-    exponent = 3 * floor(log10(abs(rounded)) / 3 + 1e-12)
+    rounded = float(f"{value:.{digits}g}")
+    scale, prefix = _prefix(rounded, unit)
+    number = convert(rounded, scale) if prefix else rounded
+    return significant(number, digits), prefix + ("" if unit == "1" else unit)
+
+
+def _prefix(value: float, unit: str) -> tuple[Unit, str]:
+    """Return the prefix that suits a value in a unit, and its power of ten."""
+    exponent = 0
+    if unit in _PREFIXABLE and value != 0 and not isinf(value):
+        exponent = 3 * floor(log10(abs(value)) / 3 + 1e-12)
     if exponent not in _PREFIXES:
-        return text, unit
-    return f"{convert(rounded, _power_of_ten(exponent)):.{digits}g}", _PREFIXES[exponent] + unit
+        exponent = 0
+    return _power_of_ten(exponent), _PREFIXES[exponent]
+
+
+def significant(value: float, digits: int) -> str:
+    """Round a number to significant digits; one below a million has no exponent for want of digits.
+
+    >>> significant(2600.0, 3), significant(1234567.0, 3)
+    ('2600', '1.23e+06')
+    """
+    text = f"{value:.{digits}g}"
+    return f"{float(text):.0f}" if "e+" in text and abs(float(text)) < _PLAIN else text
 
 
 def pretty(unit: str) -> str:
@@ -90,6 +123,40 @@ def amount(name: str, value: float | str, form: Format = AS_USUAL) -> str:
     '200 pm'
     """
     return " ".join(part for part in form.rounded(name, value) if part)
+
+
+def uncertain_amount(name: str, found: "Uncertain", form: Format = AS_USUAL) -> str:
+    """Return a value with its uncertainty and unit, for a sentence. `parse_uncertain` reads the text.
+
+    An uncertainty has two digits, and the value ends at the same place. Sides that differ by more than 10 % are both shown.
+
+    >>> from .uncertain import parse_uncertain
+    >>> texts = ("25±5 mJ/m2", "25 +6/-4 mJ/m2", "20 to 30 mJ/m2")
+    >>> [uncertain_amount("surface_energy", parse_uncertain(text, "surface_energy")) for text in texts]
+    ['25.0 ± 5.0 mJ/m^2', '25.0 +6.0/-4.0 mJ/m^2', '20 to 30 mJ/m^2']
+    """
+    if name in form.units:
+        unit, scale = form.units[name]
+    else:
+        si = NOMENCLATURE[name].unit
+        scale, prefix = _prefix(float(f"{found.value:.{DIGITS}g}"), si)
+        unit = prefix + ("" if si == "1" else si)
+    if found.kind == "range":
+        low, high = (f"{convert(end, scale):.{form.digits or DIGITS}g}" for end in (found.low, found.high))
+        return f"{low} to {high} {unit}".rstrip()
+    value, minus, plus = (convert(number, scale) for number in (found.value, found.minus, found.plus))
+    shift = 0 if 1e-3 <= abs(value) < 1e6 or value == 0 else floor(log10(abs(value)))
+    value, minus, plus = (number * 10.0**-shift for number in (value, minus, plus))
+    place = _second_digit(min(side for side in (minus, plus) if side))
+    middle, below, above = (f"{round(number, -place):.{max(-place, 0)}f}" for number in (value, minus, plus))
+    is_symmetric = abs(minus - plus) <= 0.1 * max(minus, plus)
+    text = f"{middle} ± {max(below, above, key=float)}" if is_symmetric else f"{middle} +{above}/-{below}"
+    return f"({text})e{shift} {unit}".rstrip() if shift else f"{text} {unit}".rstrip()
+
+
+def _second_digit(number: float) -> int:
+    """Return the power of ten of the second significant digit, after rounding to two."""
+    return int(f"{number:.1e}".partition("e")[2]) - 1
 
 
 def in_words(name: str, value: float | str) -> float | str:

@@ -19,6 +19,8 @@ class Quantity(NamedTuple):
     option: str = ""  # of the command line
     example: str = ""  # a value as a user types it
     note: str = ""  # the reason why it is shown beside another quantity
+    definition: str = ""  # of one among several conventions: the factor, in units that are common to them
+    reference: str = ""  # of a convention: the paper or code where it stands
 
 
 class Range(NamedTuple):
@@ -88,6 +90,10 @@ _BOTH_SPHERES = {
     )
 }
 
+_TRAILING = (
+    "takes the moment 4P_cξ of a contact that trails at ξ all the time; n_roll takes the mean moment, half of it"
+)
+
 _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
     {
         # what the user gives
@@ -99,7 +105,7 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "yield_displacement": Quantity("ξ", "m", "yield displacement", range="positive", option="--xi", example="2angstrom"),
         "load": Quantity("P", "N", "load, tension negative", "5", range="finite", option="--load", example="-5nN"),
         "gravity": Quantity("g", "m/s^2", "gravity", range="positive", option="--gravity", example="1.62m/s2"),
-        "energy": Quantity("W0", "J", "impact energy of sphere 1", range="positive", option="--energy", example="1e-18J"),
+        "energy": Quantity("W0", "J", "impact energy of sphere 1", "48", range="positive", option="--energy", example="1e-18J"),
         "energy_ratio": Quantity(
             "W0/P_cδ0", "1", "W0 over P_cδ0", range="positive", option="--energy-ratio", example="1"
         ),
@@ -111,13 +117,14 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "radius_ratio": Quantity("R1/R2", "1", "ratio of the radii", "1"),
         "reduced_radius": Quantity("R", "m", "reduced radius", "1", range="positive"),
         "contact_modulus": Quantity("E*", "Pa", "contact modulus", "2", range="positive"),
+        "contact_shear_modulus": Quantity("G*", "Pa", "contact shear modulus"),
         "reduced_mass": Quantity("m", "kg", "reduced mass", "33", range="positive"),
         "reduced_moment_of_inertia": Quantity("I", "kg m^2", "reduced moment of inertia", "39"),
         "rolling_mass": Quantity("m_eff", "kg", "effective mass of rolling without slip", "40"),
         # the contact
         "pull_off_force": Quantity("P_c", "N", "pull-off force", "1", range="positive"),
         "pull_off_force_dmt": Quantity(
-            "P_DMT", "N", "pull-off force of small, hard spheres", "1", note="the DMT limit, 4πγR: small, hard spheres tend to it"
+            "P_DMT", "N", "pull-off force of small, hard spheres", "1", note="small, hard spheres tend to it"
         ),
         "contact_radius": Quantity("a0", "m", "contact radius without load", "2", range="positive"),
         "approach": Quantity("δ0", "m", "approach of the centres without load", "3", range="positive"),
@@ -137,12 +144,22 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "load_factor_at_load_unstable": Quantity("x", "1", "â^(3/2) on the unstable branch", "5"),
         "load_factor_at_approach_unstable": Quantity("x", "1", "â^(3/2) on the unstable branch at the approach", "6"),
         "stiffness": Quantity("dP/dδ", "N/m", "normal stiffness at the load", "34"),
+        "tangential_stiffness": Quantity("k_s", "N/m", "tangential stiffness at the load"),
         "hertz_pressure": Quantity("p_H", "Pa", "Hertz part of the pressure", "8"),
         "boussinesq_pressure": Quantity("p_B", "Pa", "flat-punch part of the pressure", "9"),
-        "well_energy": Quantity("U", "J", "binding energy of the spheres", "6"),
-        "pull_off_work": Quantity("U_grips", "J", "separation work from P = 0, fixed grips", "6"),
-        "pull_off_work_at_dead_load": Quantity("U_load", "J", "separation work from P = 0, dead load", "6"),
-        "sticking_energy": Quantity("U_stick", "J", "largest impact energy that sticks", "48"),
+        "well_energy": Quantity(
+            "U", "J", "binding energy of the spheres", "6", definition="6/5 P_cδ0 = 1.4537 F_cδ_c"
+        ),
+        "pull_off_work": Quantity(
+            "U_grips", "J", "separation work from P = 0, fixed grips", "6", definition="1.27338 P_cδ0 = 1.5426 F_cδ_c"
+        ),
+        "pull_off_work_at_dead_load": Quantity(
+            "U_load", "J", "separation work from P = 0, dead load", "6", definition="0.88252 P_cδ0 = 1.0691 F_cδ_c"
+        ),
+        "sticking_energy": Quantity(
+            "U_stick", "J", "largest relative energy ½mv² that sticks", "48",
+            definition="0.77224 P_cδ0 = 0.9355 F_cδ_c", reference="Thornton & Ning 1998, Eq 52",
+        ),
         # rolling
         "yield_moment": Quantity("M", "N m", "rolling moment at the displacement ξ", "25"),
         "unloaded_moment": Quantity("M_0", "N m", "moment of the contact without load", "26"),
@@ -150,6 +167,10 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "fixed_approach_moment": Quantity("M_δ", "N m", "exact moment at a fixed approach", "25"),
         "rolling_stiffness": Quantity("k", "N m/rad", "rolling moment per angle", "39"),
         "yield_force": Quantity("Q", "N", "force that starts sphere 1 rolling", "26"),
+        "yield_force_fixed_load": Quantity(
+            "Q_P", "N", "the same under a load of fixed direction", "26",
+            note="for a load that keeps its direction; that of Q turns with the line of centres",
+        ),
         "yield_force_ratio": Quantity("Q/P_c", "1", "yield force over pull-off force", "27"),
         "yield_angle": Quantity("δ_α", "rad", "angle at which rolling starts", "28"),
         "mean_rolling_moment": Quantity("⟨M⟩", "N m", "mean moment against steady rolling", "43"),
@@ -169,22 +190,26 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "rolling_frequency": Quantity("f_roll", "Hz", "frequency of the rolling vibration", "40"),
         "rolling_frequency_as_printed": Quantity(
             "f_roll(41)", "Hz", "rolling frequency as printed", "41",
-            note="Eq (41) is 2.5 times too low: it is Eq (40) with k² = (5/2)R1² in place of (2/5)R1²",
+            note="2.5 times too low: Eq (40) with k² = (5/2)R1² for (2/5)R1²",
         ),
         "rolling_frequency_no_slip": Quantity(
             "f_free", "Hz", "rolling frequency without slip", "40",
-            note="Eq (40) turns each sphere about its own centre; unequal spheres that do not slip also move their centres",
+            note="unequal spheres that do not slip also move their centres, which Eq (40) leaves out",
         ),
+        "sliding_frequency": Quantity("f_slide", "Hz", "frequency of sliding with rotation"),
+        "time_step": Quantity("Δt", "s", "time step for a simulation"),
         # validity
         "atomic_spacing": Quantity("z0", "m", "atomic spacing", range="positive", option="--z0", example="4angstrom"),
         "tabor_parameter": Quantity("μ", "1", "Tabor parameter", "1"),
         "displacement_limit": Quantity("ξ_max", "m", "largest meaningful displacement", "25"),
         "displacement_ratio": Quantity("ξ/ξ_max", "1", "displacement over its limit", "25"),
         "contact_radius_in_spacings": Quantity("a/z0", "1", "contact radius over the atomic spacing", "2"),
-        "approach_in_spacings": Quantity("δ0/z0", "1", "approach over the atomic spacing", "3"),
-        "load_over_pull_off": Quantity("P/P_c", "1", "load over pull-off force", "5"),
+        "profile_error": Quantity("Δh/h", "1", "error of the paraboloid at the edge of the contact", "4"),
+        "displacement_over_contact_radius": Quantity("ξ/a", "1", "displacement over the contact radius", "25"),
+        "r_min_over_radius": Quantity("R_min/R1", "1", "smallest curvature radius over the radius", "28"),
         "yield_energy": Quantity("W_yield", "J", "energy to roll to the yield displacement", "25"),
         "energy_over_yield": Quantity("W0/W_yield", "1", "energy over the yield energy", "25"),
+        "energy_over_sticking": Quantity("W0/U_stick", "1", "energy over the largest that sticks", "48"),
         # axes of figures
         "modulus_over_energy": Quantity("E*/γ", "m^-1", "contact modulus over surface energy", "49", range="positive"),
         "position_across": Quantity("x", "m", "position from the contact point", "16", range="finite"),
@@ -192,14 +217,60 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "pressure_across": Quantity("p", "Pa", "pressure, tension negative", "12"),
         # collisions
         "adhesion_energy": Quantity("P_cδ0", "J", "characteristic energy of adhesion", "48"),
-        "energy_at_energy_ratio": Quantity("W0", "J", "energy of sphere 1", "48"),
         "kinetic_energy": Quantity("m1v²/2", "J", "kinetic energy of sphere 1", "45"),
         "n_roll": Quantity("n_roll", "1", "turns until sphere 1 stops", "48"),
-        "n_roll_at_energy_ratio": Quantity("n_roll", "1", "turns until sphere 1 stops", "49"),
-        "n_roll_energy_balance_at_energy_ratio": Quantity("n_bal", "1", "turns by the energy balance", "49"),
         "n_roll_energy_balance": Quantity(
             "n_bal", "1", "turns by the energy balance", "48",
-            note="Eq (47) leaves out the friction that also brakes the rotation; the energy balance gives 7/2 of Eq (48)",
+            note="7/2 of Eq (48), for rolling without slip from the start",
+        ),
+        "n_roll_after_impact": Quantity(
+            "n_imp", "1", "turns after a tangential impact", "48",
+            note="5/2 of Eq (48), for an arrival without spin that then rolls without slip",
+        ),
+        # energies and speeds by convention
+        "fold_energy": Quantity(
+            "F_cδ_c", "J", "pull-off force times depth of the fold",
+            definition="0.82548 P_cδ0", reference="code Lumajord/DustSimulation, after Wada et al. 2007",
+        ),
+        "break_energy_dust_simulation": Quantity(
+            "E_break", "J", "rule for the energy to break a contact",
+            note="no path of JKR from P = 0 takes as much; for SiO2 spheres of 1.9 µm diameter, Blum & Wurm 2000 (Icarus 143, 138) use a measured 1.3e-15 J",
+            definition="1.8 F_cδ_c = 1.4859 P_cδ0", reference="code Lumajord/DustSimulation",
+        ),
+        "rolling_angle": Quantity("θ", "rad", "turn of sphere 1, body 2 held", range="positive", option="--angle", example="90deg"),
+        "roll_energy": Quantity(
+            "E_roll", "J", "energy to roll by the angle", note=_TRAILING, definition="4P_cξ θ = 12πγRξ θ", reference="work of the moment of Eq 26"
+        ),
+        "roll_energy_quarter_turn": Quantity(
+            "E_roll(90°)", "J", "energy to roll by 90°", note=_TRAILING,
+            definition="4P_cξ π/2 = 6π²γRξ", reference="code Lumajord/DustSimulation",
+        ),
+        "roll_energy_half_turn": Quantity(
+            "E_roll(180°)", "J", "energy to roll by 180°", note=_TRAILING,
+            definition="4P_cξ π = 12π²γRξ = 6π²γr0ξ (r0 = 2R)", reference="code StephaneMichoulier/Pamdeas",
+        ),
+        "sticking_energy_paszun_dominik": Quantity(
+            "E_stick(1.07)", "J", "relative energy that sticks, for v_stick(1.07)",
+            definition="0.3290 P_cδ0 = 0.3986 F_cδ_c",
+            reference="Paszun & Dominik 2008, Eq 3, as cited in Lumajord/DustSimulation",
+        ),
+        "sticking_energy_pencil_code": Quantity(
+            "E_stick(19.2)", "J", "relative energy that sticks",
+            definition="2·9.6 γ^(5/3)R^(4/3)/E*^(2/3) = 0.7978 F_cδ_c",
+            reference="code pencil-code/pencil-code",
+        ),
+        "sticking_speed": Quantity(
+            "v_stick", "m/s", "largest relative speed that sticks",
+            definition="√(2U_stick/m) = √(14.18/m) (w⁵R⁴/E*²)^(1/6)", reference="Thornton & Ning 1998, Eq 54",
+        ),
+        "sticking_speed_paszun_dominik": Quantity(
+            "v_stick(1.07)", "m/s", "largest relative speed that sticks",
+            definition="1.07 (γ/R)^(5/6)/(E*^(1/3)ρ^(1/2))",
+            reference="Paszun & Dominik 2008, Eq 3, as cited in Lumajord/DustSimulation",
+        ),
+        "sticking_speed_pencil_code": Quantity(
+            "v_stick(19.2)", "m/s", "largest relative speed that sticks",
+            definition="√(2E_stick(19.2)/m)", reference="code pencil-code/pencil-code",
         ),
         # Maugis' law
         "transition_parameter": Quantity("λ", "1", "Maugis' parameter of the transition between JKR and DMT"),
@@ -240,10 +311,7 @@ _BY_A_LAW = {
     "yield_force": ("yield_force_of_moment",),
     "yield_force_ratio": ("yield_force_ratio_of_forces",),
     "rolling_frequency_no_slip": ("rolling_frequency_no_slip_of_stiffness",),
-    "n_roll": ("n_roll_of_moment",),
-    "n_roll_energy_balance": ("n_roll_energy_balance_of_moment",),
     "yield_energy": ("yield_energy_of_moment",),
-    "energy_over_yield": ("energy_over_yield_of_energies",),
 }
 
 NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
@@ -256,6 +324,26 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         },
     }
 )
+
+
+# The names of inputs by the words of their options.
+OPTION_WORDS = {
+    quantity.option[2:].replace("-", "_"): name for name, quantity in NOMENCLATURE.items() if quantity.option
+}
+
+
+def canonical(word: str) -> str:
+    """Return the name for which a word stands: the name itself, with "-" for "_", or the word of its option.
+
+    A word that stands for nothing is returned as it is.
+
+    >>> canonical("surface_energy"), canonical("gamma"), canonical("--work-of-adhesion"), canonical("nonsense")
+    ('surface_energy', 'surface_energy', 'work_of_adhesion', 'nonsense')
+    """
+    name = word.strip().lstrip("-").replace("-", "_")
+    if name in NOMENCLATURE:
+        return name
+    return OPTION_WORDS.get(name, word)
 
 
 # What a materials file gives of a material.

@@ -1,6 +1,6 @@
 """Text to SI numbers: a strict grammar and exact arithmetic.
 
-A text is one decimal number and a unit; nothing else is a quantity. A value is computed as a ratio of integers and rounded
+A text is one decimal number and a unit; nothing else is a quantity. `uncertain` reads values with an uncertainty. A value is computed as a ratio of integers and rounded
 to a double once.
 """
 
@@ -11,6 +11,7 @@ from .nomenclature import INFINITY, NOMENCLATURE, RANGES, word_for_infinity
 from .units import MAX_TEXT, BadUnit, Dimension, Unit, dimension_of, kind_of, normalized, parse_unit
 
 _NUMBER = re.compile(r"([+-]?)([0-9]*)(?:\.([0-9]*))?(?:[eE]([+-]?[0-9]+))?")
+_MARKS = ("±", "(", "+-", "+−", "/-", "/−", " to ")  # /- as in +/- and in +6/-4
 
 
 class NoUnit(BadUnit):
@@ -32,7 +33,7 @@ def parse_quantity(text: str, name: str) -> float:
     try:
         value = parse_value(text, dimension_of(quantity.unit))
     except BadUnit as error:
-        raise _about(name, text, error) from None
+        raise about(name, text, error) from None
     limits = RANGES.get(quantity.range)
     if limits is not None and not limits.admits(value):
         raise QuantityError(name, text, limits.words)
@@ -44,7 +45,7 @@ def unit_of(text: str, name: str) -> Unit:
     try:
         return parse_unit(text)
     except BadUnit as error:
-        raise _about(name, text, error) from None
+        raise about(name, text, error) from None
 
 
 def parse_value(text: str, dimension: Dimension) -> float:
@@ -53,22 +54,31 @@ def parse_value(text: str, dimension: Dimension) -> float:
     >>> parse_value("36 km/h", dimension_of("m/s"))
     10.0
     """
-    mantissa, exponent, unit_text = _split_number(normalized(text))
+    mantissa, exponent, unit_text = split_number(normalized(text))
     if not unit_text and any(dimension):
         raise NoUnit("has no unit")
     unit = parse_unit(unit_text)
     if unit.dimension != dimension:
         raise BadUnit(f"is {kind_of(unit.dimension)}")
-    return _rounded(mantissa, exponent, unit)
+    return rounded(*ratio(mantissa, exponent, unit))
 
 
-def _about(name: str, text: str, error: BadUnit) -> QuantityError:
+def has_uncertainty(text: str) -> bool:
+    """Return whether a text may state an uncertainty or a range: `quantities.uncertain` reads such texts.
+
+    >>> has_uncertainty("25±5 mJ/m2"), has_uncertainty("20 to 30 nm"), has_uncertainty("25 mJ/m2"), has_uncertainty("1e+3 nm")
+    (True, True, False, False)
+    """
+    return any(mark in text for mark in _MARKS)
+
+
+def about(name: str, text: str, error: BadUnit) -> QuantityError:
     """Return the error that says of a quantity what is wrong with its text."""
     kind = BareNumber if isinstance(error, NoUnit) else QuantityError
     return kind(name, text[:MAX_TEXT], str(error), error.remedy([dimension_of(NOMENCLATURE[name].unit)]))
 
 
-def _split_number(text: str) -> tuple[int, int, str]:
+def split_number(text: str) -> tuple[int, int, str]:
     """Split a text into the number at its head, as an integer and a power of ten, and the unit after it."""
     match = _NUMBER.match(text)
     assert match is not None  # every part of the pattern is optional
@@ -79,24 +89,24 @@ def _split_number(text: str) -> tuple[int, int, str]:
         raise BadUnit("does not begin with a number")
     if rest.startswith(","):
         raise BadUnit("has a comma: write a decimal point")
-    if rest[:1] in ("(", "±"):
+    if has_uncertainty(rest):
         raise BadUnit("has an uncertainty: give the value alone")
     if exponent and len(exponent.lstrip("+-")) > 3:
         raise BadUnit("has an exponent of more than 3 digits")
     return int(sign + digits), int(exponent or 0) - len(fraction or ""), rest.removeprefix(" ")
 
 
-def _rounded(mantissa: int, exponent: int, unit: Unit) -> float:
-    """Return the double nearest to mantissa × 10^exponent × unit: one division of integers, which Python rounds correctly."""
-    numerator, denominator = mantissa * unit.numerator, unit.denominator
-    if exponent < 0:
-        denominator *= 10**-exponent
-    else:
-        numerator *= 10**exponent
+def ratio(mantissa: int, exponent: int, unit: Unit) -> tuple[int, int]:
+    """Return numerator and denominator of mantissa × 10^exponent × unit, in SI units."""
+    return mantissa * unit.numerator * 10 ** max(exponent, 0), unit.denominator * 10 ** max(-exponent, 0)
+
+
+def rounded(numerator: int, denominator: int) -> float:
+    """Return the double nearest to a ratio: one division of integers, which Python rounds correctly."""
     try:
         value = numerator / denominator
     except OverflowError:
         raise BadUnit("is too large for a double") from None
-    if mantissa and not value:
+    if numerator and not value:
         raise BadUnit("is too small for a double")
     return value

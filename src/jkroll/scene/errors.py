@@ -117,7 +117,7 @@ class TooMuchHysteresis(NoResult):
 
 
 class TwoRigidBodies(NoResult):
-    """Error raised where both bodies are rigid, so that there is no area of contact."""
+    """Error raised where both bodies are rigid: JKR's contact has no area then."""
 
     name = "contact_modulus"
 
@@ -176,8 +176,6 @@ def failure_of(name: str, given: Mapping[str, Any]) -> NoResult | None:
     match name:
         case "load_margin" if given["load"] < -given["pull_off_force"]:
             found = BeyondPullOff(given["load"], given["pull_off_force"])
-        case "contact_modulus" if _is_rigid(given, "") and _is_rigid(given, "2"):
-            found = TwoRigidBodies()
         case "r_min" if given["radius2"] == INFINITY:
             found = NoChain()
         case "vertical_frequency" if given["stiffness"] < 0:
@@ -209,7 +207,3 @@ def _arguments(given: Mapping[str, Any], formula: Any) -> dict[str, Any]:
     """Return the arguments of a formula from those of another."""
     names = formula.__code__.co_varnames[: formula.__code__.co_kwonlyargcount]
     return {name: given[name] for name in names}
-
-
-def _is_rigid(given: Mapping[str, Any], sphere: str) -> bool:
-    return bool(given["youngs_modulus" + sphere] == INFINITY or given["poisson_ratio" + sphere] == -1)

@@ -42,11 +42,9 @@ _GIVEN: Mapping[str, Routes] = {
     "speed": {"energy": "kinetic_energy"},
     "adhesion_hysteresis": {"yield_displacement": "yield_displacement_at_hysteresis"},
 }
-_WITH_ENERGY: Routes = {"n_roll": "n_roll", "n_roll_energy_balance": "n_roll_energy_balance"}
 _MAUGIS_AT_APPROACH: Routes = {"edge_ratio": "edge_ratio_at_approach", "zone_span": "zone_span_at_approach"}
 _AT_FACTOR: Routes = {"load": "load_at_factor", "load_margin": "load_margin_of_factor"}
 
-# Where neither an energy nor a speed is given, its ratio to P_cδ0 serves.
 _JKR = Law(
     "jkr",
     "JKR",
@@ -54,14 +52,9 @@ _JKR = Law(
     {
         "zone_radius": "contact_radius_at_load",
         "edge_ratio": "edge_ratio_at_load",  # of Maugis' law: its quantities are known by their own names under any other
-        "energy": "energy_at_energy_ratio",
-        "n_roll": "n_roll_at_energy_ratio",
-        "n_roll_energy_balance": "n_roll_energy_balance_at_energy_ratio",
     },
     {
         **_GIVEN,
-        "energy": _WITH_ENERGY,
-        "speed": {**_GIVEN["speed"], **_WITH_ENERGY},
         "load_factor": _AT_FACTOR,
         "approach_at_load": {**_AT_FACTOR, **_MAUGIS_AT_APPROACH, "load_factor": "load_factor_at_approach"},
     },
@@ -75,11 +68,7 @@ _OF_ANY_LAW: Routes = {
     "yield_force": "yield_force_of_moment",
     "yield_force_ratio": "yield_force_ratio_of_forces",
     "rolling_frequency_no_slip": "rolling_frequency_no_slip_of_stiffness",
-    "energy": "energy_at_energy_ratio",
-    "n_roll": "n_roll_of_moment",
-    "n_roll_energy_balance": "n_roll_energy_balance_of_moment",
     "yield_energy": "yield_energy_of_moment",
-    "energy_over_yield": "energy_over_yield_of_energies",
     "hertz_pressure": "hertz_pressure_of_radius",
     "boussinesq_pressure": None,
     "half_circles_moment": None,

@@ -1,16 +1,53 @@
-"""The numbers that limit the model, and the sentences that say how far an answer can be trusted."""
+"""The limits of the model: one table of numbers and thresholds, which serves answers, maps and tables alike."""
 
-from collections.abc import Callable, Collection
-from typing import NamedTuple
+import operator
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from typing import Any, Literal, NamedTuple
 
 from ..errors import JkrollError
 from ..quantities.nomenclature import NOMENCLATURE
+from .errors import MissingInput, NotInLaw
 from .scene import Scene
 from .wiring import STATE
 
-JKR_FROM = 5.0  # Tabor parameter above which JKR holds, and below which DMT does
-DMT_UP_TO = 0.1
-APPROACH_OF_TABOR = 1.9488  # δ0/z0 = (3π²/4)^(1/3) μ: another form of the Tabor parameter
+
+class Doubt(NamedTuple):
+    """A threshold, the state of a number beyond it, and what that means for an answer."""
+
+    threshold: float
+    condition: str
+    consequence: str
+
+
+class Limit(NamedTuple):
+    """A number that limits the model, the quantities whose use it touches, and the words for either side.
+
+    A value is in doubt where it is, for example, "<" a threshold. Several doubts of one number stand in the order in
+    which a value meets them.
+    """
+
+    name: str
+    touches: frozenset[str]
+    sign: Literal["<", "<=", ">", ">="]
+    doubts: tuple[Doubt, ...]
+    fine: str
+    stated: frozenset[str] = frozenset()  # inputs; unless one of them was stated, the limit is not judged
+
+    def is_beyond(self, value: Any, doubt: Doubt) -> Any:
+        """Return whether a number, or each element of an array, is in doubt; nan is not."""
+        return _COMPARISONS[self.sign](value, doubt.threshold)
+
+    def code(self, doubt: Doubt) -> str:
+        """Return a short text for a doubt: "a/z0<3"."""
+        return f"{NOMENCLATURE[self.name].symbol}{self.sign}{doubt.threshold:g}"
+
+    def judge(self, value: float) -> "Verdict":
+        """Return what follows from a value."""
+        beyond = [doubt for doubt in self.doubts if self.is_beyond(value, doubt)]
+        if not beyond:
+            return Verdict(self.name, value, True, self.fine, "")
+        doubt = beyond[-1]
+        return Verdict(self.name, value, False, f"{doubt.condition}: {doubt.consequence}", self.code(doubt))
 
 
 class Verdict(NamedTuple):
@@ -20,111 +57,155 @@ class Verdict(NamedTuple):
     value: float
     holds: bool
     text: str
+    code: str  # of the doubt; empty where the limit holds
 
 
-class Limit(NamedTuple):
-    """A limit of the model: the number, the names whose use it touches, and how it is judged."""
+class Judgement(NamedTuple):
+    """The verdicts of one scene, and the limits that could not be judged, by the inputs that they need."""
 
-    name: str
-    touches: frozenset[str]
-    judge: Callable[[float], tuple[bool, str]]
-    doubt: str = ""  # about values far beyond it
+    verdicts: tuple[Verdict, ...]
+    missing: Mapping[str, list[str]]
 
 
-def _tabor(mu: float) -> tuple[bool, str]:
-    if mu >= JKR_FROM:
-        return True, "large: JKR holds"
-    if mu > DMT_UP_TO:
-        return False, f"between DMT (below {DMT_UP_TO}) and JKR (above {JKR_FROM:g}): neither is exact"
-    return False, "small: DMT is closer than JKR"
-
-
-def _displacement(ratio: float) -> tuple[bool, str]:
-    if ratio < 1:
-        return True, "below 1: the shifted contact is possible"
-    return False, "above 1: the leading edge would interpenetrate, and rolling has no meaning"
-
-
-def _spacings(ratio: float) -> tuple[bool, str]:
-    return (
-        (True, "many atoms in the contact")
-        if ratio >= 3
-        else (False, "few atoms in the contact: elasticity is in doubt")
-    )
-
-
-def _approach(ratio: float) -> tuple[bool, str]:
-    if ratio >= APPROACH_OF_TABOR * JKR_FROM:
-        return True, "the neck is much longer than the range of the surface forces"
-    return False, "the neck is not much longer than the range of the surface forces"
-
-
-def _margin(s: float) -> tuple[bool, str]:
-    return (True, "stable at its load") if s >= 0 else (False, "beyond pull-off: only fixed grips hold this state")
-
-
-def _load(ratio: float) -> tuple[bool, str]:
-    return (True, "within the paper's range -1 to 1") if ratio <= 1 else (False, "above the paper's range -1 to 1")
-
-
-def _energy(ratio: float) -> tuple[bool, str]:
-    return (True, "above 1: it rolls") if ratio > 1 else (False, "below 1: the contact springs back and does not roll")
-
-
-def _force(ratio: float) -> tuple[bool, str]:
-    return (
-        (True, "below 1: it rolls before it breaks")
-        if ratio < 1
-        else (False, "above 1: the contact breaks before it rolls")
-    )
-
+_COMPARISONS = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
+_ELASTICITY = frozenset({"work_of_adhesion"})
+_DISPLACEMENT = frozenset({"yield_displacement"})
+_MOMENT = frozenset({"yield_moment", "yield_moment_of_force", "yield_force"})
+_TURNS = frozenset({"n_roll", "n_roll_energy_balance", "n_roll_after_impact"})
+IMPACT = frozenset({"energy", "energy_ratio", "speed"})
 
 LIMITS = (
-    Limit("tabor_parameter", frozenset({"work_of_adhesion"}), _tabor, "DMT is closer than JKR"),
-    Limit("contact_radius_in_spacings", frozenset({"work_of_adhesion"}), _spacings, "elasticity is in doubt"),
-    Limit("approach_in_spacings", frozenset({"approach", "approach_at_load"}), _approach),
-    Limit("load_over_pull_off", frozenset({"load", "load_factor", "load_factor_at_approach"}), _load),
-    Limit("load_margin", frozenset({"load_factor", "load_factor_at_approach"}), _margin),
     Limit(
-        "displacement_ratio", frozenset({"yield_displacement"}), _displacement,
-        "the leading edge would interpenetrate, and rolling has no meaning",
+        "tabor_parameter", _ELASTICITY, "<",
+        (
+            Doubt(5.0, "between DMT (below 0.1) and JKR (above 5)", "neither is exact"),
+            Doubt(0.1, "small", "DMT is closer than JKR"),
+        ),
+        "large: JKR holds",
     ),
-    Limit("yield_force_ratio", frozenset({"yield_force"}), _force),
-    Limit("energy_over_yield", frozenset({"n_roll", "n_roll_energy_balance"}), _energy),
+    Limit(
+        "contact_radius_in_spacings", _ELASTICITY, "<",
+        (Doubt(3.0, "few atoms in the contact", "elasticity is in doubt"),),
+        "many atoms in the contact",
+    ),
+    Limit(
+        "profile_error", _ELASTICITY, ">",
+        (Doubt(0.01, "above 1 %", "the contact is so wide that a sphere is no paraboloid"),),
+        "below 1 %: in the contact, spheres are paraboloids",
+    ),
+    Limit(
+        "load_margin", frozenset({"load_factor", "load_factor_at_approach"}), "<=",
+        (Doubt(0.0, "at or beyond pull-off", "only fixed grips hold this state"),),
+        "stable at its load",
+        STATE | {"load"},
+    ),
+    Limit(
+        "displacement_ratio", _DISPLACEMENT, ">=",
+        (Doubt(1.0, "above 1", "the leading edge would interpenetrate, and rolling has no meaning"),),
+        "below 1: the shifted contact is possible",
+    ),
+    Limit(
+        "hysteresis_ratio", _MOMENT, ">",
+        (
+            Doubt(
+                1.0, "above 1",
+                "more than adhesion hysteresis at the pull-off work supplies to a smooth elastic contact; "
+                "viscous, plastic or capillary loss could",
+            ),
+        ),
+        "below 1: adhesion hysteresis can supply it",
+    ),
+    Limit(
+        "displacement_over_contact_radius", _DISPLACEMENT, ">",
+        (Doubt(1.0, "above 1", "the contact would lose its apex"),),
+        "below 1: the contact keeps its apex",
+    ),
+    Limit(
+        "yield_force_ratio", frozenset({"yield_force"}), ">=",
+        (Doubt(1.0, "above 1", "the contact breaks before it rolls"),),
+        "below 1: it rolls before it breaks",
+    ),
+    Limit(
+        "yield_angle", frozenset({"yield_angle", "r_min"}), ">",
+        (Doubt(1.0, "above 1 rad", "angles are small in the model"),),
+        "below 1 rad: a small angle",
+    ),
+    Limit(
+        "r_min_over_radius", frozenset({"r_min"}), "<",
+        (Doubt(1.0, "below 1", "no chain bends within one of its spheres"),),
+        "above 1: a chain can bend so far",
+    ),
+    Limit(
+        "n_grav", frozenset({"n_grav"}), "<",
+        (Doubt(1.0, "below 1", "the contact does not carry even one sphere"),),
+        "above 1: the contact carries a sphere",
+    ),
+    Limit(
+        "energy_over_yield", _TURNS, "<=",
+        (Doubt(1.0, "below 1", "the contact springs back and does not roll"),),
+        "above 1: it rolls",
+    ),
+    Limit(
+        "energy_over_sticking", _TURNS, ">",
+        (Doubt(1.0, "above 1", "after a head-on impact the spheres do not stick"),),
+        "below 1: the spheres stick",
+        IMPACT,
+    ),
 )  # fmt: skip
 
 LIMIT_NAMES = tuple(limit.name for limit in LIMITS)
 
-# Limits of the state, which are judged only where a state was asked for.
-_OF_STATE = ("load_over_pull_off", "load_margin")
-_STATED = STATE | {"load"}
 
-
-def uses_spacing(found: tuple[Verdict, ...]) -> bool:
+def uses_spacing(found: Iterable[Verdict]) -> bool:
     """Return whether a verdict rests on the atomic spacing."""
-    return any(
-        verdict.name in ("tabor_parameter", "contact_radius_in_spacings", "approach_in_spacings") for verdict in found
-    )
+    return any(verdict.name in ("tabor_parameter", "contact_radius_in_spacings") for verdict in found)
 
 
-def verdicts(scene: Scene, names: Collection[str]) -> tuple[Verdict, ...]:
+def judged(scene: Scene, names: Collection[str]) -> Judgement:
     """Return what limits the answers to these names, as far as the scene allows to judge it."""
-    if not names:
-        return ()
-    values = scene.evaluate((*names, *LIMIT_NAMES))
-    plan = scene.plan(*names)
-    used = {*names, *plan.stated, *(step.name for step in plan.steps)}
-    found = []
-    for limit in LIMITS:
-        value = values[limit.name]
-        if isinstance(value, JkrollError) or not limit.touches & used:
+    verdicts: list[Verdict] = []
+    missing: dict[str, list[str]] = {}
+    for limit, value in _touching(scene, names):
+        if isinstance(value, NotInLaw):
             continue
-        if limit.name not in _OF_STATE or _STATED & scene.stated.keys():
-            found.append(Verdict(limit.name, value, *limit.judge(value)))
-    return tuple(found)
+        if isinstance(value, MissingInput):
+            missing.setdefault(value.needs(), []).append(limit.name)
+        elif not isinstance(value, JkrollError):
+            verdicts.append(limit.judge(value))
+    return Judgement(tuple(verdicts), missing)
+
+
+def doubts(scene: Scene, names: Collection[str]) -> dict[str, Any]:
+    """Return by the code of each doubt whether it concerns the scene, or which elements of its arrays."""
+    found: dict[str, Any] = {}
+    for limit, value in _touching(scene, names):
+        if isinstance(value, JkrollError):
+            continue
+        further: Any = False
+        for doubt in reversed(limit.doubts):
+            beyond = limit.is_beyond(value, doubt)
+            found[limit.code(doubt)] = beyond != further  # what is further out has its own code
+            further = beyond
+    return found
 
 
 def sentence(verdict: Verdict) -> str:
-    """Return a verdict as a line: "Tabor parameter μ = 0.14, between DMT and JKR"."""
-    quantity = NOMENCLATURE[verdict.name]
-    return f"{quantity.symbol} = {verdict.value:.3g}, {quantity.sentence}; {verdict.text}"
+    """Return a verdict with its number: "μ = 0.14, between DMT and JKR: neither is exact"."""
+    return f"{NOMENCLATURE[verdict.name].symbol} = {verdict.value:.3g}, {verdict.text}"
+
+
+def of_any_scene(verdict: Verdict) -> str:
+    """Return a doubt without the number of a scene: "μ<5, neither is exact"."""
+    return f"{verdict.code}, {verdict.text.rpartition(': ')[2]}"
+
+
+def _touching(scene: Scene, names: Collection[str]) -> Iterator[tuple[Limit, Any]]:
+    """Iterate over the limits of these names, with the number of each or the error that says why there is none."""
+    if not names:
+        return
+    values = scene.evaluate((*names, *LIMIT_NAMES))
+    plan = scene.plan(*names)
+    used = {*names, *plan.stated, *(step.name for step in plan.steps)}
+    for limit in LIMITS:
+        if limit.touches & used and (not limit.stated or limit.stated & scene.stated.keys()):
+            yield limit, values[limit.name]

@@ -10,7 +10,7 @@ from typing import Any
 from ..errors import JkrollError
 from ..materials.library import Material
 from ..quantities.nomenclature import INFINITY, PROPERTIES
-from .errors import Contradiction, MissingInput, NoFiniteValue, NotInLaw, failure_of
+from .errors import Contradiction, MissingInput, NoFiniteValue, NotInLaw, TwoRigidBodies, failure_of
 from .inputs import is_ordinary
 from .laws import DEFAULT_LAW, law_named
 from .wiring import NO_PLAN, STATE, Missing, Plan, Step, plan
@@ -34,13 +34,15 @@ EXCLUSIVE = (
 )
 _MAY_CONTRADICT = frozenset(name for names in EXCLUSIVE for name in names)
 
+# What rests on a contact area, and has none where both bodies are rigid; everything else of JKR follows from these.
+_OF_JKR = ("contact_modulus", "pull_off_force", "load_factor", "rolling_frequency_as_printed")
+
 SMALLEST = 2.2250738585072014e-308  # of the doubles that have all their digits
 MAY_BE_ZERO = frozenset(
     {
         "load_margin",
         "load_margin_of_factor",
         "load_at_factor",
-        "load_over_pull_off",
         "stiffness",
         "vertical_frequency",
         "approach_at_load",
@@ -98,7 +100,9 @@ class Scene:
         checked = [is_ordinary(name, value) for name, value in self.given.items()]
         self._is_ordinary = all(checked)
         self.values = {**_assumed(self.given), **_implied(self.given), **self.given}
-        self._failures: dict[str, JkrollError] = {}
+        self._rigid = _both_rigid(self.given, own_material2=material2 is not None)
+        is_rigid = isinstance(self._rigid, bool) and self._rigid
+        self._failures: dict[str, JkrollError] = dict.fromkeys(_OF_JKR, TwoRigidBodies()) if is_rigid else {}
         self._plan = NO_PLAN
         self._known = frozenset(self.values)
 
@@ -148,7 +152,7 @@ class Scene:
 
     def inputs_of(self, *wanted: str) -> tuple[str, ...]:
         """Return the inputs that the wanted quantities depend on, in the order of the nomenclature."""
-        return self.plan(*wanted).stated
+        return tuple(name for name in self.plan(*wanted).stated if name in self.given or name in DEFAULTS)
 
     def _missing_input(self, name: str, missing: Missing) -> MissingInput:
         """Return the error of a quantity that needs more inputs, with the materials that should have had them."""
@@ -175,13 +179,26 @@ class Scene:
         has no answer is nan.
         """
         found = self._planned(names)
-        if self._is_ordinary:
-            self._run(found.steps)
-        else:
+        steps: Iterable[Step] = found.steps
+        if not self._is_ordinary:
             from .watched import watched
 
-            self._run([step._replace(formula=watched(step.formula)) for step in found.steps])
+            steps = [step._replace(formula=watched(step.formula)) for step in steps]
+        if self.has_rigid_elements:
+            steps = [self._without_rigid(step) if step.name in _OF_JKR else step for step in steps]
+        self._run(steps)
         return {name: self._outcome(name, found) for name in names}
+
+    @property
+    def has_rigid_elements(self) -> bool:
+        """Whether both bodies are rigid in some elements of the arrays that were given."""
+        return not isinstance(self._rigid, bool) and bool(self._rigid.any())
+
+    def _without_rigid(self, step: Step) -> Step:
+        """Return a step whose results are nan where both bodies are rigid."""
+        import numpy
+
+        return step._replace(formula=lambda **given: numpy.where(self._rigid, numpy.nan, step.formula(**given)))
 
     def _run(self, steps: Iterable[Step]) -> None:
         """Evaluate formulas one after the other, and note those that fail."""
@@ -234,6 +251,17 @@ def _assumed(given: Mapping[str, Any]) -> Mapping[str, float]:
     return {name: value for name, value in DEFAULTS.items() if given.keys().isdisjoint(_SAYS.get(name, ()))}
 
 
+def _both_rigid(given: Mapping[str, Any], *, own_material2: bool) -> Any:
+    """Return whether both bodies were given as rigid, element by element for arrays."""
+    if "contact_modulus" in given:
+        return False
+    modulus, ratio = given.get("youngs_modulus"), given.get("poisson_ratio")
+    of_sphere_2 = (None, None) if own_material2 else (modulus, ratio)
+    modulus2 = given.get("youngs_modulus2", of_sphere_2[0])
+    ratio2 = given.get("poisson_ratio2", of_sphere_2[1])
+    return ((modulus == INFINITY) | (ratio == -1)) & ((modulus2 == INFINITY) | (ratio2 == -1))
+
+
 def _implied(given: Mapping[str, Any]) -> dict[str, Any]:
     """Return values that follow from what was not said, or from a plane, and then need nothing else."""
     implied: dict[str, Any] = {}
@@ -241,6 +269,10 @@ def _implied(given: Mapping[str, Any]) -> dict[str, Any]:
         implied["radius_ratio"] = 1.0
     elif isinstance(given["radius2"], float) and given["radius2"] == INFINITY:
         implied |= {"radius_ratio": 0.0, "mass2": INFINITY, "moment_of_inertia2": INFINITY}
+    for sphere, is_known in (("", "poisson_ratio2" in given), ("2", True)):
+        modulus = given.get("youngs_modulus" + sphere)
+        if is_known and isinstance(modulus, float) and modulus == INFINITY:
+            implied["poisson_ratio" + sphere] = 0.0  # a rigid body has no strain that it could matter for
     load = given.get("load", 0.0)
     if isinstance(load, float | int) and load == 0 and STATE.isdisjoint(given):
         implied["load_margin"] = 1.0

@@ -8,13 +8,14 @@ from typing import Any
 from ..errors import JkrollError
 from ..materials.library import Material, Materials, known_materials
 from ..quantities.errors import QuantityError, UnknownQuantity
-from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.nomenclature import NOMENCLATURE, canonical
 from ..quantities.parsing import parse_quantity
 from ..text import MAX_QUOTED
-from .errors import ShapeMismatch
+from .errors import Contradiction, ShapeMismatch
 from .scene import Scene
 from .wiring import Plan
 
+_ELASTIC = {"youngs_modulus", "youngs_modulus2", "poisson_ratio", "poisson_ratio2"}
 Place = tuple[slice, ...]  # of a block in an array
 BLOCK = 16384  # elements evaluated at once: few enough that what lies between two formulas stays in the cache
 
@@ -34,7 +35,7 @@ def solve(
     Parameters
     ----------
     wanted
-        A name of the nomenclature, or several.
+        A name of the nomenclature, or several. The word of an option is taken for its name: "gamma" is "surface_energy".
     material, material2
         Materials, or their names or aliases; `material2` for sphere 2, which is otherwise like sphere 1. A property given
         by name overrides the material's.
@@ -71,10 +72,11 @@ def solve(
     spheres = (_material("material", material, materials), _material("material2", material2, materials))
     arrays = {name: value for name, value in described.items() if not isinstance(value, float)}
     shape = _broadcast(arrays)
-    if math.prod(shape) <= BLOCK:
-        results = _answers(Scene(described, *spheres, model=model), names)
+    whole = Scene(described, *spheres, model=model)
+    if math.prod(shape) <= BLOCK or (_ELASTIC & arrays.keys() and whole.has_rigid_elements):
+        results = _answers(whole, names)
     else:
-        results = _in_blocks(names, Scene(described, *spheres, model=model), shape)
+        results = _in_blocks(names, whole, shape)
     if registry is not None:
         results = {name: registry.Quantity(value, NOMENCLATURE[name].unit) for name, value in results.items()}
     return results[names[0]] if isinstance(wanted, str) else results
@@ -83,10 +85,10 @@ def solve(
 def _names(wanted: str | Iterable[str]) -> list[str]:
     """Return the wanted names as a list."""
     if isinstance(wanted, str):
-        return [wanted]
+        return [canonical(wanted)]
     if not isinstance(wanted, Iterable):
         raise UnknownQuantity(str(wanted))
-    return [name if isinstance(name, str) else str(name) for name in wanted]
+    return [canonical(str(name)) for name in wanted]
 
 
 def _material(argument: str, material: str | Material | None, materials: Materials | None) -> Material | None:
@@ -168,10 +170,14 @@ def _part(array: Any, place: Place) -> Any:
 def _in_si(given: Mapping[str, Any]) -> tuple[dict[str, Any], Any]:
     """Return SI numbers for texts, lists and pint Quantities, and the registry of the latter if there were any."""
     values: dict[str, Any] = {}
+    words: dict[str, str] = {}
     registry = None
-    for name, value in given.items():
+    for word, value in given.items():
+        name = canonical(word)
         if name not in NOMENCLATURE:
-            raise UnknownQuantity(name)
+            raise UnknownQuantity(word)
+        if words.setdefault(name, word) != word:
+            raise Contradiction((words[name], word))
         if hasattr(value, "m_as"):
             registry = value._REGISTRY
             if not value.is_compatible_with(NOMENCLATURE[name].unit):

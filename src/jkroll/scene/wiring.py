@@ -17,11 +17,6 @@ from .laws import DEFAULT_LAW, Routes, differs, routes, routes_anywhere
 
 # The state of the contact follows from the load unless one of these is given.
 STATE = frozenset({"approach_at_load", "load_factor", "edge_ratio"})
-_BY_ENERGY = (
-    "energy",
-    "n_roll",
-    "n_roll_energy_balance",
-)  # what can be had by an energy in place of its ratio to P_cδ0
 
 
 class Step(NamedTuple):
@@ -134,8 +129,8 @@ class _Path:
         arguments = tuple((parameter, self.visit(parameter + suffix)) for parameter in parameters_of(formula))
         if suffix and not any(source.endswith("2") for _, source in arguments):
             return self.visit(name.removesuffix(suffix))  # in this, sphere 2 is like sphere 1
-        if len(self.missing) > before and (NOMENCLATURE[wanted].option or wanted in _BY_ENERGY):
-            self.instead.append("energy" if wanted in _BY_ENERGY else wanted)
+        if len(self.missing) > before and NOMENCLATURE[wanted].option:
+            self.instead.append(wanted)
         self.steps.setdefault(name, Step(name, formula, arguments))
         return name
 

@@ -1,0 +1,168 @@
+"""Values with an uncertainty: the texts that state one, those that are refused, and how they are written."""
+
+from decimal import Decimal
+from typing import NamedTuple
+
+import numpy
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from jkroll.quantities.errors import QuantityError
+from jkroll.quantities.formatting import Format, uncertain_amount
+from jkroll.quantities.parsing import has_uncertainty, parse_quantity, unit_of
+from jkroll.quantities.uncertain import Interval, Measured, measured, parse_uncertain
+
+SPELLINGS = """25±5 mJ/m2; 25 ± 5 mJ/m2; 25+-5mJ/m2; 25 +/- 5 mJ/m2; 25+−5 mJ/m2; 25(5)mJ/m2; 25mJ/m2±20%; 25 mJ/m2 ± 5 mJ/m2;
+25 mJ/m2 ± 5 erg/cm2; (25±5) mJ/m2; (25 +/- 5) mJ·m⁻²; (2.50+/-0.50)e-2 J/m2; 25e-3±5e-3 J/m2; 25(5)e-3 J/m2; 25 +5/-5 mJ/m2"""
+
+
+@pytest.mark.parametrize("text", [text.strip() for text in SPELLINGS.split(";")])
+def test_one_uncertainty_in_many_spellings(text: str) -> None:
+    assert has_uncertainty(text)
+    assert parse_uncertain(text, "surface_energy") == Measured(0.025, 0.005, 0.005)
+
+
+@pytest.mark.parametrize(
+    ("text", "name", "found"),
+    [
+        ("5.00(1) nm", "radius", Measured(5e-9, 1e-11, 1e-11)),
+        ("25 +6/-4 mJ/m2", "surface_energy", Measured(0.025, 0.004, 0.006)),
+        ("-5±20 nN", "load", Measured(-5e-9, 2e-8, 2e-8)),
+        ("-5 nN ± 10%", "load", Measured(-5e-9, 5e-10, 5e-10)),
+        ("0.17±10%", "poisson_ratio", Measured(0.17, 0.017, 0.017)),
+        ("(17±1) %", "poisson_ratio", Measured(0.17, 0.01, 0.01)),
+        ("20 to 30 mJ/m2", "surface_energy", Interval(0.025, 0.02, 0.03)),
+        ("20mJ/m2 to 30mJ/m2", "surface_energy", Interval(0.025, 0.02, 0.03)),
+        ("20 erg/cm2 to 30 mN/m", "surface_energy", Interval(0.025, 0.02, 0.03)),
+        ("0.1 to 0.2", "poisson_ratio", Interval(0.15, 0.1, 0.2)),
+        ("-1 to 1 nN", "load", Interval(0.0, -1e-9, 1e-9)),
+        ("25±0 mJ/m2", "surface_energy", 0.025),
+        ("25 mJ/m2", "surface_energy", 0.025),
+        ("+1e+3 nm", "radius", 1e-6),
+        ("plane", "radius2", float("inf")),
+    ],
+)
+def test_what_is_read(text: str, name: str, found: object) -> None:
+    assert parse_uncertain(text, name) == found
+
+
+REFUSED = {
+    "3.4(9) mJ/m2": "can be read as 3.4±0.9 or as 3.4e9; write the one that is meant",
+    "5.4(10) mJ/m2": "can be read as 5.4±1.0 or as 5.4e10; write the one that is meant",
+    "25±15 mJ/m2": "has an uncertainty of half the value or more; give a range: FROM to TO",
+    "25 +1/-12.5 mJ/m2": "has an uncertainty of half the value or more; give a range: FROM to TO",
+    "25±20% mJ/m2": "has a % that can be read in two ways; write 25 mJ/m2 ± 20%, or (17±1) %",
+    "25±5±1 mJ/m2": "has an uncertainty in an unknown form; write it as in 25±5 mJ/m2 or 20 to 30 mJ/m2",
+    "25(5.0) mJ/m2": "has an uncertainty in an unknown form; write it as in 25±5 mJ/m2 or 20 to 30 mJ/m2",
+    "25 mJ/m2 ± 5": "has an uncertainty without a unit; expected a surface energy such as 25mJ/m2",
+    "25±5": "has no unit; expected a surface energy such as 25mJ/m2",
+    "25±5 mJ": "is an energy; expected a surface energy such as 25mJ/m2",
+    "25 mJ/m2 ± 5 nm": "is a length; expected a surface energy such as 25mJ/m2",
+    "25±5 mj/m2": "has an unknown unit 'mj'; did you mean mJ?",
+    "25±-5 mJ/m2": "has a negative uncertainty; expected a surface energy such as 25mJ/m2",
+    "-25±5 mJ/m2": "must be positive; expected a surface energy such as 25mJ/m2",
+    "30 to 20 mJ/m2": "does not rise from its first end to its second; expected a surface energy such as 25mJ/m2",
+    "0 to 20 mJ/m2": "must be positive at both ends; expected a surface energy such as 25mJ/m2",
+    "1e900 to 2e900 J/m2": "is too large for a double; expected a surface energy such as 25mJ/m2",
+    "20 to 30": "has no unit; expected a surface energy such as 25mJ/m2",
+    "±": "has an uncertainty in an unknown form; write it as in 25±5 mJ/m2 or 20 to 30 mJ/m2",
+}
+
+
+@pytest.mark.parametrize("text", REFUSED)
+def test_what_is_refused_and_how(text: str) -> None:
+    with pytest.raises(QuantityError) as error:
+        parse_uncertain(text, "surface_energy")
+    assert str(error.value) == f"surface_energy: '{text}' {REFUSED[text]}"
+
+
+def test_the_ends_of_a_poisson_ratio_are_possible_ones() -> None:
+    with pytest.raises(QuantityError, match="at both ends"):
+        parse_uncertain("0.49±0.05", "poisson_ratio")
+    with pytest.raises(QuantityError, match="% that can be read in two ways"):
+        parse_uncertain("17%±1%", "poisson_ratio")
+
+
+@pytest.mark.parametrize("text", ["25±5 mJ/m2", "25(5) mJ/m2", "25+-5 mJ/m2", "25 mJ/m2 ± 20%", "20 to 30 mJ/m2"])
+def test_where_one_number_is_needed_the_value_alone_is_asked_for(text: str) -> None:
+    with pytest.raises(QuantityError, match="has an uncertainty: give the value alone"):
+        parse_quantity(text, "surface_energy")
+
+
+DECIMALS = st.decimals(min_value=Decimal("1e-9"), max_value=Decimal("1e9"), allow_nan=False, places=12)
+
+
+@given(DECIMALS, DECIMALS, st.sampled_from(["nm", "um", "ft"]))
+def test_every_number_is_rounded_once(value: Decimal, other: Decimal, unit: str) -> None:
+    factor = {"nm": "1e-9", "um": "1e-6", "ft": "0.3048"}[unit]
+    low, high = (float(one * Decimal(factor)) for one in sorted((value, other)))
+    if 3 * min(value, other) < max(value, other):
+        found = parse_uncertain(f"{max(value, other)}±{min(value, other)} {unit}", "radius")
+        assert found == Measured(high, low, low)
+        interval = parse_uncertain(f"{min(value, other)} to {max(value, other)} {unit}", "radius")
+        assert interval == Interval(float((value + other) * Decimal(factor) / 2), low, high)
+
+
+@given(st.text(alphabet="0123456789.eE+-±()/% nmto", max_size=30) | st.text(max_size=90))
+def test_nothing_but_the_declared_errors_escapes(text: str) -> None:
+    try:
+        found = parse_uncertain(text, "radius")
+    except QuantityError as error:
+        assert "\n" not in str(error)
+        return
+    if isinstance(found, float):
+        assert found > 0
+    else:
+        assert 0 < found.low <= found.value <= found.high
+        assert found.as_object()["kind"] == found.kind
+
+
+class Ufloat(NamedTuple):
+    """A number as the package `uncertainties` has it."""
+
+    nominal_value: float
+    std_dev: float
+
+
+def test_a_number_of_the_package_uncertainties() -> None:
+    assert measured(Ufloat(0.025, 0.005), "surface_energy") == Measured(0.025, 0.005, 0.005)
+    assert measured(Ufloat(0.025, 0.0), "surface_energy") == 0.025
+    with pytest.raises(QuantityError, match="half the value"):
+        measured(Ufloat(0.025, 0.02), "surface_energy")
+
+
+@pytest.mark.parametrize("found", [Measured(0.025, 0.005, 0.005), Interval(0.025, 0.02, 0.03)])
+def test_no_array_is_made_of_an_uncertain_value_by_accident(found: tuple[object, ...]) -> None:
+    assert numpy.asarray(found).dtype.kind not in "fiu"
+
+
+@pytest.mark.parametrize(
+    ("text", "name", "written"),
+    [
+        ("25±5 mJ/m2", "surface_energy", "25.0 ± 5.0 mJ/m^2"),
+        ("25 +6/-4 mJ/m2", "surface_energy", "25.0 +6.0/-4.0 mJ/m^2"),
+        ("25 +5/-4.9 mJ/m2", "surface_energy", "25.0 ± 5.0 mJ/m^2"),
+        ("25 +5/-0 mJ/m2", "surface_energy", "25.0 +5.0/-0.0 mJ/m^2"),
+        ("20 to 30 mJ/m2", "surface_energy", "20 to 30 mJ/m^2"),
+        ("2.2±0.5 g/cm3", "density", "2200 ± 500 kg/m^3"),
+        ("54±0.123 GPa", "youngs_modulus", "54.00 ± 0.12 GPa"),
+        ("100±9.96 nm", "radius", "100 ± 10 nm"),
+        ("-5±20 nN", "load", "-5 ± 20 nN"),
+        ("0.17±0.01", "poisson_ratio", "0.170 ± 0.010"),
+        ("0.3 to 0.4", "poisson_ratio", "0.3 to 0.4"),
+        ("(1±0.1)e-5 m/s2", "gravity", "(1.00 ± 0.10)e-5 m/s^2"),
+    ],
+)
+def test_what_is_written_and_read_again(text: str, name: str, written: str) -> None:
+    found = parse_uncertain(text, name)
+    assert isinstance(found, Measured | Interval)
+    assert uncertain_amount(name, found) == written
+    again = parse_uncertain(written, name)
+    assert isinstance(again, Measured | Interval)
+    assert again.value == pytest.approx(found.value, rel=1e-3)
+
+
+def test_what_is_written_in_a_unit_that_was_asked_for() -> None:
+    form = Format({"radius": ("um", unit_of("um", "radius"))})
+    assert uncertain_amount("radius", Measured(1e-7, 1e-8, 1e-8), form) == "0.100 ± 0.010 um"
