@@ -47,7 +47,7 @@ def root(approach_ratio: Exact, *, stable: bool = True) -> Exact:
     return y
 
 
-def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:  # noqa: PLR0915
+def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
     """Every result for one scene. What is not said of sphere 2 is as for sphere 1; its radius may be infinite.
 
     The state of the contact is that of a load or, if `approach_at_load` is given, of an approach.
@@ -105,21 +105,11 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:  # noqa: PLR0
     else:
         m_eff = I1 / R1**2 + I2 / R2**2 - (I1 / R1 - I2 / R2) ** 2 / (m * (R1 + R2) ** 2 + I1 + I2)
 
-    # The contact against sliding: 1/G* = Σ(2 − ν)/G with G = E/(2(1 + ν)), and two spheres that slide and turn
-    G = 1 / sum((2 - nu) * 2 * (1 + nu) / modulus for nu, modulus in ((nu1, E1), (nu2, E2)))
-    k_s = 8 * G * a0 * a_
-    turning = (
-        sum(1 / each for each in ((m1, m2)[: 1 if on_plane else 2])) + R1**2 / I1 + (0 if on_plane else R2**2 / I2)
-    )
-    f_slide = sqrt(k_s * turning) / (2 * pi)
-
     # Eqs 45-48
     adhesion_energy = P_c * delta0
     kinetic = {"kinetic_energy": m1 * known["speed"] ** 2 / 2} if "speed" in known else {}
     W0 = known.get("energy", kinetic.get("kinetic_energy", known["energy_ratio"] * adhesion_energy))
     yield_energy = M**2 / (2 * k)
-    stuck = gamma * cbrt((gamma * R**2 / E) ** 2)
-    E_stick_1, E_stick_2 = 8 * pi / 3 * mpf("1.07") ** 2 * stuck, mpf("19.2") * stuck
     vibration = {"vertical_frequency": sqrt(P_c / delta0 * slope / m) / (2 * pi)} if slope >= 0 else {}
 
     return (
@@ -169,20 +159,8 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:  # noqa: PLR0
             "adhesion_energy": adhesion_energy,
             "energy": W0,
             **{name: factor * adhesion_energy for name, factor in ENERGIES.items()},
-            "contact_shear_modulus": G,
-            "tangential_stiffness": k_s,
-            "sliding_frequency": f_slide,
-            "time_step": 1 / (20 * f_slide),
-            "fold_energy": -FOLD * adhesion_energy,
-            "break_energy_dust_simulation": mpf("1.8") * -FOLD * adhesion_energy,
-            "roll_energy_quarter_turn": 6 * pi**2 * gamma * R * xi,
-            "roll_energy_half_turn": 12 * pi**2 * gamma * R * xi,
-            **({"roll_energy": 4 * P_c * xi * known["rolling_angle"]} if "rolling_angle" in known else {}),
-            "sticking_energy_paszun_dominik": E_stick_1,
-            "sticking_energy_pencil_code": E_stick_2,
-            "sticking_speed": sqrt(2 * ENERGIES["sticking_energy"] * adhesion_energy / m),
-            "sticking_speed_paszun_dominik": sqrt(2 * E_stick_1 / m),
-            "sticking_speed_pencil_code": sqrt(2 * E_stick_2 / m),
+            **_sliding((E1, E2), (nu1, nu2), (m1, m2) if not on_plane else (m1,), a0 * a_),
+            **_conventions(gamma, R, E, m, xi, adhesion_energy, known.get("rolling_angle")),
             "n_roll": W0 / (7 * pi * mean_M),
             "n_roll_energy_balance": W0 / (2 * pi * mean_M),
             "n_roll_after_impact": 5 * W0 / 7 / (2 * pi * mean_M),
@@ -198,6 +176,43 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:  # noqa: PLR0
             "energy_over_sticking": W0 / (ENERGIES["sticking_energy"] * adhesion_energy),
         }
     )
+
+
+def _sliding(
+    moduli: tuple[Exact, ...], ratios: tuple[Exact, ...], masses: tuple[Exact, ...], a: Exact
+) -> dict[str, Exact]:
+    """The contact against sliding: a force on it moves the centres, 1/m, and turns the spheres, R²/I = 5/(2m)."""
+    G = 1 / sum((2 - nu) * 2 * (1 + nu) / modulus for nu, modulus in zip(ratios, moduli, strict=True))
+    k_s = 8 * G * a
+    f_slide = sqrt(k_s * sum(1 / m + 5 / (2 * m) for m in masses)) / (2 * pi)
+    return {
+        "contact_shear_modulus": G,
+        "tangential_stiffness": k_s,
+        "sliding_frequency": f_slide,
+        "time_step": 1 / (20 * f_slide),
+    }
+
+
+def _conventions(
+    gamma: Exact, R: Exact, E: Exact, m: Exact, xi: Exact, adhesion_energy: Exact, angle: Exact | None
+) -> dict[str, Exact]:
+    """Energies and speeds as others define them."""
+    stuck = gamma * cbrt((gamma * R**2 / E) ** 2)
+    exact, slow, fast = (
+        ENERGIES["sticking_energy"] * adhesion_energy, 8 * pi / 3 * mpf("1.07") ** 2 * stuck, mpf("19.2") * stuck
+    )  # fmt: skip
+    return {
+        "fold_energy": -FOLD * adhesion_energy,
+        "break_energy_dust_simulation": mpf("1.8") * -FOLD * adhesion_energy,
+        "roll_energy_quarter_turn": 6 * pi**2 * gamma * R * xi,
+        "roll_energy_half_turn": 12 * pi**2 * gamma * R * xi,
+        **({} if angle is None else {"roll_energy": 12 * pi * gamma * R * xi * angle}),
+        "sticking_energy_paszun_dominik": slow,
+        "sticking_energy_pencil_code": fast,
+        "sticking_speed": sqrt(2 * exact / m),
+        "sticking_speed_paszun_dominik": sqrt(2 * slow / m),
+        "sticking_speed_pencil_code": sqrt(2 * fast / m),
+    }
 
 
 def released(y: Exact, y2: Exact) -> Exact:

@@ -4,7 +4,7 @@ import ctypes
 import math
 import os
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from importlib import import_module
 from importlib.util import find_spec, module_from_spec, spec_from_file_location
 from pathlib import Path
@@ -56,7 +56,9 @@ class Spheres:
         sphere2: Body,
         friction: str = "tangential linear_nohistory 0 0",
         damping: tuple[float, str] = (0.0, "velocity"),
+        contact: Sequence[str] = (),
     ) -> None:
+        """Set them up with JKR, or with the commands of a contact in place of it, friction and damping."""
         self.radius, self.radius2 = sphere["radius"], sphere2["radius"]
         self.touching = 1e-6 * self.radius  # an approach at which they touch
         size = 10 * max(self.radius, self.radius2)
@@ -80,9 +82,12 @@ class Spheres:
         for kind, body in (("1", sphere), ("2", sphere2)):
             jkr = f"jkr {body['youngs_modulus']} {damping[0]} {body['poisson_ratio']} {body['surface_energy']}"
             self.code.command(f"set type {kind} diameter {2 * body['radius']} density {body['density']}")
-            self.code.command(f"pair_coeff {kind} {kind} {jkr} {friction} damping {damping[1]}")
+            if not contact:
+                self.code.command(f"pair_coeff {kind} {kind} {jkr} {friction} damping {damping[1]}")
+        self.code.commands_list(list(contact))
         self.code.command("run 0")
-        self.x, self.v, self.omega, self.f = map(self.code.numpy.extract_atom, ("x", "v", "omega", "f"))
+        names = ("x", "v", "omega", "f", "torque")
+        self.x, self.v, self.omega, self.f, self.torque = map(self.code.numpy.extract_atom, names)
 
     def run(self, steps: int) -> None:
         """Go on for some steps."""

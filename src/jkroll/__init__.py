@@ -11,9 +11,11 @@ if TYPE_CHECKING:
 
     from .errors import JkrollError
     from .materials.library import Material, Materials, known_materials
-    from .quantities.nomenclature import NOMENCLATURE, Quantity
+    from .quantities.nomenclature import NOMENCLATURE
+    from .quantities.quantity import Quantity
     from .quantities.uncertain import Interval, Measured
     from .scene.formulas import FORMULAS
+    from .scene.infer import infer
     from .scene.solver import solve
 
 __version__ = "0.1.0"
@@ -26,6 +28,7 @@ __all__ = [
     "Materials",
     "Measured",
     "Quantity",
+    "infer",
     "known_materials",
     "solve",
 ]
@@ -39,7 +42,8 @@ _HOMES = {
     "Materials": "materials.library",
     "Measured": "quantities.uncertain",
     "NOMENCLATURE": "quantities.nomenclature",
-    "Quantity": "quantities.nomenclature",
+    "Quantity": "quantities.quantity",
+    "infer": "scene.infer",
     "known_materials": "materials.library",
     "solve": "scene.solver",
 }

@@ -14,7 +14,7 @@ TYPED = {
     "commands": ("yie\t quartz", ["yield-force", "quartz"]),
     "a material": ("pull-off qua\t 1um", ["pull-off", "quartz", "1um"]),
     "a material in quotes": ("pull-off 'qua\t", ["pull-off", "quartz"]),
-    "an alias": ("materials Si\t", ["materials", "SiO2"]),
+    "an alias": ("materials SiO\t", ["materials", "SiO2"]),
     "a second material of a list": ("pull-off quartz,ir\t", ["pull-off", "quartz,iron"]),
     "a unit": ("pull-off quartz 100n\t", ["pull-off", "quartz", "100nm"]),
     "an option, and its unit": ("r-min 1um --rad\t2n\t", ["r-min", "1um", "--radius2", "2nm"]),

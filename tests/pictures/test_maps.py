@@ -121,9 +121,9 @@ def test_fig_8_what_does_not_roll_at_10_nm_and_what_turns_at_100_nm() -> None:
 def test_regions_end_where_the_limits_are(name: str) -> None:
     drawn = MAPS[name]
     texts = " ".join(region.text for region in drawn.regions)
-    assert all(text in texts for text in ("a/z0 < 1", "ξ/ξ_max > 1", "μ < 0.1"))
+    assert all(text in texts for text in ("a/z0 < 3", "ξ/ξ_max > 1", "μ < 0.1"))
     limits = {
-        "a/z0": ("contact_radius_in_spacings", 1),
+        "a/z0": ("contact_radius_in_spacings", 3),
         "ξ/ξ_max": ("displacement_ratio", 1),
         "μ": ("tabor_parameter", 0.1),
     }

@@ -1,7 +1,7 @@
 """The answer of a command for one scene: its results, the inputs as understood, limits and notes."""
 
-from collections.abc import Callable, Collection, Mapping
-from typing import Any, Literal, NamedTuple
+from collections.abc import Callable, Collection, Iterable, Mapping
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 from ..errors import JkrollError, NoResult
 from ..physics.jkr import STICKING
@@ -11,7 +11,7 @@ from ..scene.errors import BeyondFold, BeyondPullOff, MissingInput
 from ..scene.laws import DEFAULT_LAW
 from ..scene.limits import IMPACT, LIMIT_NAMES, Judgement, Verdict, judged, of_any_scene, sentence, uses_spacing
 from ..scene.rolling_models import model_error
-from ..scene.scene import DEFAULTS, Scene
+from ..scene.scene import DEFAULTS, NO_UNCERTAINTY, Scene
 from ..scene.wiring import STATE, depends_on
 from .comparison import (
     BETWEEN,
@@ -29,12 +29,17 @@ from .comparison import (
 from .questions import Question
 
 MOST_NAMES = 3  # of quantities in a note
+if TYPE_CHECKING:
+    from ..quantities.uncertain import Uncertain
+    from ..scene.uncertainty import Propagated, Source
 
 
 class Result(NamedTuple):
-    """A quantity in SI units, or the reason why it has no value; for a model of the moment, its relative error.
+    """A quantity in SI units, or the reason why it has no value.
 
-    A quantity of another law of attraction than JKR says which, and has JKR's value beside it.
+    `error` is the relative error of a model of the moment, `condition` the factor by which an inferred value multiplies the
+    relative error of a measured one. A quantity of another law of attraction than JKR says which, and has JKR's value beside
+    it.
     """
 
     name: str
@@ -44,6 +49,18 @@ class Result(NamedTuple):
     model: str = ""  # the law of attraction, if it is another than JKR
     equation: str = ""  # of that law
     jkr: float | None = None  # the value of JKR, beside that of another law
+    condition: float | None = None
+    propagated: "Propagated | None" = None  # its uncertainty, if an input has one
+
+    def sides(self) -> dict[str, float]:
+        """Return the numbers of the uncertainty by name: minus and plus, or low and high; none if there is no uncertainty."""
+        if self.propagated is None:
+            return {}
+        return {
+            side: number
+            for side, number in self.propagated.uncertainty.as_object().items()
+            if isinstance(number, float)
+        }
 
 
 class Note(NamedTuple):
@@ -63,6 +80,7 @@ class Answer(NamedTuple):
     validity: tuple[Verdict, ...]
     failure: JkrollError | None  # why there is no result, or no contact
     laws: tuple[Difference, ...] = ()  # how Maugis' law differs from JKR
+    uncertain: Mapping[str, "Uncertain"] = NO_UNCERTAINTY  # the inputs that are uncertain
 
     def value(self, name: str) -> float | None:
         """Return the value of a result, or None."""
@@ -77,7 +95,7 @@ def answer(question: Question, scene: Scene) -> Answer:
     """Compute the quantities of a command as far as the scene allows."""
     results: list[Result] = []
     errors: dict[str, JkrollError] = {}
-    shown = [name for name in question.quantities if _concerns(name, scene)]
+    shown = [name for name in question.quantities if concerns(name, scene)]
     values = scene.evaluate((*shown, *LIMIT_NAMES))
     for name in shown:
         value = values[name]
@@ -109,7 +127,36 @@ def answer(question: Question, scene: Scene) -> Answer:
     if isinstance(fatal, BeyondPullOff):
         fatal = held_otherwise(fatal, scene)
     failure = fatal or (None if known else next(iter(errors.values())))
-    return Answer(inputs, tuple(results), notes, validity, failure, laws)
+    plain = Answer(inputs, tuple(results), notes, validity, failure, laws)
+    return with_uncertainties(plain, scene) if scene.is_uncertain else plain
+
+
+def with_uncertainties(answer: Answer, scene: Scene) -> Answer:
+    """Return an answer with the uncertainties of its results, and of the inputs that they come from."""
+    from ..scene.uncertainty import sources, uncertainties
+
+    names = [result.name for result in answer.results if result.value is not None]
+    return add_uncertainties(answer, uncertainties(scene, names), sources(scene))
+
+
+def add_uncertainties(
+    answer: Answer, found: Mapping[str, "Propagated | JkrollError"], effective: Iterable["Source"]
+) -> Answer:
+    """Return an answer with these uncertainties, and with a note for each that does not exist."""
+    results = [
+        result._replace(propagated=one) if not isinstance(one := found.get(result.name), JkrollError) else result
+        for result in answer.results
+    ]
+    failures: dict[str, list[str]] = {}
+    for name, one in found.items():
+        if isinstance(one, MissingInput | NoResult):
+            failures.setdefault(_reason(name, one), []).append(name)
+    notes = [
+        Note("missing", f"{_few(names)}: no uncertainty, as there is no value at an end of an input: {reason}")
+        for reason, names in failures.items()
+    ]
+    stated = {name: source.given for source in effective for name in source.names if name in answer.inputs}
+    return answer._replace(results=tuple(results), notes=(*answer.notes, *notes), uncertain=stated)
 
 
 def _with_law(results: list[Result], scene: Scene) -> list[Result]:
@@ -161,7 +208,7 @@ _SHOWN_IF: Mapping[str, Callable[[Scene], bool]] = {
 }
 
 
-def _concerns(name: str, scene: Scene) -> bool:
+def concerns(name: str, scene: Scene) -> bool:
     """Return whether a quantity is shown for this scene."""
     return _SHOWN_IF[name](scene) if name in _SHOWN_IF else name not in scene.stated
 
@@ -247,10 +294,10 @@ def _between_spheres_1(scene: Scene) -> str:
             Scene(stated, scene.material, model=scene.stated_model)["n_grav"] + 1
         )  # the chain that it carries is a sphere shorter
     except (MissingInput, NoResult):
-        carried = INFINITY
+        return "those between spheres 1 may roll before it"
     if carried < scene["n_grav"]:
         return f"the one between spheres 1 next to it yields before it, at {carried:.4g}"
-    return "those between spheres 1 may roll before it"
+    return "those between spheres 1 carry more"
 
 
 def _about_limits(limits: Judgement) -> list[Note]:

@@ -69,7 +69,7 @@ class Remarks:
 
 
 def _line(note: Note, texts: list[str]) -> str:
-    return f"{'doubt' if note.kind == 'doubt' else 'note'}: {'; '.join(texts)}"
+    return f"note: {'doubtful: ' if note.kind == 'doubt' else ''}{'; '.join(texts)}"
 
 
 def _brief(note: Note) -> str:

@@ -76,9 +76,9 @@ class Delimited:
         if blank:
             lines = [blank.get(row, b"") + line for row, line in enumerate(lines)]
         output = b"".join([*self._strips(lines, results), blank.get(count, b"")])
-        first = min(results.status, default=None)
+        first = min(results.lost, default=None)
         failure = None if first is None else (records.starts[first], results.status[first])
-        return Converted(output, count, len(results.status), text.count(b"\n"), failure)
+        return Converted(output, count, len(results.lost), text.count(b"\n"), failure)
 
     def _quickly(self, text: bytes) -> Records | None:
         """Take apart plain lines without quotes, all of the right width; None if there are others."""

@@ -74,12 +74,12 @@ class NdjsonConverter:
                 odd[row] = f"has {word!r}, which the first line has not"
         results = self.evaluator.results(self._block(objects, odd))
         output = self._output(raw, objects, results)
-        first = min(results.status, default=None)
+        first = min(results.lost, default=None)
         failure = None
         if first is not None:
             places = [place for place, line in enumerate(raw) if line.strip()]
             failure = (places[first], results.status[first])
-        return Converted(output, len(lines), len(results.status), text.count(b"\n"), failure)
+        return Converted(output, len(lines), len(results.lost), text.count(b"\n"), failure)
 
     def _surprise(self, one: Row) -> str | None:
         """Return a name that would be an input or a result if the first line had it."""

@@ -143,17 +143,18 @@ class _Table:
     def _rows(self, batch: Any) -> Rows:
         numbers = numpy.empty((len(self.evaluator.task.quantities), batch.num_rows))
         status: dict[int, str] = {}
+        lost: dict[int, str] = {}
         for start in range(0, batch.num_rows, BLOCK):
             block = self._block(batch.slice(start, BLOCK))
             results = self.evaluator.results(block, numbers[:, start : start + block.size])
             status |= {start + row: words for row, words in results.status.items()}
+            lost |= {start + row: results.status[row] for row in results.lost}
         words = pyarrow.array(
             [*map(status.get, range(batch.num_rows))] if status else [None] * batch.num_rows, "string"
         )
         arrays = [*batch.columns, *map(as_column, numbers), words]
-        return Rows(
-            pyarrow.Table.from_arrays(arrays, schema=self.schema), len(status), min(status.items(), default=None)
-        )
+        table = pyarrow.Table.from_arrays(arrays, schema=self.schema)
+        return Rows(table, len(lost), min(lost.items(), default=None))
 
     def _block(self, part: Any) -> Block:
         """Return the inputs of some rows."""

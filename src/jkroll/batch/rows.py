@@ -70,7 +70,9 @@ class Evaluator:
                 status[row] = words
             else:
                 status.pop(row, None)
-        return Results(numbers, status, self._lost)
+        unclear = numpy.fromiter(status, dtype=int, count=len(status))
+        lost = unclear[numpy.isnan(numbers[:, unclear]).all(axis=0)]
+        return Results(numbers, status, self._lost.union(lost.tolist()))
 
     def _in_groups(self, block: Block, codes: Mapping[str, Codes], numbers: Floats, status: dict[int, str]) -> set[int]:
         """Evaluate groups of rows with the same known inputs; return the rows that are to be evaluated singly."""

@@ -4,6 +4,7 @@ import sys
 from collections.abc import Mapping
 from typing import Any
 
+from ..answers.answer import concerns
 from ..answers.questions import quantities_named
 from ..errors import BadRequest
 from ..materials.library import Material, Materials
@@ -14,7 +15,7 @@ from ..text import quoted, say
 from .columns import MATERIALS, STATUS, Header, understood
 from .errors import BadTable
 from .settings import Order
-from .single import Task, concerns, lacking
+from .single import Task, lacking
 
 
 def task_of(table: Header, inputs: Mapping[str, str], wanted: str, known: Materials) -> Task:

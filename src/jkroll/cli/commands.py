@@ -18,12 +18,14 @@ from .options import (
     HELP,
     JSON,
     MATERIALS,
+    MEASURED,
     MODEL_OF_EXPORT,
     OUTPUT,
     PANEL,
     PICTURE,
     PROGRAM,
     QUIET,
+    RESULTS,
     STYLE,
     TABLE,
     Option,
@@ -85,6 +87,12 @@ def _contact(words: Sequence[str], values: Values) -> int:
     return run_question(QUESTIONS["contact"], words, values)
 
 
+def _infer(words: Sequence[str], values: Values) -> int:
+    from .infer import run_infer
+
+    return run_infer(words, values)
+
+
 def _map(words: Sequence[str], values: Values) -> int:
     from .draw import run_map
 
@@ -143,6 +151,14 @@ _COMMANDS = (
         _options_of_export,
         _export,
         "lammps quartz 100nm --model dmt",
+    ),
+    Command(
+        "infer",
+        "Find the input at which a quantity has its measured value.",
+        Words("INPUT [MATERIAL] [RADIUS]...", INFINITY),
+        lambda: (MEASURED, *inputs_of(QUESTIONS["report"].quantities), *RESULTS, MATERIALS, QUIET),
+        _infer,
+        "gamma quartz 2um --radius2 plane --measured pull_off_force=300±20nN",
     ),
     Command(
         "batch",

@@ -71,6 +71,19 @@ def complete_map(incomplete: str) -> list[str]:
     return [*quantities, *complete_words(incomplete)] if incomplete else quantities
 
 
+def complete_infer(incomplete: str) -> list[str]:
+    """Return inputs that can be inferred; for a word that is begun, materials and radii too."""
+    from ..scene.inverse import SIZES
+
+    inputs = [name for name in SIZES if name.startswith(incomplete.replace("-", "_"))]
+    return [*inputs, *complete_words(incomplete)] if incomplete else inputs
+
+
+def complete_measured(incomplete: str) -> list[str]:
+    """Return quantities that can be measured, each with the sign before its value."""
+    return [f"{name}=" for name in NOMENCLATURE if NOMENCLATURE[name].equation and f"{name}=".startswith(incomplete)]
+
+
 def complete_figure(incomplete: str) -> list[str]:
     """Return the figures that can be drawn."""
     from ..pictures.figures import FIGURES
@@ -104,11 +117,17 @@ def _with_units(incomplete: str, unit: str) -> list[str]:
     return [number + candidate for candidate in _UNITS.get(unit, ()) if (number + candidate).startswith(incomplete)]
 
 
-_OF_COMMAND: Mapping[str, Completer | None] = {"map": complete_map, "figure": complete_figure, "batch": None}
+_OF_COMMAND: Mapping[str, Completer | None] = {
+    "map": complete_map,
+    "infer": complete_infer,
+    "figure": complete_figure,
+    "batch": None,
+}
 _OF_OPTION: Mapping[str, Completer] = {
     "x": complete_axis,
     "y": complete_axis,
     "mark": complete_mark,
+    "measured": complete_measured,
     "material": complete_words,
     "material2": complete_words,
 }

@@ -15,17 +15,16 @@ PROGRAMS = ("lammps",)
 
 def run_export(words: Sequence[str], values: Values) -> int:
     """Write the contact of one pair as the input of a program; return the exit code."""
-    program, *described = words or ("",)
+    if not words:
+        raise BadRequest("export: which program? write jkroll export lammps quartz 100nm")
+    program, *described = words
     if program.casefold() not in PROGRAMS:
-        raise BadRequest(
-            f"export: {quoted(program)} is no program that is known; write jkroll export lammps quartz 100nm"
-        )
+        raise BadRequest(f"export: {quoted(program)} is not among the programs: {', '.join(PROGRAMS)}")
     model = values.model
     if model not in MODELS:
         raise BadRequest(f"--model: LAMMPS has {' and '.join(MODELS)}, not {quoted(model)}")
     request = Request(described, values.inputs, materials_files(values.materials))
     if request.count != 1:
         raise BadRequest(f"export takes one pair of spheres, not {request.count}")
-    for line in lammps_input(next(request.scenes()), model):
-        say(line, sys.stdout)
+    say("\n".join(lammps_input(next(request.scenes()), model)), sys.stdout)
     return 0

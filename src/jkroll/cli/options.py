@@ -72,6 +72,7 @@ class Values(NamedTuple):
     csv: bool = False
     explain: bool = False
     cite: bool = False
+    measured: str | None = None
     target: str | None = None
     resume: bool = False
     curve: bool = False
@@ -102,13 +103,16 @@ _FORMAT = "Numbers only, JSON or CSV; output file"
 _INSTEAD = "Show the derivation or the BibTeX entry instead of results"
 MATERIALS = Option("materials", "--materials", str, "FILE", "Read materials from your own file as well")
 QUIET = Option("quiet", "--quiet", bool, "", "Suppress notes")
-OUTPUT = (
-    Option("quantities", "--quantities", str, "NAMES", "Show these quantities instead, separated by commas"),
+RESULTS = (
     Option("to", "--to", str, "UNIT", "Unit of the results; several with commas"),
     Option("digits", "--digits", int, "N", "Significant digits", 1, 17),
     Option("bare", "--bare", bool, "", _FORMAT),
     Option("json", "--json", bool, "", _FORMAT),
     Option("csv", "--csv", bool, "", _FORMAT),
+)
+OUTPUT = (
+    Option("quantities", "--quantities", str, "NAMES", "Show these quantities instead, separated by commas"),
+    *RESULTS,
     Option("target", "-o", str, "OUT", _FORMAT),
     Option("resume", "--resume", bool, "", "Continue the output file after an interruption", hidden=True),
     Option("explain", "--explain", bool, "", _INSTEAD),
@@ -116,6 +120,7 @@ OUTPUT = (
     MATERIALS,
     QUIET,
 )
+MEASURED = Option("measured", "--measured", str, "QUANTITY=VALUE", "Measured quantity; an error bar as in 300±20nN")
 CURVE = Option("curve", "--curve", bool, "", "Whole force curve; with -o as a picture")
 _AS_TEXT = "Output as JSON or CSV"
 JSON = Option("json", "--json", bool, "", _AS_TEXT)

@@ -4,16 +4,21 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import chain, islice, product
 from math import prod
+from typing import TYPE_CHECKING
 
 from ..errors import BadRequest
 from ..materials.library import Material, Materials, known_materials
 from ..quantities.formatting import Format
 from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.parsing import is_uncertain
 from ..quantities.ranges import Spread, spreads_of
 from ..quantities.units import BadUnit, Unit, dimension_of, parse_unit
 from ..scene.laws import law_named
 from ..scene.scene import EXCLUSIVE, Scene
 from ..text import quoted
+
+if TYPE_CHECKING:
+    from ..quantities.uncertain import Uncertain
 
 MAX_SAMPLES = 50
 MAX_SCENES = 1_000_000  # answered one by one
@@ -80,17 +85,34 @@ class Request:
     def scenes(self) -> Iterator[Scene]:
         """Iterate over the scenes, one for each combination of materials and values."""
         values = [[*chain.from_iterable(spreads)] for spreads in self.spreads.values()]
-        for material, material2 in self.pairs:
+        for pair in self.pairs:
             for row in product(*values):
                 for model in self.models:
-                    yield Scene(dict(zip(self.spreads, row, strict=True)), material, material2, model=model)
+                    yield self._scene(dict(zip(self.spreads, row, strict=True)), *pair, model)
+
+    @cached_property
+    def uncertain(self) -> list[str]:
+        """The inputs of which a value has an uncertainty."""
+        return [name for name, spreads in self.spreads.items() if any(spread.uncertainty for spread in spreads)]
+
+    def _scene(
+        self,
+        values: Mapping[str, "float | Uncertain"],
+        material: Material | None,
+        material2: Material | None,
+        model: str | None,
+    ) -> Scene:
+        """Return the scene of some values."""
+        uncertain = {name: value for name, value in values.items() if is_uncertain(value)}
+        numbers = {**values, **{name: found.value for name, found in uncertain.items()}}
+        return Scene(numbers, material, material2, model=model, uncertain=uncertain)
 
     def samples(self) -> list[Scene]:
         """Return scenes of every kind: each pair of materials, both ends of ranges, equal and unequal spheres."""
         first = {name: spreads[0].low for name, spreads in self.spreads.items()}
         last = {name: spreads[-1].high for name, spreads in self.spreads.items()}
         radii2 = islice(chain.from_iterable(self.spreads.get("radius2", [])), MAX_SAMPLES)
-        kinds = [first, last, *({**first, "radius2": radius2} for radius2 in radii2)]
+        kinds = [first, last, *({**first, "radius2": radius2} for radius2 in radii2 if isinstance(radius2, float))]
         return [Scene(values, *pair, model=model) for pair in self.pairs for values in kinds for model in self.models]
 
     def _materials(self, words: str) -> list[Material | None]:
@@ -105,7 +127,7 @@ def _joined(words: Sequence[str]) -> list[str]:
     """Return the words, joining a number and a unit that follows it after a space."""
     joined: list[str] = []
     for word in words:
-        if joined and joined[-1][-1:].isdigit() and not joined[-1].strip("+-−.0123456789eE") and _is_material(word):
+        if joined and joined[-1][-1:].isdigit() and not joined[-1].strip("+-−±().0123456789eE") and _is_material(word):
             joined[-1] += f" {word}"
         else:
             joined.append(word)

@@ -10,7 +10,7 @@ from ..answers.remarks import Remarks
 from ..errors import BadRequest, JkrollError, MissingExtra
 from ..materials.library import known_materials
 from ..materials.places import materials_files
-from ..output.layout import layout
+from ..output.layout import Layout, layout
 from ..output.writers import WRITERS
 from ..quantities.formatting import Format
 from ..scene.wiring import formula_of
@@ -76,30 +76,43 @@ def run_question(question: Question, words: Sequence[str], values: Values) -> in
         known_materials(*files)  # a file that was named is checked even if no material is needed
     if values.curve:
         return _run_curve(request, kind, form)
-    samples = [in_units(answer(question, scene), form) for scene in request.samples()] if request.count > 1 else []
-    if values.target is not None or (kind == "csv" and request.count > MANY):
+    is_streamed = values.target is not None or (kind == "csv" and request.count > MANY)
+    if request.uncertain and (is_streamed or request.count > MANY):
+        raise BadRequest(f"-o and long lists take values without uncertainties, and {request.uncertain[0]} has one")
+    of_samples = request.scenes() if request.uncertain else request.samples()
+    samples = [in_units(answer(question, scene), form) for scene in of_samples] if request.count > 1 else []
+    if is_streamed:
         return _run_stream(question, request, samples, kind, values)
     request.check_count()
-    tally = Tally()
-    if kind in ("explain", "cite"):
-        from ..output.citations import write_citations
-        from ..output.explain import write_explanation
+    if kind not in ("explain", "cite"):
+        answers = (in_units(answer(question, scene), form) for scene in request.scenes())
+        return write_answers(answers, layout(question, samples, request.count), kind, form, quiet=values.quiet)
+    from ..output.citations import write_citations
+    from ..output.explain import write_explanation
 
-        write = write_citations if kind == "cite" else write_explanation
-        write(
-            ((scene, one) for scene in request.scenes() for one in tally.watch([answer(question, scene)])),
-            out,
-            form,
-        )
-    else:
-        answers = tally.watch(in_units(answer(question, scene), form) for scene in request.scenes())
-        if request.count == 1:
-            answers = iter([_unless_failed(next(answers), question)])
-        WRITERS[kind](answers, out, form, layout(question, samples, request.count))
+    tally = Tally()
+    write = write_citations if kind == "cite" else write_explanation
+    write(
+        ((scene, one) for scene in request.scenes() for one in tally.watch([answer(question, scene)])),
+        out,
+        form,
+    )
     out.flush()
-    if not values.quiet and kind not in ("json", "explain", "cite"):
-        _say_all(tally.remarks.lines())
     return _say_failures(tally, request.count)
+
+
+def write_answers(answers: Iterable[Answer], shape: Layout, kind: str, form: Format, *, quiet: bool) -> int:
+    """Write answers, and their notes unless these are in them; return the exit code."""
+    out = sys.stdout
+    tally = Tally()
+    watched = tally.watch(answers)
+    if shape.size == 1:
+        watched = iter([_unless_failed(next(watched), shape.question)])
+    WRITERS[kind](watched, out, form, shape)
+    out.flush()
+    if not quiet and kind != "json":
+        _say_all(tally.remarks.lines())
+    return _say_failures(tally, shape.size)
 
 
 def question_of(text: str) -> Question:

@@ -8,7 +8,7 @@ from typing import Any, TextIO
 
 from ..answers.answer import Answer, Result
 from ..errors import JkrollError
-from ..quantities.formatting import Format, amount, in_words
+from ..quantities.formatting import Format, amount, in_words, uncertain_amount
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.scene import Scene
 from ..scene.wiring import Step
@@ -77,7 +77,16 @@ def _explanation(result: Result, scene: Scene, form: Format) -> list[str]:
     if len(steps) > 1:
         lines.append("  steps")
     lines += [_line(step.name, scene, form, _formula_of(step)) for step in steps[:-1]]
-    lines.append(f"  result    {quantity.symbol} = {amount(result.name, result.value, form)}")
+    found = result.propagated
+    shown = (
+        amount(result.name, result.value, form)
+        if found is None
+        else uncertain_amount(result.name, found.uncertainty, form)
+    )
+    lines.append(f"  result    {quantity.symbol} = {shown}")
+    if found is not None:
+        shares = ", ".join(f"{NOMENCLATURE[name].symbol} {share:.0%}" for name, share in found.shares.items())
+        lines.append(f"  shares    {shares}")
     lines += [f"  {key.lower():9} {fields[key]}" for key in _SECTIONS]
     lines.append(f"  power law {power_law(scene, result.name)}")
     if quantity.note:
@@ -87,7 +96,11 @@ def _explanation(result: Result, scene: Scene, form: Format) -> list[str]:
 
 def _line(name: str, scene: Scene, form: Format, remark: str) -> str:
     """Return a line with the symbol and value of an input or a step, and a remark beside it."""
-    value = f"{NOMENCLATURE[name].symbol} = {amount(name, in_words(name, scene.values[name]), form)}"
+    uncertain = scene.uncertain.get(name)
+    shown = (
+        uncertain_amount(name, uncertain, form) if uncertain else amount(name, in_words(name, scene.values[name]), form)
+    )
+    value = f"{NOMENCLATURE[name].symbol} = {shown}"
     return f"    {value:22} {remark}"
 
 

@@ -11,6 +11,7 @@ from ..errors import BadRequest, JkrollError
 from ..quantities.nomenclature import INFINITY, PROPERTIES
 from ..scene.errors import MissingInput
 from ..scene.scene import Scene
+from ..scene.wiring import STATE
 
 NO_SLIP = 1e9  # a coefficient of friction with which nothing slips
 
@@ -31,6 +32,7 @@ _REMARKS_ON = {
         "# The rolling moment is 4 pi gamma R xi at any load; LAMMPS has a yield force linear in P, which is right at the P above.",
     ),
 }
+_STATE = STATE | {"load"}
 MODELS = tuple(_REMARKS_ON)
 
 
@@ -43,12 +45,14 @@ def lammps_input(scene: Scene, model: str) -> Iterator[str]:
         if isinstance(value, JkrollError):
             raise value
     work, lag, load = scene["work_of_adhesion"], scene["yield_displacement"], scene["load"]
-    yield f"# Contact of two spheres by jkroll: {model.upper()}, w = {work!r} J/m^2, gamma = w/2, xi = {lag!r} m, P = {load!r} N"
+    of_types = "" if scene.is_identical else " for types 1 and 2"
+    yield f"# Contact of two spheres by jkroll: {model.upper()}, gamma = w/2"
+    yield f"# w = {work:.12g} J/m^2, xi = {lag:.12g} m, P = {load:.12g} N{of_types}"
     yield "# units si"
     pairs: dict[tuple[int, int], Scene] = {(1, 1): scene}
     if not scene.is_identical:
         pairs = {(1, 1): _pair_of(scene, ""), (2, 2): _pair_of(scene, "2"), (1, 2): scene}
-    for sphere, suffix in ((1, ""), (2, "2"))[: len(pairs)]:
+    for sphere, suffix in enumerate(("",) if scene.is_identical else ("", "2"), 1):
         radius = scene.values.get("radius" + suffix, scene.values["radius"])
         yield f"# set type {sphere} diameter {2 * radius:.12g} density {scene['density' + suffix]:.12g}"
     yield "pair_style granular"
@@ -65,8 +69,8 @@ def lammps_input(scene: Scene, model: str) -> Iterator[str]:
 
 
 def _pair_of(scene: Scene, suffix: str) -> Scene:
-    """Return the pair of two spheres like sphere 1, or like sphere 2, under the same load."""
-    stated = {name: value for name, value in scene.stated.items() if not name.endswith("2")}
+    """Return the pair of two spheres like sphere 1, or like sphere 2, without load."""
+    stated = {name: value for name, value in scene.stated.items() if not name.endswith("2") and name not in _STATE}
     own = {name.removesuffix("2"): value for name, value in scene.stated.items() if name.endswith("2")}
     if scene.material2 is not None:
         stated.pop("work_of_adhesion", None)  # of the two materials

@@ -1,6 +1,6 @@
 """The columns that the rows of one call share."""
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable, Mapping
 from typing import NamedTuple
 
 from ..answers.answer import Answer
@@ -16,6 +16,9 @@ class Layout(NamedTuple):
     inputs: tuple[str, ...]
     results: tuple[str, ...]
     size: int  # number of rows
+    sides: Mapping[
+        str, Collection[str]
+    ]  # of the uncertainty of a result, where one has any: minus and plus, or low and high
 
     @property
     def columns(self) -> tuple[str, ...]:
@@ -23,8 +26,14 @@ class Layout(NamedTuple):
         return self.inputs + tuple(name for name in self.results if name not in self.inputs)
 
     def headers(self, form: Format) -> list[str]:
-        """Return the column headers: inputs in SI units, results as the format has them."""
-        return [header(name) if name in self.inputs else form.header(name) for name in self.columns]
+        """Return the column headers: inputs in SI units, results as the format has them, and their uncertainties."""
+        return [head for name in self.columns for head in self._heads(name, form)]
+
+    def _heads(self, name: str, form: Format) -> list[str]:
+        if name in self.inputs:
+            return [header(name)]
+        unit = form.header(name).removeprefix(name)
+        return [name + unit, *(f"{name}_{side}{unit}" for side in self.sides.get(name, ()))]
 
 
 def layout(question: Question, samples: Iterable[Answer], count: int) -> Layout:
@@ -32,9 +41,15 @@ def layout(question: Question, samples: Iterable[Answer], count: int) -> Layout:
     rows = list(samples)
     inputs = {name for answer in rows for name in answer.inputs}
     results = {result.name for answer in rows for result in answer.results}
+    sides: dict[str, dict[str, None]] = {}
+    for answer in rows:
+        for result in answer.results:
+            if result.propagated is not None:
+                sides.setdefault(result.name, {}).update(dict.fromkeys(result.sides()))
     return Layout(
         question,
         tuple(name for name in NOMENCLATURE if name in inputs),
         tuple(name for name in question.quantities if name in results),
         count,
+        sides,
     )

@@ -1,7 +1,7 @@
 """Tables on a terminal, set by rich."""
 
 from collections.abc import Collection, Mapping, Sequence
-from typing import TextIO
+from typing import TYPE_CHECKING, Any, TextIO
 
 from rich import box
 from rich.console import Console
@@ -9,10 +9,13 @@ from rich.table import Table
 from rich.text import Text
 
 from ..answers.answer import Answer, Result
-from ..quantities.formatting import Format, amount, pretty
+from ..quantities.formatting import Format, amount, pretty, uncertain_amount, uncertain_rounded
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
 from ..text import columns, fitting, say
 from .layout import Layout
+
+if TYPE_CHECKING:
+    from ..quantities.uncertain import Uncertain
 
 _HEADS = ("quantity", "symbol", "value", "unit", "Eq", "definition", "reference", "JKR")
 _JKR = 7  # the place of JKR's value, shown beside that of another law
@@ -27,7 +30,7 @@ def scene_table(answer: Answer, out: TextIO, form: Format) -> None:
     rows = [_result_row(result, form) for result in answer.results]
     styles = ["dim" if _is_aside(result) else "" for result in answer.results]
     by_convention = all(NOMENCLATURE[result.name].definition for result in answer.results)
-    say(_inputs(answer.inputs, form), out)
+    say(_inputs({**answer.inputs, **answer.uncertain}, form), out)
     columns_of = _COLUMNS_BY_CONVENTION if by_convention else _COLUMNS
     if any(result.jkr is not None for result in answer.results):
         columns_of = [(*chosen, _JKR) for chosen in columns_of]
@@ -43,20 +46,17 @@ def scene_table(answer: Answer, out: TextIO, form: Format) -> None:
 
 def _result_row(result: Result, form: Format) -> list[str]:
     quantity = NOMENCLATURE[result.name]
-    value, unit = ("—", "") if result.value is None else form.rounded(result.name, result.value)
+    if result.value is None:
+        value, unit = "—", ""
+    elif result.propagated is not None:
+        value, unit = uncertain_rounded(result.name, result.propagated.uncertainty, form)
+    else:
+        value, unit = form.rounded(result.name, result.value)
     equation = result.equation or quantity.equation
+    definition = "" if result.model else quantity.definition
     source = quantity.reference or f"Eq {equation}"
     jkr = "" if result.jkr is None else pretty(amount(result.name, result.jkr, form))
-    return [
-        quantity.sentence,
-        quantity.symbol,
-        value,
-        pretty(unit),
-        equation,
-        "" if result.model else quantity.definition,
-        source,
-        jkr,
-    ]
+    return [quantity.sentence, quantity.symbol, value, pretty(unit), equation, definition, source, jkr]
 
 
 def _is_aside(result: Result) -> bool:
@@ -66,8 +66,9 @@ def _is_aside(result: Result) -> bool:
 
 def sweep_table(answers: Sequence[Answer], out: TextIO, form: Format, shape: Layout) -> None:
     """Write a row for each scene, in as many tables as the width takes; inputs that all scenes share stand above."""
-    values = {name: {answer.inputs.get(name) for answer in answers} for name in shape.columns}
-    inputs = answers[0].inputs
+    of_rows = [{**answer.inputs, **answer.uncertain} for answer in answers]
+    values = {name: {inputs.get(name) for inputs in of_rows} for name in shape.columns}
+    inputs = of_rows[0]
     common = {name: inputs[name] for name in shape.columns if name in inputs and len(values[name]) == 1}
     say(_inputs(common, form, f"{len(answers)} scenes"), out)
     leading = [name for name in shape.inputs if len(values[name] - {None}) != 1 and not _is_implied(name, answers)]
@@ -88,12 +89,26 @@ def _columns_table(names: Sequence[str], answers: Sequence[Answer], out: TextIO,
 def _column(name: str, answers: Sequence[Answer], form: Format) -> list[str]:
     """Return the head and the cells of a column; the head has the unit, if one suits all of its values."""
     head = NOMENCLATURE[name].symbol or name
-    values = [answer.inputs[name] if name in answer.inputs else answer.value(name) for answer in answers]
-    common = form.common_unit(name, [value for value in values if isinstance(value, float)])
+    values = [_value(answer, name) for answer in answers]
+    is_uncertain = any(isinstance(value, tuple) for value in values)
+    common = None if is_uncertain else form.common_unit(name, [value for value in values if isinstance(value, float)])
     if common:
         cells = ["—" if value is None else form.in_unit(value, common) for value in values]
         return [f"{head} [{pretty(common[0])}]", *cells]
-    return [head, *("—" if value is None else pretty(amount(name, value, form)) for value in values)]
+    return [head, *("—" if value is None else pretty(_amount(name, value, form)) for value in values)]
+
+
+def _value(answer: Answer, name: str) -> Any:
+    """Return an input or a result, with its uncertainty if it has one."""
+    if name in answer.inputs:
+        return answer.uncertain.get(name, answer.inputs[name])
+    result = next((result for result in answer.results if result.name == name), None)
+    return result and (result.propagated.uncertainty if result.propagated else result.value)
+
+
+def _amount(name: str, value: "float | str | Uncertain", form: Format) -> str:
+    """Return a value, with its uncertainty if it has one, and its unit."""
+    return uncertain_amount(name, value, form) if isinstance(value, tuple) else amount(name, value, form)
 
 
 _LEADERS = dict.fromkeys(PROPERTIES, "material") | {name + "2": "material2" for name in PROPERTIES}
@@ -106,18 +121,20 @@ def _is_implied(name: str, answers: Sequence[Answer]) -> bool:
     if name == "radius2":
         return all(answer.inputs.get(name) == answer.inputs.get("radius") for answer in answers)
     leader = _LEADERS.get(name)
-    if leader is None or any(leader not in answer.inputs for answer in answers):
+    if leader is None or all(name not in answer.inputs for answer in answers):
+        return False
+    if any(leader not in answer.inputs for answer in answers):
         return False
     pairs = {(answer.inputs[leader], answer.inputs.get(name)) for answer in answers}
     return len(pairs) == len({material for material, _ in pairs})
 
 
-def _inputs(inputs: Mapping[str, float | str], form: Format, start: str = "") -> str:
+def _inputs(inputs: "Mapping[str, float | str | Uncertain]", form: Format, start: str = "") -> str:
     """Return the inputs as understood, broken into lines between two of them."""
     width = columns()
     lines = [start]
     for name, value in inputs.items():
-        text = pretty(amount(name, value, form))
+        text = pretty(_amount(name, value, form))
         part = text if name == "material" else f"{NOMENCLATURE[name].symbol or name} = {text}"
         if lines[-1] and len(lines[-1]) + len(part) + 2 >= width:
             lines[-1] += ","

@@ -21,21 +21,24 @@ MAX_TABLE = 10_000  # rows of a table on a terminal
 def write_plain(answers: Iterable[Answer], out: TextIO, form: Format, shape: Layout) -> None:
     """Write a line `name value unit` for each result of one scene, or tab-separated rows of several scenes."""
     if shape.size > 1:
-        write_records(shape.headers(form), _rows(answers, shape.columns, form), "plain", out)
+        write_records(shape.headers(form), _rows(answers, shape, form), "plain", out)
         return
     answer = next(iter(answers))
     if "model" in answer.inputs:
         say(f"model {answer.inputs['model']}", out)
     for result in answer.results:
         if result.value is not None:
-            line = f"{result.name} {form.text(result.name, result.value)} {form.unit(result.name)}"
-            say(line.removesuffix(" 1"), out)
+            numbers = {result.name: result.value} | {
+                f"{result.name}_{side}": number for side, number in result.sides().items()
+            }
+            for name, number in numbers.items():
+                say(f"{name} {form.text(result.name, number)} {form.unit(result.name)}".removesuffix(" 1"), out)
 
 
 def write_bare(answers: Iterable[Answer], out: TextIO, form: Format, shape: Layout) -> None:
     """Write a line for each scene: the numbers of the quantities that the command is named after, tab-separated."""
-    for row in _rows(answers, shape.question.headline, form):
-        say("\t".join(cell or "-" for cell in row), out)
+    for answer in answers:
+        say("\t".join(_cell(answer, name, form) or "-" for name in shape.question.headline), out)
 
 
 def write_csv(answers: Iterable[Answer], out: TextIO, form: Format, shape: Layout) -> None:
@@ -43,7 +46,7 @@ def write_csv(answers: Iterable[Answer], out: TextIO, form: Format, shape: Layou
     if shape.size == 1:
         answers = list(answers)
         shape = layout(shape.question, answers, 1)
-    write_records(shape.headers(form), _rows(answers, shape.columns, form), "csv", out)
+    write_records(shape.headers(form), _rows(answers, shape, form), "csv", out)
 
 
 def write_json(answers: Iterable[Answer], out: TextIO, form: Format, shape: Layout) -> None:
@@ -72,11 +75,20 @@ def write_table(answers: Iterable[Answer], out: TextIO, form: Format, shape: Lay
 WRITERS = {"plain": write_plain, "bare": write_bare, "csv": write_csv, "json": write_json, "table": write_table}
 
 
-def _rows(answers: Iterable[Answer], names: Iterable[str], form: Format) -> Iterator[list[str | None]]:
-    """Iterate over the cells of each scene: inputs in SI units, results as the format has them."""
-    names = tuple(names)
+def _rows(answers: Iterable[Answer], shape: Layout, form: Format) -> Iterator[list[str | None]]:
+    """Iterate over the cells of each scene: inputs in SI units, results with their uncertainties as the format has them."""
+    columns = shape.columns
     for answer in answers:
-        yield [_cell(answer, name, form) for name in names]
+        if not shape.sides:
+            yield [_cell(answer, name, form) for name in columns]
+            continue
+        results = {result.name: result for result in answer.results}
+        row: list[str | None] = []
+        for name in columns:
+            sides = results[name].sides() if name in results else {}
+            row.append(_cell(answer, name, form))
+            row += [form.text(name, sides[side]) if side in sides else None for side in shape.sides.get(name, ())]
+        yield row
 
 
 def _cell(answer: Answer, name: str, form: Format) -> str | None:
@@ -93,12 +105,17 @@ def as_object(answer: Answer, form: Format) -> dict[str, Any]:
     laws = {"laws": as_objects(answer.laws)} if answer.laws else {}
     return {
         "inputs": dict(answer.inputs),
+        **({"uncertainties": _of_inputs(answer)} if answer.uncertain else {}),
         "results": [_result_object(result, form) for result in answer.results],
         **laws,
         "validity": [_verdict_object(verdict) for verdict in answer.validity],
         "notes": [note.text for note in answer.notes],
         "version": __version__,
     }
+
+
+def _of_inputs(answer: Answer) -> dict[str, Any]:
+    return {name: found.as_object() for name, found in answer.uncertain.items()}
 
 
 def _result_object(result: Result, form: Format) -> dict[str, Any]:
@@ -117,6 +134,12 @@ def _result_object(result: Result, form: Format) -> dict[str, Any]:
     for key in ("note",) if result.model else ("note", "definition", "reference"):
         if text := getattr(quantity, key):
             entry[key] = text
+    if result.propagated is not None:
+        sides = {side: float(form.text(result.name, number)) for side, number in result.sides().items()}
+        entry["uncertainty"] = {"kind": result.propagated.uncertainty.kind, **sides}
+        entry["shares"] = dict(result.propagated.shares)
+    if result.condition is not None:
+        entry["condition"] = result.condition
     if result.value is None:
         entry["reason"] = result.reason
     if result.error is not None:

@@ -19,6 +19,7 @@ from . import (
     maugis_energies,
     maugis_pull_off,
     maugis_states,
+    moment_models,
     pair,
     pressure,
     rolling,
@@ -38,7 +39,7 @@ def _formulas(*modules: Any) -> dict[str, Callable[..., Any]]:
 
 
 PAPER_FORMULAS: Mapping[str, Callable[..., Any]] = _formulas(
-    pair, contact, pressure, jkr, rolling, chain, vibration, collision, conventions, validity
+    pair, contact, pressure, jkr, rolling, moment_models, chain, vibration, collision, conventions, validity
 )
 LAW_FORMULAS: Mapping[str, Callable[..., Any]] = _formulas(
     adhesive_force, dmt, maugis, maugis_states, maugis_pull_off, maugis_energies

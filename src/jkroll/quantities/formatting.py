@@ -135,6 +135,11 @@ def uncertain_amount(name: str, found: "Uncertain", form: Format = AS_USUAL) -> 
     >>> [uncertain_amount("surface_energy", parse_uncertain(text, "surface_energy")) for text in texts]
     ['25.0 ± 5.0 mJ/m^2', '25.0 +6.0/-4.0 mJ/m^2', '20 to 30 mJ/m^2']
     """
+    return " ".join(part for part in uncertain_rounded(name, found, form) if part)
+
+
+def uncertain_rounded(name: str, found: "Uncertain", form: Format = AS_USUAL) -> tuple[str, str]:
+    """Return a value with its uncertainty, and the unit, both rounded and with a suitable prefix."""
     if name in form.units:
         unit, scale = form.units[name]
     else:
@@ -143,7 +148,7 @@ def uncertain_amount(name: str, found: "Uncertain", form: Format = AS_USUAL) -> 
         unit = prefix + ("" if si == "1" else si)
     if found.kind == "range":
         low, high = (f"{convert(end, scale):.{form.digits or DIGITS}g}" for end in (found.low, found.high))
-        return f"{low} to {high} {unit}".rstrip()
+        return f"{low} to {high}", unit
     value, minus, plus = (convert(number, scale) for number in (found.value, found.minus, found.plus))
     shift = 0 if 1e-3 <= abs(value) < 1e6 or value == 0 else floor(log10(abs(value)))
     value, minus, plus = (number * 10.0**-shift for number in (value, minus, plus))
@@ -151,7 +156,7 @@ def uncertain_amount(name: str, found: "Uncertain", form: Format = AS_USUAL) -> 
     middle, below, above = (f"{round(number, -place):.{max(-place, 0)}f}" for number in (value, minus, plus))
     is_symmetric = abs(minus - plus) <= 0.1 * max(minus, plus)
     text = f"{middle} ± {max(below, above, key=float)}" if is_symmetric else f"{middle} +{above}/-{below}"
-    return f"({text})e{shift} {unit}".rstrip() if shift else f"{text} {unit}".rstrip()
+    return (f"({text})e{shift}" if shift else text), unit
 
 
 def _second_digit(number: float) -> int:

@@ -5,38 +5,9 @@ Parsing, help, tables, CSV headers, JSON and error messages all read this table.
 
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import NamedTuple
 
-
-class Quantity(NamedTuple):
-    """The meaning of a name."""
-
-    symbol: str
-    unit: str  # SI; "1" for a number, "" for a text
-    sentence: str
-    equation: str = ""  # as the paper numbers it
-    range: str = ""  # a name in RANGES, of the values that a user may give
-    option: str = ""  # of the command line
-    example: str = ""  # a value as a user types it
-    note: str = ""  # the reason why it is shown beside another quantity
-    definition: str = ""  # of one among several conventions: the factor, in units that are common to them
-    reference: str = ""  # of a convention: the paper or code where it stands
-
-
-class Range(NamedTuple):
-    """An interval of values that a user may give, with the words for an error."""
-
-    low: float
-    high: float
-    low_allowed: bool
-    high_allowed: bool
-    words: str
-
-    def admits(self, value: float) -> bool:
-        """Return whether a number lies in the range; nan lies in none."""
-        above = value >= self.low if self.low_allowed else value > self.low
-        below = value <= self.high if self.high_allowed else value < self.high
-        return above and below
+from .law_names import BY_A_LAW, OF_MAUGIS
+from .quantity import Quantity, Range
 
 
 INFINITY = float("inf")
@@ -204,7 +175,7 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "displacement_limit": Quantity("ξ_max", "m", "largest meaningful displacement", "25"),
         "displacement_ratio": Quantity("ξ/ξ_max", "1", "displacement over its limit", "25"),
         "contact_radius_in_spacings": Quantity("a/z0", "1", "contact radius over the atomic spacing", "2"),
-        "profile_error": Quantity("Δh/h", "1", "error of the paraboloid at the edge of the contact", "4"),
+        "profile_error": Quantity("e_h", "1", "error of the paraboloid at the edge of the contact", "4"),
         "displacement_over_contact_radius": Quantity("ξ/a", "1", "displacement over the contact radius", "25"),
         "r_min_over_radius": Quantity("R_min/R1", "1", "smallest curvature radius over the radius", "28"),
         "yield_energy": Quantity("W_yield", "J", "energy to roll to the yield displacement", "25"),
@@ -242,21 +213,21 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
             "E_roll", "J", "energy to roll by the angle", note=_TRAILING, definition="4P_cξ θ = 12πγRξ θ", reference="work of the moment of Eq 26"
         ),
         "roll_energy_quarter_turn": Quantity(
-            "E_roll(90°)", "J", "energy to roll by 90°", note=_TRAILING,
+            "E_roll(π/2)", "J", "energy to roll by 90 degrees", note=_TRAILING,
             definition="4P_cξ π/2 = 6π²γRξ", reference="code Lumajord/DustSimulation",
         ),
         "roll_energy_half_turn": Quantity(
-            "E_roll(180°)", "J", "energy to roll by 180°", note=_TRAILING,
+            "E_roll(π)", "J", "energy to roll by 180 degrees", note=_TRAILING,
             definition="4P_cξ π = 12π²γRξ = 6π²γr0ξ (r0 = 2R)", reference="code StephaneMichoulier/Pamdeas",
         ),
         "sticking_energy_paszun_dominik": Quantity(
             "E_stick(1.07)", "J", "relative energy that sticks, for v_stick(1.07)",
-            definition="0.3290 P_cδ0 = 0.3986 F_cδ_c",
+            definition="0.3290 P_cδ0 = 0.3985 F_cδ_c",
             reference="Paszun & Dominik 2008, Eq 3, as cited in Lumajord/DustSimulation",
         ),
         "sticking_energy_pencil_code": Quantity(
             "E_stick(19.2)", "J", "relative energy that sticks",
-            definition="2·9.6 γ^(5/3)R^(4/3)/E*^(2/3) = 0.7978 F_cδ_c",
+            definition="2·9.6 γ^(5/3)R^(4/3)/E*^(2/3) = 0.7977 F_cδ_c",
             reference="code pencil-code/pencil-code",
         ),
         "sticking_speed": Quantity(
@@ -272,54 +243,16 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
             "v_stick(19.2)", "m/s", "largest relative speed that sticks",
             definition="√(2E_stick(19.2)/m)", reference="code pencil-code/pencil-code",
         ),
-        # Maugis' law
-        "transition_parameter": Quantity("λ", "1", "Maugis' parameter of the transition between JKR and DMT"),
-        "cohesive_stress": Quantity("σ0", "Pa", "largest stress with which two surfaces attract"),
-        "edge_ratio": Quantity("v", "1", "contact radius over the span of the ring of attraction", range="positive"),
-        "edge_ratio_at_load": Quantity("v", "1", "edge ratio at the load"),
-        "edge_ratio_at_approach": Quantity("v", "1", "edge ratio at the approach"),
-        "edge_ratio_at_pull_off": Quantity("v_c", "1", "edge ratio at pull-off"),
-        "edge_ratio_at_fold": Quantity("v_fold", "1", "edge ratio where fixed grips let go"),
-        "zone_span": Quantity("T", "m", "span of the ring of attraction"),
-        "zone_span_at_approach": Quantity("T", "m", "span of the ring of attraction at the approach"),
-        "zone_radius": Quantity("c", "m", "radius of the zone of attraction"),
-        "contact_displacement": Quantity("ξ_contact", "m", "displacement of the contact circle"),
-        "fold_approach_maugis": Quantity("δ_fold", "m", "least approach that fixed grips hold"),
-        "state_energy_maugis": Quantity("Φ", "J", "energy of the state"),
+        **OF_MAUGIS,
     }
 )  # fmt: skip
-
-# Formulas by which some law has a quantity; it is the same quantity, without an equation of the paper.
-_BY_A_LAW = {
-    "pull_off_force": ("pull_off_force_maugis",),
-    "contact_radius": ("unloaded_radius_maugis", "unloaded_radius_dmt"),
-    "approach": ("unloaded_approach_maugis", "unloaded_approach_dmt"),
-    "contact_radius_at_load": ("contact_radius_maugis", "contact_radius_dmt", "contact_radius_dmt_at_approach"),
-    "approach_at_load": ("approach_maugis", "approach_dmt"),
-    "load": ("load_maugis", "load_dmt"),
-    "stiffness": ("stiffness_maugis", "stiffness_dmt"),
-    "adhesive_force": ("adhesive_force_maugis", "adhesive_force_dmt"),
-    "well_energy": ("well_energy_maugis",),
-    "pull_off_work": ("pull_off_work_maugis",),
-    "pull_off_work_at_dead_load": ("pull_off_work_at_dead_load_maugis",),
-    "sticking_energy": ("sticking_energy_maugis",),
-    "hertz_pressure": ("hertz_pressure_of_radius",),
-    "yield_displacement": ("yield_displacement_at_hysteresis",),
-    "yield_moment": ("yield_moment_of_force",),
-    "unloaded_moment": ("unloaded_moment_of_radius",),
-    "rolling_stiffness": ("rolling_stiffness_of_force",),
-    "yield_force": ("yield_force_of_moment",),
-    "yield_force_ratio": ("yield_force_ratio_of_forces",),
-    "rolling_frequency_no_slip": ("rolling_frequency_no_slip_of_stiffness",),
-    "yield_energy": ("yield_energy_of_moment",),
-}
 
 NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
     {
         **_QUANTITIES,
         **{
             name: _QUANTITIES[quantity]._replace(equation="", range="", option="", example="", note="")
-            for quantity, names in _BY_A_LAW.items()
+            for quantity, names in BY_A_LAW.items()
             for name in names
         },
     }

@@ -5,10 +5,16 @@ to a double once.
 """
 
 import re
+from typing import TYPE_CHECKING, Any
 
 from .errors import BareNumber, QuantityError
 from .nomenclature import INFINITY, NOMENCLATURE, RANGES, word_for_infinity
 from .units import MAX_TEXT, BadUnit, Dimension, Unit, dimension_of, kind_of, normalized, parse_unit
+
+if TYPE_CHECKING:
+    from typing import TypeGuard
+
+    from .uncertain import Uncertain
 
 _NUMBER = re.compile(r"([+-]?)([0-9]*)(?:\.([0-9]*))?(?:[eE]([+-]?[0-9]+))?")
 _MARKS = ("±", "(", "+-", "+−", "/-", "/−", " to ")  # /- as in +/- and in +6/-4
@@ -70,6 +76,11 @@ def has_uncertainty(text: str) -> bool:
     (True, True, False, False)
     """
     return any(mark in text for mark in _MARKS)
+
+
+def is_uncertain(value: Any) -> "TypeGuard[Uncertain]":
+    """Return whether a value read from a text has an uncertainty, without an import of the types that have one."""
+    return isinstance(value, tuple)
 
 
 def about(name: str, text: str, error: BadUnit) -> QuantityError:

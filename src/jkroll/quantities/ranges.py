@@ -1,16 +1,22 @@
 """Lists and ranges of values in one text: "1nm,1um" and "1nm:1um:50"."""
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from .errors import BareNumber, QuantityError
 from .nomenclature import INFINITY
-from .parsing import parse_quantity
+from .parsing import has_uncertainty, parse_quantity
+
+if TYPE_CHECKING:
+    from .uncertain import Uncertain
 
 MAX_VALUES = 1_000_000_000
 
 
 class Spread:
-    """A range of values, or a single value."""
+    """A range of values, or a single value, which may be uncertain."""
+
+    uncertainty: "Uncertain | None" = None
 
     def __init__(self, low: float, high: float, size: int = 1, *, is_log: bool = False) -> None:
         """Take `size` values from `low` to `high`, in equal steps or in equal ratios."""
@@ -19,8 +25,8 @@ class Spread:
     def __len__(self) -> int:
         return self.size
 
-    def __iter__(self) -> Iterator[float]:
-        return map(self._value, range(self.size))
+    def __iter__(self) -> "Iterator[float | Uncertain]":
+        return iter([self.uncertainty]) if self.uncertainty is not None else map(self._value, range(self.size))
 
     def _value(self, place: int) -> float:
         """Return the value at a place, rounded to 15 digits: the values between 1e-9 and 1e-6 are then 1e-8 and 1e-7 themselves."""
@@ -50,14 +56,28 @@ def spreads_of(text: str, name: str) -> list[Spread]:
             if ":" in item:
                 spreads.append(_range(item, name))
             else:
-                value = parse_quantity(item, name)
-                spreads.append(Spread(value, value))
+                spreads.append(_single(item, name))
         except BareNumber:
             if len(items) > 1:
                 reason = "has a comma where a number has a point, or a number without a unit"
                 raise QuantityError(name, text, reason) from None
             raise
     return spreads
+
+
+def _single(text: str, name: str) -> Spread:
+    """Read a value, with its uncertainty if it states one."""
+    if not has_uncertainty(text):
+        value = parse_quantity(text, name)
+        return Spread(value, value)
+    from .uncertain import parse_uncertain
+
+    found = parse_uncertain(text, name)
+    if isinstance(found, float):
+        return Spread(found, found)
+    spread = Spread(found.value, found.value)
+    spread.uncertainty = found
+    return spread
 
 
 def _range(text: str, name: str) -> Spread:

@@ -83,7 +83,7 @@ def parse_uncertain(text: str, name: str) -> float | Uncertain:
         found = _read(normalized(text).replace("+/-", "±").replace("+-", "±"), dimension_of(NOMENCLATURE[name].unit))
     except BadUnit as error:
         raise about(name, text, error) from None
-    return parse_quantity(text, name) if found is None else _checked(found, name, text)
+    return parse_quantity(text, name) if found is None else checked(found, name, text)
 
 
 def measured(value: Any, name: str) -> float | Uncertain:
@@ -92,10 +92,10 @@ def measured(value: Any, name: str) -> float | Uncertain:
     The magnitude of a `pint.Measurement` is such a number.
     """
     uncertainty = float(value.std_dev)
-    return _checked(Measured(float(value.nominal_value), uncertainty, uncertainty), name, str(value))
+    return checked(Measured(float(value.nominal_value), uncertainty, uncertainty), name, str(value))
 
 
-def _checked(found: Uncertain, name: str, text: str) -> float | Uncertain:
+def checked(found: Uncertain, name: str, text: str) -> float | Uncertain:
     """Return a value with an uncertainty if the quantity can have it, and a value alone if the uncertainty is 0."""
     limits = RANGES.get(NOMENCLATURE[name].range)
     if limits is not None:

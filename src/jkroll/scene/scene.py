@@ -5,7 +5,8 @@ names in DEFAULTS have values if nothing else is said.
 """
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from typing import Any
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
 
 from ..errors import JkrollError
 from ..materials.library import Material
@@ -14,6 +15,9 @@ from .errors import Contradiction, MissingInput, NoFiniteValue, NotInLaw, TwoRig
 from .inputs import is_ordinary
 from .laws import DEFAULT_LAW, law_named
 from .wiring import NO_PLAN, STATE, Missing, Plan, Step, plan
+
+if TYPE_CHECKING:
+    from ..quantities.uncertain import Uncertain
 
 DEFAULTS = {
     "yield_displacement": 2e-10,
@@ -36,6 +40,7 @@ _MAY_CONTRADICT = frozenset(name for names in EXCLUSIVE for name in names)
 
 # What rests on a contact area, and has none where both bodies are rigid; everything else of JKR follows from these.
 _OF_JKR = ("contact_modulus", "pull_off_force", "load_factor", "rolling_frequency_as_printed")
+NO_UNCERTAINTY: Mapping[str, "Uncertain"] = MappingProxyType({})
 
 SMALLEST = 2.2250738585072014e-308  # of the doubles that have all their digits
 MAY_BE_ZERO = frozenset(
@@ -82,17 +87,19 @@ class Scene:
         material2: Material | None = None,
         *,
         model: str | None = None,
+        uncertain: Mapping[str, "Uncertain"] = NO_UNCERTAINTY,
     ) -> None:
         """Take SI values by name, over those of the materials of sphere 1 and, if it has one of its own, of sphere 2.
 
-        `model` is the law of attraction; None stands for the paper's, JKR.
+        `model` is the law of attraction; None stands for the paper's, JKR. `uncertain` has the uncertainties of those given
+        values that have one; `scene.uncertainty` computes with them.
         """
         self.stated_model = model
         self.law = law_named(model or DEFAULT_LAW)
         for names in () if _MAY_CONTRADICT.isdisjoint(given) else EXCLUSIVE:
             if len(both := [name for name in names if name in given]) > 1:
                 raise Contradiction(both)
-        self.material, self.material2 = material, material2
+        self.material, self.material2, self.uncertain = material, material2, uncertain
         own = dict(material.properties) if material is not None else {}
         own2 = {name + "2": value for name, value in material2.properties.items()} if material2 is not None else {}
         self.stated = dict(given)
@@ -107,12 +114,18 @@ class Scene:
         self._known = frozenset(self.values)
 
     def replace(self, **values: Any) -> "Scene":
-        """Return the scene in which some inputs have other values, of the same materials."""
+        """Return the scene in which some inputs have other values, of the same materials and without uncertainties."""
         return Scene({**self.stated, **values}, self.material, self.material2, model=self.stated_model)
 
     def under(self, model: str) -> "Scene":
-        """Return the scene under another law of attraction."""
+        """Return the scene under another law of attraction, without uncertainties."""
         return Scene(self.stated, self.material, self.material2, model=model)
+
+    @property
+    def is_uncertain(self) -> bool:
+        """Whether an input, or a property of a material, has an uncertainty."""
+        materials = (self.material, self.material2)
+        return bool(self.uncertain) or any(one.uncertainties for one in materials if one is not None)
 
     @property
     def is_identical(self) -> bool:

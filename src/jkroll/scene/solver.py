@@ -3,17 +3,21 @@
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import product
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ..errors import JkrollError
 from ..materials.library import Material, Materials, known_materials
 from ..quantities.errors import QuantityError, UnknownQuantity
 from ..quantities.nomenclature import NOMENCLATURE, canonical
-from ..quantities.parsing import parse_quantity
+from ..quantities.parsing import has_uncertainty, is_uncertain, parse_quantity
 from ..text import MAX_QUOTED
 from .errors import Contradiction, ShapeMismatch
 from .scene import Scene
 from .wiring import Plan
+
+if TYPE_CHECKING:
+    from ..quantities.uncertain import Uncertain
+    from .uncertainty import Propagated
 
 _ELASTIC = {"youngs_modulus", "youngs_modulus2", "poisson_ratio", "poisson_ratio2"}
 Place = tuple[slice, ...]  # of a block in an array
@@ -46,11 +50,12 @@ def solve(
     **given
         Inputs by name: a float, an array or a list in SI units, a text with a unit ("100 nm"), or a pint Quantity.
         Arrays broadcast. `radius2` may be infinite (a plane), and one Young's modulus too (a rigid body).
+        One value may be uncertain: `Measured`, `Interval`, "25±5 mJ/m2", "20 to 30 mJ/m2", or a pint Measurement.
 
     Returns
     -------
     The value of a single wanted name, or a dict of name to value. SI numbers: floats, arrays, or pint Quantities if
-    any input was one.
+    any input was one. If a given value is uncertain, so are the results: `Measured` or `Interval` in SI units.
 
     Raises
     ------
@@ -68,10 +73,13 @@ def solve(
     {'n_grav': 939.4}
     """
     names = _names(wanted)
-    described, registry = _in_si(given)
-    spheres = (_material("material", material, materials), _material("material2", material2, materials))
+    described, registry = in_si(given)
+    spheres = materials_of(material, material2, materials)
+    if any(map(is_uncertain, described.values())):
+        found = _uncertain_answers(uncertain_scene(described, spheres, model), names)
+        return found[names[0]] if isinstance(wanted, str) else found
     arrays = {name: value for name, value in described.items() if not isinstance(value, float)}
-    shape = _broadcast(arrays)
+    shape = broadcast(arrays)
     whole = Scene(described, *spheres, model=model)
     if math.prod(shape) <= BLOCK or (_ELASTIC & arrays.keys() and whole.has_rigid_elements):
         results = _answers(whole, names)
@@ -100,7 +108,14 @@ def _material(argument: str, material: str | Material | None, materials: Materia
     return (materials or known_materials())[material]
 
 
-def _broadcast(arrays: Mapping[str, Any]) -> tuple[int, ...]:
+def materials_of(
+    material: str | Material | None, material2: str | Material | None, materials: Materials | None
+) -> tuple[Material | None, Material | None]:
+    """Return the materials of the two spheres."""
+    return _material("material", material, materials), _material("material2", material2, materials)
+
+
+def broadcast(arrays: Mapping[str, Any]) -> tuple[int, ...]:
     """Return the shape of the arrays together; raise ShapeMismatch if they do not broadcast."""
     if not arrays:
         return ()
@@ -119,6 +134,33 @@ def _answers(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
         if isinstance(value, JkrollError):
             raise value
     return values
+
+
+def uncertain_scene(
+    described: Mapping[str, Any], spheres: tuple[Material | None, Material | None], model: str | None = None
+) -> Scene:
+    """Return a scene of which some values are uncertain; arrays have no uncertainty."""
+    uncertain = {name: value for name, value in described.items() if is_uncertain(value)}
+    numbers = {**described, **{name: found.value for name, found in uncertain.items()}}
+    for name, value in numbers.items():
+        if not isinstance(value, float):
+            raise QuantityError(name, "an array", "stands beside an uncertain value, which takes single values")
+    return Scene(numbers, *spheres, model=model, uncertain=uncertain)
+
+
+def _uncertain_answers(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
+    """Return the values of quantities with their uncertainties; floats where no uncertain input enters."""
+    from .uncertainty import uncertainties
+
+    found = uncertainties(scene, names)
+    return {name: with_uncertainty(value, found.get(name)) for name, value in _answers(scene, names).items()}
+
+
+def with_uncertainty(value: float, found: "Propagated | JkrollError | None") -> "float | Uncertain":
+    """Return a value with its uncertainty, if it has one; raise the reason why there is none."""
+    if isinstance(found, JkrollError):
+        raise found
+    return value if found is None else found.uncertainty
 
 
 def _in_blocks(names: Sequence[str], whole: Scene, shape: tuple[int, ...]) -> dict[str, Any]:
@@ -167,7 +209,7 @@ def _part(array: Any, place: Place) -> Any:
     return array[tuple(where if length > 1 else slice(1) for where, length in zip(own, array.shape, strict=True))]
 
 
-def _in_si(given: Mapping[str, Any]) -> tuple[dict[str, Any], Any]:
+def in_si(given: Mapping[str, Any]) -> tuple[dict[str, Any], Any]:
     """Return SI numbers for texts, lists and pint Quantities, and the registry of the latter if there were any."""
     values: dict[str, Any] = {}
     words: dict[str, str] = {}
@@ -188,9 +230,21 @@ def _in_si(given: Mapping[str, Any]) -> tuple[dict[str, Any], Any]:
 
 
 def _number(name: str, value: Any) -> Any:
-    """Return a float or an array of floats for a number, a text, or a sequence of either."""
+    """Return a float, an uncertain value or an array of floats for a number, a text, or a sequence of either."""
     if isinstance(value, str):
-        return parse_quantity(value, name)
+        if not has_uncertainty(value):
+            return parse_quantity(value, name)
+        from ..quantities.uncertain import parse_uncertain
+
+        return parse_uncertain(value, name)
+    if hasattr(value, "std_dev"):
+        from ..quantities.uncertain import measured
+
+        return measured(value, name)
+    if is_uncertain(value) and hasattr(value, "kind"):
+        from ..quantities.uncertain import checked
+
+        return checked(value, name, str(value.value))
     if isinstance(value, list | tuple):
         value = [_number(name, item) for item in value]
     return as_floats(name, value)

@@ -1,0 +1,58 @@
+"""The command `infer`: from a measured value back to an input."""
+
+import sys
+from collections.abc import Sequence
+from itertools import chain
+from typing import TYPE_CHECKING
+
+from ..answers.answer import in_units
+from ..answers.inferred import inferred
+from ..answers.questions import Question, quantity_named
+from ..errors import BadRequest
+from ..materials.places import materials_files
+from ..output.layout import layout
+from ..quantities.ranges import spreads_of
+from ..scene.inverse import SIZES, CannotInfer
+from .options import Values
+from .request import Request, format_of
+from .run import format_name, write_answers
+
+if TYPE_CHECKING:
+    from ..quantities.uncertain import Uncertain
+
+MAX_ANSWERS = 10_000  # which are kept until their columns are known
+
+
+def run_infer(words: Sequence[str], values: Values) -> int:
+    """Find an input for every scene and measured value; return the exit code."""
+    if not words:
+        raise BadRequest(f"infer needs an input: one of {', '.join(SIZES)}")
+    name = quantity_named(words[0])
+    if name not in SIZES:
+        raise CannotInfer(name)
+    quantity, measured = _measured(values.measured)
+    kind = format_name(values, sys.stdout)
+    form = format_of(values.to, values.digits, [name])
+    request = Request(words[1:], values.inputs, materials_files(values.materials))
+    count = request.count * len(measured)
+    if count > MAX_ANSWERS:
+        raise BadRequest(f"{count} values are more than infer finds in one call: {MAX_ANSWERS}")
+    answers = [
+        in_units(inferred(name, quantity, value, scene), form) for scene in request.scenes() for value in measured
+    ]
+    shape = layout(Question((name,), (name,)), answers, count)
+    return write_answers(answers, shape, kind, form, quiet=values.quiet)
+
+
+def _measured(text: str | None) -> "tuple[str, list[float | Uncertain]]":
+    """Read the measured quantity and its values."""
+    if text is None:
+        raise BadRequest("infer needs what was measured: --measured pull_off_force=300nN")
+    word, has_value, value = text.partition("=")
+    if not has_value:
+        raise BadRequest("--measured: write a quantity and its value, such as pull_off_force=300nN")
+    quantity = quantity_named(word)
+    spreads = spreads_of(value, quantity)
+    if sum(map(len, spreads)) > MAX_ANSWERS:
+        raise BadRequest(f"--measured: more than {MAX_ANSWERS} values")
+    return quantity, [*chain.from_iterable(spreads)]

@@ -1,0 +1,105 @@
+"""The Python face of the inverse problem."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from ..errors import NoResult
+from ..materials.library import Material, Materials
+from ..quantities.errors import QuantityError, UnknownQuantity
+from ..quantities.nomenclature import NOMENCLATURE, canonical
+from ..quantities.parsing import is_uncertain
+from .inverse import solution
+from .scene import Scene
+from .solver import broadcast, in_si, materials_of, uncertain_scene, with_uncertainty
+
+
+def infer(
+    wanted: str,
+    /,
+    *,
+    measured: Mapping[str, Any],
+    material: str | Material | None = None,
+    material2: str | Material | None = None,
+    materials: Materials | None = None,
+    **given: Any,
+) -> Any:
+    """Return the value of an input at which a quantity has its measured value.
+
+    Parameters
+    ----------
+    wanted
+        An input: surface_energy, work_of_adhesion, yield_displacement, youngs_modulus, radius or load, or the word of
+        its option.
+    measured
+        One quantity of the nomenclature with its value, which is a number, a list, a text and so on as for `solve`.
+    material, material2, materials, **given
+        The rest of the scene, as `solve` takes it. A value that a material has of the input is not used.
+
+    Returns
+    -------
+    A float in SI units; an array if a value was one; `Measured` or `Interval` if a given or measured value is uncertain.
+
+    Raises
+    ------
+    AlreadyGiven, CannotInfer, MissingInput, QuantityError, UnknownMaterial, UnknownQuantity
+        An input is wrong, or one is missing.
+    NoDependence, NoSolution, SeveralSolutions
+        No value gives the measured one, or several do. Arrays hold nan there instead.
+
+    >>> round(infer("gamma", measured={"pull_off_force": "300 nN"}, radius="2 um", radius2="plane"), 6)
+    0.015915
+    """
+    name = _named(wanted)
+    if len(measured) != 1:
+        raise QuantityError(
+            "measured",
+            str(dict(measured))[:80],
+            "is not one quantity and its value",
+            'write {"pull_off_force": "300 nN"}',
+        )
+    ((word, value),) = measured.items()
+    quantity = _named(word)
+    described, _ = in_si(given)
+    known, _ = in_si({quantity: value})
+    at = known[quantity]
+    spheres = materials_of(material, material2, materials)
+    if any(map(is_uncertain, (at, *described.values()))):
+        return _uncertain(name, quantity, at, uncertain_scene(described, spheres))
+    if all(isinstance(each, float) for each in (at, *described.values())):
+        return solution(name, quantity, at, Scene(described, *spheres)).value
+    return _each(name, quantity, at, described, spheres)
+
+
+def _named(word: str) -> str:
+    """Return the name of a quantity, given the name or the word of its option."""
+    name = canonical(word)
+    if name not in NOMENCLATURE:
+        raise UnknownQuantity(word)
+    return name
+
+
+def _uncertain(name: str, quantity: str, at: Any, scene: Scene) -> Any:
+    """Return an inferred value with its uncertainty."""
+    from .uncertainty import inferred_uncertainty
+
+    found = solution(name, quantity, at.value if is_uncertain(at) else at, scene)
+    uncertainty, _ = inferred_uncertainty(name, quantity, at, found, scene)
+    return with_uncertainty(found.value, uncertainty)
+
+
+def _each(name: str, quantity: str, at: Any, described: Mapping[str, Any], spheres: tuple[Any, Any]) -> Any:
+    """Return the inferred values for arrays, nan where there is none."""
+    import numpy
+
+    columns = {quantity: at, **described}
+    shape = broadcast({each: value for each, value in columns.items() if not isinstance(value, float)})
+    flat = [numpy.broadcast_to(value, shape).ravel().tolist() for value in columns.values()]
+    found = numpy.full(shape, numpy.nan)
+    for place, (one, *rest) in enumerate(zip(*flat, strict=True)):
+        try:
+            found.flat[place] = solution(
+                name, quantity, one, Scene(dict(zip(described, rest, strict=True)), *spheres)
+            ).value
+        except NoResult:
+            continue
+    return found

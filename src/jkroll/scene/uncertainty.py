@@ -1,0 +1,266 @@
+"""The uncertainty of results, from those of the inputs: standard uncertainties in quadrature, ranges by their extremes.
+
+Every source is moved over the whole of its uncertainty, and the quantities are computed anew there. No derivatives are taken, so
+that a result may respond differently to either side, or have a turning point inside a range.
+"""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cache
+from itertools import product
+from math import fsum, hypot
+from typing import Any, NamedTuple
+
+from ..errors import JkrollError, NoResult
+from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.uncertain import Interval, Measured, Uncertain
+from .inverse import Solution, solution
+from .scene import Scene
+
+MAX_RANGES = 8  # whose corners are computed, all together
+_ASYMMETRIC = 0.1  # relative difference of the two sides from which on they are given one by one
+_SAMPLES = 24  # parts of a range in which turning points are looked for
+_GOLDEN = 0.6180339887498949  # of an interval, the part that a step of the golden-section search keeps
+_SEARCHES = 45  # steps of it: they leave 4e-10 of an interval, and all digits of a value that is flat there
+_ROUNDS = 10  # of a search along one range after the other
+
+Evaluate = Callable[[Mapping[str, float]], Mapping[str, Any]]  # from changed inputs to the outcome of each quantity
+
+
+class MixedKinds(JkrollError):
+    """Error raised for a range and a standard uncertainty in one scene."""
+
+    def __init__(self, measured: str, interval: str) -> None:
+        super().__init__(measured, interval)
+        self.measured, self.interval = measured, interval
+
+    def __str__(self) -> str:
+        return f"{self.measured} has a standard uncertainty (±) and {self.interval} a range; give both of one kind"
+
+
+class TooManyRanges(JkrollError):
+    """Error raised for more ranges than can be combined."""
+
+    def __init__(self, count: int) -> None:
+        super().__init__(count)
+        self.count = count
+
+    def __str__(self) -> str:
+        return f"{self.count} ranges are more than {MAX_RANGES}; give some of these inputs one value"
+
+
+class Source(NamedTuple):
+    """A value with an uncertainty, and the inputs that have this value and move with it."""
+
+    names: tuple[str, ...]
+    given: Uncertain
+
+    def at(self, value: float) -> dict[str, float]:
+        """Return the inputs of this source at a value."""
+        return dict.fromkeys(self.names, value)
+
+
+class Propagated(NamedTuple):
+    """The uncertainty of a result, and the part that each source has in it."""
+
+    uncertainty: Uncertain
+    shares: Mapping[str, float]  # by the first input of a source; of the variance, or of the width of a range
+
+
+def sources(scene: Scene) -> list[Source]:
+    """Return the sources of uncertainty in a scene: stated inputs, and properties of its materials.
+
+    A value that sphere 2 takes over from sphere 1 moves with it; so do both values of a material that is named twice.
+    """
+    found = {(name, ""): Source((name,), given) for name, given in scene.uncertain.items()}
+    if "radius" in scene.uncertain and "radius2" not in scene.given:
+        found["radius", ""] = Source(("radius", "radius2"), scene.uncertain["radius"])
+    for material, suffix in ((scene.material, ""), (scene.material2, "2")):
+        if material is None:
+            continue
+        for name, given in material.uncertainties.items():
+            if name + suffix not in scene.stated:
+                before = found.get((name, material.path + material.name))
+                names = (*before.names, name + suffix) if before is not None else (name + suffix,)
+                found[name, material.path + material.name] = Source(names, given)
+    return list(found.values())
+
+
+def uncertainties(scene: Scene, names: Sequence[str]) -> dict[str, Propagated | JkrollError]:
+    """Return the uncertainties of quantities of a scene.
+
+    A quantity without a value, or one on which no source has an influence, is left out. An error is the reason why a
+    quantity has no value at one end of a source.
+    """
+    outcomes = scene.evaluate(names)
+    values = {name: value for name, value in outcomes.items() if not isinstance(value, JkrollError)}
+    used = scene.inputs_of(*values) if values else ()
+    effective = [source for source in sources(scene) if not set(used).isdisjoint(source.names)]
+
+    def evaluate(changed: Mapping[str, float]) -> Mapping[str, Any]:
+        return scene.replace(**changed).evaluate([*values])
+
+    return propagated(evaluate, values, effective)
+
+
+def inferred_uncertainty(
+    name: str, quantity: str, measured: float | Uncertain, found: Solution, scene: Scene
+) -> tuple[Propagated | JkrollError | None, list[Source]]:
+    """Return the uncertainty of an inferred input, and its sources: the measured value and the inputs of the scene."""
+    used = set(found.scene.inputs_of(quantity)) - {name, name + "2"}
+    effective = [source for source in sources(scene) if not used.isdisjoint(source.names)]
+    if not isinstance(measured, float):
+        effective.append(Source((quantity,), measured))
+
+    def evaluate(changed: Mapping[str, float]) -> Mapping[str, Any]:
+        at = changed.get(quantity, measured if isinstance(measured, float) else measured.value)
+        beside = scene.replace(**{each: value for each, value in changed.items() if each != quantity})
+        try:
+            return {name: solution(name, quantity, at, beside).value}
+        except NoResult as error:
+            return {name: error}
+
+    return propagated(evaluate, {name: found.value}, effective).get(name), effective
+
+
+def propagated(
+    evaluate: Evaluate, values: Mapping[str, float], effective: Sequence[Source]
+) -> dict[str, Propagated | JkrollError]:
+    """Return the uncertainties of values, given their sources and a function that computes them from changed inputs."""
+    if not effective:
+        return {}
+    kinds = {type(source.given): NOMENCLATURE[source.names[0]].symbol for source in effective}
+    if len(kinds) > 1:
+        raise MixedKinds(kinds[Measured], kinds[Interval])
+    combine = _in_quadrature if Measured in kinds else _over_ranges
+    return dict(combine(evaluate, values, effective))
+
+
+# --- Standard uncertainties -------------------------------------------------------------------------------------------
+
+
+def _in_quadrature(
+    evaluate: Evaluate, values: Mapping[str, float], effective: Sequence[Source]
+) -> Iterator[tuple[str, Propagated | JkrollError]]:
+    """Iterate over standard uncertainties: the changes at both ends of each source, each side added in quadrature."""
+    ends = [[evaluate(source.at(end)) for end in (source.given.low, source.given.high)] for source in effective]
+    for name, value in values.items():
+        outcomes = [[end[name] for end in pair] for pair in ends]
+        failures = [end for pair in outcomes for end in pair if isinstance(end, JkrollError)]
+        if failures:
+            yield name, failures[0]
+            continue
+        changes = [[end - value for end in pair] for pair in outcomes]
+        minus = hypot(*(min(0.0, *pair) for pair in changes))
+        plus = hypot(*(max(0.0, *pair) for pair in changes))
+        if abs(plus - minus) <= _ASYMMETRIC * max(plus, minus):
+            minus = plus = (minus + plus) / 2
+        variances = [fsum(change**2 for change in pair) for pair in changes]
+        if minus or plus:
+            yield name, Propagated(Measured(value, minus, plus), _shares(effective, variances))
+
+
+def _shares(effective: Sequence[Source], parts: Sequence[float]) -> dict[str, float]:
+    """Return the share of each source, the largest first; of those without influence none."""
+    whole = fsum(parts)
+    shares = {source.names[0]: part / whole for source, part in zip(effective, parts, strict=True) if part}
+    return dict(sorted(shares.items(), key=lambda share: -share[1]))
+
+
+# --- Ranges -----------------------------------------------------------------------------------------------------------
+
+Place = tuple[float, ...]  # a value of each range
+
+
+def _over_ranges(
+    evaluate: Evaluate, values: Mapping[str, float], effective: Sequence[Source]
+) -> Iterator[tuple[str, Propagated | JkrollError]]:
+    """Iterate over the least and the largest value of each quantity over all ranges together."""
+    if len(effective) > MAX_RANGES:
+        raise TooManyRanges(len(effective))
+
+    @cache
+    def outcomes(place: Place) -> Mapping[str, Any]:
+        changed: dict[str, float] = {}
+        for source, value in zip(effective, place, strict=True):
+            changed |= source.at(value)
+        return evaluate(changed)
+
+    for name, value in values.items():
+        try:
+            found = _range_of(_Surface(name, outcomes), value, effective)
+        except JkrollError as error:
+            yield name, error
+            continue
+        if found is not None:
+            yield name, found
+
+
+class _Surface:
+    """A quantity as a function of a place in all ranges."""
+
+    def __init__(self, name: str, outcomes: Callable[[Place], Mapping[str, Any]]) -> None:
+        self.name, self.outcomes = name, outcomes
+
+    def height(self, place: Place) -> float:
+        """Return the value at a place, or raise the reason why there is none."""
+        value = self.outcomes(place)[self.name]
+        if isinstance(value, JkrollError):
+            raise value
+        return float(value)
+
+
+def _range_of(surface: _Surface, value: float, effective: Sequence[Source]) -> Propagated | None:
+    """Return the range of a quantity; None if it is the same everywhere."""
+    limits = [(source.given.low, source.given.high) for source in effective]
+    corners = [*product(*limits)]
+    low = min(value, -_highest(lambda place: -surface.height(place), corners, limits))
+    high = max(value, _highest(surface.height, corners, limits))
+    if low == high:
+        return None
+    middle = tuple(source.given.value for source in effective)
+    widths = []
+    for axis, ends in enumerate(limits):
+        heights = [surface.height(_moved(middle, axis, sample)) for sample in _samples(*ends)]
+        widths.append(max(heights) - min(heights))
+    return Propagated(Interval(value, low, high), _shares(effective, widths))
+
+
+def _highest(
+    height: Callable[[Place], float], corners: Sequence[Place], limits: Sequence[tuple[float, float]]
+) -> float:
+    """Return the largest value over all ranges: that of a corner, or of a turning point beside it."""
+    place = max(corners, key=height)
+    for _ in range(_ROUNDS):
+        before = place
+        for axis, ends in enumerate(limits):
+            place = max(place, _peak(height, place, axis, ends), key=height)
+        if place == before:
+            break
+    return height(place)
+
+
+def _peak(height: Callable[[Place], float], place: Place, axis: int, ends: tuple[float, float]) -> Place:
+    """Return the place with the largest value along one range, by samples and a golden-section search beside the best one."""
+    samples = _samples(*ends)
+    best = max(range(len(samples)), key=lambda number: height(_moved(place, axis, samples[number])))
+    if best in (0, len(samples) - 1):
+        return _moved(place, axis, samples[best])
+    left, right = samples[best - 1], samples[best + 1]
+    for _ in range(_SEARCHES):
+        width = _GOLDEN * (right - left)
+        low, high = right - width, left + width
+        if height(_moved(place, axis, low)) > height(_moved(place, axis, high)):
+            right = high
+        else:
+            left = low
+    return _moved(place, axis, (left + right) / 2)
+
+
+def _samples(low: float, high: float) -> list[float]:
+    """Return equally spaced values from one end of a range to the other."""
+    return [low, *(low + (high - low) * number / _SAMPLES for number in range(1, _SAMPLES)), high]
+
+
+def _moved(place: Place, axis: int, value: float) -> Place:
+    """Return a place with another value of one range."""
+    return (*place[:axis], value, *place[axis + 1 :])

@@ -1,0 +1,218 @@
+"""Limits of the model: on which side of a threshold a number is in doubt, for what it is judged, and what is said."""
+
+import json
+from typing import Any
+
+import numpy as np
+import pytest
+
+from harness import Run
+from jkroll import NOMENCLATURE, solve
+from jkroll.answers.questions import QUESTIONS
+from jkroll.errors import NoResult
+from jkroll.scene.errors import TwoRigidBodies
+from jkroll.scene.limits import LIMITS, Doubt, Limit, doubts, judged
+from jkroll.scene.scene import Scene
+from jkroll.scene.wiring import depends_on
+from scenes import OTHER, QUARTZ
+
+
+def verdicts(*names: str, **given: Any) -> dict[str, str]:
+    """Return the code of each limit that is judged for these names."""
+    return {one.name: one.code for one in judged(Scene({**QUARTZ, **given}), names).verdicts}
+
+
+THRESHOLDS = [(limit, doubt) for limit in LIMITS for doubt in limit.doubts]
+
+
+@pytest.mark.parametrize(("limit", "doubt"), THRESHOLDS)
+def test_either_side_of_a_threshold(limit: Limit, doubt: Doubt) -> None:
+    below, above = (float(np.nextafter(doubt.threshold, end)) for end in (-np.inf, np.inf))
+    beyond, before = (below, above) if limit.sign.startswith("<") else (above, below)
+    verdict = limit.judge(beyond)
+    assert (verdict.holds, verdict.code) == (False, limit.code(doubt))
+    assert doubt.consequence in verdict.text
+    assert limit.judge(before).code != limit.code(doubt)
+    assert (limit.judge(doubt.threshold).code == limit.code(doubt)) == limit.sign.endswith("=")
+    expected = {below: below == beyond, doubt.threshold: limit.sign.endswith("="), above: above == beyond}
+    assert limit.is_beyond(np.array([*expected, np.nan]), doubt).tolist() == [*expected.values(), False]
+
+
+def test_every_limit_touches_what_a_command_shows() -> None:
+    shown = depends_on(QUESTIONS["report"].quantities)
+    for limit in LIMITS:
+        assert limit.name in NOMENCLATURE
+        assert limit.touches & shown
+        assert limit.touches | limit.stated <= NOMENCLATURE.keys()
+
+
+def test_codes_are_short_and_differ() -> None:
+    codes = [limit.code(doubt) for limit, doubt in THRESHOLDS]
+    assert len({*codes}) == len(codes)
+    assert {"μ<5", "μ<0.1", "a/z0<3", "e_h>0.01", "s<=0", "W0/U_stick>1"} <= {*codes}
+
+
+@pytest.mark.parametrize(
+    ("name", "given", "code"),
+    [
+        ("pull_off_force", {"youngs_modulus": 1e6}, "e_h>0.01"),
+        ("pull_off_force", {"radius": 5e-9}, "a/z0<3"),
+        ("n_grav", {"radius": 1e-3}, "N_grav<1"),
+        ("r_min", {"radius": 1e-10}, "R_min/R1<1"),
+        ("yield_angle", {"radius": 3e-10}, "δ_α>1"),
+        ("yield_moment", {"radius": 1e-9, "yield_displacement": 1e-9}, "ξ/a>1"),
+        ("yield_moment", {"radius": 3e-9}, "ξ/ξ_max>=1"),
+        ("yield_force", {"radius": 5e-10}, "Q/P_c>=1"),
+        ("n_roll", {"energy": 1e-21}, "W0/W_yield<=1"),
+        ("n_roll", {"speed": 50.0}, "W0/U_stick>1"),
+        ("n_roll", {"energy_ratio": 1.0}, "W0/U_stick>1"),
+        ("n_roll_after_impact", {"speed": 50.0}, "W0/U_stick>1"),
+        ("contact_radius_at_load", {"approach_at_load": -6e-11}, "s<=0"),
+    ],
+)
+def test_a_scene_in_doubt(name: str, given: dict[str, Any], code: str) -> None:
+    assert code in verdicts(name, **given).values()
+    assert doubts(Scene({**QUARTZ, **given}), [name])[code] is True
+
+
+def test_what_is_not_judged() -> None:
+    assert "energy_over_sticking" not in verdicts("n_roll")  # the energy is the paper's choice, not the user's
+    assert "load_margin" not in verdicts("yield_force")
+    assert "profile_error" not in verdicts("r_min")
+    large = 100 * solve("pull_off_force", **QUARTZ)
+    assert "s<=0" not in verdicts("yield_force", load=large).values()
+
+
+def test_a_load_of_exactly_the_pull_off_force_is_not_stable() -> None:
+    force = solve("pull_off_force", **QUARTZ)
+    assert verdicts("yield_force", load=-force)["load_margin"] == "s<=0"
+    assert verdicts("yield_force", load=-0.999 * force)["load_margin"] == ""
+
+
+def test_doubts_of_arrays_are_those_of_each_scene() -> None:
+    radii = np.geomspace(2e-10, 1e-2, 200)
+    names = ["yield_force", "n_grav", "r_min", "n_roll"]
+    found = doubts(Scene({**QUARTZ, "radius": radii, "speed": 0.1}), names)
+    for place, radius in enumerate(radii.tolist()):
+        here = {code for code in verdicts(*names, radius=radius, speed=0.1).values() if code}
+        assert {code for code, mask in found.items() if np.broadcast_to(mask, radii.shape)[place]} == here
+
+
+def test_the_paraboloid_is_off_by_what_the_next_term_gives() -> None:
+    """r²/2R + r⁴/8 (R1⁻³ + R2⁻³) against the sum of two circles, and 1 % at a = 0.2 R1."""
+    for radius2 in (1e-7, 4e-8, 1e-5):
+        scene = {**QUARTZ, "radius2": radius2, "youngs_modulus": 54e10}
+        error, a, reduced = solve(["profile_error", "contact_radius_at_load", "reduced_radius"], **scene).values()
+        depth = sum(radius - np.sqrt(np.longdouble(radius) ** 2 - a**2) for radius in (1e-7, radius2))
+        assert float(depth / (a**2 / (2 * reduced)) - 1) == pytest.approx(error, rel=0.02)
+
+
+# --- Two rigid bodies -------------------------------------------------------------------------------------------------
+
+RIGID: list[dict[str, Any]] = [
+    {"youngs_modulus": np.inf},
+    {"poisson_ratio": -1.0},
+    {**OTHER, "youngs_modulus": np.inf, "poisson_ratio2": -1.0},
+]
+
+
+@pytest.mark.parametrize("given", RIGID)
+def test_two_rigid_bodies_have_no_jkr_contact(given: dict[str, Any]) -> None:
+    scene = Scene({**QUARTZ, **given})
+    for name, value in scene.evaluate(QUESTIONS["report"].quantities).items():
+        if name in ("pull_off_force_dmt", "r_min", "yield_angle"):
+            assert value > 0
+        elif name not in ("load", "n_roll_after_impact", "yield_force_fixed_load"):
+            assert isinstance(value, TwoRigidBodies), name
+
+
+def test_one_rigid_body_or_an_unknown_modulus_is_no_reason() -> None:
+    assert solve("pull_off_force", radius=1e-7, surface_energy=0.025) > 0
+    assert solve("pull_off_force", **QUARTZ, youngs_modulus2=np.inf) > 0
+    assert solve("pull_off_force", radius=1e-7, surface_energy=0.025, youngs_modulus2=np.inf) > 0
+    assert solve("yield_moment", **{**QUARTZ, "youngs_modulus": np.inf}, contact_modulus=1e9) > 0
+
+
+@pytest.mark.parametrize("size", [3, 20_000])
+def test_elements_of_two_rigid_bodies_are_nan(size: int) -> None:
+    modulus = np.full(size, 54e9)
+    modulus[1] = np.inf
+    names = ["pull_off_force", "yield_force", "rolling_frequency", "stiffness"]
+    for name, values in solve(names, **{**QUARTZ, "youngs_modulus": modulus}).items():
+        assert np.flatnonzero(np.isnan(values)).tolist() == [1], name
+        assert values[0] == pytest.approx(solve(name, **QUARTZ), rel=1e-14)
+    with pytest.raises(NoResult):
+        solve("yield_force", **{**QUARTZ, "youngs_modulus": np.inf})
+
+
+# --- What is said -----------------------------------------------------------------------------------------------------
+
+
+def test_what_could_not_be_judged_is_said(run: Run) -> None:
+    ran = run("pull-off gold 100nm")
+    assert (
+        "note: not checked: μ, a/z0, e_h: needs Young's modulus and Poisson's ratio; gold has none in Table 1"
+        in ran.err
+    )
+    assert "z0 = " not in ran.err  # which nothing was judged by
+    assert "not checked" not in run("pull-off quartz 100nm").err
+
+
+def test_the_default_energy_is_said_to_be_beyond_sticking(run: Run) -> None:
+    words = "W0 = P_cδ0 is 1.29 U_stick, the largest energy that sticks"
+    assert words in run("n-roll quartz 100nm").err
+    assert words not in run("n-roll quartz 100nm --energy-ratio 1").err
+    assert "the spheres do not stick" in run("n-roll quartz 100nm --speed 50m/s").err
+
+
+def test_dmt_answers_where_both_bodies_are_rigid(run: Run) -> None:
+    ran = run("pull-off quartz 100nm --young rigid --json")
+    values = {one["name"]: one for one in json.loads(ran.out)["results"]}
+    assert ran.code == 0
+    assert values["pull_off_force"]["value"] is None
+    assert "both bodies are rigid" in values["pull_off_force"]["reason"]
+    assert values["pull_off_force_dmt"]["value"] > 0
+
+
+def test_three_cases_of_rolling_turns() -> None:
+    names = ["n_roll", "n_roll_after_impact", "n_roll_energy_balance"]
+    sliding, after_impact, rolling = solve(names, speed=0.1, **QUARTZ).values()
+    assert after_impact == pytest.approx(5 / 2 * sliding, rel=1e-14)
+    assert rolling == pytest.approx(7 / 2 * sliding, rel=1e-14)
+
+
+def test_turns_after_an_impact_follow_from_angular_momentum() -> None:
+    """The momentum about the contact, m v R, is kept: (I + mR²)ω = m v R; ⟨M⟩ then takes the energy ½(I + mR²)ω²."""
+    names = ["mass", "moment_of_inertia", "mean_rolling_moment", "n_roll_after_impact"]
+    mass, inertia, moment, turns = solve(names, speed=0.1, **QUARTZ).values()
+    total = inertia + mass * 1e-14
+    spin = mass * 0.1 * 1e-7 / total
+    assert turns == pytest.approx(total * spin**2 / 2 / (2 * np.pi * moment), rel=1e-12)
+
+
+def test_a_load_of_fixed_direction(run: Run) -> None:
+    """M/R1 − Pξ/R2, which is M/R1 on a plane; shown where a load or a state is given."""
+    names = ["yield_force", "yield_force_fixed_load"]
+    turning, fixed = solve(names, load=-1e-9, **QUARTZ).values()
+    assert fixed - turning == pytest.approx(1e-9 * 2e-10 / 1e-7, rel=1e-9)
+    turning, fixed = solve(names, load=-1e-9, radius2=np.inf, **QUARTZ).values()
+    assert fixed == pytest.approx(turning, rel=1e-14)
+    assert "yield_force_fixed_load" in run("yield-force quartz 100nm --load 1nN").out
+    assert "yield_force_fixed_load" not in run("yield-force quartz 100nm").out
+
+
+def test_a_chain_from_a_plane_yields_between_its_spheres(run: Run) -> None:
+    assert (
+        "the one between spheres 1 next to it yields before it, at 940.4"
+        in run("n-grav quartz 100nm --radius2 plane").err
+    )
+    assert "those between spheres 1 carry more" in run("n-grav quartz 100nm --radius2 1nm").err
+    of_pair = "--work-of-adhesion 50mJ/m2 --density 2g/cm3 --radius2 1um"
+    assert "between spheres 1" in run(f"n-grav 100nm {of_pair}").err
+
+
+def test_a_report_and_a_table_of_a_plane_end_alike(run: Run, tmp_path: Any) -> None:
+    path = tmp_path / "plane.csv"
+    path.write_text("material,radius,radius2\nquartz,100nm,plane\n")
+    assert run("report quartz 100nm --radius2 plane").code == 0
+    assert run("batch", str(path), "-o", str(tmp_path / "out.csv")).code == 0

@@ -1,0 +1,170 @@
+"""Uncertainties: against sampling, against power laws, at turning points, and what moves together."""
+
+import csv
+import io
+import json
+import math
+from collections.abc import Mapping
+from random import Random
+from typing import Any
+
+import pytest
+
+from harness import Run
+from jkroll import Interval, Material, Measured, infer, known_materials, solve
+from jkroll.quantities.uncertain import Uncertain
+from jkroll.scene.scene import Scene
+from jkroll.scene.uncertainty import MixedKinds, Propagated, TooManyRanges, uncertainties
+from scenes import QUARTZ
+
+
+def found(
+    name: str, given: Mapping[str, float], uncertain: Mapping[str, Uncertain], *materials: Material
+) -> Propagated:
+    """Return the uncertainty of a quantity."""
+    numbers = {**given, **{each: one.value for each, one in uncertain.items()}}
+    one = uncertainties(Scene(numbers, *materials, uncertain=uncertain), [name])[name]
+    assert isinstance(one, Propagated)
+    return one
+
+
+def relative(value: float, part: float) -> Measured:
+    """Return a value with a relative uncertainty."""
+    return Measured(value, part * value, part * value)
+
+
+@pytest.mark.parametrize(
+    ("name", "exponents"),
+    [
+        ("pull_off_force", {"radius": 1, "surface_energy": 1}),
+        ("contact_radius", {"radius": 2 / 3, "surface_energy": 1 / 3, "youngs_modulus": -1 / 3}),
+        ("approach", {"radius": 1 / 3, "surface_energy": 2 / 3, "youngs_modulus": -2 / 3}),
+        ("sticking_energy", {"radius": 4 / 3, "surface_energy": 5 / 3, "youngs_modulus": -2 / 3}),
+        ("rolling_frequency", {"radius": -3 / 2, "surface_energy": 1 / 2, "density": -1 / 2}),
+        ("yield_moment", {"radius": 1, "surface_energy": 1, "yield_displacement": 1}),
+    ],
+)
+def test_small_uncertainties_follow_the_power_law(name: str, exponents: dict[str, float]) -> None:
+    given = {**QUARTZ, "yield_displacement": 2e-10}
+    parts = {each: 1e-4 * (1 + place) for place, each in enumerate(given) if each != "poisson_ratio"}
+    one = found(name, given, {each: relative(given[each], part) for each, part in parts.items()})
+    squares = {each: (exponent * parts[each]) ** 2 for each, exponent in exponents.items()}
+    expected = math.sqrt(sum(squares.values())) * one.uncertainty.value
+    assert isinstance(one.uncertainty, Measured)
+    assert one.uncertainty.plus == one.uncertainty.minus == pytest.approx(expected, rel=1e-3)
+    for each, square in squares.items():
+        assert one.shares[each] == pytest.approx(square / sum(squares.values()), rel=1e-2)
+    assert sum(one.shares.values()) == pytest.approx(1, rel=1e-12)
+
+
+def test_sides_that_differ_are_given_one_by_one() -> None:
+    one = found("sticking_energy", QUARTZ, {"surface_energy": relative(0.025, 0.3)}).uncertainty
+    assert isinstance(one, Measured)
+    assert one.plus == pytest.approx((1.3 ** (5 / 3) - 1) * one.value, rel=1e-12)
+    assert one.minus == pytest.approx((1 - 0.7 ** (5 / 3)) * one.value, rel=1e-12)
+
+
+def test_quadrature_agrees_with_sampling() -> None:
+    random = Random(7)
+    uncertain = {"radius": relative(1e-7, 0.05), "surface_energy": relative(0.025, 0.08)}
+    one = found("well_energy", QUARTZ, uncertain).uncertainty
+    drawn = {name: [random.gauss(each.value, each.plus) for _ in range(40_000)] for name, each in uncertain.items()}
+    samples = sorted(solve("well_energy", **{**QUARTZ, **drawn}))
+    assert isinstance(one, Measured)
+    assert one.high == pytest.approx(samples[round(0.8413 * len(samples))], rel=0.01)
+    assert one.low == pytest.approx(samples[round(0.1587 * len(samples))], rel=0.01)
+
+
+@pytest.mark.parametrize(
+    ("name", "given", "ranges"),
+    [
+        ("rolling_frequency", QUARTZ, {"radius2": Interval(2.2e-7, 1.2e-7, 3.2e-7)}),  # Eq (40) against R2
+        ("rolling_frequency", QUARTZ, {"radius2": Interval(1.5e-7, 1e-7, 4e-7), "density": Interval(2e3, 1e3, 3e3)}),
+        ("approach_at_load", {**QUARTZ, "load": 5e-8}, {"radius": Interval(5e-7, 1e-7, 2e-6)}),
+        ("contact_modulus", QUARTZ, {"poisson_ratio": Interval(0.05, -0.2, 0.3)}),
+    ],
+)
+def test_turning_points_inside_a_range_count(name: str, given: dict[str, float], ranges: dict[str, Interval]) -> None:
+    one = found(name, given, ranges).uncertainty
+    assert isinstance(one, Interval)
+    random = Random(3)
+    drawn = {each: [random.uniform(span.low, span.high) for _ in range(20_000)] for each, span in ranges.items()}
+    scene: dict[str, Any] = {**given, **drawn}
+    values = solve(name, **scene)
+    assert one.low <= min(values) <= max(values) <= one.high
+    assert one.low == pytest.approx(min(values), rel=0.02)
+    assert one.high == pytest.approx(max(values), rel=0.02)
+
+
+def test_a_turning_point_is_met_exactly() -> None:
+    one = found("contact_modulus", QUARTZ, {"poisson_ratio": Interval(0.05, -0.2, 0.3)}).uncertainty
+    assert one.low == pytest.approx(solve("contact_modulus", **{**QUARTZ, "poisson_ratio": 0.0}), rel=1e-15)
+
+
+def test_what_is_copied_moves_together() -> None:
+    surface = {"surface_energy": relative(0.025, 0.1)}
+    assert found("pull_off_force", QUARTZ, surface).uncertainty.high == pytest.approx(1.1 * 1.1780972450961723e-08)
+    both = {**surface, "surface_energy2": relative(0.025, 0.1)}
+    one = found("pull_off_force", {**QUARTZ, "surface_energy2": 0.025}, both).uncertainty
+    assert isinstance(one, Measured)
+    assert one.plus / one.value == pytest.approx(0.1 / math.sqrt(2), rel=0.01)
+
+
+def test_a_material_named_twice_moves_together() -> None:
+    material = known_materials()["quartz"]._replace(uncertainties={"surface_energy": relative(0.025, 0.1)})
+    once = found("pull_off_force", {"radius": 1e-7}, {}, material)
+    twice = found("pull_off_force", {"radius": 1e-7}, {}, material, material)
+    assert once.uncertainty.high == pytest.approx(twice.uncertainty.high, rel=1e-15)
+    apart = found("pull_off_force", {"radius": 1e-7}, {}, material, material._replace(name="another"))
+    assert apart.uncertainty.high < once.uncertainty.high
+    stated = Scene({"radius": 1e-7, "surface_energy": 0.03}, material)
+    assert uncertainties(stated, ["pull_off_force"]) == {}
+
+
+def test_what_cannot_be_combined_is_refused() -> None:
+    mixed: dict[str, Uncertain] = {"radius": Interval(1e-7, 5e-8, 2e-7), "surface_energy": relative(0.025, 0.1)}
+    with pytest.raises(MixedKinds, match=r"γ1 has a standard uncertainty .±. and R1 a range; give both of one kind"):
+        found("pull_off_force", QUARTZ, mixed)
+    more = {"radius2": 1e-7, "youngs_modulus2": 1e10, "surface_energy2": 0.02, "density2": 1e3, "load": 1e-9}
+    many = {name: Interval(value, 0.9 * value, 1.1 * value) for name, value in {**QUARTZ, **more}.items()}
+    with pytest.raises(TooManyRanges):
+        found("vertical_frequency", {**QUARTZ, **more}, many)
+
+
+def test_a_quantity_without_a_value_at_an_end_says_so(run: Run) -> None:
+    answer = json.loads(run("contact", "quartz", "100nm", "--load", "-10±2nN", "--json").out)
+    results = {result["name"]: result for result in answer["results"]}
+    assert "uncertainty" not in results["stiffness"]
+    assert any("dP/dδ" in note and "no uncertainty" in note and "pull-off" in note for note in answer["notes"])
+
+
+def test_every_format_has_the_uncertainty(run: Run) -> None:
+    words = ["pull-off", "quartz", "100nm", "--gamma", "25±5mJ/m2", "--quiet"]
+    answer = json.loads(run(*words, "--json").out)
+    result = answer["results"][0]
+    assert result["uncertainty"] == {"kind": "standard", "minus": 2.356194490192344e-09, "plus": 2.356194490192344e-09}
+    assert answer["uncertainties"] == {"surface_energy": {"kind": "standard", "minus": 0.005, "plus": 0.005}}
+    (row,) = csv.DictReader(io.StringIO(run(*words, "--csv").out))
+    assert row["pull_off_force_plus [N]"] == row["pull_off_force_minus [N]"] == "2.356194490192344e-09"
+    assert run(*words, "--bare").out == "1.1780972450961723e-08\n"
+    table = run(*words, terminal=True).out
+    assert "11.8 ± 2.4   nN" in table
+    assert "γ1 = 25.0 ± 5.0 mJ/m²" in table
+    assert "  shares    γ1 100%\n" in run(*words, "--explain").out
+    rows = [*csv.DictReader(io.StringIO(run("pull-off", "quartz", "100nm,100±5nm", "--csv").out))]
+    assert [row["pull_off_force_plus [N]"] for row in rows] == ["", "5.890486225480867e-10"]
+    spans = run("pull-off", "quartz", "80 to 120 nm", "--quiet", "--to", "nN", "--digits", "3").out.splitlines()[:3]
+    assert spans == ["pull_off_force 11.8 nN", "pull_off_force_low 9.42 nN", "pull_off_force_high 14.1 nN"]
+
+
+def test_the_face_of_python() -> None:
+    assert isinstance(solve("pull_off_force", material="quartz", radius=Measured(1e-7, 5e-9, 5e-9)), Measured)
+    spans = solve(["r_min", "n_grav"], material="quartz", radius="80 to 120 nm", yield_displacement=2e-10)
+    assert spans["r_min"].high == pytest.approx(1.2e-7**2 / 2e-10)
+    assert isinstance(infer("xi", measured={"r_min": "50±5 um"}, radius=1e-7), Measured)
+
+
+def test_a_long_list_takes_no_uncertainty(run: Run) -> None:
+    ran = run("pull-off", "quartz", "100±5nm", "-o", "out.csv")
+    expected = "jkroll: -o and long lists take values without uncertainties, and radius has one\n"
+    assert (ran.code, ran.err) == (2, expected)

@@ -1,0 +1,177 @@
+"""What `jkroll export lammps` prints, run by LAMMPS; and its two laws at the ends of Maugis' theory."""
+
+import math
+from typing import Any
+
+import pytest
+
+import jkroll
+from harness import Run
+from jkroll.physics import dugdale
+from third_party import Body, Spheres, bisect, both, frequency, import_lammps
+
+pytestmark = pytest.mark.slow
+
+QUARTZ: Body = {"surface_energy": 0.025, "youngs_modulus": 5.4e10, "poisson_ratio": 0.17, "density": 2600.0}
+IRON: Body = {"surface_energy": 3.0, "youngs_modulus": 2.1e11, "poisson_ratio": 0.27, "density": 7700.0}
+GRAIN: Body = {**QUARTZ, "radius": 1e-6}
+PAIRS = {
+    "quartz 1um": (GRAIN, GRAIN),
+    "quartz 1um --radius2 3um": (GRAIN, {**GRAIN, "radius": 3e-6}),
+    "quartz 1um --radius2 3um --material2 iron": (GRAIN, {**IRON, "radius": 3e-6}),
+}
+
+lammps = pytest.fixture(import_lammps, scope="module", name="lammps")
+
+
+def exported(run: Run, lammps: Any, pair: str, *options: str) -> Spheres:
+    """Return the spheres of a pair with the contact that the command prints."""
+    ran = run(*f"export lammps {pair}".split(), *options)
+    assert ran.code == 0
+    assert ran.out.isascii()
+    sphere, sphere2 = PAIRS[pair]
+    if sphere is sphere2:
+        ran = ran._replace(out=ran.out.replace("pair_coeff 1 1", "pair_coeff * *"))
+    return Spheres(lammps, sphere, sphere2, contact=ran.out.splitlines())
+
+
+def load_of(ratio: float, pair: str) -> float:
+    """Return a load in pull-off forces of a pair."""
+    return ratio * float(jkroll.solve("pull_off_force", **both(*PAIRS[pair])))
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_jkr_pull_off(run: Run, lammps: Any, pair: str) -> None:
+    spheres = exported(run, lammps, pair)
+    pull_off, approach = jkroll.solve(("pull_off_force", "approach"), **both(*PAIRS[pair])).values()
+    letting_go = bisect(lambda at: spheres.force(at) == 0, -approach, 0.0)
+    assert math.isclose(-spheres.force(letting_go), pull_off, rel_tol=1e-6)
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_dmt_force(run: Run, lammps: Any, pair: str) -> None:
+    spheres = exported(run, lammps, pair, "--model", "dmt")
+    names = ("pull_off_force_dmt", "contact_modulus", "reduced_radius", "approach")
+    pull_off, modulus, radius, approach = jkroll.solve(names, **both(*PAIRS[pair])).values()
+    for delta in (1e-9 * approach, approach, 10 * approach):
+        expected = 4 / 3 * modulus * math.sqrt(radius * delta**3) - pull_off
+        assert math.isclose(spheres.force(delta), expected, rel_tol=1e-9)
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_vertical_frequency(run: Run, lammps: Any, pair: str) -> None:
+    spheres = exported(run, lammps, pair)
+    approach, expected = jkroll.solve(("approach", "vertical_frequency"), **both(*PAIRS[pair])).values()
+    spheres.force(1.001 * approach)
+    spheres.release(1 / expected / 2000)
+    samples = []
+    for _ in range(200):
+        samples.append(spheres.distance() - spheres.radius - spheres.radius2 + approach)
+        spheres.run(100)
+    assert math.isclose(frequency(samples, 0.05 / expected), expected, rel_tol=1e-5)
+
+
+@pytest.mark.parametrize("ratio", [0.0, 1.0, -0.5])
+def test_rolling_frequency(run: Run, lammps: Any, ratio: float) -> None:
+    """Identical spheres that turn against each other do not slide."""
+    load = load_of(ratio, "quartz 1um")
+    spheres = exported(run, lammps, "quartz 1um", f"--load={load}N")
+    approach, expected = jkroll.solve(("approach_at_load", "rolling_frequency"), load=load, **GRAIN).values()
+    spheres.force(approach)
+    spheres.omega[:2, 1] = [1e-6 * expected, -1e-6 * expected]
+    spheres.code.command("fix pressing all setforce NULL NULL 0")
+    spheres.release(1 / expected / 2000)
+    samples = []
+    for _ in range(80):
+        samples.append(spheres.spin())
+        spheres.run(100)
+    assert math.isclose(frequency(samples, 0.05 / expected), expected, rel_tol=1e-5)
+
+
+@pytest.mark.parametrize("model", ["jkr", "dmt"])
+@pytest.mark.parametrize("ratio", [0.0, 1.0, -0.5])
+@pytest.mark.parametrize("pair", PAIRS)
+def test_rolling_moment(run: Run, lammps: Any, pair: str, ratio: float, model: str) -> None:
+    """Sphere 1 turns by an angle over body 2: the moment is linear in ξ, up to that of the yield displacement.
+
+    The spins make the two surfaces move alike, so that nothing slides.
+    """
+    scene, load = both(*PAIRS[pair]), load_of(ratio, pair)
+    names = ("approach_at_load", "yield_moment", "pull_off_force_dmt", "reduced_radius", "contact_modulus")
+    approach, moment, dmt, radius, modulus = jkroll.solve(names, load=load, **scene).values()
+    if model == "dmt":
+        approach, moment = ((load + dmt) * 0.75 / modulus / math.sqrt(radius)) ** (2 / 3), dmt * 2e-10
+    spheres = exported(run, lammps, pair, f"--load={load}N", "--model", model)
+    steps, step = 100, 1e-12
+    shift = 2e-10 / steps  # of the contact in a step
+    spheres.force(approach)
+    spheres.code.command(f"timestep {step}")
+    spheres.omega[0, 1] = shift / step / spheres.radius
+    spheres.omega[1, 1] = -shift / step / spheres.radius2
+    before = abs(spheres.torque[0, 1])
+    measured: list[float] = []
+    for count in (steps // 2, steps // 2, steps):
+        spheres.run(count)
+        measured.append(abs(spheres.torque[0, 1]))
+    half, full, beyond = measured
+    assert before < 1e-9 * moment
+    assert math.isclose(half, moment / 2, rel_tol=0.03)  # a step more or less
+    assert math.isclose(full, moment, rel_tol=0.03)
+    assert math.isclose(beyond, moment, rel_tol=1e-6)
+
+
+def test_time_step_is_a_twentieth_of_the_fastest_mode(run: Run, lammps: Any) -> None:
+    """Two spheres that slide against each other, and turn alike: R is δ0/2 shorter in LAMMPS."""
+    pair = "quartz 1um"
+    printed = run(*f"export lammps {pair}".split()).out
+    step = float(next(line for line in printed.splitlines() if line.startswith("timestep")).split()[1])
+    spheres = exported(run, lammps, pair)
+    approach = jkroll.solve("approach", **GRAIN)
+    spheres.force(approach)
+    speed = 1e-5 * approach / step
+    spheres.v[:2, 0] = [speed, -speed]
+    spheres.omega[:2, 1] = -2.5 * speed / spheres.radius
+    spheres.release(step / 10)
+    samples = []
+    for _ in range(200):
+        samples.append(float(spheres.v[0, 0] - spheres.v[1, 0]))
+        spheres.run(20)
+    assert math.isclose(frequency(samples, 2 * step), 1 / (20 * step), rel_tol=1e-3)
+
+
+def test_the_time_step_keeps_the_energy(run: Run, lammps: Any) -> None:
+    """A vibration of sliding at the printed time step neither grows nor decays."""
+    spheres = exported(run, lammps, "quartz 1um")
+    step = jkroll.solve("time_step", **GRAIN)
+    approach = jkroll.solve("approach", **GRAIN)
+    spheres.force(approach)
+    speed = 1e-5 * approach / step
+    spheres.v[:2, 0] = [speed, -speed]
+    spheres.release(step)
+    largest = 0.0
+    for _ in range(2000):
+        spheres.run(1)
+        largest = max(largest, abs(float(spheres.v[0, 0])))
+    assert largest < 1.01 * speed
+
+
+# --- LAMMPS at both ends of Maugis -------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("model", "transition", "tolerance"), [("jkr", 300.0, 1e-5), ("dmt", 1e-6, 2e-3)])
+def test_laws_of_lammps_are_the_ends_of_maugis(
+    run: Run, lammps: Any, model: str, transition: float, tolerance: float
+) -> None:
+    """The pull-off force, and the approach without load, where DMT is met with the square root of λ."""
+    spheres = exported(run, lammps, "quartz 1um", "--model", model)
+    names = ("work_of_adhesion", "reduced_radius", "contact_modulus", "approach")
+    work, radius, modulus, approach = jkroll.solve(names, **GRAIN).values()
+    at = dugdale.shape(dugdale.pull_off_ratio(transition))
+    pull_off = -math.pi * work * radius * dugdale.load(transition, at, dugdale.span(transition, at))
+    at = dugdale.shape(dugdale.ratio_at_load(transition, 0.0))
+    unit = dugdale.length_unit(work, radius, modulus)
+    unloaded = dugdale.approach(transition, at, dugdale.span(transition, at)) * unit * unit / radius
+    letting_go = bisect(lambda at: spheres.force(at) == 0, -approach, 0.0) if model == "jkr" else 1e-9 * approach
+    equilibrium = bisect(lambda at: spheres.force(at) < 0, 0.0, 3 * approach)
+    assert math.isclose(-spheres.force(letting_go), pull_off, rel_tol=tolerance)
+    assert math.isclose(equilibrium, unloaded, rel_tol=tolerance)
