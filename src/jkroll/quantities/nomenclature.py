@@ -5,38 +5,9 @@ Parsing, help, tables, CSV headers, JSON and error messages all read this table.
 
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import NamedTuple
 
-
-class Quantity(NamedTuple):
-    """The meaning of a name."""
-
-    symbol: str
-    unit: str  # SI; "1" for a number, "" for a text
-    sentence: str
-    equation: str = ""  # as the paper numbers it
-    range: str = ""  # a name in RANGES, of the values that a user may give
-    option: str = ""  # of the command line
-    example: str = ""  # a value as a user types it
-    note: str = ""  # the reason why it is shown beside another quantity
-    definition: str = ""  # of one among several conventions: the factor, in units that are common to them
-    reference: str = ""  # of a convention: the paper or code where it stands
-
-
-class Range(NamedTuple):
-    """An interval of values that a user may give, with the words for an error."""
-
-    low: float
-    high: float
-    low_allowed: bool
-    high_allowed: bool
-    words: str
-
-    def admits(self, value: float) -> bool:
-        """Return whether a number lies in the range; nan lies in none."""
-        above = value >= self.low if self.low_allowed else value > self.low
-        below = value <= self.high if self.high_allowed else value < self.high
-        return above and below
+from .law_names import BY_A_LAW, OF_MAUGIS
+from .quantity import Quantity, Range
 
 
 INFINITY = float("inf")
@@ -94,10 +65,11 @@ _TRAILING = (
     "takes the moment 4P_cξ of a contact that trails at ξ all the time; n_roll takes the mean moment, half of it"
 )
 
-NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
+_QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
     {
         # what the user gives
         "material": Quantity("", "", "material of sphere 1"),
+        "model": Quantity("model", "", "law of attraction: jkr, maugis or dmt", option="--model", example="maugis"),
         "state": Quantity("state", "", "state of the contact on its force curve"),
         "material2": Quantity("", "", "material of sphere 2", option="--material2", example="iron"),
         **_BOTH_SPHERES,
@@ -127,6 +99,10 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         ),
         "contact_radius": Quantity("a0", "m", "contact radius without load", "2", range="positive"),
         "approach": Quantity("δ0", "m", "approach of the centres without load", "3", range="positive"),
+        "pull_off_force_lennard_jones": Quantity(
+            "P_LJ", "N", "pull-off force by the 3-9 law of Lennard-Jones", "",
+            note="a fit to numerical solutions, within 0.3 % for 0.01 ≤ μ ≤ 2; beyond, it tends to DMT and JKR",
+        ),
         "load_margin": Quantity("s", "1", "√(1 + P/P_c)", "5"),
         "load_factor": Quantity("x", "1", "â^(3/2), by which the load scales the rolling moment", "5", range="positive"),
         "contact_radius_at_load": Quantity("a", "m", "contact radius at the load", "5"),
@@ -173,6 +149,13 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         # chains
         "r_min": Quantity("R_min", "m", "smallest curvature radius of a chain", "28"),
         "n_grav": Quantity("N_grav", "1", "spheres that the first contact carries", "30"),
+        "adhesion_hysteresis": Quantity(
+            "Δw", "J/m^2", "work of adhesion as it opens less that as it closes", range="positive",
+            option="--adhesion-hysteresis", example="5mJ/m2"
+        ),
+        "adhesive_force": Quantity("F_a", "N", "Hertz' load at the contact radius less the load", "25"),
+        "hysteresis_moment": Quantity("M_Δw", "N m", "moment that adhesion hysteresis supplies"),
+        "hysteresis_ratio": Quantity("M/2cRw", "1", "moment over the largest that adhesion hysteresis supplies"),
         # vibrations
         "vertical_frequency": Quantity("f_z", "Hz", "frequency of the vertical vibration", "35"),
         "rolling_frequency": Quantity("f_roll", "Hz", "frequency of the rolling vibration", "40"),
@@ -260,8 +243,20 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
             "v_stick(19.2)", "m/s", "largest relative speed that sticks",
             definition="√(2E_stick(19.2)/m)", reference="code pencil-code/pencil-code",
         ),
+        **OF_MAUGIS,
     }
 )  # fmt: skip
+
+NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
+    {
+        **_QUANTITIES,
+        **{
+            name: _QUANTITIES[quantity]._replace(equation="", range="", option="", example="", note="")
+            for quantity, names in BY_A_LAW.items()
+            for name in names
+        },
+    }
+)
 
 
 # The names of inputs by the words of their options.
