@@ -1,5 +1,6 @@
 """The inverse problem: a value put in comes back, every solution is found, and what has none is refused."""
 
+import json
 import math
 from random import Random
 from typing import Any
@@ -132,6 +133,23 @@ def test_an_uncertain_measurement_gives_an_uncertain_answer() -> None:
     assert (span.low, span.high) == pytest.approx((found.value * 14 / 15 / 1.05, found.value * 16 / 15 / 0.95))
 
 
+def test_the_laws_of_attraction_stand_beside_each_other(run: Run) -> None:
+    ran = run("infer", "gamma", "quartz", "100nm", "--measured", "pull_off_force=15.00375nN", "--json")
+    (result,) = json.loads(ran.out)["results"]
+    assert result["value"] == pytest.approx(31.84e-3, abs=5e-6)
+    assert result["by_law"] == pytest.approx({"maugis": 25.00e-3, "dmt": 23.88e-3}, abs=5e-6)
+    for law, gamma in result["by_law"].items():
+        measured = solve("pull_off_force", material="quartz", radius=1e-7, surface_energy=gamma, model=law)
+        assert measured == pytest.approx(15.00375e-9, rel=1e-13)
+        assert infer("gamma", measured={"pull_off_force": measured}, material="quartz", radius=1e-7, model=law) == (
+            pytest.approx(gamma, rel=1e-13)
+        )
+    hysteresis = infer("adhesion-hysteresis", measured={"yield_force": "0.85 nN"}, material="quartz", radius=1e-6)
+    assert solve("yield_force", material="quartz", radius=1e-6, adhesion_hysteresis=hysteresis) == pytest.approx(
+        8.5e-10
+    )
+
+
 def test_the_command(run: Run) -> None:
     words = ["infer", "gamma", "quartz", "2um", "--radius2", "plane", "--measured"]
     ran = run(*words, "pull-off-force=300±20 nN", "--to", "mJ/m2", "--digits", "4")
@@ -140,7 +158,7 @@ def test_the_command(run: Run) -> None:
         "surface_energy 15.92 mJ/m2\nsurface_energy_minus 1.061 mJ/m2\nsurface_energy_plus 1.061 mJ/m2\n",
     )
     assert "note: γ of quartz is not used\n" in ran.err
-    assert "gives P_c = 3e-07 N; κ = |d ln γ1/d ln P_c| = 1\n" in ran.err
+    assert "gives P_c = 3e-07 N; κ = |d ln γ1/d ln P_c| = 1; 13.3793 mJ/m^2 under Maugis–Dugdale" in ran.err
     table = run(*words, "pull_off_force=300nN,3N", "--csv")
     assert table.out.splitlines() == [
         "material,radius [m],radius2 [m],pull_off_force [N],surface_energy [J/m^2]",

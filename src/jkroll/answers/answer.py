@@ -1,11 +1,12 @@
 """The answer of a command for one scene: its results, the inputs as understood, limits and notes."""
 
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Mapping
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 from ..errors import JkrollError, NoResult
 from ..physics.jkr import STICKING
-from ..quantities.formatting import Format, amount, in_words
+from ..quantities.formatting import Format, amount, in_words, uncertain_amount
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..scene.errors import BeyondFold, BeyondPullOff, MissingInput
 from ..scene.laws import DEFAULT_LAW
@@ -31,7 +32,7 @@ from .questions import Question
 MOST_NAMES = 3  # of quantities in a note
 if TYPE_CHECKING:
     from ..quantities.uncertain import Uncertain
-    from ..scene.uncertainty import Propagated, Source
+    from ..scene.uncertainty import Propagated, Sources
 
 
 class Result(NamedTuple):
@@ -50,6 +51,7 @@ class Result(NamedTuple):
     equation: str = ""  # of that law
     jkr: float | None = None  # the value of JKR, beside that of another law
     condition: float | None = None
+    by_law: Mapping[str, float] = MappingProxyType({})  # of an inferred value: what it would be under the other laws
     propagated: "Propagated | None" = None  # its uncertainty, if an input has one
 
     def sides(self) -> dict[str, float]:
@@ -133,16 +135,14 @@ def answer(question: Question, scene: Scene) -> Answer:
 
 def with_uncertainties(answer: Answer, scene: Scene) -> Answer:
     """Return an answer with the uncertainties of its results, and of the inputs that they come from."""
-    from ..scene.uncertainty import sources, uncertainties
+    from ..scene.uncertainty import uncertainties
 
     names = [result.name for result in answer.results if result.value is not None]
-    return add_uncertainties(answer, uncertainties(scene, names), sources(scene))
+    return add_uncertainties(answer, *uncertainties(scene, names))
 
 
-def add_uncertainties(
-    answer: Answer, found: Mapping[str, "Propagated | JkrollError"], effective: Iterable["Source"]
-) -> Answer:
-    """Return an answer with these uncertainties, and with a note for each that does not exist."""
+def add_uncertainties(answer: Answer, found: Mapping[str, "Propagated | JkrollError"], sources: "Sources") -> Answer:
+    """Return an answer with these uncertainties, and with a note for those that do not exist, and for sources that are left out."""
     results = [
         result._replace(propagated=one) if not isinstance(one := found.get(result.name), JkrollError) else result
         for result in answer.results
@@ -155,7 +155,15 @@ def add_uncertainties(
         Note("missing", f"{_few(names)}: no uncertainty, as there is no value at an end of an input: {reason}")
         for reason, names in failures.items()
     ]
-    stated = {name: source.given for source in effective for name in source.names if name in answer.inputs}
+    for source in sources.left_out:
+        reason = (
+            "is a range, which is left out beside ±" if source.given.kind == "range" else "is left out beside a range"
+        )
+        notes.append(
+            Note("result", f"{uncertain_amount(source.names[0], source.given)} of {_symbol(source.names[0])} {reason}")
+        )
+    entering = sources.entering
+    stated = {name: source.given for source in entering for name in source.names if name in answer.inputs}
     return answer._replace(results=tuple(results), notes=(*answer.notes, *notes), uncertain=stated)
 
 

@@ -140,6 +140,8 @@ def _result_object(result: Result, form: Format) -> dict[str, Any]:
         entry["shares"] = dict(result.propagated.shares)
     if result.condition is not None:
         entry["condition"] = result.condition
+    if result.by_law:
+        entry["by_law"] = {law: float(form.text(result.name, value)) for law, value in result.by_law.items()}
     if result.value is None:
         entry["reason"] = result.reason
     if result.error is not None:

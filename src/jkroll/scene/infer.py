@@ -21,6 +21,7 @@ def infer(
     material: str | Material | None = None,
     material2: str | Material | None = None,
     materials: Materials | None = None,
+    model: str | None = None,
     **given: Any,
 ) -> Any:
     """Return the value of an input at which a quantity has its measured value.
@@ -28,11 +29,11 @@ def infer(
     Parameters
     ----------
     wanted
-        An input: surface_energy, work_of_adhesion, yield_displacement, youngs_modulus, radius or load, or the word of
-        its option.
+        An input: surface_energy, work_of_adhesion, yield_displacement, adhesion_hysteresis, youngs_modulus, radius or
+        load, or the word of its option.
     measured
         One quantity of the nomenclature with its value, which is a number, a list, a text and so on as for `solve`.
-    material, material2, materials, **given
+    material, material2, materials, model, **given
         The rest of the scene, as `solve` takes it. A value that a material has of the input is not used.
 
     Returns
@@ -64,10 +65,10 @@ def infer(
     at = known[quantity]
     spheres = materials_of(material, material2, materials)
     if any(map(is_uncertain, (at, *described.values()))):
-        return _uncertain(name, quantity, at, uncertain_scene(described, spheres))
+        return _uncertain(name, quantity, at, uncertain_scene(described, spheres, model))
     if all(isinstance(each, float) for each in (at, *described.values())):
-        return solution(name, quantity, at, Scene(described, *spheres)).value
-    return _each(name, quantity, at, described, spheres)
+        return solution(name, quantity, at, Scene(described, *spheres, model=model)).value
+    return _each(name, quantity, {quantity: at, **described}, Scene({}, *spheres, model=model))
 
 
 def _named(word: str) -> str:
@@ -87,19 +88,17 @@ def _uncertain(name: str, quantity: str, at: Any, scene: Scene) -> Any:
     return with_uncertainty(found.value, uncertainty)
 
 
-def _each(name: str, quantity: str, at: Any, described: Mapping[str, Any], spheres: tuple[Any, Any]) -> Any:
-    """Return the inferred values for arrays, nan where there is none."""
+def _each(name: str, quantity: str, columns: Mapping[str, Any], bare: Scene) -> Any:
+    """Return the inferred values for arrays, nan where there is none; `bare` has the materials and the law."""
     import numpy
 
-    columns = {quantity: at, **described}
     shape = broadcast({each: value for each, value in columns.items() if not isinstance(value, float)})
     flat = [numpy.broadcast_to(value, shape).ravel().tolist() for value in columns.values()]
     found = numpy.full(shape, numpy.nan)
-    for place, (one, *rest) in enumerate(zip(*flat, strict=True)):
+    for place, row in enumerate(zip(*flat, strict=True)):
+        given = dict(zip(columns, row, strict=True))
         try:
-            found.flat[place] = solution(
-                name, quantity, one, Scene(dict(zip(described, rest, strict=True)), *spheres)
-            ).value
+            found.flat[place] = solution(name, quantity, given.pop(quantity), bare.replace(**given)).value
         except NoResult:
             continue
     return found

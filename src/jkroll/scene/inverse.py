@@ -20,6 +20,7 @@ SIZES = {
     "surface_energy": (1e-6, 1e3),
     "work_of_adhesion": (1e-6, 1e3),
     "yield_displacement": (1e-15, 1e-3),
+    "adhesion_hysteresis": (1e-9, 1e3),
     "youngs_modulus": (1.0, 1e15),
     "radius": (1e-12, 1e3),
     "load": (1e-15, 1e3),

@@ -152,7 +152,7 @@ def _uncertain_answers(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
     """Return the values of quantities with their uncertainties; floats where no uncertain input enters."""
     from .uncertainty import uncertainties
 
-    found = uncertainties(scene, names)
+    found, _ = uncertainties(scene, names)
     return {name: with_uncertainty(value, found.get(name)) for name, value in _answers(scene, names).items()}
 
 

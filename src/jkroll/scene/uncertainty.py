@@ -4,7 +4,7 @@ Every source is moved over the whole of its uncertainty, and the quantities are 
 that a result may respond differently to either side, or have a turning point inside a range.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from itertools import product
 from math import fsum, hypot
@@ -59,6 +59,13 @@ class Source(NamedTuple):
         return dict.fromkeys(self.names, value)
 
 
+class Sources(NamedTuple):
+    """The sources of uncertainty that enter a result, and those of materials that do not, as they are of the other kind."""
+
+    entering: Sequence[Source]
+    left_out: Sequence[Source] = ()
+
+
 class Propagated(NamedTuple):
     """The uncertainty of a result, and the part that each source has in it."""
 
@@ -66,50 +73,63 @@ class Propagated(NamedTuple):
     shares: Mapping[str, float]  # by the first input of a source; of the variance, or of the width of a range
 
 
-def sources(scene: Scene) -> list[Source]:
-    """Return the sources of uncertainty in a scene: stated inputs, and properties of its materials.
+def sources_of(scene: Scene, used: Collection[str], measured: Sequence[Source] = ()) -> Sources:
+    """Return the sources that enter quantities, given the inputs that these depend on, and measured values if any.
 
-    A value that sphere 2 takes over from sphere 1 moves with it; so do both values of a material that is named twice.
+    A value that sphere 2 takes over from sphere 1 moves with it; so do both values of a material that is named twice. All
+    must be of one kind. It is that of the values that were stated; where none was, ± if some material has one.
     """
-    found = {(name, ""): Source((name,), given) for name, given in scene.uncertain.items()}
-    if "radius" in scene.uncertain and "radius2" not in scene.given:
-        found["radius", ""] = Source(("radius", "radius2"), scene.uncertain["radius"])
+    stated = [*measured, *(source for source in _stated(scene) if not set(used).isdisjoint(source.names))]
+    of_materials = [source for source in _of_materials(scene) if not set(used).isdisjoint(source.names)]
+    kinds = {type(source.given) for source in stated or of_materials}
+    if len(kinds) > 1 and stated:
+        symbols = {type(source.given): NOMENCLATURE[source.names[0]].symbol for source in stated}
+        raise MixedKinds(symbols[Measured], symbols[Interval])
+    kind = Measured if Measured in kinds else Interval
+    left_out = [source for source in of_materials if not isinstance(source.given, kind)]
+    return Sources([source for source in (*stated, *of_materials) if isinstance(source.given, kind)], left_out)
+
+
+def _stated(scene: Scene) -> Iterator[Source]:
+    for name, given in scene.uncertain.items():
+        takes_over = name == "radius" and "radius2" not in scene.given
+        yield Source(("radius", "radius2") if takes_over else (name,), given)
+
+
+def _of_materials(scene: Scene) -> Iterable[Source]:
+    found: dict[tuple[str, ...], Source] = {}
     for material, suffix in ((scene.material, ""), (scene.material2, "2")):
-        if material is None:
-            continue
-        for name, given in material.uncertainties.items():
-            if name + suffix not in scene.stated:
-                before = found.get((name, material.path + material.name))
-                names = (*before.names, name + suffix) if before is not None else (name + suffix,)
-                found[name, material.path + material.name] = Source(names, given)
-    return list(found.values())
+        for name, given in material.uncertainties.items() if material is not None else ():
+            if material is not None and name + suffix not in scene.stated:
+                key = (material.path, material.name, name)
+                names = (*found[key].names, name + suffix) if key in found else (name + suffix,)
+                found[key] = Source(names, given)
+    return found.values()
 
 
-def uncertainties(scene: Scene, names: Sequence[str]) -> dict[str, Propagated | JkrollError]:
-    """Return the uncertainties of quantities of a scene.
+def uncertainties(scene: Scene, names: Sequence[str]) -> tuple[dict[str, Propagated | JkrollError], Sources]:
+    """Return the uncertainties of quantities of a scene, and their sources.
 
     A quantity without a value, or one on which no source has an influence, is left out. An error is the reason why a
     quantity has no value at one end of a source.
     """
     outcomes = scene.evaluate(names)
     values = {name: value for name, value in outcomes.items() if not isinstance(value, JkrollError)}
-    used = scene.inputs_of(*values) if values else ()
-    effective = [source for source in sources(scene) if not set(used).isdisjoint(source.names)]
+    sources = sources_of(scene, scene.inputs_of(*values) if values else ())
 
     def evaluate(changed: Mapping[str, float]) -> Mapping[str, Any]:
         return scene.replace(**changed).evaluate([*values])
 
-    return propagated(evaluate, values, effective)
+    return propagated(evaluate, values, sources.entering), sources
 
 
 def inferred_uncertainty(
     name: str, quantity: str, measured: float | Uncertain, found: Solution, scene: Scene
-) -> tuple[Propagated | JkrollError | None, list[Source]]:
+) -> tuple[Propagated | JkrollError | None, Sources]:
     """Return the uncertainty of an inferred input, and its sources: the measured value and the inputs of the scene."""
     used = set(found.scene.inputs_of(quantity)) - {name, name + "2"}
-    effective = [source for source in sources(scene) if not used.isdisjoint(source.names)]
-    if not isinstance(measured, float):
-        effective.append(Source((quantity,), measured))
+    of_measured = [] if isinstance(measured, float) else [Source((quantity,), measured)]
+    sources = sources_of(scene, used, of_measured)
 
     def evaluate(changed: Mapping[str, float]) -> Mapping[str, Any]:
         at = changed.get(quantity, measured if isinstance(measured, float) else measured.value)
@@ -119,19 +139,16 @@ def inferred_uncertainty(
         except NoResult as error:
             return {name: error}
 
-    return propagated(evaluate, {name: found.value}, effective).get(name), effective
+    return propagated(evaluate, {name: found.value}, sources.entering).get(name), sources
 
 
 def propagated(
     evaluate: Evaluate, values: Mapping[str, float], effective: Sequence[Source]
 ) -> dict[str, Propagated | JkrollError]:
-    """Return the uncertainties of values, given their sources and a function that computes them from changed inputs."""
+    """Return the uncertainties of values, from sources of one kind and a function that computes them from changed inputs."""
     if not effective:
         return {}
-    kinds = {type(source.given): NOMENCLATURE[source.names[0]].symbol for source in effective}
-    if len(kinds) > 1:
-        raise MixedKinds(kinds[Measured], kinds[Interval])
-    combine = _in_quadrature if Measured in kinds else _over_ranges
+    combine = _in_quadrature if isinstance(effective[0].given, Measured) else _over_ranges
     return dict(combine(evaluate, values, effective))
 
 
