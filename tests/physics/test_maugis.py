@@ -283,10 +283,8 @@ def test_si_formulas_agree_with_each_other() -> None:
     )
     assert math.isclose(again, ratio, rel_tol=1e-12)
     a = maugis.contact_radius_maugis(edge_ratio=ratio, zone_span=span)
-    moment = maugis_pull_off.yield_moment_maugis(
-        edge_ratio=ratio, zone_span=span, cohesive_stress=stress, yield_displacement=2e-10
-    )
-    assert math.isclose(moment, (4 * 27.8e9 * a**3 / (3 * 50e-9) - load) * 2e-10, rel_tol=1e-12)
+    force = maugis_pull_off.adhesive_force_maugis(edge_ratio=ratio, zone_span=span, cohesive_stress=stress)
+    assert math.isclose(force, 4 * 27.8e9 * a**3 / (3 * 50e-9) - load, rel_tol=1e-12)
     step = 1e-4 * approach
     nearby = [_load_at(approach + side, transition, stress, {**scene, **modulus}) for side in (-step, step)]
     assert math.isclose((nearby[1] - nearby[0]) / (2 * step), maugis.stiffness_maugis(**known), rel_tol=1e-6)

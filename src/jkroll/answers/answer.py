@@ -8,10 +8,24 @@ from ..physics.jkr import STICKING
 from ..quantities.formatting import Format, amount, in_words
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..scene.errors import BeyondFold, BeyondPullOff, MissingInput
+from ..scene.laws import DEFAULT_LAW
 from ..scene.limits import IMPACT, LIMIT_NAMES, Judgement, Verdict, judged, of_any_scene, sentence, uses_spacing
 from ..scene.rolling_models import model_error
 from ..scene.scene import DEFAULTS, NO_UNCERTAINTY, Scene
 from ..scene.wiring import STATE, depends_on
+from .comparison import (
+    BETWEEN,
+    Difference,
+    at_equal_hysteresis,
+    differences,
+    equation_of,
+    held_otherwise,
+    of_jkr,
+    uncertain_sticking,
+    uses_law,
+    with_differences,
+    without_contact,
+)
 from .questions import Question
 
 MOST_NAMES = 3  # of quantities in a note
@@ -24,7 +38,8 @@ class Result(NamedTuple):
     """A quantity in SI units, or the reason why it has no value.
 
     `error` is the relative error of a model of the moment, `condition` the factor by which an inferred value multiplies the
-    relative error of a measured one.
+    relative error of a measured one. A quantity of another law of attraction than JKR says which, and has JKR's value
+    beside it.
     """
 
     name: str
@@ -44,6 +59,10 @@ class Result(NamedTuple):
             if isinstance(number, float)
         }
 
+    model: str = ""  # the law of attraction, if it is another than JKR
+    equation: str = ""  # of that law
+    jkr: float | None = None  # the value of JKR, beside that of another law
+
 
 class Note(NamedTuple):
     """A sentence about an answer."""
@@ -62,6 +81,7 @@ class Answer(NamedTuple):
     validity: tuple[Verdict, ...]
     failure: JkrollError | None  # why there is no result, or no contact
     uncertain: Mapping[str, "Uncertain"] = NO_UNCERTAINTY  # the inputs that are uncertain
+    laws: tuple[Difference, ...] = ()  # how Maugis' law differs from JKR
 
     def value(self, name: str) -> float | None:
         """Return the value of a result, or None."""
@@ -83,14 +103,20 @@ def answer(question: Question, scene: Scene) -> Answer:
         if isinstance(value, MissingInput | NoResult):
             errors[name] = value
             results.append(Result(name, None, _reason(name, value)))
+        elif name == "sticking_energy" and (reason := uncertain_sticking(scene)):
+            results.append(Result(name, None, reason))
         else:
             results.append(Result(name, value, error=model_error(name, scene)))
+    results = _with_law(results, scene)
     known = [result.name for result in results if result.value is not None]
     planned = [result.name for result in results if not isinstance(errors.get(result.name), MissingInput)]
     used = scene.inputs_of(*planned) if planned else depends_on(question.quantities) & scene.given.keys()
     inputs = _echo(scene, used)
+    headline = {*question.headline, "sticking_energy"}
+    laws = differences(scene, [name for name in known if name in headline])
     limits = judged(scene, known)
-    entering = {*inputs, "atomic_spacing"} if uses_spacing(limits.verdicts) else {*inputs}
+    validity = tuple(with_differences(each, laws, scene) for each in limits.verdicts)
+    entering = {*inputs, "atomic_spacing"} if uses_spacing(validity) else {*inputs}
     notes = (
         *assumptions(scene, entering, planned),
         *about_data(scene, inputs),
@@ -99,8 +125,10 @@ def answer(question: Question, scene: Scene) -> Answer:
         *_about_limits(limits),
     )
     fatal = next((error for error in errors.values() if isinstance(error, _FATAL)), None)
+    if isinstance(fatal, BeyondPullOff):
+        fatal = held_otherwise(fatal, scene)
     failure = fatal or (None if known else next(iter(errors.values())))
-    plain = Answer(inputs, tuple(results), notes, limits.verdicts, failure)
+    plain = Answer(inputs, tuple(results), notes, validity, failure, laws=laws)
     return with_uncertainties(plain, scene) if scene.is_uncertain else plain
 
 
@@ -132,6 +160,17 @@ def add_uncertainties(
     return answer._replace(results=tuple(results), notes=(*answer.notes, *notes), uncertain=stated)
 
 
+def _with_law(results: list[Result], scene: Scene) -> list[Result]:
+    """Return results that say of which law they are, with the values of JKR beside them."""
+    beside = of_jkr(scene, [result.name for result in results])
+    return [
+        result._replace(model=scene.law.name, equation=equation_of(scene, result.name), jkr=beside.get(result.name))
+        if result.value is not None and uses_law(scene, result.name)
+        else result
+        for result in results
+    ]
+
+
 # Errors that leave nothing of a scene to be trusted, even where something could be computed.
 _FATAL = (BeyondPullOff, BeyondFold)
 
@@ -157,7 +196,10 @@ def _in_unit(result: Result, form: Format) -> Result:
 
 # The quantities that are shown for some scenes only.
 _SHOWN_IF: Mapping[str, Callable[[Scene], bool]] = {
-    "rolling_frequency_as_printed": lambda scene: scene.is_identical,
+    "rolling_frequency_as_printed": lambda scene: scene.is_identical and scene.law.name == DEFAULT_LAW,
+    "pull_off_force_lennard_jones": lambda scene: scene.law.name == BETWEEN,
+    "pull_off_force_dmt": lambda scene: scene.law.name != "dmt",
+    "yield_displacement": lambda scene: "adhesion_hysteresis" in scene.stated,
     "load": lambda scene: bool(STATE & scene.stated.keys()),
     "yield_force_fixed_load": lambda scene: bool((STATE | {"load"}) & scene.stated.keys()),
     "n_roll_after_impact": lambda scene: "speed" in scene.stated,
@@ -179,6 +221,8 @@ def _echo(scene: Scene, used: Collection[str]) -> dict[str, float | str]:
         echoed["material"] = scene.material.name
     if scene.material2 is not None:
         echoed["material2"] = scene.material2.name
+    if scene.stated_model is not None:
+        echoed["model"] = scene.stated_model
     for name in NOMENCLATURE:
         if name in used:
             echoed[name] = scene.values[name]
@@ -236,7 +280,9 @@ def _about_results(results: list[Result], scene: Scene) -> list[Note]:
         texts.append(f"N_grav is what the first contact, on body 2, carries; {_between_spheres_1(scene)}")
     if "n_roll" in names and IMPACT.isdisjoint(scene.stated):
         texts.append(f"W0 = P_cδ0 is {1 / STICKING:.3g} U_stick, the largest energy that sticks")
-    notes = [Note("result", text) for text in texts]
+    texts += [at_equal_hysteresis(scene)] if "yield_moment" in names else []
+    texts += [without_contact(scene)] if "contact_radius_at_load" in names else []
+    notes = [Note("result", text) for text in filter(None, texts)]
     errors = ", ".join(f"{_symbol(result.name)} by {100 * result.error:.2g} %" for result in known if result.error)
     return [*notes, Note("model", f"off the exact moment of this contact: {errors}")] if errors else notes
 
@@ -245,7 +291,9 @@ def _between_spheres_1(scene: Scene) -> str:
     """Return a clause on the contacts between the spheres of a chain that hangs from another body."""
     stated = {name: value for name, value in scene.stated.items() if not name.endswith("2")}
     try:
-        carried = Scene(stated, scene.material)["n_grav"] + 1  # the chain that it carries is a sphere shorter
+        carried = (
+            Scene(stated, scene.material, model=scene.stated_model)["n_grav"] + 1
+        )  # the chain that it carries is a sphere shorter
     except (MissingInput, NoResult):
         return "those between spheres 1 may roll before it"
     if carried < scene["n_grav"]:

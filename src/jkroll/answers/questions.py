@@ -16,10 +16,17 @@ class Question(NamedTuple):
 
 
 _QUESTIONS = {
-    "pull-off": Question(("pull_off_force",), ("pull_off_force", "pull_off_force_dmt")),
+    "pull-off": Question(("pull_off_force",), ("pull_off_force", "pull_off_force_dmt", "pull_off_force_lennard_jones")),
     "yield-force": Question(
         ("yield_force",),
-        ("yield_force", "yield_force_fixed_load", "yield_force_ratio", "yield_moment", "yield_angle"),
+        (
+            "yield_force",
+            "yield_force_fixed_load",
+            "yield_force_ratio",
+            "yield_moment",
+            "yield_angle",
+            "yield_displacement",
+        ),
     ),
     "r-min": Question(("r_min",), ("r_min",)),
     "n-grav": Question(("n_grav",), ("n_grav",)),
@@ -49,6 +56,7 @@ _QUESTIONS = {
         ("yield_moment",),
         (
             "yield_moment",
+            "yield_displacement",
             "unloaded_moment",
             "half_circles_moment",
             "fixed_approach_moment",

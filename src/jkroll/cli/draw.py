@@ -18,6 +18,7 @@ from ..pictures.styles import STYLES
 from ..quantities.nomenclature import header
 from ..quantities.parsing import parse_value
 from ..quantities.units import BadUnit, dimension_of
+from ..scene.laws import DEFAULT_LAW
 from ..text import quoted, say
 from .map_request import map_request, marks_of
 from .options import Values
@@ -115,6 +116,8 @@ def run_contact(words: Sequence[str], values: Values) -> int:
     request = Request(words, values.inputs, materials_files(values.materials))
     if request.count > 1:
         raise BadRequest(f"{request.count} scenes are more than one picture of a contact")
+    if request.models not in ([None], [DEFAULT_LAW]):
+        raise BadRequest("--curve draws the contact of JKR; --model gives the numbers of other laws, without -o")
     scene = next(request.scenes())
     setting = Setting(scene.stated, scene.material, scene.material2)
     context = Context("fixed_approach_moment", setting, {"load": 0.0})

@@ -12,6 +12,7 @@ from ..quantities.errors import QuantityError
 from ..quantities.formatting import amount, pretty
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.ranges import spreads_of
+from ..scene.laws import DEFAULT_LAW
 from ..scene.scene import Scene
 from ..scene.wiring import depends_on
 from .options import Values
@@ -58,7 +59,7 @@ def map_request(words: Sequence[str], values: Values) -> PlotRequest:
     y = axis_of(values.y, "--y") if values.y is not None else None
     axes = [x, y] if y is not None else [x]
     request = Request(words[1:], values.inputs, materials_files(values.materials))
-    within = depends_on([quantity])
+    within = depends_on([quantity], [model or DEFAULT_LAW for model in request.models])
     for axis in axes:
         if axis.name in request.options:
             raise BadRequest(f"{axis.name} is on an axis; it cannot have one value too")
@@ -72,7 +73,7 @@ def map_request(words: Sequence[str], values: Values) -> PlotRequest:
         most = f"{MOST_CURVES} curves" if len(axes) == 1 else "one map"
         raise BadRequest(f"{request.count} scenes are more than {most}")
     settings = tuple(
-        (_distinction(scene, request), Setting(scene.stated, scene.material, scene.material2))
+        (_distinction(scene, request), Setting(scene.stated, scene.material, scene.material2, scene.stated_model))
         for scene in request.scenes()
     )
     return PlotRequest(quantity, x, y, settings, marks_of(values.mark), request.materials)
@@ -81,6 +82,8 @@ def map_request(words: Sequence[str], values: Values) -> PlotRequest:
 def _distinction(scene: Scene, request: Request) -> str:
     """Return the materials of a scene, and those of its values of which several were given."""
     parts = [one.name for one in (scene.material, scene.material2) if one is not None]
+    if len(request.models) > 1 and scene.stated_model is not None:
+        parts.append(scene.law.title)
     several = [name for name, text in request.options.items() if "," in text or ":" in text]
     parts += [f"{NOMENCLATURE[name].symbol} = {pretty(amount(name, scene.stated[name]))}" for name in several]
     return ", ".join(parts)

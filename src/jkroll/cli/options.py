@@ -161,7 +161,7 @@ TABLE = (
     *(
         Option(name, quantity.option or "--radius", str, quantity.example, hidden=True)
         for name, quantity in NOMENCLATURE.items()
-        if quantity.example
+        if quantity.example and name != "model"
     ),
     MATERIALS,
     QUIET,
@@ -184,7 +184,17 @@ PROGRAM = (
 )
 
 _ALWAYS = ("radius2", "material2", "surface_energy", "work_of_adhesion", "youngs_modulus", "poisson_ratio", "density")
-_HIDDEN = ("surface_energy2", "youngs_modulus2", "poisson_ratio2", "density2", "atomic_spacing", "energy_ratio")
+_HIDDEN = (
+    "surface_energy2",
+    "youngs_modulus2",
+    "poisson_ratio2",
+    "density2",
+    "atomic_spacing",
+    "energy_ratio",
+    "adhesion_hysteresis",
+)
+
+_NARROW = ("energy_ratio", "adhesion_hysteresis")  # taken only where a quantity depends on them
 
 
 def inputs_of(quantities: Iterable[str]) -> tuple[Option, ...]:
@@ -192,13 +202,17 @@ def inputs_of(quantities: Iterable[str]) -> tuple[Option, ...]:
 
     The properties of a material are taken by every command, but shown only where they are used.
     """
-    from ..scene.wiring import depends_on
+    from ..scene.laws import LAWS
+    from ..scene.wiring import depends_on, has_law
 
-    depends = depends_on(quantities)
+    quantities = tuple(quantities)
+    depends = depends_on(quantities, LAWS)
+    if any(map(has_law, quantities)):
+        depends |= {"model"}
     names = dict.fromkeys((*_ALWAYS, *_HIDDEN, *(name for name in NOMENCLATURE if name in depends)))
     shown = {*depends, "material2", "radius2"} - {*_HIDDEN}
     return tuple(
         Option(name, quantity.option, str, quantity.example, hidden=name not in shown)
         for name, quantity in ((name, NOMENCLATURE[name]) for name in names)
-        if quantity.option and (name != "energy_ratio" or name in depends)
+        if quantity.option and (name not in _NARROW or name in depends)
     )

@@ -13,6 +13,7 @@ from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.parsing import is_uncertain
 from ..quantities.ranges import Spread, spreads_of
 from ..quantities.units import BadUnit, Unit, dimension_of, parse_unit
+from ..scene.laws import law_named
 from ..scene.scene import EXCLUSIVE, Scene
 from ..text import quoted
 
@@ -46,6 +47,8 @@ class Request:
         self.material2_words = self.options.pop("material2", "")
         if options.get("material2") == "":
             raise BadRequest("--material2 is empty")
+        models = self.options.pop("model", None)
+        self.models = [law_named(name).name for name in models.split(",")] if models is not None else [None]
         if radii:
             self.options["radius"] = ",".join(radii)
         for alternatives in EXCLUSIVE:
@@ -72,7 +75,7 @@ class Request:
     @cached_property
     def count(self) -> int:
         """The number of scenes."""
-        return len(self.pairs) * prod(sum(map(len, spreads)) for spreads in self.spreads.values())
+        return len(self.pairs) * len(self.models) * prod(sum(map(len, spreads)) for spreads in self.spreads.values())
 
     def check_count(self) -> None:
         """Raise BadRequest if there are more scenes than are answered one by one."""
@@ -84,7 +87,8 @@ class Request:
         values = [[*chain.from_iterable(spreads)] for spreads in self.spreads.values()]
         for pair in self.pairs:
             for row in product(*values):
-                yield self._scene(dict(zip(self.spreads, row, strict=True)), *pair)
+                for model in self.models:
+                    yield self._scene(dict(zip(self.spreads, row, strict=True)), *pair, model)
 
     @cached_property
     def uncertain(self) -> list[str]:
@@ -92,12 +96,16 @@ class Request:
         return [name for name, spreads in self.spreads.items() if any(spread.uncertainty for spread in spreads)]
 
     def _scene(
-        self, values: Mapping[str, "float | Uncertain"], material: Material | None, material2: Material | None
+        self,
+        values: Mapping[str, "float | Uncertain"],
+        material: Material | None,
+        material2: Material | None,
+        model: str | None,
     ) -> Scene:
         """Return the scene of some values."""
         uncertain = {name: value for name, value in values.items() if is_uncertain(value)}
         numbers = {**values, **{name: found.value for name, found in uncertain.items()}}
-        return Scene(numbers, material, material2, uncertain=uncertain)
+        return Scene(numbers, material, material2, model=model, uncertain=uncertain)
 
     def samples(self) -> list[Scene]:
         """Return scenes of every kind: each pair of materials, both ends of ranges, equal and unequal spheres."""
@@ -105,7 +113,7 @@ class Request:
         last = {name: spreads[-1].high for name, spreads in self.spreads.items()}
         radii2 = islice(chain.from_iterable(self.spreads.get("radius2", [])), MAX_SAMPLES)
         kinds = [first, last, *({**first, "radius2": radius2} for radius2 in radii2 if isinstance(radius2, float))]
-        return [Scene(values, *pair) for pair in self.pairs for values in kinds]
+        return [Scene(values, *pair, model=model) for pair in self.pairs for values in kinds for model in self.models]
 
     def _materials(self, words: str) -> list[Material | None]:
         if not words:

@@ -150,6 +150,8 @@ def _run_stream(question: Question, request: Request, samples: list[Answer], kin
         raise BadRequest(f"-o: {quoted(values.target)} is a picture; add --curve to contact, or see jkroll map --help")
     if values.to or values.digits or kind not in ("csv", "plain", "table"):
         raise BadRequest("a long sweep is written in SI units with all digits: -o and long ranges take --csv alone")
+    if request.models != [None]:
+        raise BadRequest("a long sweep takes JKR only: --model goes with fewer rows, without -o")
     samples = samples or [answer(question, scene) for scene in request.samples()]
     axes = [Axis(name, spreads) for name, spreads in request.spreads.items()]
     sweep = Sweep(request.pairs, axes, layout(question, samples, request.count), request.materials)
@@ -173,13 +175,14 @@ def _run_curve(request: Request, kind: str, form: Format) -> int:
     if {"load", "approach_at_load"} & request.options.keys():
         raise BadRequest("--curve goes through all loads and approaches; it takes none")
     tally = Tally()
-    samples = [row for _, row in curve(iter(request.samples()))]
+    samples = [row for _, row in curve(request.samples())]
     if samples[0].failure is not None and all(row.failure is not None for row in samples):
         raise samples[0].failure
-    shape = layout(CURVE, samples, request.count * len(states()))
+    count = sum(len(states(scene)) for scene in request.scenes())
+    shape = layout(CURVE, samples, count)
     WRITERS[kind](tally.watch(in_units(row, form) for _, row in curve(request.scenes())), sys.stdout, form, shape)
     sys.stdout.flush()
-    return _say_failures(tally, request.count * len(states()))
+    return _say_failures(tally, count)
 
 
 def _say_failures(tally: Tally, count: int) -> int:

@@ -64,9 +64,10 @@ def write_explanation(pairs: Iterable[tuple[Scene, Answer]], out: TextIO, form: 
 def _explanation(result: Result, scene: Scene, form: Format) -> list[str]:
     """Return the lines that explain one result."""
     quantity = NOMENCLATURE[result.name]
-    title = f"{result.name} — {quantity.sentence}" + (f", Eq {quantity.equation}" if quantity.equation else "")
     if result.value is None:
-        return [title, f"  {result.reason}"]
+        return [f"{result.name} — {quantity.sentence}, Eq {quantity.equation}", f"  {result.reason}"]
+    equation = result.equation or quantity.equation
+    title = f"{result.name} — {quantity.sentence}, {f'Eq {equation}' if equation.isdigit() else equation}"
     steps = scene.plan(result.name).steps
     if not steps:
         return [title, f"  {quantity.symbol} = {amount(result.name, result.value, form)}"]
@@ -151,7 +152,7 @@ def _exponent(scene: Scene, name: str, given: str, value: float) -> float | None
     points = []
     for factor in (1 / (1 + _STEP), 1.0, 1 + _STEP):
         try:
-            beside = Scene({**scene.stated, given: value * factor}, scene.material, scene.material2)
+            beside = scene.replace(**{given: value * factor})
             points.append((log(factor), log(abs(beside[name]))))
         except (JkrollError, ValueError):
             continue

@@ -17,10 +17,11 @@ from .layout import Layout
 if TYPE_CHECKING:
     from ..quantities.uncertain import Uncertain
 
-_HEADS = ("quantity", "symbol", "value", "unit", "Eq", "definition", "reference")
+_HEADS = ("quantity", "symbol", "value", "unit", "Eq", "definition", "reference", "JKR")
+_JKR = 7  # the place of JKR's value, shown beside that of another law
 # The columns of a scene's table, for narrower and narrower terminals: of results, and of results by convention.
-_COLUMNS = ((0, 1, 2, 3, 4), (1, 2, 3, 4), (1, 2, 3))
-_COLUMNS_BY_CONVENTION = ((0, 1, 2, 3, 5, 6), (1, 2, 3, 5, 6), (1, 2, 3, 5), (1, 2, 3))
+_COLUMNS: Sequence[tuple[int, ...]] = ((0, 1, 2, 3, 4), (1, 2, 3, 4), (1, 2, 3))
+_COLUMNS_BY_CONVENTION: Sequence[tuple[int, ...]] = ((0, 1, 2, 3, 5, 6), (1, 2, 3, 5, 6), (1, 2, 3, 5), (1, 2, 3))
 MAX_TEXT = 100  # columns of running text
 
 
@@ -30,9 +31,13 @@ def scene_table(answer: Answer, out: TextIO, form: Format) -> None:
     styles = ["dim" if _is_aside(result) else "" for result in answer.results]
     by_convention = all(NOMENCLATURE[result.name].definition for result in answer.results)
     say(_inputs({**answer.inputs, **answer.uncertain}, form), out)
+    columns_of = _COLUMNS_BY_CONVENTION if by_convention else _COLUMNS
+    if any(result.jkr is not None for result in answer.results):
+        columns_of = [(*chosen, _JKR) for chosen in columns_of]
+    right = {"value", "Eq", "JKR"}
     tables = (
-        _table([_HEADS[i] for i in chosen], [[row[i] for i in chosen] for row in rows], out, {"value", "Eq"}, styles)
-        for chosen in (_COLUMNS_BY_CONVENTION if by_convention else _COLUMNS)
+        _table([_HEADS[i] for i in chosen], [[row[i] for i in chosen] for row in rows], out, right, styles)
+        for chosen in columns_of
     )
     if not any(_print(table, out) for table in tables):
         for row in rows:
@@ -47,8 +52,19 @@ def _result_row(result: Result, form: Format) -> list[str]:
         value, unit = uncertain_rounded(result.name, result.propagated.uncertainty, form)
     else:
         value, unit = form.rounded(result.name, result.value)
-    source = quantity.reference or f"Eq {quantity.equation}"
-    return [quantity.sentence, quantity.symbol, value, pretty(unit), quantity.equation, quantity.definition, source]
+    equation = result.equation or quantity.equation
+    source = quantity.reference or f"Eq {equation}"
+    jkr = "" if result.jkr is None else pretty(amount(result.name, result.jkr, form))
+    return [
+        quantity.sentence,
+        quantity.symbol,
+        value,
+        pretty(unit),
+        equation,
+        "" if result.model else quantity.definition,
+        source,
+        jkr,
+    ]
 
 
 def _is_aside(result: Result) -> bool:

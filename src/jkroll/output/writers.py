@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 from typing import Any, TextIO
 
 from ..answers.answer import Answer, Result
+from ..answers.comparison import as_objects
 from ..quantities.formatting import AS_USUAL, Format
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.limits import Verdict
@@ -22,7 +23,10 @@ def write_plain(answers: Iterable[Answer], out: TextIO, form: Format, shape: Lay
     if shape.size > 1:
         write_records(shape.headers(form), _rows(answers, shape, form), "plain", out)
         return
-    for result in next(iter(answers)).results:
+    answer = next(iter(answers))
+    if "model" in answer.inputs:
+        say(f"model {answer.inputs['model']}", out)
+    for result in answer.results:
         if result.value is not None:
             numbers = {result.name: result.value} | {
                 f"{result.name}_{side}": number for side, number in result.sides().items()
@@ -98,10 +102,12 @@ def as_object(answer: Answer, form: Format) -> dict[str, Any]:
     """Return the JSON object of one scene."""
     from .. import __version__
 
+    laws = {"laws": as_objects(answer.laws)} if answer.laws else {}
     return {
         "inputs": dict(answer.inputs),
         **({"uncertainties": _of_inputs(answer)} if answer.uncertain else {}),
         "results": [_result_object(result, form) for result in answer.results],
+        **laws,
         "validity": [_verdict_object(verdict) for verdict in answer.validity],
         "notes": [note.text for note in answer.notes],
         "version": __version__,
@@ -119,10 +125,13 @@ def _result_object(result: Result, form: Format) -> dict[str, Any]:
         "symbol": quantity.symbol,
         "value": None if result.value is None else float(form.text(result.name, result.value)),
         "unit": form.unit(result.name),
-        "equation": quantity.equation,
+        "equation": result.equation or quantity.equation,
         "description": quantity.sentence,
     }
-    for key in ("note", "definition", "reference"):
+    if result.model:
+        entry["model"] = result.model
+        entry["jkr"] = None if result.jkr is None else float(form.text(result.name, result.jkr))
+    for key in ("note",) if result.model else ("note", "definition", "reference"):
         if text := getattr(quantity, key):
             entry[key] = text
     if result.propagated is not None:

@@ -1,7 +1,7 @@
 """The law of attraction between JKR and DMT, and the forces and moments that follow: pull-off and rolling."""
 
 from . import dugdale
-from .dimensions import Force, Length, Moment, Number, Stress, SurfaceEnergy
+from .dimensions import Force, Length, Number, Stress, SurfaceEnergy
 from .elementary import pi
 
 TRANSITION_OVER_TABOR = 1.1570116348507993  # (32/(9√3))·(9/(16π))^(1/3)
@@ -73,21 +73,19 @@ def pull_off_force_lennard_jones(
     return pi * work_of_adhesion * reduced_radius * (1.5 + 0.5 / (1 + 1.95 * tabor_parameter**1.4))
 
 
-def yield_moment_maugis(
-    *, edge_ratio: Number, zone_span: Length, cohesive_stress: Stress, yield_displacement: Length
-) -> Moment:
-    """Moment with which a contact resists when its ring of attraction lags behind by ξ.
+def adhesive_force_maugis(*, edge_ratio: Number, zone_span: Length, cohesive_stress: Stress) -> Force:
+    """Hertz' load at the contact radius less the load: the rolling moment per displacement of the ring of attraction.
 
-        M = (4E*a³/(3R) − P)ξ = 2σ0ξ(aT + c²θ), θ = arctan(1/v)
+        F_a = 4E*a³/(3R) − P = 2σ0(aT + c²θ), θ = arctan(1/v)
 
-    Source:   First order in ξ, for any law of attraction; Eq (25) in JKR, 2πwRξ in DMT.
-    Valid:    ξ ≪ a.
+    Source:   Maugis 1992.
+    Valid:    In contact or apart.
     Accuracy: 4 ulp above v and T.
 
-    >>> yield_moment_maugis(edge_ratio=0.0, zone_span=1.0, cohesive_stress=1 / pi, yield_displacement=1.0)
+    >>> adhesive_force_maugis(edge_ratio=0.0, zone_span=1.0, cohesive_stress=1 / pi)
     1.0
     """
-    return 2 * cohesive_stress * zone_span * zone_span * dugdale.shape(edge_ratio).g3 * yield_displacement
+    return 2 * cohesive_stress * zone_span * zone_span * dugdale.shape(edge_ratio).g3
 
 
 def contact_displacement(
@@ -111,18 +109,3 @@ def contact_displacement(
     1.0
     """
     return yield_displacement / (1 + contact_modulus / cohesive_stress * (zone_span / reduced_radius))
-
-
-def hysteresis_moment(*, zone_radius: Length, reduced_radius: Length, adhesion_hysteresis: SurfaceEnergy) -> Moment:
-    """Moment of steady rolling that the hysteresis of adhesion supplies.
-
-        M = 2cRΔw, c = a in JKR
-
-    Source:   The ring sweeps an area 2c per unit of path; exact for any law and any ξ.
-    Valid:    Δw = w_open − w_close ≤ w.
-    Accuracy: 1 ulp above c.
-
-    >>> hysteresis_moment(zone_radius=2.0, reduced_radius=3.0, adhesion_hysteresis=0.5)
-    6.0
-    """
-    return 2 * zone_radius * reduced_radius * adhesion_hysteresis

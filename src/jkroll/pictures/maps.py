@@ -30,14 +30,17 @@ class Setting(NamedTuple):
     given: Mapping[str, float]
     material: Material | None = None
     material2: Material | None = None
+    model: str | None = None
 
     def solve(self, names: Sequence[str], values: Mapping[str, Any]) -> dict[str, Any]:
         """Return quantities for further values, which are arrays that broadcast."""
-        return dict(solve(names, material=self.material, material2=self.material2, **{**self.given, **values}))
+        return dict(
+            solve(names, material=self.material, material2=self.material2, model=self.model, **{**self.given, **values})
+        )
 
     def scene(self, values: Mapping[str, float], material: Material | None = None) -> Scene:
         """Return the scene of one point, with another material of sphere 1 if one is given."""
-        return Scene({**self.given, **values}, material or self.material, self.material2)
+        return Scene({**self.given, **values}, material or self.material, self.material2, model=self.model)
 
 
 class Region(NamedTuple):

@@ -94,10 +94,11 @@ _TRAILING = (
     "takes the moment 4P_cξ of a contact that trails at ξ all the time; n_roll takes the mean moment, half of it"
 )
 
-NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
+_QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
     {
         # what the user gives
         "material": Quantity("", "", "material of sphere 1"),
+        "model": Quantity("model", "", "law of attraction: jkr, maugis or dmt", option="--model", example="maugis"),
         "state": Quantity("state", "", "state of the contact on its force curve"),
         "material2": Quantity("", "", "material of sphere 2", option="--material2", example="iron"),
         **_BOTH_SPHERES,
@@ -127,6 +128,10 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         ),
         "contact_radius": Quantity("a0", "m", "contact radius without load", "2", range="positive"),
         "approach": Quantity("δ0", "m", "approach of the centres without load", "3", range="positive"),
+        "pull_off_force_lennard_jones": Quantity(
+            "P_LJ", "N", "pull-off force by the 3-9 law of Lennard-Jones", "",
+            note="a fit to numerical solutions, within 0.3 % for 0.01 ≤ μ ≤ 2; beyond, it tends to DMT and JKR",
+        ),
         "load_margin": Quantity("s", "1", "√(1 + P/P_c)", "5"),
         "load_factor": Quantity("x", "1", "â^(3/2), by which the load scales the rolling moment", "5", range="positive"),
         "contact_radius_at_load": Quantity("a", "m", "contact radius at the load", "5"),
@@ -173,6 +178,13 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
         # chains
         "r_min": Quantity("R_min", "m", "smallest curvature radius of a chain", "28"),
         "n_grav": Quantity("N_grav", "1", "spheres that the first contact carries", "30"),
+        "adhesion_hysteresis": Quantity(
+            "Δw", "J/m^2", "work of adhesion as it opens less that as it closes", range="positive",
+            option="--adhesion-hysteresis", example="5mJ/m2"
+        ),
+        "adhesive_force": Quantity("F_a", "N", "Hertz' load at the contact radius less the load", "25"),
+        "hysteresis_moment": Quantity("M_Δw", "N m", "moment that adhesion hysteresis supplies"),
+        "hysteresis_ratio": Quantity("M/2cRw", "1", "moment over the largest that adhesion hysteresis supplies"),
         # vibrations
         "vertical_frequency": Quantity("f_z", "Hz", "frequency of the vertical vibration", "35"),
         "rolling_frequency": Quantity("f_roll", "Hz", "frequency of the rolling vibration", "40"),
@@ -260,8 +272,58 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
             "v_stick(19.2)", "m/s", "largest relative speed that sticks",
             definition="√(2E_stick(19.2)/m)", reference="code pencil-code/pencil-code",
         ),
+        # Maugis' law
+        "transition_parameter": Quantity("λ", "1", "Maugis' parameter of the transition between JKR and DMT"),
+        "cohesive_stress": Quantity("σ0", "Pa", "largest stress with which two surfaces attract"),
+        "edge_ratio": Quantity("v", "1", "contact radius over the span of the ring of attraction", range="positive"),
+        "edge_ratio_at_load": Quantity("v", "1", "edge ratio at the load"),
+        "edge_ratio_at_approach": Quantity("v", "1", "edge ratio at the approach"),
+        "edge_ratio_at_pull_off": Quantity("v_c", "1", "edge ratio at pull-off"),
+        "edge_ratio_at_fold": Quantity("v_fold", "1", "edge ratio where fixed grips let go"),
+        "zone_span": Quantity("T", "m", "span of the ring of attraction"),
+        "zone_span_at_approach": Quantity("T", "m", "span of the ring of attraction at the approach"),
+        "zone_radius": Quantity("c", "m", "radius of the zone of attraction"),
+        "contact_displacement": Quantity("ξ_contact", "m", "displacement of the contact circle"),
+        "fold_approach_maugis": Quantity("δ_fold", "m", "least approach that fixed grips hold"),
+        "state_energy_maugis": Quantity("Φ", "J", "energy of the state"),
     }
 )  # fmt: skip
+
+# Formulas by which some law has a quantity; it is the same quantity, without an equation of the paper.
+_BY_A_LAW = {
+    "pull_off_force": ("pull_off_force_maugis",),
+    "contact_radius": ("unloaded_radius_maugis", "unloaded_radius_dmt"),
+    "approach": ("unloaded_approach_maugis", "unloaded_approach_dmt"),
+    "contact_radius_at_load": ("contact_radius_maugis", "contact_radius_dmt", "contact_radius_dmt_at_approach"),
+    "approach_at_load": ("approach_maugis", "approach_dmt"),
+    "load": ("load_maugis", "load_dmt"),
+    "stiffness": ("stiffness_maugis", "stiffness_dmt"),
+    "adhesive_force": ("adhesive_force_maugis", "adhesive_force_dmt"),
+    "well_energy": ("well_energy_maugis",),
+    "pull_off_work": ("pull_off_work_maugis",),
+    "pull_off_work_at_dead_load": ("pull_off_work_at_dead_load_maugis",),
+    "sticking_energy": ("sticking_energy_maugis",),
+    "hertz_pressure": ("hertz_pressure_of_radius",),
+    "yield_displacement": ("yield_displacement_at_hysteresis",),
+    "yield_moment": ("yield_moment_of_force",),
+    "unloaded_moment": ("unloaded_moment_of_radius",),
+    "rolling_stiffness": ("rolling_stiffness_of_force",),
+    "yield_force": ("yield_force_of_moment",),
+    "yield_force_ratio": ("yield_force_ratio_of_forces",),
+    "rolling_frequency_no_slip": ("rolling_frequency_no_slip_of_stiffness",),
+    "yield_energy": ("yield_energy_of_moment",),
+}
+
+NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
+    {
+        **_QUANTITIES,
+        **{
+            name: _QUANTITIES[quantity]._replace(equation="", range="", option="", example="", note="")
+            for quantity, names in _BY_A_LAW.items()
+            for name in names
+        },
+    }
+)
 
 
 # The names of inputs by the words of their options.

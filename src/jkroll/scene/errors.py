@@ -4,7 +4,10 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from ..errors import JkrollError, NoResult
+from ..physics.contact import pull_off_force_dmt
 from ..physics.jkr import FOLD_APPROACH
+from ..physics.maugis_pull_off import pull_off_force_maugis
+from ..physics.maugis_states import fold_approach_maugis
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 
 
@@ -28,6 +31,20 @@ class MissingInput(JkrollError):
         give = " and ".join([options, *radii] if options else radii)
         instead = "".join(f" or {_as_typed(name)}" for name in self.instead)
         return f"{words}{self.lacking and '; ' + self.lacking}; give {give}{instead}"
+
+
+class NotInLaw(MissingInput):
+    """Error raised for a quantity that a law of attraction does not have."""
+
+    def __init__(self, wanted: str, lacking: Sequence[str], law: str) -> None:
+        JkrollError.__init__(self, wanted, tuple(lacking), law)
+        self.wanted, self.missing, self.instead, self.lacking = wanted, (), (), ""
+        self.absent, self.law = tuple(lacking), law
+
+    def needs(self) -> str:
+        """Return the quantity that the law does not have."""
+        words = " and ".join(NOMENCLATURE[name].sentence for name in self.absent)
+        return f"{words}, which {self.law} does not have; give --model jkr"
 
 
 def _as_typed(name: str) -> str:
@@ -61,13 +78,14 @@ class BeyondPullOff(NoResult):
 
     name = "load"
 
-    def __init__(self, load: float, pull_off_force: float) -> None:
-        super().__init__(load, pull_off_force)
-        self.load, self.pull_off_force = load, pull_off_force
+    def __init__(self, load: float, pull_off_force: float, by_maugis: float = 0.0) -> None:
+        super().__init__(load, pull_off_force, by_maugis)
+        self.load, self.pull_off_force, self.by_maugis = load, pull_off_force, by_maugis
 
     def reason(self) -> str:
         """Return which loads this contact holds."""
-        return f"{self.load!r} N is beyond pull-off; this contact holds down to {-self.pull_off_force!r} N"
+        held = f"; by Maugis' law it holds down to {-self.by_maugis!r} N (--model maugis)" if self.by_maugis else ""
+        return f"{self.load!r} N is beyond pull-off; this contact holds down to {-self.pull_off_force!r} N{held}"
 
 
 class BeyondFold(NoResult):
@@ -82,6 +100,20 @@ class BeyondFold(NoResult):
     def reason(self) -> str:
         """Return which approaches this contact holds."""
         return f"{self.approach!r} m is beyond the fold; fixed grips hold this contact down to {self.least!r} m"
+
+
+class TooMuchHysteresis(NoResult):
+    """Error raised for an adhesion hysteresis above the work of adhesion."""
+
+    name = "adhesion_hysteresis"
+
+    def __init__(self, hysteresis: float, work: float) -> None:
+        super().__init__(hysteresis, work)
+        self.hysteresis, self.work = hysteresis, work
+
+    def reason(self) -> str:
+        """Return how large the hysteresis may be."""
+        return f"{self.hysteresis!r} J/m^2 is above the work of adhesion, {self.work!r} J/m^2, of which it is a part"
 
 
 class TwoRigidBodies(NoResult):
@@ -152,7 +184,26 @@ def failure_of(name: str, given: Mapping[str, Any]) -> NoResult | None:
             found = NoUnstableState(name)
         case "load_factor_at_approach_unstable" if given["approach_at_load"] > 0:
             found = NoUnstableState(name)
+        case "edge_ratio_at_load":
+            held = pull_off_force_maugis(**_arguments(given, pull_off_force_maugis))
+            found = BeyondPullOff(given["load"], held) if given["load"] < -held else None
+        case "edge_ratio_at_approach":
+            least = fold_approach_maugis(**_arguments(given, fold_approach_maugis))
+            found = BeyondFold(given["approach_at_load"], least) if given["approach_at_load"] <= least else None
+        case "contact_radius_dmt" | "adhesive_force_dmt":
+            held = pull_off_force_dmt(**_arguments(given, pull_off_force_dmt))
+            found = BeyondPullOff(given["load"], held) if given["load"] < -held else None
+        case "contact_radius_dmt_at_approach" if given["approach_at_load"] < 0:
+            found = BeyondFold(given["approach_at_load"], 0.0)
+        case "yield_displacement_at_hysteresis" if given["adhesion_hysteresis"] > given["work_of_adhesion"]:
+            found = TooMuchHysteresis(given["adhesion_hysteresis"], given["work_of_adhesion"])
         case "load_factor_at_approach" | "load_factor_at_approach_unstable":
             least = FOLD_APPROACH * given["approach"]
             found = BeyondFold(given["approach_at_load"], least) if given["approach_at_load"] <= least else None
     return found
+
+
+def _arguments(given: Mapping[str, Any], formula: Any) -> dict[str, Any]:
+    """Return the arguments of a formula from those of another."""
+    names = formula.__code__.co_varnames[: formula.__code__.co_kwonlyargcount]
+    return {name: given[name] for name in names}

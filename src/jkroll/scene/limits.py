@@ -6,7 +6,7 @@ from typing import Any, Literal, NamedTuple
 
 from ..errors import JkrollError
 from ..quantities.nomenclature import NOMENCLATURE
-from .errors import MissingInput
+from .errors import MissingInput, NotInLaw
 from .scene import Scene
 from .wiring import STATE
 
@@ -70,6 +70,7 @@ class Judgement(NamedTuple):
 _COMPARISONS = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
 _ELASTICITY = frozenset({"work_of_adhesion"})
 _DISPLACEMENT = frozenset({"yield_displacement"})
+_MOMENT = frozenset({"yield_moment", "yield_moment_of_force", "yield_force"})
 _TURNS = frozenset({"n_roll", "n_roll_energy_balance", "n_roll_after_impact"})
 IMPACT = frozenset({"energy", "energy_ratio", "speed"})
 
@@ -102,6 +103,17 @@ LIMITS = (
         "displacement_ratio", _DISPLACEMENT, ">=",
         (Doubt(1.0, "above 1", "the leading edge would interpenetrate, and rolling has no meaning"),),
         "below 1: the shifted contact is possible",
+    ),
+    Limit(
+        "hysteresis_ratio", _MOMENT, ">",
+        (
+            Doubt(
+                1.0, "above 1",
+                "more than adhesion hysteresis at the pull-off work supplies to a smooth elastic contact; "
+                "viscous, plastic or capillary loss could",
+            ),
+        ),
+        "below 1: adhesion hysteresis can supply it",
     ),
     Limit(
         "displacement_over_contact_radius", _DISPLACEMENT, ">",
@@ -154,6 +166,8 @@ def judged(scene: Scene, names: Collection[str]) -> Judgement:
     verdicts: list[Verdict] = []
     missing: dict[str, list[str]] = {}
     for limit, value in _touching(scene, names):
+        if isinstance(value, NotInLaw):
+            continue
         if isinstance(value, MissingInput):
             missing.setdefault(value.needs(), []).append(limit.name)
         elif not isinstance(value, JkrollError):

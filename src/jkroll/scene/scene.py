@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Any
 from ..errors import JkrollError
 from ..materials.library import Material
 from ..quantities.nomenclature import INFINITY, PROPERTIES
-from .errors import Contradiction, MissingInput, NoFiniteValue, TwoRigidBodies, failure_of
+from .errors import Contradiction, MissingInput, NoFiniteValue, NotInLaw, TwoRigidBodies, failure_of
 from .inputs import is_ordinary
+from .laws import DEFAULT_LAW, law_named
 from .wiring import NO_PLAN, STATE, Missing, Plan, Step, plan
 
 if TYPE_CHECKING:
@@ -25,14 +26,15 @@ DEFAULTS = {
     "energy_ratio": 1.0,
     "atomic_spacing": 4e-10,
 }
-_DEFAULTS_OF_A_STATE = {name: value for name, value in DEFAULTS.items() if name != "load"}
+_SAYS = {"load": STATE, "yield_displacement": ("adhesion_hysteresis",)}  # what says the same as a default
 
 # Inputs of which one follows from the other.
 EXCLUSIVE = (
     ("energy", "energy_ratio", "speed"),
     ("surface_energy", "work_of_adhesion"),
     ("surface_energy2", "work_of_adhesion"),
-    ("load", "approach_at_load", "load_factor"),
+    ("load", "approach_at_load", "load_factor", "edge_ratio"),
+    ("yield_displacement", "adhesion_hysteresis"),
 )
 _MAY_CONTRADICT = frozenset(name for names in EXCLUSIVE for name in names)
 
@@ -52,8 +54,20 @@ MAY_BE_ZERO = frozenset(
         "radius_ratio",
         "load_factor_at_load_unstable",
         "load_factor_at_approach_unstable",
+        "load_maugis",
+        "stiffness_maugis",
+        "approach_maugis",
+        "edge_ratio_at_approach",
+        "edge_ratio_at_fold",
+        "contact_radius_maugis",
+        "contact_radius_in_spacings",
+        "load_dmt",
+        "contact_radius_dmt",
+        "contact_radius_dmt_at_approach",
+        "stiffness_dmt",
+        "approach_dmt",
     }
-)  # at P = 0, at P = -P_c, or at P = -(8/9)P_c
+)  # at P = 0, at P = -P_c, or at P = -(8/9)P_c; the radius where nothing touches
 
 
 class Scene:
@@ -72,12 +86,16 @@ class Scene:
         material: Material | None = None,
         material2: Material | None = None,
         *,
+        model: str | None = None,
         uncertain: Mapping[str, "Uncertain"] = NO_UNCERTAINTY,
     ) -> None:
         """Take SI values by name, over those of the materials of sphere 1 and, if it has one of its own, of sphere 2.
 
-        `uncertain` has the uncertainties of those given values that have one; `scene.uncertainty` computes with them.
+        `model` is the law of attraction; None stands for the paper's, JKR. `uncertain` has the uncertainties of those given
+        values that have one; `scene.uncertainty` computes with them.
         """
+        self.stated_model = model
+        self.law = law_named(model or DEFAULT_LAW)
         for names in () if _MAY_CONTRADICT.isdisjoint(given) else EXCLUSIVE:
             if len(both := [name for name in names if name in given]) > 1:
                 raise Contradiction(both)
@@ -97,7 +115,11 @@ class Scene:
 
     def replace(self, **values: Any) -> "Scene":
         """Return the scene in which some inputs have other values, of the same materials and without uncertainties."""
-        return Scene({**self.stated, **values}, self.material, self.material2)
+        return Scene({**self.stated, **values}, self.material, self.material2, model=self.stated_model)
+
+    def under(self, model: str) -> "Scene":
+        """Return the scene under another law of attraction."""
+        return Scene(self.stated, self.material, self.material2, model=model)
 
     @property
     def is_uncertain(self) -> bool:
@@ -138,7 +160,7 @@ class Scene:
         """Return the plan of this scene, which grows by these quantities if it does not have them."""
         if not self._plan.knows(wanted):
             names = (*self._plan.found, *self._plan.missing, *wanted)
-            self._plan = plan(names, self._known, self.material2 is not None)
+            self._plan = plan(names, self._known, self.material2 is not None, self.law.name)
         return self._plan
 
     def inputs_of(self, *wanted: str) -> tuple[str, ...]:
@@ -147,6 +169,8 @@ class Scene:
 
     def _missing_input(self, name: str, missing: Missing) -> MissingInput:
         """Return the error of a quantity that needs more inputs, with the materials that should have had them."""
+        if missing.lacking:
+            return NotInLaw(name, missing.lacking, self.law.title)
         materials = {True: self.material2 or self.material, False: self.material}
         without = [materials[each.endswith("2")] for each in missing.names if each.removesuffix("2") in PROPERTIES]
         lacking = dict.fromkeys(f"{material.name} has none in {material.title}" for material in without if material)
@@ -236,8 +260,8 @@ def _with_nan(name: str, values: Any) -> Any:
 
 
 def _assumed(given: Mapping[str, Any]) -> Mapping[str, float]:
-    """Return the defaults, without a load where something else says in which state the contact is."""
-    return DEFAULTS if STATE.isdisjoint(given) else _DEFAULTS_OF_A_STATE
+    """Return the defaults of what nothing else says."""
+    return {name: value for name, value in DEFAULTS.items() if given.keys().isdisjoint(_SAYS.get(name, ()))}
 
 
 def _both_rigid(given: Mapping[str, Any], *, own_material2: bool) -> Any:

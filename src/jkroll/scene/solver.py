@@ -31,6 +31,7 @@ def solve(
     material: str | Material | None = None,
     material2: str | Material | None = None,
     materials: Materials | None = None,
+    model: str | None = None,
     **given: Any,
 ) -> Any:
     """Compute quantities of the nomenclature from whatever is known of the scene.
@@ -44,6 +45,8 @@ def solve(
         by name overrides the material's.
     materials
         Where materials are looked up: `Materials(["mine.toml"])` for some of your own besides the shipped ones.
+    model
+        The law of attraction: "jkr" (the paper's, which is meant if none is named), "maugis" or "dmt".
     **given
         Inputs by name: a float, an array or a list in SI units, a text with a unit ("100 nm"), or a pint Quantity.
         Arrays broadcast. `radius2` may be infinite (a plane), and one Young's modulus too (a rigid body).
@@ -73,14 +76,15 @@ def solve(
     described, registry = in_si(given)
     spheres = materials_of(material, material2, materials)
     if any(map(is_uncertain, described.values())):
-        found = _uncertain_answers(uncertain_scene(described, spheres), names)
+        found = _uncertain_answers(uncertain_scene(described, spheres, model), names)
         return found[names[0]] if isinstance(wanted, str) else found
     arrays = {name: value for name, value in described.items() if not isinstance(value, float)}
     shape = broadcast(arrays)
-    if math.prod(shape) <= BLOCK or (_ELASTIC & arrays.keys() and Scene(described, *spheres).has_rigid_elements):
-        results = _answers(Scene(described, *spheres), names)
+    whole = Scene(described, *spheres, model=model)
+    if math.prod(shape) <= BLOCK or (_ELASTIC & arrays.keys() and whole.has_rigid_elements):
+        results = _answers(whole, names)
     else:
-        results = _in_blocks(names, described, spheres, shape)
+        results = _in_blocks(names, whole, shape)
     if registry is not None:
         results = {name: registry.Quantity(value, NOMENCLATURE[name].unit) for name, value in results.items()}
     return results[names[0]] if isinstance(wanted, str) else results
@@ -132,14 +136,16 @@ def _answers(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
     return values
 
 
-def uncertain_scene(described: Mapping[str, Any], spheres: tuple[Material | None, Material | None]) -> Scene:
+def uncertain_scene(
+    described: Mapping[str, Any], spheres: tuple[Material | None, Material | None], model: str | None = None
+) -> Scene:
     """Return a scene of which some values are uncertain; arrays have no uncertainty."""
     uncertain = {name: value for name, value in described.items() if is_uncertain(value)}
     numbers = {**described, **{name: found.value for name, found in uncertain.items()}}
     for name, value in numbers.items():
         if not isinstance(value, float):
             raise QuantityError(name, "an array", "stands beside an uncertain value, which takes single values")
-    return Scene(numbers, *spheres, uncertain=uncertain)
+    return Scene(numbers, *spheres, model=model, uncertain=uncertain)
 
 
 def _uncertain_answers(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
@@ -157,19 +163,14 @@ def with_uncertainty(value: float, found: "Propagated | JkrollError | None") -> 
     return value if found is None else found.uncertainty
 
 
-def _in_blocks(
-    names: Sequence[str],
-    given: Mapping[str, Any],
-    spheres: tuple[Material | None, Material | None],
-    shape: tuple[int, ...],
-) -> dict[str, Any]:
+def _in_blocks(names: Sequence[str], whole: Scene, shape: tuple[int, ...]) -> dict[str, Any]:
     """Return the results for large arrays, a block of elements at a time: what lies between results stays in the cache."""
     import numpy
 
-    arrays = {name: value for name, value in given.items() if not isinstance(value, float)}
+    arrays = {name: value for name, value in whole.stated.items() if not isinstance(value, float)}
     results: dict[str, Any] = {}
     for place in _blocks(shape):
-        scene = Scene({**given, **{name: _part(value, place) for name, value in arrays.items()}}, *spheres)
+        scene = whole.replace(**{name: _part(value, place) for name, value in arrays.items()})
         values = _answers(scene, names)
         if not results:
             shapes = _shapes(scene.plan(*names), {name: value.shape for name, value in arrays.items()})

@@ -1,5 +1,7 @@
 """The formulas that lead to a quantity, in their order: a formula's parameters name what it needs.
 
+Where a quantity can be had by several formulas, the law of attraction and what is given decide (`laws`).
+
 What belongs to sphere 2 (`mass2`) comes from the same formula as for sphere 1 (`mass`), and an input of sphere 2 that was
 not given is that of sphere 1, unless sphere 2 has a material of its own that should have had it.
 """
@@ -11,16 +13,10 @@ from typing import Any, NamedTuple
 from ..physics import FORMULAS
 from ..quantities.errors import UnknownQuantity
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
+from .laws import DEFAULT_LAW, Routes, differs, routes, routes_anywhere
 
-# Where a quantity can be had in another way: the names of which one is known, and the formula that then serves.
-# The state of the contact follows from the load unless the approach, or x itself, is given.
-STATE = frozenset({"approach_at_load", "load_factor"})
-_ROUTES = {
-    "load_margin": (STATE, "load_margin_of_factor"),
-    "load": (STATE, "load_at_factor"),
-    "load_factor": (frozenset({"approach_at_load"}), "load_factor_at_approach"),
-    "energy": (frozenset({"speed"}), "kinetic_energy"),
-}
+# The state of the contact follows from the load unless one of these is given.
+STATE = frozenset({"approach_at_load", "load_factor", "edge_ratio"})
 
 
 class Step(NamedTuple):
@@ -32,10 +28,11 @@ class Step(NamedTuple):
 
 
 class Missing(NamedTuple):
-    """The inputs that a quantity lacks, and quantities that may be given in place of them."""
+    """The inputs that a quantity needs, and quantities that may be given in place of them."""
 
     names: tuple[str, ...]
     instead: tuple[str, ...]
+    lacking: tuple[str, ...] = ()  # quantities that the law of attraction does not have
 
 
 class Plan(NamedTuple):
@@ -75,17 +72,20 @@ _STATED_BY = {"load_margin": "load", "radius_ratio": "radius2", "mass2": "radius
 
 
 @cache
-def plan(wanted: tuple[str, ...], known: frozenset[str], own_material2: bool) -> Plan:
-    """Order the formulas so that each runs after those whose results it takes."""
+def plan(wanted: tuple[str, ...], known: frozenset[str], own_material2: bool, model: str = DEFAULT_LAW) -> Plan:
+    """Order the formulas of a law so that each runs after those whose results it takes."""
+    by_law = routes(model, known)
     steps: dict[str, Step] = {}
     inputs: set[str] = set()
     found: dict[str, str] = {}
     missing: dict[str, Missing] = {}
     for name in wanted:
-        path = _Path(known, own_material2, dict(steps))
+        path = _Path(known, own_material2, by_law, dict(steps))
         source = path.visit(name)
-        if path.missing:
-            missing[name] = Missing(tuple(dict.fromkeys(path.missing)), tuple(dict.fromkeys(path.instead)))
+        if path.missing or path.lacking:
+            missing[name] = Missing(
+                *(tuple(dict.fromkeys(each)) for each in (path.missing, path.instead, path.lacking))
+            )
         else:
             found[name] = source
             steps = path.steps
@@ -97,15 +97,19 @@ def plan(wanted: tuple[str, ...], known: frozenset[str], own_material2: bool) ->
 class _Path:
     """The way to one quantity: the steps so far, and what is missing for it."""
 
-    def __init__(self, known: frozenset[str], own_material2: bool, steps: dict[str, Step]) -> None:
-        self.known, self.own_material2, self.steps = known, own_material2, steps
+    def __init__(self, known: frozenset[str], own_material2: bool, by_law: Routes, steps: dict[str, Step]) -> None:
+        self.known, self.own_material2, self.by_law, self.steps = known, own_material2, by_law, steps
         self.inputs: set[str] = set()
         self.missing: list[str] = []
         self.instead: list[str] = []
+        self.lacking: list[str] = []
 
     def visit(self, wanted: str) -> str:
         """Add the steps that lead to a quantity, and return the name under which its value is known."""
         name = self._source(wanted)
+        if name is None:
+            self.lacking.append(wanted)
+            return wanted
         if name in self.known:
             self.inputs.add(name)
         elif name not in NOMENCLATURE:
@@ -130,12 +134,12 @@ class _Path:
         self.steps.setdefault(name, Step(name, formula, arguments))
         return name
 
-    def _source(self, name: str) -> str:
-        """Return the name under which a value is known or computed."""
+    def _source(self, name: str) -> str | None:
+        """Return the name under which a value is known or computed; None for what the law does not have."""
         if name in self.known:
             return name
-        if name in _ROUTES and self.known & _ROUTES[name][0]:
-            return _ROUTES[name][1]
+        if name in self.by_law:
+            return self.by_law[name]
         is_property_of_2 = self.own_material2 and name.removesuffix("2") in PROPERTIES
         if name.endswith("2") and formula_of(name) is None and not is_property_of_2:
             return name.removesuffix("2")
@@ -157,15 +161,25 @@ def _in_order(names: Collection[str]) -> tuple[str, ...]:
     return tuple(name for name in NOMENCLATURE if name in names)
 
 
-def depends_on(names: Iterable[str]) -> frozenset[str]:
-    """Return every name on which quantities can depend, whatever is given."""
+def depends_on(names: Iterable[str], models: Collection[str] = (DEFAULT_LAW,)) -> frozenset[str]:
+    """Return every name on which quantities can depend under some laws, whatever is given."""
+    return _dependence(tuple(names), tuple(models))
+
+
+def has_law(name: str) -> bool:
+    """Return whether a quantity can differ between the laws of attraction."""
+    return any(map(differs, depends_on((name,))))
+
+
+@cache
+def _dependence(names: tuple[str, ...], models: tuple[str, ...]) -> frozenset[str]:
     found: set[str] = set()
     pending = list(names)
     while pending:
         name = pending.pop()
         if name not in found:
             found.add(name)
-            for route in (name, _ROUTES[name][1]) if name in _ROUTES else (name,):
+            for route in [name, *routes_anywhere(name, models)]:
                 if (formula := formula_of(route)) is not None:
                     pending += [parameter + suffix_of(route) for parameter in parameters_of(formula)]
     return frozenset(found)

@@ -1,0 +1,210 @@
+"""Rolling under any law of attraction, from one force: F_a = P_H − P, Hertz' load at the contact radius less the load.
+
+The moment of a contact whose attraction lags behind by ξ is F_aξ to first order in ξ, whatever the law: 4P_c â^(3/2) ξ
+in JKR, which is Eq (25), and 2πwRξ in DMT at every load.
+"""
+
+from .dimensions import Energy, Force, Frequency, Length, Mass, Moment, Number, RollingStiffness, Stress, SurfaceEnergy
+from .elementary import pi, sqrt, within
+
+
+def adhesive_force(*, pull_off_force: Force, load_factor: Number) -> Force:
+    """Hertz' load at the contact radius less the load, in JKR.
+
+        F_a = 4E*a³/(3R) − P = 4P_c â^(3/2)
+
+    Source:   Eq (5).
+    Valid:    As Eq (5).
+    Accuracy: 0.5 ulp above P_c and x.
+
+    >>> adhesive_force(pull_off_force=2.0, load_factor=0.5)
+    4.0
+    """
+    return 4 * pull_off_force * load_factor
+
+
+def yield_moment_of_force(*, adhesive_force: Force, yield_displacement: Length) -> Moment:
+    """Moment with which a contact resists when its attraction lags behind by ξ.
+
+        M = F_aξ
+
+    Source:   First order in ξ, for any law of attraction.
+    Valid:    ξ ≪ a.
+    Accuracy: 0.5 ulp above F_a.
+
+    >>> yield_moment_of_force(adhesive_force=2.0, yield_displacement=3.0)
+    6.0
+    """
+    return adhesive_force * yield_displacement
+
+
+def unloaded_moment_of_radius(
+    *, contact_radius: Length, contact_modulus: Stress, reduced_radius: Length, yield_displacement: Length
+) -> Moment:
+    """Moment of a contact without load, from its radius.
+
+        M = 4E*a0³ξ/(3R)
+
+    Source:   As the moment; without load, F_a is Hertz' load.
+    Valid:    |P| ≪ P_c.
+    Accuracy: 3 ulp above a0.
+
+    >>> unloaded_moment_of_radius(contact_radius=1.0, contact_modulus=3.0, reduced_radius=1.0, yield_displacement=1.0)
+    4.0
+    """
+    a = contact_radius
+    return 4 / 3 * contact_modulus / reduced_radius * a * a * a * yield_displacement
+
+
+def rolling_stiffness_of_force(*, adhesive_force: Force, reduced_radius: Length) -> RollingStiffness:
+    """Moment per angle between the spheres while they roll back and forth without yielding.
+
+        k = F_aR
+
+    Source:   As the moment, with ξ = R δ_α.
+    Valid:    Angles below the yield angle.
+    Accuracy: 0.5 ulp above F_a.
+
+    >>> rolling_stiffness_of_force(adhesive_force=2.0, reduced_radius=3.0)
+    6.0
+    """
+    return adhesive_force * reduced_radius
+
+
+def yield_force_of_moment(*, yield_moment: Moment, radius: Length) -> Force:
+    """Force at the centre of sphere 1 that starts it rolling, from the moment.
+
+        Q = M/R1
+
+    Source:   Eq (10).
+    Valid:    As the moment.
+    Accuracy: 0.5 ulp above M.
+
+    >>> yield_force_of_moment(yield_moment=6.0, radius=3.0)
+    2.0
+    """
+    return yield_moment / radius
+
+
+def yield_force_ratio_of_forces(*, yield_force: Force, pull_off_force: Force) -> Number:
+    """Yield force over the pull-off force of the same law.
+
+        Q/P_c
+
+    Source:   As Eq (27).
+    Valid:    As the forces. Above 1, the contact breaks before it rolls.
+    Accuracy: 0.5 ulp above Q and P_c.
+
+    >>> yield_force_ratio_of_forces(yield_force=1.0, pull_off_force=4.0)
+    0.25
+    """
+    return yield_force / pull_off_force
+
+
+def rolling_frequency_no_slip_of_stiffness(
+    *, rolling_stiffness: RollingStiffness, reduced_radius: Length, rolling_mass: Mass
+) -> Frequency:
+    """Frequency at which two free spheres that do not slip roll back and forth over each other, from k.
+
+        f_free = (1/2π)√(k/(R² m_eff))
+
+    Source:   Eqs (37)-(39), with the motion of the centres that no slip demands.
+    Valid:    Homogeneous spheres; body 2 may be a plane, which is held.
+    Accuracy: 2 ulp above k and m_eff.
+
+    >>> k = (2 * pi) ** 2
+    >>> round(rolling_frequency_no_slip_of_stiffness(rolling_stiffness=k, reduced_radius=1.0, rolling_mass=1.0), 12)
+    1.0
+    """
+    return sqrt(rolling_stiffness / reduced_radius / rolling_mass / reduced_radius) / (2 * pi)
+
+
+def yield_energy_of_moment(*, yield_moment: Moment, yield_displacement: Length, reduced_radius: Length) -> Energy:
+    """Energy to roll a contact to its yield displacement, from the moment.
+
+        M²/(2k) = Mξ/(2R)
+
+    Source:   As the moment and its stiffness.
+    Valid:    As the moment.
+    Accuracy: 1.5 ulp above M.
+
+    >>> yield_energy_of_moment(yield_moment=2.0, yield_displacement=3.0, reduced_radius=1.0)
+    3.0
+    """
+    return yield_moment * yield_displacement / (2 * reduced_radius)
+
+
+def hertz_pressure_of_radius(
+    *, contact_radius_at_load: Length, contact_modulus: Stress, reduced_radius: Length
+) -> Stress:
+    """Constant of the Hertz part of the pressure, from the contact radius.
+
+        p_H = 2aE*/(πR)
+
+    Source:   Eq (8).
+    Valid:    Any law of attraction.
+    Accuracy: 2 ulp above a.
+
+    >>> round(hertz_pressure_of_radius(contact_radius_at_load=pi, contact_modulus=1.0, reduced_radius=2.0), 12)
+    1.0
+    """
+    return 2 / pi * contact_modulus * (contact_radius_at_load / reduced_radius)
+
+
+# --- Hysteresis of adhesion -------------------------------------------------------------------------------------------
+
+
+def hysteresis_moment(*, zone_radius: Length, reduced_radius: Length, adhesion_hysteresis: SurfaceEnergy) -> Moment:
+    """Moment of steady rolling that the hysteresis of adhesion supplies.
+
+        M = 2cRΔw, c = a in JKR
+
+    Source:   The zone of attraction sweeps an area 2c per unit of path; exact for any law and any ξ.
+    Valid:    Δw = w_open − w_close ≤ w.
+    Accuracy: 1 ulp above c.
+
+    >>> hysteresis_moment(zone_radius=2.0, reduced_radius=3.0, adhesion_hysteresis=0.5)
+    6.0
+    """
+    return 2 * zone_radius * reduced_radius * adhesion_hysteresis
+
+
+def yield_displacement_at_hysteresis(
+    *,
+    adhesion_hysteresis: SurfaceEnergy,
+    work_of_adhesion: SurfaceEnergy,
+    zone_radius: Length,
+    reduced_radius: Length,
+    adhesive_force: Force,
+) -> Length:
+    """Displacement at which the rolling moment is what a hysteresis of adhesion supplies.
+
+        ξ = 2cRΔw/F_a, which is aΔw/(3πwx) in JKR
+
+    Source:   M = F_aξ and M = 2cRΔw.
+    Valid:    Δw ≤ w. Above, a float raises ValueError and an array holds NaN.
+    Accuracy: 2 ulp above c and F_a.
+
+    >>> yield_displacement_at_hysteresis(adhesion_hysteresis=0.5, work_of_adhesion=1.0, zone_radius=3.0,
+    ...                                  reduced_radius=2.0, adhesive_force=12.0)
+    0.5
+    """
+    supplied = within(adhesion_hysteresis <= work_of_adhesion, adhesion_hysteresis)
+    return 2 * zone_radius * reduced_radius * supplied / adhesive_force
+
+
+def hysteresis_ratio(
+    *, yield_moment: Moment, zone_radius: Length, reduced_radius: Length, work_of_adhesion: SurfaceEnergy
+) -> Number:
+    """Rolling moment over the largest that adhesion hysteresis supplies.
+
+        M/(2cRw)
+
+    Source:   M = 2cRΔw with Δw = w.
+    Valid:    Smooth surfaces; steady rolling.
+    Accuracy: 2 ulp above M and c.
+
+    >>> hysteresis_ratio(yield_moment=6.0, zone_radius=3.0, reduced_radius=2.0, work_of_adhesion=1.0)
+    0.5
+    """
+    return yield_moment / (2 * zone_radius * reduced_radius * work_of_adhesion)

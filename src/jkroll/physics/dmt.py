@@ -1,0 +1,134 @@
+"""The DMT contact: Hertz' contact, which a constant attraction 2πwR from outside presses together."""
+
+from .dimensions import Force, Length, Stiffness, Stress, SurfaceEnergy
+from .elementary import cbrt, pi, sqrt, within
+
+
+def contact_radius_dmt(
+    *, load: Force, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress
+) -> Length:
+    """Radius of the contact circle under a load, in DMT.
+
+        a = (3R(P + 2πwR)/(4E*))^(1/3)
+
+    Source:   Derjaguin, Muller & Toporov 1975.
+    Valid:    P ≥ −2πwR; small, hard spheres. Below, a float raises ValueError and an array holds NaN.
+    Accuracy: 2 ulp above P + 2πwR.
+
+    >>> round(contact_radius_dmt(load=0.0, work_of_adhesion=2 / pi, reduced_radius=1.0, contact_modulus=3.0), 12)
+    1.0
+    """
+    pressed = load + 2 * pi * work_of_adhesion * reduced_radius
+    return cbrt(3 / 4 * reduced_radius * within(pressed >= 0, pressed) / contact_modulus)
+
+
+def contact_radius_dmt_at_approach(*, approach_at_load: Length, reduced_radius: Length) -> Length:
+    """Radius of the contact circle at an approach, in DMT.
+
+        a = √(Rδ)
+
+    Source:   Hertz; Derjaguin, Muller & Toporov 1975.
+    Valid:    δ ≥ 0. Below, a float raises ValueError and an array holds NaN.
+    Accuracy: 1 ulp.
+
+    >>> contact_radius_dmt_at_approach(approach_at_load=4.0, reduced_radius=1.0)
+    2.0
+    """
+    return sqrt(within(approach_at_load >= 0, approach_at_load) * reduced_radius)
+
+
+def unloaded_radius_dmt(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress) -> Length:
+    """Radius of the contact circle without load, in DMT.
+
+        a0 = (3πwR²/(2E*))^(1/3)
+
+    Source:   Derjaguin, Muller & Toporov 1975.
+    Valid:    Small, hard spheres.
+    Accuracy: 2 ulp.
+
+    >>> round(unloaded_radius_dmt(work_of_adhesion=2 / pi, reduced_radius=1.0, contact_modulus=3.0), 12)
+    1.0
+    """
+    return cbrt(3 / 2 * pi * (work_of_adhesion / contact_modulus) * reduced_radius * reduced_radius)
+
+
+def unloaded_approach_dmt(
+    *, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress
+) -> Length:
+    """Approach of the centres without load, in DMT.
+
+        δ0 = a0²/R
+
+    Source:   Derjaguin, Muller & Toporov 1975.
+    Valid:    Small, hard spheres.
+    Accuracy: 4 ulp.
+
+    >>> round(unloaded_approach_dmt(work_of_adhesion=2 / pi, reduced_radius=1.0, contact_modulus=3.0), 12)
+    1.0
+    """
+    strain = 3 / 2 * pi * (work_of_adhesion / contact_modulus)
+    return cbrt(strain * strain * reduced_radius)
+
+
+def approach_dmt(*, contact_radius_at_load: Length, reduced_radius: Length) -> Length:
+    """Approach of the centres at a radius of the contact circle, in DMT.
+
+        δ = a²/R
+
+    Source:   Hertz; Derjaguin, Muller & Toporov 1975.
+    Valid:    a ≪ R.
+    Accuracy: 1 ulp above a.
+
+    >>> approach_dmt(contact_radius_at_load=2.0, reduced_radius=4.0)
+    1.0
+    """
+    return contact_radius_at_load * contact_radius_at_load / reduced_radius
+
+
+def load_dmt(
+    *, contact_radius_at_load: Length, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress
+) -> Force:
+    """Load that holds a contact circle, in DMT.
+
+        P = 4E*a³/(3R) − 2πwR
+
+    Source:   Derjaguin, Muller & Toporov 1975.
+    Valid:    a ≪ R.
+    Accuracy: 3 ulp of the larger term, above a.
+
+    >>> round(load_dmt(contact_radius_at_load=1.0, work_of_adhesion=2 / pi, reduced_radius=1.0, contact_modulus=3.0), 12)
+    0.0
+    """
+    a = contact_radius_at_load
+    return 4 / 3 * contact_modulus / reduced_radius * a * a * a - 2 * pi * work_of_adhesion * reduced_radius
+
+
+def stiffness_dmt(*, contact_radius_at_load: Length, contact_modulus: Stress) -> Stiffness:
+    """Normal stiffness of the contact, in DMT.
+
+        dP/dδ = 2E*a
+
+    Source:   Hertz; Derjaguin, Muller & Toporov 1975.
+    Valid:    a ≪ R.
+    Accuracy: 0.5 ulp above a.
+
+    >>> stiffness_dmt(contact_radius_at_load=2.0, contact_modulus=3.0)
+    12.0
+    """
+    return 2 * contact_modulus * contact_radius_at_load
+
+
+def adhesive_force_dmt(*, load: Force, work_of_adhesion: SurfaceEnergy, reduced_radius: Length) -> Force:
+    """Hertz' load at the contact radius less the load, in DMT: the pull-off force, at every load.
+
+        F_a = 2πwR
+
+    Source:   Derjaguin, Muller & Toporov 1975.
+    Valid:    P ≥ −2πwR. Below, a float raises ValueError and an array holds NaN.
+    Accuracy: 2 ulp.
+
+    >>> adhesive_force_dmt(load=1.0, work_of_adhesion=0.5 / pi, reduced_radius=2.0)
+    2.0
+    """
+    attraction = 2 * pi * work_of_adhesion * reduced_radius
+    return within(load + attraction >= 0, attraction)

@@ -1,0 +1,79 @@
+"""States of a Maugis contact that need no load or approach: without load, and where fixed grips let go."""
+
+from . import dugdale
+from .dimensions import Length, Number, Stress, SurfaceEnergy
+
+
+def unloaded_radius_maugis(
+    *,
+    work_of_adhesion: SurfaceEnergy,
+    reduced_radius: Length,
+    contact_modulus: Stress,
+    transition_parameter: Number,
+) -> Length:
+    """Radius of the contact circle without load.
+
+        a0 = vT at P = 0
+
+    Source:   Maugis 1992, by Newton's method.
+    Valid:    a0 ≪ R.
+    Accuracy: 10 ulp, times 1 plus its condition in λ.
+
+    >>> from math import pi
+    >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
+    >>> round(unloaded_radius_maugis(transition_parameter=1.0, **unit), 7)
+    1.6360905
+    """
+    v = dugdale.ratio_at_load(transition_parameter, 0.0)
+    unit = dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
+    return v * dugdale.span(transition_parameter, dugdale.shape(v)) * unit
+
+
+def unloaded_approach_maugis(
+    *,
+    work_of_adhesion: SurfaceEnergy,
+    reduced_radius: Length,
+    contact_modulus: Stress,
+    transition_parameter: Number,
+) -> Length:
+    """Approach of the centres without load.
+
+        δ0 = a0²/R − 2σ0T/E*
+
+    Source:   Maugis 1992, by Newton's method.
+    Valid:    a0 ≪ R.
+    Accuracy: 10 ulp, times 1 plus its condition in λ.
+
+    >>> from math import pi
+    >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
+    >>> round(unloaded_approach_maugis(transition_parameter=1.0, **unit), 7)
+    1.1298939
+    """
+    at = dugdale.shape(dugdale.ratio_at_load(transition_parameter, 0.0))
+    unit = dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
+    span = dugdale.span(transition_parameter, at)
+    return dugdale.approach(transition_parameter, at, span) * unit * (unit / reduced_radius)
+
+
+def fold_approach_maugis(
+    *,
+    work_of_adhesion: SurfaceEnergy,
+    reduced_radius: Length,
+    contact_modulus: Stress,
+    transition_parameter: Number,
+) -> Length:
+    """Least approach at which fixed grips hold the spheres, in contact or apart.
+
+        δ at q = G3/h, q = 4λ/(3T); −b²/2 − 2/(πλ), b = 8λ/3π, in the units of `dugdale`, if λ < 0.938
+
+    Source:   Maugis 1992; Johnson & Greenwood 1997.
+    Valid:    Always.
+    Accuracy: 10 ulp.
+
+    >>> from math import pi
+    >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
+    >>> round(fold_approach_maugis(transition_parameter=1e-3, **unit), 4)
+    -636.6198
+    """
+    unit = dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
+    return dugdale.lowest_approach(transition_parameter) * unit * (unit / reduced_radius)

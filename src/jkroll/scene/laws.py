@@ -1,0 +1,164 @@
+"""Laws of attraction between JKR and DMT: by which formula each has a quantity.
+
+A law is a table of routes, from the name of a quantity to the formula that gives it: "pull_off_force" is
+"pull_off_force_maugis" under Maugis' law. A plan follows the routes wherever a name occurs, so that what is made of
+such quantities (`n_grav` of the moment, `vertical_frequency` of the stiffness) needs no route of its own. None stands for
+a quantity that the law does not have; a name without a route is found by the formula of the same name.
+"""
+
+from collections.abc import Collection, Mapping
+from functools import cache
+from types import MappingProxyType
+from typing import NamedTuple
+
+from ..errors import JkrollError
+from ..text import quoted
+
+Routes = Mapping[str, str | None]
+
+
+class Law(NamedTuple):
+    """A law of attraction, with its routes, and those that take their place where some input is given."""
+
+    name: str
+    title: str
+    source: str  # as results cite it, where the paper has no equation
+    routes: Routes
+    given: Mapping[str, Routes]
+
+
+class UnknownLaw(JkrollError):
+    """Error raised for a law of attraction that is not known."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__(name)
+        self.name = name
+
+    def __str__(self) -> str:
+        return f"model: {quoted(self.name, 40)} is not one of {', '.join(LAWS)}"
+
+
+_GIVEN: Mapping[str, Routes] = {
+    "speed": {"energy": "kinetic_energy"},
+    "adhesion_hysteresis": {"yield_displacement": "yield_displacement_at_hysteresis"},
+}
+_MAUGIS_AT_APPROACH: Routes = {"edge_ratio": "edge_ratio_at_approach", "zone_span": "zone_span_at_approach"}
+_AT_FACTOR: Routes = {"load": "load_at_factor", "load_margin": "load_margin_of_factor"}
+
+_JKR = Law(
+    "jkr",
+    "JKR",
+    "",
+    {
+        "zone_radius": "contact_radius_at_load",
+        "edge_ratio": "edge_ratio_at_load",  # of Maugis' law: its quantities are known by their own names under any other
+    },
+    {
+        **_GIVEN,
+        "load_factor": _AT_FACTOR,
+        "approach_at_load": {**_AT_FACTOR, **_MAUGIS_AT_APPROACH, "load_factor": "load_factor_at_approach"},
+    },
+)
+
+# What follows from the adhesive force, the contact radius and the pull-off force of any law.
+_OF_ANY_LAW: Routes = {
+    "yield_moment": "yield_moment_of_force",
+    "unloaded_moment": "unloaded_moment_of_radius",
+    "rolling_stiffness": "rolling_stiffness_of_force",
+    "yield_force": "yield_force_of_moment",
+    "yield_force_ratio": "yield_force_ratio_of_forces",
+    "rolling_frequency_no_slip": "rolling_frequency_no_slip_of_stiffness",
+    "yield_energy": "yield_energy_of_moment",
+    "hertz_pressure": "hertz_pressure_of_radius",
+    "boussinesq_pressure": None,
+    "half_circles_moment": None,
+    "fixed_approach_moment": None,
+    "displacement_limit": None,
+    "load_factor": None,
+    "load_margin": None,
+}
+
+_MAUGIS = Law(
+    "maugis",
+    "Maugis–Dugdale",
+    "Maugis 1992",
+    {
+        **_OF_ANY_LAW,
+        "pull_off_force": "pull_off_force_maugis",
+        "contact_radius": "unloaded_radius_maugis",
+        "approach": "unloaded_approach_maugis",
+        "edge_ratio": "edge_ratio_at_load",
+        "contact_radius_at_load": "contact_radius_maugis",
+        "approach_at_load": "approach_maugis",
+        "stiffness": "stiffness_maugis",
+        "adhesive_force": "adhesive_force_maugis",
+        "well_energy": "well_energy_maugis",
+        "pull_off_work": "pull_off_work_maugis",
+        "pull_off_work_at_dead_load": "pull_off_work_at_dead_load_maugis",
+        "sticking_energy": "sticking_energy_maugis",
+    },
+    {
+        **_GIVEN,
+        "edge_ratio": {"load": "load_maugis"},
+        "approach_at_load": {**_MAUGIS_AT_APPROACH, "load": "load_maugis"},
+    },
+)
+
+_DMT = Law(
+    "dmt",
+    "DMT",
+    "Derjaguin, Muller & Toporov 1975",
+    {
+        **_OF_ANY_LAW,
+        "pull_off_force": "pull_off_force_dmt",
+        "contact_radius": "unloaded_radius_dmt",
+        "approach": "unloaded_approach_dmt",
+        "contact_radius_at_load": "contact_radius_dmt",
+        "approach_at_load": "approach_dmt",
+        "stiffness": "stiffness_dmt",
+        "adhesive_force": "adhesive_force_dmt",
+        "zone_radius": None,
+        "well_energy": None,
+        "pull_off_work": None,
+        "pull_off_work_at_dead_load": None,
+        "sticking_energy": None,
+    },
+    {
+        **_GIVEN,
+        "approach_at_load": {"load": "load_dmt", "contact_radius_at_load": "contact_radius_dmt_at_approach"},
+    },
+)
+
+LAWS: Mapping[str, Law] = MappingProxyType({law.name: law for law in (_JKR, _MAUGIS, _DMT)})
+DEFAULT_LAW = _JKR.name
+
+
+def law_named(name: str) -> Law:
+    """Return a law, or raise UnknownLaw."""
+    if name not in LAWS:
+        raise UnknownLaw(name)
+    return LAWS[name]
+
+
+@cache
+def routes(model: str, known: frozenset[str]) -> Routes:
+    """Return the routes of a law for what is known."""
+    law = LAWS[model]
+    found = dict(law.routes)
+    for name, own in law.given.items():
+        if name in known:
+            found |= own
+    return found
+
+
+def routes_anywhere(name: str, models: Collection[str]) -> list[str]:
+    """Return every formula by which laws have a quantity, whatever is given."""
+    laws = [LAWS[model] for model in models]
+    tables = [table for law in laws for table in (law.routes, *law.given.values())]
+    return [route for table in tables if (route := table.get(name)) is not None]
+
+
+@cache
+def differs(name: str) -> bool:
+    """Return whether a law other than the default has a quantity by a formula of its own, or not at all."""
+    return any(law.routes.get(name, name) != _JKR.routes.get(name, name) for law in LAWS.values())

@@ -1,0 +1,325 @@
+"""Laws of attraction through the whole graph: Maugis' against his equations in 80 digits, and its limits JKR and DMT."""
+
+import math
+import random
+from itertools import pairwise
+from typing import Any
+
+import numpy
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import maugis_reference as reference
+from jkroll import FORMULAS, NOMENCLATURE, JkrollError, solve
+from jkroll.answers.answer import answer
+from jkroll.answers.curve import curve
+from jkroll.answers.questions import QUESTIONS
+from jkroll.materials.library import known_materials
+from jkroll.physics import dugdale
+from jkroll.scene.errors import BeyondFold, BeyondPullOff, NotInLaw
+from jkroll.scene.laws import LAWS, UnknownLaw
+from jkroll.scene.scene import Scene
+from maugis_reference import Exact, cbrt, mpf, pi
+
+QUARTZ: dict[str, Any] = {"material": "quartz", "radius": 1e-7}
+STATE = ("contact_radius_at_load", "zone_radius", "approach_at_load", "stiffness", "yield_moment", "load")
+
+
+class Units:
+    """The units of Maugis' equations and λ for a pair of spheres, exactly."""
+
+    def __init__(self, scene: dict[str, float]) -> None:
+        of = {name: mpf(value) for name, value in scene.items() if not math.isinf(value)}
+        radius2 = scene["radius2"]
+        curvature = 1 / of["radius"] + (0 if math.isinf(radius2) else 1 / of["radius2"])
+        modulus = 1 / sum(
+            (1 - of["poisson_ratio" + of_sphere] ** 2) / of["youngs_modulus" + of_sphere] for of_sphere in ("", "2")
+        )
+        self.R, self.w, self.K = (
+            1 / curvature,
+            2 * reference.sqrt(of["surface_energy"] * of["surface_energy2"]),
+            4 * modulus / 3,
+        )
+        stress = 16 * self.w / (9 * reference.sqrt(mpf(3)) * of["atomic_spacing"])
+        self.transition = 2 * stress / cbrt(pi * self.w * self.K**2 / self.R)
+        self.length = cbrt(pi * self.w * self.R**2 / self.K)
+        self.approach = cbrt(pi**2 * self.w**2 * self.R / self.K**2)
+        self.force = pi * self.w * self.R
+
+    def state(self, a: Exact, m: Exact) -> dict[str, Exact]:
+        """Return a state in SI units."""
+        load = reference.load(a, m, self.transition)
+        return {
+            "contact_radius_at_load": a * self.length,
+            "zone_radius": a * m * self.length,
+            "approach_at_load": reference.approach(a, m, self.transition) * self.approach,
+            "stiffness": reference.stiffness(a, m, self.transition) * self.force / self.approach,
+            "yield_moment": (a**3 - load) * self.force * mpf(2e-10),
+            "load": load * self.force,
+        }
+
+
+def random_pair(source: random.Random) -> dict[str, Any]:
+    """Return an unequal pair of spheres, or a sphere on a plane."""
+    scene: dict[str, Any] = {"radius": 10 ** source.uniform(-9, -4), "atomic_spacing": 10 ** source.uniform(-10, -9)}
+    scene["radius2"] = source.choice([math.inf, scene["radius"] * 10 ** source.uniform(-1, 1)])
+    for sphere in ("", "2"):
+        scene["surface_energy" + sphere] = 10 ** source.uniform(-2, 0.5)
+        scene["youngs_modulus" + sphere] = 10 ** source.uniform(8, 11.5)
+        scene["poisson_ratio" + sphere] = source.uniform(0, 0.49)
+    return scene
+
+
+@pytest.mark.parametrize("given_state", ["load", "approach_at_load"])
+def test_states_of_random_pairs_are_those_of_maugis(given_state: str) -> None:
+    source = random.Random(1992)
+    for _ in range(12):
+        pair = random_pair(source)
+        units = Units(pair)
+        unloaded = solve(["pull_off_force", "approach"], model="maugis", **pair)
+        value = (
+            unloaded["pull_off_force"] * source.choice([0.0, source.uniform(-0.9, 0), 10 ** source.uniform(-2, 3)])
+            if given_state == "load"
+            else unloaded["approach"] * source.uniform(0.2, 5)
+        )
+        found = solve(STATE, model="maugis", **pair, **{given_state: value})
+        start = found["contact_radius_at_load"] / float(units.length)
+        zone = found["zone_radius"] / found["contact_radius_at_load"]
+        near = (start, math.sqrt(zone**2 - 1))
+        if given_state == "load":
+            exact = units.state(*reference.at_load(units.transition, mpf(value) / units.force, near))
+        else:
+            exact = units.state(*reference.at_approach(units.transition, mpf(value) / units.approach, near))
+        for name in STATE:
+            scale = max(abs(exact[name]), units.force * mpf(10) ** -3 if name == "load" else 0)
+            assert abs(mpf(found[name]) - exact[name]) <= mpf(10) ** -12 * scale, (name, pair, value)
+
+
+def test_the_pull_off_force_of_random_pairs_is_that_of_maugis() -> None:
+    source = random.Random(1976)
+    for _ in range(12):
+        pair = random_pair(source)
+        units = Units(pair)
+        start = 1 / dugdale.pull_off_ratio(float(units.transition))
+        least = reference.load(*reference.pull_off(units.transition, start), units.transition)
+        force = solve("pull_off_force", model="maugis", **pair)
+        assert abs(mpf(force) + least * units.force) <= mpf(10) ** -14 * units.force
+
+
+# --- What follows from the state ----------------------------------------------------------------------------------------
+
+
+def test_numbers_of_a_grain() -> None:
+    """Quartz of 100 nm at z0 = 4 Å, over JKR: computed from Maugis' equations apart from the program."""
+    names = [
+        "pull_off_force",
+        "contact_radius_at_load",
+        "approach_at_load",
+        "vertical_frequency",
+        "yield_moment",
+        "well_energy",
+    ]
+    between, jkr = (solve(names, model=model, **QUARTZ) for model in ("maugis", "jkr"))
+    ratios = [between[name] / jkr[name] for name in names]
+    assert [round(ratio, 3) for ratio in ratios] == [1.274, 0.754, 1.139, 1.043, 0.429, 2.848]
+
+
+@pytest.mark.parametrize("model", ["maugis", "dmt"])
+def test_what_is_made_of_the_moment_follows_it(model: str) -> None:
+    names = [
+        "yield_moment", "yield_force", "mean_rolling_moment", "n_grav", "rolling_stiffness", "rolling_frequency",
+        "rolling_frequency_no_slip", "n_roll", "n_roll_energy_balance", "yield_energy", "energy_over_yield",
+    ]  # fmt: skip
+    jkr, other = (solve(names, **QUARTZ, radius2=3e-7, load=1e-9, model=law) for law in ("jkr", model))
+    ratio = other["yield_moment"] / jkr["yield_moment"]
+    powers = [1, 1, 1, 0.5, 1, 0.5, 0.5, -1, -1, 1, -1]
+    for name, power in zip(names, powers, strict=True):
+        assert math.isclose(other[name] / jkr[name], ratio**power, rel_tol=1e-13), name
+
+
+@given(
+    load=st.floats(-0.9, 100).map(lambda load: round(load, 3)),
+    radius=st.floats(-9, -4),
+    model=st.sampled_from(["jkr", "maugis", "dmt"]),
+    of_plane=st.booleans(),
+)
+@settings(max_examples=60, deadline=None)
+def test_the_moment_is_hertz_load_less_the_load(load: float, radius: float, model: str, of_plane: bool) -> None:
+    """M = (4E*a³/3R − P)ξ in every law."""
+    scene = {**QUARTZ, "radius": 10**radius, "radius2": math.inf if of_plane else 10**radius}
+    force = solve("pull_off_force", model=model, **scene)
+    names = ["contact_radius_at_load", "contact_modulus", "reduced_radius", "yield_moment", "approach_at_load"]
+    found = solve(names, model=model, **scene, load=load * force)
+    hertz = 4 * found["contact_modulus"] * found["contact_radius_at_load"] ** 3 / (3 * found["reduced_radius"])
+    assert math.isclose(found["yield_moment"], (hertz - load * force) * 2e-10, rel_tol=1e-11)
+    again = solve(["load", "stiffness"], model=model, **scene, approach_at_load=found["approach_at_load"])
+    assert math.isclose(again["load"], load * force, rel_tol=1e-8, abs_tol=1e-8 * force)
+
+
+@pytest.mark.parametrize(
+    ("model", "radius", "spacing", "error"), [("jkr", 1e-3, 1e-11, 1e-4), ("dmt", 1e-9, 1e-6, 1e-2)]
+)
+def test_maugis_tends_to_jkr_and_to_dmt(model: str, radius: float, spacing: float, error: float) -> None:
+    scene: dict[str, Any] = {"material": "quartz", "radius": radius, "atomic_spacing": spacing}
+    names = [
+        "pull_off_force",
+        "contact_radius_at_load",
+        "stiffness",
+        "yield_moment",
+        "rolling_frequency",
+        "n_grav",
+        "n_roll",
+    ]
+    limit, between = (solve(names, model=law, **scene) for law in (model, "maugis"))
+    for name in names:
+        assert math.isclose(between[name], limit[name], rel_tol=error), name
+
+
+# --- Hysteresis of adhesion ---------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("model", "edge"), [("jkr", "contact_radius_at_load"), ("maugis", "zone_radius")])
+def test_hysteresis_gives_the_moment_that_it_supplies(model: str, edge: str) -> None:
+    names = ["yield_moment", edge, "reduced_radius", "hysteresis_ratio", "work_of_adhesion"]
+    found = solve(names, model=model, **QUARTZ, load=2e-9, adhesion_hysteresis=0.01)
+    assert math.isclose(found["yield_moment"], 2 * found[edge] * found["reduced_radius"] * 0.01, rel_tol=1e-14)
+    assert math.isclose(found["hysteresis_ratio"], 0.01 / found["work_of_adhesion"], rel_tol=1e-14)
+
+
+def test_hysteresis_is_at_most_the_work_of_adhesion() -> None:
+    with pytest.raises(JkrollError, match=r"0\.06 J/m\^2 is above the work of adhesion, 0\.05"):
+        solve("yield_moment", **QUARTZ, adhesion_hysteresis=0.06)
+
+
+def test_dmt_has_no_edge_that_a_hysteresis_could_act_on() -> None:
+    with pytest.raises(NotInLaw, match="radius of the zone of attraction, which DMT does not have"):
+        solve("yield_moment", model="dmt", **QUARTZ, adhesion_hysteresis=0.01)
+
+
+def test_displacement_and_hysteresis_exclude_each_other() -> None:
+    with pytest.raises(JkrollError, match="exclude each other"):
+        solve("yield_moment", **QUARTZ, adhesion_hysteresis=0.01, yield_displacement=1e-10)
+
+
+# --- What there is not --------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("model", ["jkr", "maugis", "dmt"])
+def test_an_error_names_the_pull_off_force_of_the_law(model: str) -> None:
+    force = solve("pull_off_force", model=model, **QUARTZ)
+    names = ["contact_radius_at_load", "yield_moment", "stiffness"]
+    for name in names:
+        with pytest.raises(BeyondPullOff, match=repr(-force)):
+            solve(name, model=model, **QUARTZ, load=-1.01 * force)
+    values = solve(names, model=model, **QUARTZ, load=numpy.array([-1.01 * force, 0.0]))
+    assert all(math.isnan(value[0]) and value[1] > 0 for value in values.values())
+
+
+def test_a_load_that_only_maugis_holds_is_said() -> None:
+    found = answer(QUESTIONS["moment"], Scene({"radius": 1e-7, "load": -1.3e-8}, known_materials()["quartz"]))
+    assert "--model maugis" in str(found.failure)
+    assert solve("contact_radius_at_load", model="maugis", **QUARTZ, load=-1.3e-8) > 0
+
+
+def test_spheres_can_be_bound_without_touching() -> None:
+    found = solve(["contact_radius_at_load", "load", "zone_radius"], model="maugis", **QUARTZ, approach_at_load=-3e-10)
+    assert found["contact_radius_at_load"] == 0
+    assert found["load"] < 0 < found["zone_radius"]
+    with pytest.raises(BeyondFold):
+        solve("load", model="maugis", **QUARTZ, approach_at_load=-1e-9)
+    shown = answer(
+        QUESTIONS["contact"],
+        Scene({"radius": 1e-7, "approach_at_load": -3e-10}, known_materials()["quartz"], model="maugis"),
+    )
+    assert any("bound without touching" in note.text for note in shown.notes)
+
+
+@pytest.mark.parametrize("name", ["half_circles_moment", "boussinesq_pressure", "displacement_limit"])
+def test_what_a_law_lacks_is_said_as_a_missing_input_is(name: str) -> None:
+    with pytest.raises(NotInLaw, match="which Maugis–Dugdale does not have; give --model jkr"):
+        solve(name, model="maugis", **QUARTZ)
+
+
+def test_an_unknown_law_is_refused() -> None:
+    with pytest.raises(UnknownLaw, match="is not one of jkr, maugis, dmt"):
+        solve("pull_off_force", model="hertz", **QUARTZ)
+
+
+# --- Tables and arrays --------------------------------------------------------------------------------------------------
+
+
+def test_every_route_leads_to_a_formula_of_the_nomenclature() -> None:
+    for law in LAWS.values():
+        for table in (law.routes, *law.given.values()):
+            for name, route in table.items():
+                assert name in NOMENCLATURE
+                assert route is None or (route in FORMULAS and route in NOMENCLATURE)
+                assert route is None or NOMENCLATURE[route].unit == NOMENCLATURE[name].unit
+
+
+@pytest.mark.parametrize("model", ["maugis", "dmt"])
+def test_arrays_agree_with_numbers(model: str) -> None:
+    names = [
+        name
+        for name in QUESTIONS["report"].quantities
+        if LAWS[model].routes.get(name, name) is not None and name != "load"
+    ]
+    radii = numpy.geomspace(1e-9, 1e-3, 9)
+    columns = solve(names, model=model, material="quartz", radius=radii)
+    for place, radius in enumerate(radii.tolist()):
+        for name, value in solve(names, model=model, material="quartz", radius=radius).items():
+            element = float(numpy.broadcast_to(columns[name], radii.shape)[place])
+            assert math.isclose(element, value, rel_tol=1e-13), (name, radius)
+
+
+def test_large_arrays_are_solved_in_blocks() -> None:
+    radii = numpy.geomspace(1e-9, 1e-3, 40_000)
+    forces = solve("pull_off_force", model="maugis", material="quartz", radius=radii)
+    assert forces[12_345] == solve("pull_off_force", model="maugis", material="quartz", radius=radii[12_345])
+
+
+@pytest.mark.parametrize("radius", [1e-8, 1e-7, 1e-5, 1e-3])
+@pytest.mark.parametrize("model", ["maugis", "dmt"])
+def test_a_curve_rises_in_its_approach_and_has_its_largest_tension_at_pull_off(model: str, radius: float) -> None:
+    quartz = known_materials()["quartz"]
+    rows = [row for _, row in curve([Scene({"radius": radius}, quartz, model=model)])]
+    held = [row for row in rows if row.inputs["state"] != "unstable"]
+    places: list[Any] = [row.inputs.get("approach_at_load", row.value("approach_at_load")) for row in held]
+    assert len(held) > 15
+    assert all(later > earlier for earlier, later in pairwise(places))
+    (pull_off,) = [row.value("load") for row in rows if row.inputs["state"] == "pull-off"]
+    assert pull_off == min(row.value("load") or 0.0 for row in rows)
+    assert math.isclose(-(pull_off or 0.0), solve("pull_off_force", model=model, material="quartz", radius=radius))
+
+
+# --- What an answer says ------------------------------------------------------------------------------------------------
+
+
+def test_beside_a_headline_of_jkr_stands_what_maugis_says() -> None:
+    found = answer(QUESTIONS["yield-force"], Scene({"radius": 1e-7}, known_materials()["quartz"]))
+    (verdict,) = [each for each in found.validity if each.name == "tabor_parameter"]
+    assert verdict.text == "Maugis–Dugdale has Q −57 % (−49 % at z0 = 200 pm) at this ξ; --model maugis"
+    (difference,) = found.laws
+    assert math.isclose(difference.value, solve("yield_force", model="maugis", **QUARTZ))
+    assert math.isclose(difference.ratio, difference.value / solve("yield_force", **QUARTZ))
+
+
+def test_a_result_of_another_law_says_so() -> None:
+    found = answer(QUESTIONS["yield-force"], Scene({"radius": 1e-7}, known_materials()["quartz"], model="maugis"))
+    results = {result.name: result for result in found.results}
+    assert (results["yield_moment"].model, results["yield_moment"].equation) == ("maugis", "Maugis 1992")
+    assert results["yield_moment"].jkr == solve("yield_moment", **QUARTZ)
+    assert results["yield_angle"].model == ""
+    assert found.inputs["model"] == "maugis"
+    assert any("1.81 times JKR's" in note.text for note in found.notes)
+
+
+def test_a_sticking_energy_that_the_spacing_decides_is_a_range() -> None:
+    quartz = known_materials()["quartz"]
+    found = answer(QUESTIONS["contact"], Scene({"radius": 1e-7}, quartz, model="maugis"))
+    (result,) = [each for each in found.results if each.name == "sticking_energy"]
+    assert result.value is None
+    assert result.reason == "from 8.50556e-23 J at z0 = 400 pm to 2.72178 zJ at z0 = 200 pm; give --z0"
+    said = answer(QUESTIONS["contact"], Scene({"radius": 1e-7, "atomic_spacing": 4e-10}, quartz, model="maugis"))
+    assert said.value("sticking_energy") == solve("sticking_energy", model="maugis", **QUARTZ)
