@@ -77,7 +77,7 @@ def test_a_list_of_quantities_has_every_name_in_every_format(run: Run) -> None:
 @pytest.mark.parametrize("word", ["gamma", "surface_energy", "surface-energy"])
 def test_the_word_of_an_option_is_the_name(run: Run, word: str) -> None:
     axis = f"{word}=1mJ/m2:1J/m2:3"
-    assert run("map", "pull-off", "100nm", "--x", axis, "--data", "-").out.startswith("surface_energy")
+    assert run("map", "pull-off", "100nm", "--x", axis, "--data", "-").out.startswith("curve,surface_energy ")
     assert run("pull-off", "quartz", "100nm", "--quantities", "contact-modulus").out.startswith("contact_modulus ")
     refused = run("pull-off", "100nm", "--gamma", "25mJ/m2", "--quantities", word)
     assert refused.err == "jkroll: --quantities: surface_energy is an input here\n"
