@@ -24,7 +24,13 @@ CONSOLE = re.compile(r"```console\n(.*?)```", re.DOTALL)
 _COPIED = re.compile(r"```sh-session\n(.*?)```", re.DOTALL)
 _BLOCK = re.compile(r"```.*?```", re.DOTALL)
 _IN_TEXT = re.compile(r"`(jkroll [^`]+)`")
-_NOT_RUN = ("jkroll bench", "jkroll verify", "jkroll --install-completion", "jkroll COMMAND", "jkroll --show-completion")
+_NOT_RUN = (
+    "jkroll bench",
+    "jkroll verify",
+    "jkroll --install-completion",
+    "jkroll COMMAND",
+    "jkroll --show-completion",
+)
 TABLE = "grain,material,radius [nm]\na,quartz,100\nb,iron,1000\n"  # of commands that read grains.csv
 MATERIALS = '[materials.mine]\nsurface_energy = "30 mJ/m2"\n'  # of commands that read mine.toml
 

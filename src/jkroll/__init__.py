@@ -11,7 +11,8 @@ if TYPE_CHECKING:
 
     from .errors import JkrollError
     from .materials.library import Material, Materials, known_materials
-    from .quantities.nomenclature import NOMENCLATURE, Quantity
+    from .quantities.nomenclature import NOMENCLATURE
+    from .quantities.quantity import Quantity
     from .quantities.uncertain import Interval, Measured
     from .scene.formulas import FORMULAS
     from .scene.infer import infer
@@ -41,7 +42,7 @@ _HOMES = {
     "Materials": "materials.library",
     "Measured": "quantities.uncertain",
     "NOMENCLATURE": "quantities.nomenclature",
-    "Quantity": "quantities.nomenclature",
+    "Quantity": "quantities.quantity",
     "infer": "scene.infer",
     "known_materials": "materials.library",
     "solve": "scene.solver",

@@ -53,8 +53,10 @@ def _result_row(result: Result, form: Format) -> list[str]:
     else:
         value, unit = form.rounded(result.name, result.value)
     equation = result.equation or quantity.equation
+    definition = "" if result.model else quantity.definition
     source = quantity.reference or f"Eq {equation}"
     jkr = "" if result.jkr is None else pretty(amount(result.name, result.jkr, form))
+<<<<<<< HEAD
     return [
         quantity.sentence,
         quantity.symbol,
@@ -65,6 +67,9 @@ def _result_row(result: Result, form: Format) -> list[str]:
         source,
         jkr,
     ]
+=======
+    return [quantity.sentence, quantity.symbol, value, pretty(unit), equation, definition, source, jkr]
+>>>>>>> 6452520cb5db5b3923fc48f26500fd7200a47dfe
 
 
 def _is_aside(result: Result) -> bool:

@@ -5,39 +5,9 @@ Parsing, help, tables, CSV headers, JSON and error messages all read this table.
 
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import NamedTuple
 
-
-class Quantity(NamedTuple):
-    """The meaning of a name."""
-
-    symbol: str
-    unit: str  # SI; "1" for a number, "" for a text
-    sentence: str
-    equation: str = ""  # as the paper numbers it
-    range: str = ""  # a name in RANGES, of the values that a user may give
-    option: str = ""  # of the command line
-    example: str = ""  # a value as a user types it
-    note: str = ""  # the reason why it is shown beside another quantity
-    definition: str = ""  # of one among several conventions: the factor, in units that are common to them
-    reference: str = ""  # of a convention: the paper or code where it stands
-
-
-class Range(NamedTuple):
-    """An interval of values that a user may give, with the words for an error."""
-
-    low: float
-    high: float
-    low_allowed: bool
-    high_allowed: bool
-    words: str
-
-    def admits(self, value: float) -> bool:
-        """Return whether a number lies in the range; nan lies in none."""
-        above = value >= self.low if self.low_allowed else value > self.low
-        below = value <= self.high if self.high_allowed else value < self.high
-        return above and below
-
+from .law_names import BY_A_LAW, OF_MAUGIS
+from .quantity import Quantity, Range
 
 INFINITY = float("inf")
 RANGES: Mapping[str, Range] = MappingProxyType(
@@ -272,54 +242,16 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
             "v_stick(19.2)", "m/s", "largest relative speed that sticks",
             definition="√(2E_stick(19.2)/m)", reference="code pencil-code/pencil-code",
         ),
-        # Maugis' law
-        "transition_parameter": Quantity("λ", "1", "Maugis' parameter of the transition between JKR and DMT"),
-        "cohesive_stress": Quantity("σ0", "Pa", "largest stress with which two surfaces attract"),
-        "edge_ratio": Quantity("v", "1", "contact radius over the span of the ring of attraction", range="positive"),
-        "edge_ratio_at_load": Quantity("v", "1", "edge ratio at the load"),
-        "edge_ratio_at_approach": Quantity("v", "1", "edge ratio at the approach"),
-        "edge_ratio_at_pull_off": Quantity("v_c", "1", "edge ratio at pull-off"),
-        "edge_ratio_at_fold": Quantity("v_fold", "1", "edge ratio where fixed grips let go"),
-        "zone_span": Quantity("T", "m", "span of the ring of attraction"),
-        "zone_span_at_approach": Quantity("T", "m", "span of the ring of attraction at the approach"),
-        "zone_radius": Quantity("c", "m", "radius of the zone of attraction"),
-        "contact_displacement": Quantity("ξ_contact", "m", "displacement of the contact circle"),
-        "fold_approach_maugis": Quantity("δ_fold", "m", "least approach that fixed grips hold"),
-        "state_energy_maugis": Quantity("Φ", "J", "energy of the state"),
+        **OF_MAUGIS,
     }
 )  # fmt: skip
-
-# Formulas by which some law has a quantity; it is the same quantity, without an equation of the paper.
-_BY_A_LAW = {
-    "pull_off_force": ("pull_off_force_maugis",),
-    "contact_radius": ("unloaded_radius_maugis", "unloaded_radius_dmt"),
-    "approach": ("unloaded_approach_maugis", "unloaded_approach_dmt"),
-    "contact_radius_at_load": ("contact_radius_maugis", "contact_radius_dmt", "contact_radius_dmt_at_approach"),
-    "approach_at_load": ("approach_maugis", "approach_dmt"),
-    "load": ("load_maugis", "load_dmt"),
-    "stiffness": ("stiffness_maugis", "stiffness_dmt"),
-    "adhesive_force": ("adhesive_force_maugis", "adhesive_force_dmt"),
-    "well_energy": ("well_energy_maugis",),
-    "pull_off_work": ("pull_off_work_maugis",),
-    "pull_off_work_at_dead_load": ("pull_off_work_at_dead_load_maugis",),
-    "sticking_energy": ("sticking_energy_maugis",),
-    "hertz_pressure": ("hertz_pressure_of_radius",),
-    "yield_displacement": ("yield_displacement_at_hysteresis",),
-    "yield_moment": ("yield_moment_of_force",),
-    "unloaded_moment": ("unloaded_moment_of_radius",),
-    "rolling_stiffness": ("rolling_stiffness_of_force",),
-    "yield_force": ("yield_force_of_moment",),
-    "yield_force_ratio": ("yield_force_ratio_of_forces",),
-    "rolling_frequency_no_slip": ("rolling_frequency_no_slip_of_stiffness",),
-    "yield_energy": ("yield_energy_of_moment",),
-}
 
 NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
     {
         **_QUANTITIES,
         **{
             name: _QUANTITIES[quantity]._replace(equation="", range="", option="", example="", note="")
-            for quantity, names in _BY_A_LAW.items()
+            for quantity, names in BY_A_LAW.items()
             for name in names
         },
     }

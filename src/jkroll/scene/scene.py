@@ -118,7 +118,7 @@ class Scene:
         return Scene({**self.stated, **values}, self.material, self.material2, model=self.stated_model)
 
     def under(self, model: str) -> "Scene":
-        """Return the scene under another law of attraction."""
+        """Return the scene under another law of attraction, without uncertainties."""
         return Scene(self.stated, self.material, self.material2, model=model)
 
     @property
