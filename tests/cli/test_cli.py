@@ -188,13 +188,7 @@ def test_wrong_case_of_a_unit(run: Run) -> None:
 def test_plain_lines_have_name_value_unit(run: Run) -> None:
     ran = run("yield-force quartz 100nm")
     lines = [line.split(" ", 2) for line in ran.out.splitlines()]
-<<<<<<< HEAD
-    assert [line[0] for line in lines] == [
-        name for name in QUESTIONS["yield-force"].quantities if name != "yield_displacement"
-    ]
-=======
     assert [line[0] for line in lines] == ["yield_force", "yield_force_ratio", "yield_moment", "yield_angle"]
->>>>>>> 6452520cb5db5b3923fc48f26500fd7200a47dfe
     assert all(float(line[1]) > 0 for line in lines)
     assert [line[2:] for line in lines] == [["N"], [], ["N m"], ["rad"]]
     assert ran.err.startswith("note: assumed ξ = 200 pm (--xi), P = 0 N (--load), z0 = 400 pm (--z0)\n")

@@ -38,25 +38,17 @@ class Result(NamedTuple):
     """A quantity in SI units, or the reason why it has no value.
 
     `error` is the relative error of a model of the moment, `condition` the factor by which an inferred value multiplies the
-<<<<<<< HEAD
-    relative error of a measured one. A quantity of another law of attraction than JKR says which, and has JKR's value
-    beside it.
-=======
     relative error of a measured one. A quantity of another law of attraction than JKR says which, and has JKR's value beside
     it.
->>>>>>> 6452520cb5db5b3923fc48f26500fd7200a47dfe
     """
 
     name: str
     value: float | None
     reason: str = ""
     error: float | None = None
-<<<<<<< HEAD
-=======
     model: str = ""  # the law of attraction, if it is another than JKR
     equation: str = ""  # of that law
     jkr: float | None = None  # the value of JKR, beside that of another law
->>>>>>> 6452520cb5db5b3923fc48f26500fd7200a47dfe
     condition: float | None = None
     propagated: "Propagated | None" = None  # its uncertainty, if an input has one
 
@@ -69,13 +61,6 @@ class Result(NamedTuple):
             for side, number in self.propagated.uncertainty.as_object().items()
             if isinstance(number, float)
         }
-<<<<<<< HEAD
-
-    model: str = ""  # the law of attraction, if it is another than JKR
-    equation: str = ""  # of that law
-    jkr: float | None = None  # the value of JKR, beside that of another law
-=======
->>>>>>> 6452520cb5db5b3923fc48f26500fd7200a47dfe
 
 
 class Note(NamedTuple):
@@ -94,13 +79,8 @@ class Answer(NamedTuple):
     notes: tuple[Note, ...]
     validity: tuple[Verdict, ...]
     failure: JkrollError | None  # why there is no result, or no contact
-<<<<<<< HEAD
-    uncertain: Mapping[str, "Uncertain"] = NO_UNCERTAINTY  # the inputs that are uncertain
-    laws: tuple[Difference, ...] = ()  # how Maugis' law differs from JKR
-=======
     laws: tuple[Difference, ...] = ()  # how Maugis' law differs from JKR
     uncertain: Mapping[str, "Uncertain"] = NO_UNCERTAINTY  # the inputs that are uncertain
->>>>>>> 6452520cb5db5b3923fc48f26500fd7200a47dfe
 
     def value(self, name: str) -> float | None:
         """Return the value of a result, or None."""
@@ -147,11 +127,7 @@ def answer(question: Question, scene: Scene) -> Answer:
     if isinstance(fatal, BeyondPullOff):
         fatal = held_otherwise(fatal, scene)
     failure = fatal or (None if known else next(iter(errors.values())))
-<<<<<<< HEAD
-    plain = Answer(inputs, tuple(results), notes, validity, failure, laws=laws)
-=======
     plain = Answer(inputs, tuple(results), notes, validity, failure, laws)
->>>>>>> 6452520cb5db5b3923fc48f26500fd7200a47dfe
     return with_uncertainties(plain, scene) if scene.is_uncertain else plain
 
 

@@ -56,20 +56,7 @@ def _result_row(result: Result, form: Format) -> list[str]:
     definition = "" if result.model else quantity.definition
     source = quantity.reference or f"Eq {equation}"
     jkr = "" if result.jkr is None else pretty(amount(result.name, result.jkr, form))
-<<<<<<< HEAD
-    return [
-        quantity.sentence,
-        quantity.symbol,
-        value,
-        pretty(unit),
-        equation,
-        "" if result.model else quantity.definition,
-        source,
-        jkr,
-    ]
-=======
     return [quantity.sentence, quantity.symbol, value, pretty(unit), equation, definition, source, jkr]
->>>>>>> 6452520cb5db5b3923fc48f26500fd7200a47dfe
 
 
 def _is_aside(result: Result) -> bool:
