@@ -277,11 +277,12 @@ def about_data(scene: Scene, inputs: Collection[str]) -> list[Note]:
 def _about_results(results: list[Result], scene: Scene) -> list[Note]:
     """Return notes on the values: why one stands beside a headline, what it counts, how exact its model is."""
     known = [result for result in results if result.value is not None]
-    texts = [
-        f"{_symbol(result.name)}: {NOMENCLATURE[result.name].note}"
-        for result in known
-        if NOMENCLATURE[result.name].note and not (scene.is_identical and result.name == "rolling_frequency_no_slip")
-    ]
+    remarks: dict[str, list[str]] = {}
+    for result in known:
+        is_implied = scene.is_identical and result.name == "rolling_frequency_no_slip"
+        if NOMENCLATURE[result.name].note and not is_implied:
+            remarks.setdefault(NOMENCLATURE[result.name].note, []).append(_symbol(result.name))
+    texts = [f"{', '.join(symbols)}: {remark}" for remark, symbols in remarks.items()]
     names = {result.name for result in known}
     if "n_grav" in names and not scene.is_identical:
         texts.append(f"N_grav is what the first contact, on body 2, carries; {_between_spheres_1(scene)}")
