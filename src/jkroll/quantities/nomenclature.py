@@ -9,7 +9,6 @@ from types import MappingProxyType
 from .law_names import BY_A_LAW, OF_MAUGIS
 from .quantity import Quantity, Range
 
-
 INFINITY = float("inf")
 RANGES: Mapping[str, Range] = MappingProxyType(
     {
