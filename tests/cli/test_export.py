@@ -29,6 +29,17 @@ def test_numbers_are_those_of_the_formulas(run: Run) -> None:
     assert cap == pytest.approx(2 * 2e-10 / 5e-8, rel=1e-11)
 
 
+def test_dmt(run: Run) -> None:
+    """The moment is P_DMT ξ at any load, and LAMMPS' yield force μ(P + 2P_DMT)."""
+    pull_off = solve("pull_off_force_dmt", material="quartz", radius=1e-7)
+    for load in (0.0, 5e-9):
+        text = run(f"export lammps quartz 100nm --model dmt --load {load}N").out
+        assert "pair_coeff 1 1 dmt " in text
+        [(*_, rolling, cap)] = coefficients(text).values()
+        assert rolling == pytest.approx(pull_off / 5e-8, rel=1e-11)
+        assert cap == pytest.approx(pull_off * 2e-10 / 5e-8 / (load + 2 * pull_off), rel=1e-11)
+
+
 def test_unequal_spheres_have_three_pairs_of_types(run: Run) -> None:
     text = run("export lammps quartz 100nm --radius2 300nm --material2 iron --load -1nN").out
     assert "\n# set type 2 diameter 6e-07 density 7700\n" in text

@@ -49,11 +49,12 @@ def about_data(scene: Scene, inputs: Collection[str]) -> list[Note]:
 def about_results(results: list[Result], scene: Scene) -> list[Note]:
     """Return notes on the values: why one stands beside a headline, what it counts, how exact its model is."""
     known = [result for result in results if result.value is not None]
-    texts = [
-        f"{symbol_of(result.name)}: {NOMENCLATURE[result.name].note}"
-        for result in known
-        if NOMENCLATURE[result.name].note and not (scene.is_identical and result.name == "rolling_frequency_no_slip")
-    ]
+    remarks: dict[str, list[str]] = {}
+    for result in known:
+        is_implied = scene.is_identical and result.name == "rolling_frequency_no_slip"
+        if NOMENCLATURE[result.name].note and not is_implied:
+            remarks.setdefault(NOMENCLATURE[result.name].note, []).append(symbol_of(result.name))
+    texts = [f"{', '.join(symbols)}: {remark}" for remark, symbols in remarks.items()]
     names = {result.name for result in known}
     if "n_grav" in names and not scene.is_identical:
         texts.append(f"N_grav is what the first contact, on body 2, carries; {_between_spheres_1(scene)}")
@@ -70,9 +71,8 @@ def _between_spheres_1(scene: Scene) -> str:
     """Return a clause on the contacts between the spheres of a chain that hangs from another body."""
     stated = {name: value for name, value in scene.stated.items() if not name.endswith("2")}
     try:
-        carried = (
-            Scene(stated, scene.material, model=scene.stated_model)["n_grav"] + 1
-        )  # the chain that it carries is a sphere shorter
+        chain = Scene(stated, scene.material, model=scene.stated_model)
+        carried = chain["n_grav"] + 1  # the chain that it carries is a sphere shorter
     except (MissingInput, NoResult):
         return "those between spheres 1 may roll before it"
     if carried < scene["n_grav"]:
@@ -97,7 +97,8 @@ def about_missing(results: list[Result], errors: Mapping[str, JkrollError]) -> l
     for result in results:
         if result.value is None:
             error = errors.get(result.name)
-            groups.setdefault(error.missing if isinstance(error, MissingInput) else result.reason, []).append(result)
+            lacked = error.missing if isinstance(error, MissingInput) else ()
+            groups.setdefault(lacked or result.reason, []).append(result)
     notes = []
     for group in groups.values():
         names = [result.name for result in group]

@@ -20,10 +20,11 @@ def run_export(words: Sequence[str], values: Values) -> int:
     program, *described = words
     if program.casefold() not in PROGRAMS:
         raise BadRequest(f"export: {quoted(program)} is not among the programs: {', '.join(PROGRAMS)}")
-    model = values.model
+    inputs = dict(values.inputs)
+    model = inputs.pop("model", values.model)
     if model not in MODELS:
         raise BadRequest(f"--model: LAMMPS has {' and '.join(MODELS)}, not {quoted(model)}")
-    request = Request(described, values.inputs, materials_files(values.materials))
+    request = Request(described, inputs, materials_files(values.materials))
     if request.count != 1:
         raise BadRequest(f"export takes one pair of spheres, not {request.count}")
     say("\n".join(lammps_input(next(request.scenes()), model)), sys.stdout)

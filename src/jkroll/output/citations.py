@@ -22,8 +22,50 @@ PAPER = """@article{dominik-tielens-1995,
   note    = {%s}
 }"""
 
+# The references of conventions, by how the nomenclature names them.
+_CONVENTIONS: Mapping[str, Mapping[str, str]] = {
+    "Thornton & Ning 1998": {
+        "key": "thornton-ning-1998",
+        "type": "article",
+        "author": "Thornton, C. and Ning, Z.",
+        "journal": "Powder Technology",
+        "volume": "99",
+        "pages": "154--162",
+        "year": "1998",
+        "doi": "10.1016/S0032-5910(98)00099-0",
+    },
+    "Paszun & Dominik 2008": {
+        "key": "paszun-dominik-2008",
+        "type": "article",
+        "author": "Paszun and Dominik",
+        "journal": "Astronomy & Astrophysics",
+        "volume": "484",
+        "pages": "859--868",
+        "year": "2008",
+        "doi": "10.1051/0004-6361:20079262",
+    },
+    "Wada et al. 2007": {
+        "key": "wada-2007",
+        "type": "article",
+        "author": "Wada and Tanaka and Suyama and Kimura and Yamamoto",
+        "journal": "The Astrophysical Journal",
+        "volume": "661",
+        "pages": "320",
+        "year": "2007",
+        "doi": "10.1086/514332",
+    },
+    **{
+        repository: {
+            "key": repository.replace("/", "-").lower(),
+            "type": "misc",
+            "url": f"https://github.com/{repository}",
+        }
+        for repository in ("Lumajord/DustSimulation", "pencil-code/pencil-code", "StephaneMichoulier/Pamdeas")
+    },
+}
 
-LAWS = {
+
+_LAWS: Mapping[str, Mapping[str, str]] = {
     "maugis": {
         "key": "maugis-1992",
         "type": "article",
@@ -60,10 +102,9 @@ def write_citations(pairs: Iterable[tuple[Scene, Answer]], out: TextIO, _: Forma
         failure = failure or answer.failure
         known = [result.name for result in answer.results if result.value is not None]
         equations |= {NOMENCLATURE[step.name].equation for name in known for step in scene.plan(name).steps}
-        references |= {
-            str(LAWS[name]["key"]): LAWS[name] for name in {one.model for one in answer.results} & LAWS.keys()
-        }
-        references |= {str(entry["key"]): entry for entry in material_references(scene, answer.inputs)}
+        laws = [_LAWS[one.model] for one in answer.results if one.model in _LAWS]
+        entries = [*laws, *material_references(scene, answer.inputs), *_of_conventions(known)]
+        references |= {str(entry["key"]): entry for entry in entries}
     numbers = sorted(filter(None, equations), key=int)
     if failure is not None and not numbers:
         raise failure
@@ -75,6 +116,11 @@ def write_citations(pairs: Iterable[tuple[Scene, Answer]], out: TextIO, _: Forma
 def material_references(scene: Scene, inputs: Collection[str]) -> list[Mapping[str, str]]:
     """Return the references of the materials whose data are among the inputs."""
     return [entry for material, _ in scene.data_used(inputs) for entry in material.references]
+
+
+def _of_conventions(names: Iterable[str]) -> list[Mapping[str, str]]:
+    """Return the references that the nomenclature names for quantities by convention."""
+    return [entry for name in names for words, entry in _CONVENTIONS.items() if words in NOMENCLATURE[name].reference]
 
 
 def bibtex(entry: Mapping[str, str]) -> str:

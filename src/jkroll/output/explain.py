@@ -97,7 +97,7 @@ def _explanation(result: Result, scene: Scene, form: Format) -> list[str]:
 
 def _line(name: str, scene: Scene, form: Format, remark: str) -> str:
     """Return a line with the symbol and value of an input or a step, and a remark beside it."""
-    uncertain = scene.uncertain.get(name)
+    uncertain = scene.uncertainty_of(name)
     shown = (
         uncertain_amount(name, uncertain, form) if uncertain else amount(name, in_words(name, scene.values[name]), form)
     )

@@ -34,9 +34,16 @@ class UnknownQuantity(JkrollError):
         self.name = name
 
     def __str__(self) -> str:
-        guess = closest(canonical(self.name), (*NOMENCLATURE, *OPTION_WORDS))
+        guess = _nearest(self.name)
         meant = f"did you mean {guess}? " if guess else ""
         return f"{quoted(self.name)} is not a quantity; {meant}jkroll quantities lists them"
+
+
+def _nearest(word: str) -> str | None:
+    """Return the quantity whose symbol is a word, whose name begins with it, or resembles it most."""
+    by_symbol = (name for name, quantity in NOMENCLATURE.items() if quantity.symbol == word)
+    begun = (name for name in NOMENCLATURE if word and name.startswith(word.casefold()))
+    return next(by_symbol, None) or next(begun, None) or closest(canonical(word), (*NOMENCLATURE, *OPTION_WORDS))
 
 
 class OutOfRange(JkrollError):

@@ -127,6 +127,13 @@ class Scene:
         materials = (self.material, self.material2)
         return bool(self.uncertain) or any(one.uncertainties for one in materials if one is not None)
 
+    def uncertainty_of(self, name: str) -> "Uncertain | None":
+        """Return the uncertainty of an input, whether it was stated or is that of a material; None if it has none."""
+        for material, of_material in self.data_used([name]):
+            if name in (of_material, of_material + "2") and of_material in material.uncertainties:
+                return material.uncertainties[of_material]
+        return self.uncertain.get(name)
+
     @property
     def is_identical(self) -> bool:
         """Whether nothing was said that makes sphere 2 differ from sphere 1."""

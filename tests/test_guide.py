@@ -1,0 +1,83 @@
+"""The manual: every command in it is run and must print what stands there, and every command of the program has a page."""
+
+import doctest
+import io
+import re
+
+import pytest
+
+from harness import Run
+from jkroll.cli.commands import COMMANDS
+from jkroll.output.manual import page, topics
+from transcripts import commands, copied, exit_code, transcript, transcripts, with_file
+
+PAGES = {topic: page(topic) for topic in topics()}
+
+
+@pytest.mark.parametrize(
+    ("topic", "block"),
+    [(topic, block) for topic, text in PAGES.items() for block in transcripts(text)],
+    ids=lambda text: text.splitlines()[0],
+)
+def test_transcript(topic: str, block: str) -> None:
+    assert block == "".join(transcript(command) for command in commands(with_file(block))), topic
+
+
+@pytest.mark.parametrize("command", [*dict.fromkeys(command for text in PAGES.values() for command in copied(text))])
+def test_a_command_in_the_text_works(command: str) -> None:
+    assert exit_code(command) == 0
+
+
+def test_python_examples() -> None:
+    examples = "\n".join(re.findall(r"```python\n(.*?)```", "\n".join(PAGES.values()), re.DOTALL))
+    test = doctest.DocTestParser().get_doctest(examples, {}, "guide", "guide", 0)
+    output = io.StringIO()
+    results = doctest.DocTestRunner().run(test, out=output.write)
+    assert results.attempted > 5
+    assert results.failed == 0, output.getvalue()
+
+
+def test_every_command_is_shown() -> None:
+    assert re.findall(r"^## (\S+)$", PAGES["commands"], re.MULTILINE) == [*COMMANDS]
+
+
+@pytest.mark.parametrize("topic", PAGES)
+def test_a_page_is_markdown_in_a_pipe_and_text_on_a_terminal(run: Run, topic: str) -> None:
+    assert run("guide", topic).out == PAGES[topic]
+    assert PAGES[topic].startswith("# ")
+    assert max(map(len, run("guide", topic, terminal=True).out.splitlines())) <= 80
+
+
+def test_topics_are_listed_and_guessed(run: Run) -> None:
+    assert [line.split()[0] for line in run("guide").out.splitlines()] == [*PAGES]
+    refused = run("guide unit")
+    assert refused.code == 2
+    assert "did you mean units?" in refused.err
+
+
+@pytest.mark.parametrize("name", ["tabor", "tabor-parameter", "tabor_parameter"])
+def test_a_quantity_is_found_by_name_or_word(run: Run, name: str) -> None:
+    assert run("quantities", name).out.startswith("tabor_parameter: ")
+
+
+def test_a_list_of_quantities_has_every_name_in_every_format(run: Run) -> None:
+    import csv
+    import json
+
+    from jkroll import NOMENCLATURE
+
+    assert [entry["name"] for entry in json.loads(run("quantities --json").out)] == [*NOMENCLATURE]
+    assert [row["name"] for row in csv.DictReader(io.StringIO(run("quantities --csv").out))] == [*NOMENCLATURE]
+    assert [line.split()[0] for line in run("quantities").out.splitlines()[1:]] == [*NOMENCLATURE]
+    refused = run("quantities tabour")
+    assert refused.code == 2
+    assert "jkroll quantities lists them" in refused.err
+
+
+@pytest.mark.parametrize("word", ["gamma", "surface_energy", "surface-energy"])
+def test_the_word_of_an_option_is_the_name(run: Run, word: str) -> None:
+    axis = f"{word}=1mJ/m2:1J/m2:3"
+    assert run("map", "pull-off", "100nm", "--x", axis, "--data", "-").out.startswith("curve,surface_energy ")
+    assert run("pull-off", "quartz", "100nm", "--quantities", "contact-modulus").out.startswith("contact_modulus ")
+    refused = run("pull-off", "100nm", "--gamma", "25mJ/m2", "--quantities", word)
+    assert refused.err == "jkroll: --quantities: surface_energy is an input here\n"

@@ -1,0 +1,99 @@
+"""Markdown whose commands are run: blocks that show what they print, blocks to copy, and commands in running text.
+
+A `console` block is a transcript. A `sh-session` block has commands to copy, and running text has commands in backquotes:
+these must end with the exit code 0. `python tests/transcripts.py FILE...` writes the transcripts of files anew, to be read
+before they are committed.
+"""
+
+import os
+import re
+import shlex
+import sys
+import tempfile
+from collections.abc import Iterator
+from contextlib import chdir, redirect_stderr, redirect_stdout
+from pathlib import Path
+from unittest import mock
+
+if __package__ in (None, ""):
+    sys.path.insert(0, str(Path(__file__).parent))
+from harness import Stream
+from jkroll.cli.process import main
+
+CONSOLE = re.compile(r"```console\n(.*?)```", re.DOTALL)
+_COPIED = re.compile(r"```sh-session\n(.*?)```", re.DOTALL)
+_BLOCK = re.compile(r"```.*?```", re.DOTALL)
+_IN_TEXT = re.compile(r"`(jkroll [^`]+)`")
+_NOT_RUN = (
+    "jkroll bench",
+    "jkroll verify",
+    "jkroll --install-completion",
+    "jkroll COMMAND",
+    "jkroll --show-completion",
+)
+TABLE = "grain,material,radius [nm]\na,quartz,100\nb,iron,1000\n"  # of commands that read grains.csv
+MATERIALS = '[materials.mine]\nsurface_energy = "30 mJ/m2"\n'  # of commands that read mine.toml
+
+
+def commands(block: str) -> list[str]:
+    """Return the commands of a console block."""
+    return [line.removeprefix("$ ") for line in block.splitlines() if line.startswith("$ ")]
+
+
+def with_file(block: str) -> str:
+    """Return a block, after the file with whose text it begins was written."""
+    if match := re.match(r"\$ cat (\S+)\n((?:(?!\$ ).*\n)*)", block):
+        Path(match[1]).write_text(match[2], encoding="utf-8")
+    return block
+
+
+def transcript(command: str) -> str:
+    """Return a command and what it prints on a terminal, results and notes."""
+    program, *words = shlex.split(command)
+    if program == "cat":
+        return f"$ {command}\n{Path(words[0]).read_text(encoding='utf-8')}"
+    assert program == "jkroll"
+    stream = Stream(terminal=True)
+    with redirect_stdout(stream), redirect_stderr(stream):
+        main(words)
+    lines = [line.rstrip() for line in stream.text().splitlines()]
+    return "\n".join([f"$ {command}", *lines]) + "\n"
+
+
+def transcripts(text: str) -> list[str]:
+    """Return the console blocks of a text."""
+    return CONSOLE.findall(text)
+
+
+def copied(text: str) -> Iterator[str]:
+    """Iterate over the commands of a text that are run without a transcript, without what follows a pipe or a redirection."""
+    lines = [line for block in _COPIED.findall(text) for line in block.splitlines()]
+    lines += _IN_TEXT.findall(_BLOCK.sub("", text))
+    for line in lines:
+        if not line.startswith(_NOT_RUN) and "…" not in line:
+            yield re.split(r" [|>] ", line)[0]
+
+
+def exit_code(command: str) -> int:
+    """Run a command beside the files that texts speak of, and return its exit code."""
+    Path("grains.csv").write_text(TABLE, encoding="utf-8")
+    Path("mine.toml").write_text(MATERIALS, encoding="utf-8")
+    Path("grains").mkdir(exist_ok=True)
+    Path("grains/a.csv").write_text(TABLE, encoding="utf-8")
+    stream = Stream()
+    with redirect_stdout(stream), redirect_stderr(stream):
+        return main(shlex.split(command)[1:])
+
+
+def renewed(text: str) -> str:
+    """Return a text with its transcripts as they are now."""
+    return CONSOLE.sub(
+        lambda match: "```console\n" + "".join(map(transcript, commands(with_file(match[1])))) + "```", text
+    )
+
+
+if __name__ == "__main__":
+    environment = {"COLUMNS": "80", "LINES": "24", "TERM": "dumb", "XDG_CONFIG_HOME": "/nonexistent"}
+    for path in [Path(word).resolve() for word in sys.argv[1:]]:
+        with tempfile.TemporaryDirectory() as folder, chdir(folder), mock.patch.dict(os.environ, environment):
+            path.write_text(renewed(path.read_text(encoding="utf-8")), encoding="utf-8")
