@@ -6,8 +6,9 @@ from typing import NamedTuple
 from ..errors import NoResult
 from ..scene.errors import MissingInput
 from ..scene.scene import Scene
-from .answer import Answer, Result, answer
+from .answer import Answer, answer
 from .questions import Question
+from .result import Result
 
 CURVE = Question(
     ("approach_at_load", "load"),

@@ -11,8 +11,9 @@ from ..scene.errors import MissingInput
 from ..scene.inverse import SIZES, Solution, solution, with_input
 from ..scene.laws import LAWS
 from ..scene.scene import Scene
-from .answer import Answer, Note, Result, add_uncertainties, answer
+from .answer import Answer, add_uncertainties, answer
 from .questions import Question
+from .result import Note, Result
 
 if TYPE_CHECKING:
     from ..quantities.uncertain import Uncertain

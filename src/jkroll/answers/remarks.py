@@ -1,6 +1,7 @@
 """The notes of answers as the lines below them: one line for each kind below an answer, for each matter below a sweep."""
 
-from .answer import Answer, Note
+from .answer import Answer
+from .result import Note
 
 MOST_LINES = 3  # below a single answer
 MOST_RANGES = 4  # of rows that are named

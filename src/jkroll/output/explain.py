@@ -6,7 +6,8 @@ from fractions import Fraction
 from math import isfinite, log
 from typing import Any, TextIO
 
-from ..answers.answer import Answer, Result
+from ..answers.answer import Answer
+from ..answers.result import Result
 from ..errors import JkrollError
 from ..quantities.formatting import Format, amount, in_words, uncertain_amount
 from ..quantities.nomenclature import NOMENCLATURE

@@ -8,7 +8,8 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from ..answers.answer import Answer, Result
+from ..answers.answer import Answer
+from ..answers.result import Result
 from ..quantities.formatting import Format, amount, pretty, uncertain_amount, uncertain_rounded
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
 from ..text import columns, fitting, say

@@ -6,8 +6,9 @@ Text of a user or a file is never read as markup, and nothing is cut where it do
 from collections.abc import Iterable, Iterator
 from typing import Any, TextIO
 
-from ..answers.answer import Answer, Result
+from ..answers.answer import Answer
 from ..answers.comparison import as_objects
+from ..answers.result import Result
 from ..quantities.formatting import AS_USUAL, Format
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.limits import Verdict

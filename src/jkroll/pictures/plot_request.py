@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
-from ..answers.answer import about_data, assumptions
+from ..answers.notes import about_data, assumptions
 from ..errors import BadRequest, NoResult
 from ..materials.library import Materials
 from ..quantities.formatting import amount, in_words, pretty

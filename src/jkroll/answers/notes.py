@@ -1,0 +1,118 @@
+"""Notes about an answer: what was assumed, whose data were used, what a result counts, what is missing."""
+
+from collections.abc import Collection, Mapping
+
+from ..errors import JkrollError, NoResult
+from ..physics.jkr import STICKING
+from ..quantities.formatting import amount
+from ..quantities.nomenclature import NOMENCLATURE
+from ..scene.errors import MissingInput
+from ..scene.limits import IMPACT, Judgement
+from ..scene.scene import DEFAULTS, Scene
+from .comparison import at_equal_hysteresis, without_contact
+from .result import Note, Result
+
+MOST_NAMES = 3  # of quantities in a note
+
+
+def assumptions(scene: Scene, inputs: Collection[str], names: list[str]) -> list[Note]:
+    """Return notes on the inputs that were assumed, with the options that set them."""
+    assumed = [
+        f"{NOMENCLATURE[name].symbol} = {amount(name, DEFAULTS[name])} ({NOMENCLATURE[name].option})"
+        for name in DEFAULTS
+        if name in inputs and name not in scene.given
+    ]
+    steps = {step.name for name in names for step in scene.plan(name).steps}
+    notes = [Note("assumption", f"assumed {', '.join(assumed)}")] if assumed else []
+    if (
+        "work_of_adhesion" in steps
+        and scene.given.get("surface_energy2", 0) != scene.given.get("surface_energy")
+        and "surface_energy2" in inputs
+    ):
+        text = "w = 2√(γ1γ2) by the geometric mixing rule; a measured one is better (--work-of-adhesion)"
+        notes.append(Note("assumption", text))
+    return notes
+
+
+def about_data(scene: Scene, inputs: Collection[str]) -> list[Note]:
+    """Return notes on the material data that were used, those on shadowed materials first."""
+    used = scene.data_used(inputs)
+    shadows = [Note("material", f"{material.name}: {text}") for material, _ in used for text in material.remarks]
+    remarks = [
+        Note("data", f"{material.name}: {NOMENCLATURE[name].sentence}: {material.notes[name]}")
+        for material, name in used
+        if name in material.notes
+    ]
+    return [*dict.fromkeys(shadows + remarks)]
+
+
+def about_results(results: list[Result], scene: Scene) -> list[Note]:
+    """Return notes on the values: why one stands beside a headline, what it counts, how exact its model is."""
+    known = [result for result in results if result.value is not None]
+    remarks: dict[str, list[str]] = {}
+    for result in known:
+        is_implied = scene.is_identical and result.name == "rolling_frequency_no_slip"
+        if NOMENCLATURE[result.name].note and not is_implied:
+            remarks.setdefault(NOMENCLATURE[result.name].note, []).append(symbol_of(result.name))
+    texts = [f"{', '.join(symbols)}: {remark}" for remark, symbols in remarks.items()]
+    names = {result.name for result in known}
+    if "n_grav" in names and not scene.is_identical:
+        texts.append(f"N_grav is what the first contact, on body 2, carries; {_between_spheres_1(scene)}")
+    if "n_roll" in names and IMPACT.isdisjoint(scene.stated):
+        texts.append(f"W0 = P_cδ0 is {1 / STICKING:.3g} U_stick, the largest energy that sticks")
+    texts += [at_equal_hysteresis(scene)] if "yield_moment" in names else []
+    texts += [without_contact(scene)] if "contact_radius_at_load" in names else []
+    notes = [Note("result", text) for text in filter(None, texts)]
+    errors = ", ".join(f"{symbol_of(result.name)} by {100 * result.error:.2g} %" for result in known if result.error)
+    return [*notes, Note("model", f"off the exact moment of this contact: {errors}")] if errors else notes
+
+
+def _between_spheres_1(scene: Scene) -> str:
+    """Return a clause on the contacts between the spheres of a chain that hangs from another body."""
+    stated = {name: value for name, value in scene.stated.items() if not name.endswith("2")}
+    try:
+        chain = Scene(stated, scene.material, model=scene.stated_model)
+        carried = chain["n_grav"] + 1  # the chain that it carries is a sphere shorter
+    except (MissingInput, NoResult):
+        return "those between spheres 1 may roll before it"
+    if carried < scene["n_grav"]:
+        return f"the one between spheres 1 next to it yields before it, at {carried:.4g}"
+    return "those between spheres 1 carry more"
+
+
+def about_limits(limits: Judgement) -> list[Note]:
+    """Return a note for the limits of the model that could not be judged."""
+    return [
+        Note("unchecked", f"not checked: {', '.join(map(symbol_of, names))}: needs {needs}")
+        for needs, names in limits.missing.items()
+    ]
+
+
+def about_missing(results: list[Result], errors: Mapping[str, JkrollError]) -> list[Note]:
+    """Return a note for each reason why values are missing, with the names of all that it concerns.
+
+    Values that lack the same inputs have one note, though some of them may be had in another way too.
+    """
+    groups: dict[object, list[Result]] = {}
+    for result in results:
+        if result.value is None:
+            error = errors.get(result.name)
+            lacked = error.missing if isinstance(error, MissingInput) else ()
+            groups.setdefault(lacked or result.reason, []).append(result)
+    notes = []
+    for group in groups.values():
+        names = [result.name for result in group]
+        reason = min((result.reason for result in group), key=len)
+        notes.append(Note("missing", f"{few(names)}: {reason}", " ".join(names)))
+    return notes
+
+
+def few(names: list[str]) -> str:
+    """Return the symbols of the first names of a list, and how many more there are."""
+    rest = len(names) - MOST_NAMES
+    return ", ".join(map(symbol_of, names[:MOST_NAMES])) + (f" and {rest} more" if rest > 0 else "")
+
+
+def symbol_of(name: str) -> str:
+    """Return the symbol of a quantity, or its name if it has none."""
+    return NOMENCLATURE[name].symbol or name

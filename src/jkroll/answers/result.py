@@ -1,0 +1,46 @@
+"""A result, and a note about an answer."""
+
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Literal, NamedTuple
+
+if TYPE_CHECKING:
+    from ..scene.uncertainty import Propagated
+
+
+class Result(NamedTuple):
+    """A quantity in SI units, or the reason why it has no value.
+
+    `error` is the relative error of a model of the moment, `condition` the factor by which an inferred value multiplies the
+    relative error of a measured one. A quantity of another law of attraction than JKR says which, and has JKR's value beside
+    it.
+    """
+
+    name: str
+    value: float | None
+    reason: str = ""
+    error: float | None = None
+    condition: float | None = None
+    by_law: Mapping[str, float] = MappingProxyType({})  # of an inferred value: what it would be under the other laws
+    propagated: "Propagated | None" = None  # its uncertainty, if an input has one
+    model: str = ""  # the law of attraction, if it is another than JKR
+    equation: str = ""  # of that law
+    jkr: float | None = None  # the value of JKR, beside that of another law
+
+    def sides(self) -> dict[str, float]:
+        """Return the numbers of the uncertainty by name: minus and plus, or low and high; none if there is no uncertainty."""
+        if self.propagated is None:
+            return {}
+        return {
+            side: number
+            for side, number in self.propagated.uncertainty.as_object().items()
+            if isinstance(number, float)
+        }
+
+
+class Note(NamedTuple):
+    """A sentence about an answer."""
+
+    kind: Literal["material", "missing", "doubt", "result", "model", "assumption", "unchecked", "data"]
+    text: str
+    matter: str = ""  # the same for all scenes that have such a note; by default the text
