@@ -6,7 +6,6 @@ import zlib
 from collections.abc import Callable, Iterator, Mapping
 from typing import BinaryIO, NamedTuple
 
-from ..errors import MissingExtra
 from ..text import quoted
 from .delimited import DIALECTS
 from .errors import BadTable, missing_extra
@@ -65,25 +64,24 @@ def _gzip(text: bytes) -> bytes:
 
 
 def decompressed(file: BinaryIO, compression: str, path: str) -> Iterator[bytes]:
-    """Iterate over the decompressed bytes of a file, at most 16 MiB at a time. Raises BadTable for a damaged file."""
+    """Iterate over the decompressed bytes of a file, at most CHUNK at a time. Raises BadTable for a damaged file."""
     pieces = _from_gzip if compression == "gzip" else _from_zstd
     try:
-        yield from pieces(file)
+        for piece in pieces(file):
+            for start in range(0, len(piece), CHUNK):
+                yield piece[start : start + CHUNK]
     except (EOFError, zlib.error, gzip.BadGzipFile):
         raise BadTable(f"{quoted(path)} is not what its name says, or its end is missing") from None
 
 
 def _from_gzip(file: BinaryIO) -> Iterator[bytes]:
     with gzip.open(file, "rb") as stream:
-        while piece := stream.read(CHUNK):
-            yield piece
+        yield from iter(lambda: stream.read(CHUNK), b"")
 
 
 def _from_zstd(file: BinaryIO) -> Iterator[bytes]:
-    try:
+    with missing_extra("zstd"):
         from zstandard import ZstdDecompressor, ZstdError
-    except ModuleNotFoundError as error:
-        raise MissingExtra(error.name or "", "zstd") from None
     frame, rest = ZstdDecompressor().decompressobj(), b""
     try:
         while rest or (rest := file.read(FEED)):

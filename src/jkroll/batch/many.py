@@ -12,7 +12,6 @@ import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from functools import partial
-from itertools import islice
 from typing import Any, NamedTuple
 
 from .. import __version__
@@ -20,7 +19,7 @@ from ..errors import BadRequest, JkrollError, MissingExtra
 from ..text import quoted, say
 from .errors import BadTable, missing_extra
 from .settings import Order, Settings, Tally, input_format
-from .spans import Span
+from .source import Span
 
 MANIFEST = "manifest.json"
 JOURNAL = "manifest.journal"
@@ -85,20 +84,10 @@ def by_processes(order: Order, parts: list[Part]) -> Iterator[tuple[Part, Done]]
         yield part, convert_part(order, part)
     if len(alone) == len(parts):
         return
-    from .workers import answered, started
+    from .workers import as_ready, started
 
-    left = iter(parts[len(alone) :])
     with started(min(jobs, len(parts) - len(alone)), partial(_answer, order)) as workers:
-        at_work = {}
-        for worker, part in zip(workers, left, strict=False):
-            worker.ask(part)
-            at_work[worker] = part
-        while at_work:
-            for worker in answered([*at_work]):
-                yield at_work.pop(worker), worker.answer()
-                for part in islice(left, 1):
-                    worker.ask(part)
-                    at_work[worker] = part
+        yield from as_ready(workers, parts[len(alone) :])
 
 
 def _answer(order: Order) -> Callable[[Part], Done]:

@@ -21,9 +21,9 @@ Row = dict[str, Any]
 class Ndjson:
     """Lines that are JSON objects; the names in the first of them are the columns."""
 
-    def cut(self, text: bytes, *, is_end: bool) -> int:
+    def cut(self, text: bytes) -> int:
         """Return the number of bytes of whole lines."""
-        return len(text) if is_end else text.rfind(b"\n") + 1
+        return text.rfind(b"\n") + 1
 
     def head(self, text: bytes) -> Head:
         """Return the names in the first object. No line is a header."""
