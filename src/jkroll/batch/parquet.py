@@ -22,7 +22,7 @@ from .cells import Floats, Numbers, Reader
 from .columns import STATUS, check_first
 from .errors import BadTable
 from .lines import Converted
-from .output import OutputFile, check_file, is_done
+from .output import OutputFile, is_done
 from .progress import watched
 from .rows import Block, Evaluator
 from .settings import Order, Settings, Tally, input_format, output_format
@@ -186,7 +186,6 @@ def write(
     settings: Settings, schema: Any, tables: Iterator[Rows], total: int, identity: dict[str, str], first_line: int = 0
 ) -> Tally:
     """Write tables as one file that gets its name when it is whole. `total`: all rows. A thread writes."""
-    check_file(settings.target)
     output = OutputFile(settings.target, strict=settings.strict)
     with closing(output):
         if settings.resume and output.has_begun():

@@ -29,7 +29,7 @@ from .dialect import Places
 from .errors import missing_extra
 from .formats import compressor, format_of
 from .lines import Converted
-from .output import check_file, is_done, output_to
+from .output import OutputFile, is_done, output_to
 from .rows import Block, Evaluator
 from .settings import Settings, Tally, fingerprint
 from .single import Task
@@ -218,11 +218,9 @@ def stream(sweep: Sweep, settings: Settings) -> Tally:
         partial(_make_convert, sweep, kind, compression),
         sweep.size,
     )
-    if settings.target == "-":
-        settings = settings._replace(quiet=True)
-    else:
-        check_file(settings.target)
-    with closing(output_to(settings)) as output:
+    is_piped = settings.target == "-"
+    settings = settings._replace(quiet=settings.quiet or is_piped)
+    with closing(output_to(settings) if is_piped else OutputFile(settings.target)) as output:
         loop.run(work, output, settings)
         output.finish()
     return output.tally
