@@ -58,8 +58,9 @@ class NdjsonConverter:
         self.keys = {name: header.texts[place] for name, place in places.items()}
         self.known = dict.fromkeys(header.texts).keys()
         self.added = {*names, STATUS}
-        members = b",".join(orjson.dumps(name).replace(b"%", b"%%") + b":%b" for name in (*names, STATUS))
-        self._members = members + b"}"
+        said = [orjson.dumps({name: text})[1:-1] for name, text in task.said.items()]
+        members = [orjson.dumps(name) + b":%b" for name in (*names[len(said) :], STATUS)]
+        self._members = b",".join([*said, *members]) + b"}"
 
     def convert(self, text: bytes) -> Converted:
         """Return whole lines with the results in each."""

@@ -126,7 +126,8 @@ class _Table:
         self.evaluator = Evaluator(task)
         self.materials = [name for name, _ in task.materials_at]
         self.readers = [Reader(column) for column in task.inputs]
-        fields = [pyarrow.field(header(name), pyarrow.float64()) for name in task.quantities]
+        fields = [pyarrow.field(name, pyarrow.string()) for name in task.said]
+        fields += [pyarrow.field(header(name), pyarrow.float64()) for name in task.quantities]
         self.schema = pyarrow.schema(
             [*schema, *fields, pyarrow.field(STATUS, pyarrow.string())], metadata=schema.metadata
         )
@@ -160,7 +161,8 @@ class _Table:
         words = pyarrow.array(
             [*map(status.get, range(batch.num_rows))] if status else [None] * batch.num_rows, "string"
         )
-        arrays = [*batch.columns, *map(as_column, numbers), words]
+        said = [pyarrow.repeat(text, batch.num_rows) for text in self.evaluator.task.said.values()]
+        arrays = [*batch.columns, *said, *map(as_column, numbers), words]
         table = pyarrow.Table.from_arrays(arrays, schema=self.schema)
         return Rows(table, len(lost), min(lost.items(), default=None))
 

@@ -111,7 +111,7 @@ class Evaluator:
         given = {**{name: value for name, value in self.task.fixed.items() if name not in given}, **given}
         spheres = [self._sphere(name, codes, rows) for name in ("material", "material2")]
         try:
-            scene = Scene(given, *spheres)
+            scene = Scene(given, *spheres, model=self.task.model)
         except JkrollError:
             return numpy.ones(len(members), dtype=bool)
         wanted = [name for name in self.task.quantities if concerns(name, scene)]
@@ -188,7 +188,11 @@ class Evaluator:
         is_plane = _at(scene.values.get("radius2", 0.0), place) == INFINITY
         key = (*(one and one.name for one in spheres), is_plane, frozenset(scene.stated), *names)
         if key not in self._reasons:
-            single = Scene({name: _one(name, value, place) for name, value in scene.stated.items()}, *spheres)
+            single = Scene(
+                {name: _one(name, value, place) for name, value in scene.stated.items()},
+                *spheres,
+                model=self.task.model,
+            )
             in_order = [name for name in self.task.quantities if name in names]
             self._reasons[key] = worded({name: lacking(name, single) or NoChain() for name in in_order})
         return self._reasons[key]

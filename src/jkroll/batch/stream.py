@@ -32,7 +32,7 @@ class _Recipe(NamedTuple):
 
     def converter(self) -> Converter:
         """Return the converter, without the compression."""
-        names = [header(name) for name in self.task.quantities]
+        names = [*self.task.said, *(header(name) for name in self.task.quantities)]
         return LINES[self.kind].converter(self.head, self.table, self.task, names, excel_safe=self.excel_safe)
 
 
