@@ -2,6 +2,7 @@
 
 import csv
 import io
+import json
 import math
 import os
 import subprocess
@@ -308,7 +309,7 @@ def test_quantities_are_names_or_commands(run: Run) -> None:
     assert [*found[0]][4:] == ["pull_off_force [N]", "mass [kg]", "r_min [m]", "status"]
     assert (
         run("batch", table(GRAINS), "--quantities", "pulloff").err
-        == "jkroll: 'pulloff' is not a quantity; did you mean pull_off_work?\n"
+        == "jkroll: 'pulloff' is not a quantity; did you mean pull_off_work? jkroll quantities lists them\n"
     )
     assert run("batch", table(GRAINS), "--quantities", "load").err == "jkroll: --quantities: load is an input here\n"
 
@@ -388,6 +389,35 @@ def test_tabs_and_formulas(run: Run) -> None:
     assert lines[0] == "name\tmaterial\tradius [nm]\tload [nN]\tr_min [m]\tstatus"
     assert [line.split("\t")[0] for line in lines[1:]] == ["a", "b", "'=1+1", "'-x", "'-2+3"]
     assert [line.split("\t")[3] for line in lines[1:]] == ["0", "-2e-3", "-2", "-2", "-2"]
+
+
+@pytest.mark.parametrize("end", ["csv", "tsv", "ndjson", "parquet"])
+def test_a_law_of_attraction_is_a_column(run: Run, end: str) -> None:
+    rows = [{"radius [nm]": 100.0, "material": "quartz"}, {"radius [nm]": 50.0, "material": "iron"}]
+    rows.append({"radius [nm]": 0.0, "material": "iron"})
+    if end == "parquet":
+        pyarrow, parquet = pytest.importorskip("pyarrow"), pytest.importorskip("pyarrow.parquet")
+        parquet.write_table(pyarrow.Table.from_pylist(rows), "grains.parquet")
+    elif end == "ndjson":
+        Path("grains.ndjson").write_text("".join(json.dumps(row) + "\n" for row in rows))
+    else:
+        mark = {"csv": ",", "tsv": "\t"}[end]
+        lines = [mark.join(map(str, row)) for row in (rows[0], *(row.values() for row in rows))]
+        Path(f"grains.{end}").write_text("\n".join(lines) + "\n")
+    words = f"batch grains.{end} -o out.{end} --model maugis --quantities pull_off_force"
+    assert run(words).code == 1
+    if end == "parquet":
+        found = parquet.read_table("out.parquet").to_pylist()
+    elif end == "ndjson":
+        found = [json.loads(line) for line in Path("out.ndjson").read_text().splitlines()]
+    else:
+        found = list(csv.DictReader(Path(f"out.{end}").read_text().splitlines(), delimiter=mark))
+    assert [*found[0]] == ["radius [nm]", "material", "model", "pull_off_force [N]", "status"]
+    assert [row["model"] for row in found] == ["maugis"] * 3
+    for row, (radius, material) in zip(found, [("100nm", "quartz"), ("50nm", "iron")], strict=False):
+        wanted = run(f"pull-off {material} {radius} --model maugis --bare").out
+        assert float(row["pull_off_force [N]"]) == pytest.approx(float(wanted), rel=1e-9)
+    assert "must be positive" in found[2]["status"]
 
 
 # --- Files ----------------------------------------------------------------------------------------------------------------

@@ -207,23 +207,13 @@ def _state_of(process: str) -> str:
         return "Z"
 
 
-def test_a_run_that_waited_leaves_alone_what_was_finished_meanwhile(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The lock stays with the file when it gets its name: whoever waited for it begins another."""
+def test_two_runs_never_write_the_same_file(run: Run) -> None:
     Path("grains.csv").write_text("radius [nm],material\n100,quartz\n", encoding="utf-8")
-    other = os.open("out.csv.partial", os.O_RDWR | os.O_CREAT)
-    fcntl.flock(other, fcntl.LOCK_EX)
-    os.write(other, b"of another run")
-    Path("out.csv.journal").write_text('{"jkroll journal": 1}\n', encoding="utf-8")
-
-    def finish(_: float) -> None:
-        os.rename("out.csv.partial", "finished.csv")
-        os.unlink("out.csv.journal")
-        os.close(other)
-
-    monkeypatch.setattr("jkroll.batch.locks.time.sleep", finish)
-    assert run("batch", "grains.csv", "-o", "out.csv", "--jobs", "1").code == 0
-    assert Path("finished.csv").read_bytes() == b"of another run"
-    assert Path("out.csv").read_text(encoding="utf-8").startswith("radius [nm],material,pull_off_force [N]")
+    with Path("out.csv.partial").open("w") as other:
+        fcntl.flock(other, fcntl.LOCK_EX)
+        message = "jkroll: 'out.csv.partial' is being written by another run\n"
+        assert run("batch", "grains.csv", "-o", "out.csv") == (2, "", message)
+    assert run("batch", "grains.csv", "-o", "out.csv").code == 0
 
 
 def test_a_damaged_output_is_made_again_from_where_it_is_damaged() -> None:

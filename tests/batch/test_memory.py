@@ -1,9 +1,9 @@
 """Memory of long runs: all processes together, as the kernel counts them (a page that several share is divided among them)."""
 
+import contextlib
 import os
 import subprocess
 import sys
-import time
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -14,7 +14,7 @@ pytestmark = [
     pytest.mark.slow,
     pytest.mark.skipif(not Path("/proc/self/smaps_rollup").exists(), reason="this kernel does not count shared pages"),
 ]
-LIMIT = 200  # MB, for every format
+LIMITS = {"csv": 120, "parquet": 250}  # MB
 FEW, MANY = 200_000, 1_000_000
 NAMES = ["radius [nm]", "radius2 [nm]", "surface_energy [mJ/m2]", "youngs_modulus [GPa]", "poisson_ratio"]
 NAMES += ["density [g/cm3]", "yield_displacement [nm]", "load [nN]"]
@@ -68,7 +68,8 @@ def peak(command: str) -> tuple[float, int]:
             most, processes = max(most, megabytes(process.pid)), max(processes, len([*family(process.pid)]))
         except (OSError, StopIteration):
             pass  # one of them has just ended
-        time.sleep(0.02)
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            process.wait(0.02)
     assert process.returncode == 0
     return most, processes
 
@@ -92,8 +93,8 @@ def test_memory_does_not_grow_with_rows(command: str) -> None:
     for rows in sizes:
         write(rows)
         most, processes = peak(command)
-        assert processes >= 3  # one that watches, and two that work
+        assert processes >= (1 if "parquet" in command else 3)  # one that reads and writes, and two that work
         found.append(most)
     print(f"{command}: {found[0]:.0f} and {found[1]:.0f} MB")
-    assert max(found) < LIMIT
+    assert max(found) < LIMITS["parquet" if "parquet" in command else "csv"]
     assert found[1] < found[0] + 20

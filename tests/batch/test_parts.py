@@ -141,7 +141,7 @@ def test_what_makes_no_directory(run: Run, grains: list[str]) -> None:
 
 @pytest.mark.parametrize("end", ["csv", "ndjson", "parquet"])
 def test_a_large_table_is_split(run: Run, monkeypatch: pytest.MonkeyPatch, end: str) -> None:
-    from jkroll.batch import many, spans
+    from jkroll.batch import many, source
     from jkroll.batch.settings import Order, Settings
     from jkroll.materials.library import known_materials
 
@@ -157,9 +157,10 @@ def test_a_large_table_is_split(run: Run, monkeypatch: pytest.MonkeyPatch, end: 
     else:
         pyarrow, parquet = pytest.importorskip("pyarrow"), pytest.importorskip("pyarrow.parquet")
         parquet.write_table(pyarrow.Table.from_pylist(rows), name, row_group_size=7)
-    monkeypatch.setattr(spans, "BYTES", 1000)
-    monkeypatch.setattr(spans, "WINDOW", 100)
-    monkeypatch.setattr(spans, "ROWS", 50)
+    monkeypatch.setattr(source, "SPAN", 1000)
+    monkeypatch.setattr(source, "WINDOW", 100)
+    if end == "parquet":
+        monkeypatch.setattr("jkroll.batch.parquet.SPAN", 50)
     assert run("batch", name, "-o", f"whole.{end}", "--quantities", "r_min").code == 0
     settings = Settings("out/", quantities="r_min", dask="local", jobs=1)
     assert many.convert(name, Order(settings, {}, known_materials()), many.by_processes) == ((300, 0), 0)

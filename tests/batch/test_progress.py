@@ -7,6 +7,7 @@ import pytest
 
 from harness import Run, Stream
 from jkroll.batch.progress import watched
+from jkroll.batch.settings import Settings
 
 
 def test_a_bar_shows_part_and_rows(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -14,7 +15,7 @@ def test_a_bar_shows_part_and_rows(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("sys.stderr", out)
     monkeypatch.setenv("TERM", "xterm")
     monkeypatch.setattr("jkroll.batch.progress.WAIT", 0)
-    with watched(4000, lambda: (1000, 50_000), is_quiet=False, goes_on=True) as show:
+    with watched(4000, lambda: (1000, 50_000), Settings(), goes_on=True) as show:
         show()
     assert " 25%" in out.text()
     assert "50,000 rows" in out.text()

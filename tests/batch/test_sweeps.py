@@ -9,7 +9,6 @@ import pytest
 
 import jkroll.cli.run
 from harness import Run
-from jkroll.quantities.ranges import spreads_of
 
 SWEEPS = [
     "pull-off quartz,iron 1nm:1um:7",
@@ -70,18 +69,6 @@ def test_a_long_sweep_is_streamed_to_a_pipe_and_to_parquet(run: Run, monkeypatch
         short = table(run(f"{command} --csv").out)[1:]
     values, others = ([float(cell) for row in some for cell in row[1:]] for some in (short, rows))
     assert values == pytest.approx(others, rel=4e-16)
-
-
-def test_values_of_a_range_that_is_too_long_to_be_kept() -> None:
-    import numpy
-
-    from jkroll.batch.axes import of_spread
-
-    for text, name in (("1nm:1um:1000", "radius"), ("-3nN:5nN:1001:lin", "load"), ("1e-9m:1e3m:777", "radius")):
-        spread = spreads_of(text, name)[0]
-        found = of_spread(spread, numpy.arange(len(spread)))
-        assert found.tolist() == pytest.approx([*spread], rel=1.1e-14, abs=1e-24)
-        assert all(value == float(f"{value:.15g}") for value in found.tolist())
 
 
 def test_what_cannot_be_streamed(run: Run) -> None:

@@ -4,12 +4,12 @@ From the bottom up:
 
 columns, cells, materials   the header of a table; a column of texts as SI numbers; a column of materials
 rows, single, task          a block of rows evaluated at once; a row by itself, with its words; the quantities to compute
-dialect, delimited, ndjson  formats whose records are lines
+dialect, delimited, ndjson  formats whose records are lines; `lines` is their interface
 formats, settings           the registry of formats and compressions; the options of a run
-source, output, locks       blocks of whole records; a file that appears when it is whole, with a journal
-workers, loop               processes; the loop that carries blocks through them into the output, in order
-stream, parquet, sweep, axes  a table of lines; Parquet; the rows of ranges, which no file holds
-many, spans, cluster        many tables; parts of a large table; Dask
+source, output              blocks of whole records; a file that appears when it is whole, with a journal
+workers, loop               processes; the loop that takes blocks through a converter into the output, in order
+stream, parquet, sweep      a table of lines; Parquet; the rows of ranges, which no file holds
+many, cluster               many tables, or the parts of a large one; Dask
 command                     the `batch` command
 """
 

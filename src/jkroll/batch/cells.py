@@ -6,7 +6,7 @@ So each number is rounded once, as in a one-liner. A cell that orjson does not t
 import re
 from collections.abc import Sequence
 from math import isnan
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy
 import orjson
@@ -21,7 +21,6 @@ Floats = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.float64]]
 Mask = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.bool_]]
 
 PLAIN = b"0123456789.eE+-, "
-_DECIMALS = (0, 3, 6, 9)
 MAX_KEPT = 10_000  # texts whose value is remembered
 PART = 16  # cells read together where some cell of the block is no number
 _OWN_UNIT = re.compile(rb"[-+0-9.eE]+( ?[^\s0-9,][^,]*)")
@@ -165,38 +164,3 @@ def plain_numbers(text: bytes, count: int) -> Floats | None:
     except orjson.JSONDecodeError:
         return None
     return numpy.array(found, dtype=float) if len(found) == count else None
-
-
-def times_power_of_ten(values: Floats, exponent: int, given: Any = None) -> Floats:
-    """Return numbers times a power of ten, rounded once, as if their shortest decimal texts had been read with it.
-
-    >>> times_power_of_ten(numpy.array([0.1, 123.456]), -9).tolist()
-    [1e-10, 1.23456e-07]
-    """
-    known = values if given is None else values[given]
-    is_usual = bool(known.size) and bool(numpy.abs(known).max() < 1e15)
-    for decimals in _DECIMALS if is_usual else ():
-        down = decimals - exponent
-        if abs(down) > 22:
-            continue
-        # Whole numbers of at most 15 digits over powers of ten that doubles hold: one division, rounded once.
-        whole = numpy.rint(known[:64] * 10.0**decimals)
-        if (whole / 10.0**decimals == known[:64]).all():
-            whole = numpy.rint(values * 10.0**decimals)
-            size = numpy.abs(whole[given] if given is not None else whole).max()
-            if size < 1e15 and (numpy.isnan(values) | (whole / 10.0**decimals == values)).all():
-                return whole / 10.0**down if down >= 0 else whole * 10.0**-down
-    text = orjson.dumps(values, option=orjson.OPT_SERIALIZE_NUMPY)[1:-1]
-    if b"e" not in text and b"n" not in text:
-        suffix = b"e%d" % exponent
-        found = plain_numbers(text.replace(b",", suffix + b",") + suffix, len(values))
-        if found is not None:
-            return found
-    return numpy.array(
-        [
-            float(f"{mantissa}e{int(power or 0) + exponent}")
-            if mantissa.strip("-") not in ("nan", "inf")
-            else float(mantissa)
-            for mantissa, _, power in (repr(value).partition("e") for value in values.tolist())
-        ]
-    )

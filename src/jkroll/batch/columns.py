@@ -13,7 +13,7 @@ from ..text import closest, quoted
 from .errors import BadTable
 
 MATERIALS = ("material", "material2")
-INPUTS = ("radius", *(name for name, quantity in NOMENCLATURE.items() if quantity.option and name not in MATERIALS))
+INPUTS = ("radius", *(name for name, quantity in NOMENCLATURE.items() if quantity.option and quantity.unit))
 STATUS = "status"
 ALIKE = 0.85  # how similar a header is to the name of an input to be taken for a mistake
 _HEADER = re.compile(r"([^\[\]]*?)\s*\[([^\[\]]*)\]")

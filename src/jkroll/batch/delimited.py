@@ -58,6 +58,7 @@ class Delimited:
         line = head.text.removeprefix(BOM).removesuffix(b"\n").removesuffix(b"\r")
         cells = [self.safe(line) if excel_safe else line, *(name.encode() for name in (*names, STATUS))]
         self.head = (BOM if head.text.startswith(BOM) else b"") + dialect.separator.join(cells) + self.line_end
+        self.said = b"".join(dialect.separator + text.encode() for text in task.said.values())
         self.evaluator = Evaluator(task)
         self.readers = [Reader(column) for column in task.inputs]
         self.materials_at = task.materials_at
@@ -73,6 +74,8 @@ class Delimited:
         results = self.evaluator.results(self._block(records))
         if self.excel_safe:
             lines = [self.safe(line) for line in lines]
+        if self.said:
+            lines = [line + self.said for line in lines]
         if blank:
             lines = [blank.get(row, b"") + line for row, line in enumerate(lines)]
         output = b"".join([*self._strips(lines, results), blank.get(count, b"")])

@@ -43,17 +43,15 @@ class Dialect:
             rb"(^|" + mark + rb')("?)(?!' + _NUMBER + rb'"?(?:' + mark + rb"|\r?$))(?=[=+\-@\t\r])", re.MULTILINE
         )
 
-    def cut(self, text: bytes, *, is_end: bool) -> int:
-        """Return the number of bytes of whole records; of a record that is not closed at the end, its first line."""
+    def cut(self, text: bytes) -> int:
+        """Return the number of bytes of whole records."""
         if b'"' not in text:
-            return len(text) if is_end else text.rfind(b"\n") + 1
+            return text.rfind(b"\n") + 1
         ends = self._record_ends(text)
-        if ends is not None and (not is_end or text.count(b'"') % 2 == 0):
-            return len(text) if is_end else (int(ends[-1]) + 1 if len(ends) else 0)
-        lines = lines_of(text)
-        if not is_end and not lines[-1].endswith(b"\n"):
-            lines.pop()
-        place = sum(record.lines for record in self.records(lines, is_end=is_end))
+        if ends is not None:
+            return int(ends[-1]) + 1 if len(ends) else 0
+        lines = lines_of(text[: text.rfind(b"\n") + 1])
+        place = sum(record.lines for record in self.records(lines, is_end=False))
         return sum(map(len, lines[:place]))
 
     def _record_ends(self, text: bytes) -> Places | None:

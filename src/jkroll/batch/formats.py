@@ -6,7 +6,6 @@ import zlib
 from collections.abc import Callable, Iterator, Mapping
 from typing import BinaryIO, NamedTuple
 
-from ..errors import MissingExtra
 from ..text import quoted
 from .delimited import DIALECTS
 from .errors import BadTable, missing_extra
@@ -16,7 +15,7 @@ from .ndjson import Ndjson
 LINES: Mapping[str, LineFormat] = {**DIALECTS, "ndjson": Ndjson()}
 KINDS = {"csv": "csv", "tsv": "tsv", "tab": "tsv", "ndjson": "ndjson", "jsonl": "ndjson", "parquet": "parquet"}
 COMPRESSIONS = {"gz": "gzip", "gzip": "gzip", "zst": "zstd", "zstd": "zstd"}
-CHUNK = 1 << 18  # bytes read at a time: enough rows to pay for a call of numpy, few enough to stay in the cache
+CHUNK = 1 << 17  # bytes read at a time: enough rows to pay for a call of numpy, few enough to stay in the cache
 FEED = 1 << 9  # bytes given to zstd at a time: a block of at least 4 bytes holds at most 128 KiB, so 16 MiB come out
 
 
@@ -65,25 +64,24 @@ def _gzip(text: bytes) -> bytes:
 
 
 def decompressed(file: BinaryIO, compression: str, path: str) -> Iterator[bytes]:
-    """Iterate over the decompressed bytes of a file, at most 16 MiB at a time. Raises BadTable for a damaged file."""
+    """Iterate over the decompressed bytes of a file, at most CHUNK at a time. Raises BadTable for a damaged file."""
     pieces = _from_gzip if compression == "gzip" else _from_zstd
     try:
-        yield from pieces(file)
+        for piece in pieces(file):
+            for start in range(0, len(piece), CHUNK):
+                yield piece[start : start + CHUNK]
     except (EOFError, zlib.error, gzip.BadGzipFile):
         raise BadTable(f"{quoted(path)} is not what its name says, or its end is missing") from None
 
 
 def _from_gzip(file: BinaryIO) -> Iterator[bytes]:
     with gzip.open(file, "rb") as stream:
-        while piece := stream.read(CHUNK):
-            yield piece
+        yield from iter(lambda: stream.read(CHUNK), b"")
 
 
 def _from_zstd(file: BinaryIO) -> Iterator[bytes]:
-    try:
+    with missing_extra("zstd"):
         from zstandard import ZstdDecompressor, ZstdError
-    except ModuleNotFoundError as error:
-        raise MissingExtra(error.name or "", "zstd") from None
     frame, rest = ZstdDecompressor().decompressobj(), b""
     try:
         while rest or (rest := file.read(FEED)):

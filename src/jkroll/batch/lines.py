@@ -39,8 +39,8 @@ class Converter(Protocol):
 class LineFormat(Protocol):
     """A format whose records are lines."""
 
-    def cut(self, text: bytes, *, is_end: bool) -> int:
-        """Return the number of bytes of whole records at the beginning of a text; all of it at the end."""
+    def cut(self, text: bytes) -> int:
+        """Return the number of bytes of whole records at the beginning of a text."""
 
     def head(self, text: bytes) -> Head:
         """Return the beginning of a table. Raises BadTable."""

@@ -1,91 +1,56 @@
-"""The loop that carries blocks through a converter into the output, in their order, by one process or several.
+"""The loop of all tables of lines: blocks of records through a converter into the output, in their order.
 
-With several, this process reads. It gives each free process a block, and lets the processes write in the order of the blocks:
-the output is the same for any number of them, and no process copies the output of another.
+This process reads and writes. Where there are many blocks, others convert them; the output is the same for any number of them.
 """
 
-from collections import deque
-from collections.abc import Callable, Iterator
-from functools import partial
-from itertools import islice
-from typing import TYPE_CHECKING
-from zlib import crc32
+from collections.abc import Callable, Iterator, Mapping
+from itertools import chain, islice
+from typing import NamedTuple
 
 from .lines import Converted
-from .output import Output, Writer, Written
+from .output import Output
+from .progress import watched
+from .settings import Settings
 
-if TYPE_CHECKING:
-    from .workers import Worker
-
-ALONE = 32  # blocks that this process converts before it starts others, which takes 0.2 s
+ALONE = 64  # blocks that this process converts before it starts others, which takes 0.2 s
 
 Convert = Callable[[bytes], Converted]
-Show = Callable[[], None]
 
 
-def run(blocks: Iterator[bytes], make: Callable[[], Convert], output: Output, jobs: int, show: Show) -> None:
-    """Convert all blocks into the output. `make` returns the function that converts; `show` is called after each block."""
-    convert = make()
-    for text in islice(blocks, ALONE) if jobs > 1 else blocks:
-        converted = convert(text)
-        output.check(converted)
-        output.note(crc32(text), converted, output.writer.append(converted.output))
-        show()
-    first = next(blocks, None)
+class Work(NamedTuple):
+    """A table to convert."""
+
+    identity: Mapping[str, str]  # a hash of each part that the output depends on
+    read: bytes  # the header as read
+    head: Converted  # what it becomes
+    blocks: Iterator[bytes]
+    make_convert: Callable[[], Convert]  # called in each process
+    total: int  # the position at the end, or 0 if it is unknown
+    position: Callable[[], int] | None = None  # None: the rows
+
+
+def run(work: Work, output: Output, settings: Settings) -> None:
+    """Write a table, or the rest of it with `--resume`."""
+    if not (settings.resume and output.resume(work.identity, work.read, work.blocks)):
+        output.begin(work.identity, work.read, work.head)
+
+    def counts() -> tuple[int, int]:
+        return work.position() if work.position else output.done.rows, output.done.rows
+
+    with watched(work.total, counts, settings, goes_on=output.goes_on) as show:
+        for text, converted in _converted(work, settings.processes):
+            output.take(text, converted)
+            show()
+
+
+def _converted(work: Work, jobs: int) -> Iterator[tuple[bytes, Converted]]:
+    """Iterate over blocks as read and as converted, in their order."""
+    convert = work.make_convert()
+    for text in islice(work.blocks, ALONE) if jobs > 1 else work.blocks:
+        yield text, convert(text)
+    first = next(work.blocks, None)
     if first is not None:
-        from .workers import started  # with multiprocessing, which a small table does not pay for
+        from .workers import in_order, started  # with multiprocessing, which a small table does not pay for
 
-        with started(jobs, partial(_ConvertAndWrite, make, output.writer)) as workers:
-            _share(first, blocks, workers, output, show)
-
-
-class _ConvertAndWrite:
-    """Answers a block with its counts, and then None, which gives it its turn to write, with what was written."""
-
-    def __init__(self, make: Callable[[], Convert], writer: Writer) -> None:
-        self.convert, self.writer = make(), writer
-        self.output = b""
-
-    def __call__(self, text: bytes | None) -> Converted | Written:
-        if text is None:
-            return self.writer.append(self.output)
-        converted = self.convert(text)
-        self.output = converted.output
-        return converted._replace(output=b"")
-
-
-class _Share:
-    """A block that a process has at work."""
-
-    def __init__(self, worker: "Worker", text: bytes) -> None:
-        self.worker, self.checksum = worker, crc32(text)
-        self.converted: Converted | None = None
-        self.has_turn = False
-        worker.ask(text)
-
-
-def _share(first: bytes, blocks: Iterator[bytes], workers: "list[Worker]", output: Output, show: Show) -> None:
-    from .workers import answered
-
-    text: bytes | None = first
-    free = [*workers]
-    shares: deque[_Share] = deque()  # in the order of the blocks
-    while True:
-        while free and text is not None:
-            shares.append(_Share(free.pop(), text))
-            text = next(blocks, None)
-        if not shares:
-            return
-        for worker in answered([share.worker for share in shares]):
-            share = next(share for share in shares if share.worker is worker)
-            if share.converted is None:
-                share.converted = worker.answer()
-            else:
-                output.note(share.checksum, share.converted, worker.answer())
-                shares.popleft()
-                free.append(worker)
-                show()
-        if shares and (converted := shares[0].converted) is not None and not shares[0].has_turn:
-            output.check(converted)
-            shares[0].has_turn = True
-            shares[0].worker.ask(None)
+        with started(jobs, work.make_convert) as workers:
+            yield from in_order(workers, chain([first], work.blocks))

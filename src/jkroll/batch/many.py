@@ -12,7 +12,6 @@ import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from functools import partial
-from itertools import islice
 from typing import Any, NamedTuple
 
 from .. import __version__
@@ -20,13 +19,15 @@ from ..errors import BadRequest, JkrollError, MissingExtra
 from ..text import quoted, say
 from .errors import BadTable, missing_extra
 from .settings import Order, Settings, Tally, input_format
-from .spans import Span
+from .source import Span
 
 MANIFEST = "manifest.json"
 JOURNAL = "manifest.journal"
 MOST_SAID = 20  # files whose failure is said on stderr; the manifest has them all
 ALONE = 8  # files that this process converts itself before it starts others
-KEYS = {"version", "rows", "failed", "files"}  # of a manifest
+KEYS = {"input", "output", "bytes", "identity"}  # of an entry
+
+Entry = dict[str, Any]  # of a part, in the journal and the manifest
 
 
 class Part(NamedTuple):
@@ -85,20 +86,10 @@ def by_processes(order: Order, parts: list[Part]) -> Iterator[tuple[Part, Done]]
         yield part, convert_part(order, part)
     if len(alone) == len(parts):
         return
-    from .workers import answered, started
+    from .workers import as_ready, started
 
-    left = iter(parts[len(alone) :])
     with started(min(jobs, len(parts) - len(alone)), partial(_answer, order)) as workers:
-        at_work = {}
-        for worker, part in zip(workers, left, strict=False):
-            worker.ask(part)
-            at_work[worker] = part
-        while at_work:
-            for worker in answered([*at_work]):
-                yield at_work.pop(worker), worker.answer()
-                for part in islice(left, 1):
-                    worker.ask(part)
-                    at_work[worker] = part
+        yield from as_ready(workers, parts[len(alone) :])
 
 
 def _answer(order: Order) -> Callable[[Part], Done]:
@@ -106,7 +97,7 @@ def _answer(order: Order) -> Callable[[Part], Done]:
 
 
 def convert(path: str, order: Order, run: Runner) -> tuple[Tally, int]:
-    """Convert all tables that a pattern names; return the counts, and the exit code of the first that failed."""
+    """Convert all tables that a pattern names; return the counts, and the highest exit code of a table."""
     settings = order.settings
     directory = settings.target
     if directory == "-" or os.path.isfile(directory.rstrip(os.sep)):
@@ -117,23 +108,28 @@ def convert(path: str, order: Order, run: Runner) -> tuple[Tally, int]:
         raise BadRequest(f"-o: {quoted(directory)} is where the input is; it is not overwritten")
     os.makedirs(directory, exist_ok=True)
     manifest, journal = os.path.join(directory, MANIFEST), os.path.join(directory, JOURNAL)
-    before = _read(manifest, journal)
-    if not settings.resume:
-        before = {}
-    options = _options(order)
+    before = _read(manifest) | _read(journal)  # both, whether they are needed or not: they are to be ours
+    options = json.dumps(order.identity([]), sort_keys=True)
     identities = {part: _identity(options, part) for part in parts}
-    done = {part: found for part in parts if (found := _done(before.get(identities[part]), part)) is not None}
-    if settings.resume and len(done) == len(parts):
-        say(f"note: all {len(parts)} files are done; without --resume they are made anew", sys.stderr)
-    with open(journal, "a" if settings.resume else "w", encoding="utf-8") as file:
-        for part, outcome in done.items():
-            _note(file, part, outcome, identities[part])
+    entries: dict[Part, Entry] = {}
+    if settings.resume:
+        entries = {part: before[name] for part, name in identities.items() if _is_done(before.get(name), part)}
+        if len(entries) == len(parts):
+            say(f"note: all {len(parts)} files are done; without --resume they are made anew", sys.stderr)
+    with open(journal, "w", encoding="utf-8") as file:
+        file.writelines(json.dumps(entry) + "\n" for entry in entries.values())
+        file.flush()
         with suppress(FileNotFoundError):
             os.unlink(manifest)
-        for part, outcome in run(order, [part for part in parts if part not in done]):
-            done[part] = outcome
-            _note(file, part, outcome, identities[part])
-    return _finish(manifest, journal, [(part, done[part], identities[part]) for part in parts])
+        code = 0
+        for part, done in run(order, [part for part in parts if part not in entries]):
+            entries[part] = _entry(part, done, identities[part])
+            file.write(json.dumps(entries[part]) + "\n")
+            file.flush()
+            code = max(code, done.exit_code)
+    tally = _finish(manifest, [entries[part] for part in parts])
+    os.unlink(journal)
+    return tally, code
 
 
 def _parts(path: str, settings: Settings) -> list[Part]:
@@ -172,11 +168,6 @@ def _spans_of(path: str, settings: Settings) -> list[Span]:
     return spans_of_lines(path, form.kind)
 
 
-def _options(order: Order) -> str:
-    """Return what the results depend on beside the input."""
-    return json.dumps(order.identity([]), sort_keys=True)
-
-
 def _identity(options: str, part: Part) -> str:
     """Return a hash of all that the result of a part depends on."""
     try:
@@ -187,38 +178,33 @@ def _identity(options: str, part: Part) -> str:
     return hashlib.sha256((options + json.dumps(read)).encode()).hexdigest()[:32]
 
 
-def _read(manifest: str, journal: str) -> dict[str, Any]:
+def _read(path: str) -> dict[str, Entry]:
     """Return the entries of a manifest or journal by their identity. Raises BadRequest for a file that is not ours."""
-    entries: list[Any] = []
-    with suppress(FileNotFoundError), open(manifest, encoding="utf-8") as file:
-        entries += _entries(manifest, file.read())
-    with suppress(FileNotFoundError), open(journal, encoding="utf-8") as file:
-        for line in file:
-            if line.endswith("\n"):  # else the run was ended in the middle of it
-                entries += _entries(journal, f'{{"version": "", "rows": 0, "failed": 0, "files": [{line}]}}')
-    return {entry["identity"]: entry for entry in entries}
-
-
-def _entries(path: str, text: str) -> list[Any]:
     try:
-        found = json.loads(text)
-        if found.keys() == KEYS and all("output" in entry for entry in found["files"]):
-            return [entry for entry in found["files"] if entry.get("identity")]
-    except (ValueError, AttributeError, TypeError):
+        with open(path, encoding="utf-8") as file:
+            if path.endswith(MANIFEST):
+                found = json.load(file)["files"]
+            else:
+                found = [
+                    json.loads(line) for line in file if line.endswith("\n")
+                ]  # else the run was ended in the middle
+        if all(entry.keys() >= KEYS for entry in found):
+            return {entry["identity"]: entry for entry in found}
+    except FileNotFoundError:
+        return {}
+    except (ValueError, AttributeError, TypeError, KeyError):
         pass
     raise BadRequest(f"-o: {quoted(path)} is not a manifest of jkroll; it is not replaced: move it away")
 
 
-def _done(entry: Any, part: Part) -> Done | None:
-    """Return the outcome of a part that is done already."""
+def _is_done(entry: Entry | None, part: Part) -> bool:
+    """Return whether a part is done already."""
     if entry is None or "problem" in entry or not os.path.exists(part.target):
-        return None
-    if os.path.getsize(part.target) != entry["bytes"]:
-        return None
-    return Done(Tally(entry["rows"], entry["failed"]))
+        return False
+    return bool(os.path.getsize(part.target) == entry["bytes"])
 
 
-def _entry(part: Part, done: Done, identity: str) -> dict[str, Any]:
+def _entry(part: Part, done: Done, identity: str) -> Entry:
     entry = {
         "input": part.path,
         "output": os.path.basename(part.target),
@@ -230,26 +216,18 @@ def _entry(part: Part, done: Done, identity: str) -> dict[str, Any]:
     return entry | ({"problem": done.problem} if done.problem else {})
 
 
-def _note(journal: Any, part: Part, done: Done, identity: str) -> None:
-    """Note in the journal that a part is done or failed."""
-    journal.write(json.dumps(_entry(part, done, identity)) + "\n")
-    journal.flush()
-
-
-def _finish(manifest: str, journal: str, done: list[tuple[Part, Done, str]]) -> tuple[Tally, int]:
+def _finish(manifest: str, entries: list[Entry]) -> Tally:
     """Write the manifest, last of all, and say which files failed."""
-    total = Tally(sum(one.tally.rows for _, one, _ in done), sum(one.tally.failed for _, one, _ in done))
-    files = [_entry(*one) for one in done]
+    total = Tally(sum(entry["rows"] for entry in entries), sum(entry["failed"] for entry in entries))
     with open(f"{manifest}.partial", "w", encoding="utf-8") as file:
-        json.dump({"version": __version__, "rows": total.rows, "failed": total.failed, "files": files}, file, indent=2)
+        json.dump({"version": __version__, **total._asdict(), "files": entries}, file, indent=2)
         file.write("\n")
         file.flush()
         os.fsync(file.fileno())
     os.replace(f"{manifest}.partial", manifest)
-    os.unlink(journal)
-    failures = [(part, one) for part, one, _ in done if one.problem]
-    for part, one in failures[:MOST_SAID]:
-        say(f"jkroll: {quoted(part.path)}: {one.problem}", sys.stderr)
+    failures = [entry for entry in entries if "problem" in entry]
+    for entry in failures[:MOST_SAID]:
+        say(f"jkroll: {quoted(entry['input'])}: {entry['problem']}", sys.stderr)
     if len(failures) > MOST_SAID:
         say(f"jkroll: and {len(failures) - MOST_SAID} more files failed; {quoted(manifest)} says why", sys.stderr)
-    return total, failures[0][1].exit_code if failures else 0
+    return total

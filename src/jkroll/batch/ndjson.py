@@ -21,9 +21,9 @@ Row = dict[str, Any]
 class Ndjson:
     """Lines that are JSON objects; the names in the first of them are the columns."""
 
-    def cut(self, text: bytes, *, is_end: bool) -> int:
+    def cut(self, text: bytes) -> int:
         """Return the number of bytes of whole lines."""
-        return len(text) if is_end else text.rfind(b"\n") + 1
+        return text.rfind(b"\n") + 1
 
     def head(self, text: bytes) -> Head:
         """Return the names in the first object. No line is a header."""
@@ -58,8 +58,9 @@ class NdjsonConverter:
         self.keys = {name: header.texts[place] for name, place in places.items()}
         self.known = dict.fromkeys(header.texts).keys()
         self.added = {*names, STATUS}
-        members = b",".join(orjson.dumps(name).replace(b"%", b"%%") + b":%b" for name in (*names, STATUS))
-        self._members = members + b"}"
+        said = [orjson.dumps({name: text})[1:-1] for name, text in task.said.items()]
+        members = [orjson.dumps(name) + b":%b" for name in (*names[len(said) :], STATUS)]
+        self._members = b",".join([*said, *members]) + b"}"
 
     def convert(self, text: bytes) -> Converted:
         """Return whole lines with the results in each."""

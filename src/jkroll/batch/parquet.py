@@ -6,10 +6,9 @@ ends with an index of all of it: one that was interrupted is begun anew.
 
 import sys
 from collections.abc import Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import closing, contextmanager, suppress
 from math import isnan
-from queue import Queue
-from threading import Thread
 from typing import Any
 
 import numpy
@@ -19,19 +18,19 @@ import pyarrow.parquet
 from ..errors import BadRequest
 from ..quantities.nomenclature import header
 from ..text import quoted, say, shown
-from .cells import Floats, Numbers, Reader, times_power_of_ten
+from .cells import Floats, Numbers, Reader
 from .columns import STATUS, check_first
 from .errors import BadTable
 from .lines import Converted
-from .output import OutputFile, Written, check_file, is_whole, say_whole
+from .output import OutputFile, is_done
 from .progress import watched
 from .rows import Block, Evaluator
 from .settings import Order, Settings, Tally, input_format, output_format
-from .source import Input
-from .spans import Span, spans_of_groups
+from .source import Input, Span
 from .task import understood_task
 
 BUFFER = 1 << 18  # bytes read at a time of each column
+SPAN = 1 << 20  # least number of rows of a part of a table, but for the last
 BYTES = 1 << 24  # of the rows written together, about: three of these are at work
 BLOCK = 1 << 13  # rows computed together: what lies between two formulas stays in the cache
 
@@ -53,20 +52,29 @@ def convert(path: str, order: Order, span: Span | None = None) -> Tally:
         raise BadRequest("Parquet is read from a file and written to a file: -o FILE")
     with closing(Input(path)) as given, _opened(given) as file:
         given.check_output(settings.target)
-        if settings.resume and is_whole(settings.target, given.about.st_mtime_ns):
-            say_whole(settings.target)
+        if is_done(settings, given.time):
             return Tally(0, 0)
         with _readable(path):
             table = _Table(path, file, order, span or Span(0, file.metadata.num_row_groups))
-        tally = write(settings, table.schema, table.converted(), table.size, order.identity(given.identity), table.line)
+        tally = write(
+            settings, table.schema, table.converted(), table.size, order.identity([given.size, given.time]), table.line
+        )
         given.check_unchanged()
         return tally
 
 
 def spans_of(path: str) -> list[Span]:
-    """Return the parts of a Parquet file."""
+    """Return the parts of a Parquet file: as many groups of rows together as have enough rows."""
+    spans: list[Span] = []
+    start, rows = 0, 0
     with closing(Input(path)) as given, _opened(given) as file:
-        return spans_of_groups(file.metadata)
+        groups = file.metadata.num_row_groups
+        for place in range(groups):
+            rows += file.metadata.row_group(place).num_rows
+            if rows >= SPAN or place == groups - 1:
+                spans.append(Span(start, place + 1))
+                start, rows = place + 1, 0
+    return spans
 
 
 @contextmanager
@@ -118,7 +126,8 @@ class _Table:
         self.evaluator = Evaluator(task)
         self.materials = [name for name, _ in task.materials_at]
         self.readers = [Reader(column) for column in task.inputs]
-        fields = [pyarrow.field(header(name), pyarrow.float64()) for name in task.quantities]
+        fields = [pyarrow.field(name, pyarrow.string()) for name in task.said]
+        fields += [pyarrow.field(header(name), pyarrow.float64()) for name in task.quantities]
         self.schema = pyarrow.schema(
             [*schema, *fields, pyarrow.field(STATUS, pyarrow.string())], metadata=schema.metadata
         )
@@ -152,7 +161,8 @@ class _Table:
         words = pyarrow.array(
             [*map(status.get, range(batch.num_rows))] if status else [None] * batch.num_rows, "string"
         )
-        arrays = [*batch.columns, *map(as_column, numbers), words]
+        said = [pyarrow.repeat(text, batch.num_rows) for text in self.evaluator.task.said.values()]
+        arrays = [*batch.columns, *said, *map(as_column, numbers), words]
         table = pyarrow.Table.from_arrays(arrays, schema=self.schema)
         return Rows(table, len(lost), min(lost.items(), default=None))
 
@@ -177,75 +187,52 @@ class _Table:
 def write(
     settings: Settings, schema: Any, tables: Iterator[Rows], total: int, identity: dict[str, str], first_line: int = 0
 ) -> Tally:
-    """Write tables as one file that gets its name when it is whole. `total`: all rows."""
-    check_file(settings.target)
+    """Write tables as one file that gets its name when it is whole. `total`: all rows. A thread writes."""
     output = OutputFile(settings.target, strict=settings.strict)
-    output.goes_on = False
-    output.done = output.done._replace(lines=first_line)
     with closing(output):
         if settings.resume and output.has_begun():
             say("note: --resume: a Parquet file cannot be gone on with; it is begun anew", sys.stderr)
-        output.begin(identity)
+        output.begin(identity, b"", Converted(b"", 0, 0, first_line, None))
+
+        def counts() -> tuple[int, int]:
+            return output.done.rows, output.done.rows
+
         with (
-            watched(
-                total, lambda: (output.done.rows, output.done.rows), is_quiet=settings.quiet, goes_on=False
-            ) as show,
-            open(output.writer.descriptor, "wb", closefd=False) as file,
-            closing(_Writer(file, schema)) as writer,
+            watched(total, counts, settings, goes_on=False) as show,
+            open(output.descriptor, "wb", closefd=False) as file,
+            _writer(file, schema) as writer,
+            ThreadPoolExecutor(1) as thread,
         ):
+            written: Future[None] = thread.submit(lambda: None)
             for rows in tables:
-                output.check(rows.counts)
-                writer.put(rows.table)
-                output.note(0, rows.counts, Written(0, 0))
+                output.count(rows.counts)
+                written.result()
+                written = thread.submit(writer.write_table, rows.table, rows.table.num_rows)
                 show()
-            writer.put(None)
+            written.result()
         output.finish()
-    return Tally(output.done.rows, output.done.failed)
+    return output.tally
 
 
-class _Writer:
-    """A thread that writes tables while the next ones are computed."""
-
-    def __init__(self, file: Any, schema: Any) -> None:
-        floats = [field.name for field in schema if pyarrow.types.is_floating(field.type)]
-        self._writer = pyarrow.parquet.ParquetWriter(
-            file,
-            schema,
-            compression="snappy",
-            use_dictionary=[name for name in schema.names if name not in floats],
-            column_encoding=dict.fromkeys(floats, "BYTE_STREAM_SPLIT"),
-            write_statistics=False,
-        )
-        self._tables: Queue[Any] = Queue(1)
-        self._error: BaseException | None = None
-        self._thread = Thread(target=self._run, daemon=True)
-        self._thread.start()
-
-    def _run(self) -> None:
-        while (table := self._tables.get()) is not None:
-            try:
-                if self._error is None:
-                    self._writer.write_table(table, table.num_rows)
-            except BaseException as error:
-                self._error = error
-
-    def put(self, table: Any) -> None:
-        """Have a table written; None ends the file. Raises the error of a table before."""
-        self._tables.put(table)
-        if table is None:
-            self._thread.join()
-        if self._error is not None:
-            raise self._error
-        if table is None:
-            self._writer.close()
-
-    def close(self) -> None:
-        """End the thread."""
-        if self._thread.is_alive():
-            self._tables.put(None)
-            self._thread.join()
+@contextmanager
+def _writer(file: Any, schema: Any) -> Iterator[Any]:
+    """Yield a writer of Parquet. After an error nothing is read of what it wrote: a second error while it ends is no news."""
+    floats = [field.name for field in schema if pyarrow.types.is_floating(field.type)]
+    writer = pyarrow.parquet.ParquetWriter(
+        file,
+        schema,
+        compression="snappy",
+        use_dictionary=[name for name in schema.names if name not in floats],
+        column_encoding=dict.fromkeys(floats, "BYTE_STREAM_SPLIT"),
+        write_statistics=False,
+    )
+    try:
+        yield writer
+    except BaseException:
         with suppress(OSError, pyarrow.ArrowException):
-            self._writer.close()  # else it would be closed after its file
+            writer.close()
+        raise
+    writer.close()
 
 
 def as_column(values: Floats) -> Any:
@@ -271,12 +258,13 @@ def _text(value: object) -> str:
 
 def _numbers(array: Any, reader: Reader) -> Numbers:
     """Return the SI values of a column: numbers in its unit, or texts as in CSV."""
-    kind = array.type
-    exponent = reader.column.exponent
-    if exponent is None or not (pyarrow.types.is_floating(kind) or pyarrow.types.is_integer(kind)):
+    kind, unit = array.type, reader.column.unit
+    is_text = not (pyarrow.types.is_floating(kind) or pyarrow.types.is_integer(kind))
+    if is_text or (unit is None and reader.column.exponent is None):
         return reader.numbers([_text(value).encode() for value in array.to_pylist()])
     values = array.to_numpy(zero_copy_only=False).astype(float, copy=False)
     missing = numpy.isnan(values)
-    given = ~missing if missing.any() else None
-    scaled = values if exponent == 0 else times_power_of_ten(values, exponent, given)
-    return Numbers(scaled, given, numpy.flatnonzero(numpy.isinf(values)).tolist())
+    if unit is not None:
+        with numpy.errstate(over="ignore"):  # an infinite number is read by itself, and refused
+            values = values * float(unit.numerator) / float(unit.denominator)
+    return Numbers(values, ~missing if missing.any() else None, numpy.flatnonzero(numpy.isinf(values)).tolist())

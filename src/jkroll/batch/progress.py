@@ -6,45 +6,37 @@ from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 
 from ..text import say
+from .settings import Settings
 
 WAIT = 0.5  # seconds before a bar is shown
 Counts = Callable[[], tuple[int, int]]  # how much is done of the total, and the rows so far
 
 
 @contextmanager
-def watched(total: int, counts: Counts, *, is_quiet: bool, goes_on: bool) -> Iterator[Callable[[], None]]:
+def watched(total: int, counts: Counts, settings: Settings, *, goes_on: bool) -> Iterator[Callable[[], None]]:
     """Yield a function that shows the progress; after an interrupt say where the run stopped. `total`: 0 if unknown."""
-    try:
-        if is_quiet or not sys.stderr.isatty():
-            yield _nothing
-        else:
-            with _bar(total, counts) as show:
-                yield show
-    except KeyboardInterrupt:
-        advice = "; --resume goes on" if goes_on else ""
-        say(f"jkroll: interrupted after {counts()[1]} rows{advice}", sys.stderr)
-        raise
+    is_shown = sys.stderr.isatty() and not settings.quiet
+    began = time.monotonic()
+    update: Callable[[], None] | None = None
+    with ExitStack() as until_the_end:
+
+        def show() -> None:
+            nonlocal update
+            if update is None and is_shown and time.monotonic() - began >= WAIT:
+                update = until_the_end.enter_context(_bar(total, counts))
+            if update is not None:
+                update()
+
+        try:
+            yield show
+        except KeyboardInterrupt:
+            until_the_end.close()
+            say(f"jkroll: interrupted after {counts()[1]} rows{'; --resume goes on' * goes_on}", sys.stderr)
+            raise
 
 
 @contextmanager
 def _bar(total: int, counts: Counts) -> Iterator[Callable[[], None]]:
-    """Yield a function that shows a bar once the run has taken a while."""
-    began = time.monotonic()
-    with ExitStack() as until_the_end:
-        update: Callable[[], None] | None = None
-
-        def show() -> None:
-            nonlocal update
-            if update is None and time.monotonic() - began >= WAIT:
-                update = until_the_end.enter_context(_shown(total, counts))
-            if update is not None:
-                update()
-
-        yield show
-
-
-@contextmanager
-def _shown(total: int, counts: Counts) -> Iterator[Callable[[], None]]:
     from rich.console import Console
     from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 
@@ -57,7 +49,3 @@ def _shown(total: int, counts: Counts) -> Iterator[Callable[[], None]]:
             bar.update(task, completed=done, rows=rows)
 
         yield update
-
-
-def _nothing() -> None:
-    pass

@@ -12,7 +12,7 @@ import numpy
 from ..errors import JkrollError
 from ..materials.library import Material
 from ..quantities.nomenclature import INFINITY
-from ..scene.errors import BeyondPullOff, NoChain
+from ..scene.errors import BeyondPullOff, MissingInput, NoChain
 from ..scene.inputs import outside
 from ..scene.scene import MAY_BE_ZERO, SMALLEST, Scene
 from .cells import Floats, Mask, Numbers
@@ -111,13 +111,17 @@ class Evaluator:
         given = {**{name: value for name, value in self.task.fixed.items() if name not in given}, **given}
         spheres = [self._sphere(name, codes, rows) for name in ("material", "material2")]
         try:
-            scene = Scene(given, *spheres)
+            scene = Scene(given, *spheres, model=self.task.model)
         except JkrollError:
             return numpy.ones(len(members), dtype=bool)
         wanted = [name for name in self.task.quantities if concerns(name, scene)]
-        missing = [name for name in wanted if lacking(name, scene) is not None]
-        found = [name for name in wanted if name not in missing]
-        values = {name: _or_nan(value) for name, value in scene.evaluate(found).items()}
+        outcomes = scene.evaluate(wanted)
+        missing = [name for name, outcome in outcomes.items() if isinstance(outcome, MissingInput)]
+        values = {
+            name: numpy.nan if isinstance(outcome, JkrollError) else outcome
+            for name, outcome in outcomes.items()
+            if not isinstance(outcome, MissingInput)
+        }
         is_all = isinstance(rows, slice)
         results = numbers if is_all else numpy.empty((len(self.task.quantities), len(members)))
         for place, name in enumerate(self.task.quantities):
@@ -184,18 +188,17 @@ class Evaluator:
         is_plane = _at(scene.values.get("radius2", 0.0), place) == INFINITY
         key = (*(one and one.name for one in spheres), is_plane, frozenset(scene.stated), *names)
         if key not in self._reasons:
-            single = Scene({name: _one(name, value, place) for name, value in scene.stated.items()}, *spheres)
+            single = Scene(
+                {name: _one(name, value, place) for name, value in scene.stated.items()},
+                *spheres,
+                model=self.task.model,
+            )
             in_order = [name for name in self.task.quantities if name in names]
             self._reasons[key] = worded({name: lacking(name, single) or NoChain() for name in in_order})
         return self._reasons[key]
 
     def _material(self, name: str, code: int) -> Material | None:
         return self.lookups[name].known[code]
-
-
-def _or_nan(value: Any) -> Any:
-    """Return a value; nan for a failure, which each row says in words."""
-    return numpy.nan if isinstance(value, JkrollError) else value
 
 
 def _is_plausible(results: Floats) -> bool:

@@ -31,12 +31,7 @@ class Settings(NamedTuple):
 
     @property
     def processes(self) -> int:
-        """Number of processes: `--jobs`, else one for each core that this process may use.
-
-        On Windows, where a process cannot inherit the open output, it is one.
-        """
-        if os.name == "nt":
-            return 1
+        """Number of processes: `--jobs`, else one for each core that this process may use."""
         return self.jobs or min(_cores(), MOST_PROCESSES)
 
 

@@ -25,6 +25,12 @@ class Task(NamedTuple):
     material2: Material | None
     known: Materials
     keeps: bool = False  # whether a row beyond pull-off keeps the results that need no contact
+    model: str | None = None  # law of attraction, which is then a column before the results
+
+    @property
+    def said(self) -> dict[str, str]:
+        """The columns of text that are the same for all rows."""
+        return {"model": self.model} if self.model is not None else {}
 
 
 def alone(task: Task, text_of: Callable[[str], str]) -> tuple[list[float], str, bool]:
@@ -50,7 +56,7 @@ def alone(task: Task, text_of: Callable[[str], str]) -> tuple[list[float], str, 
     if problems:
         return nothing, "; ".join(problems), True
     try:
-        scene = Scene({**task.fixed, **given}, *spheres.values())
+        scene = Scene({**task.fixed, **given}, *spheres.values(), model=task.model)
     except JkrollError as error:
         return nothing, str(error), True
     values: list[float] = []

@@ -1,21 +1,31 @@
-"""The input as blocks of whole records, cut at the same places in every run."""
+"""The input as blocks of whole records, cut at the same places in every run; and the parts of a large table."""
 
 import errno
 import os
 import stat
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
-from typing import BinaryIO
+from itertools import chain
+from typing import BinaryIO, NamedTuple
 
 from ..errors import BadRequest
 from ..text import quoted
 from .errors import BadTable
 from .formats import CHUNK, decompressed
-from .spans import Span
 
 MAX_RECORD = 1 << 24
+WINDOW = 1 << 24  # bytes in which the end of a record is looked for
+SPAN = 1 << 26  # least size of a part of a table, but for the last
 
-Cut = Callable[[bytes, bool], int]  # number of bytes of whole records at the beginning of a text; all of it at the end
+Cut = Callable[[bytes], int]  # number of bytes of whole records at the beginning of a text
+
+
+class Span(NamedTuple):
+    """Part of a table: bytes of lines, with the size of the header before the first line, or groups of rows of Parquet."""
+
+    start: int
+    end: int
+    head: int = 0
 
 
 class Input:
@@ -29,23 +39,24 @@ class Input:
             self.file: BinaryIO = open(descriptor, "rb", buffering=CHUNK)
         except OSError as error:
             raise BadTable(f"{quoted(path)}: {error.strerror}") from None
-        self.about = os.fstat(descriptor)
-        self.is_file = stat.S_ISREG(self.about.st_mode)
-        if stat.S_ISDIR(self.about.st_mode):
+        about = os.fstat(descriptor)
+        self.is_file = stat.S_ISREG(about.st_mode)
+        self.size, self.time = (about.st_size, about.st_mtime_ns) if self.is_file else (0, 0)
+        if stat.S_ISDIR(about.st_mode):
             raise BadTable(f"{quoted(path)}: {os.strerror(errno.EISDIR)}")
 
-    @property
-    def identity(self) -> list[int]:
-        """Size and time of a file; nothing of a pipe."""
-        return _size_and_time(self.about) if self.is_file else []
-
     def pieces(self, compression: str, span: Span | None) -> Iterator[bytes]:
-        """Iterate over the bytes to convert."""
-        if span is not None:
-            return span.read(self.file)
-        return (
-            decompressed(self.file, compression, self.path) if compression else iter(lambda: self.file.read(CHUNK), b"")
-        )
+        """Iterate over the bytes to convert, decompressed: CHUNK bytes at a time, but for the ends."""
+        if compression:
+            return decompressed(self.file, compression, self.path)
+        if span is None:
+            return iter(lambda: self.file.read(CHUNK), b"")
+        return chain(self._between(0, span.head), self._between(span.start, span.end))
+
+    def _between(self, start: int, end: int) -> Iterator[bytes]:
+        self.file.seek(start)
+        for place in range(start, end, CHUNK):
+            yield self.file.read(min(CHUNK, end - place))
 
     def position(self) -> int:
         """Return the number of bytes read of a file; 0 of a pipe."""
@@ -53,13 +64,14 @@ class Input:
 
     def check_unchanged(self) -> None:
         """Raise BadTable if a file was changed after it was opened."""
-        if self.is_file and _size_and_time(os.fstat(self.file.fileno())) != self.identity:
+        about = os.fstat(self.file.fileno())
+        if self.is_file and (about.st_size, about.st_mtime_ns) != (self.size, self.time):
             raise BadTable(f"{quoted(self.path)} was changed while it was read; begin anew")
 
     def check_output(self, target: str) -> None:
         """Refuse to write over the input."""
         with suppress(OSError):
-            if self.is_file and os.path.samestat(self.about, os.stat(target)):
+            if self.is_file and os.path.samestat(os.fstat(self.file.fileno()), os.stat(target)):
                 raise BadRequest(f"-o: {quoted(target)} is the input; it is not overwritten")
 
     def close(self) -> None:
@@ -67,58 +79,38 @@ class Input:
         self.file.close()
 
 
-def _size_and_time(about: os.stat_result) -> list[int]:
-    return [about.st_size, about.st_mtime_ns]
+def blocks(pieces: Iterable[bytes], cut: Cut) -> Iterator[bytes]:
+    """Iterate over blocks of whole records.
 
-
-class Blocks:
-    """Iterate over blocks of whole records."""
-
-    def __init__(self, pieces: Iterator[bytes], cut: Cut) -> None:
-        """`pieces`: the bytes of the table. `cut`: finds the end of the last whole record."""
-        self.pieces, self.cut = pieces, cut
-        self.text, self.start = b"", 0  # bytes at hand, and where the next block begins in them
-        self.is_end = False
-
-    def __iter__(self) -> Iterator[bytes]:
-        return self
-
-    def __next__(self) -> bytes:
-        size = CHUNK
-        while True:
-            self._fill(size)
-            window = self.text[self.start : self.start + size]
-            is_last = self.is_end and self.start + size >= len(self.text)
-            if not window:
-                raise StopIteration
-            # A record longer than any table's ends where a line does; the format says what is wrong with it.
-            end = self.cut(window, is_last or size >= MAX_RECORD)
-            if end:
-                self.start += end
-                return window[:end]
-            if size >= MAX_RECORD:
+    A record that is longer than MAX_RECORD ends where a line does; the format says what is wrong with it.
+    """
+    text, needed = b"", 1
+    for piece in pieces:
+        text += piece
+        if len(text) < needed:
+            continue
+        end = cut(text)
+        if not end and len(text) >= MAX_RECORD:
+            end = text.rfind(b"\n") + 1
+            if not end:
                 raise BadTable(f"a line is longer than {MAX_RECORD >> 20} MiB: this is no table")
-            size *= 2
+        if end:
+            yield text[:end]
+            text = text[end:]
+        needed = 1 if end else 2 * len(text)
+    if text:
+        yield text
 
-    def _fill(self, size: int) -> None:
-        """Have that many bytes at hand, if there are."""
-        if self.is_end or len(self.text) - self.start >= size:
-            return
-        pieces = [self.text[self.start :]]
-        found = len(pieces[0])
-        while found < size and not self.is_end:
-            piece = next(self.pieces, None)
-            self.is_end = piece is None
-            pieces.append(piece or b"")
-            found += len(pieces[-1])
-        self.text, self.start = b"".join(pieces), 0
 
-    def head(self) -> bytes:
-        """Return the first block, which comes again."""
-        text = next(self, b"")
-        self.start -= len(text)
-        return text
-
-    def skip(self, size: int) -> None:
-        """Leave out the first bytes."""
-        self.start += size
+def spans_of_lines(file: BinaryIO, size: int, head: int, cut: Cut) -> list[Span]:
+    """Return the parts of a table of lines; none for a small one. `head`: size of the header."""
+    spans: list[Span] = []
+    start = end = head
+    file.seek(end)
+    while size > SPAN and (text := file.read(WINDOW)):
+        end += len(text) if end + len(text) == size else cut(text) or len(text)
+        if end - start >= SPAN:
+            spans.append(Span(start, end, head))
+            start = end
+        file.seek(end)
+    return [*spans, Span(start, end, head)] if start < end else spans

@@ -6,10 +6,9 @@ The columns are those of a short sweep. A block is a number of rows from a place
 from collections.abc import Iterator, Sequence
 from contextlib import closing
 from functools import partial
-from itertools import chain
+from itertools import islice
 from math import prod
 from typing import Any, NamedTuple
-from zlib import crc32
 
 import numpy
 import orjson
@@ -20,22 +19,46 @@ from ..errors import BadRequest
 from ..materials.library import Material, Materials
 from ..output.layout import Layout
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, header, word_for_infinity
+from ..quantities.ranges import Spread
 from ..scene.scene import DEFAULTS, Scene
 from . import loop
-from .axes import Axis
 from .cells import Floats, Numbers
 from .columns import Column
 from .delimited import DIALECTS, quoted_cell
+from .dialect import Places
 from .errors import missing_extra
 from .formats import compressor, format_of
 from .lines import Converted
-from .output import OutputFile, check_file, is_whole, output_to, say_whole
-from .progress import watched
+from .output import OutputFile, is_done, output_to
 from .rows import Block, Evaluator
 from .settings import Settings, Tally, fingerprint
 from .single import Task
 
 ROWS = 1 << 12  # of a block
+
+
+class Axis(NamedTuple):
+    """The values of an input: lists and ranges behind each other."""
+
+    name: str
+    spreads: Sequence[Spread]
+
+    @property
+    def size(self) -> int:
+        """The number of values."""
+        return sum(map(len, self.spreads))
+
+    def values(self, places: Places) -> Floats:
+        """Return the values at some places."""
+        wanted, back = numpy.unique(places, return_inverse=True)
+        return numpy.array([self._value(place) for place in wanted.tolist()])[back]
+
+    def _value(self, place: int) -> float:
+        for spread in self.spreads:
+            if place < len(spread):
+                return spread.value(place)
+            place -= len(spread)
+        raise IndexError(place)
 
 
 class Sweep(NamedTuple):
@@ -151,55 +174,27 @@ def _typed(name: str, value: float) -> str:
     return f"{float(value)!r} {unit}" if unit != "1" else repr(float(value))
 
 
-class _Lines:
-    """Blocks of a sweep as CSV or TSV."""
-
-    def __init__(self, sweep: Sweep, kind: str) -> None:
-        self.sweep = sweep
-        self.separator = DIALECTS[kind].separator
-        self.evaluators = Evaluators(sweep)
-
-    def convert(self, block: bytes) -> Converted:
-        """Return the lines of a block."""
-        rows = self.evaluators.rows(block)
-        table = numpy.empty((rows.size, len(rows.inputs) + len(rows.results)))
-        words: dict[int, bytes] = {}
-        for place, column in enumerate([*rows.inputs, *rows.results]):
-            table[:, place] = numpy.nan if column is None else column
-            if column is not None and place < len(rows.inputs) and numpy.isinf(column).any():
-                words[place] = (word_for_infinity(self.sweep.inputs[place]) or "").encode()
-        numbers = orjson.dumps(table + 0.0, option=orjson.OPT_SERIALIZE_NUMPY).replace(b"null", b"")
-        lead = b"".join(quoted_cell(name.encode(), self.separator) + self.separator for name in rows.materials)
-        # [[1,2],[3,4]] becomes the lines 1,2 and 3,4.
-        lines = (
-            numbers[1:]
-            .replace(b"[", b"")
-            .replace(b"]", b"\n")
-            .replace(b"\n,", b"\n")
-            .removesuffix(b"\n\n")
-            .split(b"\n")
-        )
-        if words:
-            lines = [self._worded(line, row, table, words) for row, line in enumerate(lines)]
-        if self.separator != b",":
-            lines = [line.replace(b",", self.separator) for line in lines]
-        output = lead + (b"\n" + lead).join(lines) + b"\n"
-        return Converted(output, rows.size, rows.failed, rows.size, None)
-
-    def _worded(self, line: bytes, row: int, table: Floats, words: dict[int, bytes]) -> bytes:
-        cells = line.split(b",")
-        for place, word in words.items():
-            if table[row, place] == INFINITY:
-                cells[place] = word
-        return b",".join(cells)
-
-
 def _make_convert(sweep: Sweep, kind: str, compression: str) -> loop.Convert:
-    lines, compress = _Lines(sweep, kind), compressor(compression)
+    evaluators, compress = Evaluators(sweep), compressor(compression)
+    separator = DIALECTS[kind].separator
 
     def convert(block: bytes) -> Converted:
-        converted = lines.convert(block)
-        return converted._replace(output=compress(converted.output))
+        """Return a block as lines."""
+        rows = evaluators.rows(block)
+        lead = b"".join(quoted_cell(name.encode(), separator) + separator for name in rows.materials)
+        table = numpy.empty((rows.size, len(rows.inputs) + len(rows.results)))
+        for place, column in enumerate([*rows.inputs, *rows.results]):
+            table[:, place] = numpy.nan if column is None else column
+        text = orjson.dumps(table + 0.0, option=orjson.OPT_SERIALIZE_NUMPY).replace(b"null", b"")
+        # [[1,2],[3,4]] becomes the lines 1,2 and 3,4.
+        lines = text[2:-2].replace(b",", separator).split(b"]" + separator + b"[")
+        for place, name in enumerate(sweep.inputs):
+            for row in numpy.flatnonzero(numpy.isinf(table[:, place])).tolist():
+                cells = lines[row].split(separator)
+                cells[place] = (word_for_infinity(name) or "").encode()
+                lines[row] = separator.join(cells)
+        output = b"".join([lead + line + b"\n" for line in lines])
+        return Converted(compress(output), rows.size, rows.failed, rows.size, None)
 
     return convert
 
@@ -207,32 +202,28 @@ def _make_convert(sweep: Sweep, kind: str, compression: str) -> loop.Convert:
 def stream(sweep: Sweep, settings: Settings) -> Tally:
     """Write all rows of a sweep."""
     form = format_of(settings.target)
-    if settings.resume and is_whole(settings.target, 0):
-        say_whole(settings.target)
+    if is_done(settings):
         return Tally(0, 0)
     if form is not None and form.kind == "parquet":
         return _write_parquet(sweep, settings)
     kind, compression = form or ("csv", "")
     if kind not in DIALECTS:
         raise BadRequest(f"-o: a sweep is written as csv, tsv or parquet, not as {kind}")
-    make = partial(_make_convert, sweep, kind, compression)
     head = DIALECTS[kind].separator.join(header(name).encode() for name in sweep.shape.columns) + b"\n"
-    blocks = sweep.blocks()
-    if settings.target != "-":
-        check_file(settings.target)
-    with closing(output_to(settings.target, strict=False)) as output:
-        if isinstance(output, OutputFile) and not (settings.resume and output.resume(sweep.identity(), b"", blocks)):
-            output.begin(sweep.identity())
-        if not output.done.lines:
-            written = output.writer.append(compressor(compression)(head))
-            output.note(crc32(b""), Converted(b"", 0, 0, 1, None), written)
-        is_quiet = settings.quiet or settings.target == "-"
-        with watched(
-            sweep.size, lambda: (output.done.rows, output.done.rows), is_quiet=is_quiet, goes_on=output.goes_on
-        ) as show:
-            loop.run(blocks, make, output, settings.processes, show)
+    work = loop.Work(
+        sweep.identity(),
+        b"",
+        Converted(compressor(compression)(head), 0, 0, 1, None),
+        sweep.blocks(),
+        partial(_make_convert, sweep, kind, compression),
+        sweep.size,
+    )
+    is_piped = settings.target == "-"
+    settings = settings._replace(quiet=settings.quiet or is_piped)
+    with closing(output_to(settings) if is_piped else OutputFile(settings.target)) as output:
+        loop.run(work, output, settings)
         output.finish()
-    return Tally(output.done.rows, output.done.failed)
+    return output.tally
 
 
 def _write_parquet(sweep: Sweep, settings: Settings) -> Tally:
@@ -252,16 +243,10 @@ def _write_parquet(sweep: Sweep, settings: Settings) -> Tally:
         return pyarrow.RecordBatch.from_arrays([*names, *arrays], schema=schema)
 
     def tables() -> Iterator[parquet.Rows]:
-        most = parquet.rows_together(8 * len(schema))
-        batches: list[Any] = []
-        size = failed = 0
-        for block in chain(sweep.blocks(), [b""]):
-            if batches and (not block or size >= most):
-                yield parquet.Rows(pyarrow.Table.from_batches(batches, schema).combine_chunks(), failed)
-                batches, size, failed = [], 0, 0
-            if block:
-                rows = evaluators.rows(block)
-                batches.append(batch(rows))
-                size, failed = size + rows.size, failed + rows.failed
+        blocks = sweep.blocks()
+        while some := [evaluators.rows(block) for block in islice(blocks, together)]:
+            table = pyarrow.Table.from_batches(map(batch, some), schema).combine_chunks()
+            yield parquet.Rows(table, sum(rows.failed for rows in some))
 
+    together = max(parquet.rows_together(8 * len(schema)) // ROWS, 1)
     return parquet.write(settings, schema, tables(), sweep.size, sweep.identity())

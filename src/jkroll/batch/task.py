@@ -21,8 +21,10 @@ from .single import Task, lacking
 def task_of(table: Header, inputs: Mapping[str, str], wanted: str, known: Materials) -> Task:
     """Return the task that the columns and options allow."""
     spheres = {name: known[inputs[name]] if name in inputs else None for name in MATERIALS}
-    fixed = {name: parse_quantity(text, name) for name, text in inputs.items() if name not in MATERIALS}
-    scene = _as_known(table, fixed, spheres)
+    texts = {*MATERIALS, "model"}
+    fixed = {name: parse_quantity(text, name) for name, text in inputs.items() if name not in texts}
+    model = inputs.get("model")
+    scene = _as_known(table, fixed, spheres, model)
     explicit, offered = quantities_named(wanted)
     for name in explicit:
         if name in table.names or name in fixed:
@@ -36,10 +38,12 @@ def task_of(table: Header, inputs: Mapping[str, str], wanted: str, known: Materi
     quantities = tuple(dict.fromkeys((*explicit, *possible)))
     if not quantities:
         scene.plan(offered[0])
-    return Task(table.inputs, table.materials, quantities, fixed, spheres["material"], spheres["material2"], known)
+    return Task(
+        table.inputs, table.materials, quantities, fixed, spheres["material"], spheres["material2"], known, model=model
+    )
 
 
-def _as_known(table: Header, fixed: Mapping[str, float], spheres: Mapping[str, Any]) -> Scene:
+def _as_known(table: Header, fixed: Mapping[str, float], spheres: Mapping[str, Any], model: str | None) -> Scene:
     """Return a scene in which every column has a value; of columns that exclude each other, the first."""
     some = Material("", dict.fromkeys(PROPERTIES, _SOME), (), {}, (), (), "", "")
     given: dict[str, float] = {}
@@ -47,7 +51,7 @@ def _as_known(table: Header, fixed: Mapping[str, float], spheres: Mapping[str, A
         if not any(column.name in names and given.keys() & names for names in EXCLUSIVE):
             given[column.name] = _SOME
     places = dict(table.materials)
-    return Scene({**fixed, **given}, *(some if name in places else spheres[name] for name in MATERIALS))
+    return Scene({**fixed, **given}, *(some if name in places else spheres[name] for name in MATERIALS), model=model)
 
 
 _SOME = 0.25  # a value that any input can have
@@ -57,7 +61,7 @@ def understood_task(names: tuple[str, ...], order: Order) -> tuple[Header, Task]
     """Return the columns of a header and the task. Raises BadTable, or an error of the options."""
     table = understood(names)
     task = task_of(table, order.inputs, order.settings.quantities, order.known)
-    taken = {header(name) for name in task.quantities} | {STATUS}
+    taken = {header(name) for name in task.quantities} | {*task.said, STATUS}
     for text in table.texts:
         if text.strip() in taken:
             raise BadTable(f"header: there is a column {quoted(text)} already; rename it, or choose --quantities")

@@ -1,4 +1,4 @@
-"""Processes that answer questions: each gets a question over a pipe and sends back an answer or an error.
+"""Processes that answer questions. Each gets a question over a pipe of its own and sends back an answer or an error.
 
 A process ends when the other end of its pipe is closed, that is, with the process that started it. No lock is shared, so a
 process may be ended at any moment.
@@ -7,10 +7,13 @@ process may be ended at any moment.
 import copyreg
 import gc
 import signal
-from collections.abc import Callable, Iterator, Sequence
+import sys
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
+from itertools import cycle
 from multiprocessing import connection, get_context, resource_tracker
-from types import MappingProxyType
+from types import MappingProxyType, ModuleType
 from typing import Any
 
 from .errors import LostWorker
@@ -81,7 +84,7 @@ def started(count: int, make_answer: Callable[[], Answer]) -> Iterator[list[Work
     """Start processes, and end them at the end."""
     workers: list[Worker] = []
     try:
-        with _interrupts_held():
+        with _interrupts_held(), _main_hidden():
             while len(workers) < count:
                 workers.append(Worker(make_answer))
         yield workers
@@ -104,7 +107,43 @@ def _interrupts_held() -> Iterator[None]:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
-def answered(workers: Sequence[Worker]) -> list[Worker]:
-    """Wait until a process has answered or ended; return those that have."""
-    ready = connection.wait([worker.connection for worker in workers])
-    return [worker for worker in workers if worker.connection in ready]
+@contextmanager
+def _main_hidden() -> Iterator[None]:
+    """Hide the main script. A process would run it again, and nothing of it is needed there."""
+    main = sys.modules["__main__"]
+    sys.modules["__main__"] = ModuleType("__main__")
+    try:
+        yield
+    finally:
+        sys.modules["__main__"] = main
+
+
+def in_order(workers: list[Worker], questions: Iterable[Any]) -> Iterator[tuple[Any, Any]]:
+    """Iterate over questions and their answers, in the order of the questions. Each process has one at work."""
+    at_work: deque[tuple[Worker, Any]] = deque()
+    for worker, question in zip(cycle(workers), questions, strict=False):
+        if len(at_work) == len(workers):
+            first, asked = at_work.popleft()
+            yield asked, first.answer()
+        worker.ask(question)
+        at_work.append((worker, question))
+    for worker, asked in at_work:
+        yield asked, worker.answer()
+
+
+def as_ready(workers: list[Worker], questions: Iterable[Any]) -> Iterator[tuple[Any, Any]]:
+    """Iterate over questions and their answers, each as soon as it is there."""
+    left = iter(questions)
+    at_work: dict[object, tuple[Worker, Any]] = {}  # by the connection
+    free = [*workers]
+    while True:
+        for worker, question in zip(free, left, strict=False):
+            worker.ask(question)
+            at_work[worker.connection] = (worker, question)
+        if not at_work:
+            return
+        free = []
+        for ready in connection.wait([worker.connection for worker, _ in at_work.values()]):
+            worker, question = at_work.pop(ready)
+            free.append(worker)
+            yield question, worker.answer()

@@ -161,7 +161,7 @@ TABLE = (
     *(
         Option(name, quantity.option or "--radius", str, quantity.example, hidden=True)
         for name, quantity in NOMENCLATURE.items()
-        if quantity.example and name != "model"
+        if quantity.example
     ),
     MATERIALS,
     QUIET,

@@ -142,9 +142,8 @@ def ending(path: str) -> str:
 
 def _run_stream(question: Question, request: Request, samples: list[Answer], kind: str, values: Values) -> int:
     """Write a sweep of any length to a file, or as CSV to a pipe; return the exit code."""
-    from ..batch.axes import Axis
     from ..batch.settings import Settings
-    from ..batch.sweep import Sweep, stream
+    from ..batch.sweep import Axis, Sweep, stream
 
     if values.target and ending(values.target) in PICTURES:
         raise BadRequest(f"-o: {quoted(values.target)} is a picture; add --curve to contact, or see jkroll map --help")

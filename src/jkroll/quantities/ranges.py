@@ -26,9 +26,9 @@ class Spread:
         return self.size
 
     def __iter__(self) -> "Iterator[float | Uncertain]":
-        return iter([self.uncertainty]) if self.uncertainty is not None else map(self._value, range(self.size))
+        return iter([self.uncertainty]) if self.uncertainty is not None else map(self.value, range(self.size))
 
-    def _value(self, place: int) -> float:
+    def value(self, place: int) -> float:
         """Return the value at a place, rounded to 15 digits: the values between 1e-9 and 1e-6 are then 1e-8 and 1e-7 themselves."""
         if place in (0, self.size - 1):
             return self.high if place else self.low
