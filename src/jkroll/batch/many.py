@@ -215,7 +215,7 @@ def _done(entry: Any, part: Part) -> Done | None:
         return None
     if os.path.getsize(part.target) != entry["bytes"]:
         return None
-    return Done(Tally(entry["rows"], entry["failed"]))
+    return Done(Tally(entry["rows"], entry["failed"], entry["doubtful"]))
 
 
 def _entry(part: Part, done: Done, identity: str) -> dict[str, Any]:
@@ -225,6 +225,7 @@ def _entry(part: Part, done: Done, identity: str) -> dict[str, Any]:
         "bytes": 0 if done.problem else os.path.getsize(part.target),
         "rows": done.tally.rows,
         "failed": done.tally.failed,
+        "doubtful": done.tally.doubtful,
         "identity": identity,
     }
     return entry | ({"problem": done.problem} if done.problem else {})
@@ -238,7 +239,7 @@ def _note(journal: Any, part: Part, done: Done, identity: str) -> None:
 
 def _finish(manifest: str, journal: str, done: list[tuple[Part, Done, str]]) -> tuple[Tally, int]:
     """Write the manifest, last of all, and say which files failed."""
-    total = Tally(sum(one.tally.rows for _, one, _ in done), sum(one.tally.failed for _, one, _ in done))
+    total = Tally(*map(sum, zip(*(one.tally for _, one, _ in done), strict=True)))
     files = [_entry(*one) for one in done]
     with open(f"{manifest}.partial", "w", encoding="utf-8") as file:
         json.dump({"version": __version__, "rows": total.rows, "failed": total.failed, "files": files}, file, indent=2)

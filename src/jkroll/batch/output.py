@@ -33,6 +33,7 @@ class Step(NamedTuple):
     lines: int = 0
     read_checksum: int = 0
     written_checksum: int = 0
+    doubtful: int = 0
 
 
 class Written(NamedTuple):
@@ -92,6 +93,7 @@ class Output:
             done.lines + converted.lines,
             read_checksum,
             written.checksum,
+            done.doubtful + converted.doubtful,
         )
 
     def finish(self) -> None:

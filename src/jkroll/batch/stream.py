@@ -81,7 +81,7 @@ def convert(path: str, order: Order, span: Span | None = None) -> Tally:
                 loop.run(blocks, partial(_make_convert, recipe), output, settings.processes, show)
             given.check_unchanged()
             output.finish()
-    return Tally(output.done.rows, output.done.failed)
+    return Tally(output.done.rows, output.done.failed, output.done.doubtful)
 
 
 def _goes_on(output: Output, order: Order, given: Input, head: Head, blocks: Blocks) -> bool:
