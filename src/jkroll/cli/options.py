@@ -91,6 +91,7 @@ class Values(NamedTuple):
     format: str = ""
     quantities: str = ""
     strict: bool = False
+    no_doubt: bool = False
     jobs: int = 0
     dask: str = ""
     excel_safe: bool = False
@@ -154,6 +155,7 @@ TABLE = (
     Option("quantities", "--quantities", str, "NAMES", "Quantities to compute, separated by commas; default all"),
     Option("strict", "--strict", bool, "", "Stop at the first row that fails"),
     Option("resume", "--resume", bool, "", "Continue after an interruption"),
+    Option("no_doubt", "--no-doubt", bool, "", "Omit the column of doubts"),
     Option("jobs", "--jobs", int, "N", "Number of processes (default: one per core)", 1, 64),
     Option("dask", "--dask", str, "ADDRESS", "Convert many tables on a Dask cluster; local starts one"),
     Option("excel_safe", "--excel-safe", bool, "", "Escape text that a spreadsheet would run"),

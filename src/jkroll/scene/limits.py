@@ -78,7 +78,7 @@ LIMITS = (
     Limit(
         "tabor_parameter", _ELASTICITY, "<",
         (
-            Doubt(5.0, "between DMT (below 0.1) and JKR (above 5)", "neither is exact"),
+            Doubt(5.0, "between DMT (below 0.1) and JKR (above 5)", "neither is exact, --model maugis holds"),
             Doubt(0.1, "small", "DMT is closer than JKR"),
         ),
         "large: JKR holds",
@@ -154,6 +154,7 @@ LIMITS = (
 )  # fmt: skip
 
 LIMIT_NAMES = tuple(limit.name for limit in LIMITS)
+_CONSEQUENCES = {limit.code(doubt): doubt.consequence.partition(";")[0] for limit in LIMITS for doubt in limit.doubts}
 
 
 def uses_spacing(found: Iterable[Verdict]) -> bool:
@@ -195,8 +196,8 @@ def sentence(verdict: Verdict) -> str:
 
 
 def of_any_scene(verdict: Verdict) -> str:
-    """Return a doubt without the number of a scene: "μ<5, neither is exact"."""
-    return f"{verdict.code}, {verdict.text.rpartition(': ')[2]}"
+    """Return a doubt without the number of a scene: "a/z0<3, elasticity is in doubt"."""
+    return f"{verdict.code}, {_CONSEQUENCES[verdict.code]}" if verdict.code in _CONSEQUENCES else verdict.text
 
 
 def _touching(scene: Scene, names: Collection[str]) -> Iterator[tuple[Limit, Any]]:
