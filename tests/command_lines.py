@@ -91,6 +91,8 @@ def _words(source: Random, name: str) -> list[str]:
         return [source.choice([*QUANTITIES, *(*QUESTIONS,) * 9]), *scene[: source.choice((0, 1, 1, 1, 2))], *axes]
     if name == "contact" and source.random() < 0.003:
         return [*scene, "--curve", "-o", source.choice(PICTURES)]
+    if name in QUESTIONS:
+        return [*scene, *["-o", source.choice(TARGETS)] * (source.random() < 0.3)]
     return words.get(name, scene)
 
 

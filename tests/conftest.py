@@ -5,9 +5,16 @@ import secrets
 from pathlib import Path
 
 import pytest
+from hypothesis import HealthCheck, settings
 
 from harness import Ran, Run, Stream
 from jkroll.cli.process import main
+
+# The same examples in every run, and no limit of time: a busy machine fails no test. tests/tools/fuzz.py looks for new ones.
+settings.register_profile(
+    "same", max_examples=50, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow]
+)
+settings.load_profile("same")
 
 
 def pytest_configure() -> None:

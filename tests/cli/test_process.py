@@ -9,7 +9,7 @@ from functools import partial
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from harness import Run
@@ -124,7 +124,6 @@ def test_readers_agree_on_very_many_random_command_lines() -> None:
     assert [words for words in (random_words(source) for _ in range(20_000)) if not agree(words)] == []
 
 
-@settings(max_examples=100, deadline=None)
 @given(st.sampled_from([*QUESTIONS]), st.lists(st.text(max_size=8) | st.sampled_from([*FLAGS, *VALUES]), max_size=6))
 def test_readers_agree_on_any_text(command: str, words: list[str]) -> None:
     assert agree([command, *words])

@@ -198,7 +198,7 @@ def test_a_broken_file_does_not_matter_where_no_material_is_named(
     assert run("r-min", "100nm", "--materials", str(path)).code == 2
 
 
-@settings(max_examples=300, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=150, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.binary(max_size=300) | st.text(alphabet="[]materials.a=\"'\n{}1 gcm/,", max_size=200).map(str.encode))
 def test_nothing_but_the_declared_error_escapes(tmp_path: Path, content: bytes) -> None:
     path = write(tmp_path / "any.toml", content)

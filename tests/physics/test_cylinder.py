@@ -4,19 +4,18 @@
 
 import inspect
 import math
-import re
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from random import Random
 from typing import Any, get_type_hints
 
-import numpy as np
 import pint
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from mpmath import MPContext  # type: ignore[import-untyped]
 
+from accuracy import check_accuracy
 from jkroll.physics import cylinder
 from reference import ulp_error
 
@@ -110,13 +109,11 @@ def contacts(count: int) -> Sequence[Values]:
 
 @pytest.mark.parametrize("name", FORMULAS)
 def test_formula_is_as_accurate_as_it_says(name: str) -> None:
-    stated = re.search(r"Accuracy: (?:Exact|([\d.]+) ulp)", FORMULAS[name].__doc__ or "")
-    assert stated
-    bound = float(stated[1] or 0)
-    for values in contacts(500):
+    def error_of(values: Values, value: float) -> float:
         exact = evaluate(EQUATIONS[name], values)
-        scale = evaluate(TERMS[name], values) if name in TERMS else abs(exact)
-        assert ulp_error(of(name, values), exact, of=scale) <= bound, values
+        return ulp_error(value, exact, of=evaluate(TERMS[name], values) if name in TERMS else abs(exact))
+
+    check_accuracy(FORMULAS[name], contacts(150), error_of)
 
 
 # --- The integrals, taken numerically ---------------------------------------------------------------------------------
@@ -276,16 +273,9 @@ def test_the_leading_edge_is_pressed_where_the_shift_is_too_large(values: Values
     assert abs(share - 1) < 1e-4 or (pressure > 0) == (share > 1)
 
 
-# --- Arrays and dimensions ----------------------------------------------------------------------------------------------
+# --- Dimensions ---------------------------------------------------------------------------------------------------------
 
 UREG: Any = pint.UnitRegistry()
-
-
-@pytest.mark.parametrize("name", FORMULAS)
-def test_arrays_equal_floats(name: str) -> None:
-    many = contacts(50)
-    arrays = {key: np.array([values[key] for values in many]) for key in many[0]}
-    assert np.all(of(name, arrays) == np.array([of(name, values) for values in many]))
 
 
 @pytest.mark.parametrize("name", FORMULAS)

@@ -33,7 +33,7 @@ def scenes() -> Iterator[dict[str, Any]]:
     for pair in combinations((*NAMES, *ENERGIES), 2):
         if not set(pair) <= set(ENERGIES):
             yield {**GIVEN, **{name: random.choice(ends) for name in pair}}
-    for place in range(150):
+    for place in range(60):
         names = [
             *NAMES[: 6 if place % 2 else None],
             random.choice(ENERGIES),

@@ -1,0 +1,34 @@
+"""The accuracy that a formula states, held against exact values."""
+
+import inspect
+import re
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any
+
+import numpy as np
+
+Values = Mapping[str, Any]
+
+
+def stated_accuracy(formula: Callable[..., Any]) -> float:
+    """Return the number of ulp in the docstring of a formula."""
+    stated = re.search(r"Accuracy:? +(?:(?P<exact>[Ee]xact)|(?P<ulp>[\d.]+) ulp)", formula.__doc__ or "")
+    assert stated, "no number of ulp"
+    return 0.0 if stated["exact"] else float(stated["ulp"])
+
+
+def check_accuracy(
+    formula: Callable[..., Any], scenes: Iterable[Values], error_of: Callable[[Values, float], float]
+) -> None:
+    """Check that a formula is as accurate as it states, for floats and for arrays.
+
+    `error_of` returns the distance of a value from the exact one at these arguments, in ulp.
+    """
+    bound = stated_accuracy(formula)
+    parameters = inspect.signature(formula).parameters
+    arguments = [{name: values[name] for name in parameters} for values in scenes]
+    elements = formula(**{name: np.array([given[name] for given in arguments]) for name in parameters})
+    for given, element in zip(arguments, elements.tolist(), strict=True):
+        for value in {formula(**given), element}:  # one where they agree
+            error = error_of(given, value)
+            assert error <= bound, f"{error} ulp, {bound} stated, at {given}"
