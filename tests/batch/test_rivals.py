@@ -41,8 +41,8 @@ def test_rivals_write_the_same_numbers(rivals: ModuleType, tmp_path: Path) -> No
             found[rival.name] = list(csv.reader(file))
     jkroll = found.pop("jkroll")
     assert found.pop("jkroll, 1 process") == jkroll
-    of_parquet = [[*map(float, row[:-1])] for row in found.pop("jkroll, Parquet", jkroll)[1:]]
-    assert of_parquet == [[*map(float, row[:-1])] for row in jkroll[1:]]
+    for row, other in zip(found.pop("jkroll, Parquet", jkroll)[1:], jkroll[1:], strict=True):
+        assert [*map(float, row[:-1])] == pytest.approx([*map(float, other[:-1])], rel=1e-11, abs=0)
     assert "C++" in found
     for name, rows in found.items():
         assert len(rows) == len(jkroll) == ROWS + 1, name

@@ -15,7 +15,7 @@ SWEEPS = [
     "report quartz 1nm,10nm:1um:9,5um",
     "report gold,quartz 10nm:1um:3 --radius2 plane --material2 iron",
     "yield-force quartz 100nm --load -20nN:20nN:11:lin",
-    "frequencies all 100nm,1um --radius2 50nm,plane,1um",
+    "frequencies quartz,gold,polystyrene 100nm,1um --radius2 50nm,plane,1um",
     "n-roll quartz 1um --speed 1cm/s:1m/s:4 --xi 1angstrom,2angstrom",
     "contact quartz 100nm --approach -0.1nm:0.1nm:9:lin",
     "n-roll 10nm:1um:5 --gamma 25mJ/m2 --young 54GPa --poisson 0.17 --young2 rigid",
