@@ -63,9 +63,7 @@ def test_tab_completes(shell: Shell, what: str) -> None:
     assert shell.words_of(f"jkroll {keys}") == words
 
 
-def test_only_names_that_are_one_word_are_offered(
-    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_only_names_that_are_one_word_are_offered(run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "mine.toml").write_text(NAMED, encoding="utf-8")
     monkeypatch.setenv("JKROLL_MATERIALS", "mine.toml")
     monkeypatch.setenv("_JKROLL_COMPLETE", "complete_bash")

@@ -117,12 +117,6 @@ def test_one_panel_of_a_contact(run: Run, tmp_path: Path) -> None:
     assert not any("pressure" in text or "moment" in text for text in shown)
 
 
-def test_light_is_another_name_of_paper(run: Run, tmp_path: Path) -> None:
-    for style in ("paper", "light"):
-        run(f"figure 3a -o {style}.svg --style {style}")
-    assert (tmp_path / "paper.svg").read_bytes() == (tmp_path / "light.svg").read_bytes()
-
-
 @pytest.mark.parametrize("style", [PAPER, DARK])
 def test_bands_can_be_differ_in_grey_and_read_on(style: Style) -> None:
     greys = [
