@@ -92,7 +92,7 @@ def _words(source: Random, name: str) -> list[str]:
     if name == "contact" and source.random() < 0.003:
         return [*scene, "--curve", "-o", source.choice(PICTURES)]
     if name in QUESTIONS:
-        return [*scene, *["-o", source.choice(TARGETS)] * (source.random() < 0.3)]
+        return [*scene, *["-o", source.choice(TARGETS)] * (source.random() < 0.5)]
     return words.get(name, scene)
 
 

@@ -437,7 +437,7 @@ def test_rows_are_not_held_in_memory() -> None:
     )
     peaks = []
     for size in (10, 2000):
-        words = [sys.executable, "-c", program, "report", "quartz", f"1nm:1um:{size}", "--json", "--quiet"]
+        words = [sys.executable, "-c", program, "pull-off", "quartz", f"1nm:1um:{size}", "--json", "--quiet"]
         peaks.append(int(subprocess.run(words, capture_output=True, text=True, check=True).stderr))
     assert peaks[1] < 1.1 * peaks[0]
 

@@ -68,11 +68,12 @@ def test_what_fuzzing_found_stays_mended(target: str) -> None:
 # --- Materials files ----------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.parametrize("share", [0.1, pytest.param(1.0, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("shape", SHAPES)
-def test_no_shape_of_a_file_takes_much_memory(shape: str, tmp_path: Path) -> None:
+def test_no_shape_of_a_file_takes_much_memory(shape: str, share: float, tmp_path: Path) -> None:
     path = tmp_path / "any.toml"
-    path.write_bytes(SHAPES[shape](MAX_BYTES))
-    assert peak_memory(lambda: read(path)) < LARGEST_FILE
+    path.write_bytes(SHAPES[shape](int(share * MAX_BYTES)))
+    assert peak_memory(lambda: read(path)) < share * LARGEST_FILE
 
 
 @pytest.mark.parametrize("shape", SHAPES)
@@ -133,12 +134,12 @@ def test_names_that_pint_was_asked_for_are_not_kept_for_ever() -> None:
         unit_of("zzzzz", "radius")  # pint starts
 
     def ask() -> None:
-        for number in range(1100):
+        for number in range(300):
             letters = "".join(chr(ord("a") + digit) for digit in divmod(number, 26)[1:] + divmod(number // 26, 26))
             with pytest.raises(QuantityError):
                 unit_of("zzq" + letters, "radius")
 
-    assert peak_memory(ask) < ALLOWED
+    assert peak_memory(ask) < MEGABYTE
 
 
 def test_a_word_of_any_length_is_compared_with_what_is_known_at_once() -> None:

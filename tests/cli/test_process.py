@@ -113,9 +113,9 @@ def is_quick(words: list[str]) -> bool:
 
 def test_readers_agree_on_random_command_lines() -> None:
     source = random.Random(5)
-    lines = [random_words(source) for _ in range(500)]
+    lines = [random_words(source) for _ in range(200)]
     assert [words for words in lines if not agree(words)] == []
-    assert sum(map(is_quick, lines)) > 100
+    assert sum(map(is_quick, lines)) > 40
 
 
 @pytest.mark.slow

@@ -86,7 +86,7 @@ def test_a_contour_of_a_users_map_is_its_formula(
 )
 def test_the_same_bytes_every_time(run: Run, tmp_path: Path, kind: str) -> None:
     """Neither the process, nor the time, nor the user's matplotlib settings enter."""
-    words = ["figure", "8", "--mark", "quartz@100nm", "-o"]
+    words = ["figure", "3a", "--mark", "quartz@100nm", "-o"]
     assert run(*words, f"one.{kind}").code == 0
     (tmp_path / "matplotlibrc").write_text("font.size: 20\nlines.linewidth: 9\n", encoding="utf-8")
     code = [sys.executable, "-m", "jkroll", *words, f"two.{kind}"]
@@ -115,12 +115,6 @@ def test_one_panel_of_a_contact(run: Run, tmp_path: Path) -> None:
     shown = SVG_TEXT.findall((tmp_path / "force.svg").read_text(encoding="utf-8"))
     assert "stable" in shown
     assert not any("pressure" in text or "moment" in text for text in shown)
-
-
-def test_light_is_another_name_of_paper(run: Run, tmp_path: Path) -> None:
-    for style in ("paper", "light"):
-        run(f"figure 3a -o {style}.svg --style {style}")
-    assert (tmp_path / "paper.svg").read_bytes() == (tmp_path / "light.svg").read_bytes()
 
 
 @pytest.mark.parametrize("style", [PAPER, DARK])
@@ -182,7 +176,7 @@ def test_regions_may_have_gaps(run: Run, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("name", FIGURES)
-@pytest.mark.parametrize("width", [85, 170])
+@pytest.mark.parametrize("width", [85, pytest.param(170, marks=pytest.mark.slow)])
 def test_no_label_of_a_contour_covers_a_line_or_another_label(name: str, width: int) -> None:
     drawn = figure(name, known_materials(), OF_PAPER, as_printed=True)
     page = figure_of(drawn, width / 25.4, PAPER, has_caption=False)
