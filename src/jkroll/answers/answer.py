@@ -4,7 +4,7 @@ from collections.abc import Callable, Collection, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..errors import JkrollError, NoResult
-from ..quantities.formatting import Format, in_words, uncertain_amount
+from ..quantities.formatting import Format, amount, in_words
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..scene.errors import BeyondFold, BeyondPullOff, MissingInput
 from ..scene.laws import DEFAULT_LAW
@@ -119,9 +119,7 @@ def add_uncertainties(answer: Answer, found: Mapping[str, "Propagated | JkrollEr
             "is a range, which is left out beside ±" if source.given.kind == "range" else "is left out beside a range"
         )
         notes.append(
-            Note(
-                "result", f"{uncertain_amount(source.names[0], source.given)} of {symbol_of(source.names[0])} {reason}"
-            )
+            Note("result", f"{amount(source.names[0], source.given)} of {symbol_of(source.names[0])} {reason}")
         )
     entering = sources.entering
     stated = {name: source.given for source in entering for name in source.names if name in answer.inputs}
