@@ -1,6 +1,7 @@
 """The answer of a command for one scene: its results, the inputs as understood, limits and notes."""
 
 from collections.abc import Callable, Collection, Mapping
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..errors import JkrollError, NoResult
@@ -10,7 +11,7 @@ from ..scene.errors import BeyondFold, BeyondPullOff, MissingInput
 from ..scene.laws import DEFAULT_LAW
 from ..scene.limits import LIMIT_NAMES, Verdict, judged, of_any_scene, sentence, uses_spacing
 from ..scene.rolling_models import model_error
-from ..scene.scene import NO_UNCERTAINTY, Scene
+from ..scene.scene import Scene
 from ..scene.wiring import STATE, depends_on
 from .comparison import (
     BETWEEN,
@@ -41,7 +42,7 @@ class Answer(NamedTuple):
     validity: tuple[Verdict, ...]
     failure: JkrollError | None  # why there is no result, or no contact
     laws: tuple[Difference, ...] = ()  # how Maugis' law differs from JKR
-    uncertain: Mapping[str, "Uncertain"] = NO_UNCERTAINTY  # the inputs that are uncertain
+    uncertain: Mapping[str, "Uncertain"] = MappingProxyType({})  # the inputs that are uncertain
 
     def value(self, name: str) -> float | None:
         """Return the value of a result, or None."""
