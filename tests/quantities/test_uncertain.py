@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from jkroll.quantities.errors import QuantityError
-from jkroll.quantities.formatting import Format, uncertain_amount
+from jkroll.quantities.formatting import Format, amount
 from jkroll.quantities.parsing import has_uncertainty, parse_quantity, unit_of
 from jkroll.quantities.uncertain import Interval, Measured, measured, parse_uncertain
 
@@ -157,7 +157,7 @@ def test_no_array_is_made_of_an_uncertain_value_by_accident(found: tuple[object,
 def test_what_is_written_and_read_again(text: str, name: str, written: str) -> None:
     found = parse_uncertain(text, name)
     assert isinstance(found, Measured | Interval)
-    assert uncertain_amount(name, found) == written
+    assert amount(name, found) == written
     again = parse_uncertain(written, name)
     assert isinstance(again, Measured | Interval)
     assert again.value == pytest.approx(found.value, rel=1e-3)
@@ -165,4 +165,4 @@ def test_what_is_written_and_read_again(text: str, name: str, written: str) -> N
 
 def test_what_is_written_in_a_unit_that_was_asked_for() -> None:
     form = Format({"radius": ("um", unit_of("um", "radius"))})
-    assert uncertain_amount("radius", Measured(1e-7, 1e-8, 1e-8), form) == "0.100 ± 0.010 um"
+    assert amount("radius", Measured(1e-7, 1e-8, 1e-8), form) == "0.100 ± 0.010 um"

@@ -22,8 +22,7 @@ def found(
     name: str, given: Mapping[str, float], uncertain: Mapping[str, Uncertain], *materials: Material
 ) -> Propagated:
     """Return the uncertainty of a quantity."""
-    numbers = {**given, **{each: one.value for each, one in uncertain.items()}}
-    one = uncertainties(Scene(numbers, *materials, uncertain=uncertain), [name])[0][name]
+    one = uncertainties(Scene({**given, **uncertain}, *materials), [name])[0][name]
     assert isinstance(one, Propagated)
     return one
 

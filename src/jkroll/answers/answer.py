@@ -1,16 +1,17 @@
 """The answer of a command for one scene: its results, the inputs as understood, limits and notes."""
 
 from collections.abc import Callable, Collection, Mapping
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..errors import JkrollError, NoResult
-from ..quantities.formatting import Format, in_words, uncertain_amount
+from ..quantities.formatting import Format, amount, in_words
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..scene.errors import BeyondFold, BeyondPullOff, MissingInput
 from ..scene.laws import DEFAULT_LAW
 from ..scene.limits import LIMIT_NAMES, Verdict, judged, of_any_scene, sentence, uses_spacing
 from ..scene.rolling_models import model_error
-from ..scene.scene import NO_UNCERTAINTY, Scene
+from ..scene.scene import Scene
 from ..scene.wiring import STATE, depends_on
 from .comparison import (
     BETWEEN,
@@ -41,7 +42,7 @@ class Answer(NamedTuple):
     validity: tuple[Verdict, ...]
     failure: JkrollError | None  # why there is no result, or no contact
     laws: tuple[Difference, ...] = ()  # how Maugis' law differs from JKR
-    uncertain: Mapping[str, "Uncertain"] = NO_UNCERTAINTY  # the inputs that are uncertain
+    uncertain: Mapping[str, "Uncertain"] = MappingProxyType({})  # the inputs that are uncertain
 
     def value(self, name: str) -> float | None:
         """Return the value of a result, or None."""
@@ -119,9 +120,7 @@ def add_uncertainties(answer: Answer, found: Mapping[str, "Propagated | JkrollEr
             "is a range, which is left out beside ±" if source.given.kind == "range" else "is left out beside a range"
         )
         notes.append(
-            Note(
-                "result", f"{uncertain_amount(source.names[0], source.given)} of {symbol_of(source.names[0])} {reason}"
-            )
+            Note("result", f"{amount(source.names[0], source.given)} of {symbol_of(source.names[0])} {reason}")
         )
     entering = sources.entering
     stated = {name: source.given for source in entering for name in source.names if name in answer.inputs}

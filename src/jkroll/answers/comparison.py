@@ -4,10 +4,9 @@ from collections.abc import Mapping, Sequence
 from math import log
 from typing import NamedTuple
 
-from ..errors import NoResult
 from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE
-from ..scene.errors import BeyondPullOff, MissingInput
+from ..scene.errors import BeyondPullOff
 from ..scene.laws import DEFAULT_LAW, LAWS, differs
 from ..scene.limits import Verdict
 from ..scene.scene import Scene
@@ -33,10 +32,10 @@ def differences(scene: Scene, names: Sequence[str]) -> tuple[Difference, ...]:
     if scene.law.name != DEFAULT_LAW:
         return ()
     between = scene.under(BETWEEN)
-    wanted = [name for name in _numbers(between, names) if uses_law(between, name)]
-    values = _numbers(scene, wanted)
-    at_spacing = _numbers(between, wanted)
-    at_half = _numbers(_at_half_spacing(between), wanted)
+    wanted = [name for name in between.numbers(*names) if uses_law(between, name)]
+    values = scene.numbers(*wanted)
+    at_spacing = between.numbers(*wanted)
+    at_half = _at_half_spacing(between).numbers(*wanted)
     found = [
         Difference(name, at_spacing[name], at_spacing[name] / value, at_half[name] / value)
         for name, value in values.items()
@@ -48,7 +47,7 @@ def differences(scene: Scene, names: Sequence[str]) -> tuple[Difference, ...]:
 def with_differences(verdict: Verdict, found: Sequence[Difference], scene: Scene) -> Verdict:
     """Return the verdict on the Tabor parameter with what Maugis' law says in place of a doubt, or under another law."""
     if verdict.name == "hysteresis_ratio" and scene.law.name == DEFAULT_LAW and not verdict.holds:
-        between = _numbers(scene.under(BETWEEN), (verdict.name,)).get(verdict.name)
+        between = scene.under(BETWEEN).numbers(verdict.name).get(verdict.name)
         return verdict if between is None else verdict._replace(text=f"{verdict.text}; {between:.3g} by Maugis' law")
     if verdict.name != "tabor_parameter":
         return verdict
@@ -95,7 +94,7 @@ def as_objects(found: Sequence[Difference]) -> dict[str, dict[str, dict[str, flo
 
 def of_jkr(scene: Scene, names: Sequence[str]) -> Mapping[str, float]:
     """Return the quantities of a scene under JKR, of those that the law of the scene has otherwise; none for JKR itself."""
-    return {} if scene.law.name == DEFAULT_LAW else _numbers(scene.under(DEFAULT_LAW), names)
+    return {} if scene.law.name == DEFAULT_LAW else scene.under(DEFAULT_LAW).numbers(*names)
 
 
 def uses_law(scene: Scene, name: str) -> bool:
@@ -130,8 +129,8 @@ def at_equal_hysteresis(scene: Scene) -> str:
     """Return the moment at the adhesion hysteresis that JKR has at the same displacement, as a sentence."""
     if scene.law.name != BETWEEN or "adhesion_hysteresis" in scene.given:
         return ""
-    of_jkr = _numbers(scene.under(DEFAULT_LAW), ("yield_moment", "zone_radius"))
-    own = _numbers(scene, ("zone_radius", "yield_moment"))
+    of_jkr = scene.under(DEFAULT_LAW).numbers("yield_moment", "zone_radius")
+    own = scene.numbers("zone_radius", "yield_moment")
     if len(of_jkr) + len(own) < 4:
         return ""
     moment = of_jkr["yield_moment"] * (own["zone_radius"] / of_jkr["zone_radius"])
@@ -143,7 +142,7 @@ def at_equal_hysteresis(scene: Scene) -> str:
 
 def without_contact(scene: Scene) -> str:
     """Return a sentence for spheres that attract across a gap."""
-    if scene.law.name != BETWEEN or _numbers(scene, ("contact_radius_at_load",)).get("contact_radius_at_load") != 0:
+    if scene.law.name != BETWEEN or scene.numbers("contact_radius_at_load").get("contact_radius_at_load") != 0:
         return ""
     return "contact_radius_at_load: the spheres are bound without touching"
 
@@ -152,15 +151,9 @@ def held_otherwise(error: BeyondPullOff, scene: Scene) -> BeyondPullOff:
     """Return the error of a load beyond pull-off, with the pull-off force of Maugis' law if that holds the load."""
     if scene.law.name != DEFAULT_LAW:
         return error
-    held = _numbers(scene.under(BETWEEN), ("pull_off_force",)).get("pull_off_force", 0.0)
+    held = scene.under(BETWEEN).numbers("pull_off_force").get("pull_off_force", 0.0)
     return BeyondPullOff(error.load, error.pull_off_force, held) if held >= -error.load else error
 
 
 def _at_half_spacing(scene: Scene) -> Scene:
     return scene.replace(atomic_spacing=scene.values["atomic_spacing"] / 2)
-
-
-def _numbers(scene: Scene, names: Sequence[str]) -> dict[str, float]:
-    """Return the values of quantities, without those that have none."""
-    values = scene.evaluate(names)
-    return {name: value for name, value in values.items() if not isinstance(value, MissingInput | NoResult)}

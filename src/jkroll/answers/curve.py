@@ -41,13 +41,16 @@ def _of_jkr(_: Scene) -> list[State]:
     """Return states by x = â^(3/2), from the end of the unstable branch on."""
     roots = [2 * step / _STEPS for step in range(1, _STEPS + 1)]
     factors = {root**3 / 6: "" for root in roots if root != 1.0} | _NAMED
-    return [State("load_factor", factor, factors[factor] or _branch(factor)) for factor in sorted(factors)]
+    return [
+        State("load_factor", factor, factors[factor] or _branch(factor, FOLD, PULL_OFF)) for factor in sorted(factors)
+    ]
 
 
-def _branch(factor: float) -> str:
-    if factor < FOLD:
+def _branch(value: float, fold: float, pull_off: float) -> str:
+    """Return the name of the branch on which a state lies, given the values of its input at the fold and at pull-off."""
+    if value < fold:
         return "unstable"
-    return "fixed grips" if factor < PULL_OFF else "stable"
+    return "fixed grips" if value < pull_off else "stable"
 
 
 def _of_maugis(scene: Scene) -> list[State]:
@@ -58,9 +61,7 @@ def _of_maugis(scene: Scene) -> list[State]:
     most = scene.replace(load=MOST * scene["pull_off_force"])["edge_ratio_at_load"]
     named = {pull_off: "pull-off", equilibrium: "equilibrium"} | ({fold: "fold"} if fold > 0 else {})
     ratios = {most * (step / _STEPS) ** 2: "" for step in range(1, _STEPS + 1)} | named
-    touching = [
-        State("edge_ratio", ratio, ratios[ratio] or _branch_of_ratio(ratio, fold, pull_off)) for ratio in sorted(ratios)
-    ]
+    touching = [State("edge_ratio", ratio, ratios[ratio] or _branch(ratio, fold, pull_off)) for ratio in sorted(ratios)]
     if fold > 0:
         return touching
     least = scene["fold_approach_maugis"]
@@ -71,12 +72,6 @@ def _of_maugis(scene: Scene) -> list[State]:
         for step in range(1, _APART)
     ]
     return [*apart, *touching]
-
-
-def _branch_of_ratio(ratio: float, fold: float, pull_off: float) -> str:
-    if ratio < fold:
-        return "unstable"
-    return "fixed grips" if ratio < pull_off else "stable"
 
 
 def _of_dmt(scene: Scene) -> list[State]:

@@ -2,7 +2,7 @@
 
 from collections.abc import Collection, Mapping
 
-from ..errors import JkrollError, NoResult
+from ..errors import JkrollError
 from ..physics.jkr import STICKING
 from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE
@@ -70,11 +70,10 @@ def about_results(results: list[Result], scene: Scene) -> list[Note]:
 def _between_spheres_1(scene: Scene) -> str:
     """Return a clause on the contacts between the spheres of a chain that hangs from another body."""
     stated = {name: value for name, value in scene.stated.items() if not name.endswith("2")}
-    try:
-        chain = Scene(stated, scene.material, model=scene.stated_model)
-        carried = chain["n_grav"] + 1  # the chain that it carries is a sphere shorter
-    except (MissingInput, NoResult):
+    chain = Scene(stated, scene.material, model=scene.stated_model).numbers("n_grav")
+    if not chain:
         return "those between spheres 1 may roll before it"
+    carried = chain["n_grav"] + 1  # the chain that it carries is a sphere shorter
     if carried < scene["n_grav"]:
         return f"the one between spheres 1 next to it yields before it, at {carried:.4g}"
     return "those between spheres 1 carry more"

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from ..errors import BadRequest
 from ..materials.places import materials_files
 from ..output.lammps import MODELS, lammps_input
+from ..scene.laws import DEFAULT_LAW
 from ..text import quoted, say
 from .options import Values
 from .request import Request
@@ -21,7 +22,7 @@ def run_export(words: Sequence[str], values: Values) -> int:
     if program.casefold() not in PROGRAMS:
         raise BadRequest(f"export: {quoted(program)} is not among the programs: {', '.join(PROGRAMS)}")
     inputs = dict(values.inputs)
-    model = inputs.pop("model", values.model)
+    model = inputs.pop("model", DEFAULT_LAW)
     if model not in MODELS:
         raise BadRequest(f"--model: LAMMPS has {' and '.join(MODELS)}, not {quoted(model)}")
     request = Request(described, inputs, materials_files(values.materials))

@@ -18,7 +18,6 @@ from ..scene.wiring import depends_on
 from .options import Values
 from .request import Request
 
-MOST_POINTS = 25_000_000
 MOST_CURVES = 12
 
 

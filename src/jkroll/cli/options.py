@@ -76,7 +76,6 @@ class Values(NamedTuple):
     target: str | None = None
     resume: bool = False
     curve: bool = False
-    model: str = "jkr"
     # of pictures
     x: str | None = None
     y: str | None = None
@@ -185,6 +184,7 @@ PROGRAM = (
     *HELP,
 )
 
+# Inputs that every question takes: shown where they are used, and among the further options.
 _ALWAYS = ("radius2", "material2", "surface_energy", "work_of_adhesion", "youngs_modulus", "poisson_ratio", "density")
 _HIDDEN = (
     "surface_energy2",
@@ -192,11 +192,8 @@ _HIDDEN = (
     "poisson_ratio2",
     "density2",
     "atomic_spacing",
-    "energy_ratio",
-    "adhesion_hysteresis",
 )
-
-_NARROW = ("energy_ratio", "adhesion_hysteresis")  # taken only where a quantity depends on them
+_HIDDEN_WHERE_USED = ("energy_ratio", "adhesion_hysteresis")
 
 
 def inputs_of(quantities: Iterable[str]) -> tuple[Option, ...]:
@@ -212,9 +209,9 @@ def inputs_of(quantities: Iterable[str]) -> tuple[Option, ...]:
     if any(map(has_law, quantities)):
         depends |= {"model"}
     names = dict.fromkeys((*_ALWAYS, *_HIDDEN, *(name for name in NOMENCLATURE if name in depends)))
-    shown = {*depends, "material2", "radius2"} - {*_HIDDEN}
+    shown = {*depends, "material2", "radius2"} - {*_HIDDEN, *_HIDDEN_WHERE_USED}
     return tuple(
         Option(name, quantity.option, str, quantity.example, hidden=name not in shown)
         for name, quantity in ((name, NOMENCLATURE[name]) for name in names)
-        if quantity.option and (name not in _NARROW or name in depends)
+        if quantity.option
     )

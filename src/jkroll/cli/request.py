@@ -4,21 +4,16 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import chain, islice, product
 from math import prod
-from typing import TYPE_CHECKING
 
 from ..errors import BadRequest
 from ..materials.library import Material, Materials, known_materials
 from ..quantities.formatting import Format
 from ..quantities.nomenclature import NOMENCLATURE
-from ..quantities.parsing import is_uncertain
 from ..quantities.ranges import Spread, spreads_of
 from ..quantities.units import BadUnit, Unit, dimension_of, parse_unit
 from ..scene.laws import law_named
 from ..scene.scene import EXCLUSIVE, Scene
 from ..text import quoted
-
-if TYPE_CHECKING:
-    from ..quantities.uncertain import Uncertain
 
 MAX_SAMPLES = 50
 MAX_SCENES = 1_000_000  # answered one by one
@@ -88,24 +83,12 @@ class Request:
         for pair in self.pairs:
             for row in product(*values):
                 for model in self.models:
-                    yield self._scene(dict(zip(self.spreads, row, strict=True)), *pair, model)
+                    yield Scene(dict(zip(self.spreads, row, strict=True)), *pair, model=model)
 
     @cached_property
     def uncertain(self) -> list[str]:
         """The inputs of which a value has an uncertainty."""
         return [name for name, spreads in self.spreads.items() if any(spread.uncertainty for spread in spreads)]
-
-    def _scene(
-        self,
-        values: Mapping[str, "float | Uncertain"],
-        material: Material | None,
-        material2: Material | None,
-        model: str | None,
-    ) -> Scene:
-        """Return the scene of some values."""
-        uncertain = {name: value for name, value in values.items() if is_uncertain(value)}
-        numbers = {**values, **{name: found.value for name, found in uncertain.items()}}
-        return Scene(numbers, material, material2, model=model, uncertain=uncertain)
 
     def samples(self) -> list[Scene]:
         """Return scenes of every kind: each pair of materials, both ends of ranges, equal and unequal spheres."""

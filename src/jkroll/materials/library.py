@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from ..errors import JkrollError
 from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
-from ..quantities.parsing import has_uncertainty, parse_quantity
+from ..quantities.ranges import value_of
 from ..text import closest, quoted, shown
 from .entries import SHIPPED, Entry, File, Malformed, Path, entries_of, string, strings, texts
 from .file import MaterialsFileError
@@ -213,10 +213,6 @@ def _property(key: str, value: object, name: str) -> "float | Uncertain":
         value = repr(value)
     text = string(value, f"{name}.{key}")
     try:
-        if has_uncertainty(text):
-            from ..quantities.uncertain import parse_uncertain
-
-            return parse_uncertain(text, key)
-        return parse_quantity(text, key)
+        return value_of(text, key)
     except QuantityError as error:
         raise Malformed(f"{shown(name)}: {error}") from None

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import Any, TextIO
 
 from ..materials.library import Material
-from ..quantities.formatting import amount, uncertain_amount
+from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, header
 from ..text import json_text, say
 from .citations import bibtex
@@ -109,9 +109,7 @@ def _stated(material: Material, name: str) -> str:
     """Return a property with its uncertainty, if it has one, and its unit."""
     if name not in material.properties:
         return f"none in {material.title}"
-    if name in material.uncertainties:
-        return uncertain_amount(name, material.uncertainties[name])
-    return amount(name, material.properties[name])
+    return amount(name, material.uncertainties.get(name, material.properties[name]))
 
 
 def _origin(material: Material, name: str) -> list[tuple[str, str]]:

@@ -9,7 +9,7 @@ from typing import Any, TextIO
 from ..answers.answer import Answer
 from ..answers.result import Result
 from ..errors import JkrollError
-from ..quantities.formatting import Format, amount, in_words, uncertain_amount
+from ..quantities.formatting import Format, amount, in_words
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.scene import Scene
 from ..scene.wiring import Step
@@ -79,12 +79,8 @@ def _explanation(result: Result, scene: Scene, form: Format) -> list[str]:
         lines.append("  steps")
     lines += [_line(step.name, scene, form, _formula_of(step)) for step in steps[:-1]]
     found = result.propagated
-    shown = (
-        amount(result.name, result.value, form)
-        if found is None
-        else uncertain_amount(result.name, found.uncertainty, form)
-    )
-    lines.append(f"  result    {quantity.symbol} = {shown}")
+    shown = result.value if found is None else found.uncertainty
+    lines.append(f"  result    {quantity.symbol} = {amount(result.name, shown, form)}")
     if found is not None:
         shares = ", ".join(f"{NOMENCLATURE[name].symbol} {share:.0%}" for name, share in found.shares.items())
         lines.append(f"  shares    {shares}")
@@ -97,11 +93,8 @@ def _explanation(result: Result, scene: Scene, form: Format) -> list[str]:
 
 def _line(name: str, scene: Scene, form: Format, remark: str) -> str:
     """Return a line with the symbol and value of an input or a step, and a remark beside it."""
-    uncertain = scene.uncertainty_of(name)
-    shown = (
-        uncertain_amount(name, uncertain, form) if uncertain else amount(name, in_words(name, scene.values[name]), form)
-    )
-    value = f"{NOMENCLATURE[name].symbol} = {shown}"
+    shown = scene.uncertainty_of(name) or in_words(name, scene.values[name])
+    value = f"{NOMENCLATURE[name].symbol} = {amount(name, shown, form)}"
     return f"    {value:22} {remark}"
 
 

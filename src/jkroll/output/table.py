@@ -10,7 +10,7 @@ from rich.text import Text
 
 from ..answers.answer import Answer
 from ..answers.result import Result
-from ..quantities.formatting import Format, amount, pretty, uncertain_amount, uncertain_rounded
+from ..quantities.formatting import Format, amount, pretty
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
 from ..text import columns, fitting, say
 from .layout import Layout
@@ -49,10 +49,8 @@ def _result_row(result: Result, form: Format) -> list[str]:
     quantity = NOMENCLATURE[result.name]
     if result.value is None:
         value, unit = "—", ""
-    elif result.propagated is not None:
-        value, unit = uncertain_rounded(result.name, result.propagated.uncertainty, form)
     else:
-        value, unit = form.rounded(result.name, result.value)
+        value, unit = form.rounded(result.name, result.propagated.uncertainty if result.propagated else result.value)
     equation = result.equation or quantity.equation
     definition = "" if result.model else quantity.definition
     source = quantity.reference or f"Eq {equation}"
@@ -96,7 +94,7 @@ def _column(name: str, answers: Sequence[Answer], form: Format) -> list[str]:
     if common:
         cells = ["—" if value is None else form.in_unit(value, common) for value in values]
         return [f"{head} [{pretty(common[0])}]", *cells]
-    return [head, *("—" if value is None else pretty(_amount(name, value, form)) for value in values)]
+    return [head, *("—" if value is None else pretty(amount(name, value, form)) for value in values)]
 
 
 def _value(answer: Answer, name: str) -> Any:
@@ -105,11 +103,6 @@ def _value(answer: Answer, name: str) -> Any:
         return answer.uncertain.get(name, answer.inputs[name])
     result = next((result for result in answer.results if result.name == name), None)
     return result and (result.propagated.uncertainty if result.propagated else result.value)
-
-
-def _amount(name: str, value: "float | str | Uncertain", form: Format) -> str:
-    """Return a value, with its uncertainty if it has one, and its unit."""
-    return uncertain_amount(name, value, form) if isinstance(value, tuple) else amount(name, value, form)
 
 
 _LEADERS = dict.fromkeys(PROPERTIES, "material") | {name + "2": "material2" for name in PROPERTIES}
@@ -135,7 +128,7 @@ def _inputs(inputs: "Mapping[str, float | str | Uncertain]", form: Format, start
     width = columns()
     lines = [start]
     for name, value in inputs.items():
-        text = pretty(_amount(name, value, form))
+        text = pretty(amount(name, value, form))
         part = text if name == "material" else f"{NOMENCLATURE[name].symbol or name} = {text}"
         if lines[-1] and len(lines[-1]) + len(part) + 2 >= width:
             lines[-1] += ","

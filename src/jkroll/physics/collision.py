@@ -1,4 +1,4 @@
-"""How far a sphere rolls over a fixed one after a collision: Eqs 45-49."""
+"""Rolling of a sphere over a fixed one after a collision: Eqs 45-49."""
 
 from __future__ import annotations
 

@@ -10,7 +10,6 @@ FloatOrArray = Any  # a float gives a float and an array an array, which a union
 
 Length = Annotated[FloatOrArray, "m"]
 Area = Annotated[FloatOrArray, "m^2"]
-Volume = Annotated[FloatOrArray, "m^3"]
 Mass = Annotated[FloatOrArray, "kg"]
 Density = Annotated[FloatOrArray, "kg/m^3"]
 Inertia = Annotated[FloatOrArray, "kg m^2"]

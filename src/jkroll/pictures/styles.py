@@ -53,4 +53,4 @@ DARK = Style(
     ((24, 36, 66), (24, 58, 92), (26, 82, 110), (38, 108, 120), (66, 134, 126)),
     ((86, 180, 233), (230, 159, 0), (0, 158, 115), (204, 121, 167), (240, 228, 66), (242, 242, 242)),
 )  # fmt: skip
-STYLES = {"paper": PAPER, "dark": DARK, "light": PAPER}  # light: the former name of paper
+STYLES = {"paper": PAPER, "dark": DARK, "light": PAPER}  # "light" is another word for paper

@@ -43,10 +43,12 @@ class Format(NamedTuple):
         unit = self.unit(name)
         return name if unit in ("", "1") else f"{name} [{unit}]"
 
-    def rounded(self, name: str, value: float | str) -> tuple[str, str]:
-        """Return a value and its unit, rounded and with a suitable prefix."""
+    def rounded(self, name: str, value: "float | str | Uncertain") -> tuple[str, str]:
+        """Return a value, with its uncertainty if it has one, and its unit, rounded and with a suitable prefix."""
         if isinstance(value, str):
             return value, ""
+        if isinstance(value, tuple):
+            return _uncertain(name, value, self)
         digits = self.digits or DIGITS
         if name in self.units:
             return significant(self.number(name, value), digits), self.units[name][0]
@@ -116,30 +118,24 @@ def _power_of_ten(exponent: int) -> Unit:
 AS_USUAL = Format()
 
 
-def amount(name: str, value: float | str, form: Format = AS_USUAL) -> str:
-    """Return a value with its unit, for a sentence.
+def amount(name: str, value: "float | str | Uncertain", form: Format = AS_USUAL) -> str:
+    """Return a value with its unit, and with its uncertainty if it has one, for a sentence.
 
     >>> amount("yield_displacement", 2e-10)
     '200 pm'
+    >>> from .uncertain import parse_uncertain
+    >>> texts = ("25±5 mJ/m2", "25 +6/-4 mJ/m2", "20 to 30 mJ/m2")
+    >>> [amount("surface_energy", parse_uncertain(text, "surface_energy")) for text in texts]
+    ['25.0 ± 5.0 mJ/m^2', '25.0 +6.0/-4.0 mJ/m^2', '20 to 30 mJ/m^2']
     """
     return " ".join(part for part in form.rounded(name, value) if part)
 
 
-def uncertain_amount(name: str, found: "Uncertain", form: Format = AS_USUAL) -> str:
-    """Return a value with its uncertainty and unit, for a sentence. `parse_uncertain` reads the text.
+def _uncertain(name: str, found: "Uncertain", form: Format) -> tuple[str, str]:
+    """Return a value with its uncertainty, and the unit, both rounded and with a suitable prefix.
 
     An uncertainty has two digits, and the value ends at the same place. Sides that differ by more than 10 % are both shown.
-
-    >>> from .uncertain import parse_uncertain
-    >>> texts = ("25±5 mJ/m2", "25 +6/-4 mJ/m2", "20 to 30 mJ/m2")
-    >>> [uncertain_amount("surface_energy", parse_uncertain(text, "surface_energy")) for text in texts]
-    ['25.0 ± 5.0 mJ/m^2', '25.0 +6.0/-4.0 mJ/m^2', '20 to 30 mJ/m^2']
     """
-    return " ".join(part for part in uncertain_rounded(name, found, form) if part)
-
-
-def uncertain_rounded(name: str, found: "Uncertain", form: Format = AS_USUAL) -> tuple[str, str]:
-    """Return a value with its uncertainty, and the unit, both rounded and with a suitable prefix."""
     if name in form.units:
         unit, scale = form.units[name]
     else:

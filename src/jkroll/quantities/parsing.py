@@ -1,7 +1,7 @@
 """Text to SI numbers: a strict grammar and exact arithmetic.
 
-A text is one decimal number and a unit; nothing else is a quantity. `uncertain` reads values with an uncertainty. A value is computed as a ratio of integers and rounded
-to a double once.
+A text is one decimal number and a unit; nothing else is a quantity. `uncertain` reads values with an uncertainty. A value is
+computed as a ratio of integers and rounded to a double once.
 """
 
 import re

@@ -1,4 +1,4 @@
-"""Lists and ranges of values in one text: "1nm,1um" and "1nm:1um:50"."""
+"""Texts of users: one value, which may have an uncertainty, and lists and ranges of values: "1nm,1um" and "1nm:1um:50"."""
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
@@ -43,6 +43,15 @@ class Spread:
         return 0.0 if is_nothing else float(f"{value:.15g}")
 
 
+def value_of(text: str, name: str) -> "float | Uncertain":
+    """Read one value of a quantity of the nomenclature, with its uncertainty if the text states one, in SI units."""
+    if not has_uncertainty(text):
+        return parse_quantity(text, name)
+    from .uncertain import parse_uncertain
+
+    return parse_uncertain(text, name)
+
+
 def spreads_of(text: str, name: str) -> list[Spread]:
     """Read values separated by commas, and ranges `FROM:TO:COUNT` with `:lin` or `:log` at the end.
 
@@ -67,12 +76,7 @@ def spreads_of(text: str, name: str) -> list[Spread]:
 
 def _single(text: str, name: str) -> Spread:
     """Read a value, with its uncertainty if it states one."""
-    if not has_uncertainty(text):
-        value = parse_quantity(text, name)
-        return Spread(value, value)
-    from .uncertain import parse_uncertain
-
-    found = parse_uncertain(text, name)
+    found = value_of(text, name)
     if isinstance(found, float):
         return Spread(found, found)
     spread = Spread(found.value, found.value)

@@ -1,7 +1,5 @@
 """The models of the rolling moment, and their error against the one that is exact for a scene."""
 
-from ..errors import NoResult
-from .errors import MissingInput
 from .scene import Scene
 
 MODELS = ("unloaded_moment", "yield_moment", "half_circles_moment", "fixed_approach_moment")
@@ -15,8 +13,7 @@ def model_error(name: str, scene: Scene) -> float | None:
     exact_model = "fixed_approach_moment" if "approach_at_load" in scene.stated else "yield_moment"
     if name not in MODELS or name == exact_model:
         return None
-    try:
-        exact = scene[exact_model]
-        return float(abs(scene[name] - exact) / exact)
-    except (MissingInput, NoResult):
+    values = scene.numbers(name, exact_model)
+    if len(values) < 2:
         return None
+    return float(abs(values[name] - values[exact_model]) / values[exact_model])

@@ -5,12 +5,12 @@ names in DEFAULTS have values if nothing else is said.
 """
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from ..errors import JkrollError
 from ..materials.library import Material
 from ..quantities.nomenclature import INFINITY, PROPERTIES
+from ..quantities.parsing import is_uncertain
 from .errors import Contradiction, MissingInput, NoFiniteValue, NotInLaw, TwoRigidBodies, failure_of
 from .inputs import is_ordinary
 from .laws import DEFAULT_LAW, law_named
@@ -40,7 +40,6 @@ _MAY_CONTRADICT = frozenset(name for names in EXCLUSIVE for name in names)
 
 # What rests on a contact area, and has none where both bodies are rigid; everything else of JKR follows from these.
 _OF_JKR = ("contact_modulus", "pull_off_force", "load_factor", "rolling_frequency_as_printed")
-NO_UNCERTAINTY: Mapping[str, "Uncertain"] = MappingProxyType({})
 
 SMALLEST = 2.2250738585072014e-308  # of the doubles that have all their digits
 MAY_BE_ZERO = frozenset(
@@ -87,23 +86,23 @@ class Scene:
         material2: Material | None = None,
         *,
         model: str | None = None,
-        uncertain: Mapping[str, "Uncertain"] = NO_UNCERTAINTY,
     ) -> None:
         """Take SI values by name, over those of the materials of sphere 1 and, if it has one of its own, of sphere 2.
 
-        `model` is the law of attraction; None stands for the paper's, JKR. `uncertain` has the uncertainties of those given
-        values that have one; `scene.uncertainty` computes with them.
+        `model` is the law of attraction; None stands for the paper's, JKR. The scene computes with the middle of a value that
+        has an uncertainty; `scene.uncertainty` computes with the rest.
         """
         self.stated_model = model
         self.law = law_named(model or DEFAULT_LAW)
         for names in () if _MAY_CONTRADICT.isdisjoint(given) else EXCLUSIVE:
             if len(both := [name for name in names if name in given]) > 1:
                 raise Contradiction(both)
-        self.material, self.material2, self.uncertain = material, material2, uncertain
+        self.material, self.material2 = material, material2
+        self.uncertain: dict[str, Uncertain] = {name: one for name, one in given.items() if is_uncertain(one)}
         own = dict(material.properties) if material is not None else {}
         own2 = {name + "2": value for name, value in material2.properties.items()} if material2 is not None else {}
-        self.stated = dict(given)
-        self.given = {**own, **own2, **given}
+        self.stated = {**given, **{name: one.value for name, one in self.uncertain.items()}}
+        self.given = {**own, **own2, **self.stated}
         checked = [is_ordinary(name, value) for name, value in self.given.items()]
         self._is_ordinary = all(checked)
         self.values = {**_assumed(self.given), **_implied(self.given), **self.given}
@@ -123,7 +122,7 @@ class Scene:
 
     @property
     def is_uncertain(self) -> bool:
-        """Whether an input, or a property of a material, has an uncertainty."""
+        """True if an input, or a property of a material, has an uncertainty."""
         materials = (self.material, self.material2)
         return bool(self.uncertain) or any(one.uncertainties for one in materials if one is not None)
 
@@ -136,7 +135,7 @@ class Scene:
 
     @property
     def is_identical(self) -> bool:
-        """Whether nothing was said that makes sphere 2 differ from sphere 1."""
+        """True if nothing was said that makes sphere 2 differ from sphere 1."""
         own = {name.removesuffix("2"): value for name, value in self.given.items() if name.endswith("2")}
         lacking = self.material2 is not None and any(name in self.given and name not in own for name in PROPERTIES)
         return not lacking and all(
@@ -209,9 +208,13 @@ class Scene:
         self._run(steps)
         return {name: self._outcome(name, found) for name in names}
 
+    def numbers(self, *names: str) -> dict[str, Any]:
+        """Return the values of quantities, without those that have none."""
+        return {name: value for name, value in self.evaluate(names).items() if not isinstance(value, JkrollError)}
+
     @property
     def has_rigid_elements(self) -> bool:
-        """Whether both bodies are rigid in some elements of the arrays that were given."""
+        """True if both bodies are rigid in some elements of the arrays that were given."""
         return not isinstance(self._rigid, bool) and bool(self._rigid.any())
 
     def _without_rigid(self, step: Step) -> Step:

@@ -9,7 +9,8 @@ from ..errors import JkrollError
 from ..materials.library import Material, Materials, known_materials
 from ..quantities.errors import QuantityError, UnknownQuantity
 from ..quantities.nomenclature import NOMENCLATURE, canonical
-from ..quantities.parsing import has_uncertainty, is_uncertain, parse_quantity
+from ..quantities.parsing import is_uncertain
+from ..quantities.ranges import value_of
 from ..text import MAX_QUOTED
 from .errors import Contradiction, ShapeMismatch
 from .scene import Scene
@@ -140,12 +141,10 @@ def uncertain_scene(
     described: Mapping[str, Any], spheres: tuple[Material | None, Material | None], model: str | None = None
 ) -> Scene:
     """Return a scene of which some values are uncertain; arrays have no uncertainty."""
-    uncertain = {name: value for name, value in described.items() if is_uncertain(value)}
-    numbers = {**described, **{name: found.value for name, found in uncertain.items()}}
-    for name, value in numbers.items():
-        if not isinstance(value, float):
+    for name, value in described.items():
+        if not (isinstance(value, float) or is_uncertain(value)):
             raise QuantityError(name, "an array", "stands beside an uncertain value, which takes single values")
-    return Scene(numbers, *spheres, model=model, uncertain=uncertain)
+    return Scene(described, *spheres, model=model)
 
 
 def _uncertain_answers(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
@@ -232,11 +231,7 @@ def in_si(given: Mapping[str, Any]) -> tuple[dict[str, Any], Any]:
 def _number(name: str, value: Any) -> Any:
     """Return a float, an uncertain value or an array of floats for a number, a text, or a sequence of either."""
     if isinstance(value, str):
-        if not has_uncertainty(value):
-            return parse_quantity(value, name)
-        from ..quantities.uncertain import parse_uncertain
-
-        return parse_uncertain(value, name)
+        return value_of(value, name)
     if hasattr(value, "std_dev"):
         from ..quantities.uncertain import measured
 
