@@ -48,5 +48,5 @@ def test_rivals_write_the_same_numbers(rivals: ModuleType, tmp_path: Path) -> No
         assert len(rows) == len(jkroll) == ROWS + 1, name
         for row, other in zip(rows[1:], jkroll[1:], strict=True):
             values = [float(cell) for cell in row[9:-1]]
-            assert len(values) == len(rivals.results()) >= 30
+            assert len(values) == len(rivals.results()) >= 10
             assert values == pytest.approx([float(cell) for cell in other[9:-1]], rel=1e-11), name
