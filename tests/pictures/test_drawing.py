@@ -1,5 +1,7 @@
 """Pictures in files: contours follow the formulas, labels cover nothing, and the same call gives the same bytes."""
 
+import csv
+import math
 import re
 import subprocess
 import sys
@@ -221,13 +223,36 @@ def test_the_curves_of_a_contact(run: Run, tmp_path: Path) -> None:
     assert all(any(text.startswith(model) for text in shown) for model in models)
 
 
+def test_the_curves_of_several_laws_are_over_one_another(run: Run, tmp_path: Path) -> None:
+    ran = run("contact quartz 100nm --curve --model jkr,maugis,dmt -o laws.svg")
+    assert ran.code == 0
+    assert ran.err.count("which DMT does not have") == 1
+    shown = SVG_TEXT.findall((tmp_path / "laws.svg").read_text(encoding="utf-8"))
+    assert all(shown.count(law) == 2 for law in ("JKR", "Maugis–Dugdale", "DMT"))
+    on_screen = run("contact quartz 100nm --curve --model jkr,dmt --panel force --load=-20nN:10nN --quiet")
+    assert on_screen.out.splitlines()[:2] == ["force", "load, tension negative, P [nN]"]
+    assert {"** JKR", "oo DMT"} <= {*on_screen.out.splitlines()}
+
+
+@pytest.mark.parametrize("model", ["jkr", "maugis", "dmt"])
+def test_rows_of_a_curve_are_within_its_loads(run: Run, model: str) -> None:
+    ran = run(f"contact quartz 100nm --curve --model {model} --load=-5nN:20nN --csv")
+    loads = [float(row["load [N]"]) for row in csv.DictReader(ran.out.splitlines())]
+    assert len(loads) > 15
+    assert min(loads) >= -5e-9
+    assert math.isclose(max(loads), 2e-8, rel_tol=1e-9)
+
+
 @pytest.mark.parametrize(
     ("line", "message"),
     [
         ("contact quartz 100nm -o contact.svg", "add --curve"),
         ("contact quartz 100nm --curve --csv -o contact.svg", "-o and --csv exclude each other"),
         ("contact quartz,iron 100nm --curve -o contact.svg", "2 scenes"),
-        ("contact quartz 100nm --curve --load 1nN -o contact.svg", "it takes none"),
+        ("contact quartz 100nm --curve --approach 1nm -o contact.svg", "it takes none"),
+        ("contact quartz 100nm --curve --load 1nN -o contact.svg", "give --load as FROM:TO"),
+        ("contact quartz 100nm --curve --load 1nN:-1nN -o contact.svg", "does not rise"),
+        ("contact quartz 100nm --curve --model dmt --panel pressure -o contact.svg", "which DMT does not have"),
         ("figure 3a -o nowhere/figure.svg", "cannot write"),
         ("figure 2 --mark quartz@1nm", "takes no --mark"),
         ("figure 3a --as-printed", "for 6b"),

@@ -3,9 +3,12 @@
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
-from ..errors import NoResult
+from ..errors import BadRequest, NoResult
+from ..physics.elementary import cbrt
+from ..quantities.parsing import parse_quantity
 from ..scene.errors import MissingInput
 from ..scene.scene import Scene
+from ..text import quoted
 from .answer import Answer, answer
 from .questions import Question
 from .result import Result
@@ -16,9 +19,9 @@ CURVE = Question(
 )
 FOLD, PULL_OFF, JUMP_IN, EQUILIBRIUM = 1 / 6, 1 / 2, 2 / 3, 1.0
 _NAMED = {FOLD: "fold", PULL_OFF: "pull-off", JUMP_IN: "jump-in", EQUILIBRIUM: "equilibrium"}
-_STEPS = 40  # of √â/√â_fold, from 0 to 2: up to P = (16/9)P_c
-_APART = 10  # steps without contact
-MOST = 16 / 9  # largest load, over the pull-off force of the law
+STEPS = 40  # of √â/√â_fold in JKR
+APART = 4  # states in contact for each without it
+MOST = 16 / 9  # largest load over the pull-off force of the law, where no loads are given
 
 
 class State(NamedTuple):
@@ -29,17 +32,51 @@ class State(NamedTuple):
     name: str
 
 
-def states(scene: Scene) -> list[State]:
-    """Return the states of the force curve of a scene under its law, by rising approach or load as that has them."""
+class Loads(NamedTuple):
+    """The loads from which and to which a force curve is wanted."""
+
+    low: float
+    high: float
+
+
+def loads_of(text: str) -> Loads:
+    """Return the loads of a text `FROM:TO`.
+
+    >>> loads_of("-5nN:20nN")
+    Loads(low=-5e-09, high=2e-08)
+    """
+    first, colon, last = text.partition(":")
+    if not colon or ":" in last:
+        raise BadRequest("--curve goes through many loads; give --load as FROM:TO, such as -5nN:20nN")
+    loads = Loads(parse_quantity(first, "load"), parse_quantity(last, "load"))
+    if not loads.low < loads.high:
+        raise BadRequest(f"--load: {quoted(text)} does not rise")
+    return loads
+
+
+def states(scene: Scene, loads: Loads | None = None, steps: int = STEPS) -> list[State]:
+    """Return the states of the force curve of a scene under its law, by rising approach or load as that has them.
+
+    Without `loads` the curve ends at (16/9)P_c. `steps` is the number of states in contact, without those that have a name.
+    """
     try:
-        return _STATES[scene.law.name](scene)
-    except (MissingInput, NoResult):
-        return [State("load", 0.0, _NAMED[EQUILIBRIUM])]  # whose answer says what is missing
+        found = _STATES[scene.law.name](scene, loads, steps)
+    except (MissingInput, NoResult):  # the answer says what is missing, or that the spheres let go
+        return [State("load", loads.high, "stable") if loads else State("load", 0.0, _NAMED[EQUILIBRIUM])]
+    if loads is None:
+        return found
+    return [state for state in found if loads.low <= scene.replace(**{state.given: state.value})["load"] <= loads.high]
 
 
-def _of_jkr(_: Scene) -> list[State]:
+def _largest(scene: Scene, loads: Loads | None) -> float:
+    """Return the load at which a curve ends."""
+    return loads.high if loads else MOST * scene["pull_off_force"]
+
+
+def _of_jkr(scene: Scene, loads: Loads | None, steps: int) -> list[State]:
     """Return states by x = â^(3/2), from the end of the unstable branch on."""
-    roots = [2 * step / _STEPS for step in range(1, _STEPS + 1)]
+    last = cbrt(6 * scene.replace(load=loads.high)["load_factor"]) if loads else 2.0
+    roots = [last * step / steps for step in range(1, steps + 1)]
     factors = {root**3 / 6: "" for root in roots if root != 1.0} | _NAMED
     return [
         State("load_factor", factor, factors[factor] or _branch(factor, FOLD, PULL_OFF)) for factor in sorted(factors)
@@ -53,32 +90,32 @@ def _branch(value: float, fold: float, pull_off: float) -> str:
     return "fixed grips" if value < pull_off else "stable"
 
 
-def _of_maugis(scene: Scene) -> list[State]:
+def _of_maugis(scene: Scene, loads: Loads | None, steps: int) -> list[State]:
     """Return states by approach where the spheres attract without contact, and by the edge ratio where they touch."""
     fold, pull_off, equilibrium = (
         scene[name] for name in ("edge_ratio_at_fold", "edge_ratio_at_pull_off", "edge_ratio_at_load")
     )
-    most = scene.replace(load=MOST * scene["pull_off_force"])["edge_ratio_at_load"]
+    most = scene.replace(load=_largest(scene, loads))["edge_ratio_at_load"]
     named = {pull_off: "pull-off", equilibrium: "equilibrium"} | ({fold: "fold"} if fold > 0 else {})
-    ratios = {most * (step / _STEPS) ** 2: "" for step in range(1, _STEPS + 1)} | named
+    ratios = {most * (step / steps) ** 2: "" for step in range(1, steps + 1)} | named
     touching = [State("edge_ratio", ratio, ratios[ratio] or _branch(ratio, fold, pull_off)) for ratio in sorted(ratios)]
     if fold > 0:
         return touching
     least = scene["fold_approach_maugis"]
     touch = scene.replace(edge_ratio=touching[0].value)["approach_at_load"]
+    count = steps // APART
     apart = [State("approach_at_load", least, "fold")]
     apart += [
-        State("approach_at_load", least + (touch - least) * step / _APART, "without contact")
-        for step in range(1, _APART)
+        State("approach_at_load", least + (touch - least) * step / count, "without contact") for step in range(1, count)
     ]
     return [*apart, *touching]
 
 
-def _of_dmt(scene: Scene) -> list[State]:
+def _of_dmt(scene: Scene, loads: Loads | None, steps: int) -> list[State]:
     """Return states by approach, from where the spheres touch on."""
     equilibrium = scene["approach"]
-    most = scene.replace(load=MOST * scene["pull_off_force"])["approach_at_load"]
-    approaches = {most * step / _STEPS: "stable" for step in range(1, _STEPS + 1)}
+    most = scene.replace(load=_largest(scene, loads))["approach_at_load"]
+    approaches = {most * step / steps: "stable" for step in range(1, steps + 1)}
     approaches |= {0.0: "pull-off", equilibrium: "equilibrium"}
     return [State("approach_at_load", approach, approaches[approach]) for approach in sorted(approaches)]
 
@@ -86,10 +123,10 @@ def _of_dmt(scene: Scene) -> list[State]:
 _STATES = {"jkr": _of_jkr, "maugis": _of_maugis, "dmt": _of_dmt}
 
 
-def curve(scenes: Iterable[Scene]) -> Iterator[tuple[Scene, Answer]]:
+def curve(scenes: Iterable[Scene], loads: Loads | None = None) -> Iterator[tuple[Scene, Answer]]:
     """Iterate over the states of each scene, under its own law."""
     for scene in scenes:
-        for state in states(scene):
+        for state in states(scene, loads):
             at_state = scene.replace(**{state.given: state.value})
             row = answer(CURVE, at_state)
             if state.name == "fold":

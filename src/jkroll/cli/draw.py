@@ -13,7 +13,7 @@ from ..pictures.figures import FIGURES, figure
 from ..pictures.maps import Map, Setting, rows_of
 from ..pictures.panels import Picture
 from ..pictures.plot_request import Context, curves_of, fixed_inputs, map_of, mark_at
-from ..pictures.profiles import PANELS, PROFILES, curves_of_contact
+from ..pictures.profiles import PANELS, PROFILES, curves_of_contact, curves_of_laws
 from ..pictures.styles import STYLES
 from ..quantities.nomenclature import header
 from ..quantities.parsing import parse_value
@@ -22,8 +22,7 @@ from ..scene.laws import DEFAULT_LAW
 from ..text import quoted, say
 from .map_request import map_request, marks_of
 from .options import Values
-from .request import Request
-from .run import PICTURES, ending, format_name, no_picture
+from .run import PICTURES, curve_request, ending, format_name, no_picture
 
 ON_SCREEN = (241, 121)  # points of a map that is drawn in cells
 IN_FILE = (201, 201)
@@ -43,7 +42,6 @@ def _check(values: Values) -> None:
             "--width": values.width,
             "--style": values.style,
             "--no-caption": values.uncaptioned,
-            "--panel": values.panel,
         }
         if given := [flag for flag, value in looks.items() if value]:
             raise BadRequest(f"{', '.join(given)}: for a file only; name one with -o")
@@ -107,23 +105,24 @@ def run_figure(words: Sequence[str], values: Values) -> int:
 def run_contact(words: Sequence[str], values: Values) -> int:
     """Draw the curves of a contact; return the exit code."""
     _check(values)
+    flag = "-o" if values.target else "--panel"
     if not values.curve:
-        raise BadRequest("-o draws the curve: add --curve")
+        raise BadRequest(f"{flag} draws the curve: add --curve")
     if (kind := format_name(values, sys.stdout)) not in ("table", "plain"):
-        raise BadRequest(f"-o and --{kind} exclude each other")
-    if {"load", "approach_at_load"} & values.inputs.keys():
-        raise BadRequest("--curve goes through all loads and approaches; it takes none")
-    request = Request(words, values.inputs, materials_files(values.materials))
-    if request.count > 1:
-        raise BadRequest(f"{request.count} scenes are more than one picture of a contact")
-    if request.models not in ([None], [DEFAULT_LAW]):
-        raise BadRequest("--curve draws the contact of JKR; --model gives the numbers of other laws, without -o")
-    scene = next(request.scenes())
-    setting = Setting(scene.stated, scene.material, scene.material2)
+        raise BadRequest(f"{flag} and --{kind} exclude each other")
+    request, loads = curve_request(words, values)
+    if (count := request.count // len(request.models)) > 1:
+        raise BadRequest(f"{count} scenes are more than one picture of a contact")
+    scenes = list(request.scenes())
+    setting = Setting(scenes[0].stated, scenes[0].material, scenes[0].material2)
     context = Context("fixed_approach_moment", setting, {"load": 0.0})
-    shown = () if values.panel else ("Both branches of the force curve; pressure; moment without load.",)
-    caption = (*shown, *fixed_inputs(context.inputs))
-    return _deliver(curves_of_contact(setting, caption, values.panel), context.notes, values)
+    held = fixed_inputs(context.inputs)
+    if request.models in ([None], [DEFAULT_LAW]):
+        shown = () if values.panel else ("Both branches of the force curve; pressure; moment without load.",)
+        return _deliver(curves_of_contact(setting, loads, (*shown, *held), values.panel), context.notes, values)
+    laws = tuple(setting._replace(model=model) for model in request.models)
+    drawn, left_out = curves_of_laws(laws, loads, held, values.panel)
+    return _deliver(drawn, (*left_out, *context.notes), values)
 
 
 def _deliver(drawn: Map | Picture, notes: Iterable[str], values: Values) -> int:

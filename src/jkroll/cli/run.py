@@ -2,7 +2,7 @@
 
 import sys
 from collections.abc import Iterable, Iterator, Sequence
-from typing import TextIO
+from typing import TYPE_CHECKING, TextIO
 
 from ..answers.answer import Answer, answer, in_units
 from ..answers.questions import Question, quantities_named
@@ -17,6 +17,9 @@ from ..scene.wiring import formula_of
 from ..text import quoted, say
 from .options import Values
 from .request import Request, format_of
+
+if TYPE_CHECKING:
+    from ..answers.curve import Loads
 
 ROWS_FAILED = 1
 PICTURES = ("svg", "pdf", "png")
@@ -69,13 +72,13 @@ def run_question(question: Question, words: Sequence[str], values: Values) -> in
         question = question_of(values.quantities)
     form = format_of(values.to, values.digits, question.quantities)
     files = materials_files(values.materials)
-    request = Request(words, values.inputs, files)
-    if values.quantities:
-        _refuse_inputs(question.quantities, request)
     if values.materials is not None:
         known_materials(*files)  # a file that was named is checked even if no material is needed
     if values.curve:
-        return _run_curve(request, kind, form)
+        return _run_curve(words, values, kind, form)
+    request = Request(words, values.inputs, files)
+    if values.quantities:
+        _refuse_inputs(question.quantities, request)
     is_streamed = values.target is not None or (kind == "csv" and request.count > MANY)
     if request.uncertain and (is_streamed or request.count > MANY):
         raise BadRequest(f"-o and long lists take values without uncertainties, and {request.uncertain[0]} has one")
@@ -165,21 +168,33 @@ def _run_stream(question: Question, request: Request, samples: list[Answer], kin
     return 0
 
 
-def _run_curve(request: Request, kind: str, form: Format) -> int:
+def curve_request(words: Sequence[str], values: Values) -> "tuple[Request, Loads | None]":
+    """Return the scenes of which a force curve is wanted, and its loads if they are given."""
+    from ..answers.curve import loads_of
+
+    inputs = dict(values.inputs)
+    loads = inputs.pop("load", None)
+    if "approach_at_load" in inputs:
+        raise BadRequest("--curve goes through all approaches; it takes none")
+    return Request(words, inputs, materials_files(values.materials)), loads_of(loads) if loads is not None else None
+
+
+def _run_curve(words: Sequence[str], values: Values, kind: str, form: Format) -> int:
     """Write the force curve of every scene; return the exit code."""
     from ..answers.curve import CURVE, curve, states
 
     if kind in ("explain", "cite"):
         raise BadRequest(f"--curve and --{kind} exclude each other")
-    if {"load", "approach_at_load"} & request.options.keys():
-        raise BadRequest("--curve goes through all loads and approaches; it takes none")
+    request, loads = curve_request(words, values)
     tally = Tally()
-    samples = [row for _, row in curve(request.samples())]
+    samples = [row for _, row in curve(request.samples(), loads)]
     if samples[0].failure is not None and all(row.failure is not None for row in samples):
         raise samples[0].failure
-    count = sum(len(states(scene)) for scene in request.scenes())
+    count = sum(len(states(scene, loads)) for scene in request.scenes())
     shape = layout(CURVE, samples, count)
-    WRITERS[kind](tally.watch(in_units(row, form) for _, row in curve(request.scenes())), sys.stdout, form, shape)
+    WRITERS[kind](
+        tally.watch(in_units(row, form) for _, row in curve(request.scenes(), loads)), sys.stdout, form, shape
+    )
     sys.stdout.flush()
     return _say_failures(tally, count)
 

@@ -1,14 +1,18 @@
 """Curves of one contact: force, pressure and moment; and Figs. 2 and 9, the shifted contact in three and two dimensions."""
 
+from collections.abc import Callable, Mapping, Sequence
+from itertools import groupby
+from math import inf
 from typing import Any
 
-from ..answers.curve import EQUILIBRIUM, FOLD, JUMP_IN, PULL_OFF
+from ..answers.curve import EQUILIBRIUM, FOLD, JUMP_IN, MOST, PULL_OFF, Loads, states
 from ..materials.library import Materials
 from ..physics.cylinder import asymmetric_pressure, contact_point_moment, half_strips_moment, symmetric_pressure
 from ..physics.pressure import pressure
 from ..physics.shifted import exact_pressure, half_circle_pressure, unloaded_half_width
 from ..quantities.formatting import amount, pretty
 from ..quantities.nomenclature import NOMENCLATURE
+from ..scene.errors import NotInLaw
 from .axes import Axis
 from .maps import Mark, Setting
 from .panels import Curve, Panel, Picture, axis_around, clipped
@@ -19,11 +23,12 @@ SIZE = {"radius": 2e-8}  # of the spheres of Fig. 2, small enough that ξ is vis
 _STATE = ("contact_radius_at_load", "hertz_pressure", "boussinesq_pressure")
 
 
-def _force(setting: Setting) -> Panel:
+def _force(setting: Setting, loads: Loads | None) -> Panel:
     """Return force against approach on both branches, with the states at which the contact changes."""
     import numpy
 
-    parts = (("unstable", 1e-7, FOLD), ("fixed grips", FOLD, PULL_OFF), ("stable", PULL_OFF, 1.35))
+    largest = setting.solve(("load_factor",), {"load": loads.high})["load_factor"] if loads else 1.35
+    parts = (("unstable", 1e-7, FOLD), ("fixed grips", FOLD, PULL_OFF), ("stable", PULL_OFF, largest))
     curves = []
     for number, (text, first, last) in enumerate(parts):
         factors = numpy.geomspace(first, last, POINTS)
@@ -34,12 +39,81 @@ def _force(setting: Setting) -> Panel:
     for text, factor in named.items():
         state = setting.solve(("approach_at_load", "load"), {"load_factor": factor})
         points.append(Mark(text, state["approach_at_load"], state["load"]))
-    x = axis_around("approach_at_load", [curve.x for curve in curves], is_log=False)
-    y = axis_around("load", [curve.y for curve in curves], is_log=False, margin=0.08)
-    return Panel(x, y, tuple(reversed(curves)), tuple(points), "force, Eqs (5) and (6)")
+    return _force_panel(tuple(reversed(curves)), points, loads, "force, Eqs (5) and (6)")
 
 
-def _pressure(setting: Setting) -> Panel:
+def _force_panel(curves: Sequence[Curve], points: Sequence[Mark], loads: Loads | None, title: str) -> Panel:
+    """Return a panel of force curves, with the loads that were given as the ends of its axis."""
+    if loads is None:
+        x = axis_around("approach_at_load", [curve.x for curve in curves], is_log=False)
+        y = axis_around("load", [curve.y for curve in curves], is_log=False, margin=0.08)
+        return Panel(x, y, tuple(curves), tuple(points), title)
+    parts = [curve._replace(y=clipped(curve.y, *loads)) for curve in curves]
+    x = axis_around("approach_at_load", [curve.x[curve.y == curve.y] for curve in parts], is_log=False)
+    inside = tuple(point for point in points if point.y is not None and loads.low <= point.y <= loads.high)
+    return Panel(x, Axis("load", *loads, is_log=False), tuple(parts), inside, title)
+
+
+def _force_of_laws(settings: Sequence[Setting], loads: Loads | None) -> Panel:
+    """Return force against approach under each law, on all branches, up to the same load."""
+    import numpy
+
+    scenes = [setting.scene({}) for setting in settings]
+    ends = loads or Loads(-inf, MOST * max(scene["pull_off_force"] for scene in scenes))
+    curves = []
+    for number, (setting, scene) in enumerate(zip(settings, scenes, strict=True)):
+        x, y = [], []
+        for given, group in groupby(states(scene, ends, POINTS), key=lambda state: state.given):
+            values = numpy.array([state.value for state in group])
+            found = setting.solve(("approach_at_load", "load"), {given: values})
+            x.append(found["approach_at_load"])
+            y.append(found["load"])
+        curves.append(Curve(scene.law.title, numpy.concatenate(x), numpy.concatenate(y), number))
+    return _force_panel(curves, (), loads, _titled("force", curves))
+
+
+def _titled(text: str, curves: Sequence[Curve]) -> str:
+    """Return the title of a panel with a curve for each law; that of a single one has no legend."""
+    return f"{text}, {curves[0].text}" if len(curves) == 1 else text
+
+
+def _pressure_of_laws(settings: Sequence[Setting], _: Loads | None) -> Panel:
+    """Return the pressure across the contact under each law, without load."""
+    curves, highest = [], 0.0
+    for number, setting in enumerate(settings):
+        state = setting.solve(_STATE, {})
+        x = _across(-state["contact_radius_at_load"], state["contact_radius_at_load"])
+        curves.append(Curve(setting.scene({}).law.title, x, pressure(distance=abs(x), **state), number))
+        highest = max(highest, state["hertz_pressure"])
+    return _panel(curves, highest, _titled("pressure without load", curves))
+
+
+def _moment_of_laws(settings: Sequence[Setting], _: Loads | None) -> Panel:
+    """Return the moment against ξ under each law, up to the ξ at which JKR's leading edge would interpenetrate."""
+    import numpy
+
+    limit = settings[0]._replace(model=None).solve(("displacement_limit",), {})["displacement_limit"]
+    shifts = numpy.linspace(0, limit, POINTS)
+    curves = [
+        Curve(
+            setting.scene({}).law.title,
+            shifts[1:],
+            setting.solve(("yield_moment",), {"yield_displacement": shifts[1:]})["yield_moment"],
+            number,
+        )
+        for number, setting in enumerate(settings)
+    ]
+    y = axis_around("yield_moment", [shifts[:1], *(curve.y for curve in curves)], is_log=False, margin=0.0)
+    return Panel(
+        Axis("yield_displacement", 0.0, limit, is_log=False),
+        y,
+        tuple(curves),
+        (),
+        _titled("moment without load", curves),
+    )
+
+
+def _pressure(setting: Setting, _: Loads | None) -> Panel:
     """Return the pressure across the contact without load and at pull-off."""
     curves = []
     for number, (text, factor) in enumerate((("P = 0", EQUILIBRIUM), ("pull-off", PULL_OFF))):
@@ -49,7 +123,7 @@ def _pressure(setting: Setting) -> Panel:
     return _panel(curves, state["hertz_pressure"], "pressure, Eq (12)")
 
 
-def _moment(setting: Setting) -> Panel:
+def _moment(setting: Setting, _: Loads | None) -> Panel:
     """Return the moment against ξ by every model, up to the ξ at which the leading edge would interpenetrate."""
     import numpy
 
@@ -70,13 +144,43 @@ def _moment(setting: Setting) -> Panel:
     )  # fmt: skip
 
 
-PANELS = {"force": _force, "pressure": _pressure, "moment": _moment}  # of a contact
+PANELS = {"force": _force, "pressure": _pressure, "moment": _moment}  # of a contact under JKR
+_PanelOfLaws = Callable[[Sequence[Setting], Loads | None], Panel]
+_OF_LAWS: Mapping[str, tuple[_PanelOfLaws, tuple[str, ...]]] = {  # with the quantities that a law must have for it
+    "force": (_force_of_laws, ("approach_at_load", "load")),
+    "pressure": (_pressure_of_laws, _STATE),
+    "moment": (_moment_of_laws, ("yield_moment",)),
+}
 
 
-def curves_of_contact(setting: Setting, caption: tuple[str, ...], panel: str | None = None) -> Picture:
+def curves_of_contact(
+    setting: Setting, loads: Loads | None, caption: tuple[str, ...], panel: str | None = None
+) -> Picture:
     """Return force against approach, pressure, and moment against ξ of one contact; or one of these panels."""
     names = (panel,) if panel is not None else tuple(PANELS)
-    return Picture("", tuple(PANELS[name](setting) for name in names), caption)
+    return Picture("", tuple(PANELS[name](setting, loads) for name in names), caption)
+
+
+def curves_of_laws(
+    settings: Sequence[Setting], loads: Loads | None, caption: tuple[str, ...], panel: str | None = None
+) -> tuple[Picture, tuple[str, ...]]:
+    """Return the panels of a contact with a curve for each law, and notes on the laws that lack one of them."""
+    panels: list[Panel] = []
+    missing: list[NotInLaw] = []
+    for name in (panel,) if panel is not None else _OF_LAWS:
+        draw, quantities = _OF_LAWS[name]
+        having = []
+        for setting in settings:
+            try:
+                setting.scene({}).plan(*quantities)
+                having.append(setting)
+            except NotInLaw as error:
+                missing.append(error)
+        if having:
+            panels.append(draw(having, loads))
+    if not panels:
+        raise missing[0]
+    return Picture("", tuple(panels), caption), tuple(f"no curve: {error}" for error in missing)
 
 
 def figure_2(materials: Materials) -> Picture:
