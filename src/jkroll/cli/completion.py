@@ -89,7 +89,7 @@ def complete_figure(incomplete: str) -> list[str]:
     from ..pictures.figures import FIGURES
     from ..pictures.profiles import PROFILES
 
-    return [name for name in sorted({*FIGURES, *PROFILES}) if name.startswith(incomplete)]
+    return [name for name in sorted({*FIGURES, *PROFILES, "laws"}) if name.startswith(incomplete)]
 
 
 def complete_axis(incomplete: str) -> list[str]:

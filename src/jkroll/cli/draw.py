@@ -10,6 +10,7 @@ from ..materials.library import known_materials
 from ..materials.places import materials_files
 from ..output.files import whole_file
 from ..pictures.figures import FIGURES, figure
+from ..pictures.laws import figure_laws
 from ..pictures.maps import Map, Setting, rows_of
 from ..pictures.panels import Picture
 from ..pictures.plot_request import Context, curves_of, fixed_inputs, map_of, mark_at
@@ -83,7 +84,7 @@ def run_map(words: Sequence[str], values: Values) -> int:
 def run_figure(words: Sequence[str], values: Values) -> int:
     """Draw a figure of the paper; return the exit code."""
     _check(values)
-    names = sorted({*FIGURES, *PROFILES})
+    names = sorted({*FIGURES, *PROFILES, "laws"})
     if len(words) != 1 or words[0] not in names:
         given = f"{quoted(' '.join(words))} is not a figure with data; " if words else ""
         raise BadRequest(f"{given}there are {', '.join(names)}")
@@ -93,6 +94,10 @@ def run_figure(words: Sequence[str], values: Values) -> int:
         if values.mark or values.as_printed:
             raise BadRequest(f"figure {name} takes no {'--mark' if values.mark else '--as-printed'}")
         return _deliver(PROFILES[name](materials), (), values)
+    if name == "laws":
+        if values.as_printed:
+            raise BadRequest("figure laws takes no --as-printed")
+        return _deliver(figure_laws(materials, marks_of(values.mark)), (), values)
     size = OF_PAPER if values.target else ON_SCREEN
     drawn = figure(name, materials, size, as_printed=values.as_printed)
     if values.as_printed and drawn.printed is None:

@@ -206,7 +206,7 @@ def ratio_at_approach(transition: Any, approach_in_units: Any) -> Any:
     at = shape(least)
     lowest = approach(transition, at, span(transition, at))
     excess = within(approach_in_units >= lowest_approach(transition), approach_in_units - lowest)
-    excess = where(excess < 0, 0.0, excess)
+    excess = _at_least(excess, 0.0)
     aim = sqrt(excess)
     start = least + (sqrt(aim * transition * (aim + transition)) + cbrt(transition * excess)) / 2
 

@@ -4,7 +4,7 @@ Nothing is drawn here. Everything is computed by `solve`, on whole arrays.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from math import log10
+from math import log10, pi
 from typing import Any, NamedTuple
 
 from ..errors import NoResult
@@ -210,6 +210,8 @@ def coordinate(axis: Axis, scene: Scene) -> float | None:
     try:
         if axis.name == "modulus_over_energy":
             value = 2 * scene["contact_modulus"] / scene["work_of_adhesion"]
+        elif axis.name == "pull_off_force_ratio":
+            value = scene["pull_off_force"] / (pi * scene["work_of_adhesion"] * scene["reduced_radius"])
         else:
             value = scene[axis.name]
     except (MissingInput, NoResult):
