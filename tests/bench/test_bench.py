@@ -19,8 +19,10 @@ from jkroll.bench.points import each, hard, ordinary, scenes
 from jkroll.bench.reference import exact, references
 from jkroll.bench.report import HEADS, RATIO_HEADS, off_front, plot_bench, write_bench
 from jkroll.bench.ways import OTHER_WAYS, QUANTITIES
+from maugis_reference import approach, at_load, mpf, stiffness
 from reference import exact_results, ulp_error
 
+OF_MAUGIS = ("contact_radius_maugis", "approach_maugis", "stiffness_maugis")
 SMALL = QUICK._replace(points=100, elements=1000, numbers=5, repeats=1, scenes=1000)
 
 
@@ -39,8 +41,19 @@ def test_every_quantity_has_other_ways_and_a_reference() -> None:
 @pytest.mark.parametrize("way", [DEFAULT, "jkroll, floats", "jkroll, pint arrays"])
 def test_the_default_keeps_the_digits(quantity: str, way: str) -> None:
     row = rows()[quantity, way]
-    assert row.worst < 8
-    assert row.worst_hard < 8
+    assert row.worst < (40 if quantity in OF_MAUGIS else 8)
+    if quantity not in OF_MAUGIS:  # whose hard points change more than their input by its last digit
+        assert row.worst_hard < 8
+
+
+def test_approximations_of_maugis_law_are_as_rough_as_is_known() -> None:
+    """Carpick, Ogletree & Salmeron's radius is within 3 %; JKR and DMT have an error of order one, outside their limits."""
+    fit, jkr, dmt = (
+        rows()["contact_radius_maugis", way].worst * 2.0**-53
+        for way in ("COS 1999, coefficients from memory", "JKR", "DMT")
+    )
+    assert 0.005 < fit < 0.03
+    assert min(jkr, dmt) > 0.1
 
 
 @pytest.mark.parametrize(
@@ -94,9 +107,30 @@ def test_two_references_agree(points: dict[str, np.ndarray]) -> None:
         }
         wanted = exact_results(given)
         for quantity in QUANTITIES:
-            if quantity != "load_factor_at_approach":
+            if quantity not in ("load_factor_at_approach", *OF_MAUGIS):
                 nearest, _ = exact(quantity, {**point, "load": 0.0})
                 assert ulp_error(nearest, wanted[quantity]) <= 0.5 + 1e-9
+
+
+def test_the_reference_of_maugis_law_solves_his_equations() -> None:
+    """Against the equations of the tests, which were written for another start and another precision."""
+    for point in each(ordinary(8)):
+        pair: dict[str, Any] = {
+            name: point[name] for name in ("radius", "radius2", "work_of_adhesion", "contact_modulus")
+        }
+        names = ("transition_parameter", "edge_ratio", "reduced_radius")
+        transition, ratio, reduced = solve(
+            names, model="maugis", **pair, load=point["load"], atomic_spacing=point["atomic_spacing"]
+        ).values()
+        force = math.pi * point["work_of_adhesion"] * reduced
+        length = (math.pi * point["work_of_adhesion"] * reduced**2 / (4 / 3 * point["contact_modulus"])) ** (1 / 3)
+        start = exact("contact_radius_maugis", point)[0] / length, 1 / ratio
+        radius, edge = at_load(mpf(transition), mpf(point["load"] / force), start)
+        delta = approach(radius, edge, mpf(transition))
+        assert exact("contact_radius_maugis", point)[0] == pytest.approx(float(radius) * length, rel=1e-12)
+        assert exact("approach_maugis", point)[0] == pytest.approx(float(delta) * length**2 / reduced, rel=1e-11)
+        slope = float(stiffness(radius, edge, mpf(transition)))
+        assert exact("stiffness_maugis", point)[0] == pytest.approx(slope * force * reduced / length**2, rel=1e-11)
 
 
 def test_by_hand_is_the_plain_program_of_the_rivals() -> None:
@@ -131,8 +165,8 @@ def test_the_front_is_made_of_those_that_no_other_beats() -> None:
 
 
 def test_memory_is_measured_beyond_the_results() -> None:
-    arrays, one = compare(SMALL)
-    assert (arrays.scenes, one.scenes) == (1000, 1)
+    arrays, one, between = compare(SMALL)
+    assert (arrays.scenes, one.scenes, between.scenes) == (1000, 1, 1000)
     assert arrays.ratio > 0
     assert arrays.extra_memory > 0
 

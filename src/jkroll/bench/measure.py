@@ -21,6 +21,7 @@ USUAL = (
     "pull_off_force", "contact_radius", "approach", "yield_force", "yield_force_ratio", "yield_moment", "yield_angle",
     "r_min", "n_grav", "vertical_frequency", "rolling_frequency", "n_roll",
 )  # fmt: skip
+STATE = ("contact_radius_at_load", "approach_at_load", "stiffness")
 _NUMPY = numpy.sqrt, numpy.cbrt, numpy.minimum, numpy.maximum
 _MATH = math.sqrt, math.cbrt, min, max
 _SAME_COST = 1.1  # ratio of times that clocks do not tell apart
@@ -58,7 +59,7 @@ class Row(NamedTuple):
 
 
 class Ratio(NamedTuple):
-    """The cost of `jkroll.solve` beside a plain program of the same formulas."""
+    """The cost of `jkroll.solve` beside a plain program of the same formulas, or that of one law beside another."""
 
     case: str
     scenes: int
@@ -185,7 +186,7 @@ def beats(one: Row, two: Row) -> bool:
 
 
 def compare(size: Size) -> list[Ratio]:
-    """Compare `jkroll.solve` with plain expressions of numpy for many scenes, and of `math` for one."""
+    """Compare `jkroll.solve` with plain expressions of numpy for many scenes, and of `math` for one; and Maugis' law with JKR."""
     many = scenes(size.scenes)
     few: list[dict[str, Any]] = list(each({name: values[: size.numbers] for name, values in many.items()}))
     arrays = _best(
@@ -199,9 +200,19 @@ def compare(size: Size) -> list[Ratio]:
         },
         size.repeats,
     )
+    states = _best(
+        {"solve": lambda: solve(STATE, model="maugis", **many), "by hand": lambda: solve(STATE, **many)},
+        size.repeats,
+    )
+    memory = [
+        _extra_memory(lambda: solve(USUAL, **many)),
+        _extra_memory(lambda: solve(USUAL, **few[0])),
+        _extra_memory(lambda: solve(STATE, model="maugis", **many)),
+    ]
     return [
-        _ratio("arrays, numpy", size.scenes, arrays, size.scenes, _extra_memory(many)),
-        _ratio("one scene, math", 1, numbers, len(few), _extra_memory(few[0])),
+        _ratio("arrays, numpy", size.scenes, arrays, size.scenes, memory[0]),
+        _ratio("one scene, math", 1, numbers, len(few), memory[1]),
+        _ratio("state by maugis, beside jkr", size.scenes, states, size.scenes, memory[2]),
     ]
 
 
@@ -209,11 +220,11 @@ def _ratio(case: str, scenes: int, times: Mapping[str, float], count: int, memor
     return Ratio(case, scenes, times["solve"] / count, times["by hand"] / count, memory)
 
 
-def _extra_memory(given: Mapping[str, Any]) -> float:
+def _extra_memory(call: Callable[[], Mapping[str, Any]]) -> float:
     """Return the bytes that a call takes at its peak beyond what it returns."""
     tracemalloc.start()
     try:
-        results = solve(USUAL, **given)
+        results = call()
         peak = tracemalloc.get_traced_memory()[1]
     finally:
         tracemalloc.stop()

@@ -27,7 +27,7 @@ def ordinary(count: int) -> Arrays:
         "gravity": powers(-3, 1),
         "approach_at_load": uniform(-0.8, 3),
     }
-    return _at_loads(points, uniform(-0.8, 2))
+    return {**_at_loads(points, uniform(-0.8, 2)), "atomic_spacing": powers(-10, -9)}
 
 
 def hard(count: int) -> Arrays:
@@ -47,7 +47,10 @@ def hard(count: int) -> Arrays:
     approaches = [FOLD_APPROACH + powers(-14, -1), sign * powers(-18, -2), powers(0, 6), powers(6, 60)]
     loads = [powers(-15, -2) - 1, -8 / 9 * (1 + sign * powers(-15, -2)), sign * powers(-18, -2), powers(0, 9)]
     points["approach_at_load"] = numpy.choose(kind, approaches)
-    return _at_loads(points, numpy.choose(kind, loads))
+    found = _at_loads(points, numpy.choose(kind, loads))
+    strain = points["work_of_adhesion"] / points["contact_modulus"]
+    reduced = reduced_radius(radius=points["radius"], radius2=points["radius2"])
+    return {**found, "atomic_spacing": numpy.cbrt(reduced * strain * strain) / powers(-4, 4)}  # μ from 1e-4 to 1e4
 
 
 def scenes(count: int) -> Arrays:

@@ -4,18 +4,20 @@ The only module that imports mpmath. Inputs are doubles and taken as exact. The 
 force, or of an approach in units of the unloaded one.
 """
 
-# ruff: noqa: N803  (the paper's symbols)
+# ruff: noqa: N803, N806  (the paper's symbols)
 
 from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Any
+
+from ..physics.dugdale import ratio_at_load
 
 DIGITS = 60
 
 SYMBOLS = {
     "R1": "radius", "R2": "radius2", "w": "work_of_adhesion", "E": "contact_modulus", "rho": "density",
     "xi": "yield_displacement", "g": "gravity", "P": "load", "P_c": "pull_off_force",
-    "delta": "approach_at_load", "delta0": "approach",
+    "delta": "approach_at_load", "delta0": "approach", "z0": "atomic_spacing",
 }  # fmt: skip
 
 
@@ -84,6 +86,28 @@ def references() -> Mapping[str, Callable[..., Any]]:
             y -= step
         return y**3
 
+    def maugis(R1: Any, R2: Any, w: Any, E: Any, z0: Any, P: Any) -> tuple[Any, Any, Any]:
+        """Maugis' two equations for a and m = c/a at a load, by the secant method in v = 1/√(m² − 1)."""
+        R, K = reduced(R1, R2), 4 * E / 3
+        unit, unit_force = cbrt(pi * w * R**2 / K), pi * w * R
+        lambda_ = 2 * 16 * w / (9 * sqrt(mp.mpf(3)) * z0) / cbrt(pi * w * K**2 / R)
+
+        def at(v: Any) -> tuple[Any, Any, Any]:
+            m = sqrt(1 + 1 / v**2)
+            t, angle = 1 / v, mp.atan(1 / v)
+            ring = lambda_ / 2 * (t + (m**2 - 2) * angle)
+            both = 4 * lambda_**2 / 3 * (t * angle - m + 1)
+            a = 2 / (both + sqrt(both**2 + 4 * ring))
+            return a, a**3 - lambda_ * a**2 * (t + m**2 * angle), a**2 - 4 * lambda_ / 3 * a * t
+
+        near = mp.mpf(ratio_at_load(float(lambda_), float(P / unit_force)))
+        ends = near, near * (1 + mp.mpf(10) ** -9)
+        tol = near * mp.mpf(10) ** -25  # the last step leaves far less
+        v = mp.findroot(lambda v: at(v)[1] - P / unit_force, ends, tol=tol, verify=False)
+        slope = mp.diff(lambda v: at(v)[1], v) / mp.diff(lambda v: at(v)[2], v)
+        a, _, delta = at(v)
+        return a * unit, delta * unit**2 / R, slope * unit_force * R / unit**2
+
     return {
         "pull_off_force": force,
         "contact_radius": radius,
@@ -93,6 +117,9 @@ def references() -> Mapping[str, Callable[..., Any]]:
             approach(R1, R2, w, E) * (3 * stretch(P, P_c) ** 2 - 2 * sqrt(stretch(P, P_c)))),
         "stiffness": stiffness,
         "load_factor_at_approach": factor_at_approach,
+        "contact_radius_maugis": lambda R1, R2, w, E, z0, P: maugis(R1, R2, w, E, z0, P)[0],
+        "approach_maugis": lambda R1, R2, w, E, z0, P: maugis(R1, R2, w, E, z0, P)[1],
+        "stiffness_maugis": lambda R1, R2, w, E, z0, P: maugis(R1, R2, w, E, z0, P)[2],
         "yield_moment": moment,
         "yield_force": lambda R1, R2, w, xi, P, P_c: moment(R1, R2, w, xi, P, P_c) / R1,
         "r_min": lambda R1, R2, xi: R1 * R2 / xi,
