@@ -22,7 +22,7 @@ from ..scene.laws import DEFAULT_LAW
 from ..text import quoted, say
 from .map_request import map_request, marks_of
 from .options import Values
-from .request import Request
+from .request import request_of
 from .run import PICTURES, ending, format_name, no_picture
 
 ON_SCREEN = (241, 121)  # points of a map that is drawn in cells
@@ -113,7 +113,7 @@ def run_contact(words: Sequence[str], values: Values) -> int:
         raise BadRequest(f"-o and --{kind} exclude each other")
     if {"load", "approach_at_load"} & values.inputs.keys():
         raise BadRequest("--curve goes through all loads and approaches; it takes none")
-    request = Request(words, values.inputs, materials_files(values.materials))
+    request = request_of(words, values)
     if request.count > 1:
         raise BadRequest(f"{request.count} scenes are more than one picture of a contact")
     if request.models not in ([None], [DEFAULT_LAW]):
