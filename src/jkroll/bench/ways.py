@@ -14,7 +14,7 @@ from numpy import abs, any, cbrt, exp, interp, linspace, log, pi, sin, sqrt, whe
 from numpy.polynomial.legendre import leggauss
 
 from ..physics.jkr import FOLD_APPROACH
-from ..physics.maugis_pull_off import TRANSITION_OVER_TABOR
+from ..physics.jkr_to_dmt import TRANSITION_OVER_TABOR
 from ..scene.wiring import plan
 from .reference import inputs_of, references
 

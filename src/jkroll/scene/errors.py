@@ -6,8 +6,7 @@ from typing import Any
 from ..errors import JkrollError, NoResult
 from ..physics.contact import pull_off_force_dmt
 from ..physics.jkr import FOLD_APPROACH
-from ..physics.maugis_pull_off import pull_off_force_maugis
-from ..physics.maugis_states import fold_approach_maugis
+from ..physics.maugis_states import fold_approach_maugis, pull_off_force_maugis
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 
 
@@ -168,6 +167,13 @@ class NoUnstableState(NoResult):
     def reason(self) -> str:
         """Return where there is an unstable state."""
         return "only a tension, or an approach below 0, has a second, unstable state"
+
+
+def reason_of(name: str, error: MissingInput | NoResult) -> str:
+    """Return why a quantity has no value, without its name."""
+    if isinstance(error, MissingInput):
+        return f"needs {error.needs()}"
+    return error.reason() if error.name == name else str(error)
 
 
 def failure_of(name: str, given: Mapping[str, Any]) -> NoResult | None:
