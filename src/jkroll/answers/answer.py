@@ -115,13 +115,12 @@ def add_uncertainties(answer: Answer, found: Mapping[str, "Propagated | JkrollEr
         Note("missing", f"{few(names)}: no uncertainty, as there is no value at an end of an input: {reason}")
         for reason, names in failures.items()
     ]
+    left_out: dict[str, list[str]] = {}
     for source in sources.left_out:
-        reason = (
-            "is a range, which is left out beside ±" if source.given.kind == "range" else "is left out beside a range"
-        )
-        notes.append(
-            Note("result", f"{amount(source.names[0], source.given)} of {symbol_of(source.names[0])} {reason}")
-        )
+        reason = "ranges are left out beside ±" if source.given.kind == "range" else "± is left out beside ranges"
+        name = source.names[0]
+        left_out.setdefault(reason, []).append(f"{symbol_of(name)} = {amount(name, source.given)}")
+    notes += [Note("result", f"{reason}: {', '.join(texts)}") for reason, texts in left_out.items()]
     entering = sources.entering
     stated = {name: source.given for source in entering for name in source.names if name in answer.inputs}
     return answer._replace(results=tuple(results), notes=(*answer.notes, *notes), uncertain=stated)
@@ -144,9 +143,9 @@ _FATAL = (BeyondPullOff, BeyondFold)
 
 def _reason(name: str, error: MissingInput | NoResult) -> str:
     """Return why a quantity has no value, without its name."""
-    if isinstance(error, MissingInput):
-        return f"needs {error.needs()}"
-    return error.reason() if error.name == name else str(error)
+    if isinstance(error, MissingInput) or error.name == name:
+        return error.reason()
+    return str(error)
 
 
 def in_units(answer: Answer, form: Format) -> Answer:

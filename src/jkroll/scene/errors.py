@@ -19,7 +19,11 @@ class MissingInput(JkrollError):
         self.wanted, self.missing, self.instead, self.lacking = wanted, tuple(missing), tuple(instead), lacking
 
     def __str__(self) -> str:
-        return f"{self.wanted} needs {self.needs()}"
+        return f"{self.wanted} {self.reason()}"
+
+    def reason(self) -> str:
+        """Return why there is no value, without the name of the quantity."""
+        return f"needs {self.needs()}"
 
     def needs(self) -> str:
         """Return the missing inputs, the materials that do not have them, and how they are given."""
@@ -40,6 +44,13 @@ class NotInLaw(MissingInput):
         JkrollError.__init__(self, wanted, tuple(lacking), law)
         self.wanted, self.missing, self.instead, self.lacking = wanted, (), (), ""
         self.absent, self.law = tuple(lacking), law
+
+    def __str__(self) -> str:
+        return f"{self.wanted}: {self.reason()}"
+
+    def reason(self) -> str:
+        """Return that the law does not have the quantity, or what it follows from."""
+        return f"not in {self.law}; give --model jkr" if self.absent == (self.wanted,) else super().reason()
 
     def needs(self) -> str:
         """Return the quantity that the law does not have."""
