@@ -64,7 +64,7 @@ def answer(question: Question, scene: Scene) -> Answer:
         if isinstance(value, MissingInput | NoResult):
             errors[name] = value
             results.append(Result(name, None, _reason(name, value)))
-        elif name == "sticking_energy" and (reason := uncertain_sticking(scene)):
+        elif name in ("sticking_energy", "sticking_speed") and (reason := uncertain_sticking(name, scene)):
             results.append(Result(name, None, reason))
         else:
             results.append(Result(name, value, error=model_error(name, scene)))

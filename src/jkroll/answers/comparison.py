@@ -117,14 +117,13 @@ def equation_of(scene: Scene, name: str) -> str:
     return own or scene.law.source
 
 
-def uncertain_sticking(scene: Scene) -> str:
-    """Return why the sticking energy has no one value, where the atomic spacing decides it and was not given."""
+def uncertain_sticking(name: str, scene: Scene) -> str:
+    """Return why the sticking energy or speed has no one value, where the atomic spacing decides it and was not given."""
     if scene.law.name != BETWEEN or "atomic_spacing" in scene.given or scene["transition_parameter"] >= 1:
         return ""
     ends = [scene, _at_half_spacing(scene)]
     texts = [
-        f"{amount('sticking_energy', end['sticking_energy'])} at z0 = {amount('atomic_spacing', end.values['atomic_spacing'])}"
-        for end in ends
+        f"{amount(name, end[name])} at z0 = {amount('atomic_spacing', end.values['atomic_spacing'])}" for end in ends
     ]
     return f"from {' to '.join(texts)}; give --z0"
 
