@@ -160,7 +160,12 @@ MESSAGES = {
     ),
     "pull-off --\x1b[31m": (2, "no such option '--?[31m'; see jkroll pull-off --help"),
     "--bare pull-off quartz 100nm": (2, "--bare goes behind a command: jkroll pull-off ... --bare"),
-    "pul-off quartz 100nm": (2, "No such command 'pul-off'. Did you mean 'pull-off'?"),
+    "pul-off quartz 100nm": (2, "no such command 'pul-off'; did you mean pull-off?"),
+    "help": (2, "no such command 'help'; see jkroll --help"),
+    "sticking-speed quartz 1um": (
+        2,
+        "'sticking-speed' is a quantity, not a command; jkroll quantities sticking_speed says which show it",
+    ),
     "pull-off quartz 100nm --materials none.toml": (2, "materials file 'none.toml': No such file or directory"),
     "pull-off quartz 100nm --materials .": (2, "materials file '.': is not a regular file"),
     "materials lead": (

@@ -64,7 +64,7 @@ def answer(question: Question, scene: Scene) -> Answer:
         if isinstance(value, MissingInput | NoResult):
             errors[name] = value
             results.append(Result(name, None, reason_of(name, value)))
-        elif name == "sticking_energy" and (reason := uncertain_sticking(scene)):
+        elif name in ("sticking_energy", "sticking_speed") and (reason := uncertain_sticking(name, scene)):
             results.append(Result(name, None, reason))
         else:
             results.append(Result(name, value, error=model_error(name, scene)))
@@ -115,13 +115,12 @@ def add_uncertainties(answer: Answer, found: Mapping[str, "Propagated | JkrollEr
         Note("missing", f"{few(names)}: no uncertainty, as there is no value at an end of an input: {reason}")
         for reason, names in failures.items()
     ]
+    left_out: dict[str, list[str]] = {}
     for source in sources.left_out:
-        reason = (
-            "is a range, which is left out beside ±" if source.given.kind == "range" else "is left out beside a range"
-        )
-        notes.append(
-            Note("result", f"{amount(source.names[0], source.given)} of {symbol_of(source.names[0])} {reason}")
-        )
+        reason = "ranges are left out beside ±" if source.given.kind == "range" else "± is left out beside ranges"
+        name = source.names[0]
+        left_out.setdefault(reason, []).append(f"{symbol_of(name)} = {amount(name, source.given)}")
+    notes += [Note("result", f"{reason}: {', '.join(texts)}") for reason, texts in left_out.items()]
     entering = sources.entering
     stated = {name: source.given for source in entering for name in source.names if name in answer.inputs}
     return answer._replace(results=tuple(results), notes=(*answer.notes, *notes), uncertain=stated)

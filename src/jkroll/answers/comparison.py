@@ -14,6 +14,7 @@ from ..scene.wiring import depends_on
 
 BETWEEN = "maugis"  # the law that holds between JKR and DMT
 _SHOWN = 2  # differences in the sentence
+_NO_CHANGE = 0.005  # relative change that is no per cent
 _DMT_BELOW = 0.01  # Tabor parameter, at which DMT's pull-off force is 0.1 % too large, and its approach 10 %
 _MATTERS = 0.05  # relative change with the atomic spacing that is shown
 
@@ -64,17 +65,20 @@ def _sentence(found: Sequence[Difference], scene: Scene) -> str:
     """Return the largest differences: "Maugis–Dugdale has P_c +27 %, M −57 % at this ξ; --model maugis"."""
     half = amount("atomic_spacing", scene.values["atomic_spacing"] / 2)
     parts = []
-    for each in found[:_SHOWN]:
+    shown = [*found[:1], *(each for each in found[1:_SHOWN] if abs(each.ratio - 1) >= _NO_CHANGE)]
+    for each in shown:
         matters = abs(each.ratio_at_half_spacing / each.ratio - 1) > _MATTERS
         at_half = f" ({_change(each.ratio_at_half_spacing)} at z0 = {half})" if matters else ""
         parts.append(f"{NOMENCLATURE[each.name].symbol} {_change(each.ratio)}{at_half}")
-    at_displacement = any("yield_displacement" in depends_on([each.name]) for each in found[:_SHOWN])
+    at_displacement = any("yield_displacement" in depends_on([each.name]) for each in shown)
     suffix = " at this ξ" if at_displacement and "yield_displacement" in scene.values else ""
     return f"{LAWS[BETWEEN].title} has {', '.join(parts)}{suffix}; --model {BETWEEN}"
 
 
 def _change(ratio: float) -> str:
     """Return a ratio as a change in per cent, or as a factor where it is large."""
+    if abs(ratio - 1) < _NO_CHANGE:
+        return "within 0.5 %"
     return f"{100 * (ratio - 1):+.0f} %".replace("-", "−") if 0.1 < ratio < 10 else f"×{ratio:.2g}"
 
 
@@ -113,14 +117,13 @@ def equation_of(scene: Scene, name: str) -> str:
     return own or scene.law.source
 
 
-def uncertain_sticking(scene: Scene) -> str:
-    """Return why the sticking energy has no one value, where the atomic spacing decides it and was not given."""
+def uncertain_sticking(name: str, scene: Scene) -> str:
+    """Return why the sticking energy or speed has no one value, where the atomic spacing decides it and was not given."""
     if scene.law.name != BETWEEN or "atomic_spacing" in scene.given or scene["transition_parameter"] >= 1:
         return ""
     ends = [scene, _at_half_spacing(scene)]
     texts = [
-        f"{amount('sticking_energy', end['sticking_energy'])} at z0 = {amount('atomic_spacing', end.values['atomic_spacing'])}"
-        for end in ends
+        f"{amount(name, end[name])} at z0 = {amount('atomic_spacing', end.values['atomic_spacing'])}" for end in ends
     ]
     return f"from {' to '.join(texts)}; give --z0"
 
@@ -135,8 +138,8 @@ def at_equal_hysteresis(scene: Scene) -> str:
         return ""
     moment = of_jkr["yield_moment"] * (own["zone_radius"] / of_jkr["zone_radius"])
     return (
-        f"yield_moment: at the adhesion hysteresis that JKR has at this ξ, M = {amount('yield_moment', moment)}, "
-        f"{moment / of_jkr['yield_moment']:.3g} times JKR's; ξ is not the same number in every law"
+        f"M: {amount('yield_moment', moment)}, {moment / of_jkr['yield_moment']:.3g} times JKR's, at the adhesion "
+        "hysteresis that JKR has at this ξ; ξ is not the same number in every law"
     )
 
 
@@ -144,7 +147,7 @@ def without_contact(scene: Scene) -> str:
     """Return a sentence for spheres that attract across a gap."""
     if scene.law.name != BETWEEN or scene.numbers("contact_radius_at_load").get("contact_radius_at_load") != 0:
         return ""
-    return "contact_radius_at_load: the spheres are bound without touching"
+    return "a: the spheres are bound without touching"
 
 
 def with_force_by_maugis(error: BeyondPullOff, scene: Scene) -> BeyondPullOff:

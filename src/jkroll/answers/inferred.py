@@ -81,7 +81,7 @@ def _notes(name: str, quantity: str, found: Solution, by_law: Mapping[str, float
     ]
     symbol, of_measured = NOMENCLATURE[name].symbol, NOMENCLATURE[quantity].symbol
     proof = (
-        f"{symbol} = {amount(name, found.value)} gives {of_measured} = {found.forward!r} {NOMENCLATURE[quantity].unit}; "
+        f"{symbol} = {amount(name, found.value)} gives {of_measured} = {amount(quantity, found.forward)}; "
         f"κ = |d ln {symbol}/d ln {of_measured}| = {found.condition:.3g}"
     )
     if by_law:

@@ -88,7 +88,7 @@ def worded(errors: Mapping[str, JkrollError]) -> str:
     """Return why quantities have no value, with one clause for all that have the same reason."""
     reasons: dict[str, list[str]] = {}
     for name, error in errors.items():
-        reason = f"needs {error.needs()}" if isinstance(error, MissingInput) else str(error).removeprefix(f"{name}: ")
+        reason = error.reason() if isinstance(error, MissingInput) else str(error).removeprefix(f"{name}: ")
         reasons.setdefault(reason, []).append(name)
     return "; ".join(f"{', '.join(names)}: {reason}" for reason, names in reasons.items())
 

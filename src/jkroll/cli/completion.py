@@ -6,7 +6,7 @@ from functools import partial
 from ..errors import JkrollError
 from ..materials.library import Materials, known_materials
 from ..materials.places import materials_files
-from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS
 
 Completer = Callable[[str], list[str]]
 
@@ -75,7 +75,8 @@ def complete_infer(incomplete: str) -> list[str]:
     """Return inputs that can be inferred; for a word that is begun, materials and radii too."""
     from ..scene.inverse import SIZES
 
-    inputs = [name for name in SIZES if name.startswith(incomplete.replace("-", "_"))]
+    words = [*SIZES, *(word for word, name in OPTION_WORDS.items() if name in SIZES)]
+    inputs = _beginning(words, incomplete.replace("-", "_"))
     return [*inputs, *complete_words(incomplete)] if incomplete else inputs
 
 
@@ -90,6 +91,25 @@ def complete_figure(incomplete: str) -> list[str]:
     from ..pictures.profiles import PROFILES
 
     return [name for name in sorted({*FIGURES, *PROFILES, "laws"}) if name.startswith(incomplete)]
+
+
+def complete_topic(incomplete: str) -> list[str]:
+    """Return the pages of the manual."""
+    from ..output.manual import topics
+
+    return _beginning(topics(), incomplete)
+
+
+def complete_quantity(incomplete: str) -> list[str]:
+    """Return the names of quantities."""
+    return _beginning(NOMENCLATURE, incomplete.replace("-", "_"))
+
+
+def complete_model(incomplete: str) -> list[str]:
+    """Return the laws of attraction."""
+    from ..scene.laws import LAWS
+
+    return _beginning(LAWS, incomplete)
 
 
 def complete_axis(incomplete: str) -> list[str]:
@@ -121,6 +141,8 @@ _OF_COMMAND: Mapping[str, Completer | None] = {
     "map": complete_map,
     "infer": complete_infer,
     "figure": complete_figure,
+    "guide": complete_topic,
+    "quantities": complete_quantity,
     "batch": None,
 }
 _OF_OPTION: Mapping[str, Completer] = {
@@ -128,6 +150,7 @@ _OF_OPTION: Mapping[str, Completer] = {
     "y": complete_axis,
     "mark": complete_mark,
     "measured": complete_measured,
+    "model": complete_model,
     "material": complete_words,
     "material2": complete_words,
 }

@@ -1,4 +1,4 @@
-"""The message for an option that a command does not take, with what was probably meant."""
+"""The messages for commands and options that do not exist, with what was probably meant."""
 
 from collections.abc import Iterable
 
@@ -8,6 +8,21 @@ from ..text import closest, quoted
 from .commands import COMMANDS, flags_of
 
 MAX_OTHERS = 3
+
+
+class UnknownCommand(JkrollError):
+    """Error raised for a first word that is not a command."""
+
+    def __init__(self, word: str) -> None:
+        super().__init__(word)
+        self.word = word
+
+    def __str__(self) -> str:
+        name = self.word.replace("-", "_").casefold()
+        if name in NOMENCLATURE:
+            return f"{quoted(self.word)} is a quantity, not a command; jkroll quantities {name} says which show it"
+        guess = closest(name.replace("_", "-"), COMMANDS)
+        return f"no such command {quoted(self.word)}; {f'did you mean {guess}?' if guess else 'see jkroll --help'}"
 
 
 class UnknownOption(JkrollError):

@@ -16,7 +16,7 @@ from ..text import shown
 from .commands import COMMANDS, Call, Command, flags_of
 from .completion import Completer, completer_of_option, completer_of_words, is_safe
 from .help import help_of
-from .mistakes import UnknownOption
+from .mistakes import UnknownCommand, UnknownOption
 from .options import HELP, VERSION, Option
 from .reader import print_version
 
@@ -68,11 +68,17 @@ def _show_version(_context: object, _parameter: object, is_wanted: bool) -> None
 
 
 class _Program(TyperGroup):
-    """The program, with our help and our message for an unknown option."""
+    """The program, with our help and our messages for an unknown option or command."""
 
     def get_help(self, ctx: Any) -> str:  # noqa: ARG002
         """Return what `--help` prints."""
         return help_of(None)
+
+    def resolve_command(self, ctx: Any, args: list[str]) -> Any:
+        """Return the command of the first word; while completing, none for an unknown one."""
+        if args[0] not in COMMANDS and not ctx.resilient_parsing:
+            raise UnknownCommand(args[0])
+        return super().resolve_command(ctx, args)
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
         """Read the options before the command."""

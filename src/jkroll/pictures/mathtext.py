@@ -33,9 +33,12 @@ def typeset(text: str) -> str:
 def typeset_lines(text: str, width: int) -> list[str]:
     """Return a text as lines of at most `width` characters, typeset.
 
-    Lines are broken before typesetting, because markup is longer than what it shows; none between a number and its unit.
+    Lines are broken before typesetting, because markup is longer than what it shows; none between a number and its unit,
+    or its symbol: "P = 0 N" stays together.
     """
-    unbroken = re.sub(r"(?<=\d) (?=[^\W\d])| (?=\[)", "\N{NO-BREAK SPACE}", text)
+    unbroken = re.sub(
+        r"(?<=\d) (?=[^\W\d])| (?=\[)| (?=[=<>] [-−\d])|(?<= [=<>]) (?=[-−\d])", "\N{NO-BREAK SPACE}", text
+    )
     lines = [line.split() for line in wrap(unbroken, width, break_long_words=False, break_on_hyphens=False)]
     words = iter(_typeset_words(text.split()))
     return [" ".join(next(words) for _ in line) for line in lines]

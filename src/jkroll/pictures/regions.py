@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 from ..errors import NoResult
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.errors import MissingInput
+from ..scene.laws import DEFAULT_LAW
 from ..scene.limits import LIMITS
 from ..scene.scene import Scene
 from .axes import Axis
@@ -51,13 +52,15 @@ def bounds() -> tuple[Bound, ...]:
 
 
 def bounds_of(scene: Scene, quantity: str) -> list[Bound]:
-    """Return the bounds that concern a quantity of a scene."""
+    """Return the bounds that concern a quantity of a scene; the Tabor parameter bounds JKR only."""
     try:
         plan = scene.plan(quantity)
     except MissingInput:
         return []
     used = {quantity, *scene.inputs_of(quantity), *(step.name for step in plan.steps)}
     touched = {limit.name for limit in LIMITS if limit.touches & used}
+    if scene.law.name != DEFAULT_LAW:
+        touched.discard("tabor_parameter")
     return [bound for bound in bounds() if bound.names[0] in touched]
 
 

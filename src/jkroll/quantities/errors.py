@@ -42,7 +42,8 @@ class UnknownQuantity(JkrollError):
 def _nearest(word: str) -> str | None:
     """Return the quantity whose symbol is a word, whose name begins with it, or resembles it most."""
     by_symbol = (name for name, quantity in NOMENCLATURE.items() if quantity.symbol == word)
-    begun = (name for name in NOMENCLATURE if word and name.startswith(word.casefold()))
+    letters = word.casefold().replace("-", "").replace("_", "")
+    begun = (name for name in NOMENCLATURE if letters and name.replace("_", "").startswith(letters))
     return next(by_symbol, None) or next(begun, None) or closest(canonical(word), (*NOMENCLATURE, *OPTION_WORDS))
 
 

@@ -18,7 +18,11 @@ class MissingInput(JkrollError):
         self.wanted, self.missing, self.instead, self.lacking = wanted, tuple(missing), tuple(instead), lacking
 
     def __str__(self) -> str:
-        return f"{self.wanted} needs {self.needs()}"
+        return f"{self.wanted} {self.reason()}"
+
+    def reason(self) -> str:
+        """Return why there is no value, without the name of the quantity."""
+        return f"needs {self.needs()}"
 
     def needs(self) -> str:
         """Return the missing inputs, the materials that do not have them, and how they are given."""
@@ -39,6 +43,13 @@ class NotInLaw(MissingInput):
         JkrollError.__init__(self, wanted, tuple(lacking), law)
         self.wanted, self.missing, self.instead, self.lacking = wanted, (), (), ""
         self.absent, self.law = tuple(lacking), law
+
+    def __str__(self) -> str:
+        return f"{self.wanted}: {self.reason()}"
+
+    def reason(self) -> str:
+        """Return that the law does not have the quantity, or what it follows from."""
+        return f"not in {self.law}; give --model jkr" if self.absent == (self.wanted,) else super().reason()
 
     def needs(self) -> str:
         """Return the quantity that the law does not have."""
@@ -171,9 +182,9 @@ class NoUnstableState(NoResult):
 
 def reason_of(name: str, error: MissingInput | NoResult) -> str:
     """Return why a quantity has no value, without its name."""
-    if isinstance(error, MissingInput):
-        return f"needs {error.needs()}"
-    return error.reason() if error.name == name else str(error)
+    if isinstance(error, MissingInput) or error.name == name:
+        return error.reason()
+    return str(error)
 
 
 def failure_of(name: str, given: Mapping[str, Any]) -> NoResult | None:
