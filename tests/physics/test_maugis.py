@@ -98,7 +98,7 @@ def _without_modulus() -> dict[str, float]:
     return {name: value for name, value in UNIT.items() if name != "contact_modulus"}
 
 
-@pytest.mark.parametrize("count", [15, pytest.param(400, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [8, pytest.param(400, marks=pytest.mark.slow)])
 def test_states_at_random_loads(count: int) -> None:
     random.seed(count)
     for _ in range(count):
@@ -115,7 +115,7 @@ def test_states_at_random_loads(count: int) -> None:
             check(reference.at_load, transition, load, edge_ratio, "radius zone approach moment stiffness")
 
 
-@pytest.mark.parametrize("count", [15, pytest.param(400, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [8, pytest.param(400, marks=pytest.mark.slow)])
 def test_states_at_random_approaches(count: int) -> None:
     random.seed(count)
     for _ in range(count):
