@@ -426,7 +426,7 @@ def test_a_law_of_attraction_is_a_column(run: Run, end: str) -> None:
         found = [json.loads(line) for line in Path("out.ndjson").read_text().splitlines()]
     else:
         found = list(csv.DictReader(Path(f"out.{end}").read_text().splitlines(), delimiter=mark))
-    assert [*found[0]] == ["radius [nm]", "material", "model", "pull_off_force [N]", "status"]
+    assert [*found[0]] == ["radius [nm]", "material", "model", "pull_off_force [N]", "doubt", "status"]
     assert [row["model"] for row in found] == ["maugis"] * 3
     for row, (radius, material) in zip(found, [("100nm", "quartz"), ("50nm", "iron")], strict=False):
         wanted = run(f"pull-off {material} {radius} --model maugis --bare").out
