@@ -21,9 +21,10 @@ from jkroll.batch.cells import Reader
 from jkroll.batch.columns import Column, understood
 from jkroll.batch.delimited import DIALECTS, Delimited, Records
 from jkroll.batch.lines import Head
-from jkroll.batch.single import alone
+from jkroll.batch.single import CODES, alone
 from jkroll.batch.task import task_of
 from jkroll.materials.library import known_materials
+from jkroll.output.manual import page
 from jkroll.quantities.errors import QuantityError
 from jkroll.quantities.parsing import unit_of
 from tables import random_table
@@ -78,7 +79,7 @@ WIDE = "name,material,radius,material2,radius2,load,yield_displacement,poisson_r
 def test_a_row_is_the_one_liner(run: Run, line: str) -> None:
     wanted = rows(run(ONE_LINERS[line] + " --csv").out)[0]
     found = batch(run, table(WIDE + line + "\n"))[0]
-    results = [name for name in found if name not in WIDE.strip().split(",") and name != "status"]
+    results = [name for name in found if name not in WIDE.strip().split(",") and name not in ("doubt", "status")]
     assert len(results) >= 29
     for name in results:
         if name in wanted:
@@ -86,27 +87,29 @@ def test_a_row_is_the_one_liner(run: Run, line: str) -> None:
             assert not found[name] or ulps(float(found[name]), float(wanted[name])) <= 4, name
 
 
-def both_ways(text: str) -> Iterator[tuple[str, list[float], list[float], str, str]]:
-    """Each row of a table computed among the others and as a scene of its own: name, values and status."""
+def both_ways(text: str) -> Iterator[tuple[str, list[float], list[float], tuple[str, str], tuple[str, str]]]:
+    """Each row of a table as a scene of its own and among the others: name, values, and status with doubt."""
     known = known_materials()
     lines = text.splitlines()
     header = understood(lines[0].split(","))
-    task = task_of(header, {}, "report", known)
+    task = task_of(header, {}, "", known)._replace(doubt=True)
     converter = Delimited(DIALECTS["csv"], Head(b"\n", (), []), header, task, [], excel_safe=False)
     columns = [list(column) for column in zip(*(line.encode().split(b",") for line in lines[1:]), strict=True)]
     records = Records([b""] * (len(lines) - 1), dict(enumerate(columns)), {}, {}, range(len(lines) - 1))
     block = converter._block(records)
     together = converter.evaluator.results(block)
     for row in range(block.size):
-        values, status, _ = alone(task, partial(block.text, row))
-        yield lines[row + 1], values, together.numbers[:, row].tolist(), status, together.status.get(row, "")
+        single = alone(task, partial(block.text, row))
+        said = "" if single.is_lost else single.doubt
+        among = together.status.get(row, ""), together.doubts.get(row, "")
+        yield lines[row + 1], single.values, together.numbers[:, row].tolist(), (single.status, said), among
 
 
 def agree(size: int, seed: int) -> None:
     """Among the others and alone a row has the same numbers, to an ulp, and the same status."""
     checked = 0
-    for line, singly, together, status, status_together in both_ways(random_table(size, seed)):
-        assert status == status_together, line
+    for line, singly, together, said, said_together in both_ways(random_table(size, seed)):
+        assert said == said_together, line
         for value, other in zip(singly, together, strict=True):
             assert math.isnan(value) == math.isnan(other), line
             if not math.isnan(value):
@@ -117,6 +120,17 @@ def agree(size: int, seed: int) -> None:
 
 def test_together_or_alone() -> None:
     agree(300, 1)
+
+
+def test_doubts_have_codes_that_the_guide_explains(run: Run) -> None:
+    Path("small.csv").write_text("material,radius [nm],gamma [mJ/m2]\nquartz,100,\nquartz,0.5,30\nquarz,1,\n")
+    ran = run("batch small.csv --quantities yield_force -o out.csv")
+    found = [row["doubt"] for row in csv.DictReader(io.StringIO(Path("out.csv").read_text()))]
+    assert found == ["", "a/z0<3 e_h>0.01 ξ/ξ_max>=1 M/2cRw>1 ξ/a>1 Q/P_c>=1", ""]
+    assert ran.err.startswith("note: 1 of 3 rows are doubtful; column doubt says why\n")
+    assert all(f"`{code}`" in page("models") for code in CODES)
+    plain = run("batch small.csv --quantities yield_force --no-doubt -o plain.csv")
+    assert "doubt" not in Path("plain.csv").read_text() + plain.err
 
 
 @pytest.mark.slow
@@ -263,7 +277,7 @@ HEADERS = {
     "Radius [nm]": f"header: 'Radius [nm]' is no input; did you mean radius [nm]? {ANOTHER}",
     "radius (nm)": f"header: 'radius (nm)' is no input; did you mean radius [nm]? {ANOTHER}",
     "radius_um": f"header: 'radius_um' is no input; did you mean radius [um]? {ANOTHER}",
-    "gamma [mJ/m2]": f"header: 'gamma [mJ/m2]' is no input; did you mean surface_energy [mJ/m2]? {ANOTHER}",
+    "Gamma [mJ/m2]": f"header: 'Gamma [mJ/m2]' is no input; did you mean surface_energy [mJ/m2]? {ANOTHER}",
     "youngs_moduls": f"header: 'youngs_moduls' is no input; did you mean youngs_modulus [GPa]? {ANOTHER}",
     "material [m]": "header: 'material [m]': a material has no unit; write material",
     "material;radius": "header: 'material;radius' has semicolons between its columns; write commas, with decimal points",
@@ -306,7 +320,7 @@ def test_options_fill_what_a_row_does_not_give(run: Run) -> None:
 
 def test_quantities_are_names_or_commands(run: Run) -> None:
     found = batch(run, table(GRAINS), "--quantities", "r-min,pull_off_force,mass")
-    assert [*found[0]][4:] == ["pull_off_force [N]", "mass [kg]", "r_min [m]", "status"]
+    assert [*found[0]][4:] == ["pull_off_force [N]", "mass [kg]", "r_min [m]", "doubt", "status"]
     assert (
         run("batch", table(GRAINS), "--quantities", "pulloff").err
         == "jkroll: 'pulloff' is not a quantity; did you mean pull_off_work? jkroll quantities lists them\n"
@@ -338,7 +352,7 @@ ODD_TABLES = {
 def test_input_passes_through_byte_for_byte(run: Run, kind: str) -> None:
     text = ODD_TABLES[kind].encode()
     Path("grains.csv").write_bytes(text)
-    ran = run("batch grains.csv --quantities r_min -o out.csv --jobs 1")
+    ran = run("batch grains.csv --quantities r_min --no-doubt -o out.csv --jobs 1")
     assert ran.code == 0, Path("out.csv").read_bytes()
     written = Path("out.csv").read_bytes()
     end = b"\r\n" if b"\r\n" in text[:60] else b"\n"
@@ -386,7 +400,7 @@ def test_tabs_and_formulas(run: Run) -> None:
     )
     assert run("batch", name, "--excel-safe", "--quantities", "r_min", "-o", "out.tsv", "--jobs", "1").code == 0
     lines = Path("out.tsv").read_text().splitlines()
-    assert lines[0] == "name\tmaterial\tradius [nm]\tload [nN]\tr_min [m]\tstatus"
+    assert lines[0] == "name\tmaterial\tradius [nm]\tload [nN]\tr_min [m]\tdoubt\tstatus"
     assert [line.split("\t")[0] for line in lines[1:]] == ["a", "b", "'=1+1", "'-x", "'-2+3"]
     assert [line.split("\t")[3] for line in lines[1:]] == ["0", "-2e-3", "-2", "-2", "-2"]
 
@@ -412,7 +426,7 @@ def test_a_law_of_attraction_is_a_column(run: Run, end: str) -> None:
         found = [json.loads(line) for line in Path("out.ndjson").read_text().splitlines()]
     else:
         found = list(csv.DictReader(Path(f"out.{end}").read_text().splitlines(), delimiter=mark))
-    assert [*found[0]] == ["radius [nm]", "material", "model", "pull_off_force [N]", "status"]
+    assert [*found[0]] == ["radius [nm]", "material", "model", "pull_off_force [N]", "doubt", "status"]
     assert [row["model"] for row in found] == ["maugis"] * 3
     for row, (radius, material) in zip(found, [("100nm", "quartz"), ("50nm", "iron")], strict=False):
         wanted = run(f"pull-off {material} {radius} --model maugis --bare").out

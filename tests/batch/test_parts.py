@@ -68,7 +68,8 @@ def test_resume_leaves_out_what_is_done(run: Run, grains: list[str]) -> None:
     Path(grains[3]).rename("away.csv")
     Path(grains[3]).mkdir()
     ran = run("batch", "grains/*.csv", "-o", "forces/", "--jobs", "1")
-    rows_failed = "jkroll: 18 of 87 rows failed; column status says why\n"
+    doubtful = "note: 24 of 87 rows are doubtful; column doubt says why\n"
+    rows_failed = f"{doubtful}jkroll: 18 of 87 rows failed; column status says why\n"
     assert (ran.code, ran.err) == (2, f"jkroll: '{grains[3]}': Is a directory\n{rows_failed}")
     assert sorted(whole_names("forces")) == ["manifest.json", *(f"part-{place}.csv" for place in (0, 1, 2, 4))]
     failed = json.loads(Path("forces/manifest.json").read_text())["files"][3]
@@ -163,7 +164,7 @@ def test_a_large_table_is_split(run: Run, monkeypatch: pytest.MonkeyPatch, end: 
         monkeypatch.setattr("jkroll.batch.parquet.SPAN", 50)
     assert run("batch", name, "-o", f"whole.{end}", "--quantities", "r_min").code == 0
     settings = Settings("out/", quantities="r_min", dask="local", jobs=1)
-    assert many.convert(name, Order(settings, {}, known_materials()), many.by_processes) == ((300, 0), 0)
+    assert many.convert(name, Order(settings, {}, known_materials()), many.by_processes) == ((300, 0, 0), 0)
     manifest = json.loads(Path("out/manifest.json").read_text())["files"]
     found = [Path("out") / one["output"] for one in manifest]
     assert len(found) >= 5

@@ -575,3 +575,35 @@ def test_show_completion_is_no_closed_pipe() -> None:
         "COMP_CWORD": "2",
     }
     assert jkroll(env=environment).returncode == 0
+
+
+def test_notes_are_few_and_say_their_rows(run: Run) -> None:
+    for name in QUESTIONS:
+        assert len(run(f"{name} quartz 0.5nm").err.splitlines()) <= 3, name
+    lines = run("pull-off quartz 0.5nm 1nm 5um").err.splitlines()
+    assert "note: doubtful: a/z0<3, elasticity is in doubt: rows 1-2" in lines
+    assert "note: doubtful: e_h>0.01, the contact is so wide that a sphere is no paraboloid: row 1" in lines
+    assert "note: assumed z0 = 400 pm (--z0)" in lines
+
+
+def test_a_sweep_is_one_table_with_units_in_its_head(run: Run) -> None:
+    lines = run("frequencies quartz,iron 100nm", terminal=True).out.splitlines()
+    assert lines[0].startswith("2 scenes, ")
+    assert lines[1].split()[:3] == ["material", "f_z", "[MHz]"]
+    assert len(lines) == 5
+    wide = run("pull-off iron 1nm 1m --quiet", terminal=True).out
+    assert "1 nm" in wide
+    assert "1 m" in wide
+
+
+def test_few_digits_have_no_exponent(run: Run) -> None:
+    assert "ρ1 = 2600 kg/m³" in run("n-grav quartz 100nm --digits 2", terminal=True).out
+
+
+def test_a_rigid_body_needs_no_poisson_ratio(run: Run) -> None:
+    rigid = "contact 100nm --gamma 25mJ/m2 --young rigid --young2 1GPa --poisson2 0.3"
+    assert run(rigid, terminal=True).out.startswith(
+        "R1 = 100 nm, R2 = 100 nm, γ1 = 25 mJ/m², E1 = rigid, E2 = 1 GPa, ν2 = 0.3"
+    )
+    assert run(f"{rigid} --bare").out == run(f"{rigid} --poisson 0.4 --bare").out
+    assert run("contact 100nm --gamma 25mJ/m2 --young rigid --young2 1GPa").code == 2

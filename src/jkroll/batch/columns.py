@@ -6,7 +6,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from ..quantities.errors import BareNumber, QuantityError
-from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS
 from ..quantities.parsing import parse_quantity, unit_of
 from ..quantities.units import Unit, dimension_of, kind_of
 from ..text import closest, quoted
@@ -14,6 +14,7 @@ from .errors import BadTable
 
 MATERIALS = ("material", "material2")
 INPUTS = ("radius", *(name for name, quantity in NOMENCLATURE.items() if quantity.option and quantity.unit))
+DOUBT = "doubt"  # the limits of the model that a row exceeds, as codes
 STATUS = "status"
 ALIKE = 0.85  # how similar a header is to the name of an input to be taken for a mistake
 _HEADER = re.compile(r"([^\[\]]*?)\s*\[([^\[\]]*)\]")
@@ -114,9 +115,10 @@ def is_input(text: str) -> bool:
 
 
 def split(text: str) -> tuple[str, str | None]:
-    """Split a header into a name and the text of a unit."""
+    """Split a header into a name, for which the word of an option may stand, and the text of a unit."""
     match = _HEADER.fullmatch(text.strip())
-    return (match[1], match[2].strip()) if match else (text.strip(), None)
+    word, unit = (match[1], match[2].strip()) if match else (text.strip(), None)
+    return (word if word in NOMENCLATURE else OPTION_WORDS.get(word, word)), unit
 
 
 def _column(place: int, name: str, unit_text: str | None, text: str) -> Column:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from ..materials.library import known_materials
 from ..materials.places import materials_files
 from ..text import say
-from .columns import STATUS
+from .columns import DOUBT, STATUS
 from .errors import missing_extra
 from .many import Runner, by_processes, convert_one, is_many
 from .many import convert as convert_many
@@ -23,6 +23,8 @@ def run(path: str, settings: Settings, inputs: Mapping[str, str]) -> int:
         tally, code = convert_many(path, order, _runner(settings))
     else:
         tally, code = convert_one(path, order), 0
+    if tally.doubtful and not settings.quiet:
+        say(f"note: {tally.doubtful} of {tally.rows} rows are doubtful; column {DOUBT} says why", sys.stderr)
     if tally.failed:
         say(f"jkroll: {tally.failed} of {tally.rows} rows failed; column {STATUS} says why", sys.stderr)
     return code or (ROWS_FAILED if tally.failed else 0)

@@ -14,7 +14,7 @@ import numpy
 import orjson
 
 from .cells import Reader
-from .columns import STATUS, Header
+from .columns import DOUBT, STATUS, Header
 from .dialect import Dialect, lines_of
 from .lines import BOM, Converted, Head
 from .rows import Block, Evaluator, Results
@@ -56,9 +56,11 @@ class Delimited:
         self.line_end = b"\r\n" if head.text.endswith(b"\r\n") else b"\n"
         self.excel_safe = excel_safe
         line = head.text.removeprefix(BOM).removesuffix(b"\n").removesuffix(b"\r")
-        cells = [self.safe(line) if excel_safe else line, *(name.encode() for name in (*names, STATUS))]
+        added = (*names, DOUBT, STATUS) if task.doubt else (*names, STATUS)
+        cells = [self.safe(line) if excel_safe else line, *(name.encode() for name in added)]
         self.head = (BOM if head.text.startswith(BOM) else b"") + dialect.separator.join(cells) + self.line_end
         self.said = b"".join(dialect.separator + text.encode() for text in task.said.values())
+        self.has_doubt = task.doubt
         self.evaluator = Evaluator(task)
         self.readers = [Reader(column) for column in task.inputs]
         self.materials_at = task.materials_at
@@ -81,7 +83,7 @@ class Delimited:
         output = b"".join([*self._strips(lines, results), blank.get(count, b"")])
         first = min(results.lost, default=None)
         failure = None if first is None else (records.starts[first], results.status[first])
-        return Converted(output, count, len(results.lost), text.count(b"\n"), failure)
+        return Converted(output, count, len(results.lost), text.count(b"\n"), failure, len(results.doubts))
 
     def _quickly(self, text: bytes) -> Records | None:
         """Take apart plain lines without quotes, all of the right width; None if there are others."""
@@ -155,26 +157,36 @@ class Delimited:
         )
 
     def _strips(self, lines: Sequence[bytes], results: Results) -> Iterator[bytes]:
-        """Iterate over the output, some rows at a time: each line, and behind it its results, status and line end."""
+        """Iterate over the output, some rows at a time: each line, and behind it its results, doubt, status and line end."""
         separator, end = self.dialect.separator, self.line_end
-        said = {row: quoted_cell(status.encode(), separator) for row, status in results.status.items()}
+        nothing = b"," + b"," * self.has_doubt + end  # of most rows: neither doubt nor status
+        empty = nothing.replace(b",", separator)
+        of_codes = {codes: self._behind(codes, "") for codes in set(results.doubts.values())}
+        said = {row: of_codes[codes] for row, codes in results.doubts.items()}
+        said |= {row: self._behind(results.doubts.get(row, ""), status) for row, status in results.status.items()}
         for start in range(0, len(lines), STRIP):
             numbers = numpy.ascontiguousarray(results.numbers[:, start : start + STRIP].T)
             text = orjson.dumps(numbers, option=orjson.OPT_SERIALIZE_NUMPY)
             if b"n" in text:
                 text = text.replace(b"null", b"")
             # [[1,2],[3,4]] becomes ,1,2,\n and ,3,4,\n: the searches for one byte are the quick ones.
-            text = b"," + text.replace(b"[", b"").replace(b"]", b"," + end)
+            text = b"," + text.replace(b"[", b"").replace(b"]", nothing)
             if separator != b",":
                 text = text.replace(b",", separator)
             pieces = [b""] * (2 * len(numbers))
             pieces[0::2] = lines[start : start + STRIP]
             pieces[1::2] = io.BytesIO(text).readlines()[: len(numbers)]
             for row in said.keys() & range(start, start + STRIP) if said else ():
-                status = self.safe(said[row]) if self.excel_safe else said[row]
                 place = 2 * (row - start) + 1
-                pieces[place] = pieces[place].removesuffix(end) + status + end
+                pieces[place] = pieces[place].removesuffix(empty) + said[row] + end
             yield b"".join(pieces)
+
+    def _behind(self, codes: str, status: str) -> bytes:
+        """Return the cells behind the numbers of a row, each behind a separator."""
+        separator = self.dialect.separator
+        cell = quoted_cell(status.encode(), separator)
+        doubt = separator + codes.encode() if self.has_doubt else b""
+        return doubt + separator + (self.safe(cell) if self.excel_safe else cell)
 
     def safe(self, line: bytes) -> bytes:
         """Return a line in which a spreadsheet takes no cell of text for a formula."""

@@ -17,6 +17,7 @@ class Converted(NamedTuple):
     failed: int
     lines: int
     first_failure: tuple[int, str] | None  # line in the block, status
+    doubtful: int = 0
 
 
 class Head(NamedTuple):

@@ -211,6 +211,7 @@ def _entry(part: Part, done: Done, identity: str) -> Entry:
         "bytes": 0 if done.problem else os.path.getsize(part.target),
         "rows": done.tally.rows,
         "failed": done.tally.failed,
+        "doubtful": done.tally.doubtful,
         "identity": identity,
     }
     return entry | ({"problem": done.problem} if done.problem else {})
@@ -218,7 +219,7 @@ def _entry(part: Part, done: Done, identity: str) -> Entry:
 
 def _finish(manifest: str, entries: list[Entry]) -> Tally:
     """Write the manifest, last of all, and say which files failed."""
-    total = Tally(sum(entry["rows"] for entry in entries), sum(entry["failed"] for entry in entries))
+    total = Tally(*(sum(entry[count] for entry in entries) for count in Tally._fields))
     with open(f"{manifest}.partial", "w", encoding="utf-8") as file:
         json.dump({"version": __version__, **total._asdict(), "files": entries}, file, indent=2)
         file.write("\n")

@@ -34,6 +34,7 @@ class Step(NamedTuple):
     lines: int = 0
     read_checksum: int = 0
     written_checksum: int = 0
+    doubtful: int = 0
 
 
 class Output:
@@ -50,7 +51,7 @@ class Output:
     @property
     def tally(self) -> Tally:
         """The counts so far."""
-        return Tally(self.done.rows, self.done.failed)
+        return Tally(self.done.rows, self.done.failed, self.done.doubtful)
 
     def begin(self, _identity: Mapping[str, str], read: bytes, head: Converted) -> None:
         """Begin anew with a header."""
@@ -73,6 +74,7 @@ class Output:
             done.lines + converted.lines,
             crc32(read),
             crc32(converted.output),
+            done.doubtful + converted.doubtful,
         )
 
     def take(self, read: bytes, converted: Converted) -> None:

@@ -19,7 +19,7 @@ from ..errors import BadRequest
 from ..quantities.nomenclature import header
 from ..text import quoted, say, shown
 from .cells import Floats, Numbers, Reader
-from .columns import STATUS, check_first
+from .columns import DOUBT, STATUS, check_first
 from .errors import BadTable
 from .lines import Converted
 from .output import OutputFile, is_done
@@ -101,9 +101,11 @@ def _readable(path: str) -> Iterator[None]:
 class Rows:
     """Rows that are written together: a table of Arrow, and their counts."""
 
-    def __init__(self, table: Any, failed: int, first_failure: tuple[int, str] | None = None) -> None:
+    def __init__(
+        self, table: Any, failed: int, doubtful: int = 0, first_failure: tuple[int, str] | None = None
+    ) -> None:
         self.table = table
-        self.counts = Converted(b"", table.num_rows, failed, table.num_rows, first_failure)
+        self.counts = Converted(b"", table.num_rows, failed, table.num_rows, first_failure, doubtful)
 
 
 class _Table:
@@ -128,8 +130,9 @@ class _Table:
         self.readers = [Reader(column) for column in task.inputs]
         fields = [pyarrow.field(name, pyarrow.string()) for name in task.said]
         fields += [pyarrow.field(header(name), pyarrow.float64()) for name in task.quantities]
+        behind = (DOUBT, STATUS) if task.doubt else (STATUS,)
         self.schema = pyarrow.schema(
-            [*schema, *fields, pyarrow.field(STATUS, pyarrow.string())], metadata=schema.metadata
+            [*schema, *fields, *(pyarrow.field(name, pyarrow.string()) for name in behind)], metadata=schema.metadata
         )
         self.groups = range(span.start, span.end)
         metadata = [file.metadata.row_group(place) for place in range(file.metadata.num_row_groups)]
@@ -153,18 +156,19 @@ class _Table:
         numbers = numpy.empty((len(self.evaluator.task.quantities), batch.num_rows))
         status: dict[int, str] = {}
         lost: dict[int, str] = {}
+        doubts: dict[int, str] = {}
         for start in range(0, batch.num_rows, BLOCK):
             block = self._block(batch.slice(start, BLOCK))
             results = self.evaluator.results(block, numbers[:, start : start + block.size])
             status |= {start + row: words for row, words in results.status.items()}
+            doubts |= {start + row: codes for row, codes in results.doubts.items()}
             lost |= {start + row: results.status[row] for row in results.lost}
-        words = pyarrow.array(
-            [*map(status.get, range(batch.num_rows))] if status else [None] * batch.num_rows, "string"
-        )
+        texts = [doubts, status] if self.evaluator.task.doubt else [status]
+        behind = [pyarrow.array([*map(text.get, range(batch.num_rows))], "string") for text in texts]
         said = [pyarrow.repeat(text, batch.num_rows) for text in self.evaluator.task.said.values()]
-        arrays = [*batch.columns, *said, *map(as_column, numbers), words]
+        arrays = [*batch.columns, *said, *map(as_column, numbers), *behind]
         table = pyarrow.Table.from_arrays(arrays, schema=self.schema)
-        return Rows(table, len(lost), min(lost.items(), default=None))
+        return Rows(table, len(lost), len(doubts), min(lost.items(), default=None))
 
     def _block(self, part: Any) -> Block:
         """Return the inputs of some rows."""

@@ -18,7 +18,7 @@ from ..scene.results import MAY_BE_ZERO, SMALLEST
 from ..scene.scene import Scene
 from .cells import Floats, Mask, Numbers
 from .materials import UNKNOWN, Codes, Lookup
-from .single import Task, alone, concerns, lacking, worded
+from .single import CODES, Task, alone, concerns, doubts_of, lacking, worded
 
 
 class Block(NamedTuple):
@@ -37,6 +37,7 @@ class Results(NamedTuple):
     numbers: Floats
     status: dict[int, str]
     lost: set[int]  # rows without any trusted result
+    doubts: dict[int, str]  # codes, of the rows that exceed a limit of the model
 
 
 class Evaluator:
@@ -51,29 +52,49 @@ class Evaluator:
         }
         self._reasons: dict[tuple[object, ...], str] = {}
         self._lost: set[int] = set()
+        self._doubts = numpy.zeros(0, dtype=numpy.int64)  # of each row, a bit for each code
+        self._worded: dict[int, str] = {}
 
     def results(self, block: Block, into: Floats | None = None) -> Results:
         """Return the results of a block; `into`: an array for the numbers."""
         numbers = numpy.empty((len(self.task.quantities), block.size)) if into is None else into
         status: dict[int, str] = dict(block.odd)
         self._lost = set()
+        self._doubts = numpy.zeros(block.size, dtype=numpy.int64)
         codes = {
             name: cells if isinstance(cells, numpy.ndarray) else self.lookups[name].codes(cells)
             for name, cells in block.materials.items()
         }
         with numpy.errstate(all="ignore"):
             singly = self._in_groups(block, codes, numbers, status)
+        own: dict[int, str] = {}  # doubts of rows that were evaluated singly
         for row in sorted(singly.difference(block.odd)):
-            numbers[:, row], words, is_lost = alone(self.task, partial(block.text, row))
-            if is_lost:
+            single = alone(self.task, partial(block.text, row))
+            numbers[:, row] = single.values
+            self._doubts[row] = 0
+            if single.doubt:
+                own[row] = single.doubt
+            if single.is_lost:
                 self._lost.add(row)
-            if words:
-                status[row] = words
+            if single.status:
+                status[row] = single.status
             else:
                 status.pop(row, None)
         unclear = numpy.fromiter(status, dtype=int, count=len(status))
         lost = unclear[numpy.isnan(numbers[:, unclear]).all(axis=0)]
-        return Results(numbers, status, self._lost.union(lost.tolist()))
+        all_lost = self._lost.union(lost.tolist())
+        doubtful = {**self._in_codes(), **own}
+        return Results(numbers, status, all_lost, {row: doubtful[row] for row in sorted(doubtful.keys() - all_lost)})
+
+    def _in_codes(self) -> dict[int, str]:
+        """Return the doubts of the rows that were evaluated together."""
+        rows = numpy.flatnonzero(self._doubts)
+        found = {}
+        for row, bits in zip(rows.tolist(), self._doubts[rows].tolist(), strict=True):
+            if bits not in self._worded:
+                self._worded[bits] = " ".join(code for place, code in enumerate(CODES) if bits >> place & 1)
+            found[row] = self._worded[bits]
+        return found
 
     def _in_groups(self, block: Block, codes: Mapping[str, Codes], numbers: Floats, status: dict[int, str]) -> set[int]:
         """Evaluate groups of rows with the same known inputs; return the rows that are to be evaluated singly."""
@@ -123,6 +144,8 @@ class Evaluator:
             for name, outcome in outcomes.items()
             if not isinstance(outcome, MissingInput)
         }
+        if self.task.doubt and values:
+            self._note_doubts(scene, [*values], rows)
         is_all = isinstance(rows, slice)
         results = numbers if is_all else numpy.empty((len(self.task.quantities), len(members)))
         for place, name in enumerate(self.task.quantities):
@@ -142,6 +165,11 @@ class Evaluator:
             odd_rows |= given["load"] == 0  # without a load less is needed
         is_single: Mask = odd_rows
         return is_single
+
+    def _note_doubts(self, scene: Scene, names: Sequence[str], rows: Any) -> None:
+        """Note which rows exceed a limit of the model."""
+        for code, is_so in doubts_of(scene, names).items():
+            self._doubts[rows] |= numpy.asarray(is_so, dtype=numpy.int64) << CODES.index(code)
 
     def _explain(
         self,

@@ -28,6 +28,7 @@ class Settings(NamedTuple):
     dask: str = ""
     materials: str | None = None
     quiet: bool = False
+    doubt: bool = True  # whether there is a column of doubts
 
     @property
     def processes(self) -> int:
@@ -68,10 +69,11 @@ def fingerprint(parts: Mapping[str, Any]) -> dict[str, str]:
 
 
 class Tally(NamedTuple):
-    """The rows of a run, and those of them that failed."""
+    """The rows of a run, and those of them that failed or are doubtful."""
 
     rows: int
     failed: int
+    doubtful: int = 0
 
 
 def input_format(path: str, settings: Settings) -> Format:

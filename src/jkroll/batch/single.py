@@ -1,12 +1,13 @@
 """A row as a scene of its own: slow, but a failure has the words of a one-liner."""
 
-from collections.abc import Callable, Mapping
-from math import nan
-from typing import NamedTuple
+from collections.abc import Callable, Mapping, Sequence
+from math import isnan, nan
+from typing import Any, NamedTuple
 
 from ..errors import JkrollError, NoResult
 from ..materials.library import Material, Materials
 from ..scene.errors import BeyondFold, BeyondPullOff, MissingInput
+from ..scene.limits import LIMITS, doubts
 from ..scene.scene import Scene
 from ..scene.wiring import STATE
 from .columns import Column
@@ -24,6 +25,7 @@ class Task(NamedTuple):
     material: Material | None
     material2: Material | None
     known: Materials
+    doubt: bool = False  # whether doubts are said
     keeps: bool = False  # whether a row beyond pull-off keeps the results that need no contact
     model: str | None = None  # law of attraction, which is then a column before the results
 
@@ -33,8 +35,17 @@ class Task(NamedTuple):
         return {"model": self.model} if self.model is not None else {}
 
 
-def alone(task: Task, text_of: Callable[[str], str]) -> tuple[list[float], str, bool]:
-    """Return the results of a row, its status, and whether it has no trusted result. `text_of` gives the cell of an input."""
+class Single(NamedTuple):
+    """The results of a row, its status and doubts, and whether it has no trusted result."""
+
+    values: list[float]
+    status: str
+    is_lost: bool
+    doubt: str = ""
+
+
+def alone(task: Task, text_of: Callable[[str], str]) -> Single:
+    """Return the results of a row, of which `text_of` gives the cell of an input."""
     nothing = [nan] * len(task.quantities)
     given: dict[str, float] = {}
     problems: list[str] = []
@@ -54,11 +65,11 @@ def alone(task: Task, text_of: Callable[[str], str]) -> tuple[list[float], str, 
         except JkrollError as error:
             problems.append(str(error))
     if problems:
-        return nothing, "; ".join(problems), True
+        return Single(nothing, "; ".join(problems), True)
     try:
         scene = Scene({**task.fixed, **given}, *spheres.values(), model=task.model)
     except JkrollError as error:
-        return nothing, str(error), True
+        return Single(nothing, str(error), True)
     values: list[float] = []
     errors: dict[str, JkrollError] = {}
     for name in task.quantities:
@@ -69,8 +80,18 @@ def alone(task: Task, text_of: Callable[[str], str]) -> tuple[list[float], str, 
             values.append(nan)
     fatal = next((error for error in errors.values() if isinstance(error, FATAL)), None)
     if fatal is not None:
-        return values if task.keeps else nothing, str(fatal), True
-    return values, worded(errors), len(errors) == len(values)
+        return Single(values if task.keeps else nothing, str(fatal), True)
+    known = [name for name, value in zip(task.quantities, values, strict=True) if not isnan(value)]
+    doubt = " ".join(code for code, is_so in doubts_of(scene, known).items() if is_so) if task.doubt else ""
+    return Single(values, worded(errors), len(errors) == len(values), doubt)
+
+
+def doubts_of(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
+    """Return by its code whether a doubt concerns a scene, or which elements; the law of adhesion is not doubted here."""
+    return {code: is_so for code, is_so in doubts(scene, names).items() if code in CODES}
+
+
+CODES = tuple(limit.code(doubt) for limit in LIMITS if limit.name != "tabor_parameter" for doubt in limit.doubts)
 
 
 def concerns(name: str, scene: Scene) -> bool:

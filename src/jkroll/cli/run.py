@@ -289,6 +289,7 @@ def run_batch(words: Sequence[str], values: Values) -> int:
         format=values.format,
         quantities=values.quantities,
         strict=values.strict,
+        doubt=not values.no_doubt,
         resume=values.resume,
         jobs=values.jobs,
         excel_safe=values.excel_safe,
