@@ -315,6 +315,21 @@ def test_pint_quantities_in_and_out() -> None:
     assert math.isclose(direct.m_as("nN"), 11.780972450961725, rel_tol=1e-14)
 
 
+def test_quantities_of_pint_in_a_list_keep_their_units() -> None:
+    forces = solve("pull_off_force", material="quartz", radius=[UREG.Quantity(100.0, "nm"), UREG.Quantity(1.0, "um")])
+    assert np.allclose(forces.m_as("nN"), [11.780972450961725, 117.80972450961725], rtol=1e-14)
+    with pytest.raises(jkroll.JkrollError, match="is of another dimension"):
+        solve("pull_off_force", material="quartz", radius=[UREG.Quantity(1.0, "N")])
+
+
+def test_units_that_are_not_of_pint_are_not_dropped() -> None:
+    class Lengths(np.ndarray):
+        unit = "nm"
+
+    with pytest.raises(jkroll.JkrollError, match="only those of pint are read"):
+        solve("pull_off_force", material="quartz", radius=np.array([100.0]).view(Lengths))
+
+
 def test_texts_with_units_in() -> None:
     assert solve("pull_off_force", radius="100 nm", material="SIO2") == solve("pull_off_force", radius=1e-7, **QUARTZ)
 

@@ -116,6 +116,24 @@ def test_nothing_is_extrapolated() -> None:
         infer("gamma", measured={"pull_off_force": "3 N"}, **PLANE)
 
 
+@pytest.mark.parametrize(
+    ("name", "measured", "words"),
+    [
+        (None, {"pull_off_force": 3e-9}, "'None' is not a quantity"),
+        (["gamma"], {"pull_off_force": 3e-9}, "is not a quantity"),
+        ("gamma", None, "'None' is not one quantity and its value"),
+        ("gamma", "pull_off_force=3nN", "is not one quantity and its value"),
+        ("gamma", {3: 3e-9}, "'3' is not a quantity"),
+        ("gamma", {"pull_off_force": math.nan}, "pull_off_force: nan must be positive"),
+        ("gamma", {"pull_off_force": [3e-9, -3e-9]}, "pull_off_force: -3e-09 must be positive"),
+        ("gamma", {"pull_off_force": 1e300}, "must lie between 1e-60 and 1e60"),
+    ],
+)
+def test_wrong_arguments_are_refused_in_words(name: Any, measured: Any, words: str) -> None:
+    with pytest.raises(jkroll.JkrollError, match=words):
+        infer(name, measured=measured, **PLANE)
+
+
 def test_arrays_hold_nan_where_there_is_no_solution() -> None:
     found = infer("gamma", measured={"pull_off_force": [1e-7, 2e-7, 3.0]}, radius=[[1e-6], [2e-6]], radius2="plane")
     assert found.shape == (2, 3)

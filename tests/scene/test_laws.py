@@ -322,3 +322,35 @@ def test_a_sticking_energy_that_the_spacing_decides_is_a_range() -> None:
     assert result.reason == "from 8.50556e-23 J at z0 = 400 pm to 2.72178 zJ at z0 = 200 pm; give --z0"
     said = answer(QUESTIONS["contact"], Scene({"radius": 1e-7, "atomic_spacing": 4e-10}, quartz, model="maugis"))
     assert said.value("sticking_energy") == solve("sticking_energy", model="maugis", **QUARTZ)
+
+
+@pytest.mark.parametrize("model", ["", "JKR", 3, [], ["jkr", "dmt"], math.nan])
+def test_a_law_that_is_none_of_them_is_refused(model: Any) -> None:
+    with pytest.raises(UnknownLaw, match="is not one of jkr, maugis, dmt"):
+        solve("pull_off_force", **QUARTZ, model=model)
+
+
+@pytest.mark.parametrize("model", ["maugis", "dmt"])
+@pytest.mark.parametrize("load", [0.0, 1e-9])
+def test_what_a_law_lacks_is_lacking_without_load_too(model: str, load: float) -> None:
+    for name in ("load_margin", "load_factor_at_load_unstable"):
+        with pytest.raises(NotInLaw):
+            solve(name, model=model, **QUARTZ, load=load)
+
+
+def test_loads_far_above_pull_off_have_their_digits() -> None:
+    """A narrow ring around a wide contact at any λ; on the curve, a state at a load is that at its approach."""
+    for spacing in (4e-10, 1e-8, 1e-6):
+        for load in (1e-2, 1.0, 1e2, 1e6, 1e14):
+            at_load = solve(["approach_at_load", "adhesive_force"], model="maugis", **QUARTZ, z0=spacing, load=load)
+            approach = at_load["approach_at_load"]
+            again = solve("adhesive_force", model="maugis", **QUARTZ, z0=spacing, approach_at_load=approach)
+            assert math.isclose(at_load["adhesive_force"], again, rel_tol=1e-13), (spacing, load)
+
+
+def test_an_array_holds_nan_where_no_unstable_state_is() -> None:
+    """At approaches on both sides of those that have one, from the fold to 0."""
+    approaches = numpy.array([-1e-10, -8e-11, -1e-11, 1e-12, 1e-10])
+    found = solve("load_factor_at_approach_unstable", **QUARTZ, approach_at_load=approaches)
+    assert numpy.isnan(found).tolist() == [True, False, False, True, True]
+    assert (found[1:3] > 0).all()

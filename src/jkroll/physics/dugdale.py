@@ -190,6 +190,7 @@ def ratio_at_load(transition: Any, load_in_units: Any) -> Any:
     cube = root * transition
     scale = cube / (cube + 0.5 + 2.4 * root / (1 + 4 * transition))
     start = least * (1 + sqrt(excess) / scale) ** ((1 + 1 / ((1 + root) * (1 + root))) / 3)
+    start = where(excess > 1e6, _no_wider(start, transition, cbrt(_at_least(load_in_units, 0.0))), start)
 
     def curve(at: Shape) -> tuple[Any, Any]:
         wide = span(transition, at)
@@ -209,6 +210,7 @@ def ratio_at_approach(transition: Any, approach_in_units: Any) -> Any:
     excess = _at_least(excess, 0.0)
     aim = sqrt(excess)
     start = least + (sqrt(aim * transition * (aim + transition)) + cbrt(transition * excess)) / 2
+    start = where(excess > 1e4, _no_wider(start, transition, sqrt(_at_least(approach_in_units, 0.0))), start)
 
     def curve(at: Shape) -> tuple[Any, Any]:
         wide = span(transition, at)
@@ -216,6 +218,12 @@ def ratio_at_approach(transition: Any, approach_in_units: Any) -> Any:
         return approach(transition, at, wide) - lowest, (at.g3 - q * at.h) * _stretch(at, wide, q)
 
     return _root(curve, excess, start, least)
+
+
+def _no_wider(start: Any, transition: Any, radius: Any) -> Any:
+    """Return a start for v that is not above v of a narrow ring around a wide contact, v³ = ⅔λa² + ⅔λ²av, by much."""
+    bound = cbrt(2 / 3 * transition * radius * radius) + transition * sqrt(2 / 3 * radius)
+    return where(bound < start, bound, start)
 
 
 def _stretch(at: Shape, span: Any, q: Any) -> Any:

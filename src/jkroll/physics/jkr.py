@@ -138,7 +138,7 @@ def _unstable_factor(approach_ratio: Any) -> Any:
     y = depth / 2
     for _ in range(NEWTON_STEPS):
         y = y + (3 * y * cube(y) - 2 * y + depth) / (2 - 12 * cube(y))
-    return cube(where(is_near_fold, near_fold, y))
+    return cube(within(excess >= 0, where(is_near_fold, near_fold, y)))
 
 
 def _excess(approach_ratio: Any) -> Any:

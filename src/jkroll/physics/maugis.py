@@ -18,7 +18,7 @@ def edge_ratio_at_load(
         v = a/√(c² − a²)
 
     Source:   Maugis 1992, by Newton's method.
-    Valid:    Loads from pull-off to 10⁶ times as much. Below, a float raises ValueError and an array holds NaN.
+    Valid:    Loads above pull-off. Below, a float raises ValueError and an array holds NaN.
     Accuracy: 10 ulp, times 1 plus its condition in the load and λ.
 
     >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0}

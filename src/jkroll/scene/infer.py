@@ -8,6 +8,7 @@ from ..materials.library import Material, Materials
 from ..quantities.errors import QuantityError, UnknownQuantity
 from ..quantities.nomenclature import NOMENCLATURE, canonical
 from ..quantities.parsing import is_uncertain
+from .inputs import check_range
 from .inverse import solution
 from .scene import Scene
 from .solver import broadcast, in_si, materials_of, uncertain_scene, with_uncertainty
@@ -51,10 +52,10 @@ def infer(
     0.015915
     """
     name = _named(wanted)
-    if len(measured) != 1:
+    if not isinstance(measured, Mapping) or len(measured) != 1:
         raise QuantityError(
             "measured",
-            str(dict(measured))[:80],
+            str(measured)[:80],
             "is not one quantity and its value",
             'write {"pull_off_force": "300 nN"}',
         )
@@ -63,6 +64,7 @@ def infer(
     described, _ = in_si(given)
     known, _ = in_si({quantity: value})
     at = known[quantity]
+    check_range(quantity, at.value if is_uncertain(at) else at)
     spheres = materials_of(material, material2, materials)
     if any(map(is_uncertain, (at, *described.values()))):
         return _uncertain(name, quantity, at, uncertain_scene(described, spheres, model))
@@ -73,9 +75,9 @@ def infer(
 
 def _named(word: str) -> str:
     """Return the name of a quantity, given the name or the word of its option."""
-    name = canonical(word)
+    name = canonical(str(word))
     if name not in NOMENCLATURE:
-        raise UnknownQuantity(word)
+        raise UnknownQuantity(str(word))
     return name
 
 

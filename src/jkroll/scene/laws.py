@@ -26,13 +26,17 @@ class Law(NamedTuple):
     routes: Routes
     given: Mapping[str, Routes]
 
+    def has(self, name: str) -> bool:
+        """Return whether the law has a quantity."""
+        return self.routes.get(name, name) is not None
+
 
 class UnknownLaw(JkrollError):
     """Error raised for a law of attraction that is not known."""
 
-    def __init__(self, name: str) -> None:
+    def __init__(self, name: object) -> None:
         super().__init__(name)
-        self.name = name
+        self.name = str(name)
 
     def __str__(self) -> str:
         return f"model: {quoted(self.name, 40)} is not one of {', '.join(LAWS)}"
@@ -135,7 +139,7 @@ DEFAULT_LAW = _JKR.name
 
 def law_named(name: str) -> Law:
     """Return a law, or raise UnknownLaw."""
-    if name not in LAWS:
+    if not isinstance(name, str) or name not in LAWS:
         raise UnknownLaw(name)
     return LAWS[name]
 

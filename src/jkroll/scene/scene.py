@@ -13,7 +13,7 @@ from ..quantities.nomenclature import INFINITY, PROPERTIES
 from ..quantities.parsing import is_uncertain
 from .errors import Contradiction, MissingInput, NoFiniteValue, NotInLaw, TwoRigidBodies, failure_of
 from .inputs import is_ordinary
-from .laws import DEFAULT_LAW, law_named
+from .laws import DEFAULT_LAW, Law, law_named
 from .results import is_plausible, with_nan
 from .wiring import NO_PLAN, STATE, Missing, Plan, Step, plan
 
@@ -67,7 +67,7 @@ class Scene:
         has an uncertainty; `scene.uncertainty` computes with the rest.
         """
         self.stated_model = model
-        self.law = law_named(model or DEFAULT_LAW)
+        self.law = law_named(DEFAULT_LAW if model is None else model)
         for names in () if _MAY_CONTRADICT.isdisjoint(given) else EXCLUSIVE:
             if len(both := [name for name in names if name in given]) > 1:
                 raise Contradiction(both)
@@ -79,7 +79,7 @@ class Scene:
         self.given = {**own, **own2, **self.stated}
         checked = [is_ordinary(name, value) for name, value in self.given.items()]
         self._is_ordinary = all(checked)
-        self.values = {**_assumed(self.given), **_implied(self.given), **self.given}
+        self.values = {**_assumed(self.given), **_implied(self.given, self.law), **self.given}
         self._rigid = _both_rigid(self.given, own_material2=material2 is not None)
         is_rigid = isinstance(self._rigid, bool) and self._rigid
         self._failures: dict[str, JkrollError] = dict.fromkeys(_OF_JKR, TwoRigidBodies()) if is_rigid else {}
@@ -243,7 +243,7 @@ def _both_rigid(given: Mapping[str, Any], *, own_material2: bool) -> Any:
     return ((modulus == INFINITY) | (ratio == -1)) & ((modulus2 == INFINITY) | (ratio2 == -1))
 
 
-def _implied(given: Mapping[str, Any]) -> dict[str, Any]:
+def _implied(given: Mapping[str, Any], law: Law) -> dict[str, Any]:
     """Return values that follow from what was not said, or from a plane, and then need nothing else."""
     implied: dict[str, Any] = {}
     if "radius2" not in given:
@@ -255,6 +255,6 @@ def _implied(given: Mapping[str, Any]) -> dict[str, Any]:
         if is_known and isinstance(modulus, float) and modulus == INFINITY:
             implied["poisson_ratio" + sphere] = 0.0  # a rigid body has no strain that it could matter for
     load = given.get("load", 0.0)
-    if isinstance(load, float | int) and load == 0 and STATE.isdisjoint(given):
+    if isinstance(load, float | int) and load == 0 and STATE.isdisjoint(given) and law.has("load_margin"):
         implied["load_margin"] = 1.0
     return implied

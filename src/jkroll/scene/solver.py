@@ -219,17 +219,24 @@ def in_si(given: Mapping[str, Any]) -> tuple[dict[str, Any], Any]:
             raise UnknownQuantity(word)
         if words.setdefault(name, word) != word:
             raise Contradiction((words[name], word))
-        if hasattr(value, "m_as"):
-            registry = value._REGISTRY
-            if not value.is_compatible_with(NOMENCLATURE[name].unit):
-                raise QuantityError(name, str(value), "is of another dimension")
-            value = value.m_as(NOMENCLATURE[name].unit)  # noqa: PLW2901
+        registry = _registry(value) or registry
         values[name] = _number(name, value)
     return values, registry
 
 
+def _registry(value: Any) -> Any:
+    """Return the registry of a pint Quantity, or of the first in a sequence; None if there is none."""
+    if isinstance(value, list | tuple):
+        return next(filter(None, map(_registry, value)), None)
+    return value._REGISTRY if hasattr(value, "m_as") else None
+
+
 def _number(name: str, value: Any) -> Any:
-    """Return a float, an uncertain value or an array of floats for a number, a text, or a sequence of either."""
+    """Return a float, an uncertain value or an array of floats for a number, a text, a Quantity, or a sequence of these."""
+    if hasattr(value, "m_as"):
+        if not value.is_compatible_with(NOMENCLATURE[name].unit):
+            raise QuantityError(name, str(value)[:MAX_QUOTED], "is of another dimension")
+        value = value.m_as(NOMENCLATURE[name].unit)
     if isinstance(value, str):
         return value_of(value, name)
     if hasattr(value, "std_dev"):
@@ -253,6 +260,10 @@ def as_floats(name: str, value: Any) -> Any:
 
     if numpy.ma.isMaskedArray(value):
         raise QuantityError(name, "a masked array", "has cells without a value; fill it first")
+    if hasattr(value, "unit") or hasattr(value, "units"):  # as of astropy and unyt, which numpy would drop
+        raise QuantityError(
+            name, str(value)[:MAX_QUOTED], "has a unit, and only those of pint are read; give SI numbers"
+        )
     try:
         array = numpy.asarray(value)
         if array.dtype.kind in "fiu":
