@@ -9,7 +9,7 @@ import pytest
 
 import maugis_reference as reference
 import maugis_rivals as rivals
-from jkroll.physics import dugdale, maugis, maugis_energies, maugis_pull_off
+from jkroll.physics import dugdale, jkr_to_dmt, maugis, maugis_energies, maugis_states
 from maugis_boundary_elements import rolling_moment
 from maugis_reference import Exact, mpf
 
@@ -86,7 +86,7 @@ def check(solve: Any, transition: float, given: float, edge_ratio: float, names:
 def test_reference_values(transition: float) -> None:
     pull_off, *unloaded = map(mpf, PRINTED[transition].split())
     assert (
-        ulps(maugis_pull_off.pull_off_force_maugis(**_without_modulus(), transition_parameter=transition), pull_off)
+        ulps(maugis_states.pull_off_force_maugis(**_without_modulus(), transition_parameter=transition), pull_off)
         <= BOUND
     )
     values = state(transition, dugdale.ratio_at_load(transition, 0.0))
@@ -179,8 +179,8 @@ def test_constants() -> None:
     assert ulps(dugdale.FOLD_WITHOUT_CONTACT, reference.cbrt(9 * pi / (16 * (pi - 1)))) <= 0.5
     assert ulps(dugdale.JUMP_WITHOUT_CONTACT, reference.cbrt(mpf(9) / 32)) <= 0.5
     root = reference.sqrt(mpf(3))
-    assert ulps(maugis_pull_off.TRANSITION_OVER_TABOR, 32 / (9 * root) * reference.cbrt(9 / (16 * pi))) <= 0.5
-    assert ulps(maugis_pull_off.cohesive_stress(work_of_adhesion=1.0, atomic_spacing=1.0), 16 / (9 * root)) <= 0.5
+    assert ulps(jkr_to_dmt.TRANSITION_OVER_TABOR, 32 / (9 * root) * reference.cbrt(9 / (16 * pi))) <= 0.5
+    assert ulps(jkr_to_dmt.cohesive_stress(work_of_adhesion=1.0, atomic_spacing=1.0), 16 / (9 * root)) <= 0.5
 
 
 @pytest.mark.parametrize("transition", [0.2, 0.5, 0.7, 0.9, 0.937])
@@ -271,8 +271,8 @@ def test_si_formulas_agree_with_each_other() -> None:
     scene = {"work_of_adhesion": 0.05, "reduced_radius": 50e-9}
     modulus, spacing, load = {"contact_modulus": 27.8e9}, 0.4e-9, 3e-9
     tabor = (50e-9 * 0.05**2 / (27.8e9**2 * spacing**3)) ** (1 / 3)
-    transition = maugis_pull_off.transition_parameter(tabor_parameter=tabor)
-    stress = maugis_pull_off.cohesive_stress(work_of_adhesion=0.05, atomic_spacing=spacing)
+    transition = jkr_to_dmt.transition_parameter(tabor_parameter=tabor)
+    stress = jkr_to_dmt.cohesive_stress(work_of_adhesion=0.05, atomic_spacing=spacing)
     ratio = maugis.edge_ratio_at_load(load=load, transition_parameter=transition, **scene)
     span = maugis.zone_span(edge_ratio=ratio, transition_parameter=transition, **scene, **modulus)
     known = {"edge_ratio": ratio, "zone_span": span, "reduced_radius": 50e-9, "cohesive_stress": stress, **modulus}
@@ -283,7 +283,7 @@ def test_si_formulas_agree_with_each_other() -> None:
     )
     assert math.isclose(again, ratio, rel_tol=1e-12)
     a = maugis.contact_radius_maugis(edge_ratio=ratio, zone_span=span)
-    force = maugis_pull_off.adhesive_force_maugis(edge_ratio=ratio, zone_span=span, cohesive_stress=stress)
+    force = maugis.adhesive_force_maugis(edge_ratio=ratio, zone_span=span, cohesive_stress=stress)
     assert math.isclose(force, 4 * 27.8e9 * a**3 / (3 * 50e-9) - load, rel_tol=1e-12)
     step = 1e-4 * approach
     nearby = [_load_at(approach + side, transition, stress, {**scene, **modulus}) for side in (-step, step)]
@@ -334,5 +334,5 @@ def test_rolling_moment_of_a_three_dimensional_contact(transition: float, points
 def test_pull_off_of_lennard_jones(tabor: float, ratio: float) -> None:
     """Numbers of tests/tools/lennard_jones.py."""
     assert math.isclose(
-        maugis_pull_off.pull_off_force_lennard_jones(**_without_modulus(), tabor_parameter=tabor), ratio, rel_tol=3e-3
+        jkr_to_dmt.pull_off_force_lennard_jones(**_without_modulus(), tabor_parameter=tabor), ratio, rel_tol=3e-3
     )

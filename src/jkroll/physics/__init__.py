@@ -15,9 +15,9 @@ from . import (
     conventions,
     dmt,
     jkr,
+    jkr_to_dmt,
     maugis,
     maugis_energies,
-    maugis_pull_off,
     maugis_states,
     moment_models,
     pair,
@@ -42,6 +42,6 @@ PAPER_FORMULAS: Mapping[str, Callable[..., Any]] = _formulas(
     pair, contact, pressure, jkr, rolling, moment_models, chain, vibration, collision, conventions, validity
 )
 LAW_FORMULAS: Mapping[str, Callable[..., Any]] = _formulas(
-    adhesive_force, dmt, maugis, maugis_states, maugis_pull_off, maugis_energies
+    adhesive_force, dmt, jkr_to_dmt, maugis, maugis_states, maugis_energies
 )
 FORMULAS: Mapping[str, Callable[..., Any]] = {**PAPER_FORMULAS, **LAW_FORMULAS}

@@ -1,4 +1,4 @@
-"""The contact between JKR and DMT: Maugis' theory, in SI units.
+"""The contact between JKR and DMT at a load or an approach: Maugis' theory, in SI units.
 
 A constant stress σ0 pulls in a ring around the contact circle, a < r < c, up to a gap w/σ0. Two numbers describe a state:
 the edge ratio v = a/√(c² − a²), found at a load or at an approach, and the span T = √(c² − a²) of the ring. Where the
@@ -50,36 +50,6 @@ def edge_ratio_at_approach(
     """
     unit = dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
     return dugdale.ratio_at_approach(transition_parameter, approach_at_load / unit / unit * reduced_radius)
-
-
-def edge_ratio_at_pull_off(*, transition_parameter: Number) -> Number:
-    """Edge ratio where the tension is largest, and a contact under a constant load breaks.
-
-        q = vG3/D, q = 4λ/(3T)
-
-    Source:   Maugis 1992; in closed form at a given v.
-    Valid:    Always.
-    Accuracy: 4 ulp.
-
-    >>> round(edge_ratio_at_pull_off(transition_parameter=1.0), 7)
-    0.9262053
-    """
-    return dugdale.pull_off_ratio(transition_parameter)
-
-
-def edge_ratio_at_fold(*, transition_parameter: Number) -> Number:
-    """Edge ratio where fixed grips let go; 0 where they hold on to spheres that attract without contact.
-
-        q = G3/h, q = 4λ/(3T), if λ > (9π/(16(π − 1)))^(1/3) = 0.938
-
-    Source:   Maugis 1992; Johnson & Greenwood 1997; in closed form at a given v.
-    Valid:    Always.
-    Accuracy: 4 ulp, times 1 plus its condition in λ.
-
-    >>> edge_ratio_at_fold(transition_parameter=0.9)
-    0.0
-    """
-    return dugdale.fold_ratio(transition_parameter)
 
 
 def zone_span(
@@ -233,3 +203,41 @@ def stiffness_maugis(
     at = dugdale.shape(edge_ratio)
     q = 2 * cohesive_stress / contact_modulus * (reduced_radius / zone_span)
     return 2 * contact_modulus * zone_span * dugdale.stiffness_ratio(at, q)
+
+
+def adhesive_force_maugis(*, edge_ratio: Number, zone_span: Length, cohesive_stress: Stress) -> Force:
+    """Hertz' load at the contact radius less the load: the rolling moment per displacement of the ring of attraction.
+
+        F_a = 4E*a³/(3R) − P = 2σ0(aT + c²θ), θ = arctan(1/v)
+
+    Source:   Maugis 1992.
+    Valid:    In contact or apart.
+    Accuracy: 4 ulp above v and T.
+
+    >>> adhesive_force_maugis(edge_ratio=0.0, zone_span=1.0, cohesive_stress=1 / pi)
+    1.0
+    """
+    return 2 * cohesive_stress * zone_span * zone_span * dugdale.shape(edge_ratio).g3
+
+
+def contact_displacement(
+    *,
+    zone_span: Length,
+    reduced_radius: Length,
+    contact_modulus: Stress,
+    cohesive_stress: Stress,
+    yield_displacement: Length,
+) -> Length:
+    """Displacement of the contact circle when its ring of attraction lags behind by ξ: ξ in JKR, 0 in DMT.
+
+        ξ_contact = ξ/(1 + E*T/(σ0R))
+
+    Source:   First order in ξ.
+    Valid:    ξ ≪ a.
+    Accuracy: 3 ulp above T.
+
+    >>> contact_displacement(zone_span=1.0, reduced_radius=1.0, contact_modulus=1.0, cohesive_stress=1.0,
+    ...                      yield_displacement=2.0)
+    1.0
+    """
+    return yield_displacement / (1 + contact_modulus / cohesive_stress * (zone_span / reduced_radius))

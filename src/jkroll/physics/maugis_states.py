@@ -1,7 +1,8 @@
-"""States of a Maugis contact that need no load or approach: without load, and where fixed grips let go."""
+"""Named states of a Maugis contact: without load, at pull-off, and where fixed grips let go."""
 
 from . import dugdale
-from .dimensions import Length, Number, Stress, SurfaceEnergy
+from .dimensions import Force, Length, Number, Stress, SurfaceEnergy
+from .elementary import pi
 
 
 def unloaded_radius_maugis(
@@ -53,6 +54,55 @@ def unloaded_approach_maugis(
     unit = dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
     span = dugdale.span(transition_parameter, at)
     return dugdale.approach(transition_parameter, at, span) * unit * (unit / reduced_radius)
+
+
+def edge_ratio_at_pull_off(*, transition_parameter: Number) -> Number:
+    """Edge ratio where the tension is largest, and a contact under a constant load breaks.
+
+        q = vG3/D, q = 4λ/(3T)
+
+    Source:   Maugis 1992; in closed form at a given v.
+    Valid:    Always.
+    Accuracy: 4 ulp.
+
+    >>> round(edge_ratio_at_pull_off(transition_parameter=1.0), 7)
+    0.9262053
+    """
+    return dugdale.pull_off_ratio(transition_parameter)
+
+
+def pull_off_force_maugis(
+    *, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, transition_parameter: Number
+) -> Force:
+    """Force that separates two spheres, between (3/2)πwR for soft, large ones and 2πwR for hard, small ones.
+
+        P_c = 2σ0(aT + c²θ) − 4E*a³/(3R) at the edge ratio of pull-off
+
+    Source:   Maugis 1992.
+    Valid:    Always; a Lennard-Jones pair lets go up to 6 % later.
+    Accuracy: 6 ulp.
+
+    >>> round(pull_off_force_maugis(work_of_adhesion=1 / pi, reduced_radius=1.0, transition_parameter=1.0), 7)
+    1.6007349
+    """
+    at = dugdale.shape(dugdale.pull_off_ratio(transition_parameter))
+    least = dugdale.load(transition_parameter, at, dugdale.span(transition_parameter, at))
+    return -pi * work_of_adhesion * reduced_radius * least
+
+
+def edge_ratio_at_fold(*, transition_parameter: Number) -> Number:
+    """Edge ratio where fixed grips let go; 0 where they hold on to spheres that attract without contact.
+
+        q = G3/h, q = 4λ/(3T), if λ > (9π/(16(π − 1)))^(1/3) = 0.938
+
+    Source:   Maugis 1992; Johnson & Greenwood 1997; in closed form at a given v.
+    Valid:    Always.
+    Accuracy: 4 ulp, times 1 plus its condition in λ.
+
+    >>> edge_ratio_at_fold(transition_parameter=0.9)
+    0.0
+    """
+    return dugdale.fold_ratio(transition_parameter)
 
 
 def fold_approach_maugis(

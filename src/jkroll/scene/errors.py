@@ -6,8 +6,7 @@ from typing import Any
 from ..errors import JkrollError, NoResult
 from ..physics.contact import pull_off_force_dmt
 from ..physics.jkr import FOLD_APPROACH
-from ..physics.maugis_pull_off import pull_off_force_maugis
-from ..physics.maugis_states import fold_approach_maugis
+from ..physics.maugis_states import fold_approach_maugis, pull_off_force_maugis
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 
 
