@@ -14,7 +14,8 @@ from ..materials.library import Material
 from ..quantities.nomenclature import INFINITY
 from ..scene.errors import BeyondPullOff, MissingInput, NoChain
 from ..scene.inputs import outside
-from ..scene.scene import MAY_BE_ZERO, SMALLEST, Scene
+from ..scene.results import MAY_BE_ZERO, SMALLEST
+from ..scene.scene import Scene
 from .cells import Floats, Mask, Numbers
 from .materials import UNKNOWN, Codes, Lookup
 from .single import Task, alone, concerns, lacking, worded

@@ -14,6 +14,7 @@ from ..quantities.parsing import is_uncertain
 from .errors import Contradiction, MissingInput, NoFiniteValue, NotInLaw, TwoRigidBodies, failure_of
 from .inputs import is_ordinary
 from .laws import DEFAULT_LAW, law_named
+from .results import is_plausible, with_nan
 from .wiring import NO_PLAN, STATE, Missing, Plan, Step, plan
 
 if TYPE_CHECKING:
@@ -40,33 +41,6 @@ _MAY_CONTRADICT = frozenset(name for names in EXCLUSIVE for name in names)
 
 # What rests on a contact area, and has none where both bodies are rigid; everything else of JKR follows from these.
 _OF_JKR = ("contact_modulus", "pull_off_force", "load_factor", "rolling_frequency_as_printed")
-
-SMALLEST = 2.2250738585072014e-308  # of the doubles that have all their digits
-MAY_BE_ZERO = frozenset(
-    {
-        "load_margin",
-        "load_margin_of_factor",
-        "load_at_factor",
-        "stiffness",
-        "vertical_frequency",
-        "approach_at_load",
-        "radius_ratio",
-        "load_factor_at_load_unstable",
-        "load_factor_at_approach_unstable",
-        "load_maugis",
-        "stiffness_maugis",
-        "approach_maugis",
-        "edge_ratio_at_approach",
-        "edge_ratio_at_fold",
-        "contact_radius_maugis",
-        "contact_radius_in_spacings",
-        "load_dmt",
-        "contact_radius_dmt",
-        "contact_radius_dmt_at_approach",
-        "stiffness_dmt",
-        "approach_dmt",
-    }
-)  # at P = 0, at P = -P_c, or at P = -(8/9)P_c; the radius where nothing touches
 
 
 class Scene:
@@ -250,23 +224,7 @@ class Scene:
         if source in self._failures:
             return self._failures[source]
         value = self.values[source]
-        return value if isinstance(value, float | int) or source in self._known else _with_nan(source, value)
-
-
-def is_plausible(name: str, value: float) -> bool:
-    """Return whether a result is one that doubles hold with all digits, or the zero that it may be."""
-    return SMALLEST <= abs(value) < INFINITY or (value == 0 and name in MAY_BE_ZERO)
-
-
-def _with_nan(name: str, values: Any) -> Any:
-    """Return an array with nan in place of the elements that are no answer."""
-    import numpy
-
-    size = abs(values)
-    if size.size and size.min() >= SMALLEST and size.max() < INFINITY:
-        return values
-    may_be = (size == 0) & (name in MAY_BE_ZERO)
-    return numpy.where((size >= SMALLEST) & (size < INFINITY) | may_be, values, numpy.nan)
+        return value if isinstance(value, float | int) or source in self._known else with_nan(source, value)
 
 
 def _assumed(given: Mapping[str, Any]) -> Mapping[str, float]:
