@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from ..errors import JkrollError, NoResult
 from ..quantities.formatting import Format, amount, in_words
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
-from ..scene.errors import BeyondFold, BeyondPullOff, MissingInput
+from ..scene.errors import BeyondFold, BeyondPullOff, MissingInput, reason_of
 from ..scene.laws import DEFAULT_LAW
 from ..scene.limits import LIMIT_NAMES, Verdict, judged, of_any_scene, sentence, uses_spacing
 from ..scene.rolling_models import model_error
@@ -18,11 +18,11 @@ from .comparison import (
     Difference,
     differences,
     equation_of,
-    held_otherwise,
     of_jkr,
     uncertain_sticking,
     uses_law,
     with_differences,
+    with_force_by_maugis,
 )
 from .notes import about_data, about_limits, about_missing, about_results, assumptions, few, symbol_of
 from .questions import Question
@@ -63,7 +63,7 @@ def answer(question: Question, scene: Scene) -> Answer:
         value = values[name]
         if isinstance(value, MissingInput | NoResult):
             errors[name] = value
-            results.append(Result(name, None, _reason(name, value)))
+            results.append(Result(name, None, reason_of(name, value)))
         elif name == "sticking_energy" and (reason := uncertain_sticking(scene)):
             results.append(Result(name, None, reason))
         else:
@@ -87,7 +87,7 @@ def answer(question: Question, scene: Scene) -> Answer:
     )
     fatal = next((error for error in errors.values() if isinstance(error, _FATAL)), None)
     if isinstance(fatal, BeyondPullOff):
-        fatal = held_otherwise(fatal, scene)
+        fatal = with_force_by_maugis(fatal, scene)
     failure = fatal or (None if known else next(iter(errors.values())))
     plain = Answer(inputs, tuple(results), notes, validity, failure, laws)
     return with_uncertainties(plain, scene) if scene.is_uncertain else plain
@@ -110,7 +110,7 @@ def add_uncertainties(answer: Answer, found: Mapping[str, "Propagated | JkrollEr
     failures: dict[str, list[str]] = {}
     for name, one in found.items():
         if isinstance(one, MissingInput | NoResult):
-            failures.setdefault(_reason(name, one), []).append(name)
+            failures.setdefault(reason_of(name, one), []).append(name)
     notes = [
         Note("missing", f"{few(names)}: no uncertainty, as there is no value at an end of an input: {reason}")
         for reason, names in failures.items()
@@ -140,13 +140,6 @@ def _with_law(results: list[Result], scene: Scene) -> list[Result]:
 
 # Errors that leave nothing of a scene to be trusted, even where something could be computed.
 _FATAL = (BeyondPullOff, BeyondFold)
-
-
-def _reason(name: str, error: MissingInput | NoResult) -> str:
-    """Return why a quantity has no value, without its name."""
-    if isinstance(error, MissingInput):
-        return f"needs {error.needs()}"
-    return error.reason() if error.name == name else str(error)
 
 
 def in_units(answer: Answer, form: Format) -> Answer:

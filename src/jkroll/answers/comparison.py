@@ -147,12 +147,12 @@ def without_contact(scene: Scene) -> str:
     return "contact_radius_at_load: the spheres are bound without touching"
 
 
-def held_otherwise(error: BeyondPullOff, scene: Scene) -> BeyondPullOff:
+def with_force_by_maugis(error: BeyondPullOff, scene: Scene) -> BeyondPullOff:
     """Return the error of a load beyond pull-off, with the pull-off force of Maugis' law if that holds the load."""
     if scene.law.name != DEFAULT_LAW:
         return error
-    held = scene.under(BETWEEN).numbers("pull_off_force").get("pull_off_force", 0.0)
-    return BeyondPullOff(error.load, error.pull_off_force, held) if held >= -error.load else error
+    force = scene.under(BETWEEN).numbers("pull_off_force").get("pull_off_force", 0.0)
+    return BeyondPullOff(error.load, error.pull_off_force, force) if force >= -error.load else error
 
 
 def _at_half_spacing(scene: Scene) -> Scene:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from ..errors import NoResult
 from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE
-from ..scene.errors import MissingInput
+from ..scene.errors import MissingInput, reason_of
 from ..scene.inverse import SIZES, Solution, solution, with_input
 from ..scene.laws import LAWS
 from ..scene.scene import Scene
@@ -32,9 +32,10 @@ def inferred(name: str, quantity: str, measured: "float | Uncertain", scene: Sce
     try:
         found = solution(name, quantity, value, scene)
     except NoResult as error:
-        reason = error.reason() if error.name == name else str(error)
         anywhere = answer(question, with_input(scene, name, SIZES[name][1]))
-        return Answer(_echo(anywhere, name, quantity, value), (Result(name, None, reason),), (), (), error)
+        return Answer(
+            _echo(anywhere, name, quantity, value), (Result(name, None, reason_of(name, error)),), (), (), error
+        )
     forward = answer(question, found.scene)
     inputs = _echo(forward, name, quantity, value)
     by_law = _by_other_laws(name, quantity, value, scene)

@@ -4,12 +4,11 @@ import sys
 from collections.abc import Sequence
 
 from ..errors import BadRequest
-from ..materials.places import materials_files
 from ..output.lammps import MODELS, lammps_input
 from ..scene.laws import DEFAULT_LAW
 from ..text import quoted, say
 from .options import Values
-from .request import Request
+from .request import request_of
 
 PROGRAMS = ("lammps",)
 
@@ -25,7 +24,7 @@ def run_export(words: Sequence[str], values: Values) -> int:
     model = inputs.pop("model", DEFAULT_LAW)
     if model not in MODELS:
         raise BadRequest(f"--model: LAMMPS has {' and '.join(MODELS)}, not {quoted(model)}")
-    request = Request(described, inputs, materials_files(values.materials))
+    request = request_of(described, values._replace(inputs=inputs))
     if request.count != 1:
         raise BadRequest(f"export takes one pair of spheres, not {request.count}")
     say("\n".join(lammps_input(next(request.scenes()), model)), sys.stdout)

@@ -9,12 +9,11 @@ from ..answers.answer import in_units
 from ..answers.inferred import inferred
 from ..answers.questions import Question, quantity_named
 from ..errors import BadRequest
-from ..materials.places import materials_files
 from ..output.layout import layout
 from ..quantities.ranges import spreads_of
 from ..scene.inverse import SIZES, CannotInfer
 from .options import Values
-from .request import Request, format_of
+from .request import format_of, request_of
 from .run import format_name, write_answers
 
 if TYPE_CHECKING:
@@ -33,7 +32,7 @@ def run_infer(words: Sequence[str], values: Values) -> int:
     quantity, measured = _measured(values.measured)
     kind = format_name(values, sys.stdout)
     form = format_of(values.to, values.digits, [name])
-    request = Request(words[1:], values.inputs, materials_files(values.materials))
+    request = request_of(words[1:], values)
     count = request.count * len(measured)
     if count > MAX_ANSWERS:
         raise BadRequest(f"{count} values are more than infer finds in one call: {MAX_ANSWERS}")

@@ -4,7 +4,6 @@ from collections.abc import Sequence
 
 from ..answers.questions import quantity_named
 from ..errors import BadRequest
-from ..materials.places import materials_files
 from ..pictures.axes import Axis
 from ..pictures.maps import Setting
 from ..pictures.plot_request import PlotRequest
@@ -16,7 +15,7 @@ from ..scene.laws import DEFAULT_LAW
 from ..scene.scene import Scene
 from ..scene.wiring import depends_on
 from .options import Values
-from .request import Request
+from .request import Request, request_of
 
 MOST_CURVES = 12
 
@@ -57,7 +56,7 @@ def map_request(words: Sequence[str], values: Values) -> PlotRequest:
     x = axis_of(values.x, "--x")
     y = axis_of(values.y, "--y") if values.y is not None else None
     axes = [x, y] if y is not None else [x]
-    request = Request(words[1:], values.inputs, materials_files(values.materials))
+    request = request_of(words[1:], values)
     within = depends_on([quantity], [model or DEFAULT_LAW for model in request.models])
     for axis in axes:
         if axis.name in request.options:

@@ -7,6 +7,7 @@ from math import prod
 
 from ..errors import BadRequest
 from ..materials.library import Material, Materials, known_materials
+from ..materials.places import materials_files
 from ..quantities.formatting import Format
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.ranges import Spread, spreads_of
@@ -14,6 +15,7 @@ from ..quantities.units import BadUnit, Unit, dimension_of, parse_unit
 from ..scene.laws import law_named
 from ..scene.scene import EXCLUSIVE, Scene
 from ..text import quoted
+from .options import Values
 
 MAX_SAMPLES = 50
 MAX_SCENES = 1_000_000  # answered one by one
@@ -104,6 +106,11 @@ class Request:
         if words.casefold() == "all":
             return list(self.materials.materials.values())
         return [self.materials[word] for word in words.split(",")]
+
+
+def request_of(words: Sequence[str], values: Values) -> Request:
+    """Return the request of words and options, with the user's materials files."""
+    return Request(words, values.inputs, materials_files(values.materials))
 
 
 def _joined(words: Sequence[str]) -> list[str]:

@@ -6,17 +6,17 @@ from typing import TYPE_CHECKING, TextIO
 
 from ..answers.answer import Answer, answer, in_units
 from ..answers.questions import Question, quantities_named
-from ..answers.remarks import Remarks
 from ..errors import BadRequest, JkrollError, MissingExtra
 from ..materials.library import known_materials
 from ..materials.places import materials_files
 from ..output.layout import Layout, layout
+from ..output.note_lines import NoteLines
 from ..output.writers import WRITERS
 from ..quantities.formatting import Format
 from ..scene.wiring import formula_of
 from ..text import quoted, say
 from .options import Values
-from .request import Request, format_of
+from .request import Request, format_of, request_of
 
 if TYPE_CHECKING:
     from ..answers.curve import Loads
@@ -48,17 +48,17 @@ class Tally:
 
     def __init__(self) -> None:
         """Begin with no answer."""
-        self.remarks = Remarks()
-        self.failures: list[JkrollError] = []
+        self.notes = NoteLines()
+        self.failure: JkrollError | None = None  # the first
         self.failed = 0
 
     def watch(self, answers: Iterable[Answer]) -> Iterator[Answer]:
         """Iterate over answers, and collect their notes and failures."""
         for one in answers:
-            self.remarks.add(one)
+            self.notes.add(one)
             if one.failure is not None:
                 self.failed += 1
-                self.failures = self.failures or [one.failure]
+                self.failure = self.failure or one.failure
             yield one
 
 
@@ -76,7 +76,7 @@ def run_question(question: Question, words: Sequence[str], values: Values) -> in
         known_materials(*files)  # a file that was named is checked even if no material is needed
     if values.curve:
         return _run_curve(words, values, kind, form)
-    request = Request(words, values.inputs, files)
+    request = request_of(words, values)
     if values.quantities:
         _refuse_inputs(question.quantities, request)
     is_streamed = values.target is not None or (kind == "csv" and request.count > MANY)
@@ -114,7 +114,7 @@ def write_answers(answers: Iterable[Answer], shape: Layout, kind: str, form: For
     WRITERS[kind](watched, out, form, shape)
     out.flush()
     if not quiet and kind != "json":
-        _say_all(tally.remarks.lines())
+        _say_all(tally.notes.lines())
     return _say_failures(tally, shape.size)
 
 
@@ -159,9 +159,10 @@ def _run_stream(question: Question, request: Request, samples: list[Answer], kin
     sweep = Sweep(request.pairs, axes, layout(question, samples, request.count), request.materials)
     tally = stream(sweep, Settings(target=values.target or "-", resume=values.resume, quiet=values.quiet))
     if not values.quiet:
-        ends = Tally()
-        list(ends.watch(samples))
-        _say_all(ends.remarks.lines(with_rows=False))
+        notes = NoteLines()
+        for one in samples:
+            notes.add(one)
+        _say_all(notes.lines(with_rows=False))
     if tally.failed:
         say(f"jkroll: {tally.failed} of {tally.rows} rows failed", sys.stderr)
         return ROWS_FAILED
@@ -176,7 +177,7 @@ def curve_request(words: Sequence[str], values: Values) -> "tuple[Request, Loads
     loads = inputs.pop("load", None)
     if "approach_at_load" in inputs:
         raise BadRequest("--curve goes through all approaches; it takes none")
-    return Request(words, inputs, materials_files(values.materials)), loads_of(loads) if loads is not None else None
+    return request_of(words, values._replace(inputs=inputs)), loads_of(loads) if loads is not None else None
 
 
 def _run_curve(words: Sequence[str], values: Values, kind: str, form: Format) -> int:
@@ -203,7 +204,7 @@ def _say_failures(tally: Tally, count: int) -> int:
     """Print how many rows failed, if any did; return the exit code."""
     if not tally.failed:
         return 0
-    say(f"jkroll: {tally.failures[0] if count == 1 else f'{tally.failed} of {count} rows failed'}", sys.stderr)
+    say(f"jkroll: {tally.failure if count == 1 else f'{tally.failed} of {count} rows failed'}", sys.stderr)
     return ROWS_FAILED
 
 

@@ -6,7 +6,7 @@ Parsing, help, tables, CSV headers, JSON and error messages all read this table.
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from .law_names import BY_A_LAW, OF_MAUGIS
+from .law_quantities import BY_A_LAW, OF_MAUGIS
 from .quantity import Quantity, Range
 
 INFINITY = float("inf")

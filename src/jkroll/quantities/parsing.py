@@ -39,7 +39,7 @@ def parse_quantity(text: str, name: str) -> float:
     try:
         value = parse_value(text, dimension_of(quantity.unit))
     except BadUnit as error:
-        raise about(name, text, error) from None
+        raise error_about(name, text, error) from None
     limits = RANGES.get(quantity.range)
     if limits is not None and not limits.admits(value):
         raise QuantityError(name, text, limits.words)
@@ -51,7 +51,7 @@ def unit_of(text: str, name: str) -> Unit:
     try:
         return parse_unit(text)
     except BadUnit as error:
-        raise about(name, text, error) from None
+        raise error_about(name, text, error) from None
 
 
 def parse_value(text: str, dimension: Dimension) -> float:
@@ -83,7 +83,7 @@ def is_uncertain(value: Any) -> "TypeGuard[Uncertain]":
     return isinstance(value, tuple)
 
 
-def about(name: str, text: str, error: BadUnit) -> QuantityError:
+def error_about(name: str, text: str, error: BadUnit) -> QuantityError:
     """Return the error that says of a quantity what is wrong with its text."""
     kind = BareNumber if isinstance(error, NoUnit) else QuantityError
     return kind(name, text[:MAX_TEXT], str(error), error.remedy([dimension_of(NOMENCLATURE[name].unit)]))

@@ -10,7 +10,7 @@ from typing import Any, Literal, NamedTuple
 
 from .errors import QuantityError
 from .nomenclature import NOMENCLATURE, RANGES
-from .parsing import NoUnit, about, has_uncertainty, parse_quantity, ratio, rounded, split_number
+from .parsing import NoUnit, error_about, has_uncertainty, parse_quantity, ratio, rounded, split_number
 from .units import BadUnit, Dimension, Unit, dimension_of, kind_of, normalized, parse_unit
 
 
@@ -82,7 +82,7 @@ def parse_uncertain(text: str, name: str) -> float | Uncertain:
     try:
         found = _read(normalized(text).replace("+/-", "±").replace("+-", "±"), dimension_of(NOMENCLATURE[name].unit))
     except BadUnit as error:
-        raise about(name, text, error) from None
+        raise error_about(name, text, error) from None
     return parse_quantity(text, name) if found is None else checked(found, name, text)
 
 

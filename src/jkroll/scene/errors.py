@@ -169,6 +169,13 @@ class NoUnstableState(NoResult):
         return "only a tension, or an approach below 0, has a second, unstable state"
 
 
+def reason_of(name: str, error: MissingInput | NoResult) -> str:
+    """Return why a quantity has no value, without its name."""
+    if isinstance(error, MissingInput):
+        return f"needs {error.needs()}"
+    return error.reason() if error.name == name else str(error)
+
+
 def failure_of(name: str, given: Mapping[str, Any]) -> NoResult | None:
     """Return why a formula has no result for these numbers, if the physics forbids it."""
     found: NoResult | None = None

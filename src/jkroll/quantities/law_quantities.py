@@ -1,4 +1,4 @@
-"""Names of the laws of attraction beyond the paper: the quantities of Maugis' law, and what other laws' formulas give."""
+"""Quantities of the laws of attraction beyond the paper: those of Maugis' law, and formulas that give a quantity under some law."""
 
 from collections.abc import Mapping
 

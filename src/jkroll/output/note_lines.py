@@ -1,7 +1,7 @@
 """The notes of answers as the lines below them: one line for each kind below an answer, for each matter below a sweep."""
 
-from .answer import Answer
-from .result import Note
+from ..answers.answer import Answer
+from ..answers.result import Note
 
 MOST_LINES = 3  # below a single answer
 MOST_RANGES = 4  # of rows that are named
@@ -18,8 +18,8 @@ _KINDS = (
 _OF_ONE_SCENE = ("model", "data")
 
 
-class Remarks:
-    """The notes of the answers of one call, each with the rows that it is about."""
+class NoteLines:
+    """The notes of the answers of one call, each with the rows that it is about, to be printed below them."""
 
     def __init__(self) -> None:
         """Begin with no answer."""
