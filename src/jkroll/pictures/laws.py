@@ -4,7 +4,8 @@ from collections.abc import Sequence
 from math import pi
 
 from ..materials.library import Materials
-from ..physics.jkr_to_dmt import pull_off_force_lennard_jones, pull_off_force_maugis, transition_parameter
+from ..physics.jkr_to_dmt import pull_off_force_lennard_jones, transition_parameter
+from ..physics.maugis_states import pull_off_force_maugis
 from ..quantities.formatting import amount, pretty
 from ..scene.scene import DEFAULTS
 from .axes import Axis
