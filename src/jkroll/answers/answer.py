@@ -26,7 +26,7 @@ from .comparison import (
 )
 from .notes import about_data, about_limits, about_missing, about_results, assumptions, few, symbol_of
 from .questions import Question
-from .result import Note, Result
+from .result import Note, OtherLaw, Result
 
 if TYPE_CHECKING:
     from ..quantities.uncertain import Uncertain
@@ -130,7 +130,7 @@ def _with_law(results: list[Result], scene: Scene) -> list[Result]:
     """Return results that say of which law they are, with the values of JKR beside them."""
     beside = of_jkr(scene, [result.name for result in results])
     return [
-        result._replace(model=scene.law.name, equation=equation_of(scene, result.name), jkr=beside.get(result.name))
+        result._replace(law=OtherLaw(scene.law.name, equation_of(scene, result.name), beside.get(result.name)))
         if result.value is not None and uses_law(scene, result.name)
         else result
         for result in results

@@ -111,10 +111,8 @@ def uses_law(scene: Scene, name: str) -> bool:
 
 
 def equation_of(scene: Scene, name: str) -> str:
-    """Return the equation by which a scene has a quantity: that of the paper, or the source of the law."""
-    plan = scene.plan(name)
-    own = NOMENCLATURE[plan.found[name]].equation if uses_law(scene, name) else NOMENCLATURE[name].equation
-    return own or scene.law.source
+    """Return the equation by which a law has a quantity: that of the paper, or the source of the law."""
+    return NOMENCLATURE[scene.plan(name).found[name]].equation or scene.law.source
 
 
 def uncertain_sticking(name: str, scene: Scene) -> str:

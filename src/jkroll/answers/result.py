@@ -4,16 +4,25 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
+from ..quantities.nomenclature import NOMENCLATURE
+
 if TYPE_CHECKING:
     from ..scene.uncertainty import Propagated
+
+
+class OtherLaw(NamedTuple):
+    """The law of attraction other than JKR by which a quantity was computed."""
+
+    name: str
+    equation: str  # of the paper, or the source of the law
+    jkr: float | None  # the value of JKR, to stand beside it
 
 
 class Result(NamedTuple):
     """A quantity in SI units, or the reason why it has no value.
 
     `error` is the relative error of a model of the moment, `condition` the factor by which an inferred value multiplies the
-    relative error of a measured one. A quantity of another law of attraction than JKR says which, and has JKR's value beside
-    it.
+    relative error of a measured one.
     """
 
     name: str
@@ -23,9 +32,12 @@ class Result(NamedTuple):
     condition: float | None = None
     by_law: Mapping[str, float] = MappingProxyType({})  # of an inferred value: what it would be under the other laws
     propagated: "Propagated | None" = None  # its uncertainty, if an input has one
-    model: str = ""  # the law of attraction, if it is another than JKR
-    equation: str = ""  # of that law
-    jkr: float | None = None  # the value of JKR, beside that of another law
+    law: OtherLaw | None = None
+
+    @property
+    def equation(self) -> str:
+        """The equation that gives the quantity, or the source of its law."""
+        return self.law.equation if self.law else NOMENCLATURE[self.name].equation
 
     def sides(self) -> dict[str, float]:
         """Return the numbers of the uncertainty by name: minus and plus, or low and high; none if there is no uncertainty."""

@@ -176,7 +176,7 @@ def curve_request(words: Sequence[str], values: Values) -> "tuple[Request, Loads
     loads = inputs.pop("load", None)
     if "approach_at_load" in inputs:
         raise BadRequest("--curve goes through all approaches; it takes none")
-    return Request(words, inputs, materials_files(values.materials)), loads_of(loads) if loads is not None else None
+    return request_of(words, values._replace(inputs=inputs)), loads_of(loads) if loads is not None else None
 
 
 def _run_curve(words: Sequence[str], values: Values, kind: str, form: Format) -> int:

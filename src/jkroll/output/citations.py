@@ -102,7 +102,7 @@ def write_citations(pairs: Iterable[tuple[Scene, Answer]], out: TextIO, _: Forma
         failure = failure or answer.failure
         known = [result.name for result in answer.results if result.value is not None]
         equations |= {NOMENCLATURE[step.name].equation for name in known for step in scene.plan(name).steps}
-        laws = [_LAWS[one.model] for one in answer.results if one.model in _LAWS]
+        laws = [_LAWS[one.law.name] for one in answer.results if one.law]
         entries = [*laws, *material_references(scene, answer.inputs), *_of_conventions(known)]
         references |= {str(entry["key"]): entry for entry in entries}
     numbers = sorted(filter(None, equations), key=int)

@@ -67,8 +67,8 @@ def _explanation(result: Result, scene: Scene, form: Format) -> list[str]:
     quantity = NOMENCLATURE[result.name]
     if result.value is None:
         return [f"{result.name} — {quantity.sentence}, Eq {quantity.equation}", f"  {result.reason}"]
-    equation = result.equation or quantity.equation
-    title = f"{result.name} — {quantity.sentence}, {f'Eq {equation}' if equation.isdigit() else equation}"
+    source = f"Eq {result.equation}" if result.equation.isdigit() else result.equation
+    title = f"{result.name} — {quantity.sentence}, {source}"
     steps = scene.plan(result.name).steps
     if not steps:
         return [title, f"  {quantity.symbol} = {amount(result.name, result.value, form)}"]

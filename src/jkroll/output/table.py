@@ -33,7 +33,7 @@ def scene_table(answer: Answer, out: TextIO, form: Format) -> None:
     by_convention = all(NOMENCLATURE[result.name].definition for result in answer.results)
     say(_inputs({**answer.inputs, **answer.uncertain}, form), out)
     columns_of = _COLUMNS_BY_CONVENTION if by_convention else _COLUMNS
-    if any(result.jkr is not None for result in answer.results):
+    if any(result.law and result.law.jkr is not None for result in answer.results):
         columns_of = [(*chosen, _JKR) for chosen in columns_of]
     right = {"value", "Eq", "JKR"}
     tables = (
@@ -51,11 +51,11 @@ def _result_row(result: Result, form: Format) -> list[str]:
         value, unit = "—", ""
     else:
         value, unit = form.rounded(result.name, result.propagated.uncertainty if result.propagated else result.value)
-    equation = result.equation or quantity.equation
-    definition = "" if result.model else quantity.definition
-    source = quantity.reference or f"Eq {equation}"
-    jkr = "" if result.jkr is None else pretty(amount(result.name, result.jkr, form))
-    return [quantity.sentence, quantity.symbol, value, pretty(unit), equation, definition, source, jkr]
+    definition = "" if result.law else quantity.definition
+    source = quantity.reference or f"Eq {result.equation}"
+    beside = result.law.jkr if result.law else None
+    jkr = "" if beside is None else pretty(amount(result.name, beside, form))
+    return [quantity.sentence, quantity.symbol, value, pretty(unit), result.equation, definition, source, jkr]
 
 
 def _is_aside(result: Result) -> bool:

@@ -126,13 +126,13 @@ def _result_object(result: Result, form: Format) -> dict[str, Any]:
         "symbol": quantity.symbol,
         "value": None if result.value is None else float(form.text(result.name, result.value)),
         "unit": form.unit(result.name),
-        "equation": result.equation or quantity.equation,
+        "equation": result.equation,
         "description": quantity.sentence,
     }
-    if result.model:
-        entry["model"] = result.model
-        entry["jkr"] = None if result.jkr is None else float(form.text(result.name, result.jkr))
-    for key in ("note",) if result.model else ("note", "definition", "reference"):
+    if result.law:
+        entry["model"] = result.law.name
+        entry["jkr"] = None if result.law.jkr is None else float(form.text(result.name, result.law.jkr))
+    for key in ("note",) if result.law else ("note", "definition", "reference"):
         if text := getattr(quantity, key):
             entry[key] = text
     if result.propagated is not None:
