@@ -14,8 +14,8 @@ from numpy import abs, any, cbrt, exp, interp, linspace, log, pi, sin, sqrt, whe
 from numpy.polynomial.legendre import leggauss
 
 from ..physics.jkr import FOLD_APPROACH
-from ..physics.jkr_to_dmt import TRANSITION_OVER_TABOR
 from ..scene.wiring import plan
+from .maugis_ways import WAYS_OF_MAUGIS
 from .reference import inputs_of, references
 
 Way = Callable[..., Any]
@@ -146,40 +146,6 @@ def _root_table() -> tuple[Any, Any]:
     return eta * sqrt((3 + eta * (2 + eta / 2)) / 6 ** (1 / 3)), (1 + eta) ** 3 / 6
 
 
-# --- Between JKR and DMT ----------------------------------------------------------------------------------------------
-
-
-def _radius_by_jkr(R1: Any, R2: Any, w: Any, E: Any, P: Any) -> Any:
-    return _radius_by_cbrt(R1, R2, w, E) * cbrt(_stable_factor(P, _force(R1, R2, w)) ** 2)
-
-
-def _approach_by_jkr(R1: Any, R2: Any, w: Any, E: Any, P: Any) -> Any:
-    x = _stable_factor(P, _force(R1, R2, w))
-    return _approach_by_cbrt(R1, R2, w, E) * cbrt(x) * (3 * x - 2)
-
-
-def _stiffness_by_jkr(R1: Any, R2: Any, w: Any, E: Any, P: Any) -> Any:
-    s = _stable_margin(P, _force(R1, R2, w))
-    return _stiffness((1 + s) / 2, s, E, _radius_by_cbrt(R1, R2, w, E))
-
-
-def _radius_by_dmt(R1: Any, R2: Any, w: Any, E: Any, P: Any) -> Any:
-    R = _reduced(R1, R2)
-    return cbrt(3 / 4 * R / E * (P + 2 * pi * w * R))
-
-
-def _radius_by_cos(R1: Any, R2: Any, w: Any, E: Any, z0: Any, P: Any) -> Any:
-    """Return the fit of Carpick, Ogletree & Salmeron (J. Colloid Interface Sci. 211, 395, 1999), its coefficients from memory."""
-    R = _reduced(R1, R2)
-    transition = TRANSITION_OVER_TABOR * cbrt(R * (w / E) ** 2) / z0
-    alpha = (1 - exp(-transition / 0.924)) / 1.02
-    power, power_of_radius = 4.04 * transition**1.4, 2.28 * transition**1.3
-    pull_off = pi * w * R * (7 / 4 - (power - 1) / (power + 1) / 4)
-    unloaded = 1.54 + 0.279 * (power_of_radius - 1) / (power_of_radius + 1)
-    spread = (alpha + sqrt(1 + P / pull_off)) / (1 + alpha)
-    return unloaded * cbrt(3 / 4 * pi * w * R**2 / E * spread**2)
-
-
 # --- The moment integrated --------------------------------------------------------------------------------------------
 
 
@@ -269,19 +235,7 @@ OTHER_WAYS: Mapping[str, Mapping[str, Way]] = {
         "table in δ": lambda delta, delta0: interp(delta / delta0, *_table()),
         "table in √(δ−δ_fold)": lambda delta, delta0: interp(sqrt(delta / delta0 - FOLD_APPROACH), *_root_table()),
     },
-    "contact_radius_maugis": {
-        "JKR": _radius_by_jkr,
-        "DMT": _radius_by_dmt,
-        "COS 1999, coefficients from memory": _radius_by_cos,
-    },
-    "approach_maugis": {
-        "JKR": _approach_by_jkr,
-        "DMT": lambda R1, R2, w, E, P: _radius_by_dmt(R1, R2, w, E, P) ** 2 / _reduced(R1, R2),
-    },
-    "stiffness_maugis": {
-        "JKR": _stiffness_by_jkr,
-        "DMT": lambda R1, R2, w, E, P: 2 * E * _radius_by_dmt(R1, R2, w, E, P),
-    },
+    **WAYS_OF_MAUGIS,
     "yield_moment": {
         "s = √(1+P/P_c)": lambda R1, R2, w, xi, P, P_c: 2 * _force(R1, R2, w) * xi * (1 + _margin(P, P_c)),
         "(x**(2/3))**1.5": lambda R1, R2, w, xi, P, P_c: (
