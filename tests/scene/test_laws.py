@@ -236,7 +236,7 @@ def test_spheres_can_be_bound_without_touching() -> None:
 
 @pytest.mark.parametrize("name", ["half_circles_moment", "boussinesq_pressure", "displacement_limit"])
 def test_what_a_law_lacks_is_said_as_a_missing_input_is(name: str) -> None:
-    with pytest.raises(NotInLaw, match="which Maugis–Dugdale does not have; give --model jkr"):
+    with pytest.raises(NotInLaw, match="not in Maugis–Dugdale; give --model jkr"):
         solve(name, model="maugis", **QUARTZ)
 
 
@@ -319,6 +319,9 @@ def test_a_sticking_energy_that_the_spacing_decides_is_a_range() -> None:
     (result,) = [each for each in found.results if each.name == "sticking_energy"]
     assert result.value is None
     assert result.reason == "from 8.50556e-23 J at z0 = 400 pm to 2.72178 zJ at z0 = 200 pm; give --z0"
+    energies = answer(QUESTIONS["energies"], Scene({"radius": 1e-7}, quartz, model="maugis"))
+    (speed,) = [each for each in energies.results if each.name == "sticking_speed"]
+    assert speed.reason == "from 0.00558921 m/s at z0 = 400 pm to 0.0316174 m/s at z0 = 200 pm; give --z0"
     said = answer(QUESTIONS["contact"], Scene({"radius": 1e-7, "atomic_spacing": 4e-10}, quartz, model="maugis"))
     assert said.value("sticking_energy") == solve("sticking_energy", model="maugis", **QUARTZ)
 
