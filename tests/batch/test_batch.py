@@ -323,7 +323,7 @@ def test_quantities_are_names_or_commands(run: Run) -> None:
     assert [*found[0]][4:] == ["pull_off_force [N]", "mass [kg]", "r_min [m]", "doubt", "status"]
     assert (
         run("batch", table(GRAINS), "--quantities", "pulloff").err
-        == "jkroll: 'pulloff' is not a quantity; did you mean pull_off_work? jkroll quantities lists them\n"
+        == "jkroll: 'pulloff' is not a quantity; did you mean pull_off_force? jkroll quantities lists them\n"
     )
     assert run("batch", table(GRAINS), "--quantities", "load").err == "jkroll: --quantities: load is an input here\n"
 

@@ -153,7 +153,7 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
             option="--adhesion-hysteresis", example="5mJ/m2"
         ),
         "adhesive_force": Quantity("F_a", "N", "Hertz' load at the contact radius less the load", "25"),
-        "hysteresis_moment": Quantity("M_Δw", "N m", "moment that adhesion hysteresis supplies"),
+        "hysteresis_moment": Quantity("M_hyst", "N m", "moment that adhesion hysteresis supplies"),
         "hysteresis_ratio": Quantity("M/2cRw", "1", "moment over the largest that adhesion hysteresis supplies"),
         # vibrations
         "vertical_frequency": Quantity("f_z", "Hz", "frequency of the vertical vibration", "35"),
@@ -251,7 +251,7 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
     {
         **_QUANTITIES,
         **{
-            name: _QUANTITIES[quantity]._replace(equation="", range="", option="", example="", note="")
+            name: Quantity(_QUANTITIES[quantity].symbol, _QUANTITIES[quantity].unit, _QUANTITIES[quantity].sentence)
             for quantity, names in BY_A_LAW.items()
             for name in names
         },
