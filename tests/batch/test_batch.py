@@ -10,6 +10,7 @@ import sys
 from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 import pytest
 from hypothesis import given, settings
@@ -56,6 +57,33 @@ def batch(run: Run, *words: str) -> list[dict[str, str]]:
     return rows(Path("out.csv").read_text(encoding="utf-8"))
 
 
+ENDS = ("csv", "tsv", "ndjson", "parquet")
+
+
+def write_table(rows: list[dict[str, Any]], end: str) -> None:
+    """Write rows as grains.END."""
+    if end == "parquet":
+        pyarrow, parquet = pytest.importorskip("pyarrow"), pytest.importorskip("pyarrow.parquet")
+        parquet.write_table(pyarrow.Table.from_pylist(rows), "grains.parquet")
+    elif end == "ndjson":
+        Path("grains.ndjson").write_text("".join(json.dumps(row) + "\n" for row in rows))
+    else:
+        lines = [MARKS[end].join(map(str, cells)) for cells in (rows[0], *(row.values() for row in rows))]
+        Path(f"grains.{end}").write_text("\n".join(lines) + "\n")
+
+
+def read_table(end: str) -> list[dict[str, Any]]:
+    """Return the rows of out.END."""
+    if end == "parquet":
+        found: list[dict[str, Any]] = pytest.importorskip("pyarrow.parquet").read_table("out.parquet").to_pylist()
+        return found
+    lines = Path(f"out.{end}").read_text(encoding="utf-8").splitlines()
+    return [json.loads(line) for line in lines] if end == "ndjson" else [*csv.DictReader(lines, delimiter=MARKS[end])]
+
+
+MARKS = {"csv": ",", "tsv": "\t"}
+
+
 def ulps(value: float, other: float) -> float:
     """How far apart two doubles are, in units of the last place."""
     return abs(value - other) / math.ulp(other)
@@ -100,9 +128,8 @@ def both_ways(text: str) -> Iterator[tuple[str, list[float], list[float], tuple[
     together = converter.evaluator.results(block)
     for row in range(block.size):
         single = alone(task, partial(block.text, row))
-        said = "" if single.is_lost else single.doubt
-        among = together.status.get(row, ""), together.doubts.get(row, "")
-        yield lines[row + 1], single.values, together.numbers[:, row].tolist(), (single.status, said), among
+        among = together.status.get(row, ""), together.remarks["doubt"].get(row, "")
+        yield lines[row + 1], single.values, together.numbers[:, row].tolist(), (single.status, single.doubt), among
 
 
 def agree(size: int, seed: int) -> None:
@@ -122,15 +149,32 @@ def test_together_or_alone() -> None:
     agree(300, 1)
 
 
-def test_doubts_have_codes_that_the_guide_explains(run: Run) -> None:
-    Path("small.csv").write_text("material,radius [nm],gamma [mJ/m2]\nquartz,100,\nquartz,0.5,30\nquarz,1,\n")
-    ran = run("batch small.csv --quantities yield_force -o out.csv")
-    found = [row["doubt"] for row in csv.DictReader(io.StringIO(Path("out.csv").read_text()))]
-    assert found == ["", "a/z0<3 e_h>0.01 ξ/ξ_max>=1 M/2cRw>1 ξ/a>1 Q/P_c>=1", ""]
-    assert ran.err.startswith("note: 1 of 3 rows are doubtful; column doubt says why\n")
+@pytest.mark.parametrize("end", ENDS)
+def test_doubts_have_a_column(run: Run, end: str) -> None:
+    """A row has the codes of the limits that it exceeds; a failed row has none."""
+    write_table(
+        [
+            {"radius [nm]": 100.0, "material": "quartz", "gamma [mJ/m2]": 25.0},
+            {"radius [nm]": 0.5, "material": "quartz", "gamma [mJ/m2]": 30.0},
+            {"radius [nm]": 0.5, "material": "quarz", "gamma [mJ/m2]": 30.0},
+        ],
+        end,
+    )
+    words = f"batch grains.{end} -o out.{end} --quantities yield_force"
+    ran = run(words)
+    assert ran.err.splitlines() == [
+        "note: 1 of 3 rows are doubtful; column doubt says why",
+        "jkroll: 1 of 3 rows failed; column status says why",
+    ]
+    found = read_table(end)
+    assert [*found[0]][-3:] == ["yield_force [N]", "doubt", "status"]
+    assert [row["doubt"] or "" for row in found] == ["", "a/z0<3 e_h>0.01 ξ/ξ_max>=1 M/2cRw>1 ξ/a>1 Q/P_c>=1", ""]
+    assert "note:" not in run(f"{words} --no-doubt").err
+    assert "doubt" not in read_table(end)[0]
+
+
+def test_the_guide_explains_the_codes_of_doubts() -> None:
     assert all(f"`{code}`" in page("models") for code in CODES)
-    plain = run("batch small.csv --quantities yield_force --no-doubt -o plain.csv")
-    assert "doubt" not in Path("plain.csv").read_text() + plain.err
 
 
 @pytest.mark.slow
@@ -405,27 +449,16 @@ def test_tabs_and_formulas(run: Run) -> None:
     assert [line.split("\t")[3] for line in lines[1:]] == ["0", "-2e-3", "-2", "-2", "-2"]
 
 
-@pytest.mark.parametrize("end", ["csv", "tsv", "ndjson", "parquet"])
+@pytest.mark.parametrize("end", ENDS)
 def test_a_law_of_attraction_is_a_column(run: Run, end: str) -> None:
-    rows = [{"radius [nm]": 100.0, "material": "quartz"}, {"radius [nm]": 50.0, "material": "iron"}]
-    rows.append({"radius [nm]": 0.0, "material": "iron"})
-    if end == "parquet":
-        pyarrow, parquet = pytest.importorskip("pyarrow"), pytest.importorskip("pyarrow.parquet")
-        parquet.write_table(pyarrow.Table.from_pylist(rows), "grains.parquet")
-    elif end == "ndjson":
-        Path("grains.ndjson").write_text("".join(json.dumps(row) + "\n" for row in rows))
-    else:
-        mark = {"csv": ",", "tsv": "\t"}[end]
-        lines = [mark.join(map(str, row)) for row in (rows[0], *(row.values() for row in rows))]
-        Path(f"grains.{end}").write_text("\n".join(lines) + "\n")
-    words = f"batch grains.{end} -o out.{end} --model maugis --quantities pull_off_force"
-    assert run(words).code == 1
-    if end == "parquet":
-        found = parquet.read_table("out.parquet").to_pylist()
-    elif end == "ndjson":
-        found = [json.loads(line) for line in Path("out.ndjson").read_text().splitlines()]
-    else:
-        found = list(csv.DictReader(Path(f"out.{end}").read_text().splitlines(), delimiter=mark))
+    rows: list[dict[str, Any]] = [
+        {"radius [nm]": 100.0, "material": "quartz"},
+        {"radius [nm]": 50.0, "material": "iron"},
+        {"radius [nm]": 0.0, "material": "iron"},
+    ]
+    write_table(rows, end)
+    assert run(f"batch grains.{end} -o out.{end} --model maugis --quantities pull_off_force").code == 1
+    found = read_table(end)
     assert [*found[0]] == ["radius [nm]", "material", "model", "pull_off_force [N]", "doubt", "status"]
     assert [row["model"] for row in found] == ["maugis"] * 3
     for row, (radius, material) in zip(found, [("100nm", "quartz"), ("50nm", "iron")], strict=False):

@@ -6,7 +6,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from ..quantities.errors import BareNumber, QuantityError
-from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS
+from ..quantities.nomenclature import NOMENCLATURE, canonical
 from ..quantities.parsing import parse_quantity, unit_of
 from ..quantities.units import Unit, dimension_of, kind_of
 from ..text import closest, quoted
@@ -117,8 +117,8 @@ def is_input(text: str) -> bool:
 def split(text: str) -> tuple[str, str | None]:
     """Split a header into a name, for which the word of an option may stand, and the text of a unit."""
     match = _HEADER.fullmatch(text.strip())
-    word, unit = (match[1], match[2].strip()) if match else (text.strip(), None)
-    return (word if word in NOMENCLATURE else OPTION_WORDS.get(word, word)), unit
+    word, unit_text = (match[1], match[2].strip()) if match else (text.strip(), None)
+    return canonical(word), unit_text
 
 
 def _column(place: int, name: str, unit_text: str | None, text: str) -> Column:

@@ -14,7 +14,7 @@ import numpy
 import orjson
 
 from .cells import Reader
-from .columns import DOUBT, STATUS, Header
+from .columns import Header
 from .dialect import Dialect, lines_of
 from .lines import BOM, Converted, Head
 from .rows import Block, Evaluator, Results
@@ -56,11 +56,10 @@ class Delimited:
         self.line_end = b"\r\n" if head.text.endswith(b"\r\n") else b"\n"
         self.excel_safe = excel_safe
         line = head.text.removeprefix(BOM).removesuffix(b"\n").removesuffix(b"\r")
-        added = (*names, DOUBT, STATUS) if task.doubt else (*names, STATUS)
-        cells = [self.safe(line) if excel_safe else line, *(name.encode() for name in added)]
+        cells = [self.safe(line) if excel_safe else line, *(name.encode() for name in (*names, *task.remarks))]
         self.head = (BOM if head.text.startswith(BOM) else b"") + dialect.separator.join(cells) + self.line_end
         self.said = b"".join(dialect.separator + text.encode() for text in task.said.values())
-        self.has_doubt = task.doubt
+        self.no_remark = dialect.separator * len(task.remarks) + self.line_end
         self.evaluator = Evaluator(task)
         self.readers = [Reader(column) for column in task.inputs]
         self.materials_at = task.materials_at
@@ -83,7 +82,7 @@ class Delimited:
         output = b"".join([*self._strips(lines, results), blank.get(count, b"")])
         first = min(results.lost, default=None)
         failure = None if first is None else (records.starts[first], results.status[first])
-        return Converted(output, count, len(results.lost), text.count(b"\n"), failure, len(results.doubts))
+        return Converted(output, count, len(results.lost), text.count(b"\n"), failure, results.doubtful)
 
     def _quickly(self, text: bytes) -> Records | None:
         """Take apart plain lines without quotes, all of the right width; None if there are others."""
@@ -157,36 +156,36 @@ class Delimited:
         )
 
     def _strips(self, lines: Sequence[bytes], results: Results) -> Iterator[bytes]:
-        """Iterate over the output, some rows at a time: each line, and behind it its results, doubt, status and line end."""
-        separator, end = self.dialect.separator, self.line_end
-        nothing = b"," + b"," * self.has_doubt + end  # of most rows: neither doubt nor status
-        empty = nothing.replace(b",", separator)
-        of_codes = {codes: self._behind(codes, "") for codes in set(results.doubts.values())}
-        said = {row: of_codes[codes] for row, codes in results.doubts.items()}
-        said |= {row: self._behind(results.doubts.get(row, ""), status) for row, status in results.status.items()}
+        """Iterate over the output, some rows at a time: each line, and behind it its results, remarks and line end."""
+        separator = self.dialect.separator
+        columns = results.remarks.values()
+        texts = {row: tuple(column.get(row, "") for column in columns) for row in set().union(*columns)}
+        cells = {several: self._cells(several) for several in set(texts.values())}  # many rows have the same doubts
+        remarks = {row: cells[several] for row, several in texts.items()}
         for start in range(0, len(lines), STRIP):
             numbers = numpy.ascontiguousarray(results.numbers[:, start : start + STRIP].T)
             text = orjson.dumps(numbers, option=orjson.OPT_SERIALIZE_NUMPY)
             if b"n" in text:
                 text = text.replace(b"null", b"")
             # [[1,2],[3,4]] becomes ,1,2,\n and ,3,4,\n: the searches for one byte are the quick ones.
-            text = b"," + text.replace(b"[", b"").replace(b"]", nothing)
             if separator != b",":
                 text = text.replace(b",", separator)
+            text = separator + text.replace(b"[", b"").replace(b"]", self.no_remark)
             pieces = [b""] * (2 * len(numbers))
             pieces[0::2] = lines[start : start + STRIP]
             pieces[1::2] = io.BytesIO(text).readlines()[: len(numbers)]
-            for row in said.keys() & range(start, start + STRIP) if said else ():
+            for row in remarks.keys() & range(start, start + STRIP) if remarks else ():
                 place = 2 * (row - start) + 1
-                pieces[place] = pieces[place].removesuffix(empty) + said[row] + end
+                pieces[place] = pieces[place].removesuffix(self.no_remark) + remarks[row]
             yield b"".join(pieces)
 
-    def _behind(self, codes: str, status: str) -> bytes:
-        """Return the cells behind the numbers of a row, each behind a separator."""
+    def _cells(self, texts: tuple[str, ...]) -> bytes:
+        """Return the cells behind the numbers of a row, and the line end."""
         separator = self.dialect.separator
-        cell = quoted_cell(status.encode(), separator)
-        doubt = separator + codes.encode() if self.has_doubt else b""
-        return doubt + separator + (self.safe(cell) if self.excel_safe else cell)
+        cells = [quoted_cell(text.encode(), separator) for text in texts]
+        if self.excel_safe:
+            cells = [*map(self.safe, cells)]
+        return separator + separator.join(cells) + self.line_end
 
     def safe(self, line: bytes) -> bytes:
         """Return a line in which a spreadsheet takes no cell of text for a formula."""

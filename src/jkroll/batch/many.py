@@ -209,9 +209,7 @@ def _entry(part: Part, done: Done, identity: str) -> Entry:
         "input": part.path,
         "output": os.path.basename(part.target),
         "bytes": 0 if done.problem else os.path.getsize(part.target),
-        "rows": done.tally.rows,
-        "failed": done.tally.failed,
-        "doubtful": done.tally.doubtful,
+        **done.tally._asdict(),
         "identity": identity,
     }
     return entry | ({"problem": done.problem} if done.problem else {})
@@ -219,7 +217,7 @@ def _entry(part: Part, done: Done, identity: str) -> Entry:
 
 def _finish(manifest: str, entries: list[Entry]) -> Tally:
     """Write the manifest, last of all, and say which files failed."""
-    total = Tally(*(sum(entry[count] for entry in entries) for count in Tally._fields))
+    total = Tally(*(sum(entry[name] for entry in entries) for name in Tally._fields))
     with open(f"{manifest}.partial", "w", encoding="utf-8") as file:
         json.dump({"version": __version__, **total._asdict(), "files": entries}, file, indent=2)
         file.write("\n")

@@ -9,7 +9,7 @@ import numpy
 import orjson
 
 from .cells import Reader
-from .columns import DOUBT, STATUS, Header, is_input
+from .columns import Header, is_input
 from .errors import BadTable
 from .lines import BOM, Converted, Head
 from .rows import Block, Evaluator, Results
@@ -57,11 +57,9 @@ class NdjsonConverter:
         places = {column.name: column.place for column in task.inputs} | dict(task.materials_at)
         self.keys = {name: header.texts[place] for name, place in places.items()}
         self.known = dict.fromkeys(header.texts).keys()
-        behind = (DOUBT, STATUS) if task.doubt else (STATUS,)
-        self.has_doubt = task.doubt
-        self.added = {*names, *behind}
+        self.added = {*names, *task.remarks}
         said = [orjson.dumps({name: text})[1:-1] for name, text in task.said.items()]
-        members = [orjson.dumps(name) + b":%b" for name in (*names[len(said) :], *behind)]
+        members = [orjson.dumps(name) + b":%b" for name in (*names[len(said) :], *task.remarks)]
         self._members = b",".join([*said, *members]) + b"}"
 
     def convert(self, text: bytes) -> Converted:
@@ -82,7 +80,7 @@ class NdjsonConverter:
         if first is not None:
             places = [place for place, line in enumerate(raw) if line.strip()]
             failure = (places[first], results.status[first])
-        return Converted(output, len(lines), len(results.lost), text.count(b"\n"), failure, len(results.doubts))
+        return Converted(output, len(lines), len(results.lost), text.count(b"\n"), failure, results.doubtful)
 
     def _surprise(self, one: Row) -> str | None:
         """Return a name that would be an input or a result if the first line had it."""
@@ -108,8 +106,8 @@ class NdjsonConverter:
             if not line.strip():
                 output.append(line)
                 continue
-            texts = (results.doubts, results.status) if self.has_doubt else (results.status,)
-            members = self._members % (*cells[row], *(orjson.dumps(text.get(row)) for text in texts))
+            remarks = [orjson.dumps(texts.get(row)) for texts in results.remarks.values()]
+            members = self._members % (*cells[row], *remarks)
             if objects[row] is None:
                 body = b'{"line":' + orjson.dumps(line.decode("utf-8", "replace")) + b","
             else:

@@ -19,7 +19,7 @@ from ..errors import BadRequest
 from ..quantities.nomenclature import header
 from ..text import quoted, say, shown
 from .cells import Floats, Numbers, Reader
-from .columns import DOUBT, STATUS, check_first
+from .columns import check_first
 from .errors import BadTable
 from .lines import Converted
 from .output import OutputFile, is_done
@@ -102,7 +102,7 @@ class Rows:
     """Rows that are written together: a table of Arrow, and their counts."""
 
     def __init__(
-        self, table: Any, failed: int, doubtful: int = 0, first_failure: tuple[int, str] | None = None
+        self, table: Any, failed: int, first_failure: tuple[int, str] | None = None, doubtful: int = 0
     ) -> None:
         self.table = table
         self.counts = Converted(b"", table.num_rows, failed, table.num_rows, first_failure, doubtful)
@@ -130,9 +130,9 @@ class _Table:
         self.readers = [Reader(column) for column in task.inputs]
         fields = [pyarrow.field(name, pyarrow.string()) for name in task.said]
         fields += [pyarrow.field(header(name), pyarrow.float64()) for name in task.quantities]
-        behind = (DOUBT, STATUS) if task.doubt else (STATUS,)
         self.schema = pyarrow.schema(
-            [*schema, *fields, *(pyarrow.field(name, pyarrow.string()) for name in behind)], metadata=schema.metadata
+            [*schema, *fields, *(pyarrow.field(name, pyarrow.string()) for name in task.remarks)],
+            metadata=schema.metadata,
         )
         self.groups = range(span.start, span.end)
         metadata = [file.metadata.row_group(place) for place in range(file.metadata.num_row_groups)]
@@ -154,21 +154,25 @@ class _Table:
 
     def _rows(self, batch: Any) -> Rows:
         numbers = numpy.empty((len(self.evaluator.task.quantities), batch.num_rows))
-        status: dict[int, str] = {}
+        remarks: dict[str, dict[int, str]] = {name: {} for name in self.evaluator.task.remarks}
         lost: dict[int, str] = {}
-        doubts: dict[int, str] = {}
+        doubtful = 0
         for start in range(0, batch.num_rows, BLOCK):
             block = self._block(batch.slice(start, BLOCK))
             results = self.evaluator.results(block, numbers[:, start : start + block.size])
-            status |= {start + row: words for row, words in results.status.items()}
-            doubts |= {start + row: codes for row, codes in results.doubts.items()}
+            for name, texts in results.remarks.items():
+                remarks[name] |= {start + row: text for row, text in texts.items()}
+            doubtful += results.doubtful
             lost |= {start + row: results.status[row] for row in results.lost}
-        texts = [doubts, status] if self.evaluator.task.doubt else [status]
-        behind = [pyarrow.array([*map(text.get, range(batch.num_rows))], "string") for text in texts]
         said = [pyarrow.repeat(text, batch.num_rows) for text in self.evaluator.task.said.values()]
-        arrays = [*batch.columns, *said, *map(as_column, numbers), *behind]
+        arrays = [
+            *batch.columns,
+            *said,
+            *map(as_column, numbers),
+            *(_texts(texts, batch.num_rows) for texts in remarks.values()),
+        ]
         table = pyarrow.Table.from_arrays(arrays, schema=self.schema)
-        return Rows(table, len(lost), len(doubts), min(lost.items(), default=None))
+        return Rows(table, len(lost), min(lost.items(), default=None), doubtful)
 
     def _block(self, part: Any) -> Block:
         """Return the inputs of some rows."""
@@ -243,6 +247,11 @@ def as_column(values: Floats) -> Any:
     """Return numbers as a column, nan as null."""
     missing = numpy.isnan(values)
     return pyarrow.array(values, mask=missing if missing.any() else None)
+
+
+def _texts(texts: dict[int, str], size: int) -> Any:
+    """Return the texts of some rows as a column, null in the others."""
+    return pyarrow.array([*map(texts.get, range(size))] if texts else [None] * size, "string")
 
 
 def _is_cell(kind: Any) -> bool:

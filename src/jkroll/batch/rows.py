@@ -17,8 +17,9 @@ from ..scene.inputs import outside
 from ..scene.results import MAY_BE_ZERO, SMALLEST
 from ..scene.scene import Scene
 from .cells import Floats, Mask, Numbers
+from .columns import DOUBT, STATUS
 from .materials import UNKNOWN, Codes, Lookup
-from .single import CODES, Task, alone, concerns, doubts_of, lacking, worded
+from .single import Task, alone, concerns, doubts_of, lacking, worded
 
 
 class Block(NamedTuple):
@@ -32,12 +33,21 @@ class Block(NamedTuple):
 
 
 class Results(NamedTuple):
-    """An array of numbers for each quantity, nan where there is none, and the status of rows that have one."""
+    """An array of numbers for each quantity, nan where there is none, and the texts of each column of remarks, by row."""
 
     numbers: Floats
-    status: dict[int, str]
+    remarks: dict[str, dict[int, str]]
     lost: set[int]  # rows without any trusted result
-    doubts: dict[int, str]  # codes, of the rows that exceed a limit of the model
+
+    @property
+    def status(self) -> dict[int, str]:
+        """The status of the rows that have one."""
+        return self.remarks[STATUS]
+
+    @property
+    def doubtful(self) -> int:
+        """The number of rows that exceed a limit of the model."""
+        return len(self.remarks.get(DOUBT, ()))
 
 
 class Evaluator:
@@ -52,51 +62,42 @@ class Evaluator:
         }
         self._reasons: dict[tuple[object, ...], str] = {}
         self._lost: set[int] = set()
-        self._doubts = numpy.zeros(0, dtype=numpy.int64)  # of each row, a bit for each code
-        self._worded: dict[int, str] = {}
 
     def results(self, block: Block, into: Floats | None = None) -> Results:
         """Return the results of a block; `into`: an array for the numbers."""
         numbers = numpy.empty((len(self.task.quantities), block.size)) if into is None else into
         status: dict[int, str] = dict(block.odd)
+        doubts: dict[int, str] = {}
         self._lost = set()
-        self._doubts = numpy.zeros(block.size, dtype=numpy.int64)
         codes = {
             name: cells if isinstance(cells, numpy.ndarray) else self.lookups[name].codes(cells)
             for name, cells in block.materials.items()
         }
         with numpy.errstate(all="ignore"):
-            singly = self._in_groups(block, codes, numbers, status)
-        own: dict[int, str] = {}  # doubts of rows that were evaluated singly
+            singly = self._in_groups(block, codes, numbers, status, doubts)
         for row in sorted(singly.difference(block.odd)):
             single = alone(self.task, partial(block.text, row))
             numbers[:, row] = single.values
-            self._doubts[row] = 0
-            if single.doubt:
-                own[row] = single.doubt
             if single.is_lost:
                 self._lost.add(row)
-            if single.status:
-                status[row] = single.status
-            else:
-                status.pop(row, None)
+            for texts, text in ((status, single.status), (doubts, single.doubt)):
+                texts.pop(row, None)
+                if text:
+                    texts[row] = text
         unclear = numpy.fromiter(status, dtype=int, count=len(status))
         lost = unclear[numpy.isnan(numbers[:, unclear]).all(axis=0)]
         all_lost = self._lost.union(lost.tolist())
-        doubtful = {**self._in_codes(), **own}
-        return Results(numbers, status, all_lost, {row: doubtful[row] for row in sorted(doubtful.keys() - all_lost)})
+        remarks = {DOUBT: {row: doubts[row] for row in doubts.keys() - all_lost}, STATUS: status}
+        return Results(numbers, {name: remarks[name] for name in self.task.remarks}, all_lost)
 
-    def _in_codes(self) -> dict[int, str]:
-        """Return the doubts of the rows that were evaluated together."""
-        rows = numpy.flatnonzero(self._doubts)
-        found = {}
-        for row, bits in zip(rows.tolist(), self._doubts[rows].tolist(), strict=True):
-            if bits not in self._worded:
-                self._worded[bits] = " ".join(code for place, code in enumerate(CODES) if bits >> place & 1)
-            found[row] = self._worded[bits]
-        return found
-
-    def _in_groups(self, block: Block, codes: Mapping[str, Codes], numbers: Floats, status: dict[int, str]) -> set[int]:
+    def _in_groups(
+        self,
+        block: Block,
+        codes: Mapping[str, Codes],
+        numbers: Floats,
+        status: dict[int, str],
+        doubts: dict[int, str],
+    ) -> set[int]:
         """Evaluate groups of rows with the same known inputs; return the rows that are to be evaluated singly."""
         singly = {*block.odd, *(row for column in block.numbers.values() for row in column.odd)}
         singly |= {int(row) for one in codes.values() for row in numpy.flatnonzero(one == UNKNOWN)}
@@ -116,11 +117,17 @@ class Evaluator:
             groups = [rest[keys[rest] == key] for key in numpy.unique(keys[rest])]
             numbers.fill(numpy.nan)
         for rows in groups:
-            singly.update(everything[rows][self._group(block, codes, rows, numbers, status)].tolist())
+            singly.update(everything[rows][self._group(block, codes, rows, numbers, status, doubts)].tolist())
         return singly
 
     def _group(
-        self, block: Block, codes: Mapping[str, Codes], rows: Any, numbers: Floats, status: dict[int, str]
+        self,
+        block: Block,
+        codes: Mapping[str, Codes],
+        rows: Any,
+        numbers: Floats,
+        status: dict[int, str],
+        doubts: dict[int, str],
     ) -> Mask:
         """Evaluate rows with the same known inputs; return which of them have no plausible result."""
         members = numpy.arange(block.size)[rows]
@@ -144,8 +151,8 @@ class Evaluator:
             for name, outcome in outcomes.items()
             if not isinstance(outcome, MissingInput)
         }
-        if self.task.doubt and values:
-            self._note_doubts(scene, [*values], rows)
+        if self.task.doubt:
+            doubts |= _doubts(scene, [*values], members)
         is_all = isinstance(rows, slice)
         results = numbers if is_all else numpy.empty((len(self.task.quantities), len(members)))
         for place, name in enumerate(self.task.quantities):
@@ -165,11 +172,6 @@ class Evaluator:
             odd_rows |= given["load"] == 0  # without a load less is needed
         is_single: Mask = odd_rows
         return is_single
-
-    def _note_doubts(self, scene: Scene, names: Sequence[str], rows: Any) -> None:
-        """Note which rows exceed a limit of the model."""
-        for code, is_so in doubts_of(scene, names).items():
-            self._doubts[rows] |= numpy.asarray(is_so, dtype=numpy.int64) << CODES.index(code)
 
     def _explain(
         self,
@@ -249,6 +251,22 @@ def _plausible(results: Floats, names: Sequence[str]) -> Mask:
     places = [place for place, name in enumerate(names) if name in MAY_BE_ZERO]
     fine[places] |= size[places] == 0
     return fine
+
+
+def _doubts(scene: Scene, names: Sequence[str], members: Codes) -> dict[int, str]:
+    """Return the codes of the doubts of each row that has some."""
+    found = doubts_of(scene, names)
+    bits = numpy.zeros(len(members), dtype=numpy.int64)
+    for place, is_so in enumerate(found.values()):
+        bits |= numpy.asarray(is_so, dtype=numpy.int64) << place
+    doubtful = numpy.flatnonzero(bits)
+    if not len(doubtful):
+        return {}
+    words = {
+        key: " ".join(code for place, code in enumerate(found) if key >> place & 1)
+        for key in numpy.unique(bits[doubtful]).tolist()
+    }
+    return dict(zip(members[doubtful].tolist(), map(words.__getitem__, bits[doubtful].tolist()), strict=True))
 
 
 def _identical(scene: Scene, size: int) -> Mask:

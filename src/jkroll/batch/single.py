@@ -10,9 +10,10 @@ from ..scene.errors import BeyondFold, BeyondPullOff, MissingInput
 from ..scene.limits import LIMITS, doubts
 from ..scene.scene import Scene
 from ..scene.wiring import STATE
-from .columns import Column
+from .columns import DOUBT, STATUS, Column
 
 FATAL = (BeyondPullOff, BeyondFold)  # no other result of the row is trusted either
+CODES = tuple(limit.code(doubt) for limit in LIMITS if limit.name != "tabor_parameter" for doubt in limit.doubts)
 
 
 class Task(NamedTuple):
@@ -25,18 +26,23 @@ class Task(NamedTuple):
     material: Material | None
     material2: Material | None
     known: Materials
-    doubt: bool = False  # whether doubts are said
     keeps: bool = False  # whether a row beyond pull-off keeps the results that need no contact
     model: str | None = None  # law of attraction, which is then a column before the results
+    doubt: bool = False  # whether there is a column of doubts
 
     @property
     def said(self) -> dict[str, str]:
         """The columns of text that are the same for all rows."""
         return {"model": self.model} if self.model is not None else {}
 
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """The columns of text after the results, which are empty in most rows."""
+        return (DOUBT, STATUS) if self.doubt else (STATUS,)
+
 
 class Single(NamedTuple):
-    """The results of a row, its status and doubts, and whether it has no trusted result."""
+    """The results of a row, its status, whether it has no trusted result, and the codes of its doubts."""
 
     values: list[float]
     status: str
@@ -45,7 +51,7 @@ class Single(NamedTuple):
 
 
 def alone(task: Task, text_of: Callable[[str], str]) -> Single:
-    """Return the results of a row, of which `text_of` gives the cell of an input."""
+    """Return the results of a row. `text_of` gives the cell of an input."""
     nothing = [nan] * len(task.quantities)
     given: dict[str, float] = {}
     problems: list[str] = []
@@ -81,17 +87,14 @@ def alone(task: Task, text_of: Callable[[str], str]) -> Single:
     fatal = next((error for error in errors.values() if isinstance(error, FATAL)), None)
     if fatal is not None:
         return Single(values if task.keeps else nothing, str(fatal), True)
-    known = [name for name, value in zip(task.quantities, values, strict=True) if not isnan(value)]
-    doubt = " ".join(code for code, is_so in doubts_of(scene, known).items() if is_so) if task.doubt else ""
+    answered = [name for name, value in zip(task.quantities, values, strict=True) if not isnan(value)]
+    doubt = " ".join(code for code, is_so in doubts_of(scene, answered).items() if is_so) if task.doubt else ""
     return Single(values, worded(errors), len(errors) == len(values), doubt)
 
 
 def doubts_of(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
-    """Return by its code whether a doubt concerns a scene, or which elements; the law of adhesion is not doubted here."""
+    """Return by its code whether a doubt concerns a scene, or which elements. The law of adhesion is not doubted here."""
     return {code: is_so for code, is_so in doubts(scene, names).items() if code in CODES}
-
-
-CODES = tuple(limit.code(doubt) for limit in LIMITS if limit.name != "tabor_parameter" for doubt in limit.doubts)
 
 
 def concerns(name: str, scene: Scene) -> bool:

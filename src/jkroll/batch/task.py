@@ -12,7 +12,7 @@ from ..quantities.nomenclature import PROPERTIES, header
 from ..quantities.parsing import parse_quantity
 from ..scene.scene import EXCLUSIVE, Scene
 from ..text import quoted, say
-from .columns import DOUBT, MATERIALS, STATUS, Header, understood
+from .columns import MATERIALS, Header, understood
 from .errors import BadTable
 from .settings import Order
 from .single import Task, lacking
@@ -61,7 +61,7 @@ def understood_task(names: tuple[str, ...], order: Order) -> tuple[Header, Task]
     """Return the columns of a header and the task. Raises BadTable, or an error of the options."""
     table = understood(names)
     task = task_of(table, order.inputs, order.settings.quantities, order.known)._replace(doubt=order.settings.doubt)
-    taken = {header(name) for name in task.quantities} | {*task.said, STATUS} | ({DOUBT} if task.doubt else set())
+    taken = {header(name) for name in task.quantities} | {*task.said, *task.remarks}
     for text in table.texts:
         if text.strip() in taken:
             raise BadTable(f"header: there is a column {quoted(text)} already; rename it, or choose --quantities")

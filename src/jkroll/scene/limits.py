@@ -204,9 +204,11 @@ def _touching(scene: Scene, names: Collection[str]) -> Iterator[tuple[Limit, Any
     """Iterate over the limits of these names, with the number of each or the error that says why there is none."""
     if not names:
         return
-    values = scene.evaluate((*names, *LIMIT_NAMES))
     plan = scene.plan(*names)
     used = {*names, *plan.stated, *(step.name for step in plan.steps)}
-    for limit in LIMITS:
-        if limit.touches & used and (not limit.stated or limit.stated & scene.stated.keys()):
-            yield limit, values[limit.name]
+    touching = [
+        limit for limit in LIMITS if limit.touches & used and (not limit.stated or limit.stated & scene.stated.keys())
+    ]
+    values = scene.evaluate([limit.name for limit in touching])
+    for limit in touching:
+        yield limit, values[limit.name]
