@@ -31,7 +31,7 @@ WRITERS = {
 }
 SWEEPS = {
     "bare": "pull-off quartz 1nm:1um:100000 --bare --quiet",
-    "csv": "report quartz 1nm:1um:100000 --csv --quiet",
+    "csv": "report quartz 1nm:1um:1000000 --csv --quiet",
     "json": "r-min 1nm:1um:100000 --json",
     "explain": "r-min 1nm:1um:100000 --explain",
     "curve": "contact quartz 1nm:1um:10000 --curve --csv",

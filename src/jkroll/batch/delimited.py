@@ -13,11 +13,12 @@ from typing import NamedTuple
 import numpy
 import orjson
 
+from .blocks import Block, Results
 from .cells import Reader
 from .columns import Header
 from .dialect import Dialect, lines_of
 from .lines import BOM, Converted, Head
-from .rows import Block, Evaluator, Results
+from .rows import Evaluator
 from .single import Task
 
 STRIP = 128  # rows written at once: their text stays in the cache

@@ -8,11 +8,12 @@ from typing import Any
 import numpy
 import orjson
 
+from .blocks import Block, Results
 from .cells import Reader
 from .columns import Header, is_input
 from .errors import BadTable
 from .lines import BOM, Converted, Head
-from .rows import Block, Evaluator, Results
+from .rows import Evaluator
 from .single import Task
 
 Row = dict[str, Any]

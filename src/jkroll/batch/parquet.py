@@ -18,13 +18,14 @@ import pyarrow.parquet
 from ..errors import BadRequest
 from ..quantities.nomenclature import header
 from ..text import quoted, say, shown
+from .blocks import Block
 from .cells import Floats, Numbers, Reader
 from .columns import check_first
 from .errors import BadTable
 from .lines import Converted
 from .output import OutputFile, is_done
 from .progress import watched
-from .rows import Block, Evaluator
+from .rows import Evaluator
 from .settings import Order, Settings, Tally, input_format, output_format
 from .source import Input, Span
 from .task import understood_task

@@ -3,9 +3,9 @@
 The two ways run the same formulas. Only the second one finds the words for a failure.
 """
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy
 
@@ -16,38 +16,11 @@ from ..scene.errors import BeyondPullOff, MissingInput, NoChain
 from ..scene.inputs import outside
 from ..scene.results import MAY_BE_ZERO, SMALLEST
 from ..scene.scene import Scene
+from .blocks import Block, Results
 from .cells import Floats, Mask, Numbers
 from .columns import DOUBT, STATUS
 from .materials import UNKNOWN, Codes, Lookup
 from .single import Task, alone, concerns, doubts_of, lacking, worded
-
-
-class Block(NamedTuple):
-    """The cells of a block of rows, by the name of the input."""
-
-    size: int
-    numbers: Mapping[str, Numbers]
-    materials: Mapping[str, Sequence[bytes | str] | Codes]  # texts, or numbers of the lookup
-    odd: Mapping[int, str]  # records that are no rows, and why
-    text: Callable[[int, str], str]  # the text of a row's cell for an input
-
-
-class Results(NamedTuple):
-    """An array of numbers for each quantity, nan where there is none, and the texts of each column of remarks, by row."""
-
-    numbers: Floats
-    remarks: dict[str, dict[int, str]]
-    lost: set[int]  # rows without any trusted result
-
-    @property
-    def status(self) -> dict[int, str]:
-        """The status of the rows that have one."""
-        return self.remarks[STATUS]
-
-    @property
-    def doubtful(self) -> int:
-        """The number of rows that exceed a limit of the model."""
-        return len(self.remarks.get(DOUBT, ()))
 
 
 class Evaluator:

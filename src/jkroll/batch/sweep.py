@@ -22,6 +22,7 @@ from ..quantities.nomenclature import INFINITY, NOMENCLATURE, header, word_for_i
 from ..quantities.ranges import Spread
 from ..scene.scene import DEFAULTS, Scene
 from . import loop
+from .blocks import Block
 from .cells import Floats, Numbers
 from .columns import Column
 from .delimited import DIALECTS, quoted_cell
@@ -30,7 +31,7 @@ from .errors import missing_extra
 from .formats import compressor, format_of
 from .lines import Converted
 from .output import OutputFile, is_done, output_to
-from .rows import Block, Evaluator
+from .rows import Evaluator
 from .settings import Settings, Tally, fingerprint
 from .single import Task
 

@@ -78,9 +78,16 @@ def _typeset_core(core: str, *, is_variable: bool) -> str:
         mantissa, exponent = number[1].replace("−", "-"), int(number[2])
         return rf"${mantissa}{{\cdot}}10^{{{exponent}}}$"
     tokens = _token().findall(core)
-    if "".join(tokens) != core or not (is_variable or any(map(_is_mathematics, tokens))):
+    is_mathematics = is_variable or core in _symbols() or any(map(_is_mathematics, tokens))
+    if "".join(tokens) != core or not is_mathematics:
         return re.sub(r"(?<![\w.])-(?=[\d.])", "−", core).replace("$", r"\$")
     return f"${''.join(map(_markup, tokens))}$"
+
+
+@cache
+def _symbols() -> frozenset[str]:
+    """Return the symbols of quantities that are longer than a letter."""
+    return frozenset(entry.symbol for entry in NOMENCLATURE.values() if entry.unit and len(entry.symbol) > 1)
 
 
 @cache
