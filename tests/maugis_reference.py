@@ -104,7 +104,7 @@ def _extreme(which: int, transition: Exact, start: float) -> tuple[Exact, Exact]
         return slopes(radius_of(m, transition), m, transition)[which] * (m - 1)
 
     first = digits.log(start)
-    log_t = digits.findroot(slope, (first, first + mpf(10) ** -8), tol=mpf(10) ** -80, maxsteps=50, verify=False)
+    log_t = digits.findroot(slope, (first, first + mpf(10) ** -8), tol=mpf(10) ** -40, maxsteps=50, verify=False)
     assert abs(slope(log_t)) < mpf(10) ** -30
     m = sqrt(1 + digits.exp(2 * log_t))
     return radius_of(m, transition), m

@@ -84,8 +84,11 @@ def read_table(end: str) -> list[dict[str, Any]]:
 MARKS = {"csv": ",", "tsv": "\t"}
 
 
+BOUND = 8  # ulp, of numbers and of arrays
+
+
 def ulps(value: float, other: float) -> float:
-    """How far apart two doubles are, in units of the last place."""
+    """Return how far apart two doubles are, in units of the last place."""
     return abs(value - other) / math.ulp(other)
 
 
@@ -112,7 +115,7 @@ def test_a_row_is_the_one_liner(run: Run, line: str) -> None:
     for name in results:
         if name in wanted:
             assert bool(found[name]) == bool(wanted[name]), name
-            assert not found[name] or ulps(float(found[name]), float(wanted[name])) <= 4, name
+            assert not found[name] or ulps(float(found[name]), float(wanted[name])) <= BOUND, name
 
 
 def both_ways(text: str) -> Iterator[tuple[str, list[float], list[float], tuple[str, str], tuple[str, str]]]:
@@ -140,7 +143,7 @@ def agree(size: int, seed: int) -> None:
         for value, other in zip(singly, together, strict=True):
             assert math.isnan(value) == math.isnan(other), line
             if not math.isnan(value):
-                assert value == other or ulps(other, value) <= 4, line
+                assert value == other or ulps(other, value) <= BOUND, line
                 checked += 1
     assert checked > size
 
