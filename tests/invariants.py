@@ -107,7 +107,10 @@ def check_call(arguments: list[str]) -> int:
     assert code in CODES, arguments
     assert all(line.startswith(("jkroll: ", "note: ")) and line.isprintable() for line in lines), (arguments, lines)
     assert bool(errors) == (code != 0), (arguments, code, lines)
-    assert len(errors) <= 1 or "batch" in arguments[:2], (arguments, lines)  # of many tables, each that fails has a line
+    assert len(errors) <= 1 or "batch" in arguments[:2], (
+        arguments,
+        lines,
+    )  # of many tables, each that fails has a line
     assert not any("should have foreseen" in line for line in errors), (arguments, lines)
     if code == JkrollError.exit_code:
         assert said == "", arguments

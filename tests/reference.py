@@ -134,6 +134,7 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
             "approach": delta0,
             "load_margin": s,
             "load_margin_of_factor": s,
+            "load_margin_at_approach": s,
             "load_factor": x,
             "contact_radius_at_load": a0 * a_,
             "approach_at_load": delta,
@@ -326,6 +327,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "load_margin_of_factor": lambda x: 2 * x - 1,
     "load_at_factor": lambda P_c, x: 4 * P_c * (x**2 - x),
     "load_factor_at_approach": lambda delta, delta0: root(mpf(float(delta) / float(delta0))) ** 3,
+    "load_margin_at_approach": lambda delta, delta0: 2 * root(mpf(float(delta) / float(delta0))) ** 3 - 1,
     "load_factor_at_load_unstable": lambda P, P_c, s: -P / P_c / (2 * (1 + s)),
     "load_factor_at_approach_unstable": lambda delta, delta0: (
         root(mpf(float(delta) / float(delta0)), stable=False) ** 3
@@ -410,6 +412,7 @@ MEASURED: Mapping[str, Callable[[Exact], Exact]] = {
 # The larger of two terms that may cancel.
 TERMS: Mapping[str, Callable[..., Exact]] = {
     "load_margin_of_factor": lambda x: 2 * x,
+    "load_margin_at_approach": lambda delta, delta0: 2 * root(mpf(float(delta) / float(delta0))) ** 3,
     "load_ratio": lambda a_: 4 * max(a_**3, sqrt(a_) ** 3),
     "approach_ratio": lambda a_: max(3 * a_**2, 2 * sqrt(a_)),
     "pressure": lambda r, a, p_H, p_B: max(p_H * sqrt(1 - (r / a) ** 2), abs(p_B) / sqrt(1 - (r / a) ** 2)),

@@ -78,7 +78,26 @@ def load_factor_at_approach(*, approach_at_load: Length, approach: Length) -> Nu
     >>> load_factor_at_approach(approach_at_load=1.0, approach=1.0)
     1.0
     """
-    return _stable_factor(approach_at_load / approach)
+    return (2 + _approach_over_root(approach_at_load / approach)) / 3
+
+
+def load_margin_at_approach(*, approach_at_load: Length, approach: Length) -> Number:
+    """Return √(1 + P/P_c) at an approach of the centres, and its negative beyond pull-off.
+
+        s = 2x − 1 = (1 + 2(δ/δ0)/x^(1/3))/3
+
+    approach_at_load  [m]  any
+    approach          [m]  > 0
+
+    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
+    Source:   Eqs (5) and (6), as `load_factor_at_approach`; where δ passes through 0 it keeps the digits that 2x − 1 loses.
+    Valid:    δ̂ ≥ −(3/4)^(2/3). Beyond, a float raises ValueError and an array holds NaN.
+    Accuracy: 4 ulp of the larger term, for the ratio δ̂ as it is rounded.
+
+    >>> load_margin_at_approach(approach_at_load=1.0, approach=1.0)
+    1.0
+    """
+    return (1 + 2 * _approach_over_root(approach_at_load / approach)) / 3
 
 
 def load_factor_at_load_unstable(*, load: Force, pull_off_force: Force, load_margin: Number) -> Number:
@@ -120,12 +139,12 @@ def load_factor_at_approach_unstable(*, approach_at_load: Length, approach: Leng
     return _unstable_factor(approach_at_load / approach)
 
 
-def _stable_factor(approach_ratio: Any) -> Any:
-    """Return x = (2 + δ̂/y)/3, which is y³ on the stable branch, at δ̂ ≥ δ̂_fold; an error of y counts once in it."""
+def _approach_over_root(approach_ratio: Any) -> Any:
+    """Return δ̂/y = 3x − 2 on the stable branch, y = x^(1/3), at δ̂ ≥ δ̂_fold; an error of y counts once in it."""
     excess = _excess(approach_ratio)
     start = where(excess < 3, sqrt(excess / 3), sqrt(sqrt(2 * excess)))
     y = (1 + _root_of_excess(start, excess)) / CBRT_6
-    return (2 + approach_ratio / y) / 3
+    return approach_ratio / y
 
 
 def _unstable_factor(approach_ratio: Any) -> Any:

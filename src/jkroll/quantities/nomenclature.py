@@ -110,6 +110,7 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         ),
         "load_at_factor": Quantity("P", "N", "load that holds the contact", "5"),
         "load_margin_of_factor": Quantity("s", "1", "√(1 + P/P_c)", "5"),
+        "load_margin_at_approach": Quantity("s", "1", "√(1 + P/P_c) at the approach", "6"),
         "load_factor_at_approach": Quantity("x", "1", "â^(3/2) at the approach", "6"),
         "load_factor_at_load_unstable": Quantity("x", "1", "â^(3/2) on the unstable branch", "5"),
         "load_factor_at_approach_unstable": Quantity("x", "1", "â^(3/2) on the unstable branch at the approach", "6"),

@@ -214,7 +214,7 @@ def failure_of(name: str, given: Mapping[str, Any]) -> NoResult | None:
             found = BeyondFold(given["approach_at_load"], 0.0)
         case "yield_displacement_at_hysteresis" if given["adhesion_hysteresis"] > given["work_of_adhesion"]:
             found = TooMuchHysteresis(given["adhesion_hysteresis"], given["work_of_adhesion"])
-        case "load_factor_at_approach" | "load_factor_at_approach_unstable":
+        case "load_factor_at_approach" | "load_margin_at_approach" | "load_factor_at_approach_unstable":
             least = FOLD_APPROACH * given["approach"]
             found = BeyondFold(given["approach_at_load"], least) if given["approach_at_load"] <= least else None
     return found

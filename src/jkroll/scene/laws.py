@@ -60,7 +60,12 @@ _JKR = Law(
     {
         **_GIVEN,
         "load_factor": _AT_FACTOR,
-        "approach_at_load": {**_AT_FACTOR, **_MAUGIS_AT_APPROACH, "load_factor": "load_factor_at_approach"},
+        "approach_at_load": {
+            **_MAUGIS_AT_APPROACH,
+            "load": "load_at_factor",
+            "load_factor": "load_factor_at_approach",
+            "load_margin": "load_margin_at_approach",
+        },
     },
 )
 

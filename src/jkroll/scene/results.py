@@ -9,6 +9,7 @@ MAY_BE_ZERO = frozenset(
     {
         "load_margin",
         "load_margin_of_factor",
+        "load_margin_at_approach",
         "load_at_factor",
         "stiffness",
         "vertical_frequency",
