@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from harness import Run
-from shells import SHELLS, Shell
+from shells import Shell
 
 # What is typed, and the words that the command is then called with. A second TAB goes on where the first has ended.
 TYPED = {
@@ -41,7 +41,10 @@ NAMES = [
 NAMED = "".join(f"[materials.{json.dumps(name, ensure_ascii=False)}]\n" for name in NAMES)
 
 
-@pytest.fixture(scope="module", params=SHELLS)
+@pytest.fixture(
+    scope="module",
+    params=["bash", pytest.param("zsh", marks=pytest.mark.slow), pytest.param("fish", marks=pytest.mark.slow)],
+)
 def shell(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Shell]:
     """Each shell, with a materials file of the user's own; where one is missing, that is seen."""
     program = shutil.which(request.param)
