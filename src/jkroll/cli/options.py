@@ -11,7 +11,7 @@ from ..text import quoted
 
 
 class Option(NamedTuple):
-    """An option, by the name of its value in `Values` or in the nomenclature.
+    """An option, by the name of its value in `Call` or in the nomenclature.
 
     The help of an input is its sentence in the nomenclature, unless the option has a text of its own.
     """
@@ -58,9 +58,11 @@ class Option(NamedTuple):
         return f"{meaning[0].upper()}{meaning[1:]}{default}{others}."
 
 
-class Values(NamedTuple):
-    """Values of the options of one call. Each command reads those that it declares; the others keep their defaults."""
+class Call(NamedTuple):
+    """One call of a command: its words, and its options by name. A command reads those that it declares."""
 
+    command: str = ""
+    words: tuple[str, ...] = ()
     inputs: Mapping[str, str] = MappingProxyType({})  # of the scene: texts, by the names of the nomenclature
     materials: str | None = None
     quiet: bool = False

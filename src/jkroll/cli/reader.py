@@ -10,14 +10,14 @@ from collections.abc import Mapping, Sequence
 from functools import partial
 
 from ..text import say
-from .commands import COMMANDS, Call
+from .commands import COMMANDS, Action
 from .options import Option
 
 _NEGATIVE = re.compile("-[0-9.]")  # the beginning of a negative value, or of a file name
 
 
-def plain_call(words: Sequence[str]) -> Call | None:
-    """Return the call that plain words ask for; None for words that are not plain."""
+def plain_action(words: Sequence[str]) -> Action | None:
+    """Return what plain words ask for; None for words that are not plain."""
     name, *rest = words
     if name not in COMMANDS:
         return _PROGRAM.get(name) if not rest else None
@@ -28,7 +28,7 @@ def plain_call(words: Sequence[str]) -> Call | None:
     arguments, given = read
     if "help" in given:
         return partial(_print_help, name)
-    return command.call(arguments, given) if len(arguments) <= command.words.most else None
+    return command.action(arguments, given) if len(arguments) <= command.words.most else None
 
 
 def _print_help(name: str | None) -> int:
@@ -47,7 +47,7 @@ def print_version() -> int:
     return 0
 
 
-_PROGRAM: Mapping[str, Call] = {
+_PROGRAM: Mapping[str, Action] = {
     "--help": partial(_print_help, None),
     "-h": partial(_print_help, None),
     "--version": print_version,
