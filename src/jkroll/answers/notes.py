@@ -9,7 +9,7 @@ from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.errors import MissingInput
 from ..scene.limits import IMPACT, Judgement
 from ..scene.scene import DEFAULTS, Scene
-from .comparison import at_equal_hysteresis, without_contact
+from .other_laws import remarks
 from .result import Note, Result
 
 MOST_NAMES = 3  # of quantities in a note
@@ -49,20 +49,18 @@ def about_data(scene: Scene, inputs: Collection[str]) -> list[Note]:
 def about_results(results: list[Result], scene: Scene) -> list[Note]:
     """Return notes on the values: why one stands beside a headline, what it counts, how exact its model is."""
     known = [result for result in results if result.value is not None]
-    remarks: dict[str, list[str]] = {}
+    by_note: dict[str, list[str]] = {}
     for result in known:
         is_implied = scene.is_identical and result.name == "rolling_frequency_no_slip"
         if NOMENCLATURE[result.name].note and not is_implied:
-            remarks.setdefault(NOMENCLATURE[result.name].note, []).append(symbol_of(result.name))
-    texts = [f"{', '.join(symbols)}: {remark}" for remark, symbols in remarks.items()]
+            by_note.setdefault(NOMENCLATURE[result.name].note, []).append(symbol_of(result.name))
+    texts = [f"{', '.join(symbols)}: {note}" for note, symbols in by_note.items()]
     names = {result.name for result in known}
     if "n_grav" in names and not scene.is_identical:
         texts.append(f"N_grav is what the first contact, on body 2, carries; {_between_spheres_1(scene)}")
     if "n_roll" in names and IMPACT.isdisjoint(scene.stated):
         texts.append(f"W0 = P_cδ0 is {1 / STICKING:.3g} U_stick, the largest energy that sticks")
-    texts += [at_equal_hysteresis(scene)] if "yield_moment" in names else []
-    texts += [without_contact(scene)] if "contact_radius_at_load" in names else []
-    notes = [Note("result", text) for text in filter(None, texts)]
+    notes = [Note("result", text) for text in (*texts, *remarks(scene, names))]
     errors = ", ".join(f"{symbol_of(result.name)} by {100 * result.error:.2g} %" for result in known if result.error)
     return [*notes, Note("model", f"off the exact moment of this contact: {errors}")] if errors else notes
 
