@@ -9,11 +9,10 @@ from ..quantities.formatting import Format, amount, in_words
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..scene.errors import BeyondFold, BeyondPullOff, MissingInput, reason_of
 from ..scene.limits import LIMIT_NAMES, Verdict, judged, of_any_scene, sentence, uses_spacing
-from ..scene.rolling_models import model_error
 from ..scene.scene import Scene
 from ..scene.wiring import depends_on
 from .comparison import Difference, differences, with_differences, with_force_by_maugis
-from .notes import about_data, about_limits, about_missing, about_results, assumptions, few, symbol_of
+from .notes import about_data, about_limits, about_missing, about_results, assumptions, few, model_error, symbol_of
 from .other_laws import undecided, with_law
 from .questions import Question
 from .result import Note, Result

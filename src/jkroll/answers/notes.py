@@ -13,6 +13,8 @@ from .other_laws import remarks
 from .result import Note, Result
 
 MOST_NAMES = 3  # of quantities in a note
+# The models of the rolling moment.
+MOMENTS = ("unloaded_moment", "yield_moment", "half_circles_moment", "fixed_approach_moment")
 
 
 def assumptions(scene: Scene, inputs: Collection[str], names: list[str]) -> list[Note]:
@@ -65,6 +67,20 @@ def about_results(results: list[Result], scene: Scene) -> list[Note]:
     return [*notes, Note("model", f"off the exact moment of this contact: {errors}")] if errors else notes
 
 
+def model_error(name: str, scene: Scene) -> float | None:
+    """Return the relative error of a model; None for the exact one, for other quantities, and where one has no value.
+
+    At a fixed load Eq (25) is exact; at a fixed approach, there is a term in ξ³ more.
+    """
+    exact_model = "fixed_approach_moment" if "approach_at_load" in scene.stated else "yield_moment"
+    if name not in MOMENTS or name == exact_model:
+        return None
+    values = scene.numbers(name, exact_model)
+    if len(values) < 2:
+        return None
+    return float(abs(values[name] - values[exact_model]) / values[exact_model])
+
+
 def _between_spheres_1(scene: Scene) -> str:
     """Return a clause on the contacts between the spheres of a chain that hangs from another body."""
     stated = {name: value for name, value in scene.stated.items() if not name.endswith("2")}
@@ -80,7 +96,7 @@ def _between_spheres_1(scene: Scene) -> str:
 def about_limits(limits: Judgement) -> list[Note]:
     """Return a note for the limits of the model that could not be judged."""
     return [
-        Note("unchecked", f"not checked: {', '.join(map(symbol_of, names))}: needs {needs}")
+        Note("unchecked", f"not checked: {', '.join(map(symbol_of, names))}: need{'' if names[1:] else 's'} {needs}")
         for needs, names in limits.missing.items()
     ]
 
@@ -99,7 +115,9 @@ def about_missing(results: list[Result], errors: Mapping[str, JkrollError]) -> l
     notes = []
     for group in groups.values():
         names = [result.name for result in group]
-        reason = min((result.reason for result in group), key=len)
+        shortest = min(group, key=lambda result: len(result.reason))
+        error = errors.get(shortest.name)
+        reason = error.reason_of_several() if isinstance(error, MissingInput) and names[1:] else shortest.reason
         notes.append(Note("missing", f"{few(names)}: {reason}", " ".join(names)))
     return notes
 

@@ -1,6 +1,7 @@
 """Options of the command line: how each is typed, what its value may be, and what the help says of it."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
+from functools import cache
 from math import nan
 from types import MappingProxyType
 from typing import NamedTuple
@@ -179,8 +180,10 @@ BENCH = (
 # The options that every command takes, and those of the program before any command.
 HELP = tuple(Option("help", flag, bool, "", "Show this message and exit") for flag in ("-h", "--help"))
 VERSION = Option("version", "--version", bool, "", "Show the version and exit")
+DEBUG = Option("debug", "--debug", bool, "", "Show where an error comes from; first or last word")
 PROGRAM = (
     VERSION,
+    DEBUG,
     Option("install_completion", "--install-completion", bool, "", "Install completion for the current shell"),
     Option("show_completion", "--show-completion", bool, "", "Print the completion script of the current shell"),
     *HELP,
@@ -198,7 +201,8 @@ _HIDDEN = (
 _HIDDEN_WHERE_USED = ("energy_ratio", "adhesion_hysteresis")
 
 
-def inputs_of(quantities: Iterable[str]) -> tuple[Option, ...]:
+@cache
+def inputs_of(quantities: tuple[str, ...]) -> tuple[Option, ...]:
     """Return the options for the inputs that quantities depend on.
 
     The properties of a material are taken by every command, but shown only where they are used.
@@ -206,7 +210,6 @@ def inputs_of(quantities: Iterable[str]) -> tuple[Option, ...]:
     from ..scene.laws import LAWS
     from ..scene.wiring import depends_on, has_law
 
-    quantities = tuple(quantities)
     depends = depends_on(quantities, LAWS)
     if any(map(has_law, quantities)):
         depends |= {"model"}

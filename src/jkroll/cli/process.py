@@ -10,6 +10,7 @@ from typing import TextIO
 from ..errors import BadRequest, JkrollError
 from ..text import quoted, say, shown
 from .commands import Action
+from .options import DEBUG
 from .reader import plain_action
 
 USAGE_ERROR = 2
@@ -23,8 +24,8 @@ COMPLETE = "_JKROLL_COMPLETE"  # the variable in which a shell asks for completi
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code; print an error as one line."""
     words = list(sys.argv[1:] if arguments is None else arguments)
-    debug = "--debug" in words[:1] + words[-1:]
-    words = [word for place, word in enumerate(words) if not (word == "--debug" and place in (0, len(words) - 1))]
+    debug = DEBUG.flag in words[:1] + words[-1:]
+    words = [word for place, word in enumerate(words) if not (word == DEBUG.flag and place in (0, len(words) - 1))]
     if sys.stderr is None:
         sys.stderr = open(os.devnull, "w", encoding="utf-8")  # it was closed: nobody listens
     try:
@@ -84,7 +85,9 @@ def _report(error: Exception) -> int:
         message, code = f"cannot write: {error.strerror or error}", CANNOT_WRITE
         _discard(sys.stdout)
     else:
-        message = f"{type(error).__name__}: {shown(str(error))}; jkroll should have foreseen this: --debug shows where"
+        message = (
+            f"{type(error).__name__}: {shown(str(error))}; jkroll should have foreseen this: {DEBUG.flag} shows where"
+        )
         code = UNFORESEEN
     try:
         say(f"jkroll: {message}", sys.stderr)

@@ -4,7 +4,6 @@ It exists because importing typer doubles the time of a call. Everything that is
 together) is left to typer, which understands plain lines in the same way.
 """
 
-import re
 import sys
 from collections.abc import Mapping, Sequence
 from functools import partial
@@ -12,8 +11,6 @@ from functools import partial
 from ..text import say
 from .commands import COMMANDS, Action
 from .options import Option
-
-_NEGATIVE = re.compile("-[0-9.]")  # the beginning of a negative value, or of a file name
 
 
 def plain_action(words: Sequence[str]) -> Action | None:
@@ -65,7 +62,7 @@ def _read(
     given: dict[str, str | bool] = {}
     rest = iter(words)
     for word in rest:
-        if _is_word(word) or (files and _NEGATIVE.match(word)):
+        if _is_word(word) or (files and _is_negative(word)):
             arguments.append(word)
             continue
         flag, has_value, text = word.partition("=")
@@ -80,7 +77,7 @@ def _read(
         if has_value and not flag.startswith("--"):
             return None
         value = text if has_value else next(rest, "--")
-        if not _is_word(value) and not _NEGATIVE.match(value):
+        if not _is_word(value) and not _is_negative(value):
             return None
         given[option.name] = value
     return arguments, given
@@ -89,3 +86,8 @@ def _read(
 def _is_word(text: str) -> bool:
     """Return whether a text cannot be taken for an option; a single hyphen is standard input or output."""
     return text == "-" or not text.startswith("-")
+
+
+def _is_negative(text: str) -> bool:
+    """Return whether a text begins as a negative value does."""
+    return len(text) > 1 and text[0] == "-" and text[1] in "0123456789."

@@ -48,6 +48,8 @@ class Request:
             raise BadRequest("--material2 is empty")
         models = self.options.pop("model", None)
         self.models = [law_named(name).name for name in models.split(",")] if models is not None else [None]
+        if len(set(self.models)) < len(self.models):
+            raise BadRequest(f"--model: {quoted(models or '')} names a law more than once")
         if radii:
             self.options["radius"] = ",".join(radii)
         for alternatives in EXCLUSIVE:

@@ -17,7 +17,7 @@ from .commands import COMMANDS, Action, Command, flags_of
 from .completion import Completer, completer_of_option, completer_of_words, is_safe
 from .help import help_of
 from .mistakes import UnknownCommand, UnknownOption
-from .options import HELP, VERSION, Option
+from .options import DEBUG, HELP, VERSION, Option
 from .reader import print_version
 
 MAX_MESSAGE = 1000
@@ -42,16 +42,17 @@ def application() -> TyperGroup:
     app.callback()(_no_callback)
     group = typer.main.get_command(app)
     assert isinstance(group, TyperGroup)
-    group.params.append(
+    group.params += [
         TyperOption(
-            param_decls=[VERSION.flag],
+            param_decls=[option.flag],
             is_flag=True,
             is_eager=True,
             expose_value=False,
-            callback=_show_version,
-            help=VERSION.sentence(),
+            callback=callback,
+            help=option.sentence(),
         )
-    )
+        for option, callback in ((VERSION, _show_version), (DEBUG, None))
+    ]
     for command in COMMANDS.values():
         group.add_command(_TyperCommand(command))
     return group

@@ -109,7 +109,7 @@ class _Path:
             return wanted
         if name in self.known:
             self.inputs.add(name)
-        elif name not in NOMENCLATURE:
+        elif name not in NOMENCLATURE or not NOMENCLATURE[name].unit:
             raise UnknownQuantity(name)
         elif name in self.steps:
             return name
