@@ -6,7 +6,7 @@ import sys
 
 INTERRUPTED = 130
 CANNOT_WRITE = 1
-SELDOM = 100_000  # new objects until the next search for cycles: what imports make is no garbage
+SELDOM = 50_000  # new objects until the next search for cycles: what imports make is no garbage
 
 
 def run() -> None:

@@ -44,20 +44,7 @@ class Answer(NamedTuple):
 
 def answer(question: Question, scene: Scene) -> Answer:
     """Compute the quantities of a command as far as the scene allows."""
-    results: list[Result] = []
-    errors: dict[str, JkrollError] = {}
-    shown = [name for name in question.quantities if concerns(name, scene)]
-    values = scene.evaluate((*shown, *LIMIT_NAMES))
-    for name in shown:
-        value = values[name]
-        if isinstance(value, MissingInput | NoResult):
-            errors[name] = value
-            results.append(Result(name, None, reason_of(name, value)))
-        elif reason := undecided(name, scene):
-            results.append(Result(name, None, reason))
-        else:
-            results.append(Result(name, value, error=model_error(name, scene)))
-    results = results if scene.law.is_default else with_law(results, scene)
+    results, errors = _results(question, scene)
     known = [result.name for result in results if result.value is not None]
     planned = [result.name for result in results if not isinstance(errors.get(result.name), MissingInput)]
     used = scene.inputs_of(*planned) if planned else depends_on(question.quantities) & scene.given.keys()
@@ -73,12 +60,34 @@ def answer(question: Question, scene: Scene) -> Answer:
         *about_missing(results, errors),
         *about_limits(limits),
     )
-    fatal = next((error for error in errors.values() if isinstance(error, _FATAL)), None)
-    if isinstance(fatal, BeyondPullOff):
-        fatal = with_force_by_maugis(fatal, scene)
-    failure = fatal or (None if known else next(iter(errors.values())))
+    failure = _fatal(errors, scene) or (None if known else next(iter(errors.values())))
     plain = Answer(inputs, tuple(results), notes, validity, failure, laws)
     return with_uncertainties(plain, scene) if scene.is_uncertain else plain
+
+
+def _results(question: Question, scene: Scene) -> tuple[list[Result], dict[str, MissingInput | NoResult]]:
+    """Return the quantities that are shown for a scene, and the errors of those that have no value.
+
+    The limits that will be judged are evaluated along with them, so that one plan leads to all.
+    """
+    shown = [name for name in question.quantities if concerns(name, scene)]
+    values = scene.evaluate((*shown, *LIMIT_NAMES))
+    errors = {name: values[name] for name in shown if isinstance(values[name], MissingInput | NoResult)}
+    results: list[Result] = []
+    for name in shown:
+        if name in errors:
+            results.append(Result(name, None, reason_of(name, errors[name])))
+        elif reason := undecided(name, scene):
+            results.append(Result(name, None, reason))
+        else:
+            results.append(Result(name, values[name], error=model_error(name, scene)))
+    return (results if scene.law.is_default else with_law(results, scene)), errors
+
+
+def _fatal(errors: Mapping[str, JkrollError], scene: Scene) -> JkrollError | None:
+    """Return the error that leaves nothing of a scene to be trusted, even where something could be computed; None without one."""
+    fatal = next((error for error in errors.values() if isinstance(error, BeyondPullOff | BeyondFold)), None)
+    return with_force_by_maugis(fatal, scene) if isinstance(fatal, BeyondPullOff) else fatal
 
 
 def with_uncertainties(answer: Answer, scene: Scene) -> Answer:
@@ -112,10 +121,6 @@ def add_uncertainties(answer: Answer, found: Mapping[str, "Propagated | JkrollEr
     entering = sources.entering
     stated = {name: source.given for source in entering for name in source.names if name in answer.inputs}
     return answer._replace(results=tuple(results), notes=(*answer.notes, *notes), uncertain=stated)
-
-
-# Errors that leave nothing of a scene to be trusted, even where something could be computed.
-_FATAL = (BeyondPullOff, BeyondFold)
 
 
 def in_units(answer: Answer, form: Format) -> Answer:
