@@ -1,4 +1,4 @@
-"""How a call has its results written: the format, the units and digits, and the kind of picture."""
+"""Output of a call: its format, the units and digits of results, and the kinds of pictures."""
 
 import sys
 from collections.abc import Sequence
