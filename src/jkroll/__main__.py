@@ -1,10 +1,12 @@
 """Script `jkroll` and `python -m jkroll`. Imports come late, so that an interrupt during them is handled."""
 
+import gc
 import os
 import sys
 
 INTERRUPTED = 130
 CANNOT_WRITE = 1
+SELDOM = 50_000  # new objects until the next search for cycles: what imports make is no garbage
 
 
 def run() -> None:
@@ -21,6 +23,7 @@ def run() -> None:
             raise KeyboardInterrupt
 
         signal(SIGINT, unwind)
+        gc.set_threshold(SELDOM)
         sys.unraisablehook = _end_if_interrupted
         from .cli.process import main
 

@@ -231,7 +231,7 @@ STATUS = {
     "x,quartz,0,0": "radius: '0 nm' must be positive; expected a length such as 100nm",
     "x,quartz,1N,0": "radius: '1N' is a force; expected a length such as 100nm",
     "x,quartz,one,0": "radius: 'one' does not begin with a number; expected a length such as 100nm",
-    "x,quartz,100,-20": "load: -2e-08 N is beyond pull-off; this contact holds down to -1.1780972450961723e-08 N",
+    "x,quartz,100,-20": "load: -20 nN is beyond pull-off; this contact holds down to -11.781 nN",
     "x,quartz,100": "3 cells where the header has 4",
     "x,quartz,100,0,": "5 cells where the header has 4",
     'x,"quartz,100,0': "a quote is not closed",

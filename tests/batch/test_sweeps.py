@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-import jkroll.cli.run
+import jkroll.cli.question
 from harness import Run
 
 SWEEPS = [
@@ -51,7 +51,7 @@ def test_a_streamed_sweep_has_the_rows_of_a_short_one(run: Run, sweep: str) -> N
 def test_a_long_sweep_is_streamed_to_a_pipe_and_to_parquet(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     parquet = pytest.importorskip("pyarrow.parquet")
     command = "pull-off quartz,iron 1nm:1um:15000"
-    assert jkroll.cli.run.MANY < 30_000
+    assert jkroll.cli.question.MANY < 30_000
     piped = subprocess.run(
         [sys.executable, "-m", "jkroll", *command.split(), "--csv", "--quiet"], capture_output=True, text=True
     )
@@ -65,7 +65,7 @@ def test_a_long_sweep_is_streamed_to_a_pipe_and_to_parquet(run: Run, monkeypatch
         cells = [row[place] for row in rows]
         assert found[name].to_pylist() == ([float(cell) for cell in cells] if name != "material" else cells)
     with monkeypatch.context() as patch:
-        patch.setattr(jkroll.cli.run, "MANY", 10**9)
+        patch.setattr(jkroll.cli.question, "MANY", 10**9)
         short = table(run(f"{command} --csv").out)[1:]
     values, others = ([float(cell) for row in some for cell in row[1:]] for some in (short, rows))
     assert values == pytest.approx(others, rel=4e-16)

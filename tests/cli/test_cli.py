@@ -108,8 +108,13 @@ MESSAGES = {
     ),
     "yield-force quartz 100nm --load -20nN": (
         1,
-        "load: -2e-08 N is beyond pull-off; this contact holds down to -1.1780972450961723e-08 N",
+        "load: -20 nN is beyond pull-off; this contact holds down to -11.781 nN",
     ),
+    "yield-force quartz 100nm --load -11.78098nN": (
+        1,
+        "load: -11.78098 nN is beyond pull-off; this contact holds down to -11.780972450961723 nN; by Maugis' law it holds down to -15.003749307684046 nN (--model maugis)",
+    ),
+    "pull-off quartz 100nm --model jkr,dmt,jkr": (2, "--model: 'jkr,dmt,jkr' names a law more than once"),
     "contact quartz 100nm --poisson 0.6": (
         2,
         "poisson_ratio: '0.6' must lie between -1 and 0.5; expected a number such as 0.17",
@@ -280,7 +285,7 @@ def test_tension_beyond_pull_off_takes_what_depends_on_the_load(run: Run) -> Non
     ran = run("report quartz 10nm --load -5nN --json")
     data = json.loads(ran.out)
     assert ran.code == 1
-    assert ran.err.startswith("jkroll: load: -5e-09 N is beyond pull-off; this contact holds down to -1.17809724509617")
+    assert ran.err.startswith("jkroll: load: -5 nN is beyond pull-off; this contact holds down to -1.1781 nN\n")
     values = {result["name"]: result["value"] for result in data["results"]}
     assert values["pull_off_force"] > 0
     assert values["r_min"] > 0
@@ -494,7 +499,7 @@ def test_beyond_the_fold(run: Run) -> None:
     ran = run("contact quartz 100nm --approach -0.1nm --bare")
     assert ran.code == 1
     assert ran.err.startswith(
-        "jkroll: approach_at_load: -1e-10 m is beyond the fold; fixed grips hold this contact down to -8.76"
+        "jkroll: approach_at_load: -100 pm is beyond the fold; fixed grips hold this contact down to -87.6"
     )
 
 
@@ -533,7 +538,7 @@ def test_every_answer_says_how_far_it_can_be_trusted(run: Run) -> None:
     assert "does not roll" in run("n-roll quartz 10nm --energy 1e-21J").err
     r_min = json.loads(run("r-min 100nm --json").out)
     assert [one["name"] for one in r_min["validity"] if one["holds"]] == ["yield_angle", "r_min_over_radius"]
-    assert any(note.startswith("not checked: ξ/ξ_max, ξ/a: needs surface energy") for note in r_min["notes"])
+    assert any(note.startswith("not checked: ξ/ξ_max, ξ/a: need surface energy") for note in r_min["notes"])
 
 
 # --- What a review found ------------------------------------------------------------------------------------------------

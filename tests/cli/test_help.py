@@ -11,7 +11,7 @@ from typer.core import TyperOption
 from harness import Run
 from jkroll.cli.commands import COMMANDS
 from jkroll.cli.help import help_of
-from jkroll.cli.typer_app import application, typer_call
+from jkroll.cli.typer_app import application, typer_action
 
 NAMES = [None, *COMMANDS]
 
@@ -54,7 +54,7 @@ def test_the_help_lists_every_command() -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_typer_prints_the_same_help(run: Run, capsys: pytest.CaptureFixture[str], name: str | None) -> None:
     words = [name] if name else []
-    typer_call([*words, "--help"])
+    typer_action([*words, "--help"])
     assert capsys.readouterr().out == run(*words, "--help").out == run(*words, "-h").out
 
 

@@ -14,10 +14,10 @@ from hypothesis import strategies as st
 
 from harness import Run
 from jkroll.answers.questions import QUESTIONS
-from jkroll.cli.commands import COMMANDS, Call
-from jkroll.cli.options import OUTPUT, Values
-from jkroll.cli.reader import plain_call
-from jkroll.cli.typer_app import typer_call
+from jkroll.cli.commands import COMMANDS, Action
+from jkroll.cli.options import OUTPUT, Call
+from jkroll.cli.reader import plain_action
+from jkroll.cli.typer_app import typer_action
 from jkroll.errors import JkrollError
 from jkroll.quantities.nomenclature import NOMENCLATURE
 
@@ -63,34 +63,34 @@ NOT_PLAIN = [
 ]
 
 
-def answer_of(read: Callable[[list[str]], Call | None], words: list[str]) -> object:
+def answer_of(read: Callable[[list[str]], Action | None], words: list[str]) -> object:
     """Return what words are read as, in a form that can be compared: a call, a printed text, or an error."""
     out = io.StringIO()
     try:
         with redirect_stdout(out):
-            call = read(words)
-            if isinstance(call, partial) and any(isinstance(part, Values) for part in call.args):
-                return call.func, call.args
-            return None if call is None else (call(), out.getvalue())
+            action = read(words)
+            if isinstance(action, partial) and any(isinstance(part, Call) for part in action.args):
+                return action.func, action.args
+            return None if action is None else (action(), out.getvalue())
     except JkrollError as error:
         return type(error), str(error)
 
 
 def agree(words: list[str]) -> bool:
     """Return whether both readers understand the words alike, or only typer does."""
-    plain = answer_of(plain_call, words)
-    return plain is None or plain == answer_of(typer_call, words)
+    plain = answer_of(plain_action, words)
+    return plain is None or plain == answer_of(typer_action, words)
 
 
 @pytest.mark.parametrize("line", PLAIN)
 def test_plain_words_are_read_quickly(line: str) -> None:
-    assert plain_call(line.split()) is not None
+    assert plain_action(line.split()) is not None
     assert agree(line.split())
 
 
 @pytest.mark.parametrize("line", NOT_PLAIN)
 def test_other_words_are_left_to_typer(line: str) -> None:
-    assert plain_call(line.split()) is None
+    assert plain_action(line.split()) is None
 
 
 FLAGS = sorted({*(flag for name in QUESTIONS for flag in COMMANDS[name].flags())})
@@ -108,7 +108,7 @@ def random_words(source: random.Random) -> list[str]:
 
 def is_quick(words: list[str]) -> bool:
     """Return whether words are answered without typer."""
-    return answer_of(plain_call, words) is not None
+    return answer_of(plain_action, words) is not None
 
 
 def test_readers_agree_on_random_command_lines() -> None:
@@ -135,7 +135,7 @@ def test_readers_agree_on_any_text(command: str, words: list[str]) -> None:
 @pytest.mark.parametrize("name", COMMANDS)
 def test_every_option_has_a_place_for_its_value(name: str) -> None:
     for option in COMMANDS[name].options():
-        assert option.name in Values._fields or option.name in NOMENCLATURE, option.flag
+        assert option.name in Call._fields or option.name in NOMENCLATURE, option.flag
 
 
 def test_every_question_has_a_command_that_takes_the_ways_to_write() -> None:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from jkroll.cli.commands import COMMANDS
 from jkroll.materials.entries import SHIPPED
 
 LIBRARIES = {"numpy", "pint", "rich", "typer", "pydantic", "mpmath", "matplotlib", "tomllib"}
@@ -105,6 +106,24 @@ def test_a_completion_adds_typer_alone(line: str, tmp_path: Path) -> None:
     )
     assert ran.stdout
     assert LIBRARIES & set(ran.stderr.split()) <= {"typer", "tomllib"}
+
+
+def test_a_call_imports_its_own_command_only() -> None:
+    runners = {f"jkroll.cli.{command.runner.partition(':')[0]}" for command in COMMANDS.values()}
+    program = "import sys; from jkroll.cli.process import main; main(sys.argv[1:]); print(*sys.modules)"
+    for words, own in (
+        ("r-min 100nm", {"jkroll.cli.question"}),
+        ("r-min --help", set()),
+        ("r-min 100nm --xl 1nm", set()),
+    ):
+        ran = subprocess.run(
+            [sys.executable, "-c", program, *words.split()], capture_output=True, text=True, check=True
+        )
+        assert runners & set(ran.stdout.split()) == own, words
+
+
+def test_every_command_has_a_runner() -> None:
+    assert all(callable(command.run()) for command in COMMANDS.values())
 
 
 def test_the_package_alone_imports_nothing() -> None:

@@ -272,6 +272,12 @@ def test_names_that_are_none_are_refused() -> None:
     for wrong in (None, [None], ["pull_off_force", "pull_off"], 3):
         with pytest.raises(UnknownQuantity):
             solve(wrong, radius=1e-7, **QUARTZ)
+    for wrong in ("material", "model", "state"):
+        with pytest.raises(UnknownQuantity, match="has no value to compute"):
+            solve(wrong, radius=1e-7, **QUARTZ)
+    for wrong in ("mine.toml", ["mine.toml"]):
+        with pytest.raises(QuantityError, match=r"write Materials\(\[\"mine.toml\"\]\)"):
+            solve("pull_off_force", material="quartz", radius=1e-7, materials=wrong)
     for wrong in (["quartz", "iron"], 1, b"quartz"):
         with pytest.raises(QuantityError):
             solve("pull_off_force", material=wrong, radius=1e-7)

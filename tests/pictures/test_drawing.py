@@ -16,7 +16,7 @@ from harness import Run
 from jkroll import known_materials, solve
 from jkroll.cli.draw import OF_PAPER
 from jkroll.cli.map_request import map_request
-from jkroll.cli.options import Values
+from jkroll.cli.options import Call
 from jkroll.cli.process import main
 from jkroll.pictures.axes import described
 from jkroll.pictures.figures import FIGURES, figure
@@ -76,7 +76,7 @@ def test_a_contour_of_the_paper_is_its_formula(name: str) -> None:
 def test_a_contour_of_a_users_map_is_its_formula(
     words: list[str], axes: tuple[str, str], given: dict[str, Any]
 ) -> None:
-    drawn, _ = map_of(map_request(words, Values(x=axes[0], y=axes[1])), (201, 201))
+    drawn, _ = map_of(map_request(Call(words=tuple(words), x=axes[0], y=axes[1])), (201, 201))
     spacing = (drawn.levels()[-1].value - drawn.levels()[0].value) / len(drawn.levels())
     for value, (x, y) in contours(drawn):
         values = solve(drawn.quantity, **given, **{drawn.x.name: x, drawn.y.name: y})
@@ -162,7 +162,9 @@ def test_lines_are_broken_before_typesetting_and_not_before_a_unit() -> None:
 
 def test_the_edge_of_a_gap_is_where_the_contact_breaks() -> None:
     """The border of the part without a value, as drawn, is P = -P_c."""
-    request = map_request(["contact-radius-at-load", "quartz"], Values(x="radius=10nm:1um", y="load=-20nN:50nN:lin"))
+    request = map_request(
+        Call(words=("contact-radius-at-load", "quartz"), x="radius=10nm:1um", y="load=-20nN:50nN:lin")
+    )
     drawn, _ = map_of(request, (41, 41))
     mesh = drawn.mesh()
     is_moved = np.isfinite(mesh.values) & np.isnan(drawn.values)

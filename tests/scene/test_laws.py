@@ -187,7 +187,7 @@ def test_hysteresis_gives_the_moment_that_it_supplies(model: str, edge: str) -> 
 
 
 def test_hysteresis_is_at_most_the_work_of_adhesion() -> None:
-    with pytest.raises(JkrollError, match=r"0\.06 J/m\^2 is above the work of adhesion, 0\.05"):
+    with pytest.raises(JkrollError, match=r"60 mJ/m\^2 is above the work of adhesion, 50 mJ"):
         solve("yield_moment", **QUARTZ, adhesion_hysteresis=0.06)
 
 
@@ -209,8 +209,9 @@ def test_an_error_names_the_pull_off_force_of_the_law(model: str) -> None:
     force = solve("pull_off_force", model=model, **QUARTZ)
     names = ["contact_radius_at_load", "yield_moment", "stiffness"]
     for name in names:
-        with pytest.raises(BeyondPullOff, match=repr(-force)):
+        with pytest.raises(BeyondPullOff) as raised:
             solve(name, model=model, **QUARTZ, load=-1.01 * force)
+        assert raised.value.pull_off_force == force
     values = solve(names, model=model, **QUARTZ, load=numpy.array([-1.01 * force, 0.0]))
     assert all(math.isnan(value[0]) and value[1] > 0 for value in values.values())
 

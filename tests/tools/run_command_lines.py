@@ -10,18 +10,13 @@ import sys
 import tempfile
 import time
 from collections import Counter
-from functools import cache
 from pathlib import Path
 from random import Random
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
 import command_lines
-import jkroll.cli.commands
 from invariants import check_call, isolate
-
-# Each call makes its options once; over a million of calls that would take a third of the time.
-jkroll.cli.commands.inputs_of = cache(jkroll.cli.commands.inputs_of)  # type: ignore[attr-defined,assignment]
 
 
 def main() -> int:

@@ -1,6 +1,6 @@
 """The answer of a command for one scene: its results, the inputs as understood, limits and notes."""
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Collection, Mapping
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -8,25 +8,14 @@ from ..errors import JkrollError, NoResult
 from ..quantities.formatting import Format, amount, in_words
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..scene.errors import BeyondFold, BeyondPullOff, MissingInput, reason_of
-from ..scene.laws import DEFAULT_LAW
 from ..scene.limits import LIMIT_NAMES, Verdict, judged, of_any_scene, sentence, uses_spacing
-from ..scene.rolling_models import model_error
 from ..scene.scene import Scene
-from ..scene.wiring import STATE, depends_on
-from .comparison import (
-    BETWEEN,
-    Difference,
-    differences,
-    equation_of,
-    of_jkr,
-    uncertain_sticking,
-    uses_law,
-    with_differences,
-    with_force_by_maugis,
-)
-from .notes import about_data, about_limits, about_missing, about_results, assumptions, few, symbol_of
+from ..scene.wiring import depends_on
+from .comparison import Difference, differences, with_differences, with_force_by_maugis
+from .notes import about_data, about_limits, about_missing, about_results, assumptions, few, model_error, symbol_of
+from .other_laws import undecided, with_law
 from .questions import Question
-from .result import Note, OtherLaw, Result
+from .result import Note, Result
 
 if TYPE_CHECKING:
     from ..quantities.uncertain import Uncertain
@@ -55,26 +44,12 @@ class Answer(NamedTuple):
 
 def answer(question: Question, scene: Scene) -> Answer:
     """Compute the quantities of a command as far as the scene allows."""
-    results: list[Result] = []
-    errors: dict[str, JkrollError] = {}
-    shown = [name for name in question.quantities if concerns(name, scene)]
-    values = scene.evaluate((*shown, *LIMIT_NAMES))
-    for name in shown:
-        value = values[name]
-        if isinstance(value, MissingInput | NoResult):
-            errors[name] = value
-            results.append(Result(name, None, reason_of(name, value)))
-        elif name in ("sticking_energy", "sticking_speed") and (reason := uncertain_sticking(name, scene)):
-            results.append(Result(name, None, reason))
-        else:
-            results.append(Result(name, value, error=model_error(name, scene)))
-    results = _with_law(results, scene)
+    results, errors = _results(question, scene)
     known = [result.name for result in results if result.value is not None]
     planned = [result.name for result in results if not isinstance(errors.get(result.name), MissingInput)]
     used = scene.inputs_of(*planned) if planned else depends_on(question.quantities) & scene.given.keys()
     inputs = _echo(scene, used)
-    headline = {*question.headline, "sticking_energy"}
-    laws = differences(scene, [name for name in known if name in headline])
+    laws = differences(scene, [name for name in known if name in (*question.headline, *question.compared)])
     limits = judged(scene, known)
     validity = tuple(with_differences(each, laws, scene) for each in limits.verdicts)
     entering = {*inputs, "atomic_spacing"} if uses_spacing(validity) else {*inputs}
@@ -85,12 +60,34 @@ def answer(question: Question, scene: Scene) -> Answer:
         *about_missing(results, errors),
         *about_limits(limits),
     )
-    fatal = next((error for error in errors.values() if isinstance(error, _FATAL)), None)
-    if isinstance(fatal, BeyondPullOff):
-        fatal = with_force_by_maugis(fatal, scene)
-    failure = fatal or (None if known else next(iter(errors.values())))
+    failure = _fatal(errors, scene) or (None if known else next(iter(errors.values())))
     plain = Answer(inputs, tuple(results), notes, validity, failure, laws)
     return with_uncertainties(plain, scene) if scene.is_uncertain else plain
+
+
+def _results(question: Question, scene: Scene) -> tuple[list[Result], dict[str, MissingInput | NoResult]]:
+    """Return the quantities that are shown for a scene, and the errors of those that have no value.
+
+    The limits that will be judged are evaluated along with them, so that one plan leads to all.
+    """
+    shown = [name for name in question.quantities if concerns(name, scene)]
+    values = scene.evaluate((*shown, *LIMIT_NAMES))
+    errors = {name: values[name] for name in shown if isinstance(values[name], MissingInput | NoResult)}
+    results: list[Result] = []
+    for name in shown:
+        if name in errors:
+            results.append(Result(name, None, reason_of(name, errors[name])))
+        elif reason := undecided(name, scene):
+            results.append(Result(name, None, reason))
+        else:
+            results.append(Result(name, values[name], error=model_error(name, scene)))
+    return (results if scene.law.is_default else with_law(results, scene)), errors
+
+
+def _fatal(errors: Mapping[str, JkrollError], scene: Scene) -> JkrollError | None:
+    """Return the error that leaves nothing of a scene to be trusted, even where something could be computed; None without one."""
+    fatal = next((error for error in errors.values() if isinstance(error, BeyondPullOff | BeyondFold)), None)
+    return with_force_by_maugis(fatal, scene) if isinstance(fatal, BeyondPullOff) else fatal
 
 
 def with_uncertainties(answer: Answer, scene: Scene) -> Answer:
@@ -126,21 +123,6 @@ def add_uncertainties(answer: Answer, found: Mapping[str, "Propagated | JkrollEr
     return answer._replace(results=tuple(results), notes=(*answer.notes, *notes), uncertain=stated)
 
 
-def _with_law(results: list[Result], scene: Scene) -> list[Result]:
-    """Return results that say of which law they are, with the values of JKR beside them."""
-    beside = of_jkr(scene, [result.name for result in results])
-    return [
-        result._replace(law=OtherLaw(scene.law.name, equation_of(scene, result.name), beside.get(result.name)))
-        if result.value is not None and uses_law(scene, result.name)
-        else result
-        for result in results
-    ]
-
-
-# Errors that leave nothing of a scene to be trusted, even where something could be computed.
-_FATAL = (BeyondPullOff, BeyondFold)
-
-
 def in_units(answer: Answer, form: Format) -> Answer:
     """Return an answer without the values that are out of the range of doubles in their unit."""
     results = tuple(_in_unit(result, form) for result in answer.results)
@@ -153,24 +135,16 @@ def _in_unit(result: Result, form: Format) -> Result:
     return result._replace(value=None, reason=f"no value in {form.unit(result.name)} that a double can hold")
 
 
-# The quantities that are shown for some scenes only.
-_SHOWN_IF: Mapping[str, Callable[[Scene], bool]] = {
-    "rolling_frequency_as_printed": lambda scene: scene.is_identical and scene.law.name == DEFAULT_LAW,
-    "pull_off_force_lennard_jones": lambda scene: scene.law.name == BETWEEN,
-    "pull_off_force_dmt": lambda scene: scene.law.name != "dmt",
-    "yield_displacement": lambda scene: "adhesion_hysteresis" in scene.stated,
-    "load": lambda scene: bool(STATE & scene.stated.keys()),
-    "yield_force_fixed_load": lambda scene: bool((STATE | {"load"}) & scene.stated.keys()),
-    "n_roll_after_impact": lambda scene: "speed" in scene.stated,
-    "roll_energy": lambda scene: "rolling_angle" in scene.stated,
-    "roll_energy_quarter_turn": lambda scene: "rolling_angle" not in scene.stated,
-    "roll_energy_half_turn": lambda scene: "rolling_angle" not in scene.stated,
-}
-
-
 def concerns(name: str, scene: Scene) -> bool:
     """Return whether a quantity is shown for this scene."""
-    return _SHOWN_IF[name](scene) if name in _SHOWN_IF else name not in scene.stated
+    quantity, stated = NOMENCLATURE[name], scene.stated.keys()
+    return (
+        name not in stated
+        and name not in scene.law.omits
+        and not (quantity.shown_with and stated.isdisjoint(quantity.shown_with))
+        and stated.isdisjoint(quantity.hidden_with)
+        and (scene.is_identical or not quantity.of_identical)
+    )
 
 
 def _echo(scene: Scene, used: Collection[str]) -> dict[str, float | str]:

@@ -1,21 +1,20 @@
-"""Laws of attraction side by side: what Maugis' law says beside results of JKR, and where its own are too uncertain."""
+"""Results of JKR beside those of Maugis' law, which holds where JKR is in doubt."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from math import log
 from typing import NamedTuple
 
 from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.errors import BeyondPullOff
-from ..scene.laws import DEFAULT_LAW, LAWS, differs
+from ..scene.laws import BETWEEN, LAWS
 from ..scene.limits import Verdict
 from ..scene.scene import Scene
 from ..scene.wiring import depends_on
+from .other_laws import at_half_spacing, uses_law
 
-BETWEEN = "maugis"  # the law that holds between JKR and DMT
 _SHOWN = 2  # differences in the sentence
 _NO_CHANGE = 0.005  # relative change that is no per cent
-_DMT_BELOW = 0.01  # Tabor parameter, at which DMT's pull-off force is 0.1 % too large, and its approach 10 %
 _MATTERS = 0.05  # relative change with the atomic spacing that is shown
 
 
@@ -30,13 +29,13 @@ class Difference(NamedTuple):
 
 def differences(scene: Scene, names: Sequence[str]) -> tuple[Difference, ...]:
     """Return how quantities of a JKR scene differ under Maugis' law, the largest difference first."""
-    if scene.law.name != DEFAULT_LAW:
+    if not scene.law.is_default:
         return ()
     between = scene.under(BETWEEN)
     wanted = [name for name in between.numbers(*names) if uses_law(between, name)]
     values = scene.numbers(*wanted)
     at_spacing = between.numbers(*wanted)
-    at_half = _at_half_spacing(between).numbers(*wanted)
+    at_half = at_half_spacing(between).numbers(*wanted)
     found = [
         Difference(name, at_spacing[name], at_spacing[name] / value, at_half[name] / value)
         for name, value in values.items()
@@ -46,19 +45,19 @@ def differences(scene: Scene, names: Sequence[str]) -> tuple[Difference, ...]:
 
 
 def with_differences(verdict: Verdict, found: Sequence[Difference], scene: Scene) -> Verdict:
-    """Return the verdict on the Tabor parameter with what Maugis' law says in place of a doubt, or under another law."""
-    if verdict.name == "hysteresis_ratio" and scene.law.name == DEFAULT_LAW and not verdict.holds:
+    """Return a verdict with what Maugis' law says in place of a doubt about JKR; under another law, with where that holds."""
+    if verdict.name == "tabor_parameter" and not scene.law.is_default:
+        holds = verdict.value < scene.law.tabor_below
+        text = scene.law.fine if holds else f"not small: {LAWS[BETWEEN].title} is exact; --model {BETWEEN}"
+        return verdict._replace(holds=holds, text=text)
+    if verdict.holds or not scene.law.is_default:
+        return verdict
+    if verdict.name == "tabor_parameter" and found:
+        return verdict._replace(text=_sentence(found, scene))
+    if verdict.name == "hysteresis_ratio":
         between = scene.under(BETWEEN).numbers(verdict.name).get(verdict.name)
         return verdict if between is None else verdict._replace(text=f"{verdict.text}; {between:.3g} by Maugis' law")
-    if verdict.name != "tabor_parameter":
-        return verdict
-    if scene.law.name == BETWEEN:
-        return verdict._replace(holds=True, text="Maugis–Dugdale covers all from DMT to JKR")
-    if scene.law.name != DEFAULT_LAW:
-        is_small = verdict.value < _DMT_BELOW
-        text = "small: DMT is close" if is_small else f"not small: {LAWS[BETWEEN].title} is exact; --model {BETWEEN}"
-        return verdict._replace(holds=is_small, text=text)
-    return verdict if verdict.holds or not found else verdict._replace(text=_sentence(found, scene))
+    return verdict
 
 
 def _sentence(found: Sequence[Difference], scene: Scene) -> str:
@@ -96,65 +95,9 @@ def as_objects(found: Sequence[Difference]) -> dict[str, dict[str, dict[str, flo
     }
 
 
-def of_jkr(scene: Scene, names: Sequence[str]) -> Mapping[str, float]:
-    """Return the quantities of a scene under JKR, of those that the law of the scene has otherwise; none for JKR itself."""
-    return {} if scene.law.name == DEFAULT_LAW else scene.under(DEFAULT_LAW).numbers(*names)
-
-
-def uses_law(scene: Scene, name: str) -> bool:
-    """Return whether a quantity of a scene rests on a formula of a law other than JKR."""
-    if scene.law.name == DEFAULT_LAW:
-        return False
-    plan = scene.plan(name)
-    routes = {route for key, route in scene.law.routes.items() if differs(key)}
-    return plan.found[name] in routes or any(source in routes for step in plan.steps for _, source in step.arguments)
-
-
-def equation_of(scene: Scene, name: str) -> str:
-    """Return the equation by which a law has a quantity: that of the paper, or the source of the law."""
-    return NOMENCLATURE[scene.plan(name).found[name]].equation or scene.law.source
-
-
-def uncertain_sticking(name: str, scene: Scene) -> str:
-    """Return why the sticking energy or speed has no one value, where the atomic spacing decides it and was not given."""
-    if scene.law.name != BETWEEN or "atomic_spacing" in scene.given or scene["transition_parameter"] >= 1:
-        return ""
-    ends = [scene, _at_half_spacing(scene)]
-    texts = [
-        f"{amount(name, end[name])} at z0 = {amount('atomic_spacing', end.values['atomic_spacing'])}" for end in ends
-    ]
-    return f"from {' to '.join(texts)}; give --z0"
-
-
-def at_equal_hysteresis(scene: Scene) -> str:
-    """Return the moment at the adhesion hysteresis that JKR has at the same displacement, as a sentence."""
-    if scene.law.name != BETWEEN or "adhesion_hysteresis" in scene.given:
-        return ""
-    of_jkr = scene.under(DEFAULT_LAW).numbers("yield_moment", "zone_radius")
-    own = scene.numbers("zone_radius", "yield_moment")
-    if len(of_jkr) + len(own) < 4:
-        return ""
-    moment = of_jkr["yield_moment"] * (own["zone_radius"] / of_jkr["zone_radius"])
-    return (
-        f"M: {amount('yield_moment', moment)}, {moment / of_jkr['yield_moment']:.3g} times JKR's, at the adhesion "
-        "hysteresis that JKR has at this ξ; ξ is not the same number in every law"
-    )
-
-
-def without_contact(scene: Scene) -> str:
-    """Return a sentence for spheres that attract across a gap."""
-    if scene.law.name != BETWEEN or scene.numbers("contact_radius_at_load").get("contact_radius_at_load") != 0:
-        return ""
-    return "a: the spheres are bound without touching"
-
-
 def with_force_by_maugis(error: BeyondPullOff, scene: Scene) -> BeyondPullOff:
     """Return the error of a load beyond pull-off, with the pull-off force of Maugis' law if that holds the load."""
-    if scene.law.name != DEFAULT_LAW:
+    if not scene.law.is_default:
         return error
     force = scene.under(BETWEEN).numbers("pull_off_force").get("pull_off_force", 0.0)
     return BeyondPullOff(error.load, error.pull_off_force, force) if force >= -error.load else error
-
-
-def _at_half_spacing(scene: Scene) -> Scene:
-    return scene.replace(atomic_spacing=scene.values["atomic_spacing"] / 2)

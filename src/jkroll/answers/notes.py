@@ -9,10 +9,12 @@ from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.errors import MissingInput
 from ..scene.limits import IMPACT, Judgement
 from ..scene.scene import DEFAULTS, Scene
-from .comparison import at_equal_hysteresis, without_contact
+from .other_laws import remarks
 from .result import Note, Result
 
 MOST_NAMES = 3  # of quantities in a note
+# The models of the rolling moment.
+MOMENTS = ("unloaded_moment", "yield_moment", "half_circles_moment", "fixed_approach_moment")
 
 
 def assumptions(scene: Scene, inputs: Collection[str], names: list[str]) -> list[Note]:
@@ -49,22 +51,34 @@ def about_data(scene: Scene, inputs: Collection[str]) -> list[Note]:
 def about_results(results: list[Result], scene: Scene) -> list[Note]:
     """Return notes on the values: why one stands beside a headline, what it counts, how exact its model is."""
     known = [result for result in results if result.value is not None]
-    remarks: dict[str, list[str]] = {}
+    by_note: dict[str, list[str]] = {}
     for result in known:
         is_implied = scene.is_identical and result.name == "rolling_frequency_no_slip"
         if NOMENCLATURE[result.name].note and not is_implied:
-            remarks.setdefault(NOMENCLATURE[result.name].note, []).append(symbol_of(result.name))
-    texts = [f"{', '.join(symbols)}: {remark}" for remark, symbols in remarks.items()]
+            by_note.setdefault(NOMENCLATURE[result.name].note, []).append(symbol_of(result.name))
+    texts = [f"{', '.join(symbols)}: {note}" for note, symbols in by_note.items()]
     names = {result.name for result in known}
     if "n_grav" in names and not scene.is_identical:
         texts.append(f"N_grav is what the first contact, on body 2, carries; {_between_spheres_1(scene)}")
     if "n_roll" in names and IMPACT.isdisjoint(scene.stated):
         texts.append(f"W0 = P_cδ0 is {1 / STICKING:.3g} U_stick, the largest energy that sticks")
-    texts += [at_equal_hysteresis(scene)] if "yield_moment" in names else []
-    texts += [without_contact(scene)] if "contact_radius_at_load" in names else []
-    notes = [Note("result", text) for text in filter(None, texts)]
+    notes = [Note("result", text) for text in (*texts, *remarks(scene, names))]
     errors = ", ".join(f"{symbol_of(result.name)} by {100 * result.error:.2g} %" for result in known if result.error)
     return [*notes, Note("model", f"off the exact moment of this contact: {errors}")] if errors else notes
+
+
+def model_error(name: str, scene: Scene) -> float | None:
+    """Return the relative error of a model; None for the exact one, for other quantities, and where one has no value.
+
+    At a fixed load Eq (25) is exact; at a fixed approach, there is a term in ξ³ more.
+    """
+    exact_model = "fixed_approach_moment" if "approach_at_load" in scene.stated else "yield_moment"
+    if name not in MOMENTS or name == exact_model:
+        return None
+    values = scene.numbers(name, exact_model)
+    if len(values) < 2:
+        return None
+    return float(abs(values[name] - values[exact_model]) / values[exact_model])
 
 
 def _between_spheres_1(scene: Scene) -> str:
@@ -82,7 +96,7 @@ def _between_spheres_1(scene: Scene) -> str:
 def about_limits(limits: Judgement) -> list[Note]:
     """Return a note for the limits of the model that could not be judged."""
     return [
-        Note("unchecked", f"not checked: {', '.join(map(symbol_of, names))}: needs {needs}")
+        Note("unchecked", f"not checked: {', '.join(map(symbol_of, names))}: need{'' if names[1:] else 's'} {needs}")
         for needs, names in limits.missing.items()
     ]
 
@@ -101,7 +115,9 @@ def about_missing(results: list[Result], errors: Mapping[str, JkrollError]) -> l
     notes = []
     for group in groups.values():
         names = [result.name for result in group]
-        reason = min((result.reason for result in group), key=len)
+        shortest = min(group, key=lambda result: len(result.reason))
+        error = errors.get(shortest.name)
+        reason = error.reason_of_several() if isinstance(error, MissingInput) and names[1:] else shortest.reason
         notes.append(Note("missing", f"{few(names)}: {reason}", " ".join(names)))
     return notes
 

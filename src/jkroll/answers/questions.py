@@ -13,6 +13,7 @@ class Question(NamedTuple):
 
     headline: tuple[str, ...]  # those that the command is named after; --bare writes them alone
     quantities: tuple[str, ...]  # all that are shown, in this order
+    compared: tuple[str, ...] = ()  # with those of Maugis' law, besides the headline
 
 
 _QUESTIONS = {
@@ -51,6 +52,7 @@ _QUESTIONS = {
             "pull_off_work_at_dead_load",
             "sticking_energy",
         ),
+        ("sticking_energy",),
     ),
     "moment": Question(
         ("yield_moment",),

@@ -8,6 +8,8 @@ from ..quantities.nomenclature import NOMENCLATURE
 
 if TYPE_CHECKING:
     from ..scene.uncertainty import Propagated
+else:
+    Propagated = object  # a quoted type would start Python's compiler, which costs a call a millisecond
 
 
 class OtherLaw(NamedTuple):
@@ -31,7 +33,7 @@ class Result(NamedTuple):
     error: float | None = None
     condition: float | None = None
     by_law: Mapping[str, float] = MappingProxyType({})  # of an inferred value: what it would be under the other laws
-    propagated: "Propagated | None" = None  # its uncertainty, if an input has one
+    propagated: Propagated | None = None  # its uncertainty, if an input has one
     law: OtherLaw | None = None
 
     @property

@@ -6,10 +6,10 @@ from typing import Any, NamedTuple
 
 from ..errors import JkrollError, NoResult
 from ..materials.library import Material, Materials
+from ..quantities.nomenclature import STATE
 from ..scene.errors import BeyondFold, BeyondPullOff, MissingInput
 from ..scene.limits import LIMITS, doubts
 from ..scene.scene import Scene
-from ..scene.wiring import STATE
 from .columns import DOUBT, STATUS, Column
 
 FATAL = (BeyondPullOff, BeyondFold)  # no other result of the row is trusted either

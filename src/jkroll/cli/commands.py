@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
+from importlib import import_module
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
@@ -28,13 +29,12 @@ from .options import (
     RESULTS,
     STYLE,
     TABLE,
+    Call,
     Option,
-    Values,
     inputs_of,
 )
-from .run import run_batch, run_bench, run_guide, run_materials, run_quantities, run_question, run_verify
 
-Call = Callable[[], int]
+Action = Callable[[], int]  # what a command line asks for; it returns the exit code
 
 
 class Words(NamedTuple):
@@ -49,13 +49,16 @@ PHYSICS, LOOK_UP, CHECKS = "Commands", "Tables, pictures, look-up", "Checks of t
 
 
 class Command(NamedTuple):
-    """A command. `run` answers a call and returns the exit code."""
+    """A command. Its runner, `module:function`, answers a call and returns the exit code.
+
+    The module is imported when the command is called, so that each call pays for its own command only.
+    """
 
     name: str
     sentence: str
     words: Words
     options: Callable[[], tuple[Option, ...]]
-    run: Callable[[Sequence[str], Values], int]
+    runner: str
     example: str
     section: str = PHYSICS  # of the help
 
@@ -63,8 +66,14 @@ class Command(NamedTuple):
         """Return the options by their spellings."""
         return {flag: option for option in (*self.options(), *HELP) for flag in option.flags}
 
-    def call(self, words: Sequence[str], given: Mapping[str, str | bool]) -> Call:
-        """Return the call for words and for the texts of options by name; BadRequest for a value that is none."""
+    def run(self) -> Callable[[Call], int]:
+        """Return the function that answers a call."""
+        module, _, function = self.runner.partition(":")
+        found: Callable[[Call], int] = getattr(import_module(f".{module}", __package__), function)
+        return found
+
+    def action(self, words: Sequence[str], given: Mapping[str, str | bool]) -> Action:
+        """Return what words and the texts of options by name ask for; BadRequest for a value that is none."""
         options = {option.name: option for option in self.options()}
         if given.get("target") == "":
             raise BadRequest(f"{options['target'].flags[-1]}: the name of the output file is empty")
@@ -72,43 +81,7 @@ class Command(NamedTuple):
             name: options[name].read(value) if isinstance(value, str) else value for name, value in given.items()
         }
         inputs = {name: values.pop(name) for name in given if name in NOMENCLATURE}
-        return partial(self.run, tuple(words), Values(inputs, **values))
-
-
-# What draws imports numpy, so that it is imported only by a call that draws.
-
-
-def _contact(words: Sequence[str], values: Values) -> int:
-    is_drawn = values.curve and values.target is not None
-    if is_drawn or values.width is not None or values.style is not None or values.uncaptioned or values.panel:
-        from .draw import run_contact
-
-        return run_contact(words, values)
-    return run_question(QUESTIONS["contact"], words, values)
-
-
-def _infer(words: Sequence[str], values: Values) -> int:
-    from .infer import run_infer
-
-    return run_infer(words, values)
-
-
-def _map(words: Sequence[str], values: Values) -> int:
-    from .draw import run_map
-
-    return run_map(words, values)
-
-
-def _figure(words: Sequence[str], values: Values) -> int:
-    from .draw import run_figure
-
-    return run_figure(words, values)
-
-
-def _export(words: Sequence[str], values: Values) -> int:
-    from .export import run_export
-
-    return run_export(words, values)
+        return partial(self.run(), Call(self.name, tuple(words), inputs, **values))
 
 
 def _options_of_export() -> tuple[Option, ...]:
@@ -126,9 +99,8 @@ def _options_of(name: str, *own: Option) -> tuple[Option, ...]:
     return (*inputs_of(QUESTIONS[name].quantities), *own, *OUTPUT)
 
 
-def _question(name: str, sentence: str, example: str, *own: Option) -> Command:
-    run = partial(run_question, QUESTIONS[name])
-    return Command(name, sentence, _SCENE, partial(_options_of, name, *own), run, example)
+def _question(name: str, sentence: str, example: str, *own: Option, runner: str = "question:run_question") -> Command:
+    return Command(name, sentence, _SCENE, partial(_options_of, name, *own), runner, example)
 
 
 _COMMANDS = (
@@ -139,8 +111,13 @@ _COMMANDS = (
     _question("frequencies", "Vibration frequencies of the contact.", "quartz 100nm --radius2 plane"),
     _question("n-roll", "How far a sphere rolls over a fixed one after a collision.", "quartz 1um --speed 10cm/s"),
     _question(
-        "contact", "Contact radius, approach, stiffness and pressure.", "quartz 100nm --load -5nN", CURVE, *_LOOKS
-    )._replace(run=_contact),
+        "contact",
+        "Contact radius, approach, stiffness and pressure.",
+        "quartz 100nm --load -5nN",
+        CURVE,
+        *_LOOKS,
+        runner="contact:run_contact",
+    ),
     _question("moment", "Rolling resistance at a displacement ξ.", "quartz 100nm --xi 1angstrom"),
     _question("energies", "Energies to break, to roll and to stick, by convention.", "quartz 100nm --angle 90deg"),
     _question("report", "All quantities that your inputs allow.", "quartz 100nm"),
@@ -149,7 +126,7 @@ _COMMANDS = (
         "Write the contact of a pair as input of LAMMPS.",
         Words("lammps [MATERIAL] [RADIUS]", INFINITY),
         _options_of_export,
-        _export,
+        "export:run_export",
         "lammps quartz 100nm --model dmt",
     ),
     Command(
@@ -157,7 +134,7 @@ _COMMANDS = (
         "Find the input at which a quantity has its measured value.",
         Words("INPUT [MATERIAL] [RADIUS]...", INFINITY),
         lambda: (MEASURED, *inputs_of(QUESTIONS["report"].quantities), *RESULTS, MATERIALS, QUIET),
-        _infer,
+        "infer:run_infer",
         "gamma quartz 2um --radius2 plane --measured pull_off_force=300±20nN",
     ),
     Command(
@@ -165,7 +142,7 @@ _COMMANDS = (
         "Add results to each row of a table.",
         Words("[IN]", 1, are_files=True),
         lambda: TABLE,
-        run_batch,
+        "convert:run_batch",
         "grains.csv -o forces.csv",
         LOOK_UP,
     ),
@@ -174,7 +151,7 @@ _COMMANDS = (
         "Draw a quantity over two inputs as a map, or over one as curves.",
         Words("QUANTITY [MATERIAL] [RADIUS]...", INFINITY),
         lambda: (*AXES, *PICTURE, *inputs_of(QUESTIONS["report"].quantities)),
-        _map,
+        "draw:run_map",
         "pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2",
         LOOK_UP,
     ),
@@ -183,7 +160,7 @@ _COMMANDS = (
         "Draw a figure of the paper from its equations.",
         Words("NAME", 1),
         lambda: (AS_PRINTED, *PICTURE),
-        _figure,
+        "draw:run_figure",
         "3a --mark quartz@100nm",
         LOOK_UP,
     ),
@@ -192,7 +169,7 @@ _COMMANDS = (
         "List the known materials, or show one in full.",
         Words("[NAME]", 1),
         lambda: (JSON, CSV, CITE, MATERIALS, QUIET),
-        run_materials,
+        "look_up:run_materials",
         "quartz",
         LOOK_UP,
     ),
@@ -201,7 +178,7 @@ _COMMANDS = (
         "List the names of quantities, or show what is known of one.",
         Words("[NAME]...", INFINITY),
         lambda: (JSON, CSV),
-        run_quantities,
+        "look_up:run_quantities",
         "tabor",
         LOOK_UP,
     ),
@@ -210,17 +187,25 @@ _COMMANDS = (
         "Show a page of the manual, or list its topics.",
         Words("[TOPIC]", 1),
         tuple,
-        run_guide,
+        "look_up:run_guide",
         "models",
         LOOK_UP,
     ),
-    Command("verify", "Recompute the audit of the paper.", Words(), lambda: (JSON, CSV), run_verify, "--csv", CHECKS),
+    Command(
+        "verify",
+        "Recompute the audit of the paper.",
+        Words(),
+        lambda: (JSON, CSV),
+        "checks:run_verify",
+        "--csv",
+        CHECKS,
+    ),
     Command(
         "bench",
         "Measure speed and error of each method.",
         Words(),
         lambda: BENCH,
-        run_bench,
+        "checks:run_bench",
         "--quick --csv",
         CHECKS,
     ),

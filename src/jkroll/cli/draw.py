@@ -22,8 +22,9 @@ from ..quantities.units import BadUnit, dimension_of
 from ..scene.laws import DEFAULT_LAW
 from ..text import quoted, say
 from .map_request import map_request, marks_of
-from .options import Values
-from .run import PICTURES, curve_request, ending, format_name, no_picture
+from .options import Call
+from .request import curve_request
+from .written import PICTURES, ending, format_name, no_picture
 
 ON_SCREEN = (241, 121)  # points of a map that is drawn in cells
 IN_FILE = (201, 201)
@@ -31,24 +32,24 @@ OF_PAPER = (21, 21)  # its contours are of powers, straight on logarithmic axes:
 ALONG = 1001  # points of a curve
 
 
-def _check(values: Values) -> None:
+def _check(call: Call) -> None:
     """Refuse what cannot be drawn, before anything is computed."""
-    if values.style not in (None, *STYLES):
-        raise BadRequest(f"--style: {quoted(values.style or '')} is not a style; there are paper and dark")
-    if values.panel not in (None, *PANELS):
-        raise BadRequest(f"--panel: {quoted(values.panel or '')} is not a panel; there are {', '.join(PANELS)}")
-    _inches(values.width)
-    if values.target is None:
+    if call.style not in (None, *STYLES):
+        raise BadRequest(f"--style: {quoted(call.style or '')} is not a style; there are paper and dark")
+    if call.panel not in (None, *PANELS):
+        raise BadRequest(f"--panel: {quoted(call.panel or '')} is not a panel; there are {', '.join(PANELS)}")
+    _inches(call.width)
+    if call.target is None:
         looks = {
-            "--width": values.width,
-            "--style": values.style,
-            "--no-caption": values.uncaptioned,
+            "--width": call.width,
+            "--style": call.style,
+            "--no-caption": call.uncaptioned,
         }
         if given := [flag for flag, value in looks.items() if value]:
             raise BadRequest(f"{', '.join(given)}: for a file only; name one with -o")
         return
-    if ending(values.target) not in PICTURES:
-        raise no_picture("-o", values.target)
+    if ending(call.target) not in PICTURES:
+        raise no_picture("-o", call.target)
     try:
         from ..pictures import page  # noqa: F401
     except ModuleNotFoundError as error:
@@ -69,53 +70,53 @@ def _inches(width: str | None) -> float | None:
     return metres / 0.0254
 
 
-def run_map(words: Sequence[str], values: Values) -> int:
+def run_map(call: Call) -> int:
     """Draw a quantity over one or two inputs; return the exit code."""
-    _check(values)
-    request = map_request(words, values)
+    _check(call)
+    request = map_request(call)
     drawn: Map | Picture
     if request.y is None:
         drawn, notes = curves_of(request, ALONG)
     else:
-        drawn, notes = map_of(request, IN_FILE if values.target else ON_SCREEN, show_progress)
-    return _deliver(drawn, notes, values)
+        drawn, notes = map_of(request, IN_FILE if call.target else ON_SCREEN, show_progress)
+    return _deliver(drawn, notes, call)
 
 
-def run_figure(words: Sequence[str], values: Values) -> int:
+def run_figure(call: Call) -> int:
     """Draw a figure of the paper; return the exit code."""
-    _check(values)
+    _check(call)
     names = sorted({*FIGURES, *PROFILES, "laws"})
-    if len(words) != 1 or words[0] not in names:
-        given = f"{quoted(' '.join(words))} is not a figure with data; " if words else ""
+    if len(call.words) != 1 or call.words[0] not in names:
+        given = f"{quoted(' '.join(call.words))} is not a figure with data; " if call.words else ""
         raise BadRequest(f"{given}there are {', '.join(names)}")
-    name = words[0]
-    materials = known_materials(*materials_files(values.materials))
+    name = call.words[0]
+    materials = known_materials(*materials_files(call.materials))
     if name in PROFILES:
-        if values.mark or values.as_printed:
-            raise BadRequest(f"figure {name} takes no {'--mark' if values.mark else '--as-printed'}")
-        return _deliver(PROFILES[name](materials), (), values)
+        if call.mark or call.as_printed:
+            raise BadRequest(f"figure {name} takes no {'--mark' if call.mark else '--as-printed'}")
+        return _deliver(PROFILES[name](materials), (), call)
     if name == "laws":
-        if values.as_printed:
+        if call.as_printed:
             raise BadRequest("figure laws takes no --as-printed")
-        return _deliver(figure_laws(materials, marks_of(values.mark)), (), values)
-    size = OF_PAPER if values.target else ON_SCREEN
-    drawn = figure(name, materials, size, as_printed=values.as_printed)
-    if values.as_printed and drawn.printed is None:
+        return _deliver(figure_laws(materials, marks_of(call.mark)), (), call)
+    size = OF_PAPER if call.target else ON_SCREEN
+    drawn = figure(name, materials, size, as_printed=call.as_printed)
+    if call.as_printed and drawn.printed is None:
         raise BadRequest(f"figure {name} is as printed; --as-printed is for 6b")
     setting = Setting(FIGURES[name].given)
-    marks = [mark_at(text, materials, setting, drawn.x, drawn.y) for text in marks_of(values.mark)]
-    return _deliver(drawn._replace(marks=(*drawn.marks, *marks)), (), values)
+    marks = [mark_at(text, materials, setting, drawn.x, drawn.y) for text in marks_of(call.mark)]
+    return _deliver(drawn._replace(marks=(*drawn.marks, *marks)), (), call)
 
 
-def run_contact(words: Sequence[str], values: Values) -> int:
+def draw_contact(call: Call) -> int:
     """Draw the curves of a contact; return the exit code."""
-    _check(values)
-    flag = "-o" if values.target else "--panel"
-    if not values.curve:
+    _check(call)
+    flag = "-o" if call.target else "--panel"
+    if not call.curve:
         raise BadRequest(f"{flag} draws the curve: add --curve")
-    if (kind := format_name(values, sys.stdout)) not in ("table", "plain"):
+    if (kind := format_name(call)) not in ("table", "plain"):
         raise BadRequest(f"{flag} and --{kind} exclude each other")
-    request, loads = curve_request(words, values)
+    request, loads = curve_request(call)
     if (count := request.count // len(request.models)) > 1:
         raise BadRequest(f"{count} scenes are more than one picture of a contact")
     scenes = list(request.scenes())
@@ -123,33 +124,33 @@ def run_contact(words: Sequence[str], values: Values) -> int:
     context = Context("fixed_approach_moment", setting, {"load": 0.0})
     held = fixed_inputs(context.inputs)
     if request.models in ([None], [DEFAULT_LAW]):
-        shown = () if values.panel else ("Both branches of the force curve; pressure; moment without load.",)
-        return _deliver(curves_of_contact(setting, loads, (*shown, *held), values.panel), context.notes, values)
+        shown = () if call.panel else ("Both branches of the force curve; pressure; moment without load.",)
+        return _deliver(curves_of_contact(setting, loads, (*shown, *held), call.panel), context.notes, call)
     laws = tuple(setting._replace(model=model) for model in request.models)
-    drawn, left_out = curves_of_laws(laws, loads, held, values.panel)
-    return _deliver(drawn, (*left_out, *context.notes), values)
+    drawn, left_out = curves_of_laws(laws, loads, held, call.panel)
+    return _deliver(drawn, (*left_out, *context.notes), call)
 
 
-def _deliver(drawn: Map | Picture, notes: Iterable[str], values: Values) -> int:
+def _deliver(drawn: Map | Picture, notes: Iterable[str], call: Call) -> int:
     """Draw into a file and print its caption, or draw on the screen; write the numbers where they are wanted."""
-    if values.data is not None:
-        _write_data(drawn, values.data)
-    if values.target is not None:
+    if call.data is not None:
+        _write_data(drawn, call.data)
+    if call.target is not None:
         from ..pictures.page import draw
 
         content = draw(
             drawn,
-            ending(values.target),
-            _inches(values.width),
-            values.style or "paper",
-            has_caption=not values.uncaptioned,
+            ending(call.target),
+            _inches(call.width),
+            call.style or "paper",
+            has_caption=not call.uncaptioned,
         )
-        with whole_file(values.target) as stream:
+        with whole_file(call.target) as stream:
             stream.write(content)
-        if values.data != "-" and not values.quiet:
+        if call.data != "-" and not call.quiet:
             for text in filter(None, (drawn.title, *drawn.caption)):
                 say(text, sys.stdout)
-    elif values.data != "-":
+    elif call.data != "-":
         from ..pictures.terminal import draw_map, draw_picture
 
         if isinstance(drawn, Map):
@@ -157,7 +158,7 @@ def _deliver(drawn: Map | Picture, notes: Iterable[str], values: Values) -> int:
         else:
             draw_picture(drawn, sys.stdout)
     sys.stdout.flush()
-    for note in () if values.quiet else notes:
+    for note in () if call.quiet else notes:
         say(f"note: {note}", sys.stderr)
     return 0
 

@@ -1,7 +1,5 @@
 """The command `infer`: from a measured value back to an input."""
 
-import sys
-from collections.abc import Sequence
 from itertools import chain
 from typing import TYPE_CHECKING
 
@@ -12,9 +10,10 @@ from ..errors import BadRequest
 from ..output.layout import layout
 from ..quantities.ranges import spreads_of
 from ..scene.inverse import SIZES, CannotInfer
-from .options import Values
-from .request import format_of, request_of
-from .run import format_name, write_answers
+from .options import Call
+from .question import write_answers
+from .request import request_of
+from .written import format_name, format_of
 
 if TYPE_CHECKING:
     from ..quantities.uncertain import Uncertain
@@ -22,17 +21,17 @@ if TYPE_CHECKING:
 MAX_ANSWERS = 10_000  # which are kept until their columns are known
 
 
-def run_infer(words: Sequence[str], values: Values) -> int:
+def run_infer(call: Call) -> int:
     """Find an input for every scene and measured value; return the exit code."""
-    if not words:
+    if not call.words:
         raise BadRequest(f"infer needs an input: one of {', '.join(SIZES)}")
-    name = quantity_named(words[0])
+    name = quantity_named(call.words[0])
     if name not in SIZES:
         raise CannotInfer(name)
-    quantity, measured = _measured(values.measured)
-    kind = format_name(values, sys.stdout)
-    form = format_of(values.to, values.digits, [name])
-    request = request_of(words[1:], values)
+    quantity, measured = _measured(call.measured)
+    kind = format_name(call)
+    form = format_of(call, [name])
+    request = request_of(call._replace(words=call.words[1:]))
     count = request.count * len(measured)
     if count > MAX_ANSWERS:
         raise BadRequest(f"{count} values are more than infer finds in one call: {MAX_ANSWERS}")
@@ -40,7 +39,7 @@ def run_infer(words: Sequence[str], values: Values) -> int:
         in_units(inferred(name, quantity, value, scene), form) for scene in request.scenes() for value in measured
     ]
     shape = layout(Question((name,), (name,)), answers, count)
-    return write_answers(answers, shape, kind, form, quiet=values.quiet)
+    return write_answers(answers, shape, kind, form, quiet=call.quiet)
 
 
 def _measured(text: str | None) -> "tuple[str, list[float | Uncertain]]":

@@ -1,7 +1,5 @@
 """From the words and options of `map` to a map or curves."""
 
-from collections.abc import Sequence
-
 from ..answers.questions import quantity_named
 from ..errors import BadRequest
 from ..pictures.axes import Axis
@@ -14,7 +12,7 @@ from ..quantities.ranges import spreads_of
 from ..scene.laws import DEFAULT_LAW
 from ..scene.scene import Scene
 from ..scene.wiring import depends_on
-from .options import Values
+from .options import Call
 from .request import Request, request_of
 
 MOST_CURVES = 12
@@ -44,19 +42,19 @@ def axis_of(text: str, option: str) -> Axis:
     return Axis(name, spread.low, spread.high, spread.is_log, spread.size if has_count else 0)
 
 
-def map_request(words: Sequence[str], values: Values) -> PlotRequest:
-    """Return what words and options ask for: a quantity, axes, scenes to draw, and marks."""
-    if not words:
+def map_request(call: Call) -> PlotRequest:
+    """Return what a call asks for: a quantity, axes, scenes to draw, and marks."""
+    if not call.words:
         raise BadRequest("map needs a quantity, such as pull_off_force")
-    quantity = quantity_named(words[0])
+    quantity = quantity_named(call.words[0])
     if NOMENCLATURE[quantity].unit == "":
         raise BadRequest(f"{quantity} has no values")
-    if values.x is None:
+    if call.x is None:
         raise BadRequest("map needs an axis: --x radius=1nm:1mm")
-    x = axis_of(values.x, "--x")
-    y = axis_of(values.y, "--y") if values.y is not None else None
+    x = axis_of(call.x, "--x")
+    y = axis_of(call.y, "--y") if call.y is not None else None
     axes = [x, y] if y is not None else [x]
-    request = request_of(words[1:], values)
+    request = request_of(call._replace(words=call.words[1:]))
     within = depends_on([quantity], [model or DEFAULT_LAW for model in request.models])
     for axis in axes:
         if axis.name in request.options:
@@ -74,7 +72,7 @@ def map_request(words: Sequence[str], values: Values) -> PlotRequest:
         (_distinction(scene, request), Setting(scene.stated, scene.material, scene.material2, scene.stated_model))
         for scene in request.scenes()
     )
-    return PlotRequest(quantity, x, y, settings, marks_of(values.mark), request.materials)
+    return PlotRequest(quantity, x, y, settings, marks_of(call.mark), request.materials)
 
 
 def _distinction(scene: Scene, request: Request) -> str:

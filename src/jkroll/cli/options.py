@@ -1,6 +1,7 @@
 """Options of the command line: how each is typed, what its value may be, and what the help says of it."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
+from functools import cache
 from math import nan
 from types import MappingProxyType
 from typing import NamedTuple
@@ -11,7 +12,7 @@ from ..text import quoted
 
 
 class Option(NamedTuple):
-    """An option, by the name of its value in `Values` or in the nomenclature.
+    """An option, by the name of its value in `Call` or in the nomenclature.
 
     The help of an input is its sentence in the nomenclature, unless the option has a text of its own.
     """
@@ -58,9 +59,11 @@ class Option(NamedTuple):
         return f"{meaning[0].upper()}{meaning[1:]}{default}{others}."
 
 
-class Values(NamedTuple):
-    """Values of the options of one call. Each command reads those that it declares; the others keep their defaults."""
+class Call(NamedTuple):
+    """One call of a command: its words, and its options by name. A command reads those that it declares."""
 
+    command: str = ""
+    words: tuple[str, ...] = ()
     inputs: Mapping[str, str] = MappingProxyType({})  # of the scene: texts, by the names of the nomenclature
     materials: str | None = None
     quiet: bool = False
@@ -177,8 +180,10 @@ BENCH = (
 # The options that every command takes, and those of the program before any command.
 HELP = tuple(Option("help", flag, bool, "", "Show this message and exit") for flag in ("-h", "--help"))
 VERSION = Option("version", "--version", bool, "", "Show the version and exit")
+DEBUG = Option("debug", "--debug", bool, "", "Show where an error comes from; first or last word")
 PROGRAM = (
     VERSION,
+    DEBUG,
     Option("install_completion", "--install-completion", bool, "", "Install completion for the current shell"),
     Option("show_completion", "--show-completion", bool, "", "Print the completion script of the current shell"),
     *HELP,
@@ -186,17 +191,12 @@ PROGRAM = (
 
 # Inputs that every question takes: shown where they are used, and among the further options.
 _ALWAYS = ("radius2", "material2", "surface_energy", "work_of_adhesion", "youngs_modulus", "poisson_ratio", "density")
-_HIDDEN = (
-    "surface_energy2",
-    "youngs_modulus2",
-    "poisson_ratio2",
-    "density2",
-    "atomic_spacing",
-)
+_HIDDEN = ("surface_energy2", "youngs_modulus2", "poisson_ratio2", "density2", "atomic_spacing")
 _HIDDEN_WHERE_USED = ("energy_ratio", "adhesion_hysteresis")
 
 
-def inputs_of(quantities: Iterable[str]) -> tuple[Option, ...]:
+@cache
+def inputs_of(quantities: tuple[str, ...]) -> tuple[Option, ...]:
     """Return the options for the inputs that quantities depend on.
 
     The properties of a material are taken by every command, but shown only where they are used.
@@ -204,7 +204,6 @@ def inputs_of(quantities: Iterable[str]) -> tuple[Option, ...]:
     from ..scene.laws import LAWS
     from ..scene.wiring import depends_on, has_law
 
-    quantities = tuple(quantities)
     depends = depends_on(quantities, LAWS)
     if any(map(has_law, quantities)):
         depends |= {"model"}

@@ -9,8 +9,9 @@ from typing import TextIO
 
 from ..errors import BadRequest, JkrollError
 from ..text import quoted, say, shown
-from .commands import Call
-from .reader import plain_call
+from .commands import Action
+from .options import DEBUG
+from .reader import plain_action
 
 USAGE_ERROR = 2
 CANNOT_WRITE = 1
@@ -23,8 +24,8 @@ COMPLETE = "_JKROLL_COMPLETE"  # the variable in which a shell asks for completi
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code; print an error as one line."""
     words = list(sys.argv[1:] if arguments is None else arguments)
-    debug = "--debug" in words[:1] + words[-1:]
-    words = [word for place, word in enumerate(words) if not (word == "--debug" and place in (0, len(words) - 1))]
+    debug = DEBUG.flag in words[:1] + words[-1:]
+    words = [word for place, word in enumerate(words) if not (word == DEBUG.flag and place in (0, len(words) - 1))]
     if sys.stderr is None:
         sys.stderr = open(os.devnull, "w", encoding="utf-8")  # it was closed: nobody listens
     try:
@@ -34,7 +35,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             if isinstance(stream, io.TextIOWrapper):
                 stream.reconfigure(errors="jkroll-ascii")
         _check(words)
-        code = _call(words or ["--help"])()
+        code = _action(words or ["--help"])()
         sys.stdout.flush()
         return code
     except SystemExit as stop:  # typer ends the program when it has answered a shell
@@ -63,17 +64,17 @@ def _check(words: Iterable[str]) -> None:
             raise BadRequest(f"{quoted(word)} contains half a character (a lone surrogate)") from None
 
 
-def _call(words: Sequence[str]) -> Call:
-    """Return the call that words ask for, read by typer only if they are not plain."""
+def _action(words: Sequence[str]) -> Action:
+    """Return what words ask for, read by typer only if they are not plain."""
     shell = os.environ.get(COMPLETE)
     if shell == "complete_bash" and not ("COMP_WORDS" in os.environ and os.environ.get("COMP_CWORD", "").isdecimal()):
         raise BadRequest(f"{COMPLETE}=complete_bash is for bash: it sets COMP_WORDS, and COMP_CWORD to a number")
-    call = None if shell else plain_call(words)
-    if call is None:
-        from .typer_app import typer_call
+    action = None if shell else plain_action(words)
+    if action is None:
+        from .typer_app import typer_action
 
-        call = typer_call(words)
-    return call
+        action = typer_action(words)
+    return action
 
 
 def _report(error: Exception) -> int:
@@ -84,7 +85,9 @@ def _report(error: Exception) -> int:
         message, code = f"cannot write: {error.strerror or error}", CANNOT_WRITE
         _discard(sys.stdout)
     else:
-        message = f"{type(error).__name__}: {shown(str(error))}; jkroll should have foreseen this: --debug shows where"
+        message = (
+            f"{type(error).__name__}: {shown(str(error))}; jkroll should have foreseen this: {DEBUG.flag} shows where"
+        )
         code = UNFORESEEN
     try:
         say(f"jkroll: {message}", sys.stderr)

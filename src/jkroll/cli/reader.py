@@ -4,20 +4,17 @@ It exists because importing typer doubles the time of a call. Everything that is
 together) is left to typer, which understands plain lines in the same way.
 """
 
-import re
 import sys
 from collections.abc import Mapping, Sequence
 from functools import partial
 
 from ..text import say
-from .commands import COMMANDS, Call
+from .commands import COMMANDS, Action
 from .options import Option
 
-_NEGATIVE = re.compile("-[0-9.]")  # the beginning of a negative value, or of a file name
 
-
-def plain_call(words: Sequence[str]) -> Call | None:
-    """Return the call that plain words ask for; None for words that are not plain."""
+def plain_action(words: Sequence[str]) -> Action | None:
+    """Return what plain words ask for; None for words that are not plain."""
     name, *rest = words
     if name not in COMMANDS:
         return _PROGRAM.get(name) if not rest else None
@@ -28,7 +25,7 @@ def plain_call(words: Sequence[str]) -> Call | None:
     arguments, given = read
     if "help" in given:
         return partial(_print_help, name)
-    return command.call(arguments, given) if len(arguments) <= command.words.most else None
+    return command.action(arguments, given) if len(arguments) <= command.words.most else None
 
 
 def _print_help(name: str | None) -> int:
@@ -47,7 +44,7 @@ def print_version() -> int:
     return 0
 
 
-_PROGRAM: Mapping[str, Call] = {
+_PROGRAM: Mapping[str, Action] = {
     "--help": partial(_print_help, None),
     "-h": partial(_print_help, None),
     "--version": print_version,
@@ -65,7 +62,7 @@ def _read(
     given: dict[str, str | bool] = {}
     rest = iter(words)
     for word in rest:
-        if _is_word(word) or (files and _NEGATIVE.match(word)):
+        if _is_word(word) or (files and _is_negative(word)):
             arguments.append(word)
             continue
         flag, has_value, text = word.partition("=")
@@ -80,7 +77,7 @@ def _read(
         if has_value and not flag.startswith("--"):
             return None
         value = text if has_value else next(rest, "--")
-        if not _is_word(value) and not _NEGATIVE.match(value):
+        if not _is_word(value) and not _is_negative(value):
             return None
         given[option.name] = value
     return arguments, given
@@ -89,3 +86,8 @@ def _read(
 def _is_word(text: str) -> bool:
     """Return whether a text cannot be taken for an option; a single hyphen is standard input or output."""
     return text == "-" or not text.startswith("-")
+
+
+def _is_negative(text: str) -> bool:
+    """Return whether a text begins as a negative value does."""
+    return len(text) > 1 and text[0] == "-" and text[1] in "0123456789."

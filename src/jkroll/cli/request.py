@@ -4,18 +4,20 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import chain, islice, product
 from math import prod
+from typing import TYPE_CHECKING
 
 from ..errors import BadRequest
 from ..materials.library import Material, Materials, known_materials
 from ..materials.places import materials_files
-from ..quantities.formatting import Format
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.ranges import Spread, spreads_of
-from ..quantities.units import BadUnit, Unit, dimension_of, parse_unit
 from ..scene.laws import law_named
 from ..scene.scene import EXCLUSIVE, Scene
 from ..text import quoted
-from .options import Values
+from .options import Call
+
+if TYPE_CHECKING:
+    from ..answers.curve import Loads
 
 MAX_SAMPLES = 50
 MAX_SCENES = 1_000_000  # answered one by one
@@ -46,6 +48,8 @@ class Request:
             raise BadRequest("--material2 is empty")
         models = self.options.pop("model", None)
         self.models = [law_named(name).name for name in models.split(",")] if models is not None else [None]
+        if len(set(self.models)) < len(self.models):
+            raise BadRequest(f"--model: {quoted(models or '')} names a law more than once")
         if radii:
             self.options["radius"] = ",".join(radii)
         for alternatives in EXCLUSIVE:
@@ -108,9 +112,20 @@ class Request:
         return [self.materials[word] for word in words.split(",")]
 
 
-def request_of(words: Sequence[str], values: Values) -> Request:
-    """Return the request of words and options, with the user's materials files."""
-    return Request(words, values.inputs, materials_files(values.materials))
+def request_of(call: Call) -> Request:
+    """Return the request of the words and inputs of a call, with the user's materials files."""
+    return Request(call.words, call.inputs, materials_files(call.materials))
+
+
+def curve_request(call: Call) -> "tuple[Request, Loads | None]":
+    """Return the scenes of which a force curve is wanted, and its loads if they are given."""
+    from ..answers.curve import loads_of
+
+    inputs = dict(call.inputs)
+    loads = inputs.pop("load", None)
+    if "approach_at_load" in inputs:
+        raise BadRequest("--curve goes through all approaches; it takes none")
+    return request_of(call._replace(inputs=inputs)), loads_of(loads) if loads is not None else None
 
 
 def _joined(words: Sequence[str]) -> list[str]:
@@ -126,27 +141,3 @@ def _joined(words: Sequence[str]) -> list[str]:
 
 def _is_material(word: str) -> bool:
     return word.casefold() == "all" or (word[:1].isalpha() and word.casefold() != "plane")
-
-
-def format_of(to: str | None, digits: int | None, quantities: Sequence[str]) -> Format:
-    """Return the format of results; each unit of `--to` applies to the quantities of its dimension."""
-    units: dict[str, tuple[str, Unit]] = {}
-    for text in to.split(",") if to is not None else []:
-        try:
-            unit = parse_unit(text)
-        except BadUnit as error:
-            wanted = [dimension_of(NOMENCLATURE[name].unit) for name in quantities]
-            remedy = error.remedy(wanted) or f"expected a unit such as {NOMENCLATURE[quantities[0]].unit}"
-            raise BadRequest(f"--to: {quoted(text)} {error}; {remedy}") from None
-        fitting = [
-            name for name in quantities if text.strip() and dimension_of(NOMENCLATURE[name].unit) == unit.dimension
-        ]
-        if not fitting:
-            kinds = ", ".join(dict.fromkeys(f"{name} in {NOMENCLATURE[name].unit}" for name in quantities))
-            raise BadRequest(f"--to: {quoted(text)} fits none of the results: {kinds}")
-        if fitting[0] in units:
-            raise BadRequest(
-                f"--to: {quoted(units[fitting[0]][0])} and {quoted(text)} are units of one dimension; give one of them"
-            )
-        units |= dict.fromkeys(fitting, (" ".join(text.split()), unit))
-    return Format(units, digits)

@@ -13,18 +13,18 @@ from typer.core import TyperArgument, TyperCommand, TyperGroup, TyperOption
 
 from ..errors import BadRequest
 from ..text import shown
-from .commands import COMMANDS, Call, Command, flags_of
+from .commands import COMMANDS, Action, Command, flags_of
 from .completion import Completer, completer_of_option, completer_of_words, is_safe
 from .help import help_of
 from .mistakes import UnknownCommand, UnknownOption
-from .options import HELP, VERSION, Option
+from .options import DEBUG, HELP, VERSION, Option
 from .reader import print_version
 
 MAX_MESSAGE = 1000
 
 
-def typer_call(words: Sequence[str]) -> Call:
-    """Return the call that words ask for, or raise BadRequest; what typer answers by itself is printed already."""
+def typer_action(words: Sequence[str]) -> Action:
+    """Return what words ask for, or raise BadRequest; what typer answers by itself is printed already."""
     try:
         made = application().main(words, prog_name="jkroll", standalone_mode=False)
     except typer.TyperException as error:
@@ -42,16 +42,17 @@ def application() -> TyperGroup:
     app.callback()(_no_callback)
     group = typer.main.get_command(app)
     assert isinstance(group, TyperGroup)
-    group.params.append(
+    group.params += [
         TyperOption(
-            param_decls=[VERSION.flag],
+            param_decls=[option.flag],
             is_flag=True,
             is_eager=True,
             expose_value=False,
-            callback=_show_version,
-            help=VERSION.sentence(),
+            callback=callback,
+            help=option.sentence(),
         )
-    )
+        for option, callback in ((VERSION, _show_version), (DEBUG, None))
+    ]
     for command in COMMANDS.values():
         group.add_command(_TyperCommand(command))
     return group
@@ -90,7 +91,7 @@ class _TyperCommand(TyperCommand):
     """A command, with our help and our message for an unknown option."""
 
     def __init__(self, command: Command) -> None:
-        super().__init__(command.name, callback=partial(_call, command), short_help=command.sentence)
+        super().__init__(command.name, callback=partial(_action, command), short_help=command.sentence)
         self.command = command
 
     def get_params(self, ctx: Any) -> list[Any]:
@@ -112,8 +113,8 @@ class _TyperCommand(TyperCommand):
             return super().parse_args(ctx, args)
 
 
-def _call(command: Command, words: str | Sequence[str] | None = None, **values: Any) -> Call:
-    """Return the call for what typer has read: of an option all values that were given, of a flag whether it was."""
+def _action(command: Command, words: str | Sequence[str] | None = None, **values: Any) -> Action:
+    """Return what a call asks for, given what typer has read: of an option all values that were given, of a flag whether it was."""
     flags = {option.name: option.flag for option in command.options()}
     given: dict[str, str | bool] = {}
     for name, value in values.items():
@@ -123,7 +124,7 @@ def _call(command: Command, words: str | Sequence[str] | None = None, **values: 
             raise BadRequest(f"{flags[name]} is given more than once")
         elif value:
             given[name] = value[0]
-    return command.call([words] if isinstance(words, str) else words or (), given)
+    return command.action([words] if isinstance(words, str) else words or (), given)
 
 
 def _parameters(command: Command, *, collects: bool) -> list[Any]:

@@ -8,10 +8,9 @@ on the load. Comments are ASCII, as LAMMPS warns of other characters.
 from collections.abc import Iterator, Mapping
 
 from ..errors import BadRequest, JkrollError
-from ..quantities.nomenclature import INFINITY, PROPERTIES
+from ..quantities.nomenclature import INFINITY, PROPERTIES, STATE
 from ..scene.errors import MissingInput
 from ..scene.scene import Scene
-from ..scene.wiring import STATE
 
 NO_SLIP = 1e9  # a coefficient of friction with which nothing slips
 

@@ -34,6 +34,10 @@ class UnknownQuantity(JkrollError):
         self.name = name
 
     def __str__(self) -> str:
+        if self.name in NOMENCLATURE:
+            return (
+                f"{quoted(self.name)} is given in words and has no value to compute; jkroll quantities lists what has"
+            )
         guess = _nearest(self.name)
         meant = f"did you mean {guess}? " if guess else ""
         return f"{quoted(self.name)} is not a quantity; {meant}jkroll quantities lists them"

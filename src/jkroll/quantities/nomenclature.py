@@ -19,6 +19,9 @@ RANGES: Mapping[str, Range] = MappingProxyType(
     }
 )
 
+# The state of the contact follows from the load unless one of these is given.
+STATE = frozenset({"approach_at_load", "load_factor", "edge_ratio"})
+
 _WORDS_FOR_INFINITY = {"radius2": "plane", "youngs_modulus": "rigid", "youngs_modulus2": "rigid"}
 
 
@@ -72,8 +75,8 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "state": Quantity("state", "", "state of the contact on its force curve"),
         "material2": Quantity("", "", "material of sphere 2", option="--material2", example="iron"),
         **_BOTH_SPHERES,
-        "yield_displacement": Quantity("ξ", "m", "yield displacement", range="positive", option="--xi", example="2angstrom"),
-        "load": Quantity("P", "N", "load, tension negative", "5", range="finite", option="--load", example="-5nN"),
+        "yield_displacement": Quantity("ξ", "m", "yield displacement", range="positive", option="--xi", example="2angstrom", shown_with=["adhesion_hysteresis"]),
+        "load": Quantity("P", "N", "load, tension negative", "5", range="finite", option="--load", example="-5nN", may_be_zero=True, shown_with=STATE),
         "gravity": Quantity("g", "m/s^2", "gravity", range="positive", option="--gravity", example="1.62m/s2"),
         "energy": Quantity("W0", "J", "impact energy of sphere 1", "48", range="positive", option="--energy", example="1e-18J"),
         "energy_ratio": Quantity(
@@ -84,7 +87,7 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "work_of_adhesion": Quantity(
             "w", "J/m^2", "work of adhesion, 2γ", "1", range="positive", option="--work-of-adhesion", example="50mJ/m2"
         ),
-        "radius_ratio": Quantity("R1/R2", "1", "ratio of the radii", "1"),
+        "radius_ratio": Quantity("R1/R2", "1", "ratio of the radii", "1", may_be_zero=True),
         "reduced_radius": Quantity("R", "m", "reduced radius", "1", range="positive"),
         "contact_modulus": Quantity("E*", "Pa", "contact modulus", "2", range="positive"),
         "contact_shear_modulus": Quantity("G*", "Pa", "contact shear modulus"),
@@ -102,19 +105,20 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
             "P_LJ", "N", "pull-off force by the 3-9 law of Lennard-Jones", "",
             note="a fit to numerical solutions, within 0.3 % for 0.01 ≤ μ ≤ 2; beyond, it tends to DMT and JKR",
         ),
-        "load_margin": Quantity("s", "1", "√(1 + P/P_c)", "5"),
+        "load_margin": Quantity("s", "1", "√(1 + P/P_c)", "5", may_be_zero=True),
         "load_factor": Quantity("x", "1", "â^(3/2), by which the load scales the rolling moment", "5", range="positive"),
-        "contact_radius_at_load": Quantity("a", "m", "contact radius at the load", "5"),
+        "contact_radius_at_load": Quantity("a", "m", "contact radius at the load", "5", may_be_zero=True),
         "approach_at_load": Quantity(
-            "δ", "m", "approach of the centres at the load", "6", range="finite", option="--approach", example="0.05nm"
+            "δ", "m", "approach of the centres at the load", "6", range="finite", option="--approach", example="0.05nm",
+            may_be_zero=True,
         ),
-        "load_at_factor": Quantity("P", "N", "load that holds the contact", "5"),
-        "load_margin_of_factor": Quantity("s", "1", "√(1 + P/P_c)", "5"),
-        "load_margin_at_approach": Quantity("s", "1", "√(1 + P/P_c) at the approach", "6"),
+        "load_at_factor": Quantity("P", "N", "load that holds the contact", "5", may_be_zero=True),
+        "load_margin_of_factor": Quantity("s", "1", "√(1 + P/P_c)", "5", may_be_zero=True),
+        "load_margin_at_approach": Quantity("s", "1", "√(1 + P/P_c) at the approach", "6", may_be_zero=True),
         "load_factor_at_approach": Quantity("x", "1", "â^(3/2) at the approach", "6"),
-        "load_factor_at_load_unstable": Quantity("x", "1", "â^(3/2) on the unstable branch", "5"),
-        "load_factor_at_approach_unstable": Quantity("x", "1", "â^(3/2) on the unstable branch at the approach", "6"),
-        "stiffness": Quantity("dP/dδ", "N/m", "normal stiffness at the load", "34"),
+        "load_factor_at_load_unstable": Quantity("x", "1", "â^(3/2) on the unstable branch", "5", may_be_zero=True),
+        "load_factor_at_approach_unstable": Quantity("x", "1", "â^(3/2) on the unstable branch at the approach", "6", may_be_zero=True),
+        "stiffness": Quantity("dP/dδ", "N/m", "normal stiffness at the load", "34", may_be_zero=True),
         "tangential_stiffness": Quantity("k_s", "N/m", "tangential stiffness at the load"),
         "hertz_pressure": Quantity("p_H", "Pa", "Hertz part of the pressure", "8"),
         "boussinesq_pressure": Quantity("p_B", "Pa", "flat-punch part of the pressure", "9"),
@@ -140,7 +144,7 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "yield_force": Quantity("Q", "N", "force that starts sphere 1 rolling", "26"),
         "yield_force_fixed_load": Quantity(
             "Q_P", "N", "the same under a load of fixed direction", "26",
-            note="for a load that keeps its direction; that of Q turns with the line of centres",
+            note="for a load that keeps its direction; that of Q turns with the line of centres", shown_with=[*STATE, "load"],
         ),
         "yield_force_ratio": Quantity("Q/P_c", "1", "yield force over pull-off force", "27"),
         "yield_angle": Quantity("δ_α", "rad", "angle at which rolling starts", "28"),
@@ -157,11 +161,11 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "hysteresis_moment": Quantity("M_hyst", "N m", "moment that adhesion hysteresis supplies"),
         "hysteresis_ratio": Quantity("M/2cRw", "1", "moment over the largest that adhesion hysteresis supplies"),
         # vibrations
-        "vertical_frequency": Quantity("f_z", "Hz", "frequency of the vertical vibration", "35"),
+        "vertical_frequency": Quantity("f_z", "Hz", "frequency of the vertical vibration", "35", may_be_zero=True),
         "rolling_frequency": Quantity("f_roll", "Hz", "frequency of the rolling vibration", "40"),
         "rolling_frequency_as_printed": Quantity(
             "f_roll(41)", "Hz", "rolling frequency as printed", "41",
-            note="2.5 times too low: Eq (40) with k² = (5/2)R1² for (2/5)R1²",
+            note="2.5 times too low: Eq (40) with k² = (5/2)R1² for (2/5)R1²", of_identical=True,
         ),
         "rolling_frequency_no_slip": Quantity(
             "f_free", "Hz", "rolling frequency without slip", "40",
@@ -174,7 +178,7 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "tabor_parameter": Quantity("μ", "1", "Tabor parameter", "1"),
         "displacement_limit": Quantity("ξ_max", "m", "largest meaningful displacement", "25"),
         "displacement_ratio": Quantity("ξ/ξ_max", "1", "displacement over its limit", "25"),
-        "contact_radius_in_spacings": Quantity("a/z0", "1", "contact radius over the atomic spacing", "2"),
+        "contact_radius_in_spacings": Quantity("a/z0", "1", "contact radius over the atomic spacing", "2", may_be_zero=True),
         "profile_error": Quantity("e_h", "1", "error of the paraboloid at the edge of the contact", "4"),
         "displacement_over_contact_radius": Quantity("ξ/a", "1", "displacement over the contact radius", "25"),
         "r_min_over_radius": Quantity("R_min/R1", "1", "smallest curvature radius over the radius", "28"),
@@ -197,7 +201,7 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         ),
         "n_roll_after_impact": Quantity(
             "n_imp", "1", "turns after a tangential impact", "48",
-            note="5/2 of Eq (48), for an arrival without spin that then rolls without slip",
+            note="5/2 of Eq (48), for an arrival without spin that then rolls without slip", shown_with=["speed"],
         ),
         # energies and speeds by convention
         "fold_energy": Quantity(
@@ -211,15 +215,16 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         ),
         "rolling_angle": Quantity("θ", "rad", "turn of sphere 1, body 2 held", range="positive", option="--angle", example="90deg"),
         "roll_energy": Quantity(
-            "E_roll", "J", "energy to roll by the angle", note=_TRAILING, definition="4P_cξ θ = 12πγRξ θ", reference="work of the moment of Eq 26"
+            "E_roll", "J", "energy to roll by the angle", note=_TRAILING, definition="4P_cξ θ = 12πγRξ θ", reference="work of the moment of Eq 26",
+            shown_with=["rolling_angle"],
         ),
         "roll_energy_quarter_turn": Quantity(
             "E_roll(π/2)", "J", "energy to roll by 90 degrees", note=_TRAILING,
-            definition="4P_cξ π/2 = 6π²γRξ", reference="code Lumajord/DustSimulation",
+            definition="4P_cξ π/2 = 6π²γRξ", reference="code Lumajord/DustSimulation", hidden_with=["rolling_angle"],
         ),
         "roll_energy_half_turn": Quantity(
             "E_roll(π)", "J", "energy to roll by 180 degrees", note=_TRAILING,
-            definition="4P_cξ π = 12π²γRξ = 6π²γr0ξ (r0 = 2R)", reference="code StephaneMichoulier/Pamdeas",
+            definition="4P_cξ π = 12π²γRξ = 6π²γr0ξ (r0 = 2R)", reference="code StephaneMichoulier/Pamdeas", hidden_with=["rolling_angle"],
         ),
         "sticking_energy_paszun_dominik": Quantity(
             "E_stick(1.07)", "J", "relative energy that sticks, for v_stick(1.07)",
@@ -252,8 +257,8 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
     {
         **_QUANTITIES,
         **{
-            name: Quantity(_QUANTITIES[quantity].symbol, _QUANTITIES[quantity].unit, _QUANTITIES[quantity].sentence)
-            for quantity, names in BY_A_LAW.items()
+            name: Quantity(base.symbol, base.unit, base.sentence, may_be_zero=base.may_be_zero)
+            for base, names in ((_QUANTITIES[quantity], names) for quantity, names in BY_A_LAW.items())
             for name in names
         },
     }

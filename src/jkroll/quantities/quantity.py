@@ -1,5 +1,6 @@
 """The meaning of a name, and the range of its values."""
 
+from collections.abc import Collection
 from typing import NamedTuple
 
 
@@ -16,6 +17,10 @@ class Quantity(NamedTuple):
     note: str = ""  # the reason why it is shown beside another quantity
     definition: str = ""  # of one among several conventions: the factor, in units that are common to them
     reference: str = ""  # of a convention: the paper or code where it stands
+    may_be_zero: bool = False  # a result of exactly 0 is its value, and no underflow
+    shown_with: Collection[str] = ()  # inputs; it is shown only where one of them was stated
+    hidden_with: Collection[str] = ()  # inputs; it is not shown where one of them was stated
+    of_identical: bool = False  # shown for identical spheres only
 
 
 class Range(NamedTuple):

@@ -7,6 +7,7 @@ from ..errors import JkrollError, NoResult
 from ..physics.contact import pull_off_force_dmt
 from ..physics.jkr import FOLD_APPROACH
 from ..physics.maugis_states import fold_approach_maugis, pull_off_force_maugis
+from ..quantities.formatting import Format, amount
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 
 
@@ -23,6 +24,10 @@ class MissingInput(JkrollError):
     def reason(self) -> str:
         """Return why there is no value, without the name of the quantity."""
         return f"needs {self.needs()}"
+
+    def reason_of_several(self) -> str:
+        """Return why several quantities have no value, without their names."""
+        return f"need {self.needs()}"
 
     def needs(self) -> str:
         """Return the missing inputs, the materials that do not have them, and how they are given."""
@@ -49,7 +54,14 @@ class NotInLaw(MissingInput):
 
     def reason(self) -> str:
         """Return that the law does not have the quantity, or what it follows from."""
-        return f"not in {self.law}; give --model jkr" if self.absent == (self.wanted,) else super().reason()
+        return self._of_the_law() or super().reason()
+
+    def reason_of_several(self) -> str:
+        """Return the same of several quantities."""
+        return self._of_the_law() or super().reason_of_several()
+
+    def _of_the_law(self) -> str:
+        return f"not in {self.law}; give --model jkr" if self.absent == (self.wanted,) else ""
 
     def needs(self) -> str:
         """Return the quantity that the law does not have."""
@@ -59,6 +71,12 @@ class NotInLaw(MissingInput):
 
 def _as_typed(name: str) -> str:
     return f"{NOMENCLATURE[name].option} {NOMENCLATURE[name].example}"
+
+
+def _amounts(name: str, *values: float) -> list[str]:
+    """Return values as results are shown; with all their digits where the rounded ones would look alike."""
+    texts = [amount(name, value) for value in values]
+    return texts if len(set(texts)) == len(texts) else [amount(name, value, Format(digits=17)) for value in values]
 
 
 class Contradiction(JkrollError):
@@ -94,8 +112,9 @@ class BeyondPullOff(NoResult):
 
     def reason(self) -> str:
         """Return which loads this contact holds."""
-        held = f"; by Maugis' law it holds down to {-self.by_maugis!r} N (--model maugis)" if self.by_maugis else ""
-        return f"{self.load!r} N is beyond pull-off; this contact holds down to {-self.pull_off_force!r} N{held}"
+        load, held, by_maugis = _amounts("load", self.load, -self.pull_off_force, -self.by_maugis)
+        more = f"; by Maugis' law it holds down to {by_maugis} (--model maugis)" if self.by_maugis else ""
+        return f"{load} is beyond pull-off; this contact holds down to {held}{more}"
 
 
 class BeyondFold(NoResult):
@@ -109,7 +128,8 @@ class BeyondFold(NoResult):
 
     def reason(self) -> str:
         """Return which approaches this contact holds."""
-        return f"{self.approach!r} m is beyond the fold; fixed grips hold this contact down to {self.least!r} m"
+        approach, least = _amounts("approach_at_load", self.approach, self.least)
+        return f"{approach} is beyond the fold; fixed grips hold this contact down to {least}"
 
 
 class TooMuchHysteresis(NoResult):
@@ -123,7 +143,8 @@ class TooMuchHysteresis(NoResult):
 
     def reason(self) -> str:
         """Return how large the hysteresis may be."""
-        return f"{self.hysteresis!r} J/m^2 is above the work of adhesion, {self.work!r} J/m^2, of which it is a part"
+        hysteresis, work = _amounts("adhesion_hysteresis", self.hysteresis, self.work)
+        return f"{hysteresis} is above the work of adhesion, {work}, of which it is a part"
 
 
 class TwoRigidBodies(NoResult):

@@ -5,10 +5,9 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import Any, Literal, NamedTuple
 
 from ..errors import JkrollError
-from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.nomenclature import NOMENCLATURE, STATE
 from .errors import MissingInput, NotInLaw
 from .scene import Scene
-from .wiring import STATE
 
 
 class Doubt(NamedTuple):

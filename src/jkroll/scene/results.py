@@ -2,35 +2,10 @@
 
 from typing import Any
 
-from ..quantities.nomenclature import INFINITY
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 
 SMALLEST = 2.2250738585072014e-308  # of the doubles that have all their digits
-MAY_BE_ZERO = frozenset(
-    {
-        "load_margin",
-        "load_margin_of_factor",
-        "load_margin_at_approach",
-        "load_at_factor",
-        "stiffness",
-        "vertical_frequency",
-        "approach_at_load",
-        "radius_ratio",
-        "load_factor_at_load_unstable",
-        "load_factor_at_approach_unstable",
-        "load_maugis",
-        "stiffness_maugis",
-        "approach_maugis",
-        "edge_ratio_at_approach",
-        "edge_ratio_at_fold",
-        "contact_radius_maugis",
-        "contact_radius_in_spacings",
-        "load_dmt",
-        "contact_radius_dmt",
-        "contact_radius_dmt_at_approach",
-        "stiffness_dmt",
-        "approach_dmt",
-    }
-)  # at P = 0, at P = -P_c, or at P = -(8/9)P_c; the radius where nothing touches
+MAY_BE_ZERO = frozenset(name for name, quantity in NOMENCLATURE.items() if quantity.may_be_zero)
 
 
 def is_plausible(name: str, value: float) -> bool:

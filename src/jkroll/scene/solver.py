@@ -113,6 +113,10 @@ def materials_of(
     material: str | Material | None, material2: str | Material | None, materials: Materials | None
 ) -> tuple[Material | None, Material | None]:
     """Return the materials of the two spheres."""
+    if not isinstance(materials, Materials | None):
+        raise QuantityError(
+            "materials", str(materials)[:MAX_QUOTED], "is not a Materials object", 'write Materials(["mine.toml"])'
+        )
     return _material("material", material, materials), _material("material2", material2, materials)
 
 

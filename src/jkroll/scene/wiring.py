@@ -15,9 +15,6 @@ from ..quantities.errors import UnknownQuantity
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
 from .laws import DEFAULT_LAW, Routes, differs, routes, routes_anywhere
 
-# The state of the contact follows from the load unless one of these is given.
-STATE = frozenset({"approach_at_load", "load_factor", "edge_ratio"})
-
 
 class Step(NamedTuple):
     """One formula to run: the name of its result, the formula, and the names of its arguments."""
@@ -112,7 +109,7 @@ class _Path:
             return wanted
         if name in self.known:
             self.inputs.add(name)
-        elif name not in NOMENCLATURE:
+        elif name not in NOMENCLATURE or not NOMENCLATURE[name].unit:
             raise UnknownQuantity(name)
         elif name in self.steps:
             return name
