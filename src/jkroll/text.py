@@ -61,6 +61,17 @@ def say(text: str, out: TextIO) -> None:
     out.write(fitting(text, out) + "\n")
 
 
+def say_wrapped(text: str, out: TextIO) -> None:
+    """Print a sentence in one line, or, on a terminal, in lines that fit, with those after the first indented."""
+    fitted = fitting(text, out)
+    if out.isatty() and len(fitted) > columns():
+        from textwrap import wrap
+
+        lines = wrap(fitted, columns(), subsequent_indent="  ", break_long_words=False, break_on_hyphens=False)
+        fitted = "\n".join(lines)
+    out.write(fitted + "\n")
+
+
 MAX_SIZE = 1000  # a table or a picture of this size still fits into memory
 
 

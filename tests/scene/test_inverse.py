@@ -112,7 +112,7 @@ def test_refusals(name: str, quantity: str, given: dict[str, float], error: type
 
 
 def test_nothing_is_extrapolated() -> None:
-    with pytest.raises(NoSolution, match=r"it lies between 18.8496 pN and 18.8496 mN for 1 µJ/m\^2 to 1 kJ/m\^2"):
+    with pytest.raises(NoSolution, match=r"it lies between 18.8496 pN and 18.8496 mN for 1 µJ/m² to 1 kJ/m²"):
         infer("gamma", measured={"pull_off_force": "3 N"}, **PLANE)
 
 
@@ -176,7 +176,7 @@ def test_the_command(run: Run) -> None:
         "surface_energy 15.92 mJ/m2\nsurface_energy_minus 1.061 mJ/m2\nsurface_energy_plus 1.061 mJ/m2\n",
     )
     assert "note: γ of quartz is not used\n" in ran.err
-    assert "gives P_c = 300 nN; κ = |d ln γ1/d ln P_c| = 1; 13.3793 mJ/m^2 under Maugis–Dugdale" in ran.err
+    assert "gives P_c = 300 nN; κ = |d ln γ1/d ln P_c| = 1; 13.3793 mJ/m² under Maugis–Dugdale" in ran.err
     table = run(*words, "pull_off_force=300nN,3N", "--csv")
     assert table.out.splitlines() == [
         "material,radius [m],radius2 [m],pull_off_force [N],surface_energy [J/m^2]",

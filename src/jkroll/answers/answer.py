@@ -9,7 +9,7 @@ from ..quantities.formatting import Format, amount, in_words
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..scene.errors import BeyondFold, BeyondPullOff, MissingInput, reason_of
 from ..scene.laws import DEFAULT_LAW
-from ..scene.limits import LIMIT_NAMES, Verdict, judged, of_any_scene, sentence, uses_spacing
+from ..scene.limits import LIMIT_NAMES, Verdict, against_limit, judged, of_any_scene, sentence, uses_spacing
 from ..scene.rolling_models import model_error
 from ..scene.scene import Scene
 from ..scene.wiring import STATE, depends_on
@@ -50,7 +50,11 @@ class Answer(NamedTuple):
 
     def doubts(self) -> list[Note]:
         """Return a note for each limit of the model that does not hold."""
-        return [Note("doubt", sentence(one), of_any_scene(one)) for one in self.validity if not one.holds]
+        return [
+            Note("doubt", sentence(one), of_any_scene(one), against_limit(one))
+            for one in self.validity
+            if not one.holds
+        ]
 
 
 def answer(question: Question, scene: Scene) -> Answer:

@@ -15,7 +15,7 @@ from ..scene.wiring import depends_on
 BETWEEN = "maugis"  # the law that holds between JKR and DMT
 _SHOWN = 2  # differences in the sentence
 _NO_CHANGE = 0.005  # relative change that is no per cent
-_DMT_BELOW = 0.01  # Tabor parameter, at which DMT's pull-off force is 0.1 % too large, and its approach 10 %
+DMT_BELOW = 0.01  # Tabor parameter, at which DMT's pull-off force is 0.1 % too large, and its approach 10 %
 _MATTERS = 0.05  # relative change with the atomic spacing that is shown
 
 
@@ -55,9 +55,11 @@ def with_differences(verdict: Verdict, found: Sequence[Difference], scene: Scene
     if scene.law.name == BETWEEN:
         return verdict._replace(holds=True, text="Maugis–Dugdale covers all from DMT to JKR")
     if scene.law.name != DEFAULT_LAW:
-        is_small = verdict.value < _DMT_BELOW
-        text = "small: DMT is close" if is_small else f"not small: {LAWS[BETWEEN].title} is exact; --model {BETWEEN}"
-        return verdict._replace(holds=is_small, text=text)
+        if verdict.value < DMT_BELOW:
+            return verdict._replace(holds=True, text="small: DMT is close")
+        code = f"{NOMENCLATURE[verdict.name].symbol}>{DMT_BELOW}"
+        text = f"above {DMT_BELOW}: {LAWS[BETWEEN].title} is exact; --model {BETWEEN}"
+        return verdict._replace(holds=False, text=text, code=code)
     return verdict if verdict.holds or not found else verdict._replace(text=_sentence(found, scene))
 
 

@@ -14,7 +14,7 @@ from ..output.note_lines import NoteLines
 from ..output.writers import WRITERS
 from ..quantities.formatting import Format
 from ..scene.wiring import formula_of
-from ..text import quoted, say
+from ..text import quoted, say, say_wrapped
 from .options import Values
 from .request import Request, format_of, request_of
 
@@ -217,7 +217,7 @@ def _unless_failed(one: Answer, question: Question) -> Answer:
 def _say_all(lines: Iterable[str]) -> None:
     """Print lines on stderr."""
     for line in lines:
-        say(line, sys.stderr)
+        say_wrapped(line, sys.stderr)
 
 
 def run_materials(words: Sequence[str], values: Values) -> int:

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import Any, TextIO
 
 from ..materials.library import Material
-from ..quantities.formatting import amount
+from ..quantities.formatting import AS_USUAL, amount
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, header
 from ..text import json_text, say
 from .citations import bibtex
@@ -78,7 +78,7 @@ def _write_lines(material: Material, out: TextIO) -> None:
     for name, value in material.properties.items():
         say(f"{name} {value!r} {NOMENCLATURE[name].unit}".removesuffix(" 1"), out)
         if name in material.uncertainties:
-            say(f"{name}.stated {_stated(material, name)}", out)
+            say(f"{name}.stated {' '.join(AS_USUAL.rounded(name, material.uncertainties[name]))}", out)
         for field, text in _origin(material, name):
             say(f"{name}.{field} {text}", out)
 

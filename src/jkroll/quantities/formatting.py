@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 
 DIGITS = 6  # significant, of a rounded value
 _PLAIN = 10**DIGITS  # numbers below have no exponent for want of digits
+_SMALL = 1e-3  # numbers below have too many zeros to share a unit with others
 _PREFIXES = dict(zip(range(-21, 18, 3), ("z", "a", "f", "p", "n", "µ", "m", "", "k", "M", "G", "T", "P"), strict=True))
 _PREFIXABLE = ("m", "N", "J", "Pa", "Hz", "rad", "N m", "N/m", "J/m^2", "N m/rad")
 
@@ -55,15 +56,16 @@ class Format(NamedTuple):
         return engineering(value, NOMENCLATURE[name].unit, digits)
 
     def common_unit(self, name: str, values: Sequence[float]) -> tuple[str, Unit] | None:
-        """Return a unit in which all values of a quantity are short numbers; None if there is none, or if it has no unit."""
+        """Return the unit that suits the middle one of the values; None if others are long numbers in it, or if it is 1."""
         if name in self.units:
             return self.units[name]
         si = NOMENCLATURE[name].unit
-        sizes = [abs(value) for value in values if value and not isinf(value)]
+        sizes = sorted(abs(value) for value in values if value and not isinf(value))
         if si in ("", "1") or not sizes:
             return None
-        scale, prefix = _prefix(float(f"{min(sizes):.{self.digits or DIGITS}g}"), si)
-        return (prefix + si, scale) if convert(max(sizes), scale) < _PLAIN else None
+        scale, prefix = _prefix(float(f"{sizes[(len(sizes) - 1) // 2]:.{self.digits or DIGITS}g}"), si)
+        is_short = convert(sizes[0], scale) >= _SMALL and convert(sizes[-1], scale) < _PLAIN
+        return (prefix + si, scale) if is_short else None
 
     def in_unit(self, value: float | str, unit: tuple[str, Unit]) -> str:
         """Return a rounded value in a unit, without the unit; a word as it is."""
@@ -126,9 +128,10 @@ def amount(name: str, value: "float | str | Uncertain", form: Format = AS_USUAL)
     >>> from .uncertain import parse_uncertain
     >>> texts = ("25±5 mJ/m2", "25 +6/-4 mJ/m2", "20 to 30 mJ/m2")
     >>> [amount("surface_energy", parse_uncertain(text, "surface_energy")) for text in texts]
-    ['25.0 ± 5.0 mJ/m^2', '25.0 +6.0/-4.0 mJ/m^2', '20 to 30 mJ/m^2']
+    ['25.0 ± 5.0 mJ/m²', '25.0 +6.0/-4.0 mJ/m²', '20 to 30 mJ/m²']
     """
-    return " ".join(part for part in form.rounded(name, value) if part)
+    number, unit = form.rounded(name, value)
+    return f"{number} {pretty(unit)}".strip()
 
 
 def _uncertain(name: str, found: "Uncertain", form: Format) -> tuple[str, str]:
