@@ -169,6 +169,7 @@ def _settings(style: Style) -> Iterator[None]:
                 "mathtext.fontset": "dejavusans",
                 "xtick.labelsize": TICK,
                 "ytick.labelsize": TICK,
+                "xtick.major.pad": 5.0,  # clear of the lowest label of the other axis
                 "axes.linewidth": 0.6,
                 "xtick.major.width": 0.6,
                 "ytick.major.width": 0.6,
