@@ -10,6 +10,7 @@ from ..answers.inferred import inferred
 from ..answers.questions import Question, quantity_named
 from ..errors import BadRequest
 from ..output.layout import layout
+from ..quantities.nomenclature import canonical
 from ..quantities.ranges import spreads_of
 from ..scene.inverse import SIZES, CannotInfer
 from .options import Values
@@ -26,9 +27,9 @@ def run_infer(words: Sequence[str], values: Values) -> int:
     """Find an input for every scene and measured value; return the exit code."""
     if not words:
         raise BadRequest(f"infer needs an input: one of {', '.join(SIZES)}")
-    name = quantity_named(words[0])
+    name = canonical(words[0])
     if name not in SIZES:
-        raise CannotInfer(name)
+        raise CannotInfer(words[0])
     quantity, measured = _measured(values.measured)
     kind = format_name(values, sys.stdout)
     form = format_of(values.to, values.digits, [name])
