@@ -99,6 +99,15 @@ def test_every_law_has_its_own_doubt(run: Run) -> None:
     assert "note: doubtful: μ>0.01, Maugis–Dugdale is exact; --model maugis: rows 2, 4" in notes
 
 
+@pytest.mark.parametrize("topic", ["dem", "energies", "tables"])
+def test_the_manual_leaves_what_a_program_prints_in_its_own_lines(run: Run, topic: str) -> None:
+    shown = [line.rstrip() for line in run(f"guide {topic}", terminal=True).out.splitlines()]
+    blocks = re.findall(r"^```\S*\n(.*?)^```$", run(f"guide {topic}").out, re.DOTALL | re.MULTILINE)
+    assert blocks
+    for line in "".join(blocks).splitlines():
+        assert line.rstrip() in shown
+
+
 def test_units_are_spelt_one_way_on_a_terminal(run: Run) -> None:
     for command in (
         "n-grav quartz 100nm",

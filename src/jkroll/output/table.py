@@ -23,7 +23,6 @@ _JKR = 7  # the place of JKR's value, shown beside that of another law
 # The columns of a scene's table, for narrower and narrower terminals: of results, and of results by convention.
 _COLUMNS: Sequence[tuple[int, ...]] = ((0, 1, 2, 3, 4), (1, 2, 3, 4), (1, 2, 3))
 _COLUMNS_BY_CONVENTION: Sequence[tuple[int, ...]] = ((0, 1, 2, 3, 5, 6), (1, 2, 3, 5, 6), (1, 2, 3, 5), (1, 2, 3))
-MAX_TEXT = 100  # columns of running text
 MOST_ACROSS = 20  # scenes that are tried as columns
 
 
@@ -179,15 +178,6 @@ def write_wrapped(heads: Sequence[str], rows: Sequence[Sequence[str]], out: Text
     least = console.measure(table, options=console.options.update(width=10_000)).minimum
     console.width = max(console.width, least)
     console.print(table)
-
-
-def write_markdown(text: str, out: TextIO) -> None:
-    """Write Markdown, in lines that are comfortable to read."""
-    from rich.markdown import Markdown
-
-    console = _console(out)
-    console.width = min(console.width, MAX_TEXT)
-    console.print(Markdown(fitting(text, out), code_theme="ansi_light", hyperlinks=False))
 
 
 def _console(out: TextIO) -> Console:
