@@ -119,3 +119,14 @@ def test_units_are_spelt_one_way_on_a_terminal(run: Run) -> None:
         assert "²" in ran.out
         assert "m^2" not in ran.out
         assert "s^2" not in ran.out
+
+
+def test_uncertain_columns_have_one_unit_and_two_digits_of_the_uncertainty(run: Run) -> None:
+    table = run("pull-off silica-humid,silica-dry 100nm --quiet", terminal=True).out
+    assert "P_c [nN]" in table
+    assert re.search(r"silica-humid +9\.4 to 11\.8 ", table)
+    assert re.search(r"silica-dry +94\.2478 ", table)
+    assert (
+        "9.42 to 11.8 nN"
+        in run("pull-off", "quartz", "100nm", "--gamma", "20 to 25mJ/m2", "--digits", "3", "--explain").out
+    )

@@ -114,8 +114,7 @@ def _column(name: str, answers: Sequence[Answer], form: Format) -> list[str]:
     """Return the head and the cells of a column; the head has the unit, if one suits all of its values."""
     head = NOMENCLATURE[name].symbol or name
     values = [_value(answer, name) for answer in answers]
-    is_uncertain = any(isinstance(value, tuple) for value in values)
-    common = None if is_uncertain else form.common_unit(name, [value for value in values if isinstance(value, float)])
+    common = form.common_unit(name, [value for value in values if not isinstance(value, str | None)])
     if common:
         cells = ["—" if value is None else form.in_unit(value, common) for value in values]
         return [f"{head} [{pretty(common[0])}]", *cells]
