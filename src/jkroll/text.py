@@ -61,6 +61,22 @@ def say(text: str, out: TextIO) -> None:
     out.write(fitting(text, out) + "\n")
 
 
+def say_wrapped(text: str, out: TextIO, indent: int = 2) -> None:
+    """Print a sentence in one line, or, on a terminal, in lines that fit, with those after the first indented.
+
+    A number stays with its unit.
+    """
+    fitted = fitting(text, out)
+    if out.isatty() and len(fitted) > columns():
+        import re
+        from textwrap import wrap
+
+        joined = re.sub(r"(?<=\d) (?=[^\W\d]|%)", "\xa0", fitted)
+        lines = wrap(joined, columns(), subsequent_indent=" " * indent, break_long_words=False, break_on_hyphens=False)
+        fitted = "\n".join(lines).replace("\xa0", " ")
+    out.write(fitted + "\n")
+
+
 MAX_SIZE = 1000  # a table or a picture of this size still fits into memory
 
 

@@ -48,10 +48,7 @@ def test_the_default_keeps_the_digits(quantity: str, way: str) -> None:
 
 def test_approximations_of_maugis_law_are_as_rough_as_is_known() -> None:
     """Carpick, Ogletree & Salmeron's radius is within 3 %; JKR and DMT have an error of order one, outside their limits."""
-    fit, jkr, dmt = (
-        rows()["contact_radius_maugis", way].worst * 2.0**-53
-        for way in ("COS 1999, coefficients from memory", "JKR", "DMT")
-    )
+    fit, jkr, dmt = (rows()["contact_radius_maugis", way].worst * 2.0**-53 for way in ("COS 1999", "JKR", "DMT"))
     assert 0.005 < fit < 0.03
     assert min(jkr, dmt) > 0.1
 

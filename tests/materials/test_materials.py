@@ -307,7 +307,7 @@ def test_the_sets_are_shown_apart(run: Run) -> None:
 def test_a_material_is_shown_with_all_that_is_known_of_it(run: Run) -> None:
     sheet = run("materials ice-warm", terminal=True).out
     assert "state           water ice above about 200 K\n" in sheet
-    assert "surface_energy  190 ± 69 mJ/m^2\n  method        critical rolling force" in sheet
+    assert "surface_energy  190 ± 69 mJ/m²\n  method        critical rolling force" in sheet
     assert "  reference     gundlach-2011\n" in sheet
     assert "surface_energy 0.19 J/m^2\nsurface_energy.stated 190 ± 69 mJ/m^2\n" in run("materials ice-warm").out
     found = json.loads(run("materials ice-warm --json").out)

@@ -17,9 +17,10 @@ from jkroll.cli.draw import show_progress as progress
 from jkroll.pictures.axes import Axis, round_values
 from jkroll.pictures.canvas import ink_on, screen_of, shade, stacked
 from jkroll.pictures.figures import FIGURES, figure
-from jkroll.pictures.maps import Map, Setting, evaluate
+from jkroll.pictures.maps import Map, evaluate
 from jkroll.pictures.panels import axis_around
 from jkroll.quantities.nomenclature import NOMENCLATURE
+from jkroll.scene.scene import Scene
 from jkroll.scene.wiring import depends_on
 
 SIZE = (61, 61)
@@ -383,10 +384,10 @@ def test_no_value_anywhere_is_a_failure(run: Run) -> None:
 
 
 def test_progress_of_a_long_map_and_of_no_short_one() -> None:
-    setting = Setting({"surface_energy": 0.025})
+    scene = Scene({"surface_energy": 0.025})
     reported: list[float] = []
     evaluate(
-        setting,
+        scene,
         "yield_force_ratio",
         Axis("radius", 1e-9, 1e-6, size=1000),
         Axis("yield_displacement", 1e-10, 1e-9, size=1000),
@@ -394,7 +395,7 @@ def test_progress_of_a_long_map_and_of_no_short_one() -> None:
     )
     assert reported == []
     evaluate(
-        setting,
+        scene,
         "yield_force_ratio",
         Axis("radius", 1e-9, 1e-6, size=2000),
         Axis("yield_displacement", 1e-10, 1e-9, size=2000),
@@ -432,3 +433,25 @@ def test_any_quantity_over_any_input_is_drawn_or_refused_in_a_line(run: Run) -> 
                 assert len(ran.err.splitlines()) == (ran.code != 0)
                 drawn += ran.code == 0
     assert drawn > 1000
+
+
+@pytest.mark.parametrize(
+    ("model", "sentence", "regions"),
+    [
+        ("jkr", "Pull-off force P_c, Eq (1), under JKR.", ["a/z0 < 3", "μ < 0.1", "μ = 5: JKR"]),
+        ("maugis", "Pull-off force P_c, Maugis 1992, under Maugis–Dugdale.", ["a/z0 < 3"]),
+        ("dmt", "Pull-off force P_c, Eq (1), under DMT.", ["a/z0 < 3", "μ = 0.01: DMT"]),
+    ],
+)
+def test_a_map_names_its_law_and_is_judged_by_it(run: Run, model: str, sentence: str, regions: list[str]) -> None:
+    ran = run(f"map pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2 --young 54GPa --poisson 0.17 --model {model}")
+    assert sentence in " ".join(ran.out.split())
+    found = [text for text in ("a/z0 < 3", "μ < 0.1", "μ = 5: JKR", "μ = 0.01: DMT") if text in ran.out]
+    assert found == regions
+    assert "its limits are not shown" not in ran.err
+
+
+def test_curves_of_several_laws_have_no_equation_of_one(run: Run) -> None:
+    ran = run("map pull-off quartz --x radius=1nm:1mm --model maugis,dmt")
+    assert "Pull-off force P_c." in ran.out
+    assert "quartz, DMT, R1 = 1 nm to 1 mm: μ > 0.01, DMT is not exact." in " ".join(ran.out.split())

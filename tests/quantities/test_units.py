@@ -7,7 +7,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from jkroll.quantities.errors import QuantityError
+from jkroll.quantities.errors import QuantityError, nearest
 from jkroll.quantities.parsing import parse_quantity, unit_of
 from jkroll.quantities.pint_names import lookup
 from jkroll.quantities.unit_table import PINT_VERSION, PLAIN, PREFIXABLE, PREFIXES
@@ -190,3 +190,28 @@ def test_the_table_was_made_from_the_pint_that_is_installed_or_an_equal_one() ->
 def test_kinds_are_named() -> None:
     assert kind_of(dimension_of("J/m^2")) == "a surface energy"
     assert kind_of(dimension_of("N m")) == "an energy"
+
+
+@pytest.mark.parametrize(
+    ("word", "meant"),
+    [
+        ("E", "youngs_modulus"),
+        ("P_c", "pull_off_force"),
+        ("R", "reduced_radius"),
+        ("rolling_force", "yield_force"),
+        ("Rolling-Friction", "yield_force"),
+        ("adhesion force", "pull_off_force"),
+        ("pulloff", "pull_off_force"),
+        ("n_rol", "n_roll"),
+        ("gama", "surface_energy"),
+        ("xyzzy", None),
+    ],
+)
+def test_the_quantity_that_a_word_is_likely_to_mean(word: str, meant: str | None) -> None:
+    assert nearest(word) == meant
+
+
+def test_only_names_that_would_be_taken_are_offered() -> None:
+    assert nearest("E", ["radius", "youngs_modulus"]) == "youngs_modulus"
+    assert nearest("R", ["radius", "youngs_modulus"]) == "radius"
+    assert nearest("rolling_force", ["radius", "youngs_modulus"]) is None

@@ -99,7 +99,7 @@ def test_both_spheres_of_one_material_are_inferred_together() -> None:
     [
         ("youngs_modulus", "pull_off_force", {}, NoDependence, "pull_off_force does not depend on it here"),
         ("load", "load", {}, NoDependence, "load does not depend on it here"),
-        ("gravity", "n_grav", {}, CannotInfer, "gravity cannot be inferred; surface_energy,"),
+        ("gravity", "n_grav", {}, CannotInfer, "'gravity' cannot be inferred; surface_energy,"),
         ("surface_energy", "pull_off_force", {"surface_energy": 1.0}, AlreadyGiven, "is given and asked for"),
         ("surface_energy", "pull_off_force", {"work_of_adhesion": 1.0}, AlreadyGiven, "one follows from the other"),
         ("load", "contact_radius_at_load", {"approach_at_load": 1e-9}, AlreadyGiven, "one follows from the other"),
@@ -112,15 +112,15 @@ def test_refusals(name: str, quantity: str, given: dict[str, float], error: type
 
 
 def test_nothing_is_extrapolated() -> None:
-    with pytest.raises(NoSolution, match=r"it lies between 18.8496 pN and 18.8496 mN for 1 µJ/m\^2 to 1 kJ/m\^2"):
+    with pytest.raises(NoSolution, match=r"it lies between 18.8496 pN and 18.8496 mN for 1 µJ/m² to 1 kJ/m²"):
         infer("gamma", measured={"pull_off_force": "3 N"}, **PLANE)
 
 
 @pytest.mark.parametrize(
     ("name", "measured", "words"),
     [
-        (None, {"pull_off_force": 3e-9}, "'None' is not a quantity"),
-        (["gamma"], {"pull_off_force": 3e-9}, "is not a quantity"),
+        (None, {"pull_off_force": 3e-9}, "'None' cannot be inferred"),
+        (["gamma"], {"pull_off_force": 3e-9}, "cannot be inferred"),
         ("gamma", None, "'None' is not one quantity and its value"),
         ("gamma", "pull_off_force=3nN", "is not one quantity and its value"),
         ("gamma", {3: 3e-9}, "'3' is not a quantity"),
@@ -176,7 +176,7 @@ def test_the_command(run: Run) -> None:
         "surface_energy 15.92 mJ/m2\nsurface_energy_minus 1.061 mJ/m2\nsurface_energy_plus 1.061 mJ/m2\n",
     )
     assert "note: γ of quartz is not used\n" in ran.err
-    assert "gives P_c = 300 nN; κ = |d ln γ1/d ln P_c| = 1; 13.3793 mJ/m^2 under Maugis–Dugdale" in ran.err
+    assert "gives P_c = 300 nN; κ = |d ln γ1/d ln P_c| = 1; 13.3793 mJ/m² under Maugis–Dugdale" in ran.err
     table = run(*words, "pull_off_force=300nN,3N", "--csv")
     assert table.out.splitlines() == [
         "material,radius [m],radius2 [m],pull_off_force [N],surface_energy [J/m^2]",
@@ -193,7 +193,11 @@ def test_the_command(run: Run) -> None:
         ("infer gamma quartz 1um", 2, "infer needs what was measured: --measured pull_off_force=300nN"),
         ("infer gamma quartz 1um --measured 3nN", 2, "--measured: write a quantity and its value"),
         ("infer gamma quartz 1um --measured pull_off_force=3nm", 2, "pull_off_force: '3nm' is a length; "),
-        ("infer gama quartz 1um --measured pull_off_force=3nN", 2, "'gama' is not a quantity"),
+        (
+            "infer gama quartz 1um --measured pull_off_force=3nN",
+            2,
+            "'gama' cannot be inferred; did you mean surface_energy?",
+        ),
         ("infer young quartz 1um --measured pull_off_force=3nN", 1, "youngs_modulus: pull_off_force does not depend"),
         ("infer gamma quartz --measured pull_off_force=3nN", 2, "pull_off_force needs radius of sphere 1; give"),
     ],

@@ -8,10 +8,12 @@ from collections.abc import Mapping
 from random import Random
 from typing import Any
 
+import pint
 import pytest
 
 from harness import Run
 from jkroll import Interval, Material, Measured, infer, known_materials, solve
+from jkroll.quantities.errors import QuantityError
 from jkroll.quantities.uncertain import Uncertain
 from jkroll.scene.scene import Scene
 from jkroll.scene.uncertainty import MixedKinds, Propagated, TooManyRanges, uncertainties
@@ -182,3 +184,37 @@ def test_a_long_list_takes_no_uncertainty(run: Run) -> None:
     ran = run("pull-off", "quartz", "100±5nm", "-o", "out.csv")
     expected = "jkroll: -o and long lists take values without uncertainties, and radius has one\n"
     assert (ran.code, ran.err) == (2, expected)
+
+
+# --- Measurements of pint -----------------------------------------------------------------------------------------------
+
+
+def test_measurements_of_pint_are_read_in_any_unit() -> None:
+    pytest.importorskip("uncertainties")
+    units: Any = pint.UnitRegistry()
+    energy = units.Measurement(25, 5, "mJ/m^2")
+    force = solve("pull_off_force", surface_energy=energy, radius="100 nm")
+    assert force == solve("pull_off_force", surface_energy=units.Quantity(25, "mJ/m^2").plus_minus(5), radius="100 nm")
+    for other in ("25±5 mJ/m2", units.Measurement(25, 5, "erg/cm^2")):
+        found = solve("pull_off_force", surface_energy=other, radius="100 nm")
+        assert found[:3] == pytest.approx(force[:3], rel=1e-15)
+    assert force.plus == pytest.approx(3 * math.pi * 0.005 * 50e-9)
+    both = solve("pull_off_force", surface_energy=energy, radius=units.Measurement(100, 10, "nm"))
+    assert both.plus == pytest.approx(both.value * math.hypot(0.2, 0.1))
+    given: dict[str, Any] = {"radius": "2 um", "radius2": "plane"}
+    found = infer("gamma", measured={"pull_off_force": units.Measurement(300, 20, "nN")}, **given)
+    again = infer("gamma", measured={"pull_off_force": "300±20 nN"}, **given)
+    assert found[:3] == pytest.approx(again[:3], rel=1e-15)
+
+
+@pytest.mark.filterwarnings("ignore:This function will be removed:DeprecationWarning")  # pint's own, in its texts
+@pytest.mark.parametrize(
+    ("uncertainty", "unit", "reason"),
+    [(5, "N", "is of another dimension"), (15, "mJ/m^2", "has an uncertainty of half the value or more")],
+)
+def test_measurements_of_pint_that_cannot_be(uncertainty: float, unit: str, reason: str) -> None:
+    pytest.importorskip("uncertainties")
+    units: Any = pint.UnitRegistry()
+    energy = units.Measurement(25, uncertainty, unit)
+    with pytest.raises(QuantityError, match=reason):
+        solve("pull_off_force", surface_energy=energy, radius="100 nm")

@@ -8,7 +8,7 @@ from ..errors import JkrollError, NoResult
 from ..quantities.formatting import Format, amount, in_words
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..scene.errors import BeyondFold, BeyondPullOff, MissingInput, reason_of
-from ..scene.limits import LIMIT_NAMES, Verdict, judged, of_any_scene, sentence, uses_spacing
+from ..scene.limits import LIMIT_NAMES, Verdict, against_limit, judged, of_any_scene, sentence, uses_spacing
 from ..scene.scene import Scene
 from ..scene.wiring import depends_on
 from .comparison import Difference, differences, with_differences, with_force_by_maugis
@@ -39,7 +39,11 @@ class Answer(NamedTuple):
 
     def doubts(self) -> list[Note]:
         """Return a note for each limit of the model that does not hold."""
-        return [Note("doubt", sentence(one), of_any_scene(one)) for one in self.validity if not one.holds]
+        return [
+            Note("doubt", sentence(one), of_any_scene(one), against_limit(one))
+            for one in self.validity
+            if not one.holds
+        ]
 
 
 def answer(question: Question, scene: Scene) -> Answer:

@@ -47,9 +47,11 @@ def differences(scene: Scene, names: Sequence[str]) -> tuple[Difference, ...]:
 def with_differences(verdict: Verdict, found: Sequence[Difference], scene: Scene) -> Verdict:
     """Return a verdict with what Maugis' law says in place of a doubt about JKR; under another law, with where that holds."""
     if verdict.name == "tabor_parameter" and not scene.law.is_default:
-        holds = verdict.value < scene.law.tabor_below
-        text = scene.law.fine if holds else f"not small: {LAWS[BETWEEN].title} is exact; --model {BETWEEN}"
-        return verdict._replace(holds=holds, text=text)
+        bound = scene.law.tabor_below
+        if verdict.value < bound:
+            return verdict._replace(holds=True, text=scene.law.fine)
+        text = f"above {bound}: {LAWS[BETWEEN].title} is exact; --model {BETWEEN}"
+        return verdict._replace(holds=False, text=text, code=f"{NOMENCLATURE[verdict.name].symbol}>{bound}")
     if verdict.holds or not scene.law.is_default:
         return verdict
     if verdict.name == "tabor_parameter" and found:

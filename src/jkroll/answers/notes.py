@@ -56,13 +56,14 @@ def about_results(results: list[Result], scene: Scene) -> list[Note]:
         is_implied = scene.is_identical and result.name == "rolling_frequency_no_slip"
         if NOMENCLATURE[result.name].note and not is_implied:
             by_note.setdefault(NOMENCLATURE[result.name].note, []).append(symbol_of(result.name))
-    texts = [f"{', '.join(symbols)}: {note}" for note, symbols in by_note.items()]
+    notes = [Note("result", f"{', '.join(symbols)}: {note}") for note, symbols in by_note.items()]
     names = {result.name for result in known}
     if "n_grav" in names and not scene.is_identical:
-        texts.append(f"N_grav is what the first contact, on body 2, carries; {_between_spheres_1(scene)}")
+        carries = "N_grav is what the first contact, on body 2, carries"
+        notes.append(Note("result", f"{carries}; {_between_spheres_1(scene)}", carries))
     if "n_roll" in names and IMPACT.isdisjoint(scene.stated):
-        texts.append(f"W0 = P_cδ0 is {1 / STICKING:.3g} U_stick, the largest energy that sticks")
-    notes = [Note("result", text) for text in (*texts, *remarks(scene, names))]
+        notes.append(Note("result", f"W0 = P_cδ0 is {1 / STICKING:.3g} U_stick, the largest energy that sticks"))
+    notes += remarks(scene, names)
     errors = ", ".join(f"{symbol_of(result.name)} by {100 * result.error:.2g} %" for result in known if result.error)
     return [*notes, Note("model", f"off the exact moment of this contact: {errors}")] if errors else notes
 

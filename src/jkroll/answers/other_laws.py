@@ -6,14 +6,14 @@ from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.laws import BETWEEN, DEFAULT_LAW, differs
 from ..scene.scene import Scene
-from .result import OtherLaw, Result
+from .result import Note, OtherLaw, Result
 
 
 def with_law(results: Sequence[Result], scene: Scene) -> list[Result]:
     """Return the results of a law with its name and its source, and with the values of JKR beside them."""
     of_jkr = scene.under(DEFAULT_LAW).numbers(*(result.name for result in results))
     return [
-        result._replace(law=OtherLaw(scene.law.name, _equation(result.name, scene), of_jkr.get(result.name)))
+        result._replace(law=OtherLaw(scene.law.name, equation_of(scene, result.name), of_jkr.get(result.name)))
         if result.value is not None and uses_law(scene, result.name)
         else result
         for result in results
@@ -27,7 +27,7 @@ def uses_law(scene: Scene, name: str) -> bool:
     return plan.found[name] in routes or any(source in routes for step in plan.steps for _, source in step.arguments)
 
 
-def _equation(name: str, scene: Scene) -> str:
+def equation_of(scene: Scene, name: str) -> str:
     """Return the equation by which a law has a quantity: that of the paper, or the source of the law."""
     return NOMENCLATURE[scene.plan(name).found[name]].equation or scene.law.source
 
@@ -48,8 +48,8 @@ def at_half_spacing(scene: Scene) -> Scene:
     return scene.replace(atomic_spacing=scene.values["atomic_spacing"] / 2)
 
 
-def remarks(scene: Scene, names: Collection[str]) -> Iterator[str]:
-    """Iterate over what is said of results under Maugis' law alone."""
+def remarks(scene: Scene, names: Collection[str]) -> Iterator[Note]:
+    """Iterate over the notes on results under Maugis' law alone."""
     if scene.law.name != BETWEEN:
         return
     if "yield_moment" in names and "adhesion_hysteresis" not in scene.given:
@@ -57,9 +57,10 @@ def remarks(scene: Scene, names: Collection[str]) -> Iterator[str]:
         own = scene.numbers("zone_radius", "yield_moment")
         if len(jkr) == len(own) == 2:
             moment = jkr["yield_moment"] * (own["zone_radius"] / jkr["zone_radius"])
-            yield (
+            text = (
                 f"M: {amount('yield_moment', moment)}, {moment / jkr['yield_moment']:.3g} times JKR's, at the adhesion "
                 "hysteresis that JKR has at this ξ; ξ is not the same number in every law"
             )
+            yield Note("result", text, "M at equal hysteresis")
     if "contact_radius_at_load" in names and scene["contact_radius_at_load"] == 0:
-        yield "a: the spheres are bound without touching"
+        yield Note("result", "a: the spheres are bound without touching")

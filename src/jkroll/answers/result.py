@@ -58,3 +58,4 @@ class Note(NamedTuple):
     kind: Literal["material", "missing", "doubt", "result", "model", "assumption", "unchecked", "data"]
     text: str
     matter: str = ""  # the same for all scenes that have such a note; by default the text
+    brief: str = ""  # of a doubt: the number and the limit that it exceeds

@@ -45,7 +45,10 @@ def _radius_by_dmt(R1: Any, R2: Any, w: Any, E: Any, P: Any) -> Any:
 
 
 def _radius_by_cos(R1: Any, R2: Any, w: Any, E: Any, z0: Any, P: Any) -> Any:
-    """Return the fit of Carpick, Ogletree & Salmeron (J. Colloid Interface Sci. 211, 395, 1999), its coefficients from memory."""
+    """Return the fit of Carpick, Ogletree & Salmeron (J. Colloid Interface Sci. 211, 395, 1999).
+
+    The coefficients are those of the code woodem/woo, pkg/dem/Hertz.cpp, which cites Eqs (7), (10), (12a) and (12b) of the article.
+    """
     R = _reduced(R1, R2)
     transition = TRANSITION_OVER_TABOR * cbrt(R * (w / E) ** 2) / z0
     alpha = (1 - exp(-transition / 0.924)) / 1.02
@@ -60,7 +63,7 @@ WAYS_OF_MAUGIS: Mapping[str, Mapping[str, Callable[..., Any]]] = {
     "contact_radius_maugis": {
         "JKR": _radius_by_jkr,
         "DMT": _radius_by_dmt,
-        "COS 1999, coefficients from memory": _radius_by_cos,
+        "COS 1999": _radius_by_cos,
     },
     "approach_maugis": {
         "JKR": _approach_by_jkr,

@@ -11,7 +11,7 @@ from ..materials.places import materials_files
 from ..output.files import whole_file
 from ..pictures.figures import FIGURES, figure
 from ..pictures.laws import figure_laws
-from ..pictures.maps import Map, Setting, rows_of
+from ..pictures.maps import Map, rows_of
 from ..pictures.panels import Picture
 from ..pictures.plot_request import Context, curves_of, fixed_inputs, map_of, mark_at
 from ..pictures.profiles import PANELS, PROFILES, curves_of_contact, curves_of_laws
@@ -20,7 +20,7 @@ from ..quantities.nomenclature import header
 from ..quantities.parsing import parse_value
 from ..quantities.units import BadUnit, dimension_of
 from ..scene.laws import DEFAULT_LAW
-from ..text import quoted, say
+from ..text import quoted, say_wrapped
 from .map_request import map_request, marks_of
 from .options import Call
 from .request import curve_request
@@ -103,8 +103,7 @@ def run_figure(call: Call) -> int:
     drawn = figure(name, materials, size, as_printed=call.as_printed)
     if call.as_printed and drawn.printed is None:
         raise BadRequest(f"figure {name} is as printed; --as-printed is for 6b")
-    setting = Setting(FIGURES[name].given)
-    marks = [mark_at(text, materials, setting, drawn.x, drawn.y) for text in marks_of(call.mark)]
+    marks = [mark_at(text, materials, drawn.scene, drawn.x, drawn.y) for text in marks_of(call.mark)]
     return _deliver(drawn._replace(marks=(*drawn.marks, *marks)), (), call)
 
 
@@ -120,14 +119,13 @@ def draw_contact(call: Call) -> int:
     if (count := request.count // len(request.models)) > 1:
         raise BadRequest(f"{count} scenes are more than one picture of a contact")
     scenes = list(request.scenes())
-    setting = Setting(scenes[0].stated, scenes[0].material, scenes[0].material2)
-    context = Context("fixed_approach_moment", setting, {"load": 0.0})
+    of_jkr = scenes[0].under(DEFAULT_LAW)
+    context = Context("fixed_approach_moment", of_jkr, {"load": 0.0})
     held = fixed_inputs(context.inputs)
     if request.models in ([None], [DEFAULT_LAW]):
         shown = () if call.panel else ("Both branches of the force curve; pressure; moment without load.",)
-        return _deliver(curves_of_contact(setting, loads, (*shown, *held), call.panel), context.notes, call)
-    laws = tuple(setting._replace(model=model) for model in request.models)
-    drawn, left_out = curves_of_laws(laws, loads, held, call.panel)
+        return _deliver(curves_of_contact(of_jkr, loads, (*shown, *held), call.panel), context.notes, call)
+    drawn, left_out = curves_of_laws(scenes, loads, held, call.panel)
     return _deliver(drawn, (*left_out, *context.notes), call)
 
 
@@ -149,7 +147,7 @@ def _deliver(drawn: Map | Picture, notes: Iterable[str], call: Call) -> int:
             stream.write(content)
         if call.data != "-" and not call.quiet:
             for text in filter(None, (drawn.title, *drawn.caption)):
-                say(text, sys.stdout)
+                say_wrapped(text, sys.stdout)
     elif call.data != "-":
         from ..pictures.terminal import draw_map, draw_picture
 
@@ -159,7 +157,7 @@ def _deliver(drawn: Map | Picture, notes: Iterable[str], call: Call) -> int:
             draw_picture(drawn, sys.stdout)
     sys.stdout.flush()
     for note in () if call.quiet else notes:
-        say(f"note: {note}", sys.stderr)
+        say_wrapped(f"note: {note}", sys.stderr)
     return 0
 
 

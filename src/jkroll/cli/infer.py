@@ -8,6 +8,7 @@ from ..answers.inferred import inferred
 from ..answers.questions import Question, quantity_named
 from ..errors import BadRequest
 from ..output.layout import layout
+from ..quantities.nomenclature import canonical
 from ..quantities.ranges import spreads_of
 from ..scene.inverse import SIZES, CannotInfer
 from .options import Call
@@ -25,9 +26,9 @@ def run_infer(call: Call) -> int:
     """Find an input for every scene and measured value; return the exit code."""
     if not call.words:
         raise BadRequest(f"infer needs an input: one of {', '.join(SIZES)}")
-    name = quantity_named(call.words[0])
+    name = canonical(call.words[0])
     if name not in SIZES:
-        raise CannotInfer(name)
+        raise CannotInfer(call.words[0])
     quantity, measured = _measured(call.measured)
     kind = format_name(call)
     form = format_of(call, [name])

@@ -9,7 +9,7 @@ from ..batch.sweep import Axis, Sweep, stream
 from ..errors import BadRequest
 from ..output.layout import layout
 from ..output.note_lines import NoteLines
-from ..text import quoted, say
+from ..text import quoted, say, say_wrapped
 from .options import Call
 from .request import Request
 from .written import PICTURES, ending
@@ -34,7 +34,7 @@ def write_sweep(question: Question, request: Request, kind: str, call: Call) -> 
         for one in samples:
             notes.add(one)
         for line in notes.lines(with_rows=False):
-            say(line, sys.stderr)
+            say_wrapped(line, sys.stderr)
     if tally.failed:
         say(f"jkroll: {tally.failed} of {tally.rows} rows failed", sys.stderr)
         return ROWS_FAILED

@@ -7,7 +7,7 @@ from ..materials.places import materials_files
 from ..output.catalogue import write_materials
 from ..output.glossary import quantities_found, write_quantities
 from ..output.manual import write_page, write_topics
-from ..text import say
+from ..text import say_wrapped
 from .options import Call
 from .written import format_name
 
@@ -21,7 +21,7 @@ def run_materials(call: Call) -> int:
     write_materials(chosen, sys.stdout, kind, whole=shows_one)
     for material in () if call.quiet else chosen:
         for text in material.remarks:
-            say(f"note: {material.name}: {text}", sys.stderr)
+            say_wrapped(f"note: {material.name}: {text}", sys.stderr)
     return 0
 
 

@@ -3,10 +3,9 @@
 from ..answers.questions import quantity_named
 from ..errors import BadRequest
 from ..pictures.axes import Axis
-from ..pictures.maps import Setting
 from ..pictures.plot_request import PlotRequest
 from ..quantities.errors import QuantityError
-from ..quantities.formatting import amount, pretty
+from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.ranges import spreads_of
 from ..scene.laws import DEFAULT_LAW
@@ -68,11 +67,8 @@ def map_request(call: Call) -> PlotRequest:
     if request.count > (1 if len(axes) > 1 else MOST_CURVES):
         most = f"{MOST_CURVES} curves" if len(axes) == 1 else "one map"
         raise BadRequest(f"{request.count} scenes are more than {most}")
-    settings = tuple(
-        (_distinction(scene, request), Setting(scene.stated, scene.material, scene.material2, scene.stated_model))
-        for scene in request.scenes()
-    )
-    return PlotRequest(quantity, x, y, settings, marks_of(call.mark), request.materials)
+    scenes = tuple((_distinction(scene, request), scene) for scene in request.scenes())
+    return PlotRequest(quantity, x, y, scenes, marks_of(call.mark), request.materials)
 
 
 def _distinction(scene: Scene, request: Request) -> str:
@@ -81,7 +77,7 @@ def _distinction(scene: Scene, request: Request) -> str:
     if len(request.models) > 1 and scene.stated_model is not None:
         parts.append(scene.law.title)
     several = [name for name, text in request.options.items() if "," in text or ":" in text]
-    parts += [f"{NOMENCLATURE[name].symbol} = {pretty(amount(name, scene.stated[name]))}" for name in several]
+    parts += [f"{NOMENCLATURE[name].symbol} = {amount(name, scene.stated[name])}" for name in several]
     return ", ".join(parts)
 
 

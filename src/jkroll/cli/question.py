@@ -13,7 +13,7 @@ from ..output.note_lines import NoteLines
 from ..output.writers import WRITERS
 from ..quantities.formatting import Format
 from ..scene.wiring import formula_of
-from ..text import say
+from ..text import say, say_wrapped
 from .options import Call
 from .request import Request, request_of
 from .written import format_name, format_of
@@ -109,7 +109,7 @@ def write_answers(answers: Iterable[Answer], shape: Layout, kind: str, form: For
     sys.stdout.flush()
     if not quiet and kind != "json":
         for line in tally.notes.lines():
-            say(line, sys.stderr)
+            say_wrapped(line, sys.stderr)
     return tally.exit_code(shape.size)
 
 

@@ -4,9 +4,9 @@ from collections.abc import Sequence
 from typing import Any, TextIO
 
 from ..materials.library import Material
-from ..quantities.formatting import amount
+from ..quantities.formatting import AS_USUAL, amount
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, header
-from ..text import json_text, say
+from ..text import json_text, say, say_wrapped
 from .citations import bibtex
 from .records import Cell, write_records
 
@@ -78,7 +78,7 @@ def _write_lines(material: Material, out: TextIO) -> None:
     for name, value in material.properties.items():
         say(f"{name} {value!r} {NOMENCLATURE[name].unit}".removesuffix(" 1"), out)
         if name in material.uncertainties:
-            say(f"{name}.stated {_stated(material, name)}", out)
+            say(f"{name}.stated {' '.join(AS_USUAL.rounded(name, material.uncertainties[name]))}", out)
         for field, text in _origin(material, name):
             say(f"{name}.{field} {text}", out)
 
@@ -88,20 +88,25 @@ def _write_sheet(material: Material, out: TextIO) -> None:
     aliases = f" (also {', '.join(material.aliases)})" if material.aliases else ""
     say(f"material {material.name}{aliases}", out)
     if material.state:
-        say(f"state           {material.state}", out)
+        say_wrapped(f"state           {material.state}", out, _INDENT)
     for name in PROPERTIES:
-        say(f"{name:16}{_stated(material, name)}", out)
+        say_wrapped(f"{name:{_INDENT}}{_stated(material, name)}", out, _INDENT)
         for field, text in _origin(material, name):
-            say(f"  {field:14}{text}", out)
+            say_wrapped(f"  {field:14}{text}", out, _INDENT)
     for name, note in material.notes.items():
         about = NOMENCLATURE[name].sentence if name in NOMENCLATURE else name
-        say(f"note            {about}: {note}", out)
+        say_wrapped(f"note            {about}: {note}", out, _INDENT)
     for entry in material.references:
         label = f"{entry['key']}: " if material.origins else ""
-        say(f"reference       {label}{', '.join(entry[field] for field in _REFERENCE if entry.get(field))}", out)
-    say(f"source          {material.title}", out)
+        say_wrapped(
+            f"reference       {label}{', '.join(entry[field] for field in _REFERENCE if entry.get(field))}",
+            out,
+            _INDENT,
+        )
+    say_wrapped(f"source          {material.title}", out, _INDENT)
 
 
+_INDENT = 16  # of the texts of a sheet
 _REFERENCE = ("author", "title", "journal", "volume", "pages", "year", "eprint", "doi", "url", "note")
 
 

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Iterable
 from fractions import Fraction
-from math import isfinite, log
+from math import isfinite
 from typing import Any, TextIO
 
 from ..answers.answer import Answer
@@ -11,12 +11,12 @@ from ..answers.result import Result
 from ..errors import JkrollError
 from ..quantities.formatting import Format, amount, in_words
 from ..quantities.nomenclature import NOMENCLATURE
+from ..scene.numerics import logarithmic_slope
 from ..scene.scene import Scene
 from ..scene.wiring import Step
 from ..text import say
 
 _SECTIONS = ("Source", "Valid", "Accuracy")
-_STEP = 1e-4  # relative, of the differences that give a power law
 _LARGEST_DENOMINATOR = 12  # of an exponent shown as a fraction
 
 
@@ -126,8 +126,8 @@ def _power(scene: Scene, name: str, given: str) -> str:
     value, symbol = scene.values[given], NOMENCLATURE[given].symbol
     if not isinstance(value, float) or not isfinite(value) or value == 0:
         return ""
-    exponent = _exponent(scene, name, given, value)
-    text = "?" if exponent is None else _fraction_or_number(exponent)
+    exponent = logarithmic_slope(lambda beside: scene.replace(**{given: beside})[name], value)
+    text = _fraction_or_number(exponent) if isfinite(exponent) else "?"
     if text == "0":
         return ""
     if text == "1":
@@ -139,18 +139,3 @@ def _fraction_or_number(exponent: float) -> str:
     """Return an exponent as a simple fraction where it is one, else as three digits."""
     fraction = Fraction(exponent).limit_denominator(_LARGEST_DENOMINATOR)
     return str(fraction) if abs(exponent - fraction) < 1e-6 else f"{exponent:.3g}"
-
-
-def _exponent(scene: Scene, name: str, given: str, value: float) -> float | None:
-    """Return d ln(name)/d ln(given), one-sided at the end of a range; None where there is no value beside it."""
-    points = []
-    for factor in (1 / (1 + _STEP), 1.0, 1 + _STEP):
-        try:
-            beside = scene.replace(**{given: value * factor})
-            points.append((log(factor), log(abs(beside[name]))))
-        except (JkrollError, ValueError):
-            continue
-    if len(points) < 2:
-        return None
-    (first, first_log), (last, last_log) = points[0], points[-1]
-    return (last_log - first_log) / (last - first)

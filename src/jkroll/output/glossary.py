@@ -8,7 +8,7 @@ from ..quantities.errors import UnknownQuantity
 from ..quantities.formatting import pretty
 from ..quantities.nomenclature import NOMENCLATURE, RANGES, canonical
 from ..scene.wiring import depends_on, formula_of, parameters_of, suffix_of
-from ..text import json_text, say
+from ..text import json_text, say, say_wrapped
 from .explain import docstring_fields
 from .records import write_records
 
@@ -111,7 +111,7 @@ def _write_sheet(name: str, out: TextIO) -> None:
     say(f"{name}: {quantity.sentence}", out)
     for head, text in facts.items():
         if text:
-            say(f"  {head:13} {text}", out)
+            say_wrapped(f"  {head:13} {text}", out, 16)
 
 
 def _few(commands: Collection[str]) -> str:

@@ -47,7 +47,7 @@ def write_page(topic: str, out: TextIO) -> None:
     """Write the page of a topic."""
     text = page(topic)
     if out.isatty():
-        from .table import write_markdown
+        from .markdown import write_markdown
 
         write_markdown(text, out)
     else:

@@ -4,6 +4,7 @@ from ..answers.answer import Answer
 from ..answers.result import Note
 
 MOST_LINES = 3  # below a single answer
+MOST_DOUBTS = 2  # that are worded there; further ones are a number and its limit
 MOST_RANGES = 4  # of rows that are named
 _KINDS = (
     "material",
@@ -24,6 +25,7 @@ class NoteLines:
     def __init__(self) -> None:
         """Begin with no answer."""
         self._notes: dict[tuple[str, str], Note] = {}
+        self._texts: dict[tuple[str, str], set[str]] = {}
         self._rows: dict[tuple[str, str], list[list[int]]] = {}  # first and last row of each run of rows
         self._count = 0
 
@@ -33,6 +35,7 @@ class NoteLines:
         for note in (*answer.notes, *answer.doubts()):
             place = (note.kind, note.matter or note.text)
             self._notes.setdefault(place, note)
+            self._texts.setdefault(place, set()).add(note.text)
             runs = self._rows.setdefault(place, [])
             if runs and runs[-1][1] >= self._count - 1:
                 runs[-1][1] = self._count
@@ -45,10 +48,15 @@ class NoteLines:
             return self._of_one_answer()[:MOST_LINES]
         places = sorted(self._notes, key=lambda place: _KINDS.index(place[0]))
         return [
-            _line(self._notes[place], [_brief(self._notes[place]) + (self._where(place) if with_rows else "")])
+            _line(self._notes[place], [self._text(place) + (self._where(place) if with_rows else "")])
             for place in places
             if place[0] not in _OF_ONE_SCENE
         ]
+
+    def _text(self, place: tuple[str, str]) -> str:
+        """Return a doubt without the numbers of a scene; of other notes on one matter the first."""
+        note = self._notes[place]
+        return note.matter if note.kind == "doubt" else note.text
 
     def _of_one_answer(self) -> list[str]:
         """Return a line for each kind of note."""
@@ -56,23 +64,31 @@ class NoteLines:
         for kind in _KINDS:
             notes = [note for note in self._notes.values() if note.kind == kind]
             if notes:
-                lines.append(_line(notes[0], [note.text for note in notes]))
+                worded = len(notes) if kind != "doubt" else MOST_DOUBTS
+                texts = [note.text for note in notes[:worded]]
+                more = [note.brief for note in notes[worded:]]
+                lines.append(
+                    _line(notes[0], [*texts, f"also {', '.join(more)}: jkroll guide models"] if more else texts)
+                )
         return lines
 
     def _where(self, place: tuple[str, str]) -> str:
-        """Return the rows that a note is about; nothing if it is about all."""
+        """Return the rows that a note is about, those to which its numbers do not belong apart; nothing if it is about all."""
         runs = self._rows[place]
-        if runs == [[1, self._count]]:
-            return ""
-        named = [str(first) if first == last else f"{first}-{last}" for first, last in runs[:MOST_RANGES]]
-        more = " and more" if len(runs) > MOST_RANGES else ""
-        return f": row{'s' if len(runs) > 1 or runs[0][0] < runs[0][1] else ''} {', '.join(named)}{more}"
+        has_numbers = place[0] != "doubt" and len(self._texts[place]) > 1
+        if not has_numbers:
+            return "" if runs == [[1, self._count]] else f": {_rows(runs)}"
+        (start, end), *others = runs
+        rest = [[start + 1, end], *others] if start < end else others
+        return f": row {start}, likewise {_rows(rest)}"
+
+
+def _rows(runs: list[list[int]]) -> str:
+    """Return runs of rows as text: "rows 2, 5-7"."""
+    named = [str(first) if first == last else f"{first}-{last}" for first, last in runs[:MOST_RANGES]]
+    more = " and more" if len(runs) > MOST_RANGES else ""
+    return f"row{'s' if len(runs) > 1 or runs[0][0] < runs[0][1] else ''} {', '.join(named)}{more}"
 
 
 def _line(note: Note, texts: list[str]) -> str:
     return f"note: {'doubtful: ' if note.kind == 'doubt' else ''}{'; '.join(texts)}"
-
-
-def _brief(note: Note) -> str:
-    """Return the text of a note without the numbers of one scene."""
-    return note.matter if note.kind == "doubt" else note.text

@@ -1,6 +1,6 @@
 """Tables on a terminal, set by rich."""
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TextIO
 
 from rich import box
@@ -23,7 +23,7 @@ _JKR = 7  # the place of JKR's value, shown beside that of another law
 # The columns of a scene's table, for narrower and narrower terminals: of results, and of results by convention.
 _COLUMNS: Sequence[tuple[int, ...]] = ((0, 1, 2, 3, 4), (1, 2, 3, 4), (1, 2, 3))
 _COLUMNS_BY_CONVENTION: Sequence[tuple[int, ...]] = ((0, 1, 2, 3, 5, 6), (1, 2, 3, 5, 6), (1, 2, 3, 5), (1, 2, 3))
-MAX_TEXT = 100  # columns of running text
+MOST_ACROSS = 20  # scenes that are tried as columns
 
 
 def scene_table(answer: Answer, out: TextIO, form: Format) -> None:
@@ -54,7 +54,7 @@ def _result_row(result: Result, form: Format) -> list[str]:
     definition = "" if result.law else quantity.definition
     source = quantity.reference or f"Eq {result.equation}"
     beside = result.law.jkr if result.law else None
-    jkr = "" if beside is None else pretty(amount(result.name, beside, form))
+    jkr = "" if beside is None else amount(result.name, beside, form)
     return [quantity.sentence, quantity.symbol, value, pretty(unit), result.equation, definition, source, jkr]
 
 
@@ -64,7 +64,11 @@ def _is_aside(result: Result) -> bool:
 
 
 def sweep_table(answers: Sequence[Answer], out: TextIO, form: Format, shape: Layout) -> None:
-    """Write a row for each scene, in as many tables as the width takes; inputs that all scenes share stand above."""
+    """Write a table of several scenes; inputs that all of them share stand above.
+
+    A scene is a row. Where that is wider than the terminal, a scene is a column, and where this is too wide as well, a row
+    again, of as many tables as it takes.
+    """
     of_rows = [{**answer.inputs, **answer.uncertain} for answer in answers]
     values = {name: {inputs.get(name) for inputs in of_rows} for name in shape.columns}
     inputs = of_rows[0]
@@ -72,6 +76,12 @@ def sweep_table(answers: Sequence[Answer], out: TextIO, form: Format, shape: Lay
     say(_inputs(common, form, f"{len(answers)} scenes"), out)
     leading = [name for name in shape.inputs if len(values[name] - {None}) != 1 and not _is_implied(name, answers)]
     results = [name for name in shape.columns if name not in shape.inputs and not _is_implied(name, answers)]
+    if _print(_columns_table([*leading, *results], answers, out, form), out):
+        return
+    if len(answers) <= MOST_ACROSS and any(
+        _print(table, out) for table in _across(leading, results, answers, out, form)
+    ):
+        return
     while results:
         count = len(results)
         while not _print(_columns_table([*leading, *results[:count]], answers, out, form), out, anyway=count == 1):
@@ -85,16 +95,30 @@ def _columns_table(names: Sequence[str], answers: Sequence[Answer], out: TextIO,
     return _table(heads, [*zip(*(column[1:] for column in columns), strict=True)], out, set(heads))
 
 
+def _across(
+    leading: Sequence[str], results: Sequence[str], answers: Sequence[Answer], out: TextIO, form: Format
+) -> Iterator[Table]:
+    """Iterate over tables with a column for each scene and a row for each result: with the words for it, and without."""
+    numbers = ["scene", *(str(number) for number in range(1, len(answers) + 1))]
+    distinct = [_column(name, answers, form) for name in leading] or [numbers]
+    heads = ["\n".join(parts) for parts in zip(*distinct, strict=True)]
+    rows = [_column(name, answers, form) for name in results]
+    words = [NOMENCLATURE[name].sentence for name in results]
+    yield _table(
+        ["quantity", *heads], [[word, *row] for word, row in zip(words, rows, strict=True)], out, set(heads[1:])
+    )
+    yield _table(heads, rows, out, set(heads[1:]))
+
+
 def _column(name: str, answers: Sequence[Answer], form: Format) -> list[str]:
     """Return the head and the cells of a column; the head has the unit, if one suits all of its values."""
     head = NOMENCLATURE[name].symbol or name
     values = [_value(answer, name) for answer in answers]
-    is_uncertain = any(isinstance(value, tuple) for value in values)
-    common = None if is_uncertain else form.common_unit(name, [value for value in values if isinstance(value, float)])
+    common = form.common_unit(name, [value for value in values if not isinstance(value, str | None)])
     if common:
         cells = ["—" if value is None else form.in_unit(value, common) for value in values]
         return [f"{head} [{pretty(common[0])}]", *cells]
-    return [head, *("—" if value is None else pretty(amount(name, value, form)) for value in values)]
+    return [head, *("—" if value is None else amount(name, value, form) for value in values)]
 
 
 def _value(answer: Answer, name: str) -> Any:
@@ -128,7 +152,7 @@ def _inputs(inputs: "Mapping[str, float | str | Uncertain]", form: Format, start
     width = columns()
     lines = [start]
     for name, value in inputs.items():
-        text = pretty(amount(name, value, form))
+        text = amount(name, value, form)
         part = text if name == "material" else f"{NOMENCLATURE[name].symbol or name} = {text}"
         if lines[-1] and len(lines[-1]) + len(part) + 2 >= width:
             lines[-1] += ","
@@ -153,15 +177,6 @@ def write_wrapped(heads: Sequence[str], rows: Sequence[Sequence[str]], out: Text
     least = console.measure(table, options=console.options.update(width=10_000)).minimum
     console.width = max(console.width, least)
     console.print(table)
-
-
-def write_markdown(text: str, out: TextIO) -> None:
-    """Write Markdown, in lines that are comfortable to read."""
-    from rich.markdown import Markdown
-
-    console = _console(out)
-    console.width = min(console.width, MAX_TEXT)
-    console.print(Markdown(fitting(text, out), code_theme="ansi_light", hyperlinks=False))
 
 
 def _console(out: TextIO) -> Console:

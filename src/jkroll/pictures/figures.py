@@ -4,14 +4,15 @@ from collections.abc import Collection, Mapping
 from types import MappingProxyType
 from typing import NamedTuple
 
+from ..answers.other_laws import equation_of
 from ..materials.library import Materials
 from ..physics.shifted import rolled_over_displacement
-from ..quantities.formatting import amount, pretty
+from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.scene import DEFAULTS, Scene
 from ..scene.wiring import depends_on
 from .axes import Axis
-from .maps import Map, Mark, Setting, equation_of, evaluate, inputs_at, label_of, material_marks
+from .maps import Map, Mark, evaluate, inputs_at, label_of, material_marks
 from .regions import Bound, bounds, regions
 
 
@@ -96,18 +97,18 @@ FIGURES: Mapping[str, Figure] = MappingProxyType(
 def figure(name: str, materials: Materials, size: tuple[int, int], *, as_printed: bool = False) -> Map:
     """Return a map of the paper with `size` points across and up."""
     declared = FIGURES[name]
-    setting = Setting(declared.given)
+    scene = Scene(declared.given)
     x, y = declared.x._replace(size=size[0]), RADII._replace(size=size[1])
-    printed = evaluate(setting, declared.printed, x, y) if as_printed and declared.printed else None
-    shaded = regions(setting, (declared.shaded,), x, y) if declared.shaded else []
+    printed = evaluate(scene, declared.printed, x, y) if as_printed and declared.printed else None
+    shaded = regions(scene, (declared.shaded,), x, y) if declared.shaded else []
     points = (Mark(declared.point[2], *declared.point[:2]),) if declared.point else ()
     return Map(
         declared.quantity,
-        setting,
+        scene,
         x,
         y,
-        evaluate(setting, declared.quantity, x, y),
-        (*shaded, *regions(setting, bounds(), x, y)),
+        evaluate(scene, declared.quantity, x, y),
+        (*shaded, *regions(scene, bounds(), x, y)),
         (*material_marks(materials, x, y), *points),
         f"Fig. {name}: {label_of(declared.quantity, has_log_labels=declared.has_log_labels)}",
         _caption(declared, as_printed=printed is not None),
@@ -122,8 +123,8 @@ def _caption(declared: Figure, *, as_printed: bool) -> tuple[str, ...]:
     quantity = NOMENCLATURE[declared.quantity]
     sentence = f"{quantity.sentence[0].upper()}{quantity.sentence[1:]}"
     at_a_corner = {RADII.name: RADII.high, **inputs_at(declared.x.name, declared.x.low)}
-    scene = Setting(declared.given).scene(at_a_corner)
-    shown = f"{sentence} {quantity.symbol}, Eq ({equation_of(declared.quantity, scene)}), of identical spheres."
+    scene = Scene({**declared.given, **at_a_corner})
+    shown = f"{sentence} {quantity.symbol}, Eq ({equation_of(scene, declared.quantity)}), of identical spheres."
     if as_printed:
         shown += f" Dashed: Eq ({NOMENCLATURE[declared.printed].equation}) as printed."
     used = _assumed(scene, declared, {declared.quantity})
@@ -139,5 +140,5 @@ def _assumed(scene: Scene, declared: Figure, names: Collection[str]) -> list[str
     for name, value in {**DEFAULTS, **declared.given}.items():
         if name in used and name != "poisson_ratio":
             symbol = "E1/(1 − ν1²)" if name == "youngs_modulus" else NOMENCLATURE[name].symbol
-            texts.append(f"{symbol} = {pretty(amount(name, value))}")
+            texts.append(f"{symbol} = {amount(name, value)}")
     return texts

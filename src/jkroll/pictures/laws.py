@@ -6,10 +6,9 @@ from math import pi
 from ..materials.library import Materials
 from ..physics.jkr_to_dmt import pull_off_force_lennard_jones, transition_parameter
 from ..physics.maugis_states import pull_off_force_maugis
-from ..quantities.formatting import amount, pretty
-from ..scene.scene import DEFAULTS
+from ..quantities.formatting import amount
+from ..scene.scene import DEFAULTS, Scene
 from .axes import Axis
-from .maps import Setting
 from .panels import Curve, Panel, Picture
 from .plot_request import mark_at
 
@@ -33,8 +32,8 @@ def figure_laws(materials: Materials, marks: Sequence[str]) -> Picture:
         Curve("DMT", ends, numpy.array([2.0, 2.0]), 2),
         Curve("JKR", ends, numpy.array([1.5, 1.5]), 3),
     )
-    points = tuple(mark_at(text, materials, Setting({}, model="maugis"), _TABOR, _RATIO) for text in marks)
-    spacing = pretty(amount("atomic_spacing", DEFAULTS["atomic_spacing"]))
+    points = tuple(mark_at(text, materials, Scene({}, model="maugis"), _TABOR, _RATIO) for text in marks)
+    spacing = amount("atomic_spacing", DEFAULTS["atomic_spacing"])
     caption = (
         "Pull-off force over πwR by each law; Lennard-Jones' by a fit to numerical solutions, within 0.3 % for 0.01 ≤ μ ≤ 2.",
         *((f"Grains at Maugis–Dugdale with z0 = {spacing}: μ falls as 1/z0.",) if points else ()),

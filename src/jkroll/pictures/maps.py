@@ -8,7 +8,7 @@ from math import log10, pi
 from typing import Any, NamedTuple
 
 from ..errors import NoResult
-from ..materials.library import Material, Materials
+from ..materials.library import Materials
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.errors import MissingInput
 from ..scene.scene import Scene
@@ -22,25 +22,6 @@ _WIDE = 30.0  # ratio of the ends from which contours are logarithmic
 _HALVINGS = 40  # of an interval that holds an edge: its place is known to 1e-12 of a cell
 
 Progress = Callable[[float], None]
-
-
-class Setting(NamedTuple):
-    """The part of a scene that is the same all over a picture: values and materials."""
-
-    given: Mapping[str, float]
-    material: Material | None = None
-    material2: Material | None = None
-    model: str | None = None
-
-    def solve(self, names: Sequence[str], values: Mapping[str, Any]) -> dict[str, Any]:
-        """Return quantities for further values, which are arrays that broadcast."""
-        return dict(
-            solve(names, material=self.material, material2=self.material2, model=self.model, **{**self.given, **values})
-        )
-
-    def scene(self, values: Mapping[str, float], material: Material | None = None) -> Scene:
-        """Return the scene of one point, with another material of sphere 1 if one is given."""
-        return Scene({**self.given, **values}, material or self.material, self.material2, model=self.model)
 
 
 class Region(NamedTuple):
@@ -83,7 +64,7 @@ class Map(NamedTuple):
     """A quantity over two inputs."""
 
     quantity: str
-    setting: Setting
+    scene: Scene  # the part that is the same all over the map
     x: Axis
     y: Axis
     values: Any  # a row for each value of y; nan where there is no value
@@ -158,7 +139,7 @@ class Map(NamedTuple):
         def at(part: Any) -> tuple[Any, Any, Any]:
             x, y = (inside + part * (outside - inside) for inside, outside in (across, up))
             here = {**inputs_at(self.x.name, self.x.value(x)), **inputs_at(self.y.name, self.y.value(y))}
-            return x, y, numpy.broadcast_to(self.setting.solve([self.quantity], here)[self.quantity], x.shape)
+            return x, y, numpy.broadcast_to(solved(self.scene, [self.quantity], here)[self.quantity], x.shape)
 
         low, high = numpy.zeros(across[0].shape), numpy.ones(across[0].shape)
         for _ in range(_HALVINGS):
@@ -200,6 +181,13 @@ def is_wide(values: Any) -> bool:
     return low > 0 and high > _WIDE * low
 
 
+def solved(scene: Scene, names: Sequence[str], values: Mapping[str, Any]) -> dict[str, Any]:
+    """Return quantities of a scene for further values, which are arrays that broadcast."""
+    described = {**scene.stated, **values}
+    model = scene.stated_model
+    return dict(solve(names, material=scene.material, material2=scene.material2, model=model, **described))
+
+
 def inputs_at(name: str, values: Any) -> dict[str, Any]:
     """Return the inputs that values on an axis stand for."""
     return {"contact_modulus": values, "surface_energy": 1.0} if name == "modulus_over_energy" else {name: values}
@@ -219,7 +207,7 @@ def coordinate(axis: Axis, scene: Scene) -> float | None:
     return value if axis.low <= value <= axis.high else None
 
 
-def evaluate(setting: Setting, quantity: str, x: Axis, y: Axis, progress: Progress | None = None) -> Any:
+def evaluate(scene: Scene, quantity: str, x: Axis, y: Axis, progress: Progress | None = None) -> Any:
     """Return a quantity over two axes, a row for each value of y; nan where it has no value."""
     import numpy
 
@@ -231,18 +219,18 @@ def evaluate(setting: Setting, quantity: str, x: Axis, y: Axis, progress: Progre
         if progress is not None:
             progress(start / y.size)
         here = {**inputs_at(x.name, across), **inputs_at(y.name, up[start : start + rows])}
-        values[start : start + rows] = setting.solve([quantity], here)[quantity]
+        values[start : start + rows] = solved(scene, [quantity], here)[quantity]
     if progress is not None:
         progress(1.0)
     return values
 
 
-def along(setting: Setting, quantity: str, x: Axis) -> Any:
+def along(scene: Scene, quantity: str, x: Axis) -> Any:
     """Return a quantity along one axis."""
     import numpy
 
     values = x.values()
-    return numpy.broadcast_to(setting.solve([quantity], inputs_at(x.name, values))[quantity], values.shape)
+    return numpy.broadcast_to(solved(scene, [quantity], inputs_at(x.name, values))[quantity], values.shape)
 
 
 def material_marks(materials: Materials, x: Axis, y: Axis) -> list[Mark]:
@@ -259,11 +247,6 @@ def material_marks(materials: Materials, x: Axis, y: Axis) -> list[Mark]:
         if mark.x is not None or mark.y is not None:
             marks.append(mark)
     return marks
-
-
-def equation_of(quantity: str, scene: Scene) -> str:
-    """Return the number of the equation that gives a quantity of a scene."""
-    return NOMENCLATURE[scene.plan(quantity).found[quantity]].equation
 
 
 def rows_of(drawn: Map) -> Iterable[list[float]]:

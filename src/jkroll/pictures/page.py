@@ -84,7 +84,7 @@ def figure_of(drawn: Map | Picture, inches: float | None, style: Style, *, has_c
 def _map_block(figure: Figure, drawn: Map, inches: float, style: Style) -> _Block:
     """Return the axes and the legend of a map."""
     axes = figure.add_axes((0.1, 0.1, 0.8, 0.8))
-    draw_map(axes, drawn, inches, style)
+    draw_map(axes, drawn, inches, _ASPECT, style)
     return _Block(axes, _legend(figure, _keys_of_map(drawn, style, _letters(inches - 0.4))), _ASPECT)
 
 
@@ -92,16 +92,16 @@ def _panel_blocks(figure: Figure, panels: Sequence[Panel], inches: float, column
     """Return the axes and the legends of panels. The titles of several have letters."""
     blocks = []
     for panel, letter in zip(panels, "abcdef", strict=False):
+        aspect = _ASPECT if columns == 1 else _ASPECT_BESIDE
+        if panel.is_true_to_scale:
+            aspect = (panel.y.high - panel.y.low) / (panel.x.high - panel.x.low)
         axes = figure.add_axes((0.1, 0.1, 0.8, 0.8), label=letter)
-        draw_panel(axes, panel, inches, style)
+        draw_panel(axes, panel, inches, aspect, style)
         if len(panels) == 1:
             axes.set_title(typeset(panel.title), fontsize=LABEL)
         else:
             axes.set_title(f"({letter}) {typeset(panel.title)}", fontsize=LABEL, loc="left")
         keys = _keys_of_curves(panel, style, _letters(inches - 0.4)) if len(panel.curves) > 1 else []
-        aspect = _ASPECT if columns == 1 else _ASPECT_BESIDE
-        if panel.is_true_to_scale:
-            aspect = (panel.y.high - panel.y.low) / (panel.x.high - panel.x.low)
         blocks.append(_Block(axes, _legend(figure, keys), aspect))
     return blocks
 
@@ -169,6 +169,7 @@ def _settings(style: Style) -> Iterator[None]:
                 "mathtext.fontset": "dejavusans",
                 "xtick.labelsize": TICK,
                 "ytick.labelsize": TICK,
+                "xtick.major.pad": 5.0,  # clear of the lowest label of the other axis
                 "axes.linewidth": 0.6,
                 "xtick.major.width": 0.6,
                 "ytick.major.width": 0.6,

@@ -11,7 +11,7 @@ from .styles import BORDERS, DASHES, HATCHES, LABEL, SHADE, SMALL, Style
 CONTOURS, PRINTED, OUTLINE = "contours", "printed", "outline"  # the artists that `labels` looks for, by their gid
 
 
-def draw_map(axes: Any, drawn: Map, inches: float, style: Style) -> None:
+def draw_map(axes: Any, drawn: Map, inches: float, aspect: float, style: Style) -> None:
     """Draw bands, contours, regions and what is marked on the edges; texts inside the map follow in `labels`."""
     import numpy
 
@@ -53,16 +53,16 @@ def draw_map(axes: Any, drawn: Map, inches: float, style: Style) -> None:
         axes.axhline(drawn.y.place(guide.y), color=style.ink, linewidth=0.6, linestyle=(0, (1, 2)))
     for mark in (*drawn.guides, *drawn.marks):
         _draw_tick(axes, drawn.x, drawn.y, mark, style)
-    _set_axes(axes, drawn.x, drawn.y, inches)
+    _set_axes(axes, drawn.x, drawn.y, inches, aspect)
 
 
-def draw_panel(axes: Any, panel: Panel, inches: float, style: Style) -> None:
+def draw_panel(axes: Any, panel: Panel, inches: float, aspect: float, style: Style) -> None:
     """Draw curves, which differ in colour and in their dashes."""
     for number, curve in enumerate(panel.curves):
         axes.plot(panel.x.place(curve.x), panel.y.place(curve.y), **line_of(curve, number, style))
     for mark in panel.points:
         _draw_tick(axes, panel.x, panel.y, mark, style)
-    _set_axes(axes, panel.x, panel.y, inches)
+    _set_axes(axes, panel.x, panel.y, inches, aspect)
 
 
 def line_of(curve: Curve, number: int, style: Style) -> dict[str, Any]:
@@ -122,10 +122,10 @@ def _draw_tick(axes: Any, x: Axis, y: Axis, mark: Mark, style: Style) -> None:
     axes.annotate(typeset(mark.text), at, textcoords="offset points", fontsize=SMALL, **look)
 
 
-def _set_axes(axes: Any, x: Axis, y: Axis, inches: float) -> None:
+def _set_axes(axes: Any, x: Axis, y: Axis, inches: float, aspect: float) -> None:
     """Set limits, and as many ticks and as long titles as there is room for."""
     across = max(2, int(inches / 0.6))
-    for axis, side, most, part in ((x, axes.xaxis, across, 0.8), (y, axes.yaxis, 9, 0.65)):
+    for axis, side, most, part in ((x, axes.xaxis, across, 0.8), (y, axes.yaxis, 9, 0.65 * aspect)):
         ticks = axis.ticks(most)
         side.set_ticks([float(axis.place(tick.value)) for tick in ticks], labels=[typeset(tick.text) for tick in ticks])
         side.set_ticks([float(axis.place(value)) for value in axis.small_ticks()], minor=True)

@@ -4,12 +4,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from ..answers.notes import about_data, assumptions
+from ..answers.other_laws import equation_of
 from ..errors import BadRequest, NoResult
 from ..materials.library import Materials
-from ..quantities.formatting import amount, in_words, pretty
+from ..quantities.formatting import amount, in_words
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
 from ..quantities.parsing import parse_quantity
-from ..scene.errors import MissingInput
+from ..scene.errors import MissingInput, NotInLaw
 from ..scene.scene import Scene
 from ..text import quoted
 from .axes import Axis, described
@@ -17,10 +18,8 @@ from .maps import (
     Map,
     Mark,
     Progress,
-    Setting,
     along,
     coordinate,
-    equation_of,
     evaluate,
     has_values,
     inputs_at,
@@ -39,7 +38,7 @@ class PlotRequest(NamedTuple):
     quantity: str
     x: Axis
     y: Axis | None
-    settings: tuple[tuple[str, Setting], ...]  # a curve each, with its label
+    scenes: tuple[tuple[str, Scene], ...]  # a curve each, with its label
     marks: tuple[str, ...]
     materials: Materials
 
@@ -55,13 +54,13 @@ class NothingToDraw(NoResult):
         return f"{self.quantity} has no value anywhere on these axes"
 
 
-def mark_at(text: str, materials: Materials, setting: Setting, x: Axis, y: Axis) -> Mark:
+def mark_at(text: str, materials: Materials, scene: Scene, x: Axis, y: Axis) -> Mark:
     """Return the mark of `MATERIAL@RADIUS`, `MATERIAL` or `@RADIUS` on a map."""
     name, _, radius = text.partition("@")
     material = materials[name] if name else None
     values = {"radius": parse_quantity(radius, "radius")} if radius else {}
-    scene = setting.scene(values, material)
-    mark = Mark(text, coordinate(x, scene), coordinate(y, scene))
+    there = Scene({**scene.stated, **values}, material or scene.material, scene.material2, model=scene.stated_model)
+    mark = Mark(text, coordinate(x, there), coordinate(y, there))
     if mark.x is None and mark.y is None:
         raise BadRequest(f"--mark {quoted(text)} is nowhere on {x.name} and {y.name} as they are drawn")
     return mark
@@ -77,47 +76,47 @@ def map_of(
 ) -> tuple[Map, tuple[str, ...]]:
     """Return the map of a request, by default with `size` points across and up, and notes on it."""
     assert request.y is not None
-    quantity, setting = request.quantity, request.settings[0][1]
+    quantity, scene = request.quantity, request.scenes[0][1]
     x, y = sized(request.x, size[0]), sized(request.y, size[1])
     if x.size * y.size > MOST_POINTS:
         raise BadRequest(f"{x.size} x {y.size} points are more than {MOST_POINTS}")
-    context = Context(quantity, setting, {**_one_of(x), **_one_of(y)})
-    values = evaluate(setting, quantity, x, y, progress)
+    context = Context(quantity, scene, {**_one_of(x), **_one_of(y)})
+    values = evaluate(scene, quantity, x, y, progress)
     if not has_values(values):
         raise NothingToDraw(quantity)
-    marks = [mark_at(text, request.materials, setting, x, y) for text in request.marks]
-    if setting.material is None and {x.name, y.name} & {*PROPERTIES}:
+    marks = [mark_at(text, request.materials, scene, x, y) for text in request.marks]
+    if scene.material is None and {x.name, y.name} & {*PROPERTIES}:
         marks = [*material_marks(request.materials, x, y), *marks]
-    found = tuple(regions(setting, context.bounds, x, y))
-    caption = (shown(quantity, context.scene), *fixed_inputs(context.inputs))
-    return Map(quantity, setting, x, y, values, found, tuple(marks), described(quantity, ""), caption), context.notes
+    found = tuple(regions(scene, context.bounds, x, y))
+    caption = (shown(quantity, [context.scene]), *fixed_inputs(context.inputs))
+    return Map(quantity, scene, x, y, values, found, tuple(marks), described(quantity, ""), caption), context.notes
 
 
 def curves_of(request: PlotRequest, size: int) -> tuple[Picture, tuple[str, ...]]:
     """Return the curves of a request, by default of `size` points, and notes on them."""
     x = sized(request.x, size)
-    if x.size * len(request.settings) > MOST_ALONG:
-        raise BadRequest(f"{len(request.settings)} x {x.size} points are more than {MOST_ALONG}")
+    if x.size * len(request.scenes) > MOST_ALONG:
+        raise BadRequest(f"{len(request.scenes)} x {x.size} points are more than {MOST_ALONG}")
     contexts: list[Context] = []
     curves: list[Curve] = []
     missing: dict[str, MissingInput] = {}
-    for text, setting in request.settings:
+    for text, scene in request.scenes:
         try:
-            context = Context(request.quantity, setting, _one_of(x))
+            context = Context(request.quantity, scene, _one_of(x))
         except MissingInput as error:
             missing[text] = error
             continue
-        curves.append(Curve(text, x.values(), along(setting, request.quantity, x), len(contexts)))
+        curves.append(Curve(text, x.values(), along(scene, request.quantity, x), len(contexts)))
         contexts.append(context)
     if not curves:
         raise next(iter(missing.values()))
     if not any(has_values(curve.y) for curve in curves):
         raise NothingToDraw(request.quantity)
     y = axis_around(request.quantity, [curve.y for curve in curves])
-    points = [mark_at(text, request.materials, request.settings[0][1], x, y) for text in request.marks]
+    points = [mark_at(text, request.materials, request.scenes[0][1], x, y) for text in request.marks]
     shared = [text for text in contexts[0].inputs if all(text in context.inputs for context in contexts)]
     doubts = [text for context, curve in zip(contexts, curves, strict=True) for text in context.doubts(x, curve.text)]
-    caption = (shown(request.quantity, contexts[0].scene), *fixed_inputs(shared), *doubts)
+    caption = (shown(request.quantity, [context.scene for context in contexts]), *fixed_inputs(shared), *doubts)
     notes = [f"no curve: {error}" for error in missing.values()]
     notes += dict.fromkeys(note for context in contexts for note in context.notes)
     return Picture("", (Panel(x, y, tuple(curves), tuple(points)),), caption), tuple(notes)
@@ -129,16 +128,18 @@ class Context:
     Raises MissingInput if the quantity cannot be computed.
     """
 
-    def __init__(self, quantity: str, setting: Setting, values: Mapping[str, float]) -> None:
-        """Describe a quantity of a setting; `values` holds one value of each axis."""
-        self.setting = setting
-        self.scene = setting.scene(values)
+    def __init__(self, quantity: str, scene: Scene, values: Mapping[str, float]) -> None:
+        """Describe a quantity of a scene; `values` holds one value of each axis."""
+        self.along = scene
+        self.scene = scene.replace(**values)
         self.bounds: list[Bound] = []
         notes = []
         for bound in bounds_of(self.scene, quantity):
             try:
                 self.scene.plan(*bound.names)
                 self.bounds.append(bound)
+            except NotInLaw:
+                continue
             except MissingInput as error:
                 notes.append(f"its limits are not shown: {error}")
         names = [quantity, *(name for bound in self.bounds for name in bound.names)]
@@ -150,29 +151,35 @@ class Context:
 
     def _texts(self, names: Iterable[str]) -> Iterable[str]:
         """Iterate over the materials, and over inputs with their values."""
-        if self.setting.material is not None:
-            yield self.setting.material.name
-        if self.setting.material2 is not None:
-            yield f"material2 = {self.setting.material2.name}"
+        if self.along.material is not None:
+            yield self.along.material.name
+        if self.along.material2 is not None:
+            yield f"material2 = {self.along.material2.name}"
         for name in names:
             value = self.scene.values[name]
-            yield f"{NOMENCLATURE[name].symbol} = {pretty(amount(name, in_words(name, value)))}"
+            yield f"{NOMENCLATURE[name].symbol} = {amount(name, in_words(name, value))}"
 
     def doubts(self, x: Axis, curve: str) -> Iterable[str]:
         """Iterate over sentences that say where along an axis the model has no meaning or is not exact."""
         for bound in self.bounds:
-            where = x.values()[margin_along(self.setting, bound, x) < 0]
+            where = x.values()[margin_along(self.along, bound, x) < 0]
             if where.size:
-                ends = (pretty(f"{amount(x.name, float(f'{end:.2g}'))}") for end in (where[0], where[-1]))
+                ends = (amount(x.name, float(f"{end:.2g}")) for end in (where[0], where[-1]))
                 of_curve = f"{curve}, " if curve else ""
                 yield f"{of_curve}{NOMENCLATURE[x.name].symbol} = {' to '.join(ends)}: {bound.broken}."
 
 
-def shown(quantity: str, scene: Scene) -> str:
-    """Return the first sentence of a caption: the quantity and its equation."""
-    entry, number = NOMENCLATURE[quantity], equation_of(quantity, scene)
-    equation = f", Eq ({number})" if number else ""
-    return f"{entry.sentence[0].upper()}{entry.sentence[1:]} {entry.symbol}{equation}."
+def shown(quantity: str, scenes: Sequence[Scene]) -> str:
+    """Return the first sentence of a caption: the quantity, and its equation and the law that was named, if there is one."""
+    entry = NOMENCLATURE[quantity]
+    parts = [f"{entry.sentence[0].upper()}{entry.sentence[1:]} {entry.symbol}"]
+    equations = {equation_of(scene, quantity) for scene in scenes}
+    laws = {scene.law.title for scene in scenes if scene.stated_model is not None}
+    if len(equations) == 1 and (equation := equations.pop()):
+        parts.append(f"Eq ({equation})" if equation.isdigit() else equation)
+    if len(laws) == 1:
+        parts.append(f"under {laws.pop()}")
+    return ", ".join(parts) + "."
 
 
 def fixed_inputs(inputs: Sequence[str]) -> tuple[str, ...]:

@@ -10,11 +10,13 @@ from ..materials.library import Materials
 from ..physics.cylinder import asymmetric_pressure, contact_point_moment, half_strips_moment, symmetric_pressure
 from ..physics.pressure import pressure
 from ..physics.shifted import exact_pressure, half_circle_pressure, unloaded_half_width
-from ..quantities.formatting import amount, pretty
+from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.errors import NotInLaw
+from ..scene.laws import DEFAULT_LAW
+from ..scene.scene import Scene
 from .axes import Axis
-from .maps import Mark, Setting
+from .maps import Mark, solved
 from .panels import Curve, Panel, Picture, axis_around, clipped
 
 POINTS = 401
@@ -23,21 +25,21 @@ SIZE = {"radius": 2e-8}  # of the spheres of Fig. 2, small enough that ξ is vis
 _STATE = ("contact_radius_at_load", "hertz_pressure", "boussinesq_pressure")
 
 
-def _force(setting: Setting, loads: Loads | None) -> Panel:
+def _force(scene: Scene, loads: Loads | None) -> Panel:
     """Return force against approach on both branches, with the states at which the contact changes."""
     import numpy
 
-    largest = setting.solve(("load_factor",), {"load": loads.high})["load_factor"] if loads else 1.35
+    largest = solved(scene, ("load_factor",), {"load": loads.high})["load_factor"] if loads else 1.35
     parts = (("unstable", 1e-7, FOLD), ("fixed grips", FOLD, PULL_OFF), ("stable", PULL_OFF, largest))
     curves = []
     for number, (text, first, last) in enumerate(parts):
         factors = numpy.geomspace(first, last, POINTS)
-        state = setting.solve(("approach_at_load", "load"), {"load_factor": factors})
+        state = solved(scene, ("approach_at_load", "load"), {"load_factor": factors})
         curves.append(Curve(text, state["approach_at_load"], state["load"], number))
     named = {"fold": FOLD, "pull-off": PULL_OFF, "jump-in": JUMP_IN, "P = 0": EQUILIBRIUM}
     points = []
     for text, factor in named.items():
-        state = setting.solve(("approach_at_load", "load"), {"load_factor": factor})
+        state = solved(scene, ("approach_at_load", "load"), {"load_factor": factor})
         points.append(Mark(text, state["approach_at_load"], state["load"]))
     return _force_panel(tuple(reversed(curves)), points, loads, "force, Eqs (5) and (6)")
 
@@ -54,18 +56,17 @@ def _force_panel(curves: Sequence[Curve], points: Sequence[Mark], loads: Loads |
     return Panel(x, Axis("load", *loads, is_log=False), tuple(parts), inside, title)
 
 
-def _force_of_laws(settings: Sequence[Setting], loads: Loads | None) -> Panel:
+def _force_of_laws(scenes: Sequence[Scene], loads: Loads | None) -> Panel:
     """Return force against approach under each law, on all branches, up to the same load."""
     import numpy
 
-    scenes = [setting.scene({}) for setting in settings]
     ends = loads or Loads(-inf, MOST * max(scene["pull_off_force"] for scene in scenes))
     curves = []
-    for number, (setting, scene) in enumerate(zip(settings, scenes, strict=True)):
+    for number, scene in enumerate(scenes):
         x, y = [], []
         for given, group in groupby(states(scene, ends, POINTS), key=lambda state: state.given):
             values = numpy.array([state.value for state in group])
-            found = setting.solve(("approach_at_load", "load"), {given: values})
+            found = solved(scene, ("approach_at_load", "load"), {given: values})
             x.append(found["approach_at_load"])
             y.append(found["load"])
         curves.append(Curve(scene.law.title, numpy.concatenate(x), numpy.concatenate(y), number))
@@ -77,31 +78,31 @@ def _titled(text: str, curves: Sequence[Curve]) -> str:
     return f"{text}, {curves[0].text}" if len(curves) == 1 else text
 
 
-def _pressure_of_laws(settings: Sequence[Setting], _: Loads | None) -> Panel:
+def _pressure_of_laws(scenes: Sequence[Scene], _: Loads | None) -> Panel:
     """Return the pressure across the contact under each law, without load."""
     curves, highest = [], 0.0
-    for number, setting in enumerate(settings):
-        state = setting.solve(_STATE, {})
+    for number, scene in enumerate(scenes):
+        state = solved(scene, _STATE, {})
         x = _across(-state["contact_radius_at_load"], state["contact_radius_at_load"])
-        curves.append(Curve(setting.scene({}).law.title, x, pressure(distance=abs(x), **state), number))
+        curves.append(Curve(scene.law.title, x, pressure(distance=abs(x), **state), number))
         highest = max(highest, state["hertz_pressure"])
     return _panel(curves, highest, _titled("pressure without load", curves))
 
 
-def _moment_of_laws(settings: Sequence[Setting], _: Loads | None) -> Panel:
+def _moment_of_laws(scenes: Sequence[Scene], _: Loads | None) -> Panel:
     """Return the moment against ξ under each law, up to the ξ at which JKR's leading edge would interpenetrate."""
     import numpy
 
-    limit = settings[0]._replace(model=None).solve(("displacement_limit",), {})["displacement_limit"]
+    limit = scenes[0].under(DEFAULT_LAW)["displacement_limit"]
     shifts = numpy.linspace(0, limit, POINTS)
     curves = [
         Curve(
-            setting.scene({}).law.title,
+            scene.law.title,
             shifts[1:],
-            setting.solve(("yield_moment",), {"yield_displacement": shifts[1:]})["yield_moment"],
+            solved(scene, ("yield_moment",), {"yield_displacement": shifts[1:]})["yield_moment"],
             number,
         )
-        for number, setting in enumerate(settings)
+        for number, scene in enumerate(scenes)
     ]
     y = axis_around("yield_moment", [shifts[:1], *(curve.y for curve in curves)], is_log=False, margin=0.0)
     return Panel(
@@ -113,31 +114,31 @@ def _moment_of_laws(settings: Sequence[Setting], _: Loads | None) -> Panel:
     )
 
 
-def _pressure(setting: Setting, _: Loads | None) -> Panel:
+def _pressure(scene: Scene, _: Loads | None) -> Panel:
     """Return the pressure across the contact without load and at pull-off."""
     curves = []
     for number, (text, factor) in enumerate((("P = 0", EQUILIBRIUM), ("pull-off", PULL_OFF))):
-        state = setting.solve(_STATE, {"load_factor": factor})
+        state = solved(scene, _STATE, {"load_factor": factor})
         x = _across(-state["contact_radius_at_load"], state["contact_radius_at_load"])
         curves.append(Curve(text, x, pressure(distance=abs(x), **state), number))
     return _panel(curves, state["hertz_pressure"], "pressure, Eq (12)")
 
 
-def _moment(setting: Setting, _: Loads | None) -> Panel:
+def _moment(scene: Scene, _: Loads | None) -> Panel:
     """Return the moment against ξ by every model, up to the ξ at which the leading edge would interpenetrate."""
     import numpy
 
-    limit = setting.solve(("displacement_limit",), {})["displacement_limit"]
+    limit = scene["displacement_limit"]
     shifts = numpy.linspace(0, limit, POINTS)[1:]
-    found = setting.solve(MOMENTS, {"yield_displacement": shifts})
+    found = solved(scene, MOMENTS, {"yield_displacement": shifts})
     curves = [
         Curve(f"{NOMENCLATURE[name].symbol}: {NOMENCLATURE[name].sentence}", shifts, found[name], number)
         for number, name in enumerate(MOMENTS)
     ]
     ends = [numpy.array([0.0]), *(curve.y for curve in curves)]
-    at = setting.solve(("yield_moment",), {})["yield_moment"]
-    shift = float(setting.scene({}).values["yield_displacement"])
-    point = (Mark(f"ξ = {pretty(amount('yield_displacement', shift))}", shift, at),) if shift <= limit else ()
+    at = scene["yield_moment"]
+    shift = float(scene.values["yield_displacement"])
+    point = (Mark(f"ξ = {amount('yield_displacement', shift)}", shift, at),) if shift <= limit else ()
     return Panel(
         Axis("yield_displacement", 0.0, limit, is_log=False), axis_around("yield_moment", ends, is_log=False, margin=0.0),
         tuple(curves), point, "moment, up to ξ_max",
@@ -145,7 +146,7 @@ def _moment(setting: Setting, _: Loads | None) -> Panel:
 
 
 PANELS = {"force": _force, "pressure": _pressure, "moment": _moment}  # of a contact under JKR
-_PanelOfLaws = Callable[[Sequence[Setting], Loads | None], Panel]
+_PanelOfLaws = Callable[[Sequence[Scene], Loads | None], Panel]
 _OF_LAWS: Mapping[str, tuple[_PanelOfLaws, tuple[str, ...]]] = {  # with the quantities that a law must have for it
     "force": (_force_of_laws, ("approach_at_load", "load")),
     "pressure": (_pressure_of_laws, _STATE),
@@ -153,16 +154,14 @@ _OF_LAWS: Mapping[str, tuple[_PanelOfLaws, tuple[str, ...]]] = {  # with the qua
 }
 
 
-def curves_of_contact(
-    setting: Setting, loads: Loads | None, caption: tuple[str, ...], panel: str | None = None
-) -> Picture:
+def curves_of_contact(scene: Scene, loads: Loads | None, caption: tuple[str, ...], panel: str | None = None) -> Picture:
     """Return force against approach, pressure, and moment against ξ of one contact; or one of these panels."""
     names = (panel,) if panel is not None else tuple(PANELS)
-    return Picture("", tuple(PANELS[name](setting, loads) for name in names), caption)
+    return Picture("", tuple(PANELS[name](scene, loads) for name in names), caption)
 
 
 def curves_of_laws(
-    settings: Sequence[Setting], loads: Loads | None, caption: tuple[str, ...], panel: str | None = None
+    scenes: Sequence[Scene], loads: Loads | None, caption: tuple[str, ...], panel: str | None = None
 ) -> tuple[Picture, tuple[str, ...]]:
     """Return the panels of a contact with a curve for each law, and notes on the laws that lack one of them."""
     panels: list[Panel] = []
@@ -170,10 +169,10 @@ def curves_of_laws(
     for name in (panel,) if panel is not None else _OF_LAWS:
         draw, quantities = _OF_LAWS[name]
         having = []
-        for setting in settings:
+        for scene in scenes:
             try:
-                setting.scene({}).plan(*quantities)
-                having.append(setting)
+                scene.plan(*quantities)
+                having.append(scene)
             except NotInLaw as error:
                 missing.append(error)
         if having:
@@ -187,10 +186,10 @@ def figure_2(materials: Materials) -> Picture:
     """Return Fig. 2: the shifted contact from above with its half-circles, and its pressure, exact and simplified."""
     import numpy
 
-    setting = Setting(SIZE, materials["quartz"])
+    scene = Scene(SIZE, materials["quartz"])
     names = (*_STATE, "contact_modulus", "reduced_radius", "approach_at_load", "yield_moment", "half_circles_moment")
-    state = setting.solve(names, {})
-    shift = float(setting.scene({}).values["yield_displacement"])
+    state = solved(scene, names, {})
+    shift = float(scene.values["yield_displacement"])
     a = state["contact_radius_at_load"]
     angle = numpy.linspace(-numpy.pi, numpy.pi, POINTS)
     outlines = [Curve("contact, shifted by ξ", a * numpy.cos(angle) - shift, a * numpy.sin(angle), 0)]
@@ -224,7 +223,7 @@ def figure_2(materials: Materials) -> Picture:
             "not continuous at x = 0. Ahead the pull at the rim is weaker, behind it is stronger."
         ),
         f"Moment: exact {exact}, Eq (25); half-circles {simple}, Eq (19).",
-        f"Assumed: P = 0, ξ = {pretty(amount('yield_displacement', shift))}.",
+        f"Assumed: P = 0, ξ = {amount('yield_displacement', shift)}.",
     )
     return Picture("Fig. 2: the shifted contact", (view, along), caption)
 
@@ -236,7 +235,7 @@ def figure_9(materials: Materials) -> Picture:
     radius = SIZE["radius"]
     size = {"cylinder_radius": radius, "plane_strain_modulus": modulus}
     a = unloaded_half_width(work_of_adhesion=2 * quartz["surface_energy"], **size)
-    shift = float(Setting(SIZE).scene({}).values["yield_displacement"])
+    shift = float(Scene(SIZE).values["yield_displacement"])
     size["load_constant"] = 0.0
     centred, shifted = _across(-a, a), _across(-a - shift, a - shift)
     left, right = _across(-a - shift, 0.0), _across(0.0, a - shift)
@@ -266,7 +265,7 @@ def figure_9(materials: Materials) -> Picture:
             f"Moment per length about the contact point: exact {moments[0]:.3g} N, Eq (70) with its sign corrected; "
             f"half-strips {moments[1]:.3g} N, Eq (77): lower by {moments[0] / moments[1]:.3f}, π/2 where ξ ≪ a."
         ),
-        f"Assumed: ξ = {pretty(amount('yield_displacement', shift))}.",
+        f"Assumed: ξ = {amount('yield_displacement', shift)}.",
     )
     panels = (_panel([symmetric], highest, "symmetric"), _panel(curves, highest, "shifted by ξ"))
     return Picture("Fig. 9: the line contact", panels, caption)

@@ -4,13 +4,12 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import Any, NamedTuple
 
 from ..errors import NoResult
-from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..scene.errors import MissingInput
-from ..scene.laws import DEFAULT_LAW
 from ..scene.limits import LIMITS
 from ..scene.scene import Scene
 from .axes import Axis
-from .maps import Region, Setting, inputs_at
+from .maps import Region, inputs_at, solved
 
 _LIMITS = {limit.name: limit for limit in LIMITS}
 COARSE = 200  # points a side that are enough for the smooth border of a region
@@ -25,19 +24,18 @@ class Bound(NamedTuple):
     is_least: bool
     text: str
     kind: str = "hatched"
+    beyond: str = ""  # of a border: what holds on its wrong side
 
     @property
     def broken(self) -> str:
         """The sentence about values beyond the bound."""
-        if self.kind == "border":
-            return f"{NOMENCLATURE[self.names[0]].symbol} < {self.limit:g}, JKR is not exact"
-        return self.text
+        return self.beyond or self.text
 
-    def margin(self, setting: Setting, values: Mapping[str, Any]) -> Any:
+    def margin(self, scene: Scene, values: Mapping[str, Any]) -> Any:
         """Return the distance of values from the bound in powers of ten, negative beyond it."""
         import numpy
 
-        ratio = numpy.log10(self.value(**setting.solve(self.names, values)) / self.limit)
+        ratio = numpy.log10(self.value(**solved(scene, self.names, values)) / self.limit)
         return ratio if self.is_least else -ratio
 
 
@@ -47,24 +45,27 @@ def bounds() -> tuple[Bound, ...]:
         _bound("contact_radius_in_spacings"),
         _bound("displacement_ratio"),
         _bound("tabor_parameter"),
-        _border("tabor_parameter", "JKR holds where it is larger"),
+        _border("JKR", _LIMITS["tabor_parameter"].doubts[0].threshold, is_least=True),
     )
 
 
 def bounds_of(scene: Scene, quantity: str) -> list[Bound]:
-    """Return the bounds that concern a quantity of a scene; the Tabor parameter bounds JKR only."""
+    """Return the bounds that concern a quantity of a scene; the Tabor parameter bounds JKR and DMT, not Maugis' law."""
     try:
         plan = scene.plan(quantity)
     except MissingInput:
         return []
     used = {quantity, *scene.inputs_of(quantity), *(step.name for step in plan.steps)}
     touched = {limit.name for limit in LIMITS if limit.touches & used}
-    if scene.law.name != DEFAULT_LAW:
-        touched.discard("tabor_parameter")
-    return [bound for bound in bounds() if bound.names[0] in touched]
+    if scene.law.is_default:
+        return [bound for bound in bounds() if bound.names[0] in touched]
+    found = [bound for bound in bounds() if bound.names[0] in touched - {"tabor_parameter"}]
+    if "tabor_parameter" in touched and scene.law.tabor_below < INFINITY:
+        found.append(_border(scene.law.title, scene.law.tabor_below, is_least=False))
+    return found
 
 
-def regions(setting: Setting, bounds: Iterable[Bound], x: Axis, y: Axis) -> list[Region]:
+def regions(scene: Scene, bounds: Iterable[Bound], x: Axis, y: Axis) -> list[Region]:
     """Return the regions in which bounds are broken. A bound that lacks an input is left out."""
     import numpy
 
@@ -73,7 +74,7 @@ def regions(setting: Setting, bounds: Iterable[Bound], x: Axis, y: Axis) -> list
     found = []
     for bound in bounds:
         try:
-            margin = numpy.broadcast_to(bound.margin(setting, here), (y.size, x.size))
+            margin = numpy.broadcast_to(bound.margin(scene, here), (y.size, x.size))
         except (MissingInput, NoResult):
             continue
         if bound.kind == "border" and (margin < 0).all():
@@ -83,12 +84,12 @@ def regions(setting: Setting, bounds: Iterable[Bound], x: Axis, y: Axis) -> list
     return found
 
 
-def margin_along(setting: Setting, bound: Bound, x: Axis) -> Any:
+def margin_along(scene: Scene, bound: Bound, x: Axis) -> Any:
     """Return the distance from a bound along one axis, negative beyond it."""
     import numpy
 
     values = x.values()
-    return numpy.broadcast_to(bound.margin(setting, inputs_at(x.name, values)), values.shape)
+    return numpy.broadcast_to(bound.margin(scene, inputs_at(x.name, values)), values.shape)
 
 
 def _bound(name: str) -> Bound:
@@ -100,11 +101,12 @@ def _bound(name: str) -> Bound:
     return Bound((name,), _same, doubt.threshold, is_least, text)
 
 
-def _border(name: str, words: str) -> Bound:
-    """Return the first doubt of a limit as a line, beyond which the model is not exact."""
-    threshold = _LIMITS[name].doubts[0].threshold
-    text = f"{NOMENCLATURE[name].symbol} = {threshold:g}: {words}"
-    return Bound((name,), _same, threshold, True, text, "border")
+def _border(law: str, threshold: float, *, is_least: bool) -> Bound:
+    """Return the line beyond which a law of attraction is not exact, as a bound of the Tabor parameter."""
+    side, sign = ("larger", "<") if is_least else ("smaller", ">")
+    text = f"μ = {threshold:g}: {law} holds where it is {side}"
+    beyond = f"μ {sign} {threshold:g}, {law} is not exact"
+    return Bound(("tabor_parameter",), _same, threshold, is_least, text, "border", beyond)
 
 
 def _same(**values: Any) -> Any:

@@ -1,8 +1,10 @@
 """Errors about the values of quantities."""
 
+from collections.abc import Collection
+
 from ..errors import JkrollError
 from ..text import closest, quoted
-from .nomenclature import NOMENCLATURE, OPTION_WORDS, canonical, word_for_infinity
+from .nomenclature import NOMENCLATURE, OPTION_WORDS, word_for_infinity
 from .units import dimension_of, kind_of
 
 
@@ -38,17 +40,38 @@ class UnknownQuantity(JkrollError):
             return (
                 f"{quoted(self.name)} is given in words and has no value to compute; jkroll quantities lists what has"
             )
-        guess = _nearest(self.name)
+        guess = nearest(self.name)
         meant = f"did you mean {guess}? " if guess else ""
         return f"{quoted(self.name)} is not a quantity; {meant}jkroll quantities lists them"
 
 
-def _nearest(word: str) -> str | None:
-    """Return the quantity whose symbol is a word, whose name begins with it, or resembles it most."""
-    by_symbol = (name for name, quantity in NOMENCLATURE.items() if quantity.symbol == word)
-    letters = word.casefold().replace("-", "").replace("_", "")
-    begun = (name for name in NOMENCLATURE if letters and name.replace("_", "").startswith(letters))
-    return next(by_symbol, None) or next(begun, None) or closest(canonical(word), (*NOMENCLATURE, *OPTION_WORDS))
+# Words of others, and the quantity that they are likely to mean.
+_OTHER_WORDS = {
+    "adhesion": "pull_off_force",
+    "adhesion_force": "pull_off_force",
+    "elastic_modulus": "youngs_modulus",
+    "rolling_force": "yield_force",
+    "rolling_friction": "yield_force",
+    "rolling_friction_force": "yield_force",
+    "sticking_velocity": "sticking_speed",
+    "surface_tension": "surface_energy",
+}
+
+
+def nearest(word: str, names: Collection[str] = NOMENCLATURE) -> str | None:
+    """Return the quantity among `names` that a word is likely to mean; None if there is none.
+
+    It is the one with this symbol, with or without the index of sphere 1, the one that others call so, the one whose name begins with
+    the word, or else the one whose name or option resembles it most.
+    """
+    symbols = {NOMENCLATURE[name].symbol: name for name in reversed([*names])}
+    meanings = {one: meant for one, meant in {**OPTION_WORDS, **_OTHER_WORDS}.items() if meant in names}
+    meanings |= {name: name for name in names}
+    name = word.strip().lstrip("-").replace("-", "_").replace(" ", "_").casefold()
+    letters = name.replace("_", "")
+    begun = (one for one in names if letters and one.replace("_", "").startswith(letters))
+    meant = symbols.get(word) or symbols.get(word + "1") or meanings.get(name) or next(begun, None)
+    return meant or meanings.get(closest(name, meanings) or "")
 
 
 class OutOfRange(JkrollError):

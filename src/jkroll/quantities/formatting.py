@@ -9,10 +9,11 @@ from .nomenclature import INFINITY, NOMENCLATURE, word_for_infinity
 from .units import Unit, convert
 
 if TYPE_CHECKING:
-    from .uncertain import Uncertain
+    from .uncertain import Interval, Measured, Uncertain
 
 DIGITS = 6  # significant, of a rounded value
 _PLAIN = 10**DIGITS  # numbers below have no exponent for want of digits
+_SMALL = 1e-3  # numbers below have too many zeros to share a unit with others
 _PREFIXES = dict(zip(range(-21, 18, 3), ("z", "a", "f", "p", "n", "µ", "m", "", "k", "M", "G", "T", "P"), strict=True))
 _PREFIXABLE = ("m", "N", "J", "Pa", "Hz", "rad", "N m", "N/m", "J/m^2", "N m/rad")
 
@@ -48,26 +49,36 @@ class Format(NamedTuple):
         if isinstance(value, str):
             return value, ""
         if isinstance(value, tuple):
-            return _uncertain(name, value, self)
+            unit, scale = self.common_unit(name, [value]) or (
+                NOMENCLATURE[name].unit.removeprefix("1"),
+                _power_of_ten(0),
+            )
+            return self.in_unit(value, (unit, scale)), unit
         digits = self.digits or DIGITS
         if name in self.units:
             return significant(self.number(name, value), digits), self.units[name][0]
         return engineering(value, NOMENCLATURE[name].unit, digits)
 
-    def common_unit(self, name: str, values: Sequence[float]) -> tuple[str, Unit] | None:
-        """Return a unit in which all values of a quantity are short numbers; None if there is none, or if it has no unit."""
+    def common_unit(self, name: str, values: "Sequence[float | Uncertain]") -> tuple[str, Unit] | None:
+        """Return the unit that suits the middle one of the values; None if others are long numbers in it, or if it is 1."""
         if name in self.units:
             return self.units[name]
         si = NOMENCLATURE[name].unit
-        sizes = [abs(value) for value in values if value and not isinf(value)]
+        middles = (value.value if isinstance(value, tuple) else value for value in values)
+        sizes = sorted(abs(value) for value in middles if value and not isinf(value))
         if si in ("", "1") or not sizes:
             return None
-        scale, prefix = _prefix(float(f"{min(sizes):.{self.digits or DIGITS}g}"), si)
-        return (prefix + si, scale) if convert(max(sizes), scale) < _PLAIN else None
+        scale, prefix = _prefix(float(f"{sizes[(len(sizes) - 1) // 2]:.{self.digits or DIGITS}g}"), si)
+        is_short = convert(sizes[0], scale) >= _SMALL and convert(sizes[-1], scale) < _PLAIN
+        return (prefix + si, scale) if is_short else None
 
-    def in_unit(self, value: float | str, unit: tuple[str, Unit]) -> str:
-        """Return a rounded value in a unit, without the unit; a word as it is."""
-        return value if isinstance(value, str) else significant(convert(value, unit[1]), self.digits or DIGITS)
+    def in_unit(self, value: "float | str | Uncertain", unit: tuple[str, Unit]) -> str:
+        """Return a rounded value in a unit, with its uncertainty if it has one, without the unit; a word as it is."""
+        if isinstance(value, str):
+            return value
+        if isinstance(value, tuple):
+            return _range(value, unit[1], self.digits) if value.kind == "range" else _plus_minus(value, unit[1])
+        return significant(convert(value, unit[1]), self.digits or DIGITS)
 
 
 def engineering(value: float, unit: str, digits: int = DIGITS) -> tuple[str, str]:
@@ -126,25 +137,28 @@ def amount(name: str, value: "float | str | Uncertain", form: Format = AS_USUAL)
     >>> from .uncertain import parse_uncertain
     >>> texts = ("25±5 mJ/m2", "25 +6/-4 mJ/m2", "20 to 30 mJ/m2")
     >>> [amount("surface_energy", parse_uncertain(text, "surface_energy")) for text in texts]
-    ['25.0 ± 5.0 mJ/m^2', '25.0 +6.0/-4.0 mJ/m^2', '20 to 30 mJ/m^2']
+    ['25.0 ± 5.0 mJ/m²', '25.0 +6.0/-4.0 mJ/m²', '20 to 30 mJ/m²']
     """
-    return " ".join(part for part in form.rounded(name, value) if part)
+    number, unit = form.rounded(name, value)
+    return f"{number} {pretty(unit)}".strip()
 
 
-def _uncertain(name: str, found: "Uncertain", form: Format) -> tuple[str, str]:
-    """Return a value with its uncertainty, and the unit, both rounded and with a suitable prefix.
+def _range(found: "Interval", scale: Unit, digits: int | None) -> str:
+    """Return a range, whose ends are rounded to two digits of the distance between them unless there is a number of digits."""
+    low, high = convert(found.low, scale), convert(found.high, scale)
+    place = _second_digit(high - low)
+    texts = []
+    for end in (low, high):
+        least = floor(log10(abs(end))) - place + 1 if end else 1
+        texts.append(significant(end, digits or max(1, min(least, DIGITS))))
+    return " to ".join(texts)
+
+
+def _plus_minus(found: "Measured", scale: Unit) -> str:
+    """Return a value with its standard uncertainty.
 
     An uncertainty has two digits, and the value ends at the same place. Sides that differ by more than 10 % are both shown.
     """
-    if name in form.units:
-        unit, scale = form.units[name]
-    else:
-        si = NOMENCLATURE[name].unit
-        scale, prefix = _prefix(float(f"{found.value:.{DIGITS}g}"), si)
-        unit = prefix + ("" if si == "1" else si)
-    if found.kind == "range":
-        low, high = (f"{convert(end, scale):.{form.digits or DIGITS}g}" for end in (found.low, found.high))
-        return f"{low} to {high}", unit
     value, minus, plus = (convert(number, scale) for number in (found.value, found.minus, found.plus))
     shift = 0 if 1e-3 <= abs(value) < 1e6 or value == 0 else floor(log10(abs(value)))
     value, minus, plus = (number * 10.0**-shift for number in (value, minus, plus))
@@ -152,7 +166,7 @@ def _uncertain(name: str, found: "Uncertain", form: Format) -> tuple[str, str]:
     middle, below, above = (f"{round(number, -place):.{max(-place, 0)}f}" for number in (value, minus, plus))
     is_symmetric = abs(minus - plus) <= 0.1 * max(minus, plus)
     text = f"{middle} ± {max(below, above, key=float)}" if is_symmetric else f"{middle} +{above}/-{below}"
-    return (f"({text})e{shift}" if shift else text), unit
+    return f"({text})e{shift}" if shift else text
 
 
 def _second_digit(number: float) -> int:

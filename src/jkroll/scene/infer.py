@@ -9,7 +9,7 @@ from ..quantities.errors import QuantityError, UnknownQuantity
 from ..quantities.nomenclature import NOMENCLATURE, canonical
 from ..quantities.parsing import is_uncertain
 from .inputs import check_range
-from .inverse import solution
+from .inverse import SIZES, CannotInfer, solution
 from .scene import Scene
 from .solver import broadcast, in_si, materials_of, uncertain_scene, with_uncertainty
 
@@ -51,7 +51,9 @@ def infer(
     >>> round(infer("gamma", measured={"pull_off_force": "300 nN"}, radius="2 um", radius2="plane"), 6)
     0.015915
     """
-    name = _named(wanted)
+    name = canonical(str(wanted))
+    if name not in SIZES:
+        raise CannotInfer(str(wanted))
     if not isinstance(measured, Mapping) or len(measured) != 1:
         raise QuantityError(
             "measured",

@@ -11,8 +11,11 @@ from math import inf, isnan, log10, nan
 from typing import NamedTuple
 
 from ..errors import JkrollError, NoResult
+from ..quantities.errors import nearest
 from ..quantities.formatting import amount
-from ..quantities.nomenclature import PROPERTIES
+from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
+from ..text import quoted
+from .numerics import highest_between, logarithmic_slope
 from .scene import EXCLUSIVE, Scene
 
 # The inputs that can be inferred, with the sizes among which they are looked for. A load may have either sign.
@@ -26,10 +29,7 @@ SIZES = {
     "load": (1e-15, 1e3),
 }
 _PER_DECADE = 8  # points of the scan
-_GOLDEN = 0.6180339887498949  # of an interval, the part that a step of the golden-section search keeps
-_SEARCHES = 50  # steps of it: they locate a turning point to half of the digits, which give all digits of its value
 _HALVINGS = 200  # more than lead from any interval to neighbouring doubles
-_STEP = 1e-6  # relative, of the differences that give a condition number
 _JUMP = 1e-6  # part of the values around it that a change of sign may leave, if it is a solution and no jump
 
 Excess = Callable[[float], float]
@@ -37,14 +37,16 @@ Point = tuple[float, float]  # a value of the input, and by how much the quantit
 
 
 class CannotInfer(JkrollError):
-    """Error raised for an input that is not among those that can be inferred."""
+    """Error raised for a word that does not stand for an input that can be inferred."""
 
-    def __init__(self, name: str) -> None:
-        super().__init__(name)
-        self.name = name
+    def __init__(self, word: str) -> None:
+        super().__init__(word)
+        self.word = word
 
     def __str__(self) -> str:
-        return f"{self.name} cannot be inferred; {', '.join(SIZES)} can"
+        guess = None if self.word in NOMENCLATURE else nearest(self.word, SIZES)
+        meant = f"did you mean {guess}? " if guess else ""
+        return f"{quoted(self.word)} cannot be inferred; {meant}{', '.join(SIZES)} can"
 
 
 class AlreadyGiven(JkrollError):
@@ -226,20 +228,9 @@ def _with_turning_points(piece: list[Point], excess: Excess) -> list[Point]:
 
 
 def _turning_point(left: float, right: float, excess: Excess, sign: float) -> Point:
-    """Return the point between two others at which a quantity comes closest to its measured value, or passes it."""
-    for _ in range(_SEARCHES):
-        width = _GOLDEN * (right - left)
-        low, high = right - width, left + width
-        low_error, high_error = excess(low), excess(high)
-        for value, error in ((low, low_error), (high, high_error)):
-            if error * sign <= 0:
-                return value, error
-        if abs(low_error) < abs(high_error):
-            right = high
-        else:
-            left = low
-    middle = (left + right) / 2
-    return middle, excess(middle)
+    """Return the point between two others at which a quantity comes closest to its measured value, or passes it farthest."""
+    at = highest_between(left, right, lambda value: -sign * excess(value))
+    return at, excess(at)
 
 
 def _zeros(piece: Sequence[Point], excess: Excess) -> Iterator[float]:
@@ -267,14 +258,6 @@ def _bisected(left: float, right: float, excess: Excess, *, rises: bool) -> floa
 
 
 def _condition(name: str, quantity: str, value: float, scene: Scene) -> float:
-    """Return |d ln input / d ln quantity| to six digits, by differences, which are one-sided where the results end."""
-    points = []
-    for beside in (value * (1 - _STEP), value, value * (1 + _STEP)):
-        try:
-            points.append((beside, float(with_input(scene, name, beside)[quantity])))
-        except NoResult:
-            continue
-    (first, low), (last, high) = points[0], points[-1]
-    middle = float(with_input(scene, name, value)[quantity])
-    change = value * (high - low)
-    return float(f"{abs(middle * (last - first) / change):.6g}") if change else inf
+    """Return |d ln input / d ln quantity| to six digits."""
+    slope = logarithmic_slope(lambda beside: float(with_input(scene, name, beside)[quantity]), value)
+    return float(f"{abs(1 / slope):.6g}") if slope else inf

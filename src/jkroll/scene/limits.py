@@ -73,6 +73,7 @@ _MOMENT = frozenset({"yield_moment", "yield_moment_of_force", "yield_force"})
 _TURNS = frozenset({"n_roll", "n_roll_energy_balance", "n_roll_after_impact"})
 IMPACT = frozenset({"energy", "energy_ratio", "speed"})
 
+# The law of attraction; then what takes the meaning of an answer away; then what makes it inexact.
 LIMITS = (
     Limit(
         "tabor_parameter", _ELASTICITY, "<",
@@ -81,16 +82,6 @@ LIMITS = (
             Doubt(0.1, "small", "DMT is closer than JKR"),
         ),
         "large: JKR holds",
-    ),
-    Limit(
-        "contact_radius_in_spacings", _ELASTICITY, "<",
-        (Doubt(3.0, "few atoms in the contact", "elasticity is in doubt"),),
-        "many atoms in the contact",
-    ),
-    Limit(
-        "profile_error", _ELASTICITY, ">",
-        (Doubt(0.01, "above 1 %", "the contact is so wide that a sphere is no paraboloid"),),
-        "below 1 %: in the contact, spheres are paraboloids",
     ),
     Limit(
         "load_margin", frozenset({"load_factor", "load_factor_at_approach"}), "<=",
@@ -102,17 +93,6 @@ LIMITS = (
         "displacement_ratio", _DISPLACEMENT, ">=",
         (Doubt(1.0, "above 1", "the leading edge would interpenetrate, and rolling has no meaning"),),
         "below 1: the shifted contact is possible",
-    ),
-    Limit(
-        "hysteresis_ratio", _MOMENT, ">",
-        (
-            Doubt(
-                1.0, "above 1",
-                "more than adhesion hysteresis at the pull-off work supplies to a smooth elastic contact; "
-                "viscous, plastic or capillary loss could",
-            ),
-        ),
-        "below 1: adhesion hysteresis can supply it",
     ),
     Limit(
         "displacement_over_contact_radius", _DISPLACEMENT, ">",
@@ -149,6 +129,27 @@ LIMITS = (
         (Doubt(1.0, "above 1", "after a head-on impact the spheres do not stick"),),
         "below 1: the spheres stick",
         IMPACT,
+    ),
+    Limit(
+        "hysteresis_ratio", _MOMENT, ">",
+        (
+            Doubt(
+                1.0, "above 1",
+                "more than adhesion hysteresis at the pull-off work supplies to a smooth elastic contact; "
+                "viscous, plastic or capillary loss could",
+            ),
+        ),
+        "below 1: adhesion hysteresis can supply it",
+    ),
+    Limit(
+        "contact_radius_in_spacings", _ELASTICITY, "<",
+        (Doubt(3.0, "few atoms in the contact", "elasticity is in doubt"),),
+        "many atoms in the contact",
+    ),
+    Limit(
+        "profile_error", _ELASTICITY, ">",
+        (Doubt(0.01, "above 1 %", "the contact is so wide that a sphere is no paraboloid"),),
+        "below 1 %: in the contact, spheres are paraboloids",
     ),
 )  # fmt: skip
 
@@ -196,7 +197,13 @@ def sentence(verdict: Verdict) -> str:
 
 def of_any_scene(verdict: Verdict) -> str:
     """Return a doubt without the number of a scene: "a/z0<3, elasticity is in doubt"."""
-    return f"{verdict.code}, {_CONSEQUENCES[verdict.code]}" if verdict.code in _CONSEQUENCES else verdict.text
+    return f"{verdict.code}, {_CONSEQUENCES.get(verdict.code) or verdict.text.partition(': ')[2]}"
+
+
+def against_limit(verdict: Verdict) -> str:
+    """Return a doubt as a number and the limit that it exceeds: "a/z0 = 0.21 (<3)"."""
+    symbol = NOMENCLATURE[verdict.name].symbol
+    return f"{symbol} = {verdict.value:.3g} ({verdict.code.removeprefix(symbol)})"
 
 
 def _touching(scene: Scene, names: Collection[str]) -> Iterator[tuple[Limit, Any]]:

@@ -14,13 +14,12 @@ from ..errors import JkrollError, NoResult
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.uncertain import Interval, Measured, Uncertain
 from .inverse import Solution, solution
+from .numerics import highest_between
 from .scene import Scene
 
 MAX_RANGES = 8  # whose corners are computed, all together
 _ASYMMETRIC = 0.1  # relative difference of the two sides from which on they are given one by one
 _SAMPLES = 24  # parts of a range in which turning points are looked for
-_GOLDEN = 0.6180339887498949  # of an interval, the part that a step of the golden-section search keeps
-_SEARCHES = 45  # steps of it: they leave 4e-10 of an interval, and all digits of a value that is flat there
 _ROUNDS = 10  # of a search along one range after the other
 
 Evaluate = Callable[[Mapping[str, float]], Mapping[str, Any]]  # from changed inputs to the outcome of each quantity
@@ -262,15 +261,8 @@ def _peak(height: Callable[[Place], float], place: Place, axis: int, ends: tuple
     best = max(range(len(samples)), key=lambda number: height(_moved(place, axis, samples[number])))
     if best in (0, len(samples) - 1):
         return _moved(place, axis, samples[best])
-    left, right = samples[best - 1], samples[best + 1]
-    for _ in range(_SEARCHES):
-        width = _GOLDEN * (right - left)
-        low, high = right - width, left + width
-        if height(_moved(place, axis, low)) > height(_moved(place, axis, high)):
-            right = high
-        else:
-            left = low
-    return _moved(place, axis, (left + right) / 2)
+    peak = highest_between(samples[best - 1], samples[best + 1], lambda value: height(_moved(place, axis, value)))
+    return _moved(place, axis, peak)
 
 
 def _samples(low: float, high: float) -> list[float]:

@@ -1,0 +1,132 @@
+"""What a terminal shows: tables of several scenes in the width there is, and notes in lines that fit."""
+
+import re
+
+import pytest
+
+from harness import Run, Stream
+from jkroll.quantities.formatting import Format
+from jkroll.text import say_wrapped
+
+
+@pytest.mark.parametrize(
+    ("columns", "first", "rows"),
+    [("200", "material", 2), ("100", "quantity", 12), ("60", "material", 12), ("30", "material", 2)],
+)
+def test_scenes_are_rows_or_columns_or_several_tables(
+    run: Run, monkeypatch: pytest.MonkeyPatch, columns: str, first: str, rows: int
+) -> None:
+    monkeypatch.setenv("COLUMNS", columns)
+    lines = run("report quartz,iron 100nm --quiet", terminal=True).out.splitlines()
+    heads = [line for line in lines if line.startswith(first)]
+    assert (len(heads) > 1) == (columns == "30")
+    assert all(({"quartz", "iron"} <= set(head.split())) == (rows == 12) for head in heads)
+    if len(heads) == 1:
+        assert len(lines) - lines.index(heads[0]) - 2 == rows
+        assert all(len(line) <= int(columns) for line in lines)
+
+
+def test_scenes_that_differ_in_two_inputs_have_two_lines_of_heads(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "120")
+    table = run("report quartz,iron 50nm 100nm --quiet", terminal=True).out.splitlines()
+    assert table[1].split() == ["material", "quartz", "quartz", "iron", "iron"]
+    assert table[2].split() == ["quantity", "R1", "[nm]", "50", "100", "50", "100"]
+
+
+def test_scenes_that_do_not_differ_are_numbered(run: Run) -> None:
+    assert "scene" in run("report quartz,quartz 100nm --quiet", terminal=True).out
+
+
+@pytest.mark.parametrize(
+    ("values", "unit"),
+    [
+        ((11.781e-9, 1413.72e-9), "nN"),
+        ((1e-12, 1e-9, 2e-9), "nN"),
+        ((1e-12, 1e-9, 1e-6, 5e-4), "nN"),
+        ((1e-13, 1e-9, 1e-3), None),  # 0.0001 nN
+        ((1e-9, 1e-8, 5e-4), "nN"),
+        ((1e-9, 1e-9, 1e-3), None),  # a million
+        ((0.0, 5e-9), "nN"),
+    ],
+)
+def test_the_unit_of_a_column_suits_the_middle_of_its_values(values: tuple[float, ...], unit: str | None) -> None:
+    found = Format().common_unit("pull_off_force", values)
+    assert (found and found[0]) == unit
+
+
+def test_notes_are_broken_on_a_terminal_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "30")
+    text = "note: assumed ξ = 200 pm (--xi), g = 9.80665 m/s² (--gravity)"
+    terminal, pipe = Stream(terminal=True), Stream()
+    say_wrapped(text, terminal)
+    say_wrapped(text, pipe)
+    assert pipe.text() == text + "\n"
+    lines = terminal.text().splitlines()
+    assert len(lines) == 3
+    assert all(len(line) <= 30 for line in lines)
+    assert all(line.startswith("  ") for line in lines[1:])
+    assert " ".join(line.strip() for line in lines) == text
+
+
+def test_many_doubts_are_a_number_and_its_limit(run: Run) -> None:
+    first = run("report quartz 0.3nm").err.splitlines()[0]
+    assert "ξ/ξ_max = 7.23, above 1: the leading edge would interpenetrate" in first
+    worded, _, more = first.partition("; also ")
+    assert worded.count(": ") == 3  # "note: doubtful: ", and one doubt beside that of the law
+    assert more.endswith(": jkroll guide models")
+    assert re.findall(r"(\S+) = \S+ \((\S+)\)", more) == [
+        ("ξ/a", ">1"),
+        ("Q/P_c", ">=1"),
+        ("δ_α", ">1"),
+        ("W0/W_yield", "<=1"),
+        ("M/2cRw", ">1"),
+        ("a/z0", "<3"),
+        ("e_h", ">0.01"),
+    ]
+
+
+def test_a_note_with_numbers_says_whose_they_are(run: Run) -> None:
+    notes = run("moment quartz 10nm,100nm,1um --model maugis").err
+    of_first = run("moment quartz 10nm --model maugis").err
+    (line,) = (line for line in notes.splitlines() if line.startswith("note: M: "))
+    assert line.endswith(": row 1, likewise rows 2-3")
+    assert line.partition(" times")[0] in of_first
+
+
+def test_every_law_has_its_own_doubt(run: Run) -> None:
+    notes = run("pull-off quartz 100nm,1um --model jkr,dmt").err.splitlines()
+    assert "note: doubtful: μ<5, neither is exact, --model maugis holds: rows 1, 3" in notes
+    assert "note: doubtful: μ>0.01, Maugis–Dugdale is exact; --model maugis: rows 2, 4" in notes
+
+
+@pytest.mark.parametrize("topic", ["dem", "energies", "tables"])
+def test_the_manual_leaves_what_a_program_prints_in_its_own_lines(run: Run, topic: str) -> None:
+    shown = [line.rstrip() for line in run(f"guide {topic}", terminal=True).out.splitlines()]
+    blocks = re.findall(r"^```\S*\n(.*?)^```$", run(f"guide {topic}").out, re.DOTALL | re.MULTILINE)
+    assert blocks
+    for line in "".join(blocks).splitlines():
+        assert line.rstrip() in shown
+
+
+def test_units_are_spelt_one_way_on_a_terminal(run: Run) -> None:
+    for command in (
+        "n-grav quartz 100nm",
+        "infer gamma quartz 2um --radius2 plane --measured pull_off_force=300nN",
+        "pull-off quartz 100nm --explain",
+        "materials ice-warm",
+    ):
+        ran = run(command, terminal=True, together=True)
+        assert "²" in ran.out
+        assert "m^2" not in ran.out
+        assert "s^2" not in ran.out
+
+
+def test_uncertain_columns_have_one_unit_and_two_digits_of_the_uncertainty(run: Run) -> None:
+    table = run("pull-off silica-humid,silica-dry 100nm --quiet", terminal=True).out
+    assert "P_c [nN]" in table
+    assert re.search(r"silica-humid +9\.4 to 11\.8 ", table)
+    assert re.search(r"silica-dry +94\.2478 ", table)
+    assert (
+        "9.42 to 11.8 nN"
+        in run("pull-off", "quartz", "100nm", "--gamma", "20 to 25mJ/m2", "--digits", "3", "--explain").out
+    )
