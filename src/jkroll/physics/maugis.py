@@ -5,7 +5,7 @@ the edge ratio v = a/√(c² − a²), found at a load or at an approach, and th
 spheres attract without contact, v is 0 and T is c. `dugdale` has the same curve in dimensionless form.
 """
 
-from . import dugdale
+from . import dugdale, dugdale_roots
 from .dimensions import Force, Length, Number, Stiffness, Stress, SurfaceEnergy
 from .elementary import pi, sqrt, where
 
@@ -25,7 +25,7 @@ def edge_ratio_at_load(
     >>> round(edge_ratio_at_load(load=0.0, transition_parameter=1.0, **unit), 7)
     1.4102117
     """
-    return dugdale.ratio_at_load(transition_parameter, load / (pi * work_of_adhesion * reduced_radius))
+    return dugdale_roots.ratio_at_load(transition_parameter, load / (pi * work_of_adhesion * reduced_radius))
 
 
 def edge_ratio_at_approach(
@@ -49,7 +49,7 @@ def edge_ratio_at_approach(
     0.0
     """
     unit = dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
-    return dugdale.ratio_at_approach(transition_parameter, approach_at_load / unit / unit * reduced_radius)
+    return dugdale_roots.ratio_at_approach(transition_parameter, approach_at_load / unit / unit * reduced_radius)
 
 
 def zone_span(

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from . import dugdale
+from . import dugdale, dugdale_roots
 from .dimensions import Energy, Length, Number, Stress, SurfaceEnergy
 from .elementary import pi, where
 
@@ -77,7 +77,7 @@ def pull_off_work_maugis(
     >>> round(pull_off_work_maugis(transition_parameter=1e6, **unit) / 1.65096362, 5)
     1.27338
     """
-    work = _held_to(transition_parameter, dugdale.lowest_approach(transition_parameter)) - _unloaded(
+    work = _held_to(transition_parameter, dugdale_roots.lowest_approach(transition_parameter)) - _unloaded(
         transition_parameter
     )
     return work * _energy(work_of_adhesion, reduced_radius, contact_modulus)
@@ -102,7 +102,7 @@ def pull_off_work_at_dead_load_maugis(
     >>> round(pull_off_work_at_dead_load_maugis(transition_parameter=1e6, **unit) / 1.65096362, 5)
     0.88252
     """
-    work = _touching(transition_parameter, dugdale.pull_off_ratio(transition_parameter)) - _unloaded(
+    work = _touching(transition_parameter, dugdale_roots.pull_off_ratio(transition_parameter)) - _unloaded(
         transition_parameter
     )
     return work * _energy(work_of_adhesion, reduced_radius, contact_modulus)
@@ -130,7 +130,7 @@ def sticking_energy_maugis(
     b = 8 / (3 * pi) * transition_parameter
     apart = 17 / 24 * pi * transition_parameter * b * b * b * b
     met = _held_to(transition_parameter, -2 / (pi * transition_parameter))
-    lost = _held_to(transition_parameter, dugdale.lowest_approach(transition_parameter)) - met
+    lost = _held_to(transition_parameter, dugdale_roots.lowest_approach(transition_parameter)) - met
     loss = where(transition_parameter < dugdale.JUMP_WITHOUT_CONTACT, apart, lost)
     return loss * _energy(work_of_adhesion, reduced_radius, contact_modulus)
 
@@ -143,7 +143,7 @@ def _energy(work_of_adhesion: Any, reduced_radius: Any, contact_modulus: Any) ->
 
 def _unloaded(transition: Any) -> Any:
     """Return Φ without load, dimensionless."""
-    return _touching(transition, dugdale.ratio_at_load(transition, 0.0))
+    return _touching(transition, dugdale_roots.ratio_at_load(transition, 0.0))
 
 
 def _touching(transition: Any, edge_ratio: Any) -> Any:
@@ -155,6 +155,6 @@ def _touching(transition: Any, edge_ratio: Any) -> Any:
 
 def _held_to(transition: Any, approach: Any) -> Any:
     """Return Φ at an approach, dimensionless, in contact or apart."""
-    at = dugdale.shape(dugdale.ratio_at_approach(transition, approach))
+    at = dugdale.shape(dugdale_roots.ratio_at_approach(transition, approach))
     span = where(at.v > 0, dugdale.span(transition, at), dugdale.span_apart(transition, approach))
     return dugdale.energy(transition, at, span, approach)

@@ -1,6 +1,6 @@
 """Named states of a Maugis contact: without load, at pull-off, and where fixed grips let go."""
 
-from . import dugdale
+from . import dugdale, dugdale_roots
 from .dimensions import Force, Length, Number, Stress, SurfaceEnergy
 from .elementary import pi
 
@@ -25,7 +25,7 @@ def unloaded_radius_maugis(
     >>> round(unloaded_radius_maugis(transition_parameter=1.0, **unit), 7)
     1.6360905
     """
-    v = dugdale.ratio_at_load(transition_parameter, 0.0)
+    v = dugdale_roots.ratio_at_load(transition_parameter, 0.0)
     unit = dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
     return v * dugdale.span(transition_parameter, dugdale.shape(v)) * unit
 
@@ -50,7 +50,7 @@ def unloaded_approach_maugis(
     >>> round(unloaded_approach_maugis(transition_parameter=1.0, **unit), 7)
     1.1298939
     """
-    at = dugdale.shape(dugdale.ratio_at_load(transition_parameter, 0.0))
+    at = dugdale.shape(dugdale_roots.ratio_at_load(transition_parameter, 0.0))
     unit = dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
     span = dugdale.span(transition_parameter, at)
     return dugdale.approach(transition_parameter, at, span) * unit * (unit / reduced_radius)
@@ -68,7 +68,7 @@ def edge_ratio_at_pull_off(*, transition_parameter: Number) -> Number:
     >>> round(edge_ratio_at_pull_off(transition_parameter=1.0), 7)
     0.9262053
     """
-    return dugdale.pull_off_ratio(transition_parameter)
+    return dugdale_roots.pull_off_ratio(transition_parameter)
 
 
 def pull_off_force_maugis(
@@ -85,7 +85,7 @@ def pull_off_force_maugis(
     >>> round(pull_off_force_maugis(work_of_adhesion=1 / pi, reduced_radius=1.0, transition_parameter=1.0), 7)
     1.6007349
     """
-    at = dugdale.shape(dugdale.pull_off_ratio(transition_parameter))
+    at = dugdale.shape(dugdale_roots.pull_off_ratio(transition_parameter))
     least = dugdale.load(transition_parameter, at, dugdale.span(transition_parameter, at))
     return -pi * work_of_adhesion * reduced_radius * least
 
@@ -102,7 +102,7 @@ def edge_ratio_at_fold(*, transition_parameter: Number) -> Number:
     >>> edge_ratio_at_fold(transition_parameter=0.9)
     0.0
     """
-    return dugdale.fold_ratio(transition_parameter)
+    return dugdale_roots.fold_ratio(transition_parameter)
 
 
 def fold_approach_maugis(
@@ -126,4 +126,4 @@ def fold_approach_maugis(
     -636.6198
     """
     unit = dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
-    return dugdale.lowest_approach(transition_parameter) * unit * (unit / reduced_radius)
+    return dugdale_roots.lowest_approach(transition_parameter) * unit * (unit / reduced_radius)
