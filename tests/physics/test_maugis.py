@@ -255,6 +255,15 @@ def test_states_outside_the_domain() -> None:
     assert numpy.isnan(ratios).tolist() == [True, False]
 
 
+def test_states_a_few_ulp_from_pull_off_are_next_to_it() -> None:
+    """There the curve is level, and its slope as rounded may have either sign."""
+    transitions = numpy.geomspace(1e-4, 1e4, 2000)
+    least, tension = dugdale_roots.pull_off(transitions)
+    for steps in range(20):
+        ratios = dugdale_roots.ratio_at_load(transitions, -tension + steps * numpy.spacing(tension))
+        assert numpy.all((ratios >= least) & (ratios <= least * (1 + 0.05)))
+
+
 def test_arrays_give_the_numbers_of_floats() -> None:
     transitions = numpy.geomspace(1e-3, 1e3, 50)
     scenes = {name: numpy.full(50, value) for name, value in UNIT.items()}

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from typing import Any
 
 from .dugdale import FOLD_WITHOUT_CONTACT, Shape, approach, g1, load, shape, span
-from .elementary import at_least, cbrt, is_any, pi, sqrt, where, within
+from .elementary import at_least, at_most, cbrt, is_any, pi, sqrt, where, within
 
 _STEPS = 3  # of Newton's method, each of which squares the error
 _FAR = 32.0  # √(1 + P/P_c) beyond which another start is taken, and twice as many steps
@@ -19,14 +19,16 @@ _TINY = 1e-300  # in place of a slope of 0
 
 def pull_off_ratio(transition: Any) -> Any:
     """Return v where the tension is largest."""
-    return _nearer_to_pull_off(transition, _near_pull_off(transition))
+    return _nearer_to_pull_off(transition, pull_off(transition)[0])
 
 
-def _near_pull_off(transition: Any) -> Any:
-    """Return v at pull-off to 3e-8, from a fit to 4e-4: enough for the force, which is stationary."""
+def pull_off(transition: Any) -> tuple[Any, Any]:
+    """Return v at pull-off to 3e-8, from a fit to 4e-4, and with all digits the tension, which is stationary there."""
     square = 0.2900717 / transition - 0.7981143
     square = square / (1 + transition * (1.456039 + transition * (0.960759 + transition * 0.109797)))
-    return _nearer_to_pull_off(transition, transition / sqrt(1.3103706971044482 + square))
+    v = _nearer_to_pull_off(transition, transition / sqrt(1.3103706971044482 + square))
+    at = shape(v)
+    return v, -load(transition, at, span(transition, at))
 
 
 def _nearer_to_pull_off(transition: Any, v: Any) -> Any:
@@ -79,12 +81,10 @@ def ratio_at_load(transition: Any, load_in_units: Any) -> Any:
 
     The start is a fit, to 15 % for λ from 1e-4 to 1e4 and loads up to 10³ pull-off forces: the steps leave 1e-16.
     """
-    least = _near_pull_off(transition)
-    at = shape(least)
-    pull_off = -load(transition, at, span(transition, at))
-    margin = load_in_units + pull_off
+    least, tension = pull_off(transition)
+    margin = load_in_units + tension
     aim = sqrt(within(margin >= 0, margin))
-    reach = aim / sqrt(pull_off)
+    reach = aim / sqrt(tension)
     root = sqrt(transition)
     cube = root * transition
     scale = cube / (cube + 0.65 + 1.2 * root / (1 + 9 * transition))
@@ -95,7 +95,7 @@ def ratio_at_load(transition: Any, load_in_units: Any) -> Any:
         wide = span(transition, at)
         q = 4 / 3 * transition / wide
         slope = 3 / 2 * wide * (at.v * at.g3 - q * at.d) * _stretch(transition, at, wide, q)
-        return load(transition, at, wide) + pull_off, slope
+        return load(transition, at, wide) + tension, slope
 
     v = _root(curve, aim, start, least, power)
     is_far = reach > _FAR
@@ -127,7 +127,7 @@ def ratio_at_approach(transition: Any, approach_in_units: Any) -> Any:
 def _no_wider(start: Any, transition: Any, radius: Any) -> Any:
     """Return a start for v that is not above v of a narrow ring around a wide contact, v³ = ⅔λa² + ⅔λ²av, by much."""
     bound = cbrt(2 / 3 * transition * radius * radius) + transition * sqrt(2 / 3 * radius)
-    return -at_least(-bound, -start)
+    return at_most(bound, start)
 
 
 def _stretch(transition: Any, at: Shape, span: Any, q: Any) -> Any:
@@ -142,10 +142,10 @@ def _root(curve: Callable[[Shape], tuple[Any, Any]], aim: Any, start: Any, least
     The curve is the load or the approach above its least. Its root has a slope at the least as well, and under a load is
     almost a straight line over v^(1/power). The bounds matter where rounding has the last word.
     """
-    v = start
+    v, most = start, start + (start - least)
     for _ in range(_STEPS):
         value, slope = curve(shape(v))
         root = sqrt(at_least(value, 0.0))
         growth = 1 - 2 * root * (root - aim) / at_least(power * v * slope, _TINY)
-        v = at_least(v * at_least(growth, 0.0) ** power, least)
+        v = at_most(at_least(v * at_least(growth, 0.0) ** power, least), most)
     return v

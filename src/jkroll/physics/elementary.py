@@ -74,6 +74,19 @@ def at_least(value: Any, bound: Any) -> Any:
     return numpy.maximum(value, bound)
 
 
+def at_most(value: Any, bound: Any) -> Any:
+    """Return the smaller of a value and a bound, element by element for arrays.
+
+    >>> at_most(1.0, 0.0)
+    0.0
+    """
+    if isinstance(value, float | int):
+        return min(value, bound)
+    import numpy
+
+    return numpy.minimum(value, bound)
+
+
 def is_any(condition: Any) -> bool:
     """Return whether a condition is met, by any element for arrays.
 

@@ -85,9 +85,8 @@ def pull_off_force_maugis(
     >>> round(pull_off_force_maugis(work_of_adhesion=1 / pi, reduced_radius=1.0, transition_parameter=1.0), 7)
     1.6007349
     """
-    at = dugdale.shape(dugdale_roots.pull_off_ratio(transition_parameter))
-    least = dugdale.load(transition_parameter, at, dugdale.span(transition_parameter, at))
-    return -pi * work_of_adhesion * reduced_radius * least
+    _, tension = dugdale_roots.pull_off(transition_parameter)
+    return pi * work_of_adhesion * reduced_radius * tension
 
 
 def edge_ratio_at_fold(*, transition_parameter: Number) -> Number:
