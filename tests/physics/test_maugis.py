@@ -9,7 +9,7 @@ import pytest
 
 import maugis_reference as reference
 import maugis_rivals as rivals
-from jkroll.physics import dugdale, dugdale_roots, jkr_to_dmt, maugis, maugis_energies, maugis_states
+from jkroll.physics import dugdale, dugdale_roots, jkr_to_dmt, maugis, maugis_contact, maugis_energies, maugis_states
 from maugis_boundary_elements import rolling_moment
 from maugis_reference import Exact, mpf
 
@@ -287,18 +287,18 @@ def test_si_formulas_agree_with_each_other() -> None:
     ratio = maugis.edge_ratio_at_load(load=load, transition_parameter=transition, **scene)
     span = maugis.zone_span(edge_ratio=ratio, transition_parameter=transition, **scene, **modulus)
     known = {"edge_ratio": ratio, "zone_span": span, "reduced_radius": 50e-9, "cohesive_stress": stress, **modulus}
-    assert math.isclose(maugis.load_maugis(**known), load, rel_tol=1e-12)
-    approach = maugis.approach_maugis(**known)
+    assert math.isclose(maugis_contact.load_maugis(**known), load, rel_tol=1e-12)
+    approach = maugis_contact.approach_maugis(**known)
     again = maugis.edge_ratio_at_approach(
         approach_at_load=approach, transition_parameter=transition, **scene, **modulus
     )
     assert math.isclose(again, ratio, rel_tol=1e-12)
-    a = maugis.contact_radius_maugis(edge_ratio=ratio, zone_span=span)
-    force = maugis.adhesive_force_maugis(edge_ratio=ratio, zone_span=span, cohesive_stress=stress)
+    a = maugis_contact.contact_radius_maugis(edge_ratio=ratio, zone_span=span)
+    force = maugis_contact.adhesive_force_maugis(edge_ratio=ratio, zone_span=span, cohesive_stress=stress)
     assert math.isclose(force, 4 * 27.8e9 * a**3 / (3 * 50e-9) - load, rel_tol=1e-12)
     step = 1e-4 * approach
     nearby = [_load_at(approach + side, transition, stress, {**scene, **modulus}) for side in (-step, step)]
-    assert math.isclose((nearby[1] - nearby[0]) / (2 * step), maugis.stiffness_maugis(**known), rel_tol=1e-6)
+    assert math.isclose((nearby[1] - nearby[0]) / (2 * step), maugis_contact.stiffness_maugis(**known), rel_tol=1e-6)
 
 
 def _load_at(approach: float, transition: float, stress: float, scene: dict[str, float]) -> float:
@@ -306,7 +306,7 @@ def _load_at(approach: float, transition: float, stress: float, scene: dict[str,
     ratio = maugis.edge_ratio_at_approach(**given)
     span = maugis.zone_span_at_approach(edge_ratio=ratio, **given)
     del scene
-    value = maugis.load_maugis(
+    value = maugis_contact.load_maugis(
         edge_ratio=ratio,
         zone_span=span,
         reduced_radius=given["reduced_radius"],

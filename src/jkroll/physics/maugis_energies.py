@@ -17,10 +17,19 @@ def state_energy_maugis(
     contact_modulus: Stress,
     transition_parameter: Number,
 ) -> Energy:
-    """Elastic and surface energy of a state, in contact or apart; 0 for spheres that do not attract.
+    """Return the elastic and surface energy of a state, in contact or apart; 0 for spheres that do not attract.
 
         Φ = ∫ P dδ, in closed form in `dugdale.energy`
 
+    edge_ratio            [1]     ≥ 0; 0 without contact
+    zone_span             [m]     ≥ 0
+    approach_at_load      [m]     any
+    work_of_adhesion      [J/m²]  > 0
+    reduced_radius        [m]     > 0
+    contact_modulus       [Pa]    > 0
+    transition_parameter  [1]     > 0
+
+    Returns:  [J]; a float for floats, an array for arrays, which broadcast.
     Source:   Integral of Maugis' solution along its curve.
     Valid:    Quasi-static.
     Accuracy: 30 ulp of its largest term.
@@ -43,10 +52,16 @@ def well_energy_maugis(
     contact_modulus: Stress,
     transition_parameter: Number,
 ) -> Energy:
-    """Energy that binds the two spheres: released from first attraction to equilibrium.
+    """Return the energy that binds the two spheres: released from first attraction to equilibrium.
 
         U = −Φ(P = 0)
 
+    work_of_adhesion      [J/m²]  > 0
+    reduced_radius        [m]     > 0
+    contact_modulus       [Pa]    > 0
+    transition_parameter  [1]     > 0
+
+    Returns:  [J]; a float for floats, an array for arrays, which broadcast.
     Source:   Integral of Maugis' solution along its curve.
     Valid:    Quasi-static; towards DMT it grows as 2/(πλ) πwR(π²w²R/K²)^(1/3).
     Accuracy: 20 ulp.
@@ -65,10 +80,16 @@ def pull_off_work_maugis(
     contact_modulus: Stress,
     transition_parameter: Number,
 ) -> Energy:
-    """Work to separate the spheres from P = 0 with fixed grips, which hold on to the fold.
+    """Return the work to separate the spheres from P = 0 with fixed grips, which hold on to the fold.
 
         U = Φ(fold) − Φ(P = 0)
 
+    work_of_adhesion      [J/m²]  > 0
+    reduced_radius        [m]     > 0
+    contact_modulus       [Pa]    > 0
+    transition_parameter  [1]     > 0
+
+    Returns:  [J]; a float for floats, an array for arrays, which broadcast.
     Source:   Integral of Maugis' solution along its curve.
     Valid:    Quasi-static.
     Accuracy: 20 ulp.
@@ -90,10 +111,16 @@ def pull_off_work_at_dead_load_maugis(
     contact_modulus: Stress,
     transition_parameter: Number,
 ) -> Energy:
-    """Work to separate the spheres from P = 0 with a load that grows to the pull-off force.
+    """Return the work to separate the spheres from P = 0 with a load that grows to the pull-off force.
 
         U = Φ(pull-off) − Φ(P = 0)
 
+    work_of_adhesion      [J/m²]  > 0
+    reduced_radius        [m]     > 0
+    contact_modulus       [Pa]    > 0
+    transition_parameter  [1]     > 0
+
+    Returns:  [J]; a float for floats, an array for arrays, which broadcast.
     Source:   Integral of Maugis' solution along its curve.
     Valid:    Quasi-static up to the jump.
     Accuracy: 30 ulp of the energy of the well.
@@ -115,10 +142,16 @@ def sticking_energy_maugis(
     contact_modulus: Stress,
     transition_parameter: Number,
 ) -> Energy:
-    """Largest energy of a head-on collision after which the spheres stick: what jump-in and the fold dissipate.
+    """Return the largest energy of a head-on collision after which the spheres stick: what jump-in and the fold dissipate.
 
         U = Φ(fold) − Φ(δ = −w/σ0); (17/24)πλb⁴ πwR(π²w²R/K²)^(1/3), b = 8λ/3π, if λ < (9/32)^(1/3) = 0.655
 
+    work_of_adhesion      [J/m²]  > 0
+    reduced_radius        [m]     > 0
+    contact_modulus       [Pa]    > 0
+    transition_parameter  [1]     > 0
+
+    Returns:  [J]; a float for floats, an array for arrays, which broadcast.
     Source:   Integral of Maugis' solution along its curve.
     Valid:    Quasi-static; no other loss.
     Accuracy: 10 ulp below λ = 0.655; above, 30 ulp of the energy of the well.

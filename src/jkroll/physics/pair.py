@@ -214,7 +214,7 @@ def rolling_mass(*, mass: Mass, mass2: Mass, radius_ratio: Number) -> Mass:
     Valid:    Homogeneous spheres, no slip; body 2 may be held (its mass infinite).
     Accuracy: 4.5 ulp above its masses.
 
-    >>> rolling_mass(mass=1.0, mass2=1.0, radius_ratio=1.0)
+    >>> round(rolling_mass(mass=1.0, mass2=1.0, radius_ratio=1.0), 12)
     0.8
     """
     turning = (1 / mass + radius_ratio**2 / mass2) / (1 + radius_ratio * (2 + radius_ratio))
