@@ -255,6 +255,21 @@ def test_states_outside_the_domain() -> None:
     assert numpy.isnan(ratios).tolist() == [True, False]
 
 
+def test_states_at_huge_loads_carry_them() -> None:
+    transitions = 10 ** numpy.random.default_rng(14).uniform(-4, 4, 2000)
+    for size in (1e2, 1e4, 1e6, 1e8, 1e11, 1e14):
+        at = dugdale.shape(dugdale_roots.ratio_at_load(transitions, numpy.full(2000, size)))
+        loads = dugdale.load(transitions, at, dugdale.span(transitions, at))
+        numpy.testing.assert_allclose(loads, size, rtol=2e-14)
+
+
+def test_the_span_keeps_its_digits_in_narrow_and_wide_rings() -> None:
+    for ratio in numpy.geomspace(1e-3, 1e4, 300).tolist():
+        v = mpf(ratio)
+        theta = reference.digits.atan(1 / v)
+        assert ulps(dugdale.g1(dugdale.shape(ratio)), v + (1 - v * v) * theta) <= BOUND
+
+
 def test_states_a_few_ulp_from_pull_off_are_next_to_it() -> None:
     """There the curve is level, and its slope as rounded may have either sign."""
     transitions = numpy.geomspace(1e-4, 1e4, 2000)
