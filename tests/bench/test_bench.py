@@ -57,8 +57,6 @@ def test_approximations_of_maugis_law_are_as_rough_as_is_known() -> None:
     ("quantity", "way", "lost"),
     [
         ("yield_moment", "s = √(1+P/P_c)", 1e5),
-        ("yield_force", "M/R1, s = √(1+P/P_c)", 1e5),
-        ("n_grav", "Eq 30, s = √(1+P/P_c)", 1e5),
         ("n_roll", "Eq 49 as printed", 1e5),
         ("stiffness", "s = √(1+P/P_c)", 1e6),
         ("stiffness", "slopes of P(â) and δ(â)", 1e6),
@@ -155,17 +153,16 @@ def test_the_front_is_made_of_those_that_no_other_beats() -> None:
     )
     assert [one.way for one in found if one.on_front] == [DEFAULT, "rough", "exact"]
     assert off_front(found) == []
-    beaten = with_front([row(DEFAULT, 10, 2), row("better", 5, 1)])
-    assert off_front(beaten) == [
-        "r_min: the default is not on the front: 10 ns and 2 ulp against 5 ns and 1 ulp by better"
-    ]
+    beaten = with_front([row(DEFAULT, 10, 3), row("another", 5, 1)])
+    assert off_front(beaten) == ["r_min: better than the default: another, 5 ns and 1 ulp for 10 ns and 3 ulp"]
+    tied = with_front([row(DEFAULT, 10, 2), row("another", 5, 1)])
+    assert off_front(tied) == ["r_min: within 1 ulp of the default: another, 5 ns and 1 ulp for 10 ns and 2 ulp"]
 
 
-def test_memory_is_measured_beyond_the_results() -> None:
+def test_the_cost_of_solve_is_compared() -> None:
     arrays, one, between = compare(SMALL)
     assert (arrays.scenes, one.scenes, between.scenes) == (1000, 1, 1000)
     assert arrays.ratio > 0
-    assert arrays.extra_memory > 0
 
 
 @pytest.fixture

@@ -16,7 +16,7 @@ from jkroll.answers.answer import answer
 from jkroll.answers.curve import curve
 from jkroll.answers.questions import QUESTIONS
 from jkroll.materials.library import known_materials
-from jkroll.physics import dugdale
+from jkroll.physics import dugdale_roots
 from jkroll.scene.errors import BeyondFold, BeyondPullOff, NotInLaw
 from jkroll.scene.laws import LAWS, UnknownLaw
 from jkroll.scene.scene import Scene
@@ -101,7 +101,7 @@ def test_the_pull_off_force_of_random_pairs_is_that_of_maugis() -> None:
     for _ in range(12):
         pair = random_pair(source)
         units = Units(pair)
-        start = 1 / dugdale.pull_off_ratio(float(units.transition))
+        start = 1 / dugdale_roots.pull_off_ratio(float(units.transition))
         least = reference.load(*reference.pull_off(units.transition, start), units.transition)
         force = solve("pull_off_force", model="maugis", **pair)
         assert abs(mpf(force) + least * units.force) <= mpf(10) ** -14 * units.force

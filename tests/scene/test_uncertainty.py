@@ -65,6 +65,26 @@ def test_sides_that_differ_are_given_one_by_one() -> None:
     assert one.minus == pytest.approx((1 - 0.7 ** (5 / 3)) * one.value, rel=1e-12)
 
 
+def test_the_lower_side_may_be_the_longer_one() -> None:
+    """Near pull-off, √(1 + P/P_c) falls more than it rises."""
+    force = solve("pull_off_force", **QUARTZ)
+    one = found("load_margin", QUARTZ, {"load": Measured(-0.75 * force, 0.2 * force, 0.2 * force)}).uncertainty
+    assert isinstance(one, Measured)
+    assert one.minus == pytest.approx(0.5 - math.sqrt(0.05), rel=1e-12)
+    assert one.plus == pytest.approx(math.sqrt(0.45) - 0.5, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("name", "minus", "plus"), [("contact_modulus", 0, 1 / 0.99 - 1), ("approach", 1 - 0.99 ** (2 / 3), 0)]
+)
+def test_a_side_that_no_end_reaches_is_zero(name: str, minus: float, plus: float) -> None:
+    """1 − ν² is largest at ν = 0."""
+    one = found(name, {**QUARTZ, "poisson_ratio": 0.0}, {"poisson_ratio": Measured(0.0, 0.1, 0.1)}).uncertainty
+    assert isinstance(one, Measured)
+    assert one.minus == pytest.approx(minus * one.value, rel=1e-9, abs=0)
+    assert one.plus == pytest.approx(plus * one.value, rel=1e-9, abs=0)
+
+
 def test_quadrature_agrees_with_sampling() -> None:
     random = Random(7)
     uncertain = {"radius": relative(1e-7, 0.05), "surface_energy": relative(0.025, 0.08)}

@@ -65,7 +65,8 @@ def states(scene: Scene, loads: Loads | None = None, steps: int = STEPS) -> list
         return [State("load", loads.high, "stable") if loads else State("load", 0.0, _NAMED[EQUILIBRIUM])]
     if loads is None:
         return found
-    return [state for state in found if loads.low <= scene.replace(**{state.given: state.value})["load"] <= loads.high]
+    high = loads.high + 1e-12 * abs(loads.high)  # the load of the last state comes back but for rounding
+    return [state for state in found if loads.low <= scene.replace(**{state.given: state.value})["load"] <= high]
 
 
 def _largest(scene: Scene, loads: Loads | None) -> float:

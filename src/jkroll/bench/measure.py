@@ -1,7 +1,6 @@
 """The cost and the errors of every way to every headline quantity, and the cost of `jkroll.solve` beside plain programs."""
 
 import math
-import tracemalloc
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from time import perf_counter_ns
@@ -24,7 +23,7 @@ USUAL = (
 STATE = ("contact_radius_at_load", "approach_at_load", "stiffness")
 _NUMPY = numpy.sqrt, numpy.cbrt, numpy.minimum, numpy.maximum
 _MATH = math.sqrt, math.cbrt, min, max
-_SAME_COST = 1.1  # ratio of times that clocks do not tell apart
+_SAME_COST = 1.25  # ratio of times that clocks do not tell apart
 
 
 class Size(NamedTuple):
@@ -65,7 +64,6 @@ class Ratio(NamedTuple):
     scenes: int
     solved: float  # ns a scene
     by_hand: float  # ns a scene
-    extra_memory: float  # bytes that `solve` takes at most beyond the arrays it returns
 
     @property
     def ratio(self) -> float:
@@ -204,28 +202,12 @@ def compare(size: Size) -> list[Ratio]:
         {"solve": lambda: solve(STATE, model="maugis", **many), "by hand": lambda: solve(STATE, **many)},
         size.repeats,
     )
-    memory = [
-        _extra_memory(lambda: solve(USUAL, **many)),
-        _extra_memory(lambda: solve(USUAL, **few[0])),
-        _extra_memory(lambda: solve(STATE, model="maugis", **many)),
-    ]
     return [
-        _ratio("arrays, numpy", size.scenes, arrays, size.scenes, memory[0]),
-        _ratio("one scene, math", 1, numbers, len(few), memory[1]),
-        _ratio("state by maugis, beside jkr", size.scenes, states, size.scenes, memory[2]),
+        _ratio("arrays, numpy", size.scenes, arrays, size.scenes),
+        _ratio("one scene, math", 1, numbers, len(few)),
+        _ratio("state by maugis, beside jkr", size.scenes, states, size.scenes),
     ]
 
 
-def _ratio(case: str, scenes: int, times: Mapping[str, float], count: int, memory: float) -> Ratio:
-    return Ratio(case, scenes, times["solve"] / count, times["by hand"] / count, memory)
-
-
-def _extra_memory(call: Callable[[], Mapping[str, Any]]) -> float:
-    """Return the bytes that a call takes at its peak beyond what it returns."""
-    tracemalloc.start()
-    try:
-        results = call()
-        peak = tracemalloc.get_traced_memory()[1]
-    finally:
-        tracemalloc.stop()
-    return peak - sum(getattr(value, "nbytes", 0) for value in results.values())
+def _ratio(case: str, scenes: int, times: Mapping[str, float], count: int) -> Ratio:
+    return Ratio(case, scenes, times["solve"] / count, times["by hand"] / count)

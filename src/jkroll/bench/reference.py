@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Any
 
-from ..physics.dugdale import ratio_at_load
+from ..physics.dugdale_roots import ratio_at_load
 
 DIGITS = 60
 

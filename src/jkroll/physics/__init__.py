@@ -17,6 +17,7 @@ from . import (
     jkr,
     jkr_to_dmt,
     maugis,
+    maugis_contact,
     maugis_energies,
     maugis_states,
     moment_models,
@@ -42,6 +43,6 @@ PAPER_FORMULAS: Mapping[str, Callable[..., Any]] = _formulas(
     pair, contact, pressure, jkr, rolling, moment_models, chain, vibration, collision, conventions, validity
 )
 LAW_FORMULAS: Mapping[str, Callable[..., Any]] = _formulas(
-    adhesive_force, dmt, jkr_to_dmt, maugis, maugis_states, maugis_energies
+    adhesive_force, dmt, jkr_to_dmt, maugis, maugis_contact, maugis_states, maugis_energies
 )
 FORMULAS: Mapping[str, Callable[..., Any]] = {**PAPER_FORMULAS, **LAW_FORMULAS}

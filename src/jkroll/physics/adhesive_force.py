@@ -9,10 +9,14 @@ from .elementary import pi, sqrt, within
 
 
 def adhesive_force(*, pull_off_force: Force, load_factor: Number) -> Force:
-    """Hertz' load at the contact radius less the load, in JKR.
+    """Return Hertz' load at the contact radius less the load, in JKR.
 
         F_a = 4E*a³/(3R) − P = 4P_c â^(3/2)
 
+    pull_off_force  [N]  > 0
+    load_factor     [1]  > 0
+
+    Returns:  [N]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (5).
     Valid:    As Eq (5).
     Accuracy: 0.5 ulp above P_c and x.
@@ -24,10 +28,14 @@ def adhesive_force(*, pull_off_force: Force, load_factor: Number) -> Force:
 
 
 def yield_moment_of_force(*, adhesive_force: Force, yield_displacement: Length) -> Moment:
-    """Moment with which a contact resists when its attraction lags behind by ξ.
+    """Return the moment with which a contact resists when its attraction lags behind by ξ.
 
         M = F_aξ
 
+    adhesive_force      [N]  > 0
+    yield_displacement  [m]  > 0
+
+    Returns:  [N m]; a float for floats, an array for arrays, which broadcast.
     Source:   First order in ξ, for any law of attraction.
     Valid:    ξ ≪ a.
     Accuracy: 0.5 ulp above F_a.
@@ -41,10 +49,16 @@ def yield_moment_of_force(*, adhesive_force: Force, yield_displacement: Length) 
 def unloaded_moment_of_radius(
     *, contact_radius: Length, contact_modulus: Stress, reduced_radius: Length, yield_displacement: Length
 ) -> Moment:
-    """Moment of a contact without load, from its radius.
+    """Return the moment of a contact without load, from its radius.
 
         M = 4E*a0³ξ/(3R)
 
+    contact_radius      [m]   > 0
+    contact_modulus     [Pa]  > 0
+    reduced_radius      [m]   > 0
+    yield_displacement  [m]   > 0
+
+    Returns:  [N m]; a float for floats, an array for arrays, which broadcast.
     Source:   As the moment; without load, F_a is Hertz' load.
     Valid:    |P| ≪ P_c.
     Accuracy: 3 ulp above a0.
@@ -57,10 +71,14 @@ def unloaded_moment_of_radius(
 
 
 def rolling_stiffness_of_force(*, adhesive_force: Force, reduced_radius: Length) -> RollingStiffness:
-    """Moment per angle between the spheres while they roll back and forth without yielding.
+    """Return the moment per angle between the spheres while they roll back and forth without yielding.
 
         k = F_aR
 
+    adhesive_force  [N]  > 0
+    reduced_radius  [m]  > 0
+
+    Returns:  [N m/rad]; a float for floats, an array for arrays, which broadcast.
     Source:   As the moment, with ξ = R δ_α.
     Valid:    Angles below the yield angle.
     Accuracy: 0.5 ulp above F_a.
@@ -72,10 +90,14 @@ def rolling_stiffness_of_force(*, adhesive_force: Force, reduced_radius: Length)
 
 
 def yield_force_of_moment(*, yield_moment: Moment, radius: Length) -> Force:
-    """Force at the centre of sphere 1 that starts it rolling, from the moment.
+    """Return the force at the centre of sphere 1 that starts it rolling, from the moment.
 
         Q = M/R1
 
+    yield_moment  [N m]  > 0
+    radius        [m]    > 0
+
+    Returns:  [N]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (10).
     Valid:    As the moment.
     Accuracy: 0.5 ulp above M.
@@ -87,10 +109,14 @@ def yield_force_of_moment(*, yield_moment: Moment, radius: Length) -> Force:
 
 
 def yield_force_ratio_of_forces(*, yield_force: Force, pull_off_force: Force) -> Number:
-    """Yield force over the pull-off force of the same law.
+    """Return the yield force over the pull-off force of the same law.
 
         Q/P_c
 
+    yield_force     [N]  > 0
+    pull_off_force  [N]  > 0
+
+    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   As Eq (27).
     Valid:    As the forces. Above 1, the contact breaks before it rolls.
     Accuracy: 0.5 ulp above Q and P_c.
@@ -104,10 +130,15 @@ def yield_force_ratio_of_forces(*, yield_force: Force, pull_off_force: Force) ->
 def rolling_frequency_no_slip_of_stiffness(
     *, rolling_stiffness: RollingStiffness, reduced_radius: Length, rolling_mass: Mass
 ) -> Frequency:
-    """Frequency at which two free spheres that do not slip roll back and forth over each other, from k.
+    """Return the frequency at which two free spheres that do not slip roll back and forth over each other, from k.
 
         f_free = (1/2π)√(k/(R² m_eff))
 
+    rolling_stiffness  [N m/rad]  > 0
+    reduced_radius     [m]        > 0
+    rolling_mass       [kg]       > 0
+
+    Returns:  [Hz]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (37)-(39), with the motion of the centres that no slip demands.
     Valid:    Homogeneous spheres; body 2 may be a plane, which is held.
     Accuracy: 2 ulp above k and m_eff.
@@ -120,10 +151,15 @@ def rolling_frequency_no_slip_of_stiffness(
 
 
 def yield_energy_of_moment(*, yield_moment: Moment, yield_displacement: Length, reduced_radius: Length) -> Energy:
-    """Energy to roll a contact to its yield displacement, from the moment.
+    """Return the energy to roll a contact to its yield displacement, from the moment.
 
         M²/(2k) = Mξ/(2R)
 
+    yield_moment        [N m]  > 0
+    yield_displacement  [m]    > 0
+    reduced_radius      [m]    > 0
+
+    Returns:  [J]; a float for floats, an array for arrays, which broadcast.
     Source:   As the moment and its stiffness.
     Valid:    As the moment.
     Accuracy: 1.5 ulp above M.
@@ -137,10 +173,15 @@ def yield_energy_of_moment(*, yield_moment: Moment, yield_displacement: Length, 
 def hertz_pressure_of_radius(
     *, contact_radius_at_load: Length, contact_modulus: Stress, reduced_radius: Length
 ) -> Stress:
-    """Constant of the Hertz part of the pressure, from the contact radius.
+    """Return the constant of the Hertz part of the pressure, from the contact radius.
 
         p_H = 2aE*/(πR)
 
+    contact_radius_at_load  [m]   > 0
+    contact_modulus         [Pa]  > 0
+    reduced_radius          [m]   > 0
+
+    Returns:  [Pa]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (8).
     Valid:    Any law of attraction.
     Accuracy: 2 ulp above a.
@@ -155,10 +196,15 @@ def hertz_pressure_of_radius(
 
 
 def hysteresis_moment(*, zone_radius: Length, reduced_radius: Length, adhesion_hysteresis: SurfaceEnergy) -> Moment:
-    """Moment of steady rolling that the hysteresis of adhesion supplies.
+    """Return the moment of steady rolling that the hysteresis of adhesion supplies.
 
         M = 2cRΔw, c = a in JKR
 
+    zone_radius          [m]     > 0
+    reduced_radius       [m]     > 0
+    adhesion_hysteresis  [J/m²]  ≥ 0
+
+    Returns:  [N m]; a float for floats, an array for arrays, which broadcast.
     Source:   The zone of attraction sweeps an area 2c per unit of path; exact for any law and any ξ.
     Valid:    Δw = w_open − w_close ≤ w.
     Accuracy: 1 ulp above c.
@@ -177,10 +223,17 @@ def yield_displacement_at_hysteresis(
     reduced_radius: Length,
     adhesive_force: Force,
 ) -> Length:
-    """Displacement at which the rolling moment is what a hysteresis of adhesion supplies.
+    """Return the displacement at which the rolling moment is what a hysteresis of adhesion supplies.
 
         ξ = 2cRΔw/F_a, which is aΔw/(3πwx) in JKR
 
+    adhesion_hysteresis  [J/m²]  ≥ 0
+    work_of_adhesion     [J/m²]  > 0
+    zone_radius          [m]     > 0
+    reduced_radius       [m]     > 0
+    adhesive_force       [N]     > 0
+
+    Returns:  [m]; a float for floats, an array for arrays, which broadcast.
     Source:   M = F_aξ and M = 2cRΔw.
     Valid:    Δw ≤ w. Above, a float raises ValueError and an array holds NaN.
     Accuracy: 2 ulp above c and F_a.
@@ -196,10 +249,16 @@ def yield_displacement_at_hysteresis(
 def hysteresis_ratio(
     *, yield_moment: Moment, zone_radius: Length, reduced_radius: Length, work_of_adhesion: SurfaceEnergy
 ) -> Number:
-    """Rolling moment over the largest that adhesion hysteresis supplies.
+    """Return the rolling moment over the largest that adhesion hysteresis supplies.
 
         M/(2cRw)
 
+    yield_moment      [N m]   > 0
+    zone_radius       [m]     > 0
+    reduced_radius    [m]     > 0
+    work_of_adhesion  [J/m²]  > 0
+
+    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   M = 2cRΔw with Δw = w.
     Valid:    Smooth surfaces; steady rolling.
     Accuracy: 2 ulp above M and c.

@@ -7,10 +7,16 @@ from .elementary import cbrt, pi, sqrt, within
 def contact_radius_dmt(
     *, load: Force, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress
 ) -> Length:
-    """Radius of the contact circle under a load, in DMT.
+    """Return the radius of the contact circle under a load, in DMT.
 
         a = (3R(P + 2πwR)/(4E*))^(1/3)
 
+    load              [N]     any; tension is negative
+    work_of_adhesion  [J/m²]  > 0
+    reduced_radius    [m]     > 0
+    contact_modulus   [Pa]    > 0
+
+    Returns:  [m]; a float for floats, an array for arrays, which broadcast.
     Source:   Derjaguin, Muller & Toporov 1975.
     Valid:    P ≥ −2πwR; small, hard spheres. Below, a float raises ValueError and an array holds NaN.
     Accuracy: 2 ulp above P + 2πwR.
@@ -23,10 +29,14 @@ def contact_radius_dmt(
 
 
 def contact_radius_dmt_at_approach(*, approach_at_load: Length, reduced_radius: Length) -> Length:
-    """Radius of the contact circle at an approach, in DMT.
+    """Return the radius of the contact circle at an approach, in DMT.
 
         a = √(Rδ)
 
+    approach_at_load  [m]  ≥ 0
+    reduced_radius    [m]  > 0
+
+    Returns:  [m]; a float for floats, an array for arrays, which broadcast.
     Source:   Hertz; Derjaguin, Muller & Toporov 1975.
     Valid:    δ ≥ 0. Below, a float raises ValueError and an array holds NaN.
     Accuracy: 1 ulp.
@@ -38,10 +48,15 @@ def contact_radius_dmt_at_approach(*, approach_at_load: Length, reduced_radius: 
 
 
 def unloaded_radius_dmt(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress) -> Length:
-    """Radius of the contact circle without load, in DMT.
+    """Return the radius of the contact circle without load, in DMT.
 
         a0 = (3πwR²/(2E*))^(1/3)
 
+    work_of_adhesion  [J/m²]  > 0
+    reduced_radius    [m]     > 0
+    contact_modulus   [Pa]    > 0
+
+    Returns:  [m]; a float for floats, an array for arrays, which broadcast.
     Source:   Derjaguin, Muller & Toporov 1975.
     Valid:    Small, hard spheres.
     Accuracy: 2 ulp.
@@ -55,10 +70,15 @@ def unloaded_radius_dmt(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Leng
 def unloaded_approach_dmt(
     *, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress
 ) -> Length:
-    """Approach of the centres without load, in DMT.
+    """Return the approach of the centres without load, in DMT.
 
         δ0 = a0²/R
 
+    work_of_adhesion  [J/m²]  > 0
+    reduced_radius    [m]     > 0
+    contact_modulus   [Pa]    > 0
+
+    Returns:  [m]; a float for floats, an array for arrays, which broadcast.
     Source:   Derjaguin, Muller & Toporov 1975.
     Valid:    Small, hard spheres.
     Accuracy: 4 ulp.
@@ -71,10 +91,14 @@ def unloaded_approach_dmt(
 
 
 def approach_dmt(*, contact_radius_at_load: Length, reduced_radius: Length) -> Length:
-    """Approach of the centres at a radius of the contact circle, in DMT.
+    """Return the approach of the centres at a radius of the contact circle, in DMT.
 
         δ = a²/R
 
+    contact_radius_at_load  [m]  > 0
+    reduced_radius          [m]  > 0
+
+    Returns:  [m]; a float for floats, an array for arrays, which broadcast.
     Source:   Hertz; Derjaguin, Muller & Toporov 1975.
     Valid:    a ≪ R.
     Accuracy: 1 ulp above a.
@@ -88,10 +112,16 @@ def approach_dmt(*, contact_radius_at_load: Length, reduced_radius: Length) -> L
 def load_dmt(
     *, contact_radius_at_load: Length, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress
 ) -> Force:
-    """Load that holds a contact circle, in DMT.
+    """Return the load that holds a contact circle, in DMT.
 
         P = 4E*a³/(3R) − 2πwR
 
+    contact_radius_at_load  [m]     > 0
+    work_of_adhesion        [J/m²]  > 0
+    reduced_radius          [m]     > 0
+    contact_modulus         [Pa]    > 0
+
+    Returns:  [N]; a float for floats, an array for arrays, which broadcast.
     Source:   Derjaguin, Muller & Toporov 1975.
     Valid:    a ≪ R.
     Accuracy: 3 ulp of the larger term, above a.
@@ -104,10 +134,14 @@ def load_dmt(
 
 
 def stiffness_dmt(*, contact_radius_at_load: Length, contact_modulus: Stress) -> Stiffness:
-    """Normal stiffness of the contact, in DMT.
+    """Return the normal stiffness of the contact, in DMT.
 
         dP/dδ = 2E*a
 
+    contact_radius_at_load  [m]   > 0
+    contact_modulus         [Pa]  > 0
+
+    Returns:  [N/m]; a float for floats, an array for arrays, which broadcast.
     Source:   Hertz; Derjaguin, Muller & Toporov 1975.
     Valid:    a ≪ R.
     Accuracy: 0.5 ulp above a.
@@ -119,10 +153,15 @@ def stiffness_dmt(*, contact_radius_at_load: Length, contact_modulus: Stress) ->
 
 
 def adhesive_force_dmt(*, load: Force, work_of_adhesion: SurfaceEnergy, reduced_radius: Length) -> Force:
-    """Hertz' load at the contact radius less the load, in DMT: the pull-off force, at every load.
+    """Return Hertz' load at the contact radius less the load, in DMT: the pull-off force, at every load.
 
         F_a = 2πwR
 
+    load              [N]     any; tension is negative
+    work_of_adhesion  [J/m²]  > 0
+    reduced_radius    [m]     > 0
+
+    Returns:  [N]; a float for floats, an array for arrays, which broadcast.
     Source:   Derjaguin, Muller & Toporov 1975.
     Valid:    P ≥ −2πwR. Below, a float raises ValueError and an array holds NaN.
     Accuracy: 2 ulp.

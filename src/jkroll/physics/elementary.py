@@ -48,6 +48,54 @@ def cube(value: Any) -> Any:
     return value * value * value
 
 
+def arctan(value: Any) -> Any:
+    """Return the angle of a tangent.
+
+    >>> arctan(0.0)
+    0.0
+    """
+    if isinstance(value, float | int):
+        return math.atan(value)
+    import numpy
+
+    return numpy.arctan(value)
+
+
+def at_least(value: Any, bound: Any) -> Any:
+    """Return the larger of a value and a bound, element by element for arrays.
+
+    >>> at_least(-1.0, 0.0)
+    0.0
+    """
+    if isinstance(value, float | int):
+        return max(value, bound)
+    import numpy
+
+    return numpy.maximum(value, bound)
+
+
+def at_most(value: Any, bound: Any) -> Any:
+    """Return the smaller of a value and a bound, element by element for arrays.
+
+    >>> at_most(1.0, 0.0)
+    0.0
+    """
+    if isinstance(value, float | int):
+        return min(value, bound)
+    import numpy
+
+    return numpy.minimum(value, bound)
+
+
+def is_any(condition: Any) -> bool:
+    """Return whether a condition is met, by any element for arrays.
+
+    >>> is_any(1.0 > 2.0)
+    False
+    """
+    return condition if isinstance(condition, bool) else bool(condition.any())
+
+
 def smaller_and_larger(value: Any, value2: Any) -> tuple[Any, Any]:
     """Return two values in ascending order, element by element for arrays.
 

@@ -7,10 +7,13 @@ TRANSITION_OVER_TABOR = 1.1570116348507993  # (32/(9√3))·(9/(16π))^(1/3)
 
 
 def transition_parameter(*, tabor_parameter: Number) -> Number:
-    """Maugis' parameter of the transition between JKR (large) and DMT (small).
+    """Return Maugis' parameter of the transition between JKR (large) and DMT (small).
 
         λ = 2σ0/(πwK²/R)^(1/3) = (32/(9√3))(9/16π)^(1/3) μ, with K = 4E*/3
 
+    tabor_parameter  [1]  > 0
+
+    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Maugis 1992, for the peak stress of the 3-9 law.
     Valid:    Always.
     Accuracy: 1 ulp above μ.
@@ -22,10 +25,14 @@ def transition_parameter(*, tabor_parameter: Number) -> Number:
 
 
 def cohesive_stress(*, work_of_adhesion: SurfaceEnergy, atomic_spacing: Length) -> Stress:
-    """Largest stress with which two surfaces attract.
+    """Return the largest stress with which two surfaces attract.
 
         σ0 = 16w/(9√3 z0)
 
+    work_of_adhesion  [J/m²]  > 0
+    atomic_spacing    [m]     > 0
+
+    Returns:  [Pa]; a float for floats, an array for arrays, which broadcast.
     Source:   The peak of the 3-9 law that the Lennard-Jones potential gives for two half-spaces.
     Valid:    Its range, w/σ0 = 0.974 z0, follows from it.
     Accuracy: 2 ulp.
@@ -39,10 +46,15 @@ def cohesive_stress(*, work_of_adhesion: SurfaceEnergy, atomic_spacing: Length) 
 def pull_off_force_lennard_jones(
     *, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, tabor_parameter: Number
 ) -> Force:
-    """Force that separates two spheres that attract by the 3-9 law of the Lennard-Jones potential.
+    """Return the force that separates two spheres that attract by the 3-9 law of the Lennard-Jones potential.
 
         P_c = πwR(3/2 + ½/(1 + 1.95 μ^1.4))
 
+    work_of_adhesion  [J/m²]  > 0
+    reduced_radius    [m]     > 0
+    tabor_parameter   [1]     > 0
+
+    Returns:  [N]; a float for floats, an array for arrays, which broadcast.
     Source:   Fit to numerical solutions of the elastic half-space; tests/tools/lennard_jones.py makes them.
     Valid:    Within 0.3 % for 0.01 ≤ μ ≤ 2.
     Accuracy: As the fit.

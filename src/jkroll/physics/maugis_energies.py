@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from . import dugdale
+from . import dugdale, dugdale_roots
 from .dimensions import Energy, Length, Number, Stress, SurfaceEnergy
 from .elementary import pi, where
 
@@ -17,10 +17,19 @@ def state_energy_maugis(
     contact_modulus: Stress,
     transition_parameter: Number,
 ) -> Energy:
-    """Elastic and surface energy of a state, in contact or apart; 0 for spheres that do not attract.
+    """Return the elastic and surface energy of a state, in contact or apart; 0 for spheres that do not attract.
 
         Φ = ∫ P dδ, in closed form in `dugdale.energy`
 
+    edge_ratio            [1]     ≥ 0; 0 without contact
+    zone_span             [m]     ≥ 0
+    approach_at_load      [m]     any
+    work_of_adhesion      [J/m²]  > 0
+    reduced_radius        [m]     > 0
+    contact_modulus       [Pa]    > 0
+    transition_parameter  [1]     > 0
+
+    Returns:  [J]; a float for floats, an array for arrays, which broadcast.
     Source:   Integral of Maugis' solution along its curve.
     Valid:    Quasi-static.
     Accuracy: 30 ulp of its largest term.
@@ -43,10 +52,16 @@ def well_energy_maugis(
     contact_modulus: Stress,
     transition_parameter: Number,
 ) -> Energy:
-    """Energy that binds the two spheres: released from first attraction to equilibrium.
+    """Return the energy that binds the two spheres: released from first attraction to equilibrium.
 
         U = −Φ(P = 0)
 
+    work_of_adhesion      [J/m²]  > 0
+    reduced_radius        [m]     > 0
+    contact_modulus       [Pa]    > 0
+    transition_parameter  [1]     > 0
+
+    Returns:  [J]; a float for floats, an array for arrays, which broadcast.
     Source:   Integral of Maugis' solution along its curve.
     Valid:    Quasi-static; towards DMT it grows as 2/(πλ) πwR(π²w²R/K²)^(1/3).
     Accuracy: 20 ulp.
@@ -65,10 +80,16 @@ def pull_off_work_maugis(
     contact_modulus: Stress,
     transition_parameter: Number,
 ) -> Energy:
-    """Work to separate the spheres from P = 0 with fixed grips, which hold on to the fold.
+    """Return the work to separate the spheres from P = 0 with fixed grips, which hold on to the fold.
 
         U = Φ(fold) − Φ(P = 0)
 
+    work_of_adhesion      [J/m²]  > 0
+    reduced_radius        [m]     > 0
+    contact_modulus       [Pa]    > 0
+    transition_parameter  [1]     > 0
+
+    Returns:  [J]; a float for floats, an array for arrays, which broadcast.
     Source:   Integral of Maugis' solution along its curve.
     Valid:    Quasi-static.
     Accuracy: 20 ulp.
@@ -77,7 +98,7 @@ def pull_off_work_maugis(
     >>> round(pull_off_work_maugis(transition_parameter=1e6, **unit) / 1.65096362, 5)
     1.27338
     """
-    work = _held_to(transition_parameter, dugdale.lowest_approach(transition_parameter)) - _unloaded(
+    work = _held_to(transition_parameter, dugdale_roots.lowest_approach(transition_parameter)) - _unloaded(
         transition_parameter
     )
     return work * _energy(work_of_adhesion, reduced_radius, contact_modulus)
@@ -90,10 +111,16 @@ def pull_off_work_at_dead_load_maugis(
     contact_modulus: Stress,
     transition_parameter: Number,
 ) -> Energy:
-    """Work to separate the spheres from P = 0 with a load that grows to the pull-off force.
+    """Return the work to separate the spheres from P = 0 with a load that grows to the pull-off force.
 
         U = Φ(pull-off) − Φ(P = 0)
 
+    work_of_adhesion      [J/m²]  > 0
+    reduced_radius        [m]     > 0
+    contact_modulus       [Pa]    > 0
+    transition_parameter  [1]     > 0
+
+    Returns:  [J]; a float for floats, an array for arrays, which broadcast.
     Source:   Integral of Maugis' solution along its curve.
     Valid:    Quasi-static up to the jump.
     Accuracy: 30 ulp of the energy of the well.
@@ -102,7 +129,7 @@ def pull_off_work_at_dead_load_maugis(
     >>> round(pull_off_work_at_dead_load_maugis(transition_parameter=1e6, **unit) / 1.65096362, 5)
     0.88252
     """
-    work = _touching(transition_parameter, dugdale.pull_off_ratio(transition_parameter)) - _unloaded(
+    work = _touching(transition_parameter, dugdale_roots.pull_off_ratio(transition_parameter)) - _unloaded(
         transition_parameter
     )
     return work * _energy(work_of_adhesion, reduced_radius, contact_modulus)
@@ -115,10 +142,16 @@ def sticking_energy_maugis(
     contact_modulus: Stress,
     transition_parameter: Number,
 ) -> Energy:
-    """Largest energy of a head-on collision after which the spheres stick: what jump-in and the fold dissipate.
+    """Return the largest energy of a head-on collision after which the spheres stick: what jump-in and the fold dissipate.
 
         U = Φ(fold) − Φ(δ = −w/σ0); (17/24)πλb⁴ πwR(π²w²R/K²)^(1/3), b = 8λ/3π, if λ < (9/32)^(1/3) = 0.655
 
+    work_of_adhesion      [J/m²]  > 0
+    reduced_radius        [m]     > 0
+    contact_modulus       [Pa]    > 0
+    transition_parameter  [1]     > 0
+
+    Returns:  [J]; a float for floats, an array for arrays, which broadcast.
     Source:   Integral of Maugis' solution along its curve.
     Valid:    Quasi-static; no other loss.
     Accuracy: 10 ulp below λ = 0.655; above, 30 ulp of the energy of the well.
@@ -130,7 +163,7 @@ def sticking_energy_maugis(
     b = 8 / (3 * pi) * transition_parameter
     apart = 17 / 24 * pi * transition_parameter * b * b * b * b
     met = _held_to(transition_parameter, -2 / (pi * transition_parameter))
-    lost = _held_to(transition_parameter, dugdale.lowest_approach(transition_parameter)) - met
+    lost = _held_to(transition_parameter, dugdale_roots.lowest_approach(transition_parameter)) - met
     loss = where(transition_parameter < dugdale.JUMP_WITHOUT_CONTACT, apart, lost)
     return loss * _energy(work_of_adhesion, reduced_radius, contact_modulus)
 
@@ -143,7 +176,7 @@ def _energy(work_of_adhesion: Any, reduced_radius: Any, contact_modulus: Any) ->
 
 def _unloaded(transition: Any) -> Any:
     """Return Φ without load, dimensionless."""
-    return _touching(transition, dugdale.ratio_at_load(transition, 0.0))
+    return _touching(transition, dugdale_roots.ratio_at_load(transition, 0.0))
 
 
 def _touching(transition: Any, edge_ratio: Any) -> Any:
@@ -155,6 +188,6 @@ def _touching(transition: Any, edge_ratio: Any) -> Any:
 
 def _held_to(transition: Any, approach: Any) -> Any:
     """Return Φ at an approach, dimensionless, in contact or apart."""
-    at = dugdale.shape(dugdale.ratio_at_approach(transition, approach))
+    at = dugdale.shape(dugdale_roots.ratio_at_approach(transition, approach))
     span = where(at.v > 0, dugdale.span(transition, at), dugdale.span_apart(transition, approach))
     return dugdale.energy(transition, at, span, approach)

@@ -1,6 +1,6 @@
 """Named states of a Maugis contact: without load, at pull-off, and where fixed grips let go."""
 
-from . import dugdale
+from . import dugdale, dugdale_roots
 from .dimensions import Force, Length, Number, Stress, SurfaceEnergy
 from .elementary import pi
 
@@ -12,10 +12,16 @@ def unloaded_radius_maugis(
     contact_modulus: Stress,
     transition_parameter: Number,
 ) -> Length:
-    """Radius of the contact circle without load.
+    """Return the radius of the contact circle without load.
 
         a0 = vT at P = 0
 
+    work_of_adhesion      [J/m²]  > 0
+    reduced_radius        [m]     > 0
+    contact_modulus       [Pa]    > 0
+    transition_parameter  [1]     > 0
+
+    Returns:  [m]; a float for floats, an array for arrays, which broadcast.
     Source:   Maugis 1992, by Newton's method.
     Valid:    a0 ≪ R.
     Accuracy: 10 ulp, times 1 plus its condition in λ.
@@ -25,7 +31,7 @@ def unloaded_radius_maugis(
     >>> round(unloaded_radius_maugis(transition_parameter=1.0, **unit), 7)
     1.6360905
     """
-    v = dugdale.ratio_at_load(transition_parameter, 0.0)
+    v = dugdale_roots.ratio_at_load(transition_parameter, 0.0)
     unit = dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
     return v * dugdale.span(transition_parameter, dugdale.shape(v)) * unit
 
@@ -37,10 +43,16 @@ def unloaded_approach_maugis(
     contact_modulus: Stress,
     transition_parameter: Number,
 ) -> Length:
-    """Approach of the centres without load.
+    """Return the approach of the centres without load.
 
         δ0 = a0²/R − 2σ0T/E*
 
+    work_of_adhesion      [J/m²]  > 0
+    reduced_radius        [m]     > 0
+    contact_modulus       [Pa]    > 0
+    transition_parameter  [1]     > 0
+
+    Returns:  [m]; a float for floats, an array for arrays, which broadcast.
     Source:   Maugis 1992, by Newton's method.
     Valid:    a0 ≪ R.
     Accuracy: 10 ulp, times 1 plus its condition in λ.
@@ -50,17 +62,20 @@ def unloaded_approach_maugis(
     >>> round(unloaded_approach_maugis(transition_parameter=1.0, **unit), 7)
     1.1298939
     """
-    at = dugdale.shape(dugdale.ratio_at_load(transition_parameter, 0.0))
+    at = dugdale.shape(dugdale_roots.ratio_at_load(transition_parameter, 0.0))
     unit = dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
     span = dugdale.span(transition_parameter, at)
     return dugdale.approach(transition_parameter, at, span) * unit * (unit / reduced_radius)
 
 
 def edge_ratio_at_pull_off(*, transition_parameter: Number) -> Number:
-    """Edge ratio where the tension is largest, and a contact under a constant load breaks.
+    """Return the edge ratio where the tension is largest, and a contact under a constant load breaks.
 
         q = vG3/D, q = 4λ/(3T)
 
+    transition_parameter  [1]  > 0
+
+    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Maugis 1992; in closed form at a given v.
     Valid:    Always.
     Accuracy: 4 ulp.
@@ -68,16 +83,21 @@ def edge_ratio_at_pull_off(*, transition_parameter: Number) -> Number:
     >>> round(edge_ratio_at_pull_off(transition_parameter=1.0), 7)
     0.9262053
     """
-    return dugdale.pull_off_ratio(transition_parameter)
+    return dugdale_roots.pull_off_ratio(transition_parameter)
 
 
 def pull_off_force_maugis(
     *, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, transition_parameter: Number
 ) -> Force:
-    """Force that separates two spheres, between (3/2)πwR for soft, large ones and 2πwR for hard, small ones.
+    """Return the force that separates two spheres, between (3/2)πwR for soft, large ones and 2πwR for hard, small ones.
 
         P_c = 2σ0(aT + c²θ) − 4E*a³/(3R) at the edge ratio of pull-off
 
+    work_of_adhesion      [J/m²]  > 0
+    reduced_radius        [m]     > 0
+    transition_parameter  [1]     > 0
+
+    Returns:  [N]; a float for floats, an array for arrays, which broadcast.
     Source:   Maugis 1992.
     Valid:    Always; a Lennard-Jones pair lets go up to 6 % later.
     Accuracy: 6 ulp.
@@ -85,16 +105,18 @@ def pull_off_force_maugis(
     >>> round(pull_off_force_maugis(work_of_adhesion=1 / pi, reduced_radius=1.0, transition_parameter=1.0), 7)
     1.6007349
     """
-    at = dugdale.shape(dugdale.pull_off_ratio(transition_parameter))
-    least = dugdale.load(transition_parameter, at, dugdale.span(transition_parameter, at))
-    return -pi * work_of_adhesion * reduced_radius * least
+    _, tension = dugdale_roots.pull_off(transition_parameter)
+    return pi * work_of_adhesion * reduced_radius * tension
 
 
 def edge_ratio_at_fold(*, transition_parameter: Number) -> Number:
-    """Edge ratio where fixed grips let go; 0 where they hold on to spheres that attract without contact.
+    """Return the edge ratio where fixed grips let go; 0 where they hold on to spheres that attract without contact.
 
         q = G3/h, q = 4λ/(3T), if λ > (9π/(16(π − 1)))^(1/3) = 0.938
 
+    transition_parameter  [1]  > 0
+
+    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Maugis 1992; Johnson & Greenwood 1997; in closed form at a given v.
     Valid:    Always.
     Accuracy: 4 ulp, times 1 plus its condition in λ.
@@ -102,7 +124,7 @@ def edge_ratio_at_fold(*, transition_parameter: Number) -> Number:
     >>> edge_ratio_at_fold(transition_parameter=0.9)
     0.0
     """
-    return dugdale.fold_ratio(transition_parameter)
+    return dugdale_roots.fold_ratio(transition_parameter)
 
 
 def fold_approach_maugis(
@@ -112,10 +134,16 @@ def fold_approach_maugis(
     contact_modulus: Stress,
     transition_parameter: Number,
 ) -> Length:
-    """Least approach at which fixed grips hold the spheres, in contact or apart.
+    """Return the least approach at which fixed grips hold the spheres, in contact or apart.
 
         δ at q = G3/h, q = 4λ/(3T); −b²/2 − 2/(πλ), b = 8λ/3π, in the units of `dugdale`, if λ < 0.938
 
+    work_of_adhesion      [J/m²]  > 0
+    reduced_radius        [m]     > 0
+    contact_modulus       [Pa]    > 0
+    transition_parameter  [1]     > 0
+
+    Returns:  [m]; a float for floats, an array for arrays, which broadcast.
     Source:   Maugis 1992; Johnson & Greenwood 1997.
     Valid:    Always.
     Accuracy: 10 ulp.
@@ -126,4 +154,4 @@ def fold_approach_maugis(
     -636.6198
     """
     unit = dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
-    return dugdale.lowest_approach(transition_parameter) * unit * (unit / reduced_radius)
+    return dugdale_roots.lowest_approach(transition_parameter) * unit * (unit / reduced_radius)

@@ -135,7 +135,7 @@ def mass(*, radius: Length, density: Density) -> Mass:
     >>> f"{mass(radius=1e-7, density=2600.0):.4e}"
     '1.0891e-17'
     """
-    return 4 / 3 * pi * cube(radius) * density
+    return 4 * pi * cube(radius) * density / 3
 
 
 def reduced_mass(*, mass: Mass, mass2: Mass) -> Mass:
@@ -200,7 +200,7 @@ def reduced_moment_of_inertia(*, moment_of_inertia: Inertia, moment_of_inertia2:
 def rolling_mass(*, mass: Mass, mass2: Mass, radius_ratio: Number) -> Mass:
     """Return the mass of the rolling mode of two free spheres that do not slip.
 
-        m_eff = 14 / [25/(m1 + m2) + 10(1/m1 + q²/m2)/(1 + q)²], q = R1/R2
+        m_eff = (14/5) / [5/(m1 + m2) + 2(1/m1 + q²/m2)/(1 + q)²], q = R1/R2
 
     It is I1/R1² + I2/R2² − (I1/R1 − I2/R2)²/(m(R1+R2)² + I1 + I2) for homogeneous spheres, without the cancellation:
     (4/5)m1 for identical spheres, (7/5)m1(1 + q)² where body 2 is held.
@@ -214,8 +214,8 @@ def rolling_mass(*, mass: Mass, mass2: Mass, radius_ratio: Number) -> Mass:
     Valid:    Homogeneous spheres, no slip; body 2 may be held (its mass infinite).
     Accuracy: 4.5 ulp above its masses.
 
-    >>> rolling_mass(mass=1.0, mass2=1.0, radius_ratio=1.0)
+    >>> round(rolling_mass(mass=1.0, mass2=1.0, radius_ratio=1.0), 12)
     0.8
     """
-    turning = (1 / mass + radius_ratio**2 / mass2) / (1 + radius_ratio) ** 2
-    return 14 / (25 / (mass + mass2) + 10 * turning)
+    turning = (1 / mass + radius_ratio**2 / mass2) / (1 + radius_ratio * (2 + radius_ratio))
+    return 14 / 5 / (5 / (mass + mass2) + 2 * turning)

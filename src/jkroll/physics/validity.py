@@ -107,7 +107,7 @@ def profile_error(*, contact_radius_at_load: Length, radius: Length, radius2: Le
     """
     smaller, larger = smaller_and_larger(radius, radius2)
     ratio = smaller / larger
-    return (contact_radius_at_load / smaller) ** 2 * (1 - ratio * (1 - ratio)) / 4
+    return contact_radius_at_load**2 / smaller**2 * (1 - ratio * (1 - ratio)) / 4
 
 
 def displacement_over_contact_radius(*, yield_displacement: Length, contact_radius_at_load: Length) -> Number:
