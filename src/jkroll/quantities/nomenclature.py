@@ -279,10 +279,10 @@ def canonical(word: str) -> str:
     >>> canonical("surface_energy"), canonical("gamma"), canonical("--work-of-adhesion"), canonical("nonsense")
     ('surface_energy', 'surface_energy', 'work_of_adhesion', 'nonsense')
     """
+    if word in NOMENCLATURE:
+        return word
     name = word.strip().lstrip("-").replace("-", "_")
-    if name in NOMENCLATURE:
-        return name
-    return OPTION_WORDS.get(name, word)
+    return name if name in NOMENCLATURE else OPTION_WORDS.get(name, word)
 
 
 # What a materials file gives of a material.

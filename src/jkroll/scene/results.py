@@ -8,9 +8,9 @@ SMALLEST = 2.2250738585072014e-308  # of the doubles that have all their digits
 MAY_BE_ZERO = frozenset(name for name, quantity in NOMENCLATURE.items() if quantity.may_be_zero)
 
 
-def is_plausible(name: str, value: float) -> bool:
-    """Return whether a result is one that doubles hold with all digits, or the zero that it may be."""
-    return SMALLEST <= abs(value) < INFINITY or (value == 0 and name in MAY_BE_ZERO)
+def is_zero(name: str, value: float) -> bool:
+    """Return whether a result is the zero that its quantity may be."""
+    return value == 0 and name in MAY_BE_ZERO
 
 
 def with_nan(name: str, values: Any) -> Any:

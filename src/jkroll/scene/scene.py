@@ -14,7 +14,7 @@ from ..quantities.parsing import is_uncertain
 from .errors import Contradiction, MissingInput, NoFiniteValue, NotInLaw, TwoRigidBodies, failure_of
 from .inputs import is_ordinary
 from .laws import DEFAULT_LAW, Law, law_named
-from .results import is_plausible, with_nan
+from .results import SMALLEST, is_zero, with_nan
 from .wiring import NO_PLAN, Missing, Plan, Step, plan
 
 if TYPE_CHECKING:
@@ -210,7 +210,7 @@ class Scene:
                 continue
             except (ArithmeticError, ValueError):
                 value = INFINITY
-            if isinstance(value, float) and not is_plausible(name, value):
+            if isinstance(value, float) and not SMALLEST <= abs(value) < INFINITY and not is_zero(name, value):
                 given = {parameter: values[source] for parameter, source in arguments}
                 failures[name] = failure_of(name, given) or NoFiniteValue(name, value)
             else:

@@ -113,7 +113,7 @@ def materials_of(
     material: str | Material | None, material2: str | Material | None, materials: Materials | None
 ) -> tuple[Material | None, Material | None]:
     """Return the materials of the two spheres."""
-    if not isinstance(materials, Materials | None):
+    if materials is not None and not isinstance(materials, Materials):
         raise QuantityError(
             "materials", str(materials)[:MAX_QUOTED], "is not a Materials object", 'write Materials(["mine.toml"])'
         )
@@ -223,6 +223,9 @@ def in_si(given: Mapping[str, Any]) -> tuple[dict[str, Any], Any]:
             raise UnknownQuantity(word)
         if words.setdefault(name, word) != word:
             raise Contradiction((words[name], word))
+        if isinstance(value, float):
+            values[name] = float(value)
+            continue
         registry = _registry(value) or registry
         values[name] = _number(name, value)
     return values, registry
