@@ -40,6 +40,15 @@ def test_dmt(run: Run) -> None:
         assert cap == pytest.approx(pull_off * 2e-10 / 5e-8 / (load + 2 * pull_off), rel=1e-11)
 
 
+def test_the_state_of_a_dmt_contact_is_that_of_dmt(run: Run) -> None:
+    """An approach means the load of DMT, and DMT holds more tension than JKR."""
+    load = solve("load", material="quartz", radius=1e-7, approach_at_load=2e-11, model="dmt")
+    by_approach = run("export lammps quartz 100nm --model dmt --approach 0.02nm").out
+    assert f"P = {load:.12g} N" in by_approach
+    assert coefficients(by_approach) == coefficients(run(f"export lammps quartz 100nm --model dmt --load {load}N").out)
+    assert run("export lammps quartz 100nm --model dmt --load -13nN").code == 0
+
+
 def test_unequal_spheres_have_three_pairs_of_types(run: Run) -> None:
     text = run("export lammps quartz 100nm --radius2 300nm --material2 iron --load -1nN").out
     assert "\n# set type 2 diameter 6e-07 density 7700\n" in text

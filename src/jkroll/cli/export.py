@@ -26,5 +26,5 @@ def run_export(call: Call) -> int:
     request = request_of(call._replace(words=tuple(words), inputs=inputs))
     if request.count != 1:
         raise BadRequest(f"export takes one pair of spheres, not {request.count}")
-    say("\n".join(lammps_input(next(request.scenes()), model)), sys.stdout)
+    say("\n".join(lammps_input(next(request.scenes()).under(model))), sys.stdout)
     return 0

@@ -14,7 +14,7 @@ from ..scene.scene import Scene
 
 NO_SLIP = 1e9  # a coefficient of friction with which nothing slips
 
-QUANTITIES = ("yield_moment", "pull_off_force_dmt", "rolling_stiffness", "tangential_stiffness", "time_step")
+QUANTITIES = ("yield_moment", "pull_off_force", "rolling_stiffness", "tangential_stiffness", "time_step")
 
 _REMARKS = (
     "# E = 2E*, nu = 0: only E* enters the normal force. The tangential constant is 8G*, Mindlin's for these solids.",
@@ -35,7 +35,7 @@ _STATE = STATE | {"load"}
 MODELS = tuple(_REMARKS_ON)
 
 
-def lammps_input(scene: Scene, model: str) -> Iterator[str]:
+def lammps_input(scene: Scene) -> Iterator[str]:
     """Iterate over the lines of an input: coefficients of each pair of types, a time step, and what they stand on."""
     if scene.values.get("radius2") == INFINITY:
         raise BadRequest("sphere 2 is a plane, which is no atom of LAMMPS: give two spheres")
@@ -43,6 +43,7 @@ def lammps_input(scene: Scene, model: str) -> Iterator[str]:
     for value in whole.values():
         if isinstance(value, JkrollError):
             raise value
+    model = scene.law.name
     work, lag, load = scene["work_of_adhesion"], scene["yield_displacement"], scene["load"]
     of_types = "" if scene.is_identical else " for types 1 and 2"
     yield f"# Contact of two spheres by jkroll: {model.upper()}, gamma = w/2"
@@ -58,7 +59,7 @@ def lammps_input(scene: Scene, model: str) -> Iterator[str]:
     steps = []
     for types, pair in pairs.items():
         try:
-            yield f"pair_coeff {types[0]} {types[1]} {_coefficients(pair, model)}"
+            yield f"pair_coeff {types[0]} {types[1]} {_coefficients(pair)}"
             steps.append(pair["time_step"])
         except MissingInput as error:
             yield f"# pair_coeff {types[0]} {types[1]} needs {error.needs()}"
@@ -74,23 +75,19 @@ def _pair_of(scene: Scene, suffix: str) -> Scene:
     if scene.material2 is not None:
         stated.pop("work_of_adhesion", None)  # of the two materials
     if not suffix:
-        return Scene(stated, scene.material)
+        return Scene(stated, scene.material, model=scene.law.name)
     if scene.material2 is not None:
         stated = {name: value for name, value in stated.items() if name not in PROPERTIES}
-    return Scene({**stated, **own}, scene.material2 or scene.material)
+    return Scene({**stated, **own}, scene.material2 or scene.material, model=scene.law.name)
 
 
-def _coefficients(pair: Scene, model: str) -> str:
+def _coefficients(pair: Scene) -> str:
     """Return the words and numbers that follow the two types in `pair_coeff`."""
     radius, load = pair["reduced_radius"], pair["load"]
-    if model == "jkr":
-        pull_off, stiffness, moment = pair["pull_off_force"], pair["rolling_stiffness"], pair["yield_moment"]
-    else:
-        pull_off = pair["pull_off_force_dmt"]
-        stiffness, moment = pull_off * radius, pull_off * pair["yield_displacement"]
+    cap = pair["yield_moment"] / (radius * (load + 2 * pair["pull_off_force"]))
     numbers: Mapping[str, tuple[float, ...]] = {
-        model: (2 * pair["contact_modulus"], 0, 0, pair["work_of_adhesion"] / 2),
+        pair.law.name: (2 * pair["contact_modulus"], 0, 0, pair["work_of_adhesion"] / 2),
         "tangential mindlin": (8 * pair["contact_shear_modulus"], 0, NO_SLIP),
-        "rolling sds": (stiffness / radius**2, 0, moment / (radius * (load + 2 * pull_off))),
+        "rolling sds": (pair["rolling_stiffness"] / radius**2, 0, cap),
     }
     return " ".join(" ".join((word, *(f"{number:.12g}" for number in values))) for word, values in numbers.items())
