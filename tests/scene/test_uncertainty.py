@@ -238,3 +238,17 @@ def test_measurements_of_pint_that_cannot_be(uncertainty: float, unit: str, reas
     energy = units.Measurement(25, uncertainty, unit)
     with pytest.raises(QuantityError, match=reason):
         solve("pull_off_force", surface_energy=energy, radius="100 nm")
+
+
+@pytest.mark.parametrize("low", [-0.3, -0.01, -0.002, -1e-4])
+def test_a_turning_point_next_to_an_end_of_a_range_is_found(low: float) -> None:
+    """E* is least at ν = 0, however near to an end of the range that is."""
+    given: dict[str, Any] = {"youngs_modulus": 1e9, "poisson_ratio": Interval((low + 0.4) / 2, low, 0.4)}
+    found = solve("contact_modulus", **given)
+    assert found.low == pytest.approx(0.5e9, rel=1e-12)
+    assert found.high == pytest.approx(0.5e9 / (1 - 0.4**2), rel=1e-12)
+
+
+@pytest.mark.parametrize("gamma", ["25±5 mJ/m2", "20 to 30 mJ/m2"])
+def test_rounding_is_no_uncertainty(gamma: str) -> None:
+    assert isinstance(solve("energy_over_sticking", **{**QUARTZ, "surface_energy": gamma}), float)

@@ -20,6 +20,8 @@ from .scene import Scene
 MAX_RANGES = 8  # whose corners are computed, all together
 _ASYMMETRIC = 0.1  # relative difference of the two sides from which on they are given one by one
 _SAMPLES = 24  # parts of a range in which turning points are looked for
+_NEAR = 1e-4  # of such a part, the distance from an end at which the quantity shows whether it grows inwards
+_ROUNDING = 4e-15  # of a value: a change as small as this comes from rounding, and not from a source
 _ROUNDS = 10  # of a search along one range after the other
 
 Evaluate = Callable[[Mapping[str, float]], Mapping[str, Any]]  # from changed inputs to the outcome of each quantity
@@ -171,7 +173,7 @@ def _in_quadrature(
         if abs(plus - minus) <= _ASYMMETRIC * max(plus, minus):
             minus = plus = (minus + plus) / 2
         variances = [fsum(change**2 for change in pair) for pair in changes]
-        if minus or plus:
+        if max(minus, plus) > _ROUNDING * abs(value):
             yield name, Propagated(Measured(value, minus, plus), _shares(effective, variances))
 
 
@@ -231,7 +233,7 @@ def _range_of(surface: _Surface, value: float, effective: Sequence[Source]) -> P
     corners = [*product(*limits)]
     low = min(value, -_highest(lambda place: -surface.height(place), corners, limits))
     high = max(value, _highest(surface.height, corners, limits))
-    if low == high:
+    if high - low <= _ROUNDING * abs(value):
         return None
     middle = tuple(source.given.value for source in effective)
     widths = []
@@ -256,13 +258,21 @@ def _highest(
 
 
 def _peak(height: Callable[[Place], float], place: Place, axis: int, ends: tuple[float, float]) -> Place:
-    """Return the place with the largest value along one range, by samples and a golden-section search beside the best one."""
+    """Return the place with the largest value along one range, by samples and a golden-section search beside the best one.
+
+    An end that is the best of them is the place itself, unless the quantity still grows from there inwards.
+    """
+
+    def at(value: float) -> float:
+        return height(_moved(place, axis, value))
+
     samples = _samples(*ends)
-    best = max(range(len(samples)), key=lambda number: height(_moved(place, axis, samples[number])))
-    if best in (0, len(samples) - 1):
+    best = max(range(len(samples)), key=lambda number: at(samples[number]))
+    left, right = samples[max(best - 1, 0)], samples[min(best + 1, _SAMPLES)]
+    inwards = samples[best] + _NEAR * (left + right - 2 * samples[best])
+    if best in (0, _SAMPLES) and at(inwards) <= at(samples[best]):
         return _moved(place, axis, samples[best])
-    peak = highest_between(samples[best - 1], samples[best + 1], lambda value: height(_moved(place, axis, value)))
-    return _moved(place, axis, peak)
+    return _moved(place, axis, highest_between(left, right, at))
 
 
 def _samples(low: float, high: float) -> list[float]:
