@@ -357,3 +357,19 @@ def test_an_array_holds_nan_where_no_unstable_state_is() -> None:
     found = solve("load_factor_at_approach_unstable", **QUARTZ, approach_at_load=approaches)
     assert numpy.isnan(found).tolist() == [True, False, False, True, True]
     assert (found[1:3] > 0).all()
+
+
+@pytest.mark.parametrize("load", [-5e-9, 0.0, 2e-8])
+@pytest.mark.parametrize("name", ["state_energy_maugis", "edge_ratio", "zone_span", "contact_displacement"])
+def test_what_maugis_alone_has_is_the_same_under_any_law(name: str, load: float) -> None:
+    assert len({solve(name, **QUARTZ, load=load, model=model) for model in LAWS}) == 1
+
+
+def test_the_energy_of_a_state_is_the_work_of_its_load() -> None:
+    for approach in (-3.5e-10, -2e-10, 0.0, 2e-10):
+        low, high = (
+            solve("state_energy_maugis", **QUARTZ, approach_at_load=approach + side, model="maugis")
+            for side in (-1e-14, 1e-14)
+        )
+        load = solve("load_maugis", **QUARTZ, approach_at_load=approach, model="maugis")
+        assert (high - low) / 2e-14 == pytest.approx(load, rel=1e-5)

@@ -98,6 +98,12 @@ def approach(transition: Any, at: Shape, span: Any) -> Any:
     return touching * touching - 4 / 3 * transition * span
 
 
+def approach_apart(transition: Any, span: Any) -> Any:
+    """Return δ of spheres that attract without contact."""
+    b = 8 / (3 * pi) * transition
+    return span * (span / 2 - b) - 2 / (pi * transition)
+
+
 def stiffness(transition: Any, at: Shape, span: Any) -> Any:
     """Return dP/dδ, in contact or apart; it is 0 at pull-off, below 0 where only fixed grips hold the spheres."""
     return 3 / 2 * span * stiffness_ratio(at, 4 / 3 * transition / span)

@@ -11,7 +11,6 @@ def state_energy_maugis(
     *,
     edge_ratio: Number,
     zone_span: Length,
-    approach_at_load: Length,
     work_of_adhesion: SurfaceEnergy,
     reduced_radius: Length,
     contact_modulus: Stress,
@@ -23,7 +22,6 @@ def state_energy_maugis(
 
     edge_ratio            [1]     ≥ 0; 0 without contact
     zone_span             [m]     ≥ 0
-    approach_at_load      [m]     any
     work_of_adhesion      [J/m²]  > 0
     reduced_radius        [m]     > 0
     contact_modulus       [Pa]    > 0
@@ -35,13 +33,15 @@ def state_energy_maugis(
     Accuracy: 30 ulp of its largest term.
 
     >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75, "transition_parameter": 0.1}
-    >>> phi = state_energy_maugis(edge_ratio=0.0, zone_span=0.0, approach_at_load=-7.0, **unit)
+    >>> phi = state_energy_maugis(edge_ratio=0.0, zone_span=0.0, **unit)
     >>> phi == 0.0
     True
     """
     unit = dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
-    reduced = approach_at_load / unit / unit * reduced_radius
-    phi = dugdale.energy(transition_parameter, dugdale.shape(edge_ratio), zone_span / unit, reduced)
+    at, span = dugdale.shape(edge_ratio), zone_span / unit
+    touching = dugdale.approach(transition_parameter, at, span)
+    approach = where(edge_ratio > 0, touching, dugdale.approach_apart(transition_parameter, span))
+    phi = dugdale.energy(transition_parameter, at, span, approach)
     return phi * (pi * work_of_adhesion) * unit * unit
 
 

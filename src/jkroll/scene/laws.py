@@ -144,6 +144,7 @@ _DMT = Law(
         "stiffness": "stiffness_dmt",
         "adhesive_force": "adhesive_force_dmt",
         "zone_radius": None,
+        "edge_ratio": "edge_ratio_at_load",
         "well_energy": None,
         "pull_off_work": None,
         "pull_off_work_at_dead_load": None,
