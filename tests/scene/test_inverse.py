@@ -207,3 +207,18 @@ def test_one_line_says_what_is_wrong(run: Run, words: str, code: int, message: s
     assert (ran.code, ran.out) == (code, "")
     assert ran.err.startswith(f"jkroll: {message}")
     assert ran.err.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ("load quartz 2um --measured load=3nN", "load: load does not depend on it here"),
+        ("gamma quartz 2um --measured gamma=3mJ/m2", "surface_energy: surface_energy does not depend on it here"),
+        ("gamma quartz 2um --measured energy_ratio=3", "surface_energy: energy_ratio does not depend on it here"),
+        ("gamma quartz 2um --measured yield_force=1e50N", "surface_energy: no value gives yield_force = 1e+50 N"),
+    ],
+)
+def test_the_reason_is_said_of_inputs_and_of_absurd_values_too(run: Run, words: str, message: str) -> None:
+    ran = run(f"infer {words}")
+    assert (ran.code, ran.out) == (1, "")
+    assert ran.err.startswith(f"jkroll: {message}")

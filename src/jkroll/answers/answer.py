@@ -64,7 +64,7 @@ def answer(question: Question, scene: Scene) -> Answer:
         *about_missing(results, errors),
         *about_limits(limits),
     )
-    failure = _fatal(errors, scene) or (None if known else next(iter(errors.values())))
+    failure = _fatal(errors, scene) or (None if known else next(iter(errors.values()), None))
     plain = Answer(inputs, tuple(results), notes, validity, failure, laws)
     return with_uncertainties(plain, scene) if scene.is_uncertain else plain
 

@@ -163,13 +163,15 @@ def _solutions(name: str, quantity: str, measured: float, scene: Scene) -> list[
     errors = [error for _, error in points if not isnan(error)]
     if not errors:
         raise _failure(name, quantity, scene)
-    if min(errors) == max(errors):
+    if min(errors) == max(errors) == 0:
         raise NoDependence(name, quantity)
     pieces = [_with_turning_points(piece, excess) for piece in _pieces(points, excess)]
     found = [value for piece in pieces for value in _zeros(piece, excess)]
     if not found:
         every = [(error, at) for piece in pieces for at, error in piece]
         low, high = (float(with_input(scene, name, at)[quantity]) for _, at in (min(every), max(every)))
+        if low == high:
+            raise NoDependence(name, quantity)
         raise NoSolution(name, quantity, measured, (low, high))
     return sorted(set(found))
 
