@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+import jkroll
 from harness import Run
 from jkroll import NOMENCLATURE, solve
 from jkroll.answers.questions import QUESTIONS
@@ -162,6 +163,9 @@ def test_the_default_energy_is_said_to_be_beyond_sticking(run: Run) -> None:
     assert words in run("n-roll quartz 100nm").err
     assert words not in run("n-roll quartz 100nm --energy-ratio 1").err
     assert "the spheres do not stick" in run("n-roll quartz 100nm --speed 50m/s").err
+    ratio = jkroll.solve("energy_over_sticking", material="quartz", radius=1e-7, model="maugis")
+    assert f"W0 = P_cδ0 is {ratio:.3g} U_stick" in run("n-roll quartz 100nm --model maugis").err
+    assert "U_stick" not in run("n-roll quartz 100nm --model dmt").err  # which has none
 
 
 def test_dmt_answers_where_both_bodies_are_rigid(run: Run) -> None:

@@ -3,7 +3,6 @@
 from collections.abc import Collection, Mapping
 
 from ..errors import JkrollError
-from ..physics.jkr import STICKING
 from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.errors import MissingInput
@@ -62,7 +61,8 @@ def about_results(results: list[Result], scene: Scene) -> list[Note]:
         carries = "N_grav is what the first contact, on body 2, carries"
         notes.append(Note("result", f"{carries}; {_between_spheres_1(scene)}", carries))
     if "n_roll" in names and IMPACT.isdisjoint(scene.stated):
-        notes.append(Note("result", f"W0 = P_cδ0 is {1 / STICKING:.3g} U_stick, the largest energy that sticks"))
+        ratios = scene.numbers("energy_over_sticking").values()  # none in a law without U_stick
+        notes += [Note("result", f"W0 = P_cδ0 is {one:.3g} U_stick, the largest energy that sticks") for one in ratios]
     notes += remarks(scene, names)
     errors = ", ".join(f"{symbol_of(result.name)} by {100 * result.error:.2g} %" for result in known if result.error)
     return [*notes, Note("model", f"off the exact moment of this contact: {errors}")] if errors else notes
