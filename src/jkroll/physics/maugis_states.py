@@ -55,7 +55,7 @@ def unloaded_approach_maugis(
     Returns:  [m]; a float for floats, an array for arrays, which broadcast.
     Source:   Maugis 1992, by Newton's method.
     Valid:    a0 ≪ R.
-    Accuracy: 10 ulp, times 1 plus its condition in λ.
+    Accuracy: 20 ulp, times 1 plus its condition in λ.
 
     >>> from math import pi
     >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
