@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from ..errors import JkrollError, NoResult
 from ..quantities.formatting import Format, amount, in_words
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
-from ..scene.errors import BeyondFold, BeyondPullOff, MissingInput, reason_of
+from ..scene.errors import BeyondPullOff, MissingInput, NoContact, reason_of
 from ..scene.laws import DEFAULT_LAW
 from ..scene.limits import LIMIT_NAMES, Verdict, judged, of_any_scene, sentence, uses_spacing
 from ..scene.rolling_models import model_error
@@ -19,7 +19,8 @@ from .comparison import (
     differences,
     equation_of,
     of_jkr,
-    uncertain_sticking,
+    over_spacing,
+    rests_on_spacing,
     uses_law,
     with_differences,
     with_force_by_maugis,
@@ -64,8 +65,8 @@ def answer(question: Question, scene: Scene) -> Answer:
         if isinstance(value, MissingInput | NoResult):
             errors[name] = value
             results.append(Result(name, None, reason_of(name, value)))
-        elif name in ("sticking_energy", "sticking_speed") and (reason := uncertain_sticking(name, scene)):
-            results.append(Result(name, None, reason))
+        elif rests_on_spacing(name, scene):
+            results.append(Result(name, None, over_spacing(name, scene)))
         else:
             results.append(Result(name, value, error=model_error(name, scene)))
     results = _with_law(results, scene)
@@ -85,7 +86,7 @@ def answer(question: Question, scene: Scene) -> Answer:
         *about_missing(results, errors),
         *about_limits(limits),
     )
-    fatal = next((error for error in errors.values() if isinstance(error, _FATAL)), None)
+    fatal = next((error for error in errors.values() if isinstance(error, NoContact)), None)
     if isinstance(fatal, BeyondPullOff):
         fatal = with_force_by_maugis(fatal, scene)
     failure = fatal or (None if known else next(iter(errors.values())))
@@ -137,10 +138,6 @@ def _with_law(results: list[Result], scene: Scene) -> list[Result]:
     ]
 
 
-# Errors that leave nothing of a scene to be trusted, even where something could be computed.
-_FATAL = (BeyondPullOff, BeyondFold)
-
-
 def in_units(answer: Answer, form: Format) -> Answer:
     """Return an answer without the values that are out of the range of doubles in their unit."""
     results = tuple(_in_unit(result, form) for result in answer.results)
@@ -154,8 +151,8 @@ def _in_unit(result: Result, form: Format) -> Result:
 
 
 # The quantities that are shown for some scenes only.
-_SHOWN_IF: Mapping[str, Callable[[Scene], bool]] = {
-    "rolling_frequency_as_printed": lambda scene: scene.is_identical and scene.law.name == DEFAULT_LAW,
+_SHOWN_IF: Mapping[str, Callable[[Scene], Any]] = {
+    "rolling_frequency_as_printed": lambda scene: scene.is_identical & (scene.law.name == DEFAULT_LAW),
     "pull_off_force_lennard_jones": lambda scene: scene.law.name == BETWEEN,
     "pull_off_force_dmt": lambda scene: scene.law.name != "dmt",
     "yield_displacement": lambda scene: "adhesion_hysteresis" in scene.stated,
@@ -168,8 +165,8 @@ _SHOWN_IF: Mapping[str, Callable[[Scene], bool]] = {
 }
 
 
-def concerns(name: str, scene: Scene) -> bool:
-    """Return whether a quantity is shown for this scene."""
+def concerns(name: str, scene: Scene) -> Any:
+    """Return whether a quantity is shown for this scene, or for which elements of its arrays."""
     return _SHOWN_IF[name](scene) if name in _SHOWN_IF else name not in scene.stated
 
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from math import log
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE
@@ -16,6 +16,7 @@ BETWEEN = "maugis"  # the law that holds between JKR and DMT
 _SHOWN = 2  # differences in the sentence
 _NO_CHANGE = 0.005  # relative change that is no per cent
 _DMT_BELOW = 0.01  # Tabor parameter, at which DMT's pull-off force is 0.1 % too large, and its approach 10 %
+_OVER_SPACING = ("sticking_energy", "sticking_speed")  # they differ by orders of magnitude between plausible spacings
 _MATTERS = 0.05  # relative change with the atomic spacing that is shown
 
 
@@ -115,10 +116,15 @@ def equation_of(scene: Scene, name: str) -> str:
     return NOMENCLATURE[scene.plan(name).found[name]].equation or scene.law.source
 
 
-def uncertain_sticking(name: str, scene: Scene) -> str:
-    """Return why the sticking energy or speed has no one value, where the atomic spacing decides it and was not given."""
-    if scene.law.name != BETWEEN or "atomic_spacing" in scene.given or scene["transition_parameter"] >= 1:
-        return ""
+def rests_on_spacing(name: str, scene: Scene) -> Any:
+    """Return whether the atomic spacing decides on a quantity and was not given, or in which elements of arrays."""
+    if name not in _OVER_SPACING or scene.law.name != BETWEEN or "atomic_spacing" in scene.given:
+        return False
+    return scene["transition_parameter"] < 1
+
+
+def over_spacing(name: str, scene: Scene) -> str:
+    """Return why a quantity that rests on the atomic spacing has no one value."""
     ends = [scene, _at_half_spacing(scene)]
     texts = [
         f"{amount(name, end[name])} at z0 = {amount('atomic_spacing', end.values['atomic_spacing'])}" for end in ends

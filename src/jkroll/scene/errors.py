@@ -83,7 +83,11 @@ class ShapeMismatch(JkrollError):
         return "these arrays do not broadcast: " + ", ".join(f"{name} {shape}" for name, shape in self.shapes)
 
 
-class BeyondPullOff(NoResult):
+class NoContact(NoResult):
+    """Base class of the errors of a contact that does not exist: nothing of the scene is to be trusted."""
+
+
+class BeyondPullOff(NoContact):
     """Error raised at a tension larger than the pull-off force, where there is no contact."""
 
     name = "load"
@@ -98,7 +102,7 @@ class BeyondPullOff(NoResult):
         return f"{self.load!r} N is beyond pull-off; this contact holds down to {-self.pull_off_force!r} N{held}"
 
 
-class BeyondFold(NoResult):
+class BeyondFold(NoContact):
     """Error raised at an approach at which even fixed grips have let go."""
 
     name = "approach_at_load"
