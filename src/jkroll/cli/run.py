@@ -290,6 +290,7 @@ def run_batch(words: Sequence[str], values: Values) -> int:
         quantities=values.quantities,
         strict=values.strict,
         doubt=not values.no_doubt,
+        uncertainty=values.uncertainty,
         resume=values.resume,
         jobs=values.jobs,
         excel_safe=values.excel_safe,

@@ -17,7 +17,7 @@ from .inverse import Solution, solution
 from .scene import Scene
 
 MAX_RANGES = 8  # whose corners are computed, all together
-_ASYMMETRIC = 0.1  # relative difference of the two sides from which on they are given one by one
+ASYMMETRIC = 0.1  # relative difference of the two sides from which on they are given one by one
 _SAMPLES = 24  # parts of a range in which turning points are looked for
 _GOLDEN = 0.6180339887498949  # of an interval, the part that a step of the golden-section search keeps
 _SEARCHES = 45  # steps of it: they leave 4e-10 of an interval, and all digits of a value that is flat there
@@ -169,7 +169,7 @@ def _in_quadrature(
         changes = [[end - value for end in pair] for pair in outcomes]
         minus = hypot(*(min(0.0, *pair) for pair in changes))
         plus = hypot(*(max(0.0, *pair) for pair in changes))
-        if abs(plus - minus) <= _ASYMMETRIC * max(plus, minus):
+        if abs(plus - minus) <= ASYMMETRIC * max(plus, minus):
             minus = plus = (minus + plus) / 2
         variances = [fsum(change**2 for change in pair) for pair in changes]
         if minus or plus:
