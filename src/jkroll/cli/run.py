@@ -79,10 +79,7 @@ def run_question(question: Question, words: Sequence[str], values: Values) -> in
     if values.quantities:
         _refuse_inputs(question.quantities, request)
     is_streamed = values.target is not None or (kind == "csv" and request.count > MANY)
-    if request.uncertain and (is_streamed or request.count > MANY):
-        raise BadRequest(f"-o and long lists take values without uncertainties, and {request.uncertain[0]} has one")
-    of_samples = request.scenes() if request.uncertain else request.samples()
-    samples = [in_units(answer(question, scene), form) for scene in of_samples] if request.count > 1 else []
+    samples = [in_units(answer(question, scene), form) for scene in request.samples()] if request.count > 1 else []
     if is_streamed:
         return _run_stream(question, request, samples, kind, values)
     request.check_count()
@@ -151,11 +148,9 @@ def _run_stream(question: Question, request: Request, samples: list[Answer], kin
         raise BadRequest(f"-o: {quoted(values.target)} is a picture; add --curve to contact, or see jkroll map --help")
     if values.to or values.digits or kind not in ("csv", "plain", "table"):
         raise BadRequest("a long sweep is written in SI units with all digits: -o and long ranges take --csv alone")
-    if request.models != [None]:
-        raise BadRequest("a long sweep takes JKR only: --model goes with fewer rows, without -o")
     samples = samples or [answer(question, scene) for scene in request.samples()]
     axes = [Axis(name, spreads) for name, spreads in request.spreads.items()]
-    sweep = Sweep(request.pairs, axes, layout(question, samples, request.count), request.materials)
+    sweep = Sweep(request.pairs, axes, request.models, layout(question, samples, request.count), request.materials)
     tally = stream(sweep, Settings(target=values.target or "-", resume=values.resume, quiet=values.quiet))
     if not values.quiet:
         notes = NoteLines()
