@@ -176,9 +176,3 @@ def test_the_face_of_python() -> None:
     spans = solve(["r_min", "n_grav"], material="quartz", radius="80 to 120 nm", yield_displacement=2e-10)
     assert spans["r_min"].high == pytest.approx(1.2e-7**2 / 2e-10)
     assert isinstance(infer("xi", measured={"r_min": "50±5 um"}, radius=1e-7), Measured)
-
-
-def test_a_long_list_takes_no_uncertainty(run: Run) -> None:
-    ran = run("pull-off", "quartz", "100±5nm", "-o", "out.csv")
-    expected = "jkroll: -o and long lists take values without uncertainties, and radius has one\n"
-    assert (ran.code, ran.err) == (2, expected)

@@ -8,13 +8,15 @@ from ..answers.comparison import rests_on_spacing
 from ..errors import NoResult
 from ..quantities.nomenclature import INFINITY
 from ..quantities.uncertain import Measured
-from ..scene.elements import Failures, Reasons, standard_uncertainties
+from ..scene.elements import Failures, Reasons, ranges, standard_uncertainties
 from ..scene.errors import MissingInput, NoContact
 from ..scene.results import MAY_BE_ZERO, SMALLEST
 from ..scene.scene import Scene
 from ..scene.uncertainty import MixedKinds, sources_of
 from .cells import Floats, Mask
 from .single import SIDES, BadCells, RestsOnSpacing, Task, left_out
+
+MOST_RANGES = 4  # that are moved together: their corners double with each
 
 
 class Evaluated:
@@ -86,14 +88,16 @@ class Evaluated:
             return ~is_odd
         if not sources.entering:
             return is_odd
-        if not isinstance(sources.entering[0].given, Measured):
+        is_standard = isinstance(sources.entering[0].given, Measured)
+        if not is_standard and len(sources.entering) > MOST_RANGES:
             return ~is_odd
-        self.sides = {side: numpy.full(self.values.shape, numpy.nan) for side in SIDES["standard"]}
-        for name, (minus, plus) in standard_uncertainties(self.scene, values, sources.entering).items():
-            is_moved = (minus > 0) | (plus > 0)
-            for side, numbers in zip(self.sides, (minus, plus), strict=True):
+        kind, compute = ("standard", standard_uncertainties) if is_standard else ("range", ranges)
+        self.sides = {side: numpy.full(self.values.shape, numpy.nan) for side in SIDES[kind]}
+        for name, (low, high) in compute(self.scene, values, sources.entering).items():
+            is_moved = (low > 0) | (high > 0) if is_standard else low < high
+            for side, numbers in zip(self.sides, (low, high), strict=True):
                 self.sides[side][places[name]] = numpy.where(is_moved, numbers, numpy.nan)
-            is_odd |= numpy.isnan(minus) & ~numpy.isnan(values[name])
+            is_odd |= numpy.isnan(low) & ~numpy.isnan(values[name])
         return is_odd
 
 

@@ -1,7 +1,7 @@
 """The evaluation of a block of rows: rows that differ by numbers alone at once, and an odd row as a scene of its own.
 
 The two ways run the same formulas. Where the physics explains a failure, the first finds its words too; the second serves
-rows with any other failure, and those with ranges.
+rows with any other failure, and those whose error bars need a search.
 """
 
 from collections.abc import Mapping, Sequence

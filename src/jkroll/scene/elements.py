@@ -1,6 +1,7 @@
 """The elements of a scene of arrays, one by one: why an element has no value, and what its uncertainty is."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
+from itertools import product
 from typing import Any
 
 import numpy
@@ -10,7 +11,7 @@ from ..quantities.nomenclature import INFINITY
 from .errors import NoContact, failure_of
 from .results import with_nan
 from .scene import Scene
-from .uncertainty import ASYMMETRIC, Source
+from .uncertainty import ASYMMETRIC, SAMPLES, Source
 
 # Values from which more follows than from others: no load, a plane, a rigid body. A scene of arrays takes them as numbers.
 SPECIAL: Mapping[str, float] = {
@@ -96,3 +97,39 @@ def _sides(value: Any, ends: Sequence[Sequence[Any]]) -> Sides:
     alike = numpy.abs(plus - minus) <= ASYMMETRIC * numpy.maximum(plus, minus)
     middle = (minus + plus) / 2
     return numpy.where(alike, middle, minus), numpy.where(alike, middle, plus)
+
+
+def ranges(scene: Scene, values: Mapping[str, Any], sources: Sequence[Source]) -> dict[str, Sides]:
+    """Return the least and the largest value of each quantity over all ranges together, element by element.
+
+    They are values at corners of the ranges. Both are nan where a step from a corner into the ranges leads further, as there
+    is a turning point inside then; and where a corner has no value.
+    """
+    limits = [(source.given.low, source.given.high) for source in sources]
+    corners = [_outcome(scene, values, sources, corner) for corner in product(*limits)]
+    steps = [
+        _outcome(scene, values, sources, [*corner[:axis], corner[axis] + (1 - 2 * side) * width, *corner[axis + 1 :]])
+        for corner, sides in zip(product(*limits), product((0, 1), repeat=len(limits)), strict=True)
+        for axis, (side, width) in enumerate(zip(sides, [(high - low) / SAMPLES for low, high in limits], strict=True))
+    ]
+    found: dict[str, Sides] = {}
+    for name, value in values.items():
+        at_corners = numpy.stack(numpy.broadcast_arrays(value, *(one[name] for one in corners)))[1:]
+        beside = numpy.stack(numpy.broadcast_arrays(value, *(one[name] for one in steps)))[1:]
+        from_corner = numpy.repeat(at_corners, len(limits), axis=0)
+        low, high = at_corners.min(axis=0), at_corners.max(axis=0)
+        turns = ((beside > high) & (from_corner == high)) | ((beside < low) & (from_corner == low))
+        is_odd = turns.any(axis=0) | numpy.isnan(beside).any(axis=0)
+        found[name] = (
+            numpy.where(is_odd, numpy.nan, numpy.minimum(low, value)),
+            numpy.where(is_odd, numpy.nan, numpy.maximum(high, value)),
+        )
+    return found
+
+
+def _outcome(scene: Scene, names: Collection[str], sources: Sequence[Source], place: Sequence[Any]) -> dict[str, Any]:
+    """Return quantities where each source has a value."""
+    changed: dict[str, Any] = {}
+    for source, value in zip(sources, place, strict=True):
+        changed |= source.at(value)
+    return {name: _number(outcome) for name, outcome in scene.replace(**changed).evaluate([*names]).items()}

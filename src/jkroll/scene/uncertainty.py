@@ -18,7 +18,7 @@ from .scene import Scene
 
 MAX_RANGES = 8  # whose corners are computed, all together
 ASYMMETRIC = 0.1  # relative difference of the two sides from which on they are given one by one
-_SAMPLES = 24  # parts of a range in which turning points are looked for
+SAMPLES = 24  # parts of a range in which turning points are looked for
 _GOLDEN = 0.6180339887498949  # of an interval, the part that a step of the golden-section search keeps
 _SEARCHES = 45  # steps of it: they leave 4e-10 of an interval, and all digits of a value that is flat there
 _ROUNDS = 10  # of a search along one range after the other
@@ -275,7 +275,7 @@ def _peak(height: Callable[[Place], float], place: Place, axis: int, ends: tuple
 
 def _samples(low: float, high: float) -> list[float]:
     """Return equally spaced values from one end of a range to the other."""
-    return [low, *(low + (high - low) * number / _SAMPLES for number in range(1, _SAMPLES)), high]
+    return [low, *(low + (high - low) * number / SAMPLES for number in range(1, SAMPLES)), high]
 
 
 def _moved(place: Place, axis: int, value: float) -> Place:
