@@ -77,7 +77,7 @@ def test_the_quick_way_is_taken() -> None:
     text = b"a,quartz,100,1,0.2,50 nm\n" * 300 + b"b,quartz,-5,0,0.2,50 nm\n"
     with (
         patch.object(Delimited, "_carefully", side_effect=AssertionError),
-        patch.object(Reader, "_one_by_one") as one_by_one,
+        patch.object(Reader, "_one") as one_by_one,
     ):
         found = converted("csv", "\n", text, excel_safe=False)
     assert (found.rows, found.failed, found.first_failure) == (

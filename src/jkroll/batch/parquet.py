@@ -16,11 +16,10 @@ import pyarrow
 import pyarrow.parquet
 
 from ..errors import BadRequest
-from ..quantities.nomenclature import header
 from ..text import quoted, say, shown
 from .blocks import Block
 from .cells import Floats, Numbers, Reader
-from .columns import check_first
+from .columns import check_first, is_input
 from .errors import BadTable
 from .lines import Converted
 from .output import OutputFile, is_done
@@ -115,22 +114,19 @@ class _Table:
     def __init__(self, path: str, file: Any, order: Order, span: Span) -> None:
         self.path, self.file = path, file
         schema = file.schema_arrow
-        header_of_table, task = understood_task(tuple(schema.names), order)
+        sample = _sample(file)
+        _, task = understood_task(tuple(schema.names), sample, order)
         self.places = {column.name: column.place for column in task.inputs} | dict(task.materials_at)
         for name, place in self.places.items():
             if not _is_cell(schema.types[place]):
                 raise BadTable(f"header: column {name} holds {schema.types[place]}: neither numbers nor texts")
         for column in task.inputs:
-            if pyarrow.types.is_string(schema.types[column.place]) or column.unit is None:
-                texts = [header_of_table.texts[column.place]]
-                first = next(file.iter_batches(200, columns=texts, use_threads=False), None)
-                values = [] if first is None else first.column(0).to_pylist()
-                check_first(column, [_text(value) for value in values])
+            check_first(column, [row[column.place] for row in sample])
         self.evaluator = Evaluator(task)
         self.materials = [name for name, _ in task.materials_at]
         self.readers = [Reader(column) for column in task.inputs]
         fields = [pyarrow.field(name, pyarrow.string()) for name in task.said]
-        fields += [pyarrow.field(header(name), pyarrow.float64()) for name in task.quantities]
+        fields += [pyarrow.field(head, pyarrow.float64()) for head in task.headers]
         self.schema = pyarrow.schema(
             [*schema, *fields, *(pyarrow.field(name, pyarrow.string()) for name in task.remarks)],
             metadata=schema.metadata,
@@ -154,7 +150,7 @@ class _Table:
             yield rows
 
     def _rows(self, batch: Any) -> Rows:
-        numbers = numpy.empty((len(self.evaluator.task.quantities), batch.num_rows))
+        numbers = numpy.empty((len(self.evaluator.task.headers), batch.num_rows))
         remarks: dict[str, dict[int, str]] = {name: {} for name in self.evaluator.task.remarks}
         lost: dict[int, str] = {}
         doubtful = 0
@@ -253,6 +249,15 @@ def as_column(values: Floats) -> Any:
 def _texts(texts: dict[int, str], size: int) -> Any:
     """Return the texts of some rows as a column, null in the others."""
     return pyarrow.array([*map(texts.get, range(size))] if texts else [None] * size, "string")
+
+
+def _sample(file: Any) -> list[list[str]]:
+    """Return the first rows as cells of text, those of the inputs alone."""
+    schema = file.schema_arrow
+    names = [name for name, kind in zip(schema.names, schema.types, strict=True) if is_input(name) and _is_cell(kind)]
+    first = next(file.iter_batches(200, columns=names, use_threads=False), None)
+    rows = [] if first is None else first.to_pylist()
+    return [[_text(row.get(name)) for name in schema.names] for row in rows]
 
 
 def _is_cell(kind: Any) -> bool:

@@ -29,6 +29,7 @@ class Settings(NamedTuple):
     materials: str | None = None
     quiet: bool = False
     doubt: bool = True  # whether there is a column of doubts
+    uncertainty: bool = False  # whether there are columns of uncertainties, though the first rows have none
 
     @property
     def processes(self) -> int:

@@ -6,7 +6,6 @@ from itertools import chain
 from typing import NamedTuple
 
 from ..errors import BadRequest
-from ..quantities.nomenclature import header
 from . import loop
 from .columns import Header, check_first
 from .formats import LINES, compressor
@@ -32,7 +31,7 @@ class _Recipe(NamedTuple):
 
     def converter(self) -> Converter:
         """Return the converter, without the compression."""
-        names = [*self.task.said, *(header(name) for name in self.task.quantities)]
+        names = [*self.task.said, *self.task.headers]
         return LINES[self.kind].converter(self.head, self.table, self.task, names, excel_safe=self.excel_safe)
 
 
@@ -59,10 +58,11 @@ def convert(path: str, order: Order, span: Span | None = None) -> Tally:
         given.check_output(settings.target)
         if is_done(settings, given.time):
             return Tally(0, 0)
+        sample = _head(given, form.kind).sample if span is not None else []  # all parts have the same columns
         texts = blocks(given.pieces(form.compression, span), LINES[form.kind].cut)
         first = next(texts, b"")
         head = LINES[form.kind].head(first)
-        table, task = understood_task(head.names, order)
+        table, task = understood_task(head.names, sample or head.sample, order)
         for column in table.inputs:
             check_first(column, [row[column.place] for row in head.sample])
         recipe = _Recipe(form.kind, head, table, task, settings.excel_safe, compression)
@@ -86,5 +86,11 @@ def convert(path: str, order: Order, span: Span | None = None) -> Tally:
 def spans_of(path: str, kind: str) -> list[Span]:
     """Return the parts of a table of lines; none for a small one."""
     with closing(Input(path)) as given:
-        head = LINES[kind].head(given.file.read(HEAD))
+        head = _head(given, kind)
         return spans_of_lines(given.file, given.size, len(head.text), LINES[kind].cut)
+
+
+def _head(given: Input, kind: str) -> Head:
+    """Return the beginning of a table."""
+    given.file.seek(0)
+    return LINES[kind].head(given.file.read(HEAD))

@@ -94,6 +94,7 @@ class Call(NamedTuple):
     quantities: str = ""
     strict: bool = False
     no_doubt: bool = False
+    uncertainty: bool = False
     jobs: int = 0
     dask: str = ""
     excel_safe: bool = False
@@ -158,6 +159,7 @@ TABLE = (
     Option("strict", "--strict", bool, "", "Stop at the first row that fails"),
     Option("resume", "--resume", bool, "", "Continue after an interruption"),
     Option("no_doubt", "--no-doubt", bool, "", "Omit the column of doubts"),
+    Option("uncertainty", "--uncertainty", bool, "", "Add columns of error bars, though the first rows have none"),
     Option("jobs", "--jobs", int, "N", "Number of processes (default: one per core)", 1, 64),
     Option("dask", "--dask", str, "ADDRESS", "Convert many tables on a Dask cluster; local starts one"),
     Option("excel_safe", "--excel-safe", bool, "", "Escape text that a spreadsheet would run"),

@@ -101,7 +101,11 @@ class ShapeMismatch(JkrollError):
         return "these arrays do not broadcast: " + ", ".join(f"{name} {shape}" for name, shape in self.shapes)
 
 
-class BeyondPullOff(NoResult):
+class NoContact(NoResult):
+    """Base class of the errors of a contact that does not exist: nothing of the scene is to be trusted."""
+
+
+class BeyondPullOff(NoContact):
     """Error raised at a tension larger than the pull-off force, where there is no contact."""
 
     name = "load"
@@ -117,7 +121,7 @@ class BeyondPullOff(NoResult):
         return f"{load} is beyond pull-off; this contact holds down to {held}{more}"
 
 
-class BeyondFold(NoResult):
+class BeyondFold(NoContact):
     """Error raised at an approach at which even fixed grips have let go."""
 
     name = "approach_at_load"

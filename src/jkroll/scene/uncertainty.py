@@ -18,8 +18,8 @@ from .numerics import highest_between
 from .scene import Scene
 
 MAX_RANGES = 8  # whose corners are computed, all together
-_ASYMMETRIC = 0.1  # relative difference of the two sides from which on they are given one by one
-_SAMPLES = 24  # parts of a range in which turning points are looked for
+ASYMMETRIC = 0.1  # relative difference of the two sides from which on they are given one by one
+SAMPLES = 24  # parts of a range in which turning points are looked for
 _ROUNDS = 10  # of a search along one range after the other
 
 Evaluate = Callable[[Mapping[str, float]], Mapping[str, Any]]  # from changed inputs to the outcome of each quantity
@@ -168,7 +168,7 @@ def _in_quadrature(
         changes = [[end - value for end in pair] for pair in outcomes]
         minus = hypot(*(min(0.0, *pair) for pair in changes))
         plus = hypot(*(max(0.0, *pair) for pair in changes))
-        if abs(plus - minus) <= _ASYMMETRIC * max(plus, minus):
+        if abs(plus - minus) <= ASYMMETRIC * max(plus, minus):
             minus = plus = (minus + plus) / 2
         variances = [fsum(change**2 for change in pair) for pair in changes]
         if minus or plus:
@@ -267,7 +267,7 @@ def _peak(height: Callable[[Place], float], place: Place, axis: int, ends: tuple
 
 def _samples(low: float, high: float) -> list[float]:
     """Return equally spaced values from one end of a range to the other."""
-    return [low, *(low + (high - low) * number / _SAMPLES for number in range(1, _SAMPLES)), high]
+    return [low, *(low + (high - low) * number / SAMPLES for number in range(1, SAMPLES)), high]
 
 
 def _moved(place: Place, axis: int, value: float) -> Place:
