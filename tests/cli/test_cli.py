@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 from harness import Run
-from jkroll import NOMENCLATURE, __version__
+from jkroll import NOMENCLATURE, __version__, solve
 from jkroll.answers.questions import QUESTIONS
 
 REFERENCE = {  # audit.md, the reference point: quartz, R1 = 100 nm
@@ -612,3 +612,11 @@ def test_a_rigid_body_needs_no_poisson_ratio(run: Run) -> None:
     )
     assert run(f"{rigid} --bare").out == run(f"{rigid} --poisson 0.4 --bare").out
     assert run("contact 100nm --gamma 25mJ/m2 --young rigid --young2 1GPa").code == 2
+
+
+@pytest.mark.parametrize("name", ["yield_force_fixed_load", "rolling_frequency_as_printed", "n_roll_after_impact"])
+def test_a_quantity_that_is_asked_for_by_name_is_shown_for_any_scene(run: Run, name: str) -> None:
+    ran = run(f"report quartz 100nm --radius2 1um --quantities {name} --json")
+    (result,) = json.loads(ran.out)["results"]
+    assert result["name"] == name
+    assert result["value"] == solve(name, material="quartz", radius=1e-7, radius2=1e-6)

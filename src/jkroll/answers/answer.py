@@ -74,7 +74,7 @@ def _results(question: Question, scene: Scene) -> tuple[list[Result], dict[str, 
 
     The limits that will be judged are evaluated along with them, so that one plan leads to all.
     """
-    shown = [name for name in question.quantities if concerns(name, scene)]
+    shown = [name for name in question.quantities if name in question.named or concerns(name, scene)]
     values = scene.evaluate((*shown, *LIMIT_NAMES))
     errors = {name: values[name] for name in shown if isinstance(values[name], MissingInput | NoResult)}
     results: list[Result] = []

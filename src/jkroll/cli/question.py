@@ -85,7 +85,7 @@ def question_of(call: Call) -> Question:
         return QUESTIONS[call.command]
     named, offered = quantities_named(call.quantities)
     names = tuple(dict.fromkeys((*named, *offered)))
-    return Question(names, names)
+    return Question(names, names, named=tuple(named))
 
 
 def _refuse_inputs(question: Question, request: Request) -> None:
