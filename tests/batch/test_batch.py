@@ -124,7 +124,7 @@ def both_ways(text: str) -> Iterator[tuple[str, list[float], list[float], tuple[
     lines = text.splitlines()
     header = understood(lines[0].split(","))
     task = task_of(header, {}, "", known)._replace(doubt=True)
-    converter = Delimited(DIALECTS["csv"], Head(b"\n", (), []), header, task, [], excel_safe=False)
+    converter = Delimited(DIALECTS["csv"], Head(b"\n", ()), header, task, [], excel_safe=False)
     columns = [list(column) for column in zip(*(line.encode().split(b",") for line in lines[1:]), strict=True)]
     records = Records([b""] * (len(lines) - 1), dict(enumerate(columns)), {}, {}, range(len(lines) - 1))
     block = converter._block(records)
@@ -522,5 +522,5 @@ def test_one_liners_need_nothing_that_only_posix_has() -> None:
     ran = subprocess.run(
         [sys.executable, "-c", script, "batch", "grains.csv", "-o", "out.csv"], capture_output=True, text=True
     )
-    note = "note: 'out.csv.partial' cannot be locked here; let no other run write it\n"
+    note = "note: 'out.csv.journal' cannot be locked here; let no other run write it\n"
     assert (ran.returncode, ran.stderr) == (0, note)

@@ -209,9 +209,9 @@ def _state_of(process: str) -> str:
 
 def test_two_runs_never_write_the_same_file(run: Run) -> None:
     Path("grains.csv").write_text("radius [nm],material\n100,quartz\n", encoding="utf-8")
-    with Path("out.csv.partial").open("w") as other:
+    with Path("out.csv.journal").open("w") as other:
         fcntl.flock(other, fcntl.LOCK_EX)
-        message = "jkroll: 'out.csv.partial' is being written by another run\n"
+        message = "jkroll: 'out.csv.journal' is being written by another run\n"
         assert run("batch", "grains.csv", "-o", "out.csv") == (2, "", message)
     assert run("batch", "grains.csv", "-o", "out.csv").code == 0
 

@@ -117,13 +117,13 @@ def test_a_part_counts_rows_from_the_beginning_of_the_file() -> None:
     from jkroll.batch.errors import BadRow
     from jkroll.batch.parquet import convert
     from jkroll.batch.settings import Order, Settings
-    from jkroll.batch.source import Span
+    from jkroll.batch.source import Part, Span
     from jkroll.materials.library import known_materials
 
     name = write({"radius [nm]": [*range(1, 235), 0.0, 1.0]})
     order = Order(Settings("out.parquet", quantities="r_min", strict=True, jobs=1), {}, known_materials())
     with pytest.raises(BadRow, match="line 235: radius"):
-        convert(name, order, Span(2, 3))
+        convert(Part(name, "out.parquet", Span(2, 3)), order)
 
 
 def test_what_a_file_says_of_itself_stays(run: Run) -> None:

@@ -4,6 +4,7 @@ This process reads and writes. Where there are many blocks, others convert them;
 """
 
 from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 from itertools import chain, islice
 from typing import NamedTuple
 
@@ -52,5 +53,17 @@ def _converted(work: Work, jobs: int) -> Iterator[tuple[bytes, Converted]]:
     if first is not None:
         from .workers import in_order, started  # with multiprocessing, which a small table does not pay for
 
-        with started(jobs, work.make_convert) as workers:
-            yield from in_order(workers, chain([first], work.blocks))
+        with started(jobs, partial(_answering, work.make_convert)) as workers:
+            for text, (converted, output) in in_order(workers, chain([first], work.blocks)):
+                yield text, converted._replace(output=output)
+
+
+def _answering(make_convert: Callable[[], Convert]) -> Callable[[bytes], tuple[Converted, bytes]]:
+    """Return a converter whose output stands apart from the counts."""
+    convert = make_convert()
+
+    def answer(text: bytes) -> tuple[Converted, bytes]:
+        converted = convert(text)
+        return converted._replace(output=b""), converted.output
+
+    return answer

@@ -26,8 +26,8 @@ class Ndjson:
         """Return the number of bytes of whole lines."""
         return text.rfind(b"\n") + 1
 
-    def head(self, text: bytes) -> Head:
-        """Return the names in the first object. No line is a header."""
+    def head(self, text: bytes) -> tuple[Head, list[list[str]]]:
+        """Return the names in the first object, and the values of the first objects. No line is a header."""
         lines = [line for line in text.removeprefix(BOM).splitlines()[:200] if line.strip()]
         if not lines:
             raise BadTable("the table is empty")
@@ -36,7 +36,7 @@ class Ndjson:
             raise BadTable("the first line is not a JSON object with members")
         names = tuple(first)
         sample = [[_text(row.get(name)) for name in names] for row in map(_object, lines) if row is not None]
-        return Head(BOM if text.startswith(BOM) else b"", names, sample)
+        return Head(BOM if text.startswith(BOM) else b"", names), sample
 
     def converter(
         self, head: Head, header: Header, task: Task, names: Sequence[str], *, excel_safe: bool

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import closing, contextmanager, suppress
 from math import isnan
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy
 import pyarrow
@@ -27,7 +27,7 @@ from .output import OutputFile, is_done
 from .progress import watched
 from .rows import Evaluator
 from .settings import Order, Settings, Tally, input_format, output_format
-from .source import Input, Span
+from .source import Input, Part, Span
 from .task import understood_task
 
 BUFFER = 1 << 18  # bytes read at a time of each column
@@ -45,21 +45,21 @@ def rows_together(width: float) -> int:
     return max(int(BYTES / max(width, 1)), 1)
 
 
-def convert(path: str, order: Order, span: Span | None = None) -> Tally:
+def convert(part: Part, order: Order) -> Tally:
     """Convert a Parquet file, or some of its groups of rows."""
-    settings = order.settings
-    output_format(settings, input_format(path, settings))
-    if "-" in (path, settings.target):
+    settings = order.settings._replace(target=part.target)
+    output_format(settings, input_format(part.path, settings))
+    if "-" in (part.path, part.target):
         raise BadRequest("Parquet is read from a file and written to a file: -o FILE")
-    with closing(Input(path)) as given, _opened(given) as file:
-        given.check_output(settings.target)
+    with closing(Input(part.path)) as given, _opened(given) as file:
+        given.check_output(part.target)
         if is_done(settings, given.time):
             return Tally(0, 0)
-        with _readable(path):
-            table = _Table(path, file, order, span or Span(0, file.metadata.num_row_groups))
-        tally = write(
-            settings, table.schema, table.converted(), table.size, order.identity([given.size, given.time]), table.line
-        )
+        groups = file.metadata.num_row_groups
+        with _readable(part.path):
+            table = _Table(part.path, file, order, part.span or Span(0, groups))
+        identity = order.identity([given.size, given.time])
+        tally = write(settings, table.schema, table.converted(), table.size, identity, table.line)
         given.check_unchanged()
         return tally
 
@@ -69,10 +69,9 @@ def spans_of(path: str) -> list[Span]:
     spans: list[Span] = []
     start, rows = 0, 0
     with closing(Input(path)) as given, _opened(given) as file:
-        groups = file.metadata.num_row_groups
-        for place in range(groups):
+        for place in range(file.metadata.num_row_groups):
             rows += file.metadata.row_group(place).num_rows
-            if rows >= SPAN or place == groups - 1:
+            if rows >= SPAN or place == file.metadata.num_row_groups - 1:
                 spans.append(Span(start, place + 1))
                 start, rows = place + 1, 0
     return spans
@@ -99,14 +98,18 @@ def _readable(path: str) -> Iterator[None]:
         raise BadTable(f"{quoted(path)} cannot be read as Parquet: {reason}") from None
 
 
-class Rows:
-    """Rows that are written together: a table of Arrow, and their counts."""
+class Rows(NamedTuple):
+    """Rows with their results, as a table of Arrow, and their counts."""
 
-    def __init__(
-        self, table: Any, failed: int, first_failure: tuple[int, str] | None = None, doubtful: int = 0
-    ) -> None:
-        self.table = table
-        self.counts = Converted(b"", table.num_rows, failed, table.num_rows, first_failure, doubtful)
+    table: Any
+    failed: int
+    first_failure: tuple[int, str] | None = None
+    doubtful: int = 0
+
+    @property
+    def counts(self) -> Converted:
+        """The counts as those of lines."""
+        return Converted(b"", self.table.num_rows, self.failed, self.table.num_rows, self.first_failure, self.doubtful)
 
 
 class _Table:
@@ -126,21 +129,18 @@ class _Table:
                 first = next(file.iter_batches(200, columns=texts, use_threads=False), None)
                 values = [] if first is None else first.column(0).to_pylist()
                 check_first(column, [_text(value) for value in values])
-        self.evaluator = Evaluator(task)
-        self.materials = [name for name, _ in task.materials_at]
+        self.task, self.evaluator = task, Evaluator(task)
         self.readers = [Reader(column) for column in task.inputs]
         fields = [pyarrow.field(name, pyarrow.string()) for name in task.said]
         fields += [pyarrow.field(header(name), pyarrow.float64()) for name in task.quantities]
-        self.schema = pyarrow.schema(
-            [*schema, *fields, *(pyarrow.field(name, pyarrow.string()) for name in task.remarks)],
-            metadata=schema.metadata,
-        )
+        fields += [pyarrow.field(name, pyarrow.string()) for name in task.remarks]
+        self.schema = pyarrow.schema([*schema, *fields], metadata=schema.metadata)
         self.groups = range(span.start, span.end)
         metadata = [file.metadata.row_group(place) for place in range(file.metadata.num_row_groups)]
         self.size = sum(metadata[place].num_rows for place in self.groups)
         self.line = sum(group.num_rows for group in metadata[: span.start])
         widths = [group.total_byte_size / max(group.num_rows, 1) for group in metadata]
-        self.together = rows_together(max(widths, default=0) + 8 * len(fields))
+        self.together = min(BLOCK, rows_together(max(widths, default=0) + 8 * len(fields)))
 
     def converted(self) -> Iterator[Rows]:
         """Iterate over the rows with their results."""
@@ -154,52 +154,44 @@ class _Table:
             yield rows
 
     def _rows(self, batch: Any) -> Rows:
-        numbers = numpy.empty((len(self.evaluator.task.quantities), batch.num_rows))
-        remarks: dict[str, dict[int, str]] = {name: {} for name in self.evaluator.task.remarks}
-        lost: dict[int, str] = {}
-        doubtful = 0
-        for start in range(0, batch.num_rows, BLOCK):
-            block = self._block(batch.slice(start, BLOCK))
-            results = self.evaluator.results(block, numbers[:, start : start + block.size])
-            for name, texts in results.remarks.items():
-                remarks[name] |= {start + row: text for row, text in texts.items()}
-            doubtful += results.doubtful
-            lost |= {start + row: results.status[row] for row in results.lost}
-        said = [pyarrow.repeat(text, batch.num_rows) for text in self.evaluator.task.said.values()]
-        arrays = [
-            *batch.columns,
-            *said,
-            *map(as_column, numbers),
-            *(_texts(texts, batch.num_rows) for texts in remarks.values()),
-        ]
-        table = pyarrow.Table.from_arrays(arrays, schema=self.schema)
-        return Rows(table, len(lost), min(lost.items(), default=None), doubtful)
+        size = batch.num_rows
+        results = self.evaluator.results(self._block(batch))
+        said = [pyarrow.repeat(text, size) for text in self.task.said.values()]
+        numbers = [as_column(values) for values in results.numbers]
+        remarks = [pyarrow.array(map(texts.get, range(size)), "string") for texts in results.remarks.values()]
+        table = pyarrow.Table.from_arrays([*batch.columns, *said, *numbers, *remarks], schema=self.schema)
+        first = min(results.lost, default=None)
+        failure = None if first is None else (first, results.status[first])
+        return Rows(table, len(results.lost), failure, results.doubtful)
 
-    def _block(self, part: Any) -> Block:
+    def _block(self, batch: Any) -> Block:
         """Return the inputs of some rows."""
         materials: dict[str, Any] = {}
-        for name in self.materials:
-            array = part.column(self.places[name])
+        for name, place in self.task.materials_at:
+            array = batch.column(place)
             encoded = array if pyarrow.types.is_dictionary(array.type) else array.dictionary_encode()
             kinds = [_text(value) for value in encoded.dictionary.to_pylist()]
             codes = self.evaluator.lookups[name].codes([*kinds, ""])
             materials[name] = codes[encoded.indices.fill_null(len(kinds)).to_numpy()]
         return Block(
-            part.num_rows,
-            {reader.column.name: _numbers(part.column(reader.column.place), reader) for reader in self.readers},
+            batch.num_rows,
+            {reader.column.name: _numbers(batch.column(reader.column.place), reader) for reader in self.readers},
             materials,
             {},
-            lambda row, name: _text(part.column(self.places[name])[row].as_py()),
+            lambda row, name: _text(batch.column(self.places[name])[row].as_py()),
         )
 
 
 def write(
     settings: Settings, schema: Any, tables: Iterator[Rows], total: int, identity: dict[str, str], first_line: int = 0
 ) -> Tally:
-    """Write tables as one file that gets its name when it is whole. `total`: all rows. A thread writes."""
+    """Write tables as one file that gets its name when it is whole, in groups of rows of about the same size.
+
+    `total`: the number of all rows. A thread writes.
+    """
     output = OutputFile(settings.target, strict=settings.strict)
     with closing(output):
-        if settings.resume and output.has_begun():
+        if settings.resume and output.journal.has_begun:
             say("note: --resume: a Parquet file cannot be gone on with; it is begun anew", sys.stderr)
         output.begin(identity, b"", Converted(b"", 0, 0, first_line, None))
 
@@ -213,14 +205,30 @@ def write(
             ThreadPoolExecutor(1) as thread,
         ):
             written: Future[None] = thread.submit(lambda: None)
-            for rows in tables:
-                output.count(rows.counts)
+            for group in _groups(tables):
+                for rows in group:
+                    output.count(rows.counts)
+                table = pyarrow.concat_tables([rows.table for rows in group])
                 written.result()
-                written = thread.submit(writer.write_table, rows.table, rows.table.num_rows)
+                written = thread.submit(writer.write_table, table, table.num_rows)
                 show()
             written.result()
         output.finish()
     return output.tally
+
+
+def _groups(tables: Iterator[Rows]) -> Iterator[list[Rows]]:
+    """Iterate over rows that are written together."""
+    group: list[Rows] = []
+    size = 0
+    for rows in tables:
+        group.append(rows)
+        size += rows.table.nbytes
+        if size >= BYTES:
+            yield group
+            group, size = [], 0
+    if group:
+        yield group
 
 
 @contextmanager
@@ -248,11 +256,6 @@ def as_column(values: Floats) -> Any:
     """Return numbers as a column, nan as null."""
     missing = numpy.isnan(values)
     return pyarrow.array(values, mask=missing if missing.any() else None)
-
-
-def _texts(texts: dict[int, str], size: int) -> Any:
-    """Return the texts of some rows as a column, null in the others."""
-    return pyarrow.array([*map(texts.get, range(size))] if texts else [None] * size, "string")
 
 
 def _is_cell(kind: Any) -> bool:

@@ -1,23 +1,21 @@
 """A table whose records are lines, from a file or a pipe into another."""
 
 from contextlib import closing
-from functools import partial
+from functools import lru_cache, partial
 from itertools import chain
 from typing import NamedTuple
 
 from ..errors import BadRequest
 from ..quantities.nomenclature import header
-from . import loop
+from . import loop, source
 from .columns import Header, check_first
 from .formats import LINES, compressor
 from .lines import Converted, Converter, Head
 from .output import is_done, output_to
 from .settings import Order, Tally, input_format, output_format
 from .single import Task
-from .source import Input, Span, blocks, spans_of_lines
+from .source import Input, Part, Span, blocks
 from .task import understood_task
-
-HEAD = 1 << 20  # bytes in which the header is looked for
 
 
 class _Recipe(NamedTuple):
@@ -46,34 +44,39 @@ def _make_convert(recipe: _Recipe) -> loop.Convert:
     return convert
 
 
-def convert(path: str, order: Order, span: Span | None = None) -> Tally:
+@lru_cache(maxsize=8)  # the tables of a run often have the same header
+def _recipe(order: Order, kind: str, head: Head, compression: str) -> tuple[_Recipe, bytes]:
+    """Return the parts of a converter, and the header that it writes."""
+    recipe = _Recipe(kind, head, *understood_task(head.names, order), order.settings.excel_safe, compression)
+    return recipe, recipe.converter().head
+
+
+def convert(part: Part, order: Order) -> Tally:
     """Convert a table of lines, or a part of it."""
-    settings = order.settings
-    form = input_format(path, settings)
+    settings = order.settings._replace(target=part.target)
+    form = input_format(part.path, settings)
     compression = output_format(settings, form).compression
     compress = compressor(compression)
     compressor(form.compression)  # a missing library is named before anything is opened
     if settings.resume and settings.target == "-":
         raise BadRequest("--resume needs a file to go on with: -o FILE")
-    with closing(Input(path)) as given:
+    with closing(Input(part.path)) as given:
         given.check_output(settings.target)
         if is_done(settings, given.time):
             return Tally(0, 0)
-        texts = blocks(given.pieces(form.compression, span), LINES[form.kind].cut)
+        texts = blocks(given.pieces(form.compression, part.span), LINES[form.kind].cut)
         first = next(texts, b"")
-        head = LINES[form.kind].head(first)
-        table, task = understood_task(head.names, order)
-        for column in table.inputs:
-            check_first(column, [row[column.place] for row in head.sample])
-        recipe = _Recipe(form.kind, head, table, task, settings.excel_safe, compression)
-        start = recipe.converter().head
+        head, rows = LINES[form.kind].head(first)
+        recipe, start = _recipe(order, form.kind, head, compression)
+        for column in recipe.table.inputs:
+            check_first(column, [row[column.place] for row in rows])
         work = loop.Work(
             order.identity([given.size, given.time]),
             head.text,
             Converted(compress(start) if start else b"", 0, 0, head.text.count(b"\n"), None),
             filter(None, chain([first[len(head.text) :]], texts)),
             partial(_make_convert, recipe),
-            given.size if span is None else 0,
+            given.size if part.span is None else 0,
             given.position,
         )
         with closing(output_to(settings)) as output:
@@ -86,5 +89,9 @@ def convert(path: str, order: Order, span: Span | None = None) -> Tally:
 def spans_of(path: str, kind: str) -> list[Span]:
     """Return the parts of a table of lines; none for a small one."""
     with closing(Input(path)) as given:
-        head = LINES[kind].head(given.file.read(HEAD))
-        return spans_of_lines(given.file, given.size, len(head.text), LINES[kind].cut)
+        if given.size <= source.SPAN:
+            return []
+        texts = blocks(given.pieces("", None), LINES[kind].cut)
+        first = next(texts, b"")
+        size = len(LINES[kind].head(first)[0].text)
+        return [*source.spans_of_lines(chain([first[size:]], texts), size)]
