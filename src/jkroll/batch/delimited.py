@@ -14,9 +14,8 @@ import orjson
 
 from .blocks import Block, Results
 from .cells import Reader
-from .columns import Header
 from .dialect import Dialect, lines_of
-from .lines import BOM, Converted, Head
+from .lines import BOM, Converted, Head, added
 from .rows import Evaluator
 from .single import Task
 
@@ -26,9 +25,9 @@ STRIP = 128  # rows written at once: their text stays in the cache
 class DelimitedFormat(Dialect):
     """CSV or TSV."""
 
-    def converter(self, head: Head, header: Header, task: Task, names: Sequence[str], *, excel_safe: bool) -> Delimited:
-        """Return the converter of the blocks after the head; `names` are the headers of the results."""
-        return Delimited(self, head, header, task, names, excel_safe=excel_safe)
+    def converter(self, head: Head, task: Task, *, excel_safe: bool) -> Delimited:
+        """Return the converter of the blocks after the head."""
+        return Delimited(self, head, task, excel_safe=excel_safe)
 
 
 DIALECTS = {"csv": DelimitedFormat(b","), "tsv": DelimitedFormat(b"\t")}
@@ -47,16 +46,14 @@ class Records(NamedTuple):
 class Delimited:
     """Converts blocks of lines."""
 
-    def __init__(
-        self, dialect: Dialect, head: Head, header: Header, task: Task, names: Sequence[str], *, excel_safe: bool
-    ) -> None:
+    def __init__(self, dialect: Dialect, head: Head, task: Task, *, excel_safe: bool) -> None:
         """Lines of the output end as the header does."""
         self.dialect = dialect
-        self.width = len(header.texts)
+        self.width = len(head.names)
         self.line_end = b"\r\n" if head.text.endswith(b"\r\n") else b"\n"
         self.excel_safe = excel_safe
         line = head.text.removeprefix(BOM).removesuffix(b"\n").removesuffix(b"\r")
-        cells = [self.safe(line) if excel_safe else line, *(name.encode() for name in (*names, *task.remarks))]
+        cells = [self.safe(line) if excel_safe else line, *map(str.encode, added(task))]
         self.head = (BOM if head.text.startswith(BOM) else b"") + dialect.separator.join(cells) + self.line_end
         self.said = b"".join(dialect.separator + text.encode() for text in task.said.values())
         self.no_remark = dialect.separator * len(task.remarks) + self.line_end

@@ -1,9 +1,8 @@
 """The interface of formats whose records are lines."""
 
-from collections.abc import Sequence
 from typing import NamedTuple, Protocol
 
-from .columns import Header
+from ..quantities.nomenclature import header
 from .single import Task
 
 BOM = b"\xef\xbb\xbf"
@@ -45,5 +44,10 @@ class LineFormat(Protocol):
     def head(self, text: bytes) -> tuple[Head, list[list[str]]]:
         """Return the beginning of a table, and the cells of its first rows. Raises BadTable."""
 
-    def converter(self, head: Head, header: Header, task: Task, names: Sequence[str], *, excel_safe: bool) -> Converter:
-        """Return the converter of the blocks after the head; `names` are the headers of the results."""
+    def converter(self, head: Head, task: Task, *, excel_safe: bool) -> Converter:
+        """Return the converter of the blocks after the head."""
+
+
+def added(task: Task) -> list[str]:
+    """Return the names of the columns that a table gets."""
+    return [*task.said, *map(header, task.quantities), *task.remarks]

@@ -22,7 +22,7 @@ from .blocks import Block
 from .cells import Floats, Numbers, Reader
 from .columns import check_first
 from .errors import BadTable
-from .lines import Converted
+from .lines import Converted, added
 from .output import OutputFile, is_done
 from .progress import watched
 from .rows import Evaluator
@@ -51,13 +51,12 @@ def convert(part: Part, order: Order) -> Tally:
     output_format(settings, input_format(part.path, settings))
     if "-" in (part.path, part.target):
         raise BadRequest("Parquet is read from a file and written to a file: -o FILE")
-    with closing(Input(part.path)) as given, _opened(given) as file:
+    with closing(Input(part.path)) as given:
         given.check_output(part.target)
         if is_done(settings, given.time):
             return Tally(0, 0)
-        groups = file.metadata.num_row_groups
         with _readable(part.path):
-            table = _Table(part.path, file, order, part.span or Span(0, groups))
+            table = _Table(given, order, part.span)
         identity = order.identity([given.size, given.time])
         tally = write(settings, table.schema, table.converted(), table.size, identity, table.line)
         given.check_unchanged()
@@ -68,24 +67,14 @@ def spans_of(path: str) -> list[Span]:
     """Return the parts of a Parquet file: as many groups of rows together as have enough rows."""
     spans: list[Span] = []
     start, rows = 0, 0
-    with closing(Input(path)) as given, _opened(given) as file:
-        for place in range(file.metadata.num_row_groups):
-            rows += file.metadata.row_group(place).num_rows
-            if rows >= SPAN or place == file.metadata.num_row_groups - 1:
-                spans.append(Span(start, place + 1))
-                start, rows = place + 1, 0
+    with _readable(path):
+        metadata = pyarrow.parquet.read_metadata(path)
+    for place in range(metadata.num_row_groups):
+        rows += metadata.row_group(place).num_rows
+        if rows >= SPAN or place == metadata.num_row_groups - 1:
+            spans.append(Span(start, place + 1))
+            start, rows = place + 1, 0
     return spans
-
-
-@contextmanager
-def _opened(given: Input) -> Iterator[Any]:
-    """Open a Parquet file; BadTable if it is none."""
-    try:
-        file = pyarrow.parquet.ParquetFile(given.file, buffer_size=BUFFER, pre_buffer=False)
-    except (OSError, pyarrow.ArrowException):
-        raise BadTable(f"{quoted(given.path)} is not Parquet, or its end is missing, or it is encrypted") from None
-    with file:
-        yield file
 
 
 @contextmanager
@@ -106,17 +95,14 @@ class Rows(NamedTuple):
     first_failure: tuple[int, str] | None = None
     doubtful: int = 0
 
-    @property
-    def counts(self) -> Converted:
-        """The counts as those of lines."""
-        return Converted(b"", self.table.num_rows, self.failed, self.table.num_rows, self.first_failure, self.doubtful)
-
 
 class _Table:
     """A Parquet file whose rows are computed."""
 
-    def __init__(self, path: str, file: Any, order: Order, span: Span) -> None:
-        self.path, self.file = path, file
+    def __init__(self, given: Input, order: Order, span: Span | None) -> None:
+        """`span`: of groups of rows; None for all."""
+        self.path = given.path
+        self.file = file = pyarrow.parquet.ParquetFile(given.file, buffer_size=BUFFER, pre_buffer=False)
         schema = file.schema_arrow
         header_of_table, task = understood_task(tuple(schema.names), order)
         self.places = {column.name: column.place for column in task.inputs} | dict(task.materials_at)
@@ -131,15 +117,17 @@ class _Table:
                 check_first(column, [_text(value) for value in values])
         self.task, self.evaluator = task, Evaluator(task)
         self.readers = [Reader(column) for column in task.inputs]
-        fields = [pyarrow.field(name, pyarrow.string()) for name in task.said]
-        fields += [pyarrow.field(header(name), pyarrow.float64()) for name in task.quantities]
-        fields += [pyarrow.field(name, pyarrow.string()) for name in task.remarks]
+        numbers = {*map(header, task.quantities)}
+        fields = [
+            pyarrow.field(name, pyarrow.float64() if name in numbers else pyarrow.string()) for name in added(task)
+        ]
         self.schema = pyarrow.schema([*schema, *fields], metadata=schema.metadata)
-        self.groups = range(span.start, span.end)
-        metadata = [file.metadata.row_group(place) for place in range(file.metadata.num_row_groups)]
-        self.size = sum(metadata[place].num_rows for place in self.groups)
-        self.line = sum(group.num_rows for group in metadata[: span.start])
-        widths = [group.total_byte_size / max(group.num_rows, 1) for group in metadata]
+        groups = [file.metadata.row_group(place) for place in range(file.metadata.num_row_groups)]
+        start, end = (span.start, span.end) if span is not None else (0, len(groups))
+        self.groups = range(start, end)
+        self.size = sum(group.num_rows for group in groups[start:end])
+        self.line = sum(group.num_rows for group in groups[:start])
+        widths = [group.total_byte_size / max(group.num_rows, 1) for group in groups]
         self.together = min(BLOCK, rows_together(max(widths, default=0) + 8 * len(fields)))
 
     def converted(self) -> Iterator[Rows]:
@@ -206,8 +194,8 @@ def write(
         ):
             written: Future[None] = thread.submit(lambda: None)
             for group in _groups(tables):
-                for rows in group:
-                    output.count(rows.counts)
+                for table, failed, first_failure, doubtful in group:
+                    output.count(Converted(b"", table.num_rows, failed, table.num_rows, first_failure, doubtful))
                 table = pyarrow.concat_tables([rows.table for rows in group])
                 written.result()
                 written = thread.submit(writer.write_table, table, table.num_rows)

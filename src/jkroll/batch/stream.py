@@ -1,54 +1,36 @@
 """A table whose records are lines, from a file or a pipe into another."""
 
+from collections.abc import Sequence
 from contextlib import closing
 from functools import lru_cache, partial
 from itertools import chain
-from typing import NamedTuple
 
 from ..errors import BadRequest
-from ..quantities.nomenclature import header
 from . import loop, source
-from .columns import Header, check_first
+from .columns import Column, check_first
 from .formats import LINES, compressor
 from .lines import Converted, Converter, Head
 from .output import is_done, output_to
 from .settings import Order, Tally, input_format, output_format
-from .single import Task
 from .source import Input, Part, Span, blocks
 from .task import understood_task
 
 
-class _Recipe(NamedTuple):
-    """The parts of a converter, as they are handed to processes."""
-
-    kind: str
-    head: Head
-    table: Header
-    task: Task
-    excel_safe: bool
-    compression: str
-
-    def converter(self) -> Converter:
-        """Return the converter, without the compression."""
-        names = [*self.task.said, *(header(name) for name in self.task.quantities)]
-        return LINES[self.kind].converter(self.head, self.table, self.task, names, excel_safe=self.excel_safe)
+@lru_cache(maxsize=8)  # the tables of a run often have the same header
+def _converter(order: Order, kind: str, head: Head) -> tuple[Converter, Sequence[Column]]:
+    """Return the converter of a table, without the compression, and the columns that it reads."""
+    table, task = understood_task(head.names, order)
+    return LINES[kind].converter(head, task, excel_safe=order.settings.excel_safe), table.inputs
 
 
-def _make_convert(recipe: _Recipe) -> loop.Convert:
-    converter, compress = recipe.converter(), compressor(recipe.compression)
+def _make_convert(converter: Converter, compression: str) -> loop.Convert:
+    compress = compressor(compression)
 
     def convert(text: bytes) -> Converted:
         converted = converter.convert(text)
         return converted._replace(output=compress(converted.output))
 
     return convert
-
-
-@lru_cache(maxsize=8)  # the tables of a run often have the same header
-def _recipe(order: Order, kind: str, head: Head, compression: str) -> tuple[_Recipe, bytes]:
-    """Return the parts of a converter, and the header that it writes."""
-    recipe = _Recipe(kind, head, *understood_task(head.names, order), order.settings.excel_safe, compression)
-    return recipe, recipe.converter().head
 
 
 def convert(part: Part, order: Order) -> Tally:
@@ -67,15 +49,16 @@ def convert(part: Part, order: Order) -> Tally:
         texts = blocks(given.pieces(form.compression, part.span), LINES[form.kind].cut)
         first = next(texts, b"")
         head, rows = LINES[form.kind].head(first)
-        recipe, start = _recipe(order, form.kind, head, compression)
-        for column in recipe.table.inputs:
+        converter, columns = _converter(order, form.kind, head)
+        for column in columns:
             check_first(column, [row[column.place] for row in rows])
+        start = compress(converter.head) if converter.head else b""
         work = loop.Work(
             order.identity([given.size, given.time]),
             head.text,
-            Converted(compress(start) if start else b"", 0, 0, head.text.count(b"\n"), None),
+            Converted(start, 0, 0, head.text.count(b"\n"), None),
             filter(None, chain([first[len(head.text) :]], texts)),
-            partial(_make_convert, recipe),
+            partial(_make_convert, converter, compression),
             given.size if part.span is None else 0,
             given.position,
         )
