@@ -78,12 +78,11 @@ def by_processes(order: Order, parts: list[Part], jobs: int) -> Iterator[tuple[P
     from .workers import as_ready, started
 
     with started(min(jobs, len(parts) - len(alone)), partial(_answering, order)) as workers:
-        for part, (done, _) in as_ready(workers, parts[len(alone) :]):
-            yield part, done
+        yield from as_ready(workers, parts[len(alone) :])
 
 
-def _answering(order: Order) -> Callable[[Part], tuple[Done, bytes]]:
-    return lambda part: (convert_part(order, part), b"")
+def _answering(order: Order) -> Callable[[Part], Done]:
+    return partial(convert_part, order)
 
 
 def convert(path: str, order: Order, run: Runner) -> tuple[Tally, int]:

@@ -7,8 +7,9 @@ checksum of each; `--resume` goes on from there if input, options and version ar
 import os
 import stat
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
+from operator import add
 from typing import Any, NamedTuple
 from zlib import crc32
 
@@ -34,10 +35,26 @@ class Step(NamedTuple):
     doubtful: int = 0
 
 
+class Taken(NamedTuple):
+    """A block on its way to the output."""
+
+    step: Step  # what it adds, with its checksums
+    first_failure: tuple[int, str] | None
+    fetch: Callable[[int], bytes]  # returns it, or nothing if it has been written at this place of the file
+
+
+def taken(read: bytes, converted: Converted) -> Taken:
+    """Return a block that was converted in this process."""
+    output, rows, failed, lines, first_failure, doubtful = converted
+    step = Step(len(output), rows, failed, lines, crc32(read), crc32(output), doubtful)
+    return Taken(step, first_failure, lambda _: output)
+
+
 class Output:
     """A stream that takes blocks in their order."""
 
     goes_on = False  # whether --resume can go on after an interrupt
+    path = ""  # of the file that is written, if it is one
 
     def __init__(self, descriptor: int, *, strict: bool = False) -> None:
         """`strict`: no row may fail."""
@@ -52,32 +69,25 @@ class Output:
 
     def begin(self, _identity: Mapping[str, str], read: bytes, head: Converted) -> None:
         """Begin anew with a header."""
-        self.take(read, head)
+        self.take(taken(read, head))
 
     def resume(self, _identity: Mapping[str, str], _read: bytes, _blocks: Iterator[bytes]) -> bool:
         """Go on with an interrupted run; False if there is none."""
         return False
 
-    def count(self, converted: Converted, read: bytes = b"") -> None:
-        """Count a block that is written. Raises BadRow if a row of it failed and none may."""
-        done = self.done
-        if self.strict and converted.first_failure is not None:
-            line, status = converted.first_failure
-            raise BadRow(done.lines + 1 + line, status)
-        self.done = Step(
-            done.written + len(converted.output),
-            done.rows + converted.rows,
-            done.failed + converted.failed,
-            done.lines + converted.lines,
-            crc32(read),
-            crc32(converted.output),
-            done.doubtful + converted.doubtful,
-        )
+    def count(self, step: Step, first_failure: tuple[int, str] | None) -> None:
+        """Count a block. Raises BadRow if a row of it failed and none may."""
+        if self.strict and first_failure is not None:
+            line, status = first_failure
+            raise BadRow(self.done.lines + 1 + line, status)
+        total = Step(*map(add, self.done, step))
+        self.done = total._replace(read_checksum=step.read_checksum, written_checksum=step.written_checksum)
 
-    def take(self, read: bytes, converted: Converted) -> None:
+    def take(self, block: Taken) -> None:
         """Write a block."""
-        self.count(converted, read)
-        rest = memoryview(converted.output)
+        place = self.done.written
+        self.count(block.step, block.first_failure)
+        rest = memoryview(block.fetch(place))
         while rest:
             rest = rest[os.write(self.descriptor, rest) :]
 
@@ -99,10 +109,10 @@ class OutputFile(Output):
         if os.path.exists(target) and not os.path.isfile(target):
             raise BadRequest(f"-o: {quoted(target)} is no file")
         self.target = _real_path(target)
-        self.partial = f"{self.target}.partial"
-        self.journal = Journal(self.target, self.partial)
+        self.path = f"{self.target}.partial"
+        self.journal = Journal(self.target, self.path)
         try:
-            super().__init__(opened(self.partial), strict=strict)
+            super().__init__(opened(self.path), strict=strict)
         except (OSError, BadTable):
             self.journal.close()
             raise
@@ -111,11 +121,11 @@ class OutputFile(Output):
         """Begin anew with a header."""
         os.ftruncate(self.descriptor, 0)
         self.journal.begin(identity)
-        self.take(read, head)
+        self.take(taken(read, head))
 
-    def take(self, read: bytes, converted: Converted) -> None:
+    def take(self, block: Taken) -> None:
         """Write a block, and note it in the journal."""
-        super().take(read, converted)
+        super().take(block)
         self.journal.add(self.done)
 
     def resume(self, identity: Mapping[str, str], read: bytes, blocks: Iterator[bytes]) -> bool:
@@ -129,7 +139,7 @@ class OutputFile(Output):
             if not changed and crc32(next(blocks, b"") if place else read) != step.read_checksum:
                 changed = ["input"]
         if changed:
-            raise NotTheSame(quoted(self.partial), changed[0])
+            raise NotTheSame(quoted(self.path), changed[0])
         self.done = steps[-1]
         os.ftruncate(self.descriptor, self.done.written)
         self.journal.cut(ends[len(steps)])
@@ -139,7 +149,7 @@ class OutputFile(Output):
         """Return the steps that the output confirms, up to the first that it does not."""
         steps: list[Step] = []
         start = 0
-        with open(self.partial, "rb") as file, suppress(TypeError):
+        with open(self.path, "rb") as file, suppress(TypeError):
             for line in lines:
                 step = Step(*line)
                 if step.written < start or crc32(file.read(step.written - start)) != step.written_checksum:
@@ -151,10 +161,10 @@ class OutputFile(Output):
     def finish(self) -> None:
         """Give the whole file its name, and the mode of the file that had it."""
         with suppress(FileNotFoundError):
-            os.chmod(self.partial, stat.S_IMODE(os.stat(self.target).st_mode))
+            os.chmod(self.path, stat.S_IMODE(os.stat(self.target).st_mode))
         if os.fstat(self.descriptor).st_size >= LARGE:
             os.fsync(self.descriptor)
-        os.replace(self.partial, self.target)
+        os.replace(self.path, self.target)
         self.journal.remove()
 
     def close(self) -> None:

@@ -23,7 +23,7 @@ from .cells import Floats, Numbers, Reader
 from .columns import check_first
 from .errors import BadTable
 from .lines import Converted, added
-from .output import OutputFile, is_done
+from .output import OutputFile, Step, is_done
 from .progress import watched
 from .rows import Evaluator
 from .settings import Order, Settings, Tally, input_format, output_format
@@ -195,7 +195,8 @@ def write(
             written: Future[None] = thread.submit(lambda: None)
             for group in _groups(tables):
                 for table, failed, first_failure, doubtful in group:
-                    output.count(Converted(b"", table.num_rows, failed, table.num_rows, first_failure, doubtful))
+                    step = Step(rows=table.num_rows, failed=failed, lines=table.num_rows, doubtful=doubtful)
+                    output.count(step, first_failure)
                 table = pyarrow.concat_tables([rows.table for rows in group])
                 written.result()
                 written = thread.submit(writer.write_table, table, table.num_rows)

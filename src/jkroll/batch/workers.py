@@ -28,8 +28,7 @@ def _read_only(values: dict[str, Any]) -> MappingProxyType[str, Any]:
 # The properties of materials are read-only mappings, which do not pickle by themselves.
 copyreg.pickle(MappingProxyType, lambda mapping: (_read_only, (dict(mapping),)))
 
-# An answer is an object, which is pickled, and bytes, which are not: to pickle a megabyte takes as long as to make it.
-Answer = Callable[[Any], tuple[Any, bytes]]
+Answer = Callable[[Any], Any]
 
 
 class Worker:
@@ -47,16 +46,21 @@ class Worker:
         with suppress(BrokenPipeError, ConnectionResetError):  # a process that was ended is noticed by its answer
             self.connection.send(question)
 
-    def answer(self) -> tuple[Any, bytes]:
+    def answer(self) -> Any:
         """Return the answer to the last question, or raise its error; LostWorker if the process was ended."""
         try:
-            found, data = self.connection.recv(), self.connection.recv_bytes()
+            found = self.connection.recv()
         except (EOFError, ConnectionResetError):
             self.process.join()
             raise LostWorker(self.process.exitcode or 0) from None
         if isinstance(found, BaseException):
             raise found
-        return found, data
+        return found
+
+    def answer_to(self, question: Any) -> Any:
+        """Ask a question and return the answer."""
+        self.ask(question)
+        return self.answer()
 
     def end(self) -> None:
         """End the process at once."""
@@ -75,11 +79,10 @@ def _serve(questions: "connection.Connection[Any, Any]", make_answer: Callable[[
             found: Any
             try:
                 answer = answer or make_answer()
-                found, data = answer(question)
+                found = answer(question)
             except Exception as error:
-                found, data = error, b""
+                found = error
             questions.send(found)
-            questions.send_bytes(data)
 
 
 def _end_with_parent() -> None:
@@ -107,20 +110,19 @@ def started(count: int, make_answer: Callable[[], Answer]) -> Iterator[list[Work
             worker.end()
 
 
-def in_order(workers: list[Worker], questions: Iterable[Any]) -> Iterator[tuple[Any, tuple[Any, bytes]]]:
-    """Iterate over questions and their answers, in the order of the questions. Each process has one at work."""
-    at_work: deque[tuple[Worker, Any]] = deque()
+def in_order(workers: list[Worker], questions: Iterable[Any]) -> Iterator[tuple[Worker, Any]]:
+    """Iterate over answers in the order of the questions, each with its process, which gets no question until the next step."""
+    at_work: deque[Worker] = deque()
     for worker, question in zip(cycle(workers), questions, strict=False):
         if len(at_work) == len(workers):
-            first, asked = at_work.popleft()
-            yield asked, first.answer()
+            yield worker, at_work.popleft().answer()
         worker.ask(question)
-        at_work.append((worker, question))
-    for worker, asked in at_work:
-        yield asked, worker.answer()
+        at_work.append(worker)
+    for worker in at_work:
+        yield worker, worker.answer()
 
 
-def as_ready(workers: list[Worker], questions: Iterable[Any]) -> Iterator[tuple[Any, tuple[Any, bytes]]]:
+def as_ready(workers: list[Worker], questions: Iterable[Any]) -> Iterator[tuple[Any, Any]]:
     """Iterate over questions and their answers, each as soon as it is there."""
     left = iter(questions)
     at_work: dict[Any, tuple[Worker, Any]] = {}  # by the connection
