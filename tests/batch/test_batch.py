@@ -522,5 +522,5 @@ def test_one_liners_need_nothing_that_only_posix_has() -> None:
     ran = subprocess.run(
         [sys.executable, "-c", script, "batch", "grains.csv", "-o", "out.csv"], capture_output=True, text=True
     )
-    note = "note: 'out.csv.journal' cannot be locked here; let no other run write it\n"
+    note = "note: files in '.' cannot be locked; let no other run write them\n"
     assert (ran.returncode, ran.stderr) == (0, note)

@@ -11,6 +11,7 @@ import stat
 import sys
 from collections.abc import Mapping
 from contextlib import suppress
+from functools import lru_cache
 from typing import Any
 
 from ..errors import BadRequest
@@ -105,6 +106,11 @@ def _lock(descriptor: int, path: str) -> None:
     except (BlockingIOError, FileNotFoundError):
         pass  # the other run has it, or has just removed it
     except (ImportError, OSError):
-        say(f"note: {quoted(path)} cannot be locked here; let no other run write it", sys.stderr)
+        _say_unlocked(os.path.dirname(path))
         return
     raise BadTable(f"{quoted(path)} is being written by another run")
+
+
+@lru_cache(maxsize=1)  # once for all files of a directory
+def _say_unlocked(directory: str) -> None:
+    say(f"note: files in {quoted(directory or '.')} cannot be locked; let no other run write them", sys.stderr)
