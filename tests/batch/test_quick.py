@@ -48,8 +48,8 @@ def converted(dialect: str, end: str, text: bytes, *, excel_safe: bool) -> Conve
     separator = DIALECTS[dialect].separator.decode()
     header = understood(HEADER)
     task = task_of(header, {}, "report", known_materials())
-    head = Head((separator.join(HEADER) + end).encode(), tuple(HEADER), [])
-    return Delimited(DIALECTS[dialect], head, header, task, ["x"] * 40, excel_safe=excel_safe).convert(text)
+    head = Head((separator.join(HEADER) + end).encode(), tuple(HEADER))
+    return Delimited(DIALECTS[dialect], head, task, excel_safe=excel_safe).convert(text)
 
 
 @settings(deadline=None, max_examples=150)

@@ -34,9 +34,9 @@ class Evaluator:
             "material2": Lookup(task.known, task.material2),
         }
 
-    def results(self, block: Block, into: Floats | None = None) -> Results:
-        """Return the results of a block; `into`: an array for the numbers."""
-        sheet = _Sheet(self.task, numpy.empty((len(self.task.headers), block.size)) if into is None else into)
+    def results(self, block: Block) -> Results:
+        """Return the results of a block."""
+        sheet = _Sheet(self.task, numpy.empty((len(self.task.headers), block.size)))
         codes = {
             name: cells if isinstance(cells, numpy.ndarray) else self.lookups[name].codes(cells)
             for name, cells in block.materials.items()

@@ -3,6 +3,7 @@
 import sys
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from ..answers.answer import concerns
@@ -86,31 +87,40 @@ def _any_material(value: float) -> Material:
     return Material("", dict.fromkeys(PROPERTIES, value), (), {}, (), (), "", "")
 
 
-def _kinds_of(task: Task, table: Header, sample: Sequence[Sequence[str]]) -> tuple[str, ...]:
-    """Return the kinds of the uncertainties of options, and of those that enter results of the first rows."""
+@lru_cache(maxsize=8)  # the tables of a run often have the same header
+def _task_of(names: tuple[str, ...], order: Order) -> tuple[Header, Task]:
+    """Return the columns of a header and the task, without columns for uncertainties."""
+    table = understood(names)
+    task = task_of(table, order.inputs, order.settings.quantities, order.known)
+    return table, task._replace(doubt=order.settings.doubt)
+
+
+def kinds_of(names: tuple[str, ...], rows: Sequence[Sequence[str]], order: Order) -> tuple[str, ...]:
+    """Return the kinds of uncertainty that have columns: those of options, and those that enter results of the first rows."""
+    if order.settings.uncertainty:
+        return tuple(SIDES)
+    table, task = _task_of(names, order)
     kinds: set[str] = {value.kind for value in task.fixed.values() if is_uncertain(value)}
     places = {column.name: column.place for column in table.inputs} | dict(table.materials)
-    for row in sample:
+    for row in rows:
         cells = {name: row[place] for name, place in places.items()} if len(row) == len(table.texts) else {}
         with suppress(JkrollError):
             kinds |= kinds_of_row(task, cells)
     return tuple(kind for kind in SIDES if kind in kinds)
 
 
-def understood_task(names: tuple[str, ...], sample: Sequence[Sequence[str]], order: Order) -> tuple[Header, Task]:
+def understood_task(names: tuple[str, ...], kinds: tuple[str, ...], order: Order) -> tuple[Header, Task]:
     """Return the columns of a header and the task. Raises BadTable, or an error of the options.
 
-    `sample`: the cells of the first rows.
+    `kinds`: of the uncertainties that have columns.
     """
-    settings = order.settings
-    table = understood(names)
-    task = task_of(table, order.inputs, settings.quantities, order.known)._replace(doubt=settings.doubt)
-    task = task._replace(kinds=tuple(SIDES) if settings.uncertainty else _kinds_of(task, table, sample))
+    table, task = _task_of(names, order)
+    task = task._replace(kinds=kinds)
     taken = {*task.headers, *task.said, *task.remarks}
     for text in table.texts:
         if text.strip() in taken:
             raise BadTable(f"header: there is a column {quoted(text)} already; rename it, or choose --quantities")
-    if table.passing and not settings.quiet:
+    if table.passing and not order.settings.quiet:
         names_passing = ", ".join(quoted(text) for text in table.passing)
         say(f"note: {names_passing}: no input; passed through, not used", sys.stderr)
     return table, task
