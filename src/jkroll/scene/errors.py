@@ -9,6 +9,7 @@ from ..physics.jkr import FOLD_APPROACH
 from ..physics.maugis_states import fold_approach_maugis, pull_off_force_maugis
 from ..quantities.formatting import Format, amount
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
+from .wiring import parameters_of
 
 
 class MissingInput(JkrollError):
@@ -116,7 +117,8 @@ class BeyondPullOff(NoContact):
 
     def reason(self) -> str:
         """Return which loads this contact holds."""
-        load, held, by_maugis = _amounts("load", self.load, -self.pull_off_force, -self.by_maugis)
+        load, held = _amounts("load", self.load, -self.pull_off_force)
+        by_maugis = amount("load", -self.by_maugis)
         more = f"; by Maugis' law it holds down to {by_maugis} (--model maugis)" if self.by_maugis else ""
         return f"{load} is beyond pull-off; this contact holds down to {held}{more}"
 
@@ -227,13 +229,13 @@ def failure_of(name: str, given: Mapping[str, Any]) -> NoResult | None:
         case "load_factor_at_approach_unstable" if given["approach_at_load"] > 0:
             found = NoUnstableState(name)
         case "edge_ratio_at_load":
-            held = pull_off_force_maugis(**_arguments(given, pull_off_force_maugis))
+            held = _evaluated(pull_off_force_maugis, given)
             found = BeyondPullOff(given["load"], held) if given["load"] < -held else None
         case "edge_ratio_at_approach":
-            least = fold_approach_maugis(**_arguments(given, fold_approach_maugis))
+            least = _evaluated(fold_approach_maugis, given)
             found = BeyondFold(given["approach_at_load"], least) if given["approach_at_load"] <= least else None
         case "contact_radius_dmt" | "adhesive_force_dmt":
-            held = pull_off_force_dmt(**_arguments(given, pull_off_force_dmt))
+            held = _evaluated(pull_off_force_dmt, given)
             found = BeyondPullOff(given["load"], held) if given["load"] < -held else None
         case "contact_radius_dmt_at_approach" if given["approach_at_load"] < 0:
             found = BeyondFold(given["approach_at_load"], 0.0)
@@ -245,7 +247,6 @@ def failure_of(name: str, given: Mapping[str, Any]) -> NoResult | None:
     return found
 
 
-def _arguments(given: Mapping[str, Any], formula: Any) -> dict[str, Any]:
-    """Return the arguments of a formula from those of another."""
-    names = formula.__code__.co_varnames[: formula.__code__.co_kwonlyargcount]
-    return {name: given[name] for name in names}
+def _evaluated(formula: Any, given: Mapping[str, Any]) -> Any:
+    """Return the result of a formula whose arguments are among those of another."""
+    return formula(**{name: given[name] for name in parameters_of(formula)})
