@@ -14,7 +14,7 @@ from .result import Note, Result
 
 MOST_NAMES = 3  # of quantities in a note
 # The models of the rolling moment.
-MOMENTS = ("unloaded_moment", "yield_moment", "half_circles_moment", "fixed_approach_moment")
+MOMENTS = ("yield_moment", "unloaded_moment", "half_circles_moment", "fixed_approach_moment")
 
 
 def assumptions(scene: Scene, inputs: Collection[str], names: list[str]) -> list[Note]:

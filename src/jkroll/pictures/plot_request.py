@@ -88,7 +88,7 @@ def map_of(
     if scene.material is None and {x.name, y.name} & {*PROPERTIES}:
         marks = [*material_marks(request.materials, x, y), *marks]
     found = tuple(regions(scene, context.bounds, x, y))
-    caption = (shown(quantity, [context.scene]), *fixed_inputs(context.inputs))
+    caption = (_first_sentence(quantity, [context.scene]), *fixed_inputs(context.inputs))
     return Map(quantity, scene, x, y, values, found, tuple(marks), described(quantity, ""), caption), context.notes
 
 
@@ -116,7 +116,11 @@ def curves_of(request: PlotRequest, size: int) -> tuple[Picture, tuple[str, ...]
     points = [mark_at(text, request.materials, request.scenes[0][1], x, y) for text in request.marks]
     shared = [text for text in contexts[0].inputs if all(text in context.inputs for context in contexts)]
     doubts = [text for context, curve in zip(contexts, curves, strict=True) for text in context.doubts(x, curve.text)]
-    caption = (shown(request.quantity, [context.scene for context in contexts]), *fixed_inputs(shared), *doubts)
+    caption = (
+        _first_sentence(request.quantity, [context.scene for context in contexts]),
+        *fixed_inputs(shared),
+        *doubts,
+    )
     notes = [f"no curve: {error}" for error in missing.values()]
     notes += dict.fromkeys(note for context in contexts for note in context.notes)
     return Picture("", (Panel(x, y, tuple(curves), tuple(points)),), caption), tuple(notes)
@@ -130,7 +134,7 @@ class Context:
 
     def __init__(self, quantity: str, scene: Scene, values: Mapping[str, float]) -> None:
         """Describe a quantity of a scene; `values` holds one value of each axis."""
-        self.along = scene
+        self.given = scene
         self.scene = scene.replace(**values)
         self.bounds: list[Bound] = []
         notes = []
@@ -151,10 +155,10 @@ class Context:
 
     def _texts(self, names: Iterable[str]) -> Iterable[str]:
         """Iterate over the materials, and over inputs with their values."""
-        if self.along.material is not None:
-            yield self.along.material.name
-        if self.along.material2 is not None:
-            yield f"material2 = {self.along.material2.name}"
+        if self.given.material is not None:
+            yield self.given.material.name
+        if self.given.material2 is not None:
+            yield f"material2 = {self.given.material2.name}"
         for name in names:
             value = self.scene.values[name]
             yield f"{NOMENCLATURE[name].symbol} = {amount(name, in_words(name, value))}"
@@ -162,14 +166,14 @@ class Context:
     def doubts(self, x: Axis, curve: str) -> Iterable[str]:
         """Iterate over sentences that say where along an axis the model has no meaning or is not exact."""
         for bound in self.bounds:
-            where = x.values()[margin_along(self.along, bound, x) < 0]
+            where = x.values()[margin_along(self.given, bound, x) < 0]
             if where.size:
                 ends = (amount(x.name, float(f"{end:.2g}")) for end in (where[0], where[-1]))
                 of_curve = f"{curve}, " if curve else ""
                 yield f"{of_curve}{NOMENCLATURE[x.name].symbol} = {' to '.join(ends)}: {bound.broken}."
 
 
-def shown(quantity: str, scenes: Sequence[Scene]) -> str:
+def _first_sentence(quantity: str, scenes: Sequence[Scene]) -> str:
     """Return the first sentence of a caption: the quantity, and its equation and the law that was named, if there is one."""
     entry = NOMENCLATURE[quantity]
     parts = [f"{entry.sentence[0].upper()}{entry.sentence[1:]} {entry.symbol}"]
