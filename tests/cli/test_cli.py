@@ -169,7 +169,7 @@ MESSAGES = {
     "help": (2, "no such command 'help'; see jkroll --help"),
     "sticking-speed quartz 1um": (
         2,
-        "'sticking-speed' is a quantity, not a command; jkroll quantities sticking_speed says which show it",
+        "'sticking-speed' is a quantity, not a command; jkroll quantities sticking_speed lists the commands that show it",
     ),
     "pull-off quartz 100nm --materials none.toml": (2, "materials file 'none.toml': No such file or directory"),
     "pull-off quartz 100nm --materials .": (2, "materials file '.': is not a regular file"),
@@ -313,7 +313,9 @@ def test_every_quantity_is_explained_and_cited(run: Run, name: str) -> None:
     for radius2 in ("100nm", "plane"):
         words = [name, "quartz", "100nm", "--radius2", radius2]
         expected = 1 if (name, radius2) == ("r-min", "plane") else 0
-        assert run(*words, "--explain").code == expected
+        ran = run(*words, "--explain")
+        assert ran.code == expected
+        assert not any(line.endswith((" ", ",", "Eq")) for line in ran.out.splitlines() if " — " in line)
         assert run(*words, "--cite").code == expected
     assert ("kendall-1987" in run(name, "quartz", "100nm", "--cite").out) is (name != "r-min")
 

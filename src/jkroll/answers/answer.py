@@ -89,7 +89,7 @@ def _results(question: Question, scene: Scene) -> tuple[list[Result], dict[str, 
 
 
 def _fatal(errors: Mapping[str, JkrollError], scene: Scene) -> JkrollError | None:
-    """Return the error that leaves nothing of a scene to be trusted, even where something could be computed; None without one."""
+    """Return the error that invalidates the whole scene, even where some values could be computed; None if there is none."""
     fatal = next((error for error in errors.values() if isinstance(error, NoContact)), None)
     return with_force_by_maugis(fatal, scene) if isinstance(fatal, BeyondPullOff) else fatal
 

@@ -59,7 +59,7 @@ def map_request(call: Call) -> PlotRequest:
         if axis.name in request.options:
             raise BadRequest(f"{axis.name} is on an axis; it cannot have one value too")
         if axis.name == quantity:
-            raise BadRequest(f"{quantity} is what is drawn; it is no axis")
+            raise BadRequest(f"{quantity} is the quantity that is drawn; it cannot be an axis too")
         if axis.name not in within:
             raise BadRequest(f"{quantity} does not depend on {axis.name}")
     if len({axis.name for axis in axes}) < len(axes):

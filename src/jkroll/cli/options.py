@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from ..errors import BadRequest
 from ..quantities.nomenclature import NOMENCLATURE
-from ..text import quoted
+from ..text import capitalized, quoted
 
 
 class Option(NamedTuple):
@@ -56,7 +56,7 @@ class Option(NamedTuple):
         meaning = NOMENCLATURE[self.name].sentence
         default = f", default {amount(self.name, DEFAULTS[self.name])}" if self.name in DEFAULTS else ""
         others = ", or --gamma2 and so on" if self.name == "material2" else ""
-        return f"{meaning[0].upper()}{meaning[1:]}{default}{others}."
+        return f"{capitalized(meaning)}{default}{others}."
 
 
 class Call(NamedTuple):

@@ -12,7 +12,7 @@ from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
 from ..quantities.parsing import parse_quantity
 from ..scene.errors import MissingInput, NotInLaw
 from ..scene.scene import Scene
-from ..text import quoted
+from ..text import capitalized, quoted
 from .axes import Axis, described
 from .maps import (
     Map,
@@ -176,7 +176,7 @@ class Context:
 def _first_sentence(quantity: str, scenes: Sequence[Scene]) -> str:
     """Return the first sentence of a caption: the quantity, and its equation and the law that was named, if there is one."""
     entry = NOMENCLATURE[quantity]
-    parts = [f"{entry.sentence[0].upper()}{entry.sentence[1:]} {entry.symbol}"]
+    parts = [f"{capitalized(entry.sentence)} {entry.symbol}"]
     equations = {equation_of(scene, quantity) for scene in scenes}
     laws = {scene.law.title for scene in scenes if scene.stated_model is not None}
     if len(equations) == 1 and (equation := equations.pop()):

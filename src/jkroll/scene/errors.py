@@ -54,11 +54,11 @@ class NotInLaw(MissingInput):
         return f"{self.wanted}: {self.reason()}"
 
     def reason(self) -> str:
-        """Return that the law does not have the quantity, or what it follows from."""
+        """Return which quantity the law does not have: this one, or one that it follows from."""
         return self._of_the_law() or super().reason()
 
     def reason_of_several(self) -> str:
-        """Return the same of several quantities."""
+        """Return the same for several quantities."""
         return self._of_the_law() or super().reason_of_several()
 
     def _of_the_law(self) -> str:

@@ -176,7 +176,7 @@ def _in_quadrature(
 
 
 def _shares(effective: Sequence[Source], parts: Sequence[float]) -> dict[str, float]:
-    """Return the share of each source, the largest first; of those without influence none."""
+    """Return the share of each source, the largest first; a source without influence has none."""
     whole = fsum(parts)
     shares = {source.names[0]: part / whole for source, part in zip(effective, parts, strict=True) if part}
     return dict(sorted(shares.items(), key=lambda share: -share[1]))
