@@ -117,7 +117,7 @@ def test_an_end_without_a_value_is_said(run: Run) -> None:
     assert first["stiffness [N/m]"] is not None
     assert first["stiffness_minus [N/m]"] is None
     assert first["status"].startswith(
-        "stiffness: no uncertainty, as there is no value at an end of an input: load: -1.2e-08 N is beyond pull-off"
+        "stiffness: no uncertainty, as there is no value at an end of an input: load: -12 nN is beyond pull-off"
     )
     assert second["stiffness_minus [N/m]"] is not None
     assert second["status"] is None

@@ -112,7 +112,7 @@ MESSAGES = {
     ),
     "yield-force quartz 100nm --load -11.78098nN": (
         1,
-        "load: -11.78098 nN is beyond pull-off; this contact holds down to -11.780972450961723 nN; by Maugis' law it holds down to -15.0037 nN (--model maugis)",
+        "load: -11.78098 nN is beyond pull-off; this contact holds down to -11.78097 nN; by Maugis' law it holds down to -15.0037 nN (--model maugis)",
     ),
     "pull-off quartz 100nm --model jkr,dmt,jkr": (2, "--model: 'jkr,dmt,jkr' names a law more than once"),
     "contact quartz 100nm --poisson 0.6": (

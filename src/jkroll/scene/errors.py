@@ -74,10 +74,14 @@ def _as_typed(name: str) -> str:
     return f"{NOMENCLATURE[name].option} {NOMENCLATURE[name].example}"
 
 
-def _amounts(name: str, *values: float) -> list[str]:
-    """Return values as results are shown; with all their digits where the rounded ones would look alike."""
-    texts = [amount(name, value) for value in values]
-    return texts if len(set(texts)) == len(texts) else [amount(name, value, Format(digits=17)) for value in values]
+def _told_apart(name: str, value: float, limit: float) -> tuple[str, str]:
+    """Return two values as results are shown, or with as many digits more as tell them apart."""
+    for digits in (None, *range(7, 18)):
+        form = Format(digits=digits)
+        texts = amount(name, value, form), amount(name, limit, form)
+        if texts[0] != texts[1]:
+            break
+    return texts
 
 
 class Contradiction(JkrollError):
@@ -117,7 +121,7 @@ class BeyondPullOff(NoContact):
 
     def reason(self) -> str:
         """Return which loads this contact holds."""
-        load, held = _amounts("load", self.load, -self.pull_off_force)
+        load, held = _told_apart("load", self.load, -self.pull_off_force)
         by_maugis = amount("load", -self.by_maugis)
         more = f"; by Maugis' law it holds down to {by_maugis} (--model maugis)" if self.by_maugis else ""
         return f"{load} is beyond pull-off; this contact holds down to {held}{more}"
@@ -134,7 +138,7 @@ class BeyondFold(NoContact):
 
     def reason(self) -> str:
         """Return which approaches this contact holds."""
-        approach, least = _amounts("approach_at_load", self.approach, self.least)
+        approach, least = _told_apart("approach_at_load", self.approach, self.least)
         return f"{approach} is beyond the fold; fixed grips hold this contact down to {least}"
 
 
@@ -149,7 +153,7 @@ class TooMuchHysteresis(NoResult):
 
     def reason(self) -> str:
         """Return how large the hysteresis may be."""
-        hysteresis, work = _amounts("adhesion_hysteresis", self.hysteresis, self.work)
+        hysteresis, work = _told_apart("adhesion_hysteresis", self.hysteresis, self.work)
         return f"{hysteresis} is above the work of adhesion, {work}, of which it is a part"
 
 
