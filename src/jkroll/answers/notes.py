@@ -13,7 +13,7 @@ from ..text import first_of
 from .other_laws import remarks
 from .result import Note, Result
 
-MOST_NAMES = 3  # of quantities in a note
+MAX_NAMES = 3  # of quantities in a note
 # The models of the rolling moment.
 MOMENTS = ("yield_moment", "unloaded_moment", "half_circles_moment", "fixed_approach_moment")
 
@@ -126,7 +126,7 @@ def about_missing(results: list[Result], errors: Mapping[str, JkrollError]) -> l
 
 def few(names: list[str]) -> str:
     """Return the symbols of the first names of a list, and how many more there are."""
-    return first_of([*map(symbol_of, names)], MOST_NAMES)
+    return first_of([*map(symbol_of, names)], MAX_NAMES)
 
 
 def symbol_of(name: str) -> str:

@@ -14,7 +14,7 @@ from ..scene.wiring import depends_on
 from .options import Call
 from .request import Request, request_of
 
-MOST_CURVES = 12
+MAX_CURVES = 12
 
 
 def axis_of(text: str, option: str) -> Axis:
@@ -64,8 +64,8 @@ def map_request(call: Call) -> PlotRequest:
             raise BadRequest(f"{quantity} does not depend on {axis.name}")
     if len({axis.name for axis in axes}) < len(axes):
         raise BadRequest(f"both axes are {axes[0].name}")
-    if request.count > (1 if len(axes) > 1 else MOST_CURVES):
-        most = f"{MOST_CURVES} curves" if len(axes) == 1 else "one map"
+    if request.count > (1 if len(axes) > 1 else MAX_CURVES):
+        most = f"{MAX_CURVES} curves" if len(axes) == 1 else "one map"
         raise BadRequest(f"{request.count} scenes are more than {most}")
     scenes = tuple((_distinction(scene, request), scene) for scene in request.scenes())
     return PlotRequest(quantity, x, y, scenes, marks_of(call.mark), request.materials)

@@ -13,7 +13,7 @@ from .explain import docstring_fields
 from .records import write_records
 
 _HEADS = ("name", "symbol", "unit", "option", "commands", "equation", "meaning")
-_MOST_NAMED = 3  # commands that are named; more of them are counted
+_MAX_NAMED = 3  # commands that are named; more of them are counted
 
 
 def quantities_found(words: Sequence[str]) -> list[str]:
@@ -100,7 +100,7 @@ def _write_sheet(name: str, out: TextIO) -> None:
         "unit": pretty(quantity.unit),
         "option": option or (f"a word: {quantity.example}" if quantity.example else ""),
         "values": RANGES[quantity.range].words if quantity.range and quantity.example else "",
-        "commands": first_of(commands_of(name), _MOST_NAMED) or "any, with --quantities " + name,
+        "commands": first_of(commands_of(name), _MAX_NAMED) or "any, with --quantities " + name,
         "equation": quantity.equation,
         "formula": fields.get("formula", ""),
         "follows from": ", ".join(parameter + suffix_of(name) for parameter in parameters_of(formula))

@@ -28,8 +28,8 @@ from .maps import (
 from .panels import Curve, Panel, Picture, axis_around
 from .regions import Bound, bounds_of, margin_along, regions
 
-MOST_POINTS = 25_000_000  # of a map
-MOST_ALONG = 1_000_000  # points of all curves together
+MAX_POINTS = 25_000_000  # of a map
+MAX_ALONG = 1_000_000  # points of all curves together
 
 
 class PlotRequest(NamedTuple):
@@ -78,8 +78,8 @@ def map_of(
     assert request.y is not None
     quantity, scene = request.quantity, request.scenes[0][1]
     x, y = sized(request.x, size[0]), sized(request.y, size[1])
-    if x.size * y.size > MOST_POINTS:
-        raise BadRequest(f"{x.size} x {y.size} points are more than {MOST_POINTS}")
+    if x.size * y.size > MAX_POINTS:
+        raise BadRequest(f"{x.size} x {y.size} points are more than {MAX_POINTS}")
     context = Context(quantity, scene, {**_one_of(x), **_one_of(y)})
     values = evaluate(scene, quantity, x, y, progress)
     if not has_values(values):
@@ -95,8 +95,8 @@ def map_of(
 def curves_of(request: PlotRequest, size: int) -> tuple[Picture, tuple[str, ...]]:
     """Return the curves of a request, by default of `size` points, and notes on them."""
     x = sized(request.x, size)
-    if x.size * len(request.scenes) > MOST_ALONG:
-        raise BadRequest(f"{len(request.scenes)} x {x.size} points are more than {MOST_ALONG}")
+    if x.size * len(request.scenes) > MAX_ALONG:
+        raise BadRequest(f"{len(request.scenes)} x {x.size} points are more than {MAX_ALONG}")
     contexts: list[Context] = []
     curves: list[Curve] = []
     missing: dict[str, MissingInput] = {}

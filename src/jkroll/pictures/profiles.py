@@ -154,14 +154,14 @@ _OF_LAWS: Mapping[str, tuple[_PanelOfLaws, tuple[str, ...]]] = {  # with the qua
 }
 
 
-def curves_of_contact(scene: Scene, loads: Loads | None, caption: tuple[str, ...], panel: str | None = None) -> Picture:
+def curves_of_contact(scene: Scene, loads: Loads | None, caption: tuple[str, ...], panel: str | None) -> Picture:
     """Return force against approach, pressure, and moment against ξ of one contact; or one of these panels."""
     names = (panel,) if panel is not None else tuple(PANELS)
     return Picture("", tuple(PANELS[name](scene, loads) for name in names), caption)
 
 
 def curves_of_laws(
-    scenes: Sequence[Scene], loads: Loads | None, caption: tuple[str, ...], panel: str | None = None
+    scenes: Sequence[Scene], loads: Loads | None, caption: tuple[str, ...], panel: str | None
 ) -> tuple[Picture, tuple[str, ...]]:
     """Return the panels of a contact with a curve for each law, and notes on the laws that lack one of them."""
     panels: list[Panel] = []

@@ -8,6 +8,7 @@ from ..materials.library import Material, Materials
 from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import canonical
 from ..quantities.parsing import is_uncertain
+from ..text import MAX_QUOTED
 from .inputs import check_range
 from .inverse import SIZES, CannotInfer, solution
 from .scene import Scene
@@ -57,7 +58,7 @@ def infer(
     if not isinstance(measured, Mapping) or len(measured) != 1:
         raise QuantityError(
             "measured",
-            str(measured)[:80],
+            str(measured)[:MAX_QUOTED],
             "is not one quantity and its value",
             'write {"pull_off_force": "300 nN"}',
         )

@@ -142,7 +142,7 @@ def _answers(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
 
 
 def uncertain_scene(
-    described: Mapping[str, Any], spheres: tuple[Material | None, Material | None], model: str | None = None
+    described: Mapping[str, Any], spheres: tuple[Material | None, Material | None], model: str | None
 ) -> Scene:
     """Return a scene of which some values are uncertain; arrays have no uncertainty."""
     for name, value in described.items():
