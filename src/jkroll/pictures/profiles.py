@@ -5,7 +5,7 @@ from itertools import groupby
 from math import inf
 from typing import Any
 
-from ..answers.curve import EQUILIBRIUM, FOLD, JUMP_IN, MOST, PULL_OFF, Loads, states
+from ..answers.curve import EQUILIBRIUM, FOLD, JUMP_IN, MAX_LOAD, PULL_OFF, Loads, states
 from ..answers.notes import MOMENTS
 from ..materials.library import Materials
 from ..physics.cylinder import asymmetric_pressure, contact_point_moment, half_strips_moment, symmetric_pressure
@@ -60,7 +60,7 @@ def _force_of_laws(scenes: Sequence[Scene], loads: Loads | None) -> Panel:
     """Return force against approach under each law, on all branches, up to the same load."""
     import numpy
 
-    ends = loads or Loads(-inf, MOST * max(scene["pull_off_force"] for scene in scenes))
+    ends = loads or Loads(-inf, MAX_LOAD * max(scene["pull_off_force"] for scene in scenes))
     curves = []
     for number, scene in enumerate(scenes):
         x, y = [], []
