@@ -32,7 +32,7 @@ VALUES = {
     "materials": FILES,
     "data": ("out.csv", "out.csv", "-", "full.csv", "null", ".", "a/b.csv", ""),
     "width": ("85mm", "85mm", "1m", "5nN", "5mm", "nan", ""),
-    "style": ("light", "dark", "Dark", ""),
+    "style": ("paper", "dark", "Dark", ""),
     "format": ("csv", "csv", "tsv", "ndjson", "ndjson.gz", "parquet", "csv.zst", "xlsx", ""),
     "quantities": ("pull_off_force", "pull_off_force,r_min", "report", "pull-off", "contact,moment", "load", "n_grav,", ",", "zorch", ""),
     "jobs": ("1", "1", "01", "0", "65", "-1", "x", "1.0"),

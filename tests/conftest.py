@@ -18,7 +18,8 @@ settings.load_profile("same")
 
 
 def pytest_configure() -> None:
-    """Choose the seed of the slow accuracy test, the same in all processes of a run."""
+    """Choose the seed of the slow accuracy test, the same in all processes of a run; let processes compile the program once."""
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
     os.environ.setdefault("ACCURACY_SEED", str(secrets.randbelow(10**9)))
 
 

@@ -24,3 +24,14 @@ def random_table(size: int, seed: int) -> str:
         ]
         lines.append(",".join(cells))
     return "\n".join(lines) + "\n"
+
+
+# Small blocks, and processes after the first of them: a kill finds every state of a short run.
+IN_SMALL_BLOCKS = """
+import sys
+from jkroll.batch import loop, source, sweep
+from jkroll.cli.process import main
+loop.ALONE, source.CHUNK, sweep.ROWS = 2, 1 << 14, 1 << 9
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
+"""

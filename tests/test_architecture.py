@@ -33,6 +33,13 @@ ONLY = {
     "zstandard": {"batch"},
 }
 
+# The paper's equations between the quantities, which nothing asks for by name.
+DERIVATION = {
+    "load_ratio", "approach_ratio", "pressure", "approach_of_pressure", "boussinesq_pressure_at_approach",
+    "half_circle_moment", "linearised_moment", "gravity_moment", "sphere_acceleration", "approach_acceleration",
+    "angular_acceleration", "rolling_energy", "initial_angular_speed", "angular_deceleration",
+}  # fmt: skip
+
 
 def part(path: Path) -> str:
     """Return the folder that a file belongs to."""
@@ -113,6 +120,10 @@ def test_every_file_is_short_enough_to_read() -> None:
 def test_no_formula_has_a_default() -> None:
     for formula in FORMULAS.values():
         assert all(parameter.default is parameter.empty for parameter in inspect.signature(formula).parameters.values())
+
+
+def test_a_formula_is_a_quantity_or_a_step_of_the_derivation() -> None:
+    assert FORMULAS.keys() - NOMENCLATURE.keys() == DERIVATION
 
 
 def test_defaults_are_named_inputs_with_an_option() -> None:

@@ -1,9 +1,9 @@
-"""Text for a terminal: ASCII replacements, quoted user text, suggestions for mistyped words, the size of the terminal."""
+"""Text for people and programs: ASCII replacements, lines, JSON, the size of the terminal, suggestions, quoted user text, lists."""
 
 import codecs
 import os
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any, TextIO
 
 _ASCII = {
@@ -137,3 +137,22 @@ def shown(text: str, limit: int = MAX_QUOTED) -> str:
     if text.isprintable():
         return text
     return "".join(character if character.isprintable() else "?" for character in text)
+
+
+def first_of(texts: Sequence[str], most: int) -> str:
+    """Return the first of some texts as a list, and how many more there are.
+
+    >>> first_of(["a", "b", "c"], 3), first_of(["a", "b", "c"], 1)
+    ('a, b, c', 'a and 2 more')
+    """
+    rest = len(texts) - most
+    return ", ".join(texts[:most]) + (f" and {rest} more" if rest > 0 else "")
+
+
+def capitalized(sentence: str) -> str:
+    """Return a sentence with a capital at its beginning and nothing else changed.
+
+    >>> capitalized("effective mass of SiO2")
+    'Effective mass of SiO2'
+    """
+    return sentence[:1].upper() + sentence[1:]

@@ -17,18 +17,9 @@ from typing import Any
 import pytest
 
 from harness import Run
-from tables import random_table
+from tables import IN_SMALL_BLOCKS, random_table
 
 BATCH = [sys.executable, "-m", "jkroll", "batch"]
-# Small blocks, and processes after the first of them: a kill finds every state of a short run.
-IN_SMALL_BLOCKS = """
-import sys
-from jkroll.batch import loop, source, sweep
-from jkroll.cli.process import main
-loop.ALONE, source.CHUNK, sweep.ROWS = 2, 1 << 14, 1 << 9
-if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
-"""
 
 
 def grains(rows: int) -> str:
@@ -72,7 +63,7 @@ SWEEP = "yield-force quartz 100nm --load -20nN:20nN:20000:lin"
 @pytest.mark.parametrize(
     ("words", "end", "kills"),
     [
-        ("batch grains.csv --material quartz", "csv", 2),
+        ("batch grains.csv --material quartz", "csv", 1),
         pytest.param("batch grains.csv --material quartz", "csv", 34, marks=pytest.mark.slow),
         pytest.param("batch grains.ndjson --material quartz", "ndjson", 34, marks=pytest.mark.slow),
         pytest.param(SWEEP, "csv", 34, marks=pytest.mark.slow),
@@ -108,34 +99,52 @@ def interrupted(command: list[str], how: int) -> int:
     return process.returncode
 
 
-def refused(command: list[str], *options: str, what: str) -> None:
-    """Going on is refused."""
-    ran = subprocess.run([*command, "--resume", *options], capture_output=True, text=True)
-    said = f"'out.csv.partial' is of a run with another {what}; without --resume it is begun anew"
-    assert (ran.returncode, ran.stderr) == (2, f"jkroll: --resume: {said}\n")
-
-
-def test_an_interrupt_leaves_what_resume_goes_on_from() -> None:
-    Path("grains.csv").write_text(grains(40_000), encoding="utf-8")
-    command = [*BATCH, "grains.csv", "--material", "quartz", "-o", "out.csv"]
-    while (code := interrupted(command, signal.SIGINT)) != 130:
+def an_interrupted_run(run: Run) -> str:
+    """Interrupt a run; return the words that go on with it."""
+    Path("small.py").write_text(IN_SMALL_BLOCKS)
+    Path("grains.csv").write_text(grains(15_000), encoding="utf-8")
+    words = "batch grains.csv --material quartz -o out.csv --jobs 1"
+    while (code := interrupted([sys.executable, "small.py", *words.split()], signal.SIGINT)) != 130:
         assert code == 1  # it was done before the signal came
         Path("out.csv").unlink()
     assert not Path("out.csv").exists()
-    refused(command, "--xi", "1nm", what="options")
-    refused(command, "--quantities", "r_min", what="options")
+    assert run(words.replace("out.csv", "whole.csv")).code == 1
+    return f"{words} --resume"
+
+
+@pytest.fixture
+def small_blocks(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Blocks as those of the script."""
+    monkeypatch.setattr("jkroll.batch.source.CHUNK", 1 << 14)
+
+
+@pytest.mark.usefixtures("small_blocks")
+def test_an_interrupt_leaves_what_resume_goes_on_from(run: Run) -> None:
+    resume = an_interrupted_run(run)
+
+    def refused(*options: str, what: str) -> bool:
+        said = f"'out.csv.partial' is of a run with another {what}; without --resume it is begun anew"
+        return run(*resume.split(), *options) == (2, "", f"jkroll: --resume: {said}\n")
+
+    assert refused("--xi", "1nm", what="options")
+    assert refused("--quantities", "r_min", what="options")
     about = Path("grains.csv").stat()
     os.utime("grains.csv")
-    refused(command, what="input")
+    assert refused(what="input")
     os.utime("grains.csv", ns=(about.st_atime_ns, about.st_mtime_ns))
-    assert subprocess.run([*command, "--resume"], capture_output=True).returncode == 1
-    assert subprocess.run([*command[:-1], "whole.csv"], capture_output=True).returncode == 1
+    assert run(resume).code == 1
     assert Path("out.csv").read_bytes() == Path("whole.csv").read_bytes()
 
 
 def test_a_pipe_is_read_again_up_to_where_it_was() -> None:
-    Path("grains.csv").write_text(grains(60_000), encoding="utf-8")
-    command = ["sh", "-c", f'cat grains.csv | exec {" ".join(BATCH)} - --material quartz -o out.csv "$@"', "sh"]
+    Path("small.py").write_text(IN_SMALL_BLOCKS)
+    Path("grains.csv").write_text(grains(10_000), encoding="utf-8")
+    command = [
+        "sh",
+        "-c",
+        f'cat grains.csv | exec {sys.executable} small.py batch - --material quartz -o out.csv "$@"',
+        "sh",
+    ]
     process = subprocess.Popen(command, stderr=subprocess.DEVNULL, start_new_session=True)
     journal = Path("out.csv.journal")
     wait_until(lambda: journal.exists() and journal.read_bytes().count(b"\n") > 2, process)
@@ -167,17 +176,17 @@ def started_by(process: "subprocess.Popen[Any]") -> list[str]:
     return found
 
 
-def in_two_processes(rows: int) -> "subprocess.Popen[str]":
-    """A run over random rows that has started its processes."""
+def in_two_processes(path: str, target: str) -> "subprocess.Popen[str]":
+    """A run that has more to do than a test waits for."""
     Path("small.py").write_text(IN_SMALL_BLOCKS)
-    Path("grains.csv").write_text(random_table(rows, 7), encoding="utf-8")
-    command = [sys.executable, "small.py", "batch", "grains.csv", "-o", "out.csv", "--jobs", "2"]
+    command = [sys.executable, "small.py", "batch", path, "-o", target, "--material", "quartz", "--jobs", "2"]
     return subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="processes are found in /proc")
 def test_a_lost_process_is_noticed() -> None:
-    process = in_two_processes(3000)
+    Path("grains.csv").write_text(grains(100_000), encoding="utf-8")
+    process = in_two_processes("grains.csv", "out.csv")
     workers = started_by(process)
     os.kill(int(workers[0]), signal.SIGKILL)
     _, message = process.communicate()
@@ -190,13 +199,22 @@ def test_a_lost_process_is_noticed() -> None:
 
 @pytest.mark.skipif(sys.platform != "linux", reason="processes are found in /proc")
 def test_no_process_outlives_the_one_that_started_it() -> None:
-    process = in_two_processes(3000)
-    workers = started_by(process)
-    process.kill()
-    process.communicate()
-    give_up = time.monotonic() + 20
-    while any("Z" not in _state_of(worker) for worker in workers):  # each ends within a block
-        assert time.monotonic() < give_up
+    """Each is in the midst of a large file then; going on meets none of them."""
+    Path("grains").mkdir()
+    small, large = grains(3), random_table(5_000, 7)
+    for place in range(12):
+        Path(f"grains/{place:02}.csv").write_text(small if place < 9 else large, encoding="utf-8")
+    with in_two_processes("grains/*.csv", "forces/") as process:
+        workers = started_by(process)
+        journals = [Path(f"forces/{place:02}.csv.journal") for place in (9, 10)]
+        wait_until(lambda: all(journal.exists() for journal in journals), process)
+        process.kill()
+    for place in range(9, 12):
+        Path(f"grains/{place:02}.csv").write_text(small, encoding="utf-8")
+    command = [*BATCH, "grains/*.csv", "-o", "forces/", "--material", "quartz", "--jobs", "1", "--resume"]
+    assert subprocess.run(command, capture_output=True).returncode == 1
+    assert [len(path.read_text().splitlines()) for path in Path("forces").glob("*.csv")] == [4] * 12
+    assert [_state_of(worker) for worker in workers] == ["Z", "Z"]
 
 
 def _state_of(process: str) -> str:
@@ -209,24 +227,21 @@ def _state_of(process: str) -> str:
 
 def test_two_runs_never_write_the_same_file(run: Run) -> None:
     Path("grains.csv").write_text("radius [nm],material\n100,quartz\n", encoding="utf-8")
-    with Path("out.csv.partial").open("w") as other:
+    with Path("out.csv.journal").open("w") as other:
         fcntl.flock(other, fcntl.LOCK_EX)
-        message = "jkroll: 'out.csv.partial' is being written by another run\n"
+        message = "jkroll: 'out.csv.journal' is being written by another run\n"
         assert run("batch", "grains.csv", "-o", "out.csv") == (2, "", message)
     assert run("batch", "grains.csv", "-o", "out.csv").code == 0
 
 
-def test_a_damaged_output_is_made_again_from_where_it_is_damaged() -> None:
+@pytest.mark.usefixtures("small_blocks")
+def test_a_damaged_output_is_made_again_from_where_it_is_damaged(run: Run) -> None:
     """As after a loss of power: the journal is there, and the end of the output is zeros."""
-    Path("grains.csv").write_text(grains(40_000), encoding="utf-8")
-    command = [*BATCH, "grains.csv", "--material", "quartz", "-o", "out.csv"]
-    while interrupted(command, signal.SIGINT) != 130:
-        Path("out.csv").unlink()
+    resume = an_interrupted_run(run)
     with Path("out.csv.partial").open("r+b") as file:
         file.seek(100)
         file.write(b"\0" * 100)
-    assert subprocess.run([*command, "--resume"], capture_output=True).returncode == 1
-    assert subprocess.run([*command[:-1], "whole.csv"], capture_output=True).returncode == 1
+    assert run(resume).code == 1
     assert Path("out.csv").read_bytes() == Path("whole.csv").read_bytes()
 
 

@@ -69,11 +69,11 @@ def test_numbers_of_any_kind_and_nulls(run: Run, monkeypatch: pytest.MonkeyPatch
 
 
 def test_what_is_no_parquet(run: Run) -> None:
-    Path("x.parquet").write_bytes(b"PAR1 no")
-    assert (
-        run("batch x.parquet -o y.parquet").err
-        == "jkroll: 'x.parquet' is not Parquet, or its end is missing, or it is encrypted\n"
-    )
+    for text in (b"PAR1 no", b"radius [nm]\n100\n", b""):
+        Path("x.parquet").write_bytes(text)
+        ran = run("batch x.parquet -o y.parquet")
+        assert (ran.code, ran.err.count("\n")) == (2, 1)
+        assert ran.err.startswith("jkroll: 'x.parquet' cannot be read as Parquet: ")
     name = write({"radius [nm]": [100.0]})
     assert run("batch", name).err == "jkroll: Parquet is read from a file and written to a file: -o FILE\n"
     assert run("batch", name, "-o", "y.csv").err == "jkroll: -o: a table of parquet is written as parquet, not as csv\n"
@@ -117,13 +117,13 @@ def test_a_part_counts_rows_from_the_beginning_of_the_file() -> None:
     from jkroll.batch.errors import BadRow
     from jkroll.batch.parquet import convert
     from jkroll.batch.settings import Order, Settings
-    from jkroll.batch.source import Span
+    from jkroll.batch.source import Part, Span
     from jkroll.materials.library import known_materials
 
     name = write({"radius [nm]": [*range(1, 235), 0.0, 1.0]})
     order = Order(Settings("out.parquet", quantities="r_min", strict=True, jobs=1), {}, known_materials())
     with pytest.raises(BadRow, match="line 235: radius"):
-        convert(name, order, Span(2, 3))
+        convert(Part(name, "out.parquet", Span(2, 3)), order)
 
 
 def test_what_a_file_says_of_itself_stays(run: Run) -> None:

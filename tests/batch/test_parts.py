@@ -158,8 +158,8 @@ def test_a_large_table_is_split(run: Run, monkeypatch: pytest.MonkeyPatch, end: 
     else:
         pyarrow, parquet = pytest.importorskip("pyarrow"), pytest.importorskip("pyarrow.parquet")
         parquet.write_table(pyarrow.Table.from_pylist(rows), name, row_group_size=7)
-    monkeypatch.setattr(source, "SPAN", 1000)
-    monkeypatch.setattr(source, "WINDOW", 100)
+    monkeypatch.setattr(source, "SPAN", 500)
+    monkeypatch.setattr(source, "CHUNK", 100)
     if end == "parquet":
         monkeypatch.setattr("jkroll.batch.parquet.SPAN", 50)
     assert run("batch", name, "-o", f"whole.{end}", "--quantities", "r_min").code == 0
@@ -230,7 +230,7 @@ def test_two_dask_workers_write_what_one_process_writes(
         command = [sys.executable, "-m", "jkroll", "batch", "grains/*.csv", "-o", "forces/", "--dask", scheduler]
         batch = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
         if kill:
-            while not (Path("forces").exists() and "manifest.journal" in whole_names("forces")):
+            while not (Path("forces").exists() and "manifest.json.journal" in whole_names("forces")):
                 assert batch.poll() is None
             os.kill(workers[0].pid, signal.SIGKILL)
         _, message = batch.communicate()

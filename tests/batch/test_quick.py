@@ -48,8 +48,8 @@ def converted(dialect: str, end: str, text: bytes, *, excel_safe: bool) -> Conve
     separator = DIALECTS[dialect].separator.decode()
     header = understood(HEADER)
     task = task_of(header, {}, "report", known_materials())
-    head = Head((separator.join(HEADER) + end).encode(), tuple(HEADER), [])
-    return Delimited(DIALECTS[dialect], head, header, task, ["x"] * 40, excel_safe=excel_safe).convert(text)
+    head = Head((separator.join(HEADER) + end).encode(), tuple(HEADER))
+    return Delimited(DIALECTS[dialect], head, task, excel_safe=excel_safe).convert(text)
 
 
 @settings(deadline=None, max_examples=150)
@@ -77,7 +77,7 @@ def test_the_quick_way_is_taken() -> None:
     text = b"a,quartz,100,1,0.2,50 nm\n" * 300 + b"b,quartz,-5,0,0.2,50 nm\n"
     with (
         patch.object(Delimited, "_carefully", side_effect=AssertionError),
-        patch.object(Reader, "_one_by_one") as one_by_one,
+        patch.object(Reader, "_one") as one_by_one,
     ):
         found = converted("csv", "\n", text, excel_safe=False)
     assert (found.rows, found.failed, found.first_failure) == (

@@ -86,7 +86,10 @@ def test_a_pair_that_lacks_an_input_is_left_out(run: Run) -> None:
     [
         ("", "export: which program? write jkroll export lammps quartz 100nm"),
         ("yade quartz 100nm", "export: 'yade' is not among the programs: lammps"),
-        ("lammps quartz 100nm --radius2 plane", "sphere 2 is a plane, which is no atom of LAMMPS: give two spheres"),
+        (
+            "lammps quartz 100nm --radius2 plane",
+            "sphere 2 is a plane, and the atoms of LAMMPS are spheres: give two spheres",
+        ),
         ("lammps quartz,iron 100nm", "export takes one pair of spheres, not 2"),
         ("lammps quartz 100nm --model maugis", "--model: LAMMPS has jkr and dmt, not 'maugis'"),
         (

@@ -108,16 +108,16 @@ BROKEN = {
     "materials = 3": "materials is not a table",
     "[materials]\na = 3": "materials.a is not a table",
     "[material.a]": "has an unknown key 'material'; expected [materials.NAME] tables",
-    "[materials.'100nm']": "'100nm' is no name for a material; one begins with a letter and has no comma",
-    "[materials.all]": "'all' is no name for a material; one begins with a letter and has no comma",
-    "[materials.a]\naliases = ['x,y']": "'x,y' is no name for a material; one begins with a letter and has no comma",
+    "[materials.'100nm']": "'100nm' cannot name a material; a name begins with a letter and has no comma",
+    "[materials.all]": "'all' cannot name a material; a name begins with a letter and has no comma",
+    "[materials.a]\naliases = ['x,y']": "'x,y' cannot name a material; a name begins with a letter and has no comma",
     "[materials.a]\naliases = 'x'": "a.aliases is not a list",
-    '[materials."a\\u001b[31m"]': "'a?[31m' is no name for a material; one begins with a letter and has no comma",
-    '[materials."a\\u202eb"]': "'a?b' is no name for a material; one begins with a letter and has no comma",
+    '[materials."a\\u001b[31m"]': "'a?[31m' cannot name a material; a name begins with a letter and has no comma",
+    '[materials."a\\u202eb"]': "'a?b' cannot name a material; a name begins with a letter and has no comma",
     "[materials.a]\nreferences = ['x']": "'a' cites 'x', which [references] does not have",
     "[materials.ice]\n[materials.Ice]": "'Ice' names both 'ice' and 'Ice'; case makes no difference",
     "[materials.a]\naliases = ['x']\n[materials.b]\naliases = ['X']": "'X' names both 'a' and 'b'; case makes no difference",
-    "[materials.'a ']": "'a ' is no name for a material; one begins with a letter and has no comma",
+    "[materials.'a ']": "'a ' cannot name a material; a name begins with a letter and has no comma",
     "[materials.a]\ndensity = { value = '1 g/cm3', methd = 'x' }": "'a.density' has an unknown key 'methd'; did you mean method?",
     "[materials.a]\ndensity = { method = 'x' }": "a.density is not a text in quotes",
     "[materials.a]\ndensity = { value = '1 g/cm3', reference = 'x' }": "'a' cites 'x', which [references] does not have",
@@ -143,7 +143,7 @@ def test_what_is_wrong_with_a_file(run: Run, tmp_path: Path, text: str | bytes) 
 def test_names_are_checked_before_any_is_shown(run: Run, tmp_path: Path, name: str) -> None:
     path = write(tmp_path / "mine.toml", f'[materials."{name}"]\n')
     ran = run("pull-off", "unknown", "1um", "--materials", str(path))
-    assert "is no name for a material" in ran.err
+    assert "cannot name a material" in ran.err
     assert "\x1b" not in ran.err
 
 

@@ -70,7 +70,7 @@ def errors_of(scenes: Iterable[Scene]) -> Errors:
                 found.of_numbers[name].append(Error(ulp_error(value, exact[name]) / scale, scene))
                 found.of_arrays[name].append(Error(ulp_error(element, exact[name]) / scale, scene))
                 found.between[name].append(Error(ulp_error(element, value) / scale, scene))
-    return found
+    return Errors(*map(dict, found))  # a name without any error is missed by those who ask for it
 
 
 @cache
@@ -81,14 +81,15 @@ def errors_of_kind(kind: str) -> Errors:
 
 def worst(errors: Iterable[Error]) -> Error:
     """Return the largest error."""
-    return max(errors, key=lambda error: error.ulp, default=Error(0.0, {}))
+    return max(errors, key=lambda error: error.ulp)
 
 
 RESULTS = [name for name in NOMENCLATURE if formula_of(name) in FORMULAS.values()]
+NEVER_HARD = ("kinetic_energy", "roll_energy")  # of a speed and of an angle, which no hard scene has
+CASES = [(name, "random") for name in RESULTS] + [(name, "hard") for name in RESULTS if name not in NEVER_HARD]
 
 
-@pytest.mark.parametrize("kind", ["random", "hard"])
-@pytest.mark.parametrize("name", RESULTS)
+@pytest.mark.parametrize(("name", "kind"), CASES)
 def test_result_is_within_the_bound(name: str, kind: str) -> None:
     errors = errors_of_kind(kind)
     assert worst(errors.of_numbers[name]).ulp <= BOUND, worst(errors.of_numbers[name])

@@ -200,12 +200,6 @@ def test_the_face_of_python() -> None:
     assert isinstance(infer("xi", measured={"r_min": "50±5 um"}, radius=1e-7), Measured)
 
 
-def test_a_long_list_takes_no_uncertainty(run: Run) -> None:
-    ran = run("pull-off", "quartz", "100±5nm", "-o", "out.csv")
-    expected = "jkroll: -o and long lists take values without uncertainties, and radius has one\n"
-    assert (ran.code, ran.err) == (2, expected)
-
-
 # --- Measurements of pint -----------------------------------------------------------------------------------------------
 
 

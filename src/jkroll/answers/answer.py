@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from ..errors import JkrollError, NoResult
 from ..quantities.formatting import Format, amount, in_words
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
-from ..scene.errors import BeyondFold, BeyondPullOff, MissingInput, reason_of
+from ..scene.errors import BeyondPullOff, MissingInput, NoContact, reason_of
 from ..scene.limits import LIMIT_NAMES, Verdict, against_limit, judged, of_any_scene, sentence, uses_spacing
 from ..scene.scene import Scene
 from ..scene.wiring import depends_on
 from .comparison import Difference, differences, with_differences, with_force_by_maugis
 from .notes import about_data, about_limits, about_missing, about_results, assumptions, few, model_error, symbol_of
-from .other_laws import undecided, with_law
+from .other_laws import over_spacing, rests_on_spacing, with_law
 from .questions import Question
 from .result import Note, Result
 
@@ -74,23 +74,23 @@ def _results(question: Question, scene: Scene) -> tuple[list[Result], dict[str, 
 
     The limits that will be judged are evaluated along with them, so that one plan leads to all.
     """
-    shown = [name for name in question.quantities if concerns(name, scene)]
+    shown = [name for name in question.quantities if name in question.named or concerns(name, scene)]
     values = scene.evaluate((*shown, *LIMIT_NAMES))
     errors = {name: values[name] for name in shown if isinstance(values[name], MissingInput | NoResult)}
     results: list[Result] = []
     for name in shown:
         if name in errors:
             results.append(Result(name, None, reason_of(name, errors[name])))
-        elif reason := undecided(name, scene):
-            results.append(Result(name, None, reason))
+        elif rests_on_spacing(name, scene):
+            results.append(Result(name, None, over_spacing(name, scene)))
         else:
             results.append(Result(name, values[name], error=model_error(name, scene)))
     return (results if scene.law.is_default else with_law(results, scene)), errors
 
 
 def _fatal(errors: Mapping[str, JkrollError], scene: Scene) -> JkrollError | None:
-    """Return the error that leaves nothing of a scene to be trusted, even where something could be computed; None without one."""
-    fatal = next((error for error in errors.values() if isinstance(error, BeyondPullOff | BeyondFold)), None)
+    """Return the error that invalidates the whole scene, even where some values could be computed; None if there is none."""
+    fatal = next((error for error in errors.values() if isinstance(error, NoContact)), None)
     return with_force_by_maugis(fatal, scene) if isinstance(fatal, BeyondPullOff) else fatal
 
 
@@ -139,16 +139,16 @@ def _in_unit(result: Result, form: Format) -> Result:
     return result._replace(value=None, reason=f"no value in {form.unit(result.name)} that a double can hold")
 
 
-def concerns(name: str, scene: Scene) -> bool:
-    """Return whether a quantity is shown for this scene."""
+def concerns(name: str, scene: Scene) -> Any:
+    """Return whether a quantity is shown for this scene, or for which elements of its arrays."""
     quantity, stated = NOMENCLATURE[name], scene.stated.keys()
-    return (
+    is_shown = (
         name not in stated
         and name not in scene.law.omits
         and not (quantity.shown_with and stated.isdisjoint(quantity.shown_with))
         and stated.isdisjoint(quantity.hidden_with)
-        and (scene.is_identical or not quantity.of_identical)
     )
+    return scene.is_identical if is_shown and quantity.of_identical else is_shown
 
 
 def _echo(scene: Scene, used: Collection[str]) -> dict[str, float | str]:

@@ -83,20 +83,6 @@ def _change(ratio: float) -> str:
     return f"{100 * (ratio - 1):+.0f} %".replace("-", "−") if 0.1 < ratio < 10 else f"×{ratio:.2g}"
 
 
-def as_objects(found: Sequence[Difference]) -> dict[str, dict[str, dict[str, float]]]:
-    """Return differences as JSON has them."""
-    return {
-        BETWEEN: {
-            each.name: {
-                "value": each.value,
-                "over_jkr": each.ratio,
-                "over_jkr_at_half_spacing": each.ratio_at_half_spacing,
-            }
-            for each in found
-        }
-    }
-
-
 def with_force_by_maugis(error: BeyondPullOff, scene: Scene) -> BeyondPullOff:
     """Return the error of a load beyond pull-off, with the pull-off force of Maugis' law if that holds the load."""
     if not scene.law.is_default:

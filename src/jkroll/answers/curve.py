@@ -21,7 +21,7 @@ FOLD, PULL_OFF, JUMP_IN, EQUILIBRIUM = 1 / 6, 1 / 2, 2 / 3, 1.0
 _NAMED = {FOLD: "fold", PULL_OFF: "pull-off", JUMP_IN: "jump-in", EQUILIBRIUM: "equilibrium"}
 STEPS = 40  # of √â/√â_fold in JKR
 APART = 4  # states in contact for each without it
-MOST = 16 / 9  # largest load over the pull-off force of the law, where no loads are given
+MAX_LOAD = 16 / 9  # over the pull-off force of the law, where no loads are given
 
 
 class State(NamedTuple):
@@ -71,7 +71,7 @@ def states(scene: Scene, loads: Loads | None = None, steps: int = STEPS) -> list
 
 def _largest(scene: Scene, loads: Loads | None) -> float:
     """Return the load at which a curve ends."""
-    return loads.high if loads else MOST * scene["pull_off_force"]
+    return loads.high if loads else MAX_LOAD * scene["pull_off_force"]
 
 
 def _of_jkr(scene: Scene, loads: Loads | None, steps: int) -> list[State]:

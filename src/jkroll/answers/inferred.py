@@ -25,7 +25,7 @@ _REPLACED = {"work_of_adhesion": ("surface_energy",)}
 def inferred(name: str, quantity: str, measured: "float | Uncertain", scene: Scene) -> Answer:
     """Return the value of an input at which a quantity of a scene has its measured value, as the answer of a command.
 
-    A scene without a solution gives an answer without a value. Raises the errors of `solution` that are no NoResult.
+    A scene without a solution gives an answer without a value. Raises the errors of `solution` other than NoResult.
     """
     value = measured if isinstance(measured, float) else measured.value
     question = Question((quantity,), (quantity,))

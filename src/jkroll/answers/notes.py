@@ -8,12 +8,13 @@ from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.errors import MissingInput
 from ..scene.limits import IMPACT, Judgement
 from ..scene.scene import DEFAULTS, Scene
+from ..text import first_of
 from .other_laws import remarks
 from .result import Note, Result
 
-MOST_NAMES = 3  # of quantities in a note
+MAX_NAMES = 3  # of quantities in a note
 # The models of the rolling moment.
-MOMENTS = ("unloaded_moment", "yield_moment", "half_circles_moment", "fixed_approach_moment")
+MOMENTS = ("yield_moment", "unloaded_moment", "half_circles_moment", "fixed_approach_moment")
 
 
 def assumptions(scene: Scene, inputs: Collection[str], names: list[str]) -> list[Note]:
@@ -125,8 +126,7 @@ def about_missing(results: list[Result], errors: Mapping[str, JkrollError]) -> l
 
 def few(names: list[str]) -> str:
     """Return the symbols of the first names of a list, and how many more there are."""
-    rest = len(names) - MOST_NAMES
-    return ", ".join(map(symbol_of, names[:MOST_NAMES])) + (f" and {rest} more" if rest > 0 else "")
+    return first_of([*map(symbol_of, names)], MAX_NAMES)
 
 
 def symbol_of(name: str) -> str:

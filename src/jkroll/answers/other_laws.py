@@ -1,6 +1,7 @@
 """Results under a law of attraction other than JKR, and where the atomic spacing leaves them open."""
 
 from collections.abc import Collection, Iterator, Sequence
+from typing import Any
 
 from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE
@@ -32,10 +33,15 @@ def equation_of(scene: Scene, name: str) -> str:
     return NOMENCLATURE[scene.plan(name).found[name]].equation or scene.law.source
 
 
-def undecided(name: str, scene: Scene) -> str:
-    """Return why a quantity has no one value, where the atomic spacing decides it and was not given; otherwise nothing."""
-    if name not in scene.law.by_spacing or "atomic_spacing" in scene.given or scene["transition_parameter"] >= 1:
-        return ""
+def rests_on_spacing(name: str, scene: Scene) -> Any:
+    """Return whether the atomic spacing decides on a quantity and was not given, or in which elements of arrays."""
+    if name not in scene.law.by_spacing or "atomic_spacing" in scene.given:
+        return False
+    return scene["transition_parameter"] < 1
+
+
+def over_spacing(name: str, scene: Scene) -> str:
+    """Return why a quantity that rests on the atomic spacing has no one value."""
     ends = [scene, at_half_spacing(scene)]
     texts = [
         f"{amount(name, end[name])} at z0 = {amount('atomic_spacing', end.values['atomic_spacing'])}" for end in ends

@@ -14,6 +14,7 @@ class Question(NamedTuple):
     headline: tuple[str, ...]  # those that the command is named after; --bare writes them alone
     quantities: tuple[str, ...]  # all that are shown, in this order
     compared: tuple[str, ...] = ()  # with those of Maugis' law, besides the headline
+    named: tuple[str, ...] = ()  # asked for by name: shown for any scene
 
 
 _QUESTIONS = {

@@ -3,10 +3,13 @@
 So each number is rounded once, as in a one-liner. A cell that orjson does not take for a number is read by itself.
 """
 
+from __future__ import annotations
+
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from math import isnan
-from typing import NamedTuple
+from types import MappingProxyType
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy
 import orjson
@@ -16,6 +19,9 @@ from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.parsing import unit_of
 from ..quantities.units import dimension_of
 from .columns import Column, power_of_ten
+
+if TYPE_CHECKING:
+    from ..quantities.uncertain import Uncertain
 
 Floats = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.float64]]
 Mask = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.bool_]]
@@ -30,11 +36,12 @@ _DOUBLE_SIGN = re.compile(rb",\+[^0-9]")
 
 
 class Numbers(NamedTuple):
-    """A column: SI values, nan where there is none; the cells that are not empty; the cells that are no numbers."""
+    """A column: SI values, nan where there is none; the cells that are not empty, are no numbers, or have uncertainties."""
 
     values: Floats
     given: Mask | None  # None: all of them
-    odd: list[int]
+    odd: Sequence[int] = ()
+    uncertain: Mapping[int, Uncertain] = MappingProxyType({})
 
 
 class Reader:
@@ -43,13 +50,13 @@ class Reader:
     def __init__(self, column: Column) -> None:
         """`column`: its name and unit."""
         self.column = column
-        self._kept: dict[bytes, float] = {}
+        self._kept: dict[bytes, float | Uncertain] = {}
         self._own: tuple[bytes, bytes] | None = None
 
     def numbers(self, cells: Sequence[bytes]) -> Numbers:
         """Return the numbers of a block of cells."""
         values = self._together(cells)
-        return Numbers(values, None, []) if values is not None else self._in_parts(cells)
+        return Numbers(values, None) if values is not None else self._in_parts(cells)
 
     def _together(self, cells: Sequence[bytes]) -> Floats | None:
         """Return the numbers of cells that are all plain numbers, or all have the same unit; else None."""
@@ -61,14 +68,26 @@ class Reader:
         values = numpy.full(len(cells), numpy.nan)
         given = numpy.ones(len(cells), dtype=bool)
         odd: list[int] = []
+        uncertain: dict[int, Uncertain] = {}
         for start in range(0, len(cells), PART):
             part = cells[start : start + PART]
             together = self._together(part) if all(part) else None
             if together is not None:
                 values[start : start + PART] = together
             else:
-                self._one_by_one(part, start, values, given, odd)
-        return Numbers(values, None if given.all() else given, odd)
+                for place, cell in enumerate(part, start):
+                    try:
+                        found = self._one(cell)
+                    except (QuantityError, UnicodeDecodeError):
+                        odd.append(place)
+                        continue
+                    if isinstance(found, float):
+                        values[place] = found
+                        given[place] = not isnan(found)
+                    else:
+                        values[place] = found.value
+                        uncertain[place] = found
+        return Numbers(values, None if given.all() else given, odd, uncertain)
 
     def _without_units(self, cells: Sequence[bytes]) -> bytes | None:
         """Return cells that all carry the same unit, with its power of ten in its place; else None."""
@@ -89,27 +108,20 @@ class Reader:
             return None
         return text.replace(unit_text + b",", suffix + b",")[:-1]
 
-    def _one_by_one(self, cells: Sequence[bytes], start: int, values: Floats, given: Mask, odd: list[int]) -> None:
-        """Read cells into arrays from a place on."""
-        suffix = b"e%d" % (self.column.exponent or 0)
-        for place, cell in enumerate(cells, start):
-            value = self._kept.get(cell)
-            if value is None:
-                try:
-                    value = self._value(cell, suffix)
-                except (QuantityError, UnicodeDecodeError):
-                    odd.append(place)
-                    continue
-                if len(self._kept) < MAX_KEPT:
-                    self._kept[cell] = value
-            values[place] = value
-            given[place] = not isnan(value)
+    def _one(self, cell: bytes) -> float | Uncertain:
+        """Return the value of a cell, nan for an empty one."""
+        value = self._kept.get(cell)
+        if value is None:
+            value = self._value(cell)
+            if len(self._kept) < MAX_KEPT:
+                self._kept[cell] = value
+        return value
 
-    def _value(self, cell: bytes, suffix: bytes) -> float:
+    def _value(self, cell: bytes) -> float | Uncertain:
         if not cell or cell.isspace():
             return numpy.nan
         if self.column.exponent is not None and _JSON_NUMBER.fullmatch(cell):
-            return float(cell + suffix)
+            return float(b"%be%d" % (cell, self.column.exponent))
         return self.column.read(cell.decode())
 
 

@@ -3,14 +3,18 @@
 import re
 from collections.abc import Sequence
 from functools import cached_property
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from ..quantities.errors import BareNumber, QuantityError
 from ..quantities.nomenclature import NOMENCLATURE, canonical
-from ..quantities.parsing import parse_quantity, unit_of
+from ..quantities.parsing import unit_of
+from ..quantities.ranges import value_of
 from ..quantities.units import Unit, dimension_of, kind_of
 from ..text import closest, quoted
 from .errors import BadTable
+
+if TYPE_CHECKING:
+    from ..quantities.uncertain import Uncertain
 
 MATERIALS = ("material", "material2")
 INPUTS = ("radius", *(name for name, quantity in NOMENCLATURE.items() if quantity.option and quantity.unit))
@@ -18,6 +22,7 @@ DOUBT = "doubt"  # the limits of the model that a row exceeds, as codes
 STATUS = "status"
 ALIKE = 0.85  # how similar a header is to the name of an input to be taken for a mistake
 _HEADER = re.compile(r"([^\[\]]*?)\s*\[([^\[\]]*)\]")
+_PER_CENT = re.compile(r"(.*?)((?:±|\+/?-)[^±]*%)?", re.DOTALL)  # 25±20 % of the value
 _WITH_UNIT = re.compile(r"[\s_(/,:\[]+\(?(.*?)\)?")
 
 
@@ -38,14 +43,15 @@ class Column(_Column):
             return 0 if NOMENCLATURE[self.name].unit == "1" else None
         return power_of_ten(self.unit)
 
-    def read(self, text: str) -> float:
-        """Return the SI value of a cell: a number in the unit of the column, or a number with a unit of its own."""
+    def read(self, text: str) -> "float | Uncertain":
+        """Return the SI value of a cell, with its uncertainty if it states one. Its unit is its own or that of the column."""
         try:
-            return parse_quantity(text, self.name)
+            return value_of(text, self.name)
         except BareNumber:
             if not self.unit_text:
                 raise
-            return parse_quantity(f"{text.strip()} {self.unit_text}", self.name)
+            number, per_cent = _PER_CENT.fullmatch(text.strip()).groups()  # type: ignore[union-attr]  # matches any line
+            return value_of(f"{number} {self.unit_text}{per_cent or ''}", self.name)
 
 
 def power_of_ten(unit: Unit) -> int | None:
@@ -176,7 +182,7 @@ def check_first(column: Column, texts: Sequence[str]) -> None:
     first = next((text for text in texts if text.strip()), None)
     try:
         if first is not None:
-            parse_quantity(first, column.name)
+            value_of(first, column.name)
     except BareNumber:
         example = _example_unit(column.name)
         raise BadTable(

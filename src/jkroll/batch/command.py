@@ -11,6 +11,7 @@ from .errors import missing_extra
 from .many import Runner, by_processes, convert_one, is_many
 from .many import convert as convert_many
 from .settings import Order, Settings
+from .source import Part
 
 ROWS_FAILED = 1
 
@@ -22,7 +23,7 @@ def run(path: str, settings: Settings, inputs: Mapping[str, str]) -> int:
     if is_many(path, settings):
         tally, code = convert_many(path, order, _runner(settings))
     else:
-        tally, code = convert_one(path, order), 0
+        tally, code = convert_one(Part(path, settings.target), order), 0
     if tally.doubtful and not settings.quiet:
         say(f"note: {tally.doubtful} of {tally.rows} rows are doubtful; column {DOUBT} says why", sys.stderr)
     if tally.failed:

@@ -6,7 +6,6 @@ many or too few spoils its own row only.
 
 from __future__ import annotations
 
-import io
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
@@ -15,9 +14,8 @@ import orjson
 
 from .blocks import Block, Results
 from .cells import Reader
-from .columns import Header
 from .dialect import Dialect, lines_of
-from .lines import BOM, Converted, Head
+from .lines import BOM, Converted, Head, added
 from .rows import Evaluator
 from .single import Task
 
@@ -27,9 +25,9 @@ STRIP = 128  # rows written at once: their text stays in the cache
 class DelimitedFormat(Dialect):
     """CSV or TSV."""
 
-    def converter(self, head: Head, header: Header, task: Task, names: Sequence[str], *, excel_safe: bool) -> Delimited:
-        """Return the converter of the blocks after the head; `names` are the headers of the results."""
-        return Delimited(self, head, header, task, names, excel_safe=excel_safe)
+    def converter(self, head: Head, task: Task, *, excel_safe: bool) -> Delimited:
+        """Return the converter of the blocks after the head."""
+        return Delimited(self, head, task, excel_safe=excel_safe)
 
 
 DIALECTS = {"csv": DelimitedFormat(b","), "tsv": DelimitedFormat(b"\t")}
@@ -48,16 +46,14 @@ class Records(NamedTuple):
 class Delimited:
     """Converts blocks of lines."""
 
-    def __init__(
-        self, dialect: Dialect, head: Head, header: Header, task: Task, names: Sequence[str], *, excel_safe: bool
-    ) -> None:
+    def __init__(self, dialect: Dialect, head: Head, task: Task, *, excel_safe: bool) -> None:
         """Lines of the output end as the header does."""
         self.dialect = dialect
-        self.width = len(header.texts)
+        self.width = len(head.names)
         self.line_end = b"\r\n" if head.text.endswith(b"\r\n") else b"\n"
         self.excel_safe = excel_safe
         line = head.text.removeprefix(BOM).removesuffix(b"\n").removesuffix(b"\r")
-        cells = [self.safe(line) if excel_safe else line, *(name.encode() for name in (*names, *task.remarks))]
+        cells = [self.safe(line) if excel_safe else line, *map(str.encode, added(task))]
         self.head = (BOM if head.text.startswith(BOM) else b"") + dialect.separator.join(cells) + self.line_end
         self.said = b"".join(dialect.separator + text.encode() for text in task.said.values())
         self.no_remark = dialect.separator * len(task.remarks) + self.line_end
@@ -157,27 +153,26 @@ class Delimited:
         )
 
     def _strips(self, lines: Sequence[bytes], results: Results) -> Iterator[bytes]:
-        """Iterate over the output, some rows at a time: each line, and behind it its results, remarks and line end."""
+        """Iterate over the pieces of the output, some rows at a time: each line, its results, its remarks and line end."""
         separator = self.dialect.separator
         columns = results.remarks.values()
         texts = {row: tuple(column.get(row, "") for column in columns) for row in set().union(*columns)}
         cells = {several: self._cells(several) for several in set(texts.values())}  # many rows have the same doubts
-        remarks = {row: cells[several] for row, several in texts.items()}
+        ends = [self.no_remark] * len(lines)
+        for row, several in texts.items():
+            ends[row] = cells[several]
         for start in range(0, len(lines), STRIP):
-            numbers = numpy.ascontiguousarray(results.numbers[:, start : start + STRIP].T)
+            part = slice(start, start + STRIP)
+            numbers = numpy.ascontiguousarray(results.numbers[:, part].T)
             text = orjson.dumps(numbers, option=orjson.OPT_SERIALIZE_NUMPY)
             if b"n" in text:
                 text = text.replace(b"null", b"")
-            # [[1,2],[3,4]] becomes ,1,2,\n and ,3,4,\n: the searches for one byte are the quick ones.
+            # [[1,2],[3,4]] becomes the pieces 1,2 and 3,4.
+            rows = text[2:-2].split(b"],[")
             if separator != b",":
-                text = text.replace(b",", separator)
-            text = separator + text.replace(b"[", b"").replace(b"]", self.no_remark)
-            pieces = [b""] * (2 * len(numbers))
-            pieces[0::2] = lines[start : start + STRIP]
-            pieces[1::2] = io.BytesIO(text).readlines()[: len(numbers)]
-            for row in remarks.keys() & range(start, start + STRIP) if remarks else ():
-                place = 2 * (row - start) + 1
-                pieces[place] = pieces[place].removesuffix(self.no_remark) + remarks[row]
+                rows = [row.replace(b",", separator) for row in rows]
+            pieces = [separator] * (4 * len(rows))
+            pieces[0::4], pieces[2::4], pieces[3::4] = lines[part], rows, ends[part]
             yield b"".join(pieces)
 
     def _cells(self, texts: tuple[str, ...]) -> bytes:

@@ -72,8 +72,8 @@ class Dialect:
         ends: Places = feeds[numpy.searchsorted(quotes, feeds + 1) % 2 == 0]
         return ends
 
-    def head(self, text: bytes) -> Head:
-        """Return the header line of a table, and the first rows after it."""
+    def head(self, text: bytes) -> tuple[Head, list[list[str]]]:
+        """Return the header line of a table, and the cells of the first rows after it."""
         if not text.strip():
             raise BadTable("the table is empty: it has no header")
         if text.startswith(UTF_16) or b"\0" in text[:200]:
@@ -92,7 +92,7 @@ class Dialect:
         if names is None or not lines[0].strip():
             raise BadTable("header: " + ("is empty" if names is not None else "has a quote that is not closed"))
         sample = [cells for _, cells in rows[1:] if cells is not None and len(cells) == len(names)]
-        return Head(bom + b"".join(lines[:size]), tuple(names), sample)
+        return Head(bom + b"".join(lines[:size]), tuple(names)), sample
 
     def _check_separator(self, names: list[str], line: str) -> None:
         """Refuse a header that only another separator makes a header of."""

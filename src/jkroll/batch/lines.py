@@ -1,9 +1,7 @@
 """The interface of formats whose records are lines."""
 
-from collections.abc import Sequence
 from typing import NamedTuple, Protocol
 
-from .columns import Header
 from .single import Task
 
 BOM = b"\xef\xbb\xbf"
@@ -25,7 +23,6 @@ class Head(NamedTuple):
 
     text: bytes  # the header line; empty where the format has none
     names: tuple[str, ...]
-    sample: list[list[str]]  # cells of the first rows
 
 
 class Converter(Protocol):
@@ -43,8 +40,13 @@ class LineFormat(Protocol):
     def cut(self, text: bytes) -> int:
         """Return the number of bytes of whole records at the beginning of a text."""
 
-    def head(self, text: bytes) -> Head:
-        """Return the beginning of a table. Raises BadTable."""
+    def head(self, text: bytes) -> tuple[Head, list[list[str]]]:
+        """Return the beginning of a table, and the cells of its first rows. Raises BadTable."""
 
-    def converter(self, head: Head, header: Header, task: Task, names: Sequence[str], *, excel_safe: bool) -> Converter:
-        """Return the converter of the blocks after the head; `names` are the headers of the results."""
+    def converter(self, head: Head, task: Task, *, excel_safe: bool) -> Converter:
+        """Return the converter of the blocks after the head."""
+
+
+def added(task: Task) -> list[str]:
+    """Return the names of the columns that a table gets."""
+    return [*task.said, *task.headers, *task.remarks]

@@ -1,14 +1,16 @@
 """The loop of all tables of lines: blocks of records through a converter into the output, in their order.
 
-This process reads and writes. Where there are many blocks, others convert them; the output is the same for any number of them.
+This process reads, and says in which order is written. Where there are many blocks, others convert and write them; the output is the
+same for any number of them.
 """
 
 from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 from itertools import chain, islice
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from .lines import Converted
-from .output import Output
+from .output import Output, Taken, taken
 from .progress import watched
 from .settings import Settings
 
@@ -38,19 +40,44 @@ def run(work: Work, output: Output, settings: Settings) -> None:
         return work.position() if work.position else output.done.rows, output.done.rows
 
     with watched(work.total, counts, settings, goes_on=output.goes_on) as show:
-        for text, converted in _converted(work, settings.processes):
-            output.take(text, converted)
+        for block in _converted(work, settings.processes, output.path):
+            output.take(block)
             show()
 
 
-def _converted(work: Work, jobs: int) -> Iterator[tuple[bytes, Converted]]:
-    """Iterate over blocks as read and as converted, in their order."""
+def _converted(work: Work, jobs: int, path: str) -> Iterator[Taken]:
+    """Iterate over converted blocks in their order. `path`: of the file into which they go, or an empty text."""
     convert = work.make_convert()
     for text in islice(work.blocks, ALONE) if jobs > 1 else work.blocks:
-        yield text, convert(text)
+        yield taken(text, convert(text))
     first = next(work.blocks, None)
     if first is not None:
         from .workers import in_order, started  # with multiprocessing, which a small table does not pay for
 
-        with started(jobs, work.make_convert) as workers:
-            yield from in_order(workers, chain([first], work.blocks))
+        with started(jobs, partial(_answering, work.make_convert, path)) as workers:
+            for worker, (step, first_failure) in in_order(workers, chain([first], work.blocks)):
+                yield Taken(step, first_failure, worker.answer_to)
+
+
+def _answering(make_convert: Callable[[], Convert], path: str) -> Callable[[bytes | int], Any]:
+    """Return what a process does: it converts a block, and puts it at a place of the file or hands it over when its turn comes.
+
+    To send a block to another process takes a third as long as to make it.
+    """
+    convert = make_convert()
+    output = b""
+
+    def answer(question: bytes | int) -> Any:
+        nonlocal output
+        if isinstance(question, bytes):
+            converted = convert(question)
+            output = converted.output
+            return taken(question, converted)[:2]
+        if not path:
+            return output
+        with open(path, "r+b") as file:
+            file.seek(question)
+            file.write(output)
+        return b""
+
+    return answer

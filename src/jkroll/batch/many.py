@@ -1,7 +1,7 @@
 """Many tables into a directory: a file for each, and a manifest when the run has ended.
 
-A file is the work of one process, and gets its name when it is whole. Every file that is done or fails is added to a journal,
-so that `--resume` leaves out what is done.
+A file is the work of one process, and gets its name when it is whole. The manifest has a journal as a table has: every file that
+is done or fails is added to it, so that `--resume` leaves out what is done.
 """
 
 import glob
@@ -10,7 +10,8 @@ import json
 import os
 import sys
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import suppress
+from contextlib import closing, suppress
+from dataclasses import replace
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -18,24 +19,15 @@ from .. import __version__
 from ..errors import BadRequest, JkrollError, MissingExtra
 from ..text import quoted, say
 from .errors import BadTable, missing_extra
+from .journal import Journal
 from .settings import Order, Settings, Tally, input_format
-from .source import Span
+from .source import Part, Span
 
 MANIFEST = "manifest.json"
-JOURNAL = "manifest.journal"
 MOST_SAID = 20  # files whose failure is said on stderr; the manifest has them all
 ALONE = 8  # files that this process converts itself before it starts others
-KEYS = {"input", "output", "bytes", "identity"}  # of an entry
 
 Entry = dict[str, Any]  # of a part, in the journal and the manifest
-
-
-class Part(NamedTuple):
-    """A table, or a part of one, and the file that it becomes."""
-
-    path: str
-    span: Span | None  # None: all of it
-    target: str
 
 
 class Done(NamedTuple):
@@ -46,31 +38,29 @@ class Done(NamedTuple):
     exit_code: int = 0
 
 
-Runner = Callable[[Order, list[Part]], Iterable[tuple[Part, Done]]]
+Runner = Callable[[Order, list[Part], int], Iterable[tuple[Part, Done]]]  # the number: of processes
 
 
 def is_many(path: str, settings: Settings) -> bool:
     """Return whether a path stands for several tables, or the output is a directory."""
-    return (
-        (glob.has_magic(path) and not os.path.exists(path)) or settings.target.endswith(os.sep) or bool(settings.dask)
-    )
+    is_pattern = glob.has_magic(path) and not os.path.exists(path)
+    return is_pattern or settings.target.endswith(os.sep) or bool(settings.dask)
 
 
-def convert_one(path: str, order: Order, span: Span | None = None) -> Tally:
+def convert_one(part: Part, order: Order) -> Tally:
     """Convert a table of any format, or a part of one."""
-    if input_format(path, order.settings).kind == "parquet":
+    if input_format(part.path, order.settings).kind == "parquet":
         with missing_extra("parquet"):
             from .parquet import convert
     else:
         from .stream import convert
-    return convert(path, order, span)
+    return convert(part, order)
 
 
 def convert_part(order: Order, part: Part) -> Done:
     """Convert a part in this process; a failure is an outcome."""
-    settings = order.settings._replace(target=part.target, resume=False, jobs=1, quiet=True)
     try:
-        return Done(convert_one(part.path, order._replace(settings=settings), part.span))
+        return Done(convert_one(part, order))
     except MissingExtra:
         raise  # as it would for every part
     except JkrollError as error:
@@ -78,9 +68,8 @@ def convert_part(order: Order, part: Part) -> Done:
         return Done(Tally(0, 0), problem, error.exit_code)
 
 
-def by_processes(order: Order, parts: list[Part]) -> Iterator[tuple[Part, Done]]:
-    """Convert parts by as many processes as there are to be; yield each part as soon as it is done."""
-    jobs = order.settings.processes
+def by_processes(order: Order, parts: list[Part], jobs: int) -> Iterator[tuple[Part, Done]]:
+    """Convert parts by a number of processes; yield each part as soon as it is done."""
     alone = parts if jobs == 1 else parts[:ALONE]
     for part in alone:
         yield part, convert_part(order, part)
@@ -88,11 +77,11 @@ def by_processes(order: Order, parts: list[Part]) -> Iterator[tuple[Part, Done]]
         return
     from .workers import as_ready, started
 
-    with started(min(jobs, len(parts) - len(alone)), partial(_answer, order)) as workers:
+    with started(min(jobs, len(parts) - len(alone)), partial(_answering, order)) as workers:
         yield from as_ready(workers, parts[len(alone) :])
 
 
-def _answer(order: Order) -> Callable[[Part], Done]:
+def _answering(order: Order) -> Callable[[Part], Done]:
     return partial(convert_part, order)
 
 
@@ -107,28 +96,30 @@ def convert(path: str, order: Order, run: Runner) -> tuple[Tally, int]:
     if os.path.exists(directory) and any(os.path.samefile(folder, directory) for folder in folders):
         raise BadRequest(f"-o: {quoted(directory)} is where the input is; it is not overwritten")
     os.makedirs(directory, exist_ok=True)
-    manifest, journal = os.path.join(directory, MANIFEST), os.path.join(directory, JOURNAL)
-    before = _read(manifest) | _read(journal)  # both, whether they are needed or not: they are to be ours
+    manifest = os.path.join(directory, MANIFEST)
     options = json.dumps(order.identity([]), sort_keys=True)
     identities = {part: _identity(options, part) for part in parts}
-    entries: dict[Part, Entry] = {}
-    if settings.resume:
-        entries = {part: before[name] for part, name in identities.items() if _is_done(before.get(name), part)}
-        if len(entries) == len(parts):
-            say(f"note: all {len(parts)} files are done; without --resume they are made anew", sys.stderr)
-    with open(journal, "w", encoding="utf-8") as file:
-        file.writelines(json.dumps(entry) + "\n" for entry in entries.values())
-        file.flush()
+    before = _listed(manifest)  # whether it is needed or not: it is to be ours
+    code = 0
+    with closing(Journal(manifest, f"{manifest}.partial")) as journal:
+        before |= {entry["identity"]: entry for entry in journal.lines()[0][1:]}
+        entries: dict[Part, Entry] = {}
+        if settings.resume:
+            entries = {part: before[name] for part, name in identities.items() if _is_done(before.get(name), part)}
+            if len(entries) == len(parts):
+                say(f"note: all {len(parts)} files are done; without --resume they are made anew", sys.stderr)
+        journal.begin({})
+        journal.add(*entries.values())
         with suppress(FileNotFoundError):
             os.unlink(manifest)
-        code = 0
-        for part, done in run(order, [part for part in parts if part not in entries]):
+        each = replace(order, settings=settings._replace(resume=False, jobs=1, quiet=True))
+        left = [part for part in parts if part not in entries]
+        for part, done in run(each, left, settings.processes):
             entries[part] = _entry(part, done, identities[part])
-            file.write(json.dumps(entries[part]) + "\n")
-            file.flush()
+            journal.add(entries[part])
             code = max(code, done.exit_code)
-    tally = _finish(manifest, [entries[part] for part in parts])
-    os.unlink(journal)
+        tally = _write(manifest, [entries[part] for part in parts])
+        journal.remove()
     return tally, code
 
 
@@ -149,10 +140,10 @@ def _parts_of(path: str, settings: Settings) -> Iterator[Part]:
     start, dot, end = name.partition(".")
     spans = _spans_of(path, settings) if settings.dask else []
     if len(spans) < 2:
-        yield Part(path, None, os.path.join(settings.target, name))
+        yield Part(path, os.path.join(settings.target, name))
         return
     for place, span in enumerate(spans):
-        yield Part(path, span, os.path.join(settings.target, f"{start}-{place:05}{dot}{end}"))
+        yield Part(path, os.path.join(settings.target, f"{start}-{place:05}{dot}{end}"), span)
 
 
 def _spans_of(path: str, settings: Settings) -> list[Span]:
@@ -178,23 +169,18 @@ def _identity(options: str, part: Part) -> str:
     return hashlib.sha256((options + json.dumps(read)).encode()).hexdigest()[:32]
 
 
-def _read(path: str) -> dict[str, Entry]:
-    """Return the entries of a manifest or journal by their identity. Raises BadRequest for a file that is not ours."""
+def _listed(manifest: str) -> dict[str, Entry]:
+    """Return the entries of a manifest by their identity. Raises BadRequest for a file that is not ours."""
     try:
-        with open(path, encoding="utf-8") as file:
-            if path.endswith(MANIFEST):
-                found = json.load(file)["files"]
-            else:
-                found = [
-                    json.loads(line) for line in file if line.endswith("\n")
-                ]  # else the run was ended in the middle
-        if all(entry.keys() >= KEYS for entry in found):
-            return {entry["identity"]: entry for entry in found}
+        with open(manifest, encoding="utf-8") as file:
+            found = json.load(file)
+        if found.keys() == {"version", *Tally._fields, "files"}:
+            return {entry["identity"]: entry for entry in found["files"]}
     except FileNotFoundError:
         return {}
     except (ValueError, AttributeError, TypeError, KeyError):
         pass
-    raise BadRequest(f"-o: {quoted(path)} is not a manifest of jkroll; it is not replaced: move it away")
+    raise BadRequest(f"-o: {quoted(manifest)} is not a manifest of jkroll; it is not replaced: move it away")
 
 
 def _is_done(entry: Entry | None, part: Part) -> bool:
@@ -215,7 +201,7 @@ def _entry(part: Part, done: Done, identity: str) -> Entry:
     return entry | ({"problem": done.problem} if done.problem else {})
 
 
-def _finish(manifest: str, entries: list[Entry]) -> Tally:
+def _write(manifest: str, entries: list[Entry]) -> Tally:
     """Write the manifest, last of all, and say which files failed."""
     total = Tally(*(sum(entry[name] for entry in entries) for name in Tally._fields))
     with open(f"{manifest}.partial", "w", encoding="utf-8") as file:

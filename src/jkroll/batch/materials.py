@@ -1,11 +1,12 @@
 """Columns that name materials: each different text is looked up once."""
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy
 
 from ..materials.library import Material, Materials, UnknownMaterial
-from ..quantities.nomenclature import PROPERTIES
+from ..quantities.nomenclature import INFINITY, PROPERTIES
 from .cells import Floats
 
 MAX_KEPT = 10_000  # different texts that are remembered
@@ -49,15 +50,21 @@ class Lookup:
         return code
 
     def kinds(self, codes: Codes) -> Codes:
-        """Return for each row the properties that its material has, as bits above that of having a material at all."""
+        """Return a number for each row: the same for materials that have the same properties.
+
+        A material with uncertainties, or a rigid one, has a number of its own.
+        """
         self._fill()
         return self._kinds[codes]
 
-    def properties(self, codes: Codes) -> dict[str, Floats]:
-        """Return the properties of rows whose materials are of one kind."""
+    def together(self, codes: Codes) -> Material | None:
+        """Return the materials of rows of one kind as one, whose properties are arrays; one of its own kind as it is."""
         self._fill()
         first = self.known[int(codes[0])]
-        return {name: self._tables[name][codes] for name in (first.properties if first is not None else ())}
+        if first is None or _is_special(first):
+            return first
+        properties: Any = {name: self._tables[name][codes] for name in first.properties}
+        return Material("", properties, (), {}, (), (), "", "")
 
     def _fill(self) -> None:
         if self._tables:
@@ -66,10 +73,17 @@ class Lookup:
             name: numpy.array([one.properties.get(name, numpy.nan) if one else numpy.nan for one in self.known])
             for name in PROPERTIES
         }
-        self._kinds = numpy.array(
-            [
-                0 if one is None else 1 + sum(2 << bit for bit, name in enumerate(PROPERTIES) if name in one.properties)
-                for one in self.known
-            ],
-            dtype=numpy.int64,
-        )
+        self._kinds = numpy.array([_kind(one, code) for code, one in enumerate(self.known)], dtype=numpy.int64)
+
+
+def _kind(material: Material | None, code: int) -> int:
+    """Return the number of a kind of materials: which properties they have, as bits; above these, that of a special one."""
+    if material is None:
+        return 0
+    if _is_special(material):
+        return (2 << len(PROPERTIES)) + code
+    return 1 + sum(2 << bit for bit, name in enumerate(PROPERTIES) if name in material.properties)
+
+
+def _is_special(material: Material) -> bool:
+    return bool(material.uncertainties) or INFINITY in material.properties.values()

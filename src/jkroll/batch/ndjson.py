@@ -10,9 +10,9 @@ import orjson
 
 from .blocks import Block, Results
 from .cells import Reader
-from .columns import Header, is_input
+from .columns import is_input
 from .errors import BadTable
-from .lines import BOM, Converted, Head
+from .lines import BOM, Converted, Head, added
 from .rows import Evaluator
 from .single import Task
 
@@ -26,8 +26,8 @@ class Ndjson:
         """Return the number of bytes of whole lines."""
         return text.rfind(b"\n") + 1
 
-    def head(self, text: bytes) -> Head:
-        """Return the names in the first object. No line is a header."""
+    def head(self, text: bytes) -> tuple[Head, list[list[str]]]:
+        """Return the names in the first object, and the values of the first objects. No line is a header."""
         lines = [line for line in text.removeprefix(BOM).splitlines()[:200] if line.strip()]
         if not lines:
             raise BadTable("the table is empty")
@@ -36,32 +36,29 @@ class Ndjson:
             raise BadTable("the first line is not a JSON object with members")
         names = tuple(first)
         sample = [[_text(row.get(name)) for name in names] for row in map(_object, lines) if row is not None]
-        return Head(BOM if text.startswith(BOM) else b"", names, sample)
+        return Head(BOM if text.startswith(BOM) else b"", names), sample
 
-    def converter(
-        self, head: Head, header: Header, task: Task, names: Sequence[str], *, excel_safe: bool
-    ) -> NdjsonConverter:
+    def converter(self, head: Head, task: Task, *, excel_safe: bool) -> NdjsonConverter:
         """Return the converter of the lines. No spreadsheet reads them: `excel_safe` changes nothing."""
         del excel_safe
-        return NdjsonConverter(head, header, task, names)
+        return NdjsonConverter(head, task)
 
 
 class NdjsonConverter:
     """Converts blocks of lines."""
 
-    def __init__(self, head: Head, header: Header, task: Task, names: Sequence[str]) -> None:
-        """`names`: of the results."""
+    def __init__(self, head: Head, task: Task) -> None:
         self.head = head.text
         self.evaluator = Evaluator(task)
         self.readers = [Reader(column) for column in task.inputs]
         self.materials_at = task.materials_at
         places = {column.name: column.place for column in task.inputs} | dict(task.materials_at)
-        self.keys = {name: header.texts[place] for name, place in places.items()}
-        self.known = dict.fromkeys(header.texts).keys()
-        self.added = {*names, *task.remarks}
-        said = [orjson.dumps({name: text})[1:-1] for name, text in task.said.items()]
-        members = [orjson.dumps(name) + b":%b" for name in (*names[len(said) :], *task.remarks)]
-        self._members = b",".join([*said, *members]) + b"}"
+        self.keys = {name: head.names[place] for name, place in places.items()}
+        self.known = {*head.names}
+        names = added(task)
+        self.added = {*names}
+        self._said = b"".join(orjson.dumps({name: text})[1:-1] + b"," for name, text in task.said.items())
+        self._names = [orjson.dumps(name) + b":" for name in names[len(task.said) :]]
 
     def convert(self, text: bytes) -> Converted:
         """Return whole lines with the results in each."""
@@ -100,21 +97,20 @@ class NdjsonConverter:
 
     def _output(self, raw: Sequence[bytes], objects: Sequence[Row | None], results: Results) -> bytes:
         numbers = orjson.dumps(numpy.ascontiguousarray(results.numbers.T), option=orjson.OPT_SERIALIZE_NUMPY)
-        cells = [row.split(b",") for row in numbers.replace(b"[", b"").replace(b"],", b"]")[:-1].split(b"]")]
+        rows = enumerate(numbers[2:-2].split(b"],["))
         output: list[bytes] = []
-        row = 0
         for line in raw:
             if not line.strip():
                 output.append(line)
                 continue
-            remarks = [orjson.dumps(texts.get(row)) for texts in results.remarks.values()]
-            members = self._members % (*cells[row], *remarks)
+            row, values = next(rows)
+            cells = values.split(b",") + [orjson.dumps(texts.get(row)) for texts in results.remarks.values()]
+            members = self._said + b",".join(map(bytes.__add__, self._names, cells)) + b"}"
             if objects[row] is None:
                 body = b'{"line":' + orjson.dumps(line.decode("utf-8", "replace")) + b","
             else:
                 body = line.rstrip().removesuffix(b"}").rstrip() + b"," * bool(objects[row])
             output.append(body + members)
-            row += 1
         return b"\n".join(output) + b"\n"
 
 

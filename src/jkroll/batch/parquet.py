@@ -9,26 +9,25 @@ from collections.abc import Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import closing, contextmanager, suppress
 from math import isnan
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy
 import pyarrow
 import pyarrow.parquet
 
 from ..errors import BadRequest
-from ..quantities.nomenclature import header
 from ..text import quoted, say, shown
 from .blocks import Block
 from .cells import Floats, Numbers, Reader
-from .columns import check_first
+from .columns import check_first, is_input
 from .errors import BadTable
-from .lines import Converted
-from .output import OutputFile, is_done
+from .lines import Converted, added
+from .output import OutputFile, Step, is_done
 from .progress import watched
 from .rows import Evaluator
 from .settings import Order, Settings, Tally, input_format, output_format
-from .source import Input, Span
-from .task import understood_task
+from .source import Input, Part, Span
+from .task import kinds_of, understood_task
 
 BUFFER = 1 << 18  # bytes read at a time of each column
 SPAN = 1 << 20  # least number of rows of a part of a table, but for the last
@@ -45,21 +44,20 @@ def rows_together(width: float) -> int:
     return max(int(BYTES / max(width, 1)), 1)
 
 
-def convert(path: str, order: Order, span: Span | None = None) -> Tally:
+def convert(part: Part, order: Order) -> Tally:
     """Convert a Parquet file, or some of its groups of rows."""
-    settings = order.settings
-    output_format(settings, input_format(path, settings))
-    if "-" in (path, settings.target):
+    settings = order.settings._replace(target=part.target)
+    output_format(settings, input_format(part.path, settings))
+    if "-" in (part.path, part.target):
         raise BadRequest("Parquet is read from a file and written to a file: -o FILE")
-    with closing(Input(path)) as given, _opened(given) as file:
-        given.check_output(settings.target)
+    with closing(Input(part.path)) as given:
+        given.check_output(part.target)
         if is_done(settings, given.time):
             return Tally(0, 0)
-        with _readable(path):
-            table = _Table(path, file, order, span or Span(0, file.metadata.num_row_groups))
-        tally = write(
-            settings, table.schema, table.converted(), table.size, order.identity([given.size, given.time]), table.line
-        )
+        with _readable(part.path):
+            table = _Table(given, order, part.span)
+        identity = order.identity([given.size, given.time])
+        tally = write(settings, table.schema, table.converted(), table.size, identity, table.line)
         given.check_unchanged()
         return tally
 
@@ -68,25 +66,14 @@ def spans_of(path: str) -> list[Span]:
     """Return the parts of a Parquet file: as many groups of rows together as have enough rows."""
     spans: list[Span] = []
     start, rows = 0, 0
-    with closing(Input(path)) as given, _opened(given) as file:
-        groups = file.metadata.num_row_groups
-        for place in range(groups):
-            rows += file.metadata.row_group(place).num_rows
-            if rows >= SPAN or place == groups - 1:
-                spans.append(Span(start, place + 1))
-                start, rows = place + 1, 0
+    with _readable(path):
+        metadata = pyarrow.parquet.read_metadata(path)
+    for place in range(metadata.num_row_groups):
+        rows += metadata.row_group(place).num_rows
+        if rows >= SPAN or place == metadata.num_row_groups - 1:
+            spans.append(Span(start, place + 1))
+            start, rows = place + 1, 0
     return spans
-
-
-@contextmanager
-def _opened(given: Input) -> Iterator[Any]:
-    """Open a Parquet file; BadTable if it is none."""
-    try:
-        file = pyarrow.parquet.ParquetFile(given.file, buffer_size=BUFFER, pre_buffer=False)
-    except (OSError, pyarrow.ArrowException):
-        raise BadTable(f"{quoted(given.path)} is not Parquet, or its end is missing, or it is encrypted") from None
-    with file:
-        yield file
 
 
 @contextmanager
@@ -99,48 +86,44 @@ def _readable(path: str) -> Iterator[None]:
         raise BadTable(f"{quoted(path)} cannot be read as Parquet: {reason}") from None
 
 
-class Rows:
-    """Rows that are written together: a table of Arrow, and their counts."""
+class Rows(NamedTuple):
+    """Rows with their results, as a table of Arrow, and their counts."""
 
-    def __init__(
-        self, table: Any, failed: int, first_failure: tuple[int, str] | None = None, doubtful: int = 0
-    ) -> None:
-        self.table = table
-        self.counts = Converted(b"", table.num_rows, failed, table.num_rows, first_failure, doubtful)
+    table: Any
+    failed: int
+    first_failure: tuple[int, str] | None = None
+    doubtful: int = 0
 
 
 class _Table:
     """A Parquet file whose rows are computed."""
 
-    def __init__(self, path: str, file: Any, order: Order, span: Span) -> None:
-        self.path, self.file = path, file
+    def __init__(self, given: Input, order: Order, span: Span | None) -> None:
+        """`span`: of groups of rows; None for all."""
+        self.path = given.path
+        self.file = file = pyarrow.parquet.ParquetFile(given.file, buffer_size=BUFFER, pre_buffer=False)
         schema = file.schema_arrow
-        header_of_table, task = understood_task(tuple(schema.names), order)
+        names, sample = tuple(schema.names), _sample(file)
+        _, task = understood_task(names, kinds_of(names, sample, order), order)
         self.places = {column.name: column.place for column in task.inputs} | dict(task.materials_at)
         for name, place in self.places.items():
             if not _is_cell(schema.types[place]):
                 raise BadTable(f"header: column {name} holds {schema.types[place]}: neither numbers nor texts")
         for column in task.inputs:
-            if pyarrow.types.is_string(schema.types[column.place]) or column.unit is None:
-                texts = [header_of_table.texts[column.place]]
-                first = next(file.iter_batches(200, columns=texts, use_threads=False), None)
-                values = [] if first is None else first.column(0).to_pylist()
-                check_first(column, [_text(value) for value in values])
-        self.evaluator = Evaluator(task)
-        self.materials = [name for name, _ in task.materials_at]
+            check_first(column, [row[column.place] for row in sample])
+        self.task, self.evaluator = task, Evaluator(task)
         self.readers = [Reader(column) for column in task.inputs]
-        fields = [pyarrow.field(name, pyarrow.string()) for name in task.said]
-        fields += [pyarrow.field(header(name), pyarrow.float64()) for name in task.quantities]
-        self.schema = pyarrow.schema(
-            [*schema, *fields, *(pyarrow.field(name, pyarrow.string()) for name in task.remarks)],
-            metadata=schema.metadata,
-        )
-        self.groups = range(span.start, span.end)
-        metadata = [file.metadata.row_group(place) for place in range(file.metadata.num_row_groups)]
-        self.size = sum(metadata[place].num_rows for place in self.groups)
-        self.line = sum(group.num_rows for group in metadata[: span.start])
-        widths = [group.total_byte_size / max(group.num_rows, 1) for group in metadata]
-        self.together = rows_together(max(widths, default=0) + 8 * len(fields))
+        fields = [
+            pyarrow.field(name, pyarrow.float64() if name in task.headers else pyarrow.string()) for name in added(task)
+        ]
+        self.schema = pyarrow.schema([*schema, *fields], metadata=schema.metadata)
+        groups = [file.metadata.row_group(place) for place in range(file.metadata.num_row_groups)]
+        start, end = (span.start, span.end) if span is not None else (0, len(groups))
+        self.groups = range(start, end)
+        self.size = sum(group.num_rows for group in groups[start:end])
+        self.line = sum(group.num_rows for group in groups[:start])
+        widths = [group.total_byte_size / max(group.num_rows, 1) for group in groups]
+        self.together = min(BLOCK, rows_together(max(widths, default=0) + 8 * len(fields)))
 
     def converted(self) -> Iterator[Rows]:
         """Iterate over the rows with their results."""
@@ -154,52 +137,44 @@ class _Table:
             yield rows
 
     def _rows(self, batch: Any) -> Rows:
-        numbers = numpy.empty((len(self.evaluator.task.quantities), batch.num_rows))
-        remarks: dict[str, dict[int, str]] = {name: {} for name in self.evaluator.task.remarks}
-        lost: dict[int, str] = {}
-        doubtful = 0
-        for start in range(0, batch.num_rows, BLOCK):
-            block = self._block(batch.slice(start, BLOCK))
-            results = self.evaluator.results(block, numbers[:, start : start + block.size])
-            for name, texts in results.remarks.items():
-                remarks[name] |= {start + row: text for row, text in texts.items()}
-            doubtful += results.doubtful
-            lost |= {start + row: results.status[row] for row in results.lost}
-        said = [pyarrow.repeat(text, batch.num_rows) for text in self.evaluator.task.said.values()]
-        arrays = [
-            *batch.columns,
-            *said,
-            *map(as_column, numbers),
-            *(_texts(texts, batch.num_rows) for texts in remarks.values()),
-        ]
-        table = pyarrow.Table.from_arrays(arrays, schema=self.schema)
-        return Rows(table, len(lost), min(lost.items(), default=None), doubtful)
+        size = batch.num_rows
+        results = self.evaluator.results(self._block(batch))
+        said = [pyarrow.repeat(text, size) for text in self.task.said.values()]
+        numbers = [as_column(values) for values in results.numbers]
+        remarks = [pyarrow.array(map(texts.get, range(size)), "string") for texts in results.remarks.values()]
+        table = pyarrow.Table.from_arrays([*batch.columns, *said, *numbers, *remarks], schema=self.schema)
+        first = min(results.lost, default=None)
+        failure = None if first is None else (first, results.status[first])
+        return Rows(table, len(results.lost), failure, results.doubtful)
 
-    def _block(self, part: Any) -> Block:
+    def _block(self, batch: Any) -> Block:
         """Return the inputs of some rows."""
         materials: dict[str, Any] = {}
-        for name in self.materials:
-            array = part.column(self.places[name])
+        for name, place in self.task.materials_at:
+            array = batch.column(place)
             encoded = array if pyarrow.types.is_dictionary(array.type) else array.dictionary_encode()
             kinds = [_text(value) for value in encoded.dictionary.to_pylist()]
             codes = self.evaluator.lookups[name].codes([*kinds, ""])
             materials[name] = codes[encoded.indices.fill_null(len(kinds)).to_numpy()]
         return Block(
-            part.num_rows,
-            {reader.column.name: _numbers(part.column(reader.column.place), reader) for reader in self.readers},
+            batch.num_rows,
+            {reader.column.name: _numbers(batch.column(reader.column.place), reader) for reader in self.readers},
             materials,
             {},
-            lambda row, name: _text(part.column(self.places[name])[row].as_py()),
+            lambda row, name: _text(batch.column(self.places[name])[row].as_py()),
         )
 
 
 def write(
     settings: Settings, schema: Any, tables: Iterator[Rows], total: int, identity: dict[str, str], first_line: int = 0
 ) -> Tally:
-    """Write tables as one file that gets its name when it is whole. `total`: all rows. A thread writes."""
+    """Write tables as one file that gets its name when it is whole, in groups of rows of about the same size.
+
+    `total`: the number of all rows. A thread writes.
+    """
     output = OutputFile(settings.target, strict=settings.strict)
     with closing(output):
-        if settings.resume and output.has_begun():
+        if settings.resume and output.journal.has_begun:
             say("note: --resume: a Parquet file cannot be gone on with; it is begun anew", sys.stderr)
         output.begin(identity, b"", Converted(b"", 0, 0, first_line, None))
 
@@ -213,14 +188,31 @@ def write(
             ThreadPoolExecutor(1) as thread,
         ):
             written: Future[None] = thread.submit(lambda: None)
-            for rows in tables:
-                output.count(rows.counts)
+            for group in _groups(tables):
+                for table, failed, first_failure, doubtful in group:
+                    step = Step(rows=table.num_rows, failed=failed, lines=table.num_rows, doubtful=doubtful)
+                    output.count(step, first_failure)
+                table = pyarrow.concat_tables([rows.table for rows in group])
                 written.result()
-                written = thread.submit(writer.write_table, rows.table, rows.table.num_rows)
+                written = thread.submit(writer.write_table, table, table.num_rows)
                 show()
             written.result()
         output.finish()
     return output.tally
+
+
+def _groups(tables: Iterator[Rows]) -> Iterator[list[Rows]]:
+    """Iterate over rows that are written together."""
+    group: list[Rows] = []
+    size = 0
+    for rows in tables:
+        group.append(rows)
+        size += rows.table.nbytes
+        if size >= BYTES:
+            yield group
+            group, size = [], 0
+    if group:
+        yield group
 
 
 @contextmanager
@@ -250,9 +242,13 @@ def as_column(values: Floats) -> Any:
     return pyarrow.array(values, mask=missing if missing.any() else None)
 
 
-def _texts(texts: dict[int, str], size: int) -> Any:
-    """Return the texts of some rows as a column, null in the others."""
-    return pyarrow.array([*map(texts.get, range(size))] if texts else [None] * size, "string")
+def _sample(file: Any) -> list[list[str]]:
+    """Return the first rows as cells of text, those of the inputs alone."""
+    schema = file.schema_arrow
+    names = [name for name, kind in zip(schema.names, schema.types, strict=True) if is_input(name) and _is_cell(kind)]
+    first = next(file.iter_batches(200, columns=names, use_threads=False), None)
+    rows = [] if first is None else first.to_pylist()
+    return [[_text(row.get(name)) for name in schema.names] for row in rows]
 
 
 def _is_cell(kind: Any) -> bool:

@@ -4,6 +4,8 @@ import hashlib
 import json
 import os
 from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, NamedTuple
 
 from .. import __version__
@@ -29,6 +31,7 @@ class Settings(NamedTuple):
     materials: str | None = None
     quiet: bool = False
     doubt: bool = True  # whether there is a column of doubts
+    uncertainty: bool = False  # whether there are columns of uncertainties, though the first rows have none
 
     @property
     def processes(self) -> int:
@@ -40,7 +43,8 @@ def _cores() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-class Order(NamedTuple):
+@dataclass(frozen=True, eq=False)  # so that what is understood of a header can be kept by the order
+class Order:
     """A run: the options, the inputs that fill the gaps of rows, and the known materials."""
 
     settings: Settings
@@ -49,11 +53,14 @@ class Order(NamedTuple):
 
     def identity(self, read: object) -> dict[str, str]:
         """Return a hash of each part that the result depends on; `read` identifies the input."""
+        return self._given | fingerprint({"input": read})
+
+    @cached_property
+    def _given(self) -> dict[str, str]:
         options = self.settings._replace(resume=False, jobs=0, quiet=False, target="", dask="")
         return fingerprint(
             {
                 "version": [__version__, CHUNK],
-                "input": read,
                 "options": [options._asdict(), dict(self.inputs)],
                 "materials file": [*map(str, self.known.materials.items())],
             }

@@ -2,18 +2,27 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from math import isnan, nan
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
+from ..answers.answer import concerns
+from ..answers.other_laws import rests_on_spacing
 from ..errors import JkrollError, NoResult
 from ..materials.library import Material, Materials
-from ..quantities.nomenclature import STATE
-from ..scene.errors import BeyondFold, BeyondPullOff, MissingInput
+from ..quantities.nomenclature import NOMENCLATURE, header
+from ..quantities.parsing import has_uncertainty
+from ..scene.errors import MissingInput, NoContact
 from ..scene.limits import LIMITS, doubts
 from ..scene.scene import Scene
 from .columns import DOUBT, STATUS, Column
 
-FATAL = (BeyondPullOff, BeyondFold)  # no other result of the row is trusted either
+if TYPE_CHECKING:
+    from ..quantities.uncertain import Uncertain
+    from ..scene.uncertainty import Propagated, Sources
+
 CODES = tuple(limit.code(doubt) for limit in LIMITS if limit.name != "tabor_parameter" for doubt in limit.doubts)
+SIDES = {"standard": ("minus", "plus"), "range": ("low", "high")}  # of the kinds of uncertainty, as answers name them
+MOST_NAMES = 3  # of quantities in a clause of a status
+_NO_COLUMNS = "for which the table has no columns; --uncertainty adds them"
 
 
 class Task(NamedTuple):
@@ -22,13 +31,29 @@ class Task(NamedTuple):
     inputs: tuple[Column, ...]
     materials_at: tuple[tuple[str, int], ...]
     quantities: tuple[str, ...]
-    fixed: Mapping[str, float]  # inputs that fill what a row does not give
+    fixed: "Mapping[str, float | Uncertain]"  # inputs that fill what a row does not give
     material: Material | None
     material2: Material | None
     known: Materials
     keeps: bool = False  # whether a row beyond pull-off keeps the results that need no contact
     model: str | None = None  # law of attraction, which is then a column before the results
     doubt: bool = False  # whether there is a column of doubts
+    kinds: tuple[str, ...] = ()  # of the uncertainties that have columns
+    always: frozenset[str] = frozenset()  # quantities that were asked for by name, though no answer shows them
+
+    @property
+    def sides(self) -> tuple[str, ...]:
+        """The sides of an uncertainty that have columns beside each result."""
+        return tuple(side for kind in self.kinds for side in SIDES[kind])
+
+    @property
+    def headers(self) -> list[str]:
+        """The headers of the numbers: of each quantity, and of the sides of its uncertainty."""
+        return [
+            head
+            for name in self.quantities
+            for head in (header(name), *(header(name).replace(name, f"{name}_{side}") for side in self.sides))
+        ]
 
     @property
     def said(self) -> dict[str, str]:
@@ -40,6 +65,23 @@ class Task(NamedTuple):
         """The columns of text after the results, which are empty in most rows."""
         return (DOUBT, STATUS) if self.doubt else (STATUS,)
 
+    def has_columns_for(self, sources: "Sources") -> bool:
+        """Return whether there are columns for the uncertainties that these sources cause."""
+        return all(source.given.kind in self.kinds for source in sources.entering)
+
+    def shows(self, name: str, scene: Scene) -> Any:
+        """Return whether a quantity is a result of a scene, or for which elements of its arrays."""
+        return name in self.always or concerns(name, scene)
+
+
+class RestsOnSpacing(NoResult):
+    """Error raised for a quantity that the atomic spacing decides on, where it was not given."""
+
+    def reason(self) -> str:
+        """Return what decides."""
+        spacing = NOMENCLATURE["atomic_spacing"]
+        return f"rests on {spacing.symbol}; give {spacing.option} {spacing.example}"
+
 
 class Single(NamedTuple):
     """The results of a row, its status, whether it has no trusted result, and the codes of its doubts."""
@@ -48,12 +90,17 @@ class Single(NamedTuple):
     status: str
     is_lost: bool
     doubt: str = ""
+    sides: Mapping[str, Mapping[str, float]] = {}  # of the uncertainties, by quantity
 
 
-def alone(task: Task, text_of: Callable[[str], str]) -> Single:
-    """Return the results of a row. `text_of` gives the cell of an input."""
-    nothing = [nan] * len(task.quantities)
-    given: dict[str, float] = {}
+class BadCells(JkrollError):
+    """Error raised for cells that are no values of inputs, or no names of materials."""
+
+
+def scene_of(task: Task, text_of: Callable[[str], str]) -> Scene:
+    """Return the scene of a row. `text_of` gives the cell of an input. Raises BadCells, or an error of the scene."""
+    given: dict[str, Any] = {}
+    spheres: dict[str, Material | None] = {"material": task.material, "material2": task.material2}
     problems: list[str] = []
     for column in task.inputs:
         text = text_of(column.name)
@@ -62,7 +109,6 @@ def alone(task: Task, text_of: Callable[[str], str]) -> Single:
                 given[column.name] = column.read(text)
         except JkrollError as error:
             problems.append(str(error))
-    spheres: dict[str, Material | None] = {"material": task.material, "material2": task.material2}
     for name, _ in task.materials_at:
         text = text_of(name)
         try:
@@ -71,25 +117,88 @@ def alone(task: Task, text_of: Callable[[str], str]) -> Single:
         except JkrollError as error:
             problems.append(str(error))
     if problems:
-        return Single(nothing, "; ".join(problems), True)
+        raise BadCells("; ".join(problems))
+    return Scene({**task.fixed, **given}, *spheres.values(), model=task.model)
+
+
+def kinds_of_row(task: Task, cells: Mapping[str, str]) -> set[str]:
+    """Return the kinds of the uncertainties that enter results of a row. Raises a JkrollError for a row that has none."""
+    materials = [task.known[text] for name, _ in task.materials_at if (text := cells.get(name, "")).strip()]
+    is_uncertain_row = any(map(has_uncertainty, cells.values())) or any(
+        one.uncertainties for one in (*materials, task.material, task.material2) if one is not None
+    )
+    if not is_uncertain_row:
+        return set()
+    from ..scene.uncertainty import sources_of
+
+    scene = scene_of(task, cells.__getitem__)
+    return {
+        source.given.kind for source in sources_of(scene, scene.inputs_of(*scene.numbers(*task.quantities))).entering
+    }
+
+
+def alone(task: Task, text_of: Callable[[str], str]) -> Single:
+    """Return the results of a row. `text_of` gives the cell of an input."""
     try:
-        scene = Scene({**task.fixed, **given}, *spheres.values(), model=task.model)
+        return _of_scene(task, scene_of(task, text_of))
     except JkrollError as error:
-        return Single(nothing, str(error), True)
-    values: list[float] = []
+        return _lost(task, str(error))
+
+
+def _of_scene(task: Task, scene: Scene) -> Single:
+    """Return the results of a scene. Raises a JkrollError if it is none, or for uncertainties that do not go together."""
+    values = dict.fromkeys(task.quantities, nan)
     errors: dict[str, JkrollError] = {}
-    for name in task.quantities:
-        try:
-            values.append(float(scene[name]) if concerns(name, scene) and _is_said(name, scene) else nan)
-        except (MissingInput, NoResult) as error:
-            errors[name] = error
-            values.append(nan)
-    fatal = next((error for error in errors.values() if isinstance(error, FATAL)), None)
-    if fatal is not None:
-        return Single(values if task.keeps else nothing, str(fatal), True)
-    answered = [name for name, value in zip(task.quantities, values, strict=True) if not isnan(value)]
+    shown = [name for name in task.quantities if task.shows(name, scene)]
+    for name, outcome in scene.evaluate(shown).items():
+        if isinstance(outcome, JkrollError):
+            errors[name] = outcome
+        elif rests_on_spacing(name, scene):
+            errors[name] = RestsOnSpacing()
+        else:
+            values[name] = float(outcome)
+    no_contact = next((error for error in errors.values() if isinstance(error, NoContact)), None)
+    if no_contact is not None and not task.keeps:
+        return _lost(task, str(no_contact))
+    answered = [name for name, value in values.items() if not isnan(value)]
+    sides, remark = _uncertainties(task, scene, answered) if scene.is_uncertain else ({}, "")
+    if no_contact is not None:
+        return Single([*values.values()], str(no_contact), True, "", sides)
+    status = "; ".join(filter(None, [worded(errors), remark]))
     doubt = " ".join(code for code, is_so in doubts_of(scene, answered).items() if is_so) if task.doubt else ""
-    return Single(values, worded(errors), len(errors) == len(values), doubt)
+    return Single([*values.values()], status, not answered and bool(errors), doubt, sides)
+
+
+def _lost(task: Task, status: str) -> Single:
+    return Single([nan] * len(task.quantities), status, True)
+
+
+def _uncertainties(task: Task, scene: Scene, names: Sequence[str]) -> tuple[dict[str, Mapping[str, float]], str]:
+    """Return the sides of the uncertainties of quantities, and why some that should have one have none."""
+    from ..scene.uncertainty import uncertainties
+
+    found, sources = uncertainties(scene, names)
+    if not task.has_columns_for(sources):
+        return {}, left_out(scene, sources)
+    failures = {name: one for name, one in found.items() if isinstance(one, JkrollError)}
+    remark = worded(failures, "no uncertainty, as there is no value at an end of an input: ")
+    return {name: _sides(one) for name, one in found.items() if not isinstance(one, JkrollError)}, remark
+
+
+def _sides(found: "Propagated") -> dict[str, float]:
+    return {side: getattr(found.uncertainty, side) for side in SIDES[found.uncertainty.kind]}
+
+
+def left_out(scene: Scene, sources: "Sources") -> str:
+    """Return the remark on a row whose materials have uncertainties for which the table has no columns.
+
+    Raises BadCells if a cell has one.
+    """
+    names = [name for source in sources.entering for name in source.names]
+    if stated := [name for name in names if name in scene.uncertain]:
+        raise BadCells(f"{stated[0]}: the cell has an uncertainty, {_NO_COLUMNS}")
+    materials = dict.fromkeys(material.name for material, _ in scene.data_used(names))
+    return f"{' and '.join(materials)}: uncertainties are left out, {_NO_COLUMNS}"
 
 
 def doubts_of(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
@@ -97,30 +206,28 @@ def doubts_of(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
     return {code: is_so for code, is_so in doubts(scene, names).items() if code in CODES}
 
 
-def concerns(name: str, scene: Scene) -> bool:
-    """Return whether a quantity is a result of a scene, and not one of its inputs."""
-    if name == "load":
-        return bool(STATE & scene.stated.keys())
-    return name not in scene.stated
-
-
-def _is_said(name: str, scene: Scene) -> bool:
-    return name != "rolling_frequency_as_printed" or scene.is_identical
-
-
-def worded(errors: Mapping[str, JkrollError]) -> str:
-    """Return why quantities have no value, with one clause for all that have the same reason."""
+def worded(errors: Mapping[str, JkrollError], lead: str = "") -> str:
+    """Return why quantities have no value: a clause for all that lack an input, and one for each other reason."""
+    lacking = {name: one for name, one in errors.items() if isinstance(one, MissingInput) and one.missing}
+    joined = _joined([*lacking.values()])
     reasons: dict[str, list[str]] = {}
     for name, error in errors.items():
-        reason = error.reason() if isinstance(error, MissingInput) else str(error).removeprefix(f"{name}: ")
+        reason = joined if name in lacking else str(error).removeprefix(f"{name}: ")
         reasons.setdefault(reason, []).append(name)
-    return "; ".join(f"{', '.join(names)}: {reason}" for reason, names in reasons.items())
+    return "; ".join(f"{_few(names)}: {lead}{reason}" for reason, names in reasons.items())
 
 
-def lacking(name: str, scene: Scene) -> MissingInput | None:
-    """Return the error that names what a quantity needs and a scene does not have, or None."""
-    try:
-        scene.plan(name)
-    except MissingInput as error:
-        return error
-    return None
+def _joined(errors: Sequence[MissingInput]) -> str:
+    """Return the reason of quantities that lack inputs, with all that some of them need."""
+    if len({error.missing for error in errors}) < 2:
+        return min((error.reason() for error in errors), key=len, default="")
+    missing = dict.fromkeys(name for error in errors for name in error.missing)
+    instead = [name for name in errors[0].instead if all(name in error.instead for error in errors)]
+    lacking = dict.fromkeys(filter(None, (text for error in errors for text in error.lacking.split(", "))))
+    return f"need some of {MissingInput('', [*missing], instead, ', '.join(lacking)).needs()}"
+
+
+def _few(names: Sequence[str]) -> str:
+    """Return the first names of a list, and how many more there are."""
+    rest = len(names) - MOST_NAMES
+    return ", ".join(names[:MOST_NAMES]) + (f" and {rest} more" if rest > 0 else "")

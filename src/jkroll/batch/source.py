@@ -14,7 +14,6 @@ from .errors import BadTable
 from .formats import CHUNK, decompressed
 
 MAX_RECORD = 1 << 24
-WINDOW = 1 << 24  # bytes in which the end of a record is looked for
 SPAN = 1 << 26  # least size of a part of a table, but for the last
 
 Cut = Callable[[bytes], int]  # number of bytes of whole records at the beginning of a text
@@ -26,6 +25,14 @@ class Span(NamedTuple):
     start: int
     end: int
     head: int = 0
+
+
+class Part(NamedTuple):
+    """A table, or a part of one, and the file that it becomes."""
+
+    path: str
+    target: str
+    span: Span | None = None  # None: all of it
 
 
 class Input:
@@ -102,15 +109,13 @@ def blocks(pieces: Iterable[bytes], cut: Cut) -> Iterator[bytes]:
         yield text
 
 
-def spans_of_lines(file: BinaryIO, size: int, head: int, cut: Cut) -> list[Span]:
-    """Return the parts of a table of lines; none for a small one. `head`: size of the header."""
-    spans: list[Span] = []
+def spans_of_lines(texts: Iterable[bytes], head: int) -> Iterator[Span]:
+    """Iterate over the parts of a table of lines that follow a header of some size, each of several blocks."""
     start = end = head
-    file.seek(end)
-    while size > SPAN and (text := file.read(WINDOW)):
-        end += len(text) if end + len(text) == size else cut(text) or len(text)
+    for text in texts:
+        end += len(text)
         if end - start >= SPAN:
-            spans.append(Span(start, end, head))
+            yield Span(start, end, head)
             start = end
-        file.seek(end)
-    return [*spans, Span(start, end, head)] if start < end else spans
+    if start < end:
+        yield Span(start, end, head)

@@ -1,43 +1,30 @@
 """A table whose records are lines, from a file or a pipe into another."""
 
+from collections.abc import Sequence
 from contextlib import closing
-from functools import partial
+from functools import lru_cache, partial
 from itertools import chain
-from typing import NamedTuple
 
 from ..errors import BadRequest
-from ..quantities.nomenclature import header
-from . import loop
-from .columns import Header, check_first
+from . import loop, source
+from .columns import Column, check_first
 from .formats import LINES, compressor
 from .lines import Converted, Converter, Head
 from .output import is_done, output_to
 from .settings import Order, Tally, input_format, output_format
-from .single import Task
-from .source import Input, Span, blocks, spans_of_lines
-from .task import understood_task
-
-HEAD = 1 << 20  # bytes in which the header is looked for
+from .source import Input, Part, Span, blocks
+from .task import kinds_of, understood_task
 
 
-class _Recipe(NamedTuple):
-    """The parts of a converter, as they are handed to processes."""
-
-    kind: str
-    head: Head
-    table: Header
-    task: Task
-    excel_safe: bool
-    compression: str
-
-    def converter(self) -> Converter:
-        """Return the converter, without the compression."""
-        names = [*self.task.said, *(header(name) for name in self.task.quantities)]
-        return LINES[self.kind].converter(self.head, self.table, self.task, names, excel_safe=self.excel_safe)
+@lru_cache(maxsize=8)  # the tables of a run often have the same header
+def _converter(order: Order, kind: str, head: Head, kinds: tuple[str, ...]) -> tuple[Converter, Sequence[Column]]:
+    """Return the converter of a table, without the compression, and the columns that it reads."""
+    table, task = understood_task(head.names, kinds, order)
+    return LINES[kind].converter(head, task, excel_safe=order.settings.excel_safe), table.inputs
 
 
-def _make_convert(recipe: _Recipe) -> loop.Convert:
-    converter, compress = recipe.converter(), compressor(recipe.compression)
+def _make_convert(converter: Converter, compression: str) -> loop.Convert:
+    compress = compressor(compression)
 
     def convert(text: bytes) -> Converted:
         converted = converter.convert(text)
@@ -46,34 +33,34 @@ def _make_convert(recipe: _Recipe) -> loop.Convert:
     return convert
 
 
-def convert(path: str, order: Order, span: Span | None = None) -> Tally:
+def convert(part: Part, order: Order) -> Tally:
     """Convert a table of lines, or a part of it."""
-    settings = order.settings
-    form = input_format(path, settings)
+    settings = order.settings._replace(target=part.target)
+    form = input_format(part.path, settings)
     compression = output_format(settings, form).compression
     compress = compressor(compression)
     compressor(form.compression)  # a missing library is named before anything is opened
     if settings.resume and settings.target == "-":
         raise BadRequest("--resume needs a file to go on with: -o FILE")
-    with closing(Input(path)) as given:
+    with closing(Input(part.path)) as given:
         given.check_output(settings.target)
         if is_done(settings, given.time):
             return Tally(0, 0)
-        texts = blocks(given.pieces(form.compression, span), LINES[form.kind].cut)
+        texts = blocks(given.pieces(form.compression, part.span), LINES[form.kind].cut)
         first = next(texts, b"")
-        head = LINES[form.kind].head(first)
-        table, task = understood_task(head.names, order)
-        for column in table.inputs:
-            check_first(column, [row[column.place] for row in head.sample])
-        recipe = _Recipe(form.kind, head, table, task, settings.excel_safe, compression)
-        start = recipe.converter().head
+        head, rows = LINES[form.kind].head(first)
+        kinds = kinds_of(head.names, rows if part.span is None else _first_rows(part.path, form.kind), order)
+        converter, columns = _converter(order, form.kind, head, kinds)
+        for column in columns:
+            check_first(column, [row[column.place] for row in rows])
+        start = compress(converter.head) if converter.head else b""
         work = loop.Work(
             order.identity([given.size, given.time]),
             head.text,
-            Converted(compress(start) if start else b"", 0, 0, head.text.count(b"\n"), None),
+            Converted(start, 0, 0, head.text.count(b"\n"), None),
             filter(None, chain([first[len(head.text) :]], texts)),
-            partial(_make_convert, recipe),
-            given.size if span is None else 0,
+            partial(_make_convert, converter, compression),
+            given.size if part.span is None else 0,
             given.position,
         )
         with closing(output_to(settings)) as output:
@@ -83,8 +70,18 @@ def convert(path: str, order: Order, span: Span | None = None) -> Tally:
     return output.tally
 
 
+def _first_rows(path: str, kind: str) -> Sequence[Sequence[str]]:
+    """Return the cells of the first rows of a whole table: all of its parts have the same columns."""
+    with closing(Input(path)) as given:
+        return LINES[kind].head(next(blocks(given.pieces("", None), LINES[kind].cut), b""))[1]
+
+
 def spans_of(path: str, kind: str) -> list[Span]:
     """Return the parts of a table of lines; none for a small one."""
     with closing(Input(path)) as given:
-        head = LINES[kind].head(given.file.read(HEAD))
-        return spans_of_lines(given.file, given.size, len(head.text), LINES[kind].cut)
+        if given.size <= source.SPAN:
+            return []
+        texts = blocks(given.pieces("", None), LINES[kind].cut)
+        first = next(texts, b"")
+        size = len(LINES[kind].head(first)[0].text)
+        return [*source.spans_of_lines(chain([first[size:]], texts), size)]

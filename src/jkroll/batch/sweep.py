@@ -3,12 +3,12 @@
 The columns are those of a short sweep. A block is a number of rows from a place on, so any process can compute any of them.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import closing
 from functools import partial
-from itertools import islice
+from itertools import cycle, islice
 from math import prod
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy
 import orjson
@@ -18,6 +18,7 @@ from ..answers.answer import answer
 from ..errors import BadRequest
 from ..materials.library import Material, Materials
 from ..output.layout import Layout
+from ..quantities.formatting import AS_USUAL
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, header, word_for_infinity
 from ..quantities.ranges import Spread
 from ..scene.scene import DEFAULTS, Scene
@@ -33,7 +34,10 @@ from .lines import Converted
 from .output import OutputFile, is_done, output_to
 from .rows import Evaluator
 from .settings import Settings, Tally, fingerprint
-from .single import Task
+from .single import SIDES, Task
+
+if TYPE_CHECKING:
+    from ..quantities.uncertain import Uncertain
 
 ROWS = 1 << 12  # of a block
 
@@ -49,24 +53,27 @@ class Axis(NamedTuple):
         """The number of values."""
         return sum(map(len, self.spreads))
 
-    def values(self, places: Places) -> Floats:
-        """Return the values at some places."""
+    def numbers(self, places: Places) -> Numbers:
+        """Return the values at some places, as a column."""
         wanted, back = numpy.unique(places, return_inverse=True)
-        return numpy.array([self._value(place) for place in wanted.tolist()])[back]
+        found = [self._at(place) for place in wanted.tolist()]
+        uncertain = {row: one for row, place in enumerate(back.tolist()) if (one := found[place][1]) is not None}
+        return Numbers(numpy.array([value for value, _ in found])[back], None, (), uncertain)
 
-    def _value(self, place: int) -> float:
+    def _at(self, place: int) -> "tuple[float, Uncertain | None]":
         for spread in self.spreads:
             if place < len(spread):
-                return spread.value(place)
+                return spread.value(place), spread.uncertainty
             place -= len(spread)
         raise IndexError(place)
 
 
 class Sweep(NamedTuple):
-    """All rows of a call: the pairs of materials, the axes that each pair is combined with, and the columns to write."""
+    """All rows of a call: the pairs of materials, the axes and the laws that each pair is combined with, and the columns."""
 
     pairs: Sequence[tuple[Material | None, Material | None]]
     axes: Sequence[Axis]
+    models: Sequence[str | None]
     shape: Layout
     known: Materials
 
@@ -78,13 +85,18 @@ class Sweep(NamedTuple):
     @property
     def rows_of_pair(self) -> int:
         """The number of rows of a pair of materials."""
-        return prod(axis.size for axis in self.axes)
+        return prod(axis.size for axis in self.axes) * len(self.models)
 
     def blocks(self) -> Iterator[bytes]:
         """Iterate over blocks, each as where it begins and how many rows it has. No block has rows of two pairs."""
         for first in range(0, self.size, self.rows_of_pair):
             for start in range(first, first + self.rows_of_pair, ROWS):
                 yield b"%d %d" % (start, min(ROWS, first + self.rows_of_pair - start))
+
+    @property
+    def texts(self) -> list[str]:
+        """The columns of inputs that are texts: materials and laws. They are the first ones."""
+        return [name for name in self.shape.inputs if not NOMENCLATURE[name].unit]
 
     @property
     def inputs(self) -> list[str]:
@@ -99,32 +111,44 @@ class Sweep(NamedTuple):
     def identity(self) -> dict[str, str]:
         """Return a hash of each part that the rows depend on."""
         axes = [(axis.name, [list(vars(spread).values()) for spread in axis.spreads]) for axis in self.axes]
-        options = [self.shape.columns, axes, [*map(str, self.pairs)]]
+        options = [self.shape.headers(AS_USUAL), axes, [*map(str, self.pairs)], self.models]
         return fingerprint({"version": [__version__, ROWS], "options": options})
 
 
 class Rows(NamedTuple):
     """Some rows of one pair of materials."""
 
-    materials: list[str]
-    inputs: list[Floats | float | None]  # None: the results do not depend on it
-    results: Floats
+    texts: Sequence[Sequence[str]]  # of the first rows, one for each law; those of the others follow in turns
+    numbers: Floats  # an array for each column of numbers, nan where there is none
     failed: int
-    size: int
+
+    @property
+    def size(self) -> int:
+        """The number of rows."""
+        return self.numbers.shape[1]
 
 
 class Evaluators:
-    """Compute the rows of each pair."""
+    """Compute the rows of each pair of materials and each law."""
 
     def __init__(self, sweep: Sweep) -> None:
         self.sweep = sweep
-        names = tuple(name for name in (*sweep.results, *(("energy",) if "energy" in sweep.inputs else ())))
+        self.names = tuple(name for name in (*sweep.results, *(("energy",) if "energy" in sweep.inputs else ())))
         columns = tuple(Column(place, axis.name, "", None) for place, axis in enumerate(sweep.axes))
-        self.evaluators = [
-            Evaluator(Task(columns, (), names, {}, *pair, sweep.known, keeps=True)) for pair in sweep.pairs
-        ]
+        sides = {side for of_result in sweep.shape.sides.values() for side in of_result}
+        kinds = tuple(kind for kind, own in SIDES.items() if not sides.isdisjoint(own))
+        self.evaluators = {
+            (pair, law): Evaluator(
+                Task(columns, (), self.names, {}, *materials, sweep.known, keeps=True, model=model, kinds=kinds)
+            )
+            for pair, materials in enumerate(sweep.pairs)
+            for law, model in enumerate(sweep.models)
+        }
         first = {axis.name: axis.spreads[0].low for axis in sweep.axes}
-        self.used = [answer(sweep.shape.question, Scene(first, *pair)).inputs.keys() for pair in sweep.pairs]
+        self.used = {
+            (pair, law): answer(sweep.shape.question, Scene(first, *sweep.pairs[pair], model=sweep.models[law])).inputs
+            for pair, law in self.evaluators
+        }
 
     def rows(self, block: bytes) -> Rows:
         """Return the rows of a block."""
@@ -132,47 +156,64 @@ class Evaluators:
         sweep = self.sweep
         pair, first = divmod(start, sweep.rows_of_pair)
         places = numpy.arange(first, first + count)
-        values: dict[str, Floats] = {}
-        stride = sweep.rows_of_pair
+        table = numpy.empty((len(sweep.shape.headers(AS_USUAL)) - len(sweep.texts), count))
+        failed = 0
+        laws = [(first + row) % len(sweep.models) for row in range(len(sweep.models))]
+        for row, law in enumerate(laws):
+            own = slice(row, None, len(laws))
+            failed += self._fill(table[:, own], (pair, law), places[own] // len(laws))
+        texts = [[str(self.used[pair, law][name]) for name in sweep.texts] for law in laws]
+        return Rows(texts, table, failed)
+
+    def _fill(self, table: Floats, place: tuple[int, int], places: Places) -> int:
+        """Fill in the columns of the rows at some places of a pair of materials and a law; return how many rows fail."""
+        sweep, evaluator = self.sweep, self.evaluators[place]
+        given: dict[str, Numbers] = {}
+        stride = sweep.rows_of_pair // len(sweep.models)
         for axis in sweep.axes:
             stride //= axis.size
-            values[axis.name] = axis.values(places // stride % axis.size)
-        numbers = {name: Numbers(column, None, []) for name, column in values.items()}
-        results = self.evaluators[pair].results(
-            Block(count, numbers, {}, {}, lambda row, name: _typed(name, values[name][row]))
-        )
-        wanted = results.numbers[: len(sweep.results)]
-        failed = len(
-            results.lost.union(numpy.flatnonzero(numpy.isnan(wanted).all(axis=0)).tolist()) if results.status else ()
-        )
-        materials = [one.name for one in sweep.pairs[pair] if one is not None]
-        inputs = [self._input(name, values, pair, results.numbers) for name in sweep.inputs]
-        return Rows(materials, inputs, wanted, failed, count)
+            given[axis.name] = axis.numbers(places // stride % axis.size)
+        results = evaluator.results(Block(len(places), given, {}, {}, lambda row, name: _typed(name, given[name], row)))
+        found = dict(zip(evaluator.task.headers, results.numbers, strict=True))
+        columns = [self._input(name, given, place, found) for name in sweep.inputs]
+        columns += [found[head] for head in sweep.shape.headers(AS_USUAL)[len(sweep.shape.inputs) :]]
+        for row, column in enumerate(columns):
+            table[row] = column
+        without = numpy.isnan([found[header(name)] for name in sweep.results]).all(axis=0)
+        return len(results.lost.union(numpy.flatnonzero(without).tolist())) if results.status else 0
 
-    def _input(self, name: str, values: dict[str, Floats], pair: int, numbers: Floats) -> Floats | float | None:
-        """Return a column of an input; None where the results do not depend on it."""
-        if name not in self.used[pair]:
-            return None
-        if name in values:
-            return values[name]
+    def _input(
+        self, name: str, given: Mapping[str, Numbers], place: tuple[int, int], found: Mapping[str, Floats]
+    ) -> Floats | float:
+        """Return a column of an input; nan where the results do not depend on it."""
+        if name not in self.used[place]:
+            return numpy.nan
+        if name in given:
+            return given[name].values
         if name == "energy":
-            energies: Floats = numbers[-1]
-            return energies
-        for material, suffix in zip(self.sweep.pairs[pair], ("", "2"), strict=True):
+            return found[header(name)]
+        for material, suffix in zip(self.sweep.pairs[place[0]], ("", "2"), strict=True):
             own = name.removesuffix("2") if suffix else name
             if material is not None and name == own + suffix and own in material.properties:
                 return material.properties[own]
-        if name == "radius2":
-            return values.get("radius")
-        return DEFAULTS.get(name)
+        if name == "radius2" and "radius" in given:
+            return given["radius"].values
+        return DEFAULTS.get(name, numpy.nan)
 
 
-def _typed(name: str, value: float) -> str:
+def _typed(name: str, column: Numbers, row: int) -> str:
     """Return a value as it could have been typed."""
+    value, found = float(column.values[row]), column.uncertain.get(row)
     if value == INFINITY:
         return word_for_infinity(name) or "inf"
-    unit = NOMENCLATURE[name].unit
-    return f"{float(value)!r} {unit}" if unit != "1" else repr(float(value))
+    text = repr(value)
+    if found is not None:
+        text = (
+            f"{value!r} +{found.plus!r}/-{found.minus!r}"
+            if found.kind == "standard"
+            else f"{found.low!r} to {found.high!r}"
+        )
+    return f"{text} {NOMENCLATURE[name].unit}".removesuffix(" 1")
 
 
 def _make_convert(sweep: Sweep, kind: str, compression: str) -> loop.Convert:
@@ -182,19 +223,16 @@ def _make_convert(sweep: Sweep, kind: str, compression: str) -> loop.Convert:
     def convert(block: bytes) -> Converted:
         """Return a block as lines."""
         rows = evaluators.rows(block)
-        lead = b"".join(quoted_cell(name.encode(), separator) + separator for name in rows.materials)
-        table = numpy.empty((rows.size, len(rows.inputs) + len(rows.results)))
-        for place, column in enumerate([*rows.inputs, *rows.results]):
-            table[:, place] = numpy.nan if column is None else column
-        text = orjson.dumps(table + 0.0, option=orjson.OPT_SERIALIZE_NUMPY).replace(b"null", b"")
+        leads = [b"".join(quoted_cell(text.encode(), separator) + separator for text in texts) for texts in rows.texts]
+        text = orjson.dumps(numpy.ascontiguousarray(rows.numbers.T) + 0.0, option=orjson.OPT_SERIALIZE_NUMPY)
         # [[1,2],[3,4]] becomes the lines 1,2 and 3,4.
-        lines = text[2:-2].replace(b",", separator).split(b"]" + separator + b"[")
+        lines = text.replace(b"null", b"")[2:-2].replace(b",", separator).split(b"]" + separator + b"[")
         for place, name in enumerate(sweep.inputs):
-            for row in numpy.flatnonzero(numpy.isinf(table[:, place])).tolist():
+            for row in numpy.flatnonzero(numpy.isinf(rows.numbers[place])).tolist():
                 cells = lines[row].split(separator)
                 cells[place] = (word_for_infinity(name) or "").encode()
                 lines[row] = separator.join(cells)
-        output = b"".join([lead + line + b"\n" for line in lines])
+        output = b"".join([lead + line + b"\n" for lead, line in zip(cycle(leads), lines)])
         return Converted(compress(output), rows.size, rows.failed, rows.size, None)
 
     return convert
@@ -210,7 +248,7 @@ def stream(sweep: Sweep, settings: Settings) -> Tally:
     kind, compression = form or ("csv", "")
     if kind not in DIALECTS:
         raise BadRequest(f"-o: a sweep is written as csv, tsv or parquet, not as {kind}")
-    head = DIALECTS[kind].separator.join(header(name).encode() for name in sweep.shape.columns) + b"\n"
+    head = DIALECTS[kind].separator.join(name.encode() for name in sweep.shape.headers(AS_USUAL)) + b"\n"
     work = loop.Work(
         sweep.identity(),
         b"",
@@ -232,16 +270,14 @@ def _write_parquet(sweep: Sweep, settings: Settings) -> Tally:
         import pyarrow
 
         from . import parquet
-    materials = [pyarrow.field(name, pyarrow.string()) for name in sweep.shape.inputs if not NOMENCLATURE[name].unit]
-    numbers = [pyarrow.field(header(name), pyarrow.float64()) for name in (*sweep.inputs, *sweep.results)]
-    schema = pyarrow.schema([*materials, *numbers])
+    heads = sweep.shape.headers(AS_USUAL)
+    kinds = [pyarrow.string()] * len(sweep.texts) + [pyarrow.float64()] * (len(heads) - len(sweep.texts))
+    schema = pyarrow.schema([*map(pyarrow.field, heads, kinds)])
     evaluators = Evaluators(sweep)
 
     def batch(rows: Rows) -> Any:
-        columns = [numpy.broadcast_to(numpy.nan if one is None else one, rows.size) for one in rows.inputs]
-        arrays = [parquet.as_column(numpy.ascontiguousarray(values)) for values in (*columns, *rows.results)]
-        names = [pyarrow.repeat(name, rows.size) for name in rows.materials]
-        return pyarrow.RecordBatch.from_arrays([*names, *arrays], schema=schema)
+        texts = [pyarrow.array([*islice(cycle(column), rows.size)]) for column in zip(*rows.texts, strict=True)]
+        return pyarrow.RecordBatch.from_arrays([*texts, *map(parquet.as_column, rows.numbers)], schema=schema)
 
     def tables() -> Iterator[parquet.Rows]:
         blocks = sweep.blocks()

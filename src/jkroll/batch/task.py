@@ -1,28 +1,35 @@
 """The task that a header and the options make: the quantities to compute, and the inputs that fill gaps."""
 
 import sys
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
 
 from ..answers.answer import concerns
 from ..answers.questions import quantities_named
-from ..errors import BadRequest
+from ..errors import BadRequest, JkrollError
 from ..materials.library import Material, Materials
-from ..quantities.nomenclature import PROPERTIES, header
-from ..quantities.parsing import parse_quantity
+from ..quantities.nomenclature import PROPERTIES
+from ..quantities.parsing import is_uncertain
+from ..quantities.ranges import value_of
+from ..scene.errors import MissingInput
 from ..scene.scene import EXCLUSIVE, Scene
 from ..text import quoted, say
 from .columns import MATERIALS, Header, understood
 from .errors import BadTable
 from .settings import Order
-from .single import Task, lacking
+from .single import SIDES, Task, kinds_of_row
+
+if TYPE_CHECKING:
+    from ..quantities.uncertain import Uncertain
 
 
 def task_of(table: Header, inputs: Mapping[str, str], wanted: str, known: Materials) -> Task:
-    """Return the task that the columns and options allow."""
+    """Return the task that the columns and options allow, without columns for uncertainties."""
     spheres = {name: known[inputs[name]] if name in inputs else None for name in MATERIALS}
     texts = {*MATERIALS, "model"}
-    fixed = {name: parse_quantity(text, name) for name, text in inputs.items() if name not in texts}
+    fixed = {name: value_of(text, name) for name, text in inputs.items() if name not in texts}
     model = inputs.get("model")
     scene = _as_known(table, fixed, spheres, model)
     explicit, offered = quantities_named(wanted)
@@ -30,38 +37,86 @@ def task_of(table: Header, inputs: Mapping[str, str], wanted: str, known: Materi
         if name in table.names or name in fixed:
             raise BadRequest(f"--quantities: {name} is an input here")
         scene.plan(name)
-    is_pair = any(name.endswith("2") for name in {*table.names, *inputs})
-    besides = {*table.names, "rolling_frequency_as_printed"} if is_pair else table.names
+    unequal = _as_known(table, fixed, spheres, model, of_sphere_2=_OTHER)
+    outcomes = unequal.evaluate(offered)
     possible = [
-        name for name in offered if name not in besides and concerns(name, scene) and lacking(name, scene) is None
+        name
+        for name in offered
+        if name not in table.names and concerns(name, unequal) and not isinstance(outcomes[name], MissingInput)
     ]
     quantities = tuple(dict.fromkeys((*explicit, *possible)))
     if not quantities:
         scene.plan(offered[0])
     return Task(
-        table.inputs, table.materials, quantities, fixed, spheres["material"], spheres["material2"], known, model=model
+        table.inputs,
+        table.materials,
+        quantities,
+        fixed,
+        spheres["material"],
+        spheres["material2"],
+        known,
+        model=model,
+        always=frozenset(name for name in explicit if not concerns(name, scene)),
     )
 
 
-def _as_known(table: Header, fixed: Mapping[str, float], spheres: Mapping[str, Any], model: str | None) -> Scene:
+_SOME, _OTHER = 0.25, 0.26  # values that any input can have
+
+
+def _as_known(
+    table: Header,
+    fixed: "Mapping[str, float | Uncertain]",
+    spheres: Mapping[str, Any],
+    model: str | None,
+    of_sphere_2: float = _SOME,
+) -> Scene:
     """Return a scene in which every column has a value; of columns that exclude each other, the first."""
-    some = Material("", dict.fromkeys(PROPERTIES, _SOME), (), {}, (), (), "", "")
     given: dict[str, float] = {}
     for column in table.inputs:
         if not any(column.name in names and given.keys() & names for names in EXCLUSIVE):
-            given[column.name] = _SOME
+            given[column.name] = of_sphere_2 if column.name.endswith("2") else _SOME
     places = dict(table.materials)
-    return Scene({**fixed, **given}, *(some if name in places else spheres[name] for name in MATERIALS), model=model)
+    materials = [
+        _any_material(value) if name in places else spheres[name]
+        for name, value in zip(MATERIALS, (_SOME, of_sphere_2), strict=True)
+    ]
+    return Scene({**fixed, **given}, *materials, model=model)
 
 
-_SOME = 0.25  # a value that any input can have
+def _any_material(value: float) -> Material:
+    return Material("", dict.fromkeys(PROPERTIES, value), (), {}, (), (), "", "")
 
 
-def understood_task(names: tuple[str, ...], order: Order) -> tuple[Header, Task]:
-    """Return the columns of a header and the task. Raises BadTable, or an error of the options."""
+@lru_cache(maxsize=8)  # the tables of a run often have the same header
+def _task_of(names: tuple[str, ...], order: Order) -> tuple[Header, Task]:
+    """Return the columns of a header and the task, without columns for uncertainties."""
     table = understood(names)
-    task = task_of(table, order.inputs, order.settings.quantities, order.known)._replace(doubt=order.settings.doubt)
-    taken = {header(name) for name in task.quantities} | {*task.said, *task.remarks}
+    task = task_of(table, order.inputs, order.settings.quantities, order.known)
+    return table, task._replace(doubt=order.settings.doubt)
+
+
+def kinds_of(names: tuple[str, ...], rows: Sequence[Sequence[str]], order: Order) -> tuple[str, ...]:
+    """Return the kinds of uncertainty that have columns: those of options, and those that enter results of the first rows."""
+    if order.settings.uncertainty:
+        return tuple(SIDES)
+    table, task = _task_of(names, order)
+    kinds: set[str] = {value.kind for value in task.fixed.values() if is_uncertain(value)}
+    places = {column.name: column.place for column in table.inputs} | dict(table.materials)
+    for row in rows:
+        cells = {name: row[place] for name, place in places.items()} if len(row) == len(table.texts) else {}
+        with suppress(JkrollError):
+            kinds |= kinds_of_row(task, cells)
+    return tuple(kind for kind in SIDES if kind in kinds)
+
+
+def understood_task(names: tuple[str, ...], kinds: tuple[str, ...], order: Order) -> tuple[Header, Task]:
+    """Return the columns of a header and the task. Raises BadTable, or an error of the options.
+
+    `kinds`: of the uncertainties that have columns.
+    """
+    table, task = _task_of(names, order)
+    task = task._replace(kinds=kinds)
+    taken = {*task.headers, *task.said, *task.remarks}
     for text in table.texts:
         if text.strip() in taken:
             raise BadTable(f"header: there is a column {quoted(text)} already; rename it, or choose --quantities")

@@ -1,19 +1,19 @@
 """Processes that answer questions. Each gets a question over a pipe of its own and sends back an answer or an error.
 
-A process ends when the other end of its pipe is closed, that is, with the process that started it. No lock is shared, so a
-process may be ended at any moment.
+A process ends with the one that started it, at once. No lock is shared, so a process may be ended at any moment.
 """
 
 import copyreg
 import gc
+import os
 import signal
-import sys
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from itertools import cycle
-from multiprocessing import connection, get_context, resource_tracker
-from types import MappingProxyType, ModuleType
+from multiprocessing import connection, get_context, parent_process
+from threading import Thread
+from types import MappingProxyType
 from typing import Any
 
 from .errors import LostWorker
@@ -57,6 +57,11 @@ class Worker:
             raise found
         return found
 
+    def answer_to(self, question: Any) -> Any:
+        """Ask a question and return the answer."""
+        self.ask(question)
+        return self.answer()
+
     def end(self) -> None:
         """End the process at once."""
         self.process.kill()
@@ -65,6 +70,7 @@ class Worker:
 
 
 def _serve(questions: "connection.Connection[Any, Any]", make_answer: Callable[[], Answer]) -> None:
+    Thread(target=_end_with_parent, daemon=True).start()
     gc.disable()  # a block leaves no cycles, and to look for them takes a microsecond a row
     answer: Answer | None = None
     with suppress(EOFError, BrokenPipeError, ConnectionResetError):
@@ -79,62 +85,47 @@ def _serve(questions: "connection.Connection[Any, Any]", make_answer: Callable[[
             questions.send(found)
 
 
+def _end_with_parent() -> None:
+    """End this process when the one that started it has ended: a file that it was at would be in the way of `--resume`."""
+    parent = parent_process()
+    if parent is not None:
+        parent.join()
+        os._exit(1)
+
+
 @contextmanager
 def started(count: int, make_answer: Callable[[], Answer]) -> Iterator[list[Worker]]:
-    """Start processes, and end them at the end."""
+    """Start processes, and end them at the end. They ignore interrupts: the process that started them ends them."""
     workers: list[Worker] = []
     try:
-        with _interrupts_held(), _main_hidden():
+        before = signal.signal(signal.SIGINT, signal.SIG_IGN)  # which a new process inherits
+        try:
             while len(workers) < count:
                 workers.append(Worker(make_answer))
+        finally:
+            signal.signal(signal.SIGINT, before)
         yield workers
     finally:
         for worker in workers:
             worker.end()
 
 
-@contextmanager
-def _interrupts_held() -> Iterator[None]:
-    """Hold interrupts back. Processes started meanwhile never get them: the process that started them ends them."""
-    if not hasattr(signal, "pthread_sigmask"):
-        yield
-        return
-    resource_tracker.ensure_running()  # it would release the interrupts when it is started with the first process
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-    try:
-        yield
-    finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, before)
-
-
-@contextmanager
-def _main_hidden() -> Iterator[None]:
-    """Hide the main script. A process would run it again, and nothing of it is needed there."""
-    main = sys.modules["__main__"]
-    sys.modules["__main__"] = ModuleType("__main__")
-    try:
-        yield
-    finally:
-        sys.modules["__main__"] = main
-
-
-def in_order(workers: list[Worker], questions: Iterable[Any]) -> Iterator[tuple[Any, Any]]:
-    """Iterate over questions and their answers, in the order of the questions. Each process has one at work."""
-    at_work: deque[tuple[Worker, Any]] = deque()
+def in_order(workers: list[Worker], questions: Iterable[Any]) -> Iterator[tuple[Worker, Any]]:
+    """Iterate over answers in the order of the questions, each with its process, which gets no question until the next step."""
+    at_work: deque[Worker] = deque()
     for worker, question in zip(cycle(workers), questions, strict=False):
         if len(at_work) == len(workers):
-            first, asked = at_work.popleft()
-            yield asked, first.answer()
+            yield worker, at_work.popleft().answer()
         worker.ask(question)
-        at_work.append((worker, question))
-    for worker, asked in at_work:
-        yield asked, worker.answer()
+        at_work.append(worker)
+    for worker in at_work:
+        yield worker, worker.answer()
 
 
 def as_ready(workers: list[Worker], questions: Iterable[Any]) -> Iterator[tuple[Any, Any]]:
     """Iterate over questions and their answers, each as soon as it is there."""
     left = iter(questions)
-    at_work: dict[object, tuple[Worker, Any]] = {}  # by the connection
+    at_work: dict[Any, tuple[Worker, Any]] = {}  # by the connection
     free = [*workers]
     while True:
         for worker, question in zip(free, left, strict=False):
@@ -143,7 +134,7 @@ def as_ready(workers: list[Worker], questions: Iterable[Any]) -> Iterator[tuple[
         if not at_work:
             return
         free = []
-        for ready in connection.wait([worker.connection for worker, _ in at_work.values()]):
+        for ready in connection.wait([*at_work]):
             worker, question = at_work.pop(ready)
             free.append(worker)
             yield question, worker.answer()

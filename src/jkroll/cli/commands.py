@@ -73,7 +73,7 @@ class Command(NamedTuple):
         return found
 
     def action(self, words: Sequence[str], given: Mapping[str, str | bool]) -> Action:
-        """Return what words and the texts of options by name ask for; BadRequest for a value that is none."""
+        """Return what words and the texts of options by name ask for; BadRequest for an invalid value."""
         options = {option.name: option for option in self.options()}
         if given.get("target") == "":
             raise BadRequest(f"{options['target'].flags[-1]}: the name of the output file is empty")

@@ -87,10 +87,9 @@ def complete_measured(incomplete: str) -> list[str]:
 
 def complete_figure(incomplete: str) -> list[str]:
     """Return the figures that can be drawn."""
-    from ..pictures.figures import FIGURES
-    from ..pictures.profiles import PROFILES
+    from .draw import FIGURE_NAMES
 
-    return [name for name in sorted({*FIGURES, *PROFILES, "laws"}) if name.startswith(incomplete)]
+    return [name for name in FIGURE_NAMES if name.startswith(incomplete)]
 
 
 def complete_topic(incomplete: str) -> list[str]:

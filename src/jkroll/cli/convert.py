@@ -16,6 +16,7 @@ def run_batch(call: Call) -> int:
         quantities=call.quantities,
         strict=call.strict,
         doubt=not call.no_doubt,
+        uncertainty=call.uncertainty,
         resume=call.resume,
         jobs=call.jobs,
         excel_safe=call.excel_safe,

@@ -30,12 +30,13 @@ ON_SCREEN = (241, 121)  # points of a map that is drawn in cells
 IN_FILE = (201, 201)
 OF_PAPER = (21, 21)  # its contours are of powers, straight on logarithmic axes: few points draw them exactly
 ALONG = 1001  # points of a curve
+FIGURE_NAMES = tuple(sorted({*FIGURES, *PROFILES, "laws"}))
 
 
 def _check(call: Call) -> None:
-    """Refuse what cannot be drawn, before anything is computed."""
+    """Raise BadRequest for a picture that cannot be drawn, before anything is computed."""
     if call.style not in (None, *STYLES):
-        raise BadRequest(f"--style: {quoted(call.style or '')} is not a style; there are paper and dark")
+        raise BadRequest(f"--style: {quoted(call.style or '')} is not a style; there are {' and '.join(STYLES)}")
     if call.panel not in (None, *PANELS):
         raise BadRequest(f"--panel: {quoted(call.panel or '')} is not a panel; there are {', '.join(PANELS)}")
     _inches(call.width)
@@ -85,10 +86,9 @@ def run_map(call: Call) -> int:
 def run_figure(call: Call) -> int:
     """Draw a figure of the paper; return the exit code."""
     _check(call)
-    names = sorted({*FIGURES, *PROFILES, "laws"})
-    if len(call.words) != 1 or call.words[0] not in names:
+    if len(call.words) != 1 or call.words[0] not in FIGURE_NAMES:
         given = f"{quoted(' '.join(call.words))} is not a figure with data; " if call.words else ""
-        raise BadRequest(f"{given}there are {', '.join(names)}")
+        raise BadRequest(f"{given}there are {', '.join(FIGURE_NAMES)}")
     name = call.words[0]
     materials = known_materials(*materials_files(call.materials))
     if name in PROFILES:

@@ -1,4 +1,4 @@
-"""The command `infer`: from a measured value back to an input."""
+"""Runner of `infer`: from a measured value back to an input."""
 
 from itertools import chain
 from typing import TYPE_CHECKING

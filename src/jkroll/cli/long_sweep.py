@@ -23,11 +23,9 @@ def write_sweep(question: Question, request: Request, kind: str, call: Call) -> 
         raise BadRequest(f"-o: {quoted(call.target)} is a picture; add --curve to contact, or see jkroll map --help")
     if call.to or call.digits or kind not in ("csv", "plain", "table"):
         raise BadRequest("a long sweep is written in SI units with all digits: -o and long ranges take --csv alone")
-    if request.models != [None]:
-        raise BadRequest("a long sweep takes JKR only: --model goes with fewer rows, without -o")
     samples = [answer(question, scene) for scene in request.samples()]
     axes = [Axis(name, spreads) for name, spreads in request.spreads.items()]
-    sweep = Sweep(request.pairs, axes, layout(question, samples, request.count), request.materials)
+    sweep = Sweep(request.pairs, axes, request.models, layout(question, samples, request.count), request.materials)
     tally = stream(sweep, Settings(target=call.target or "-", resume=call.resume, quiet=call.quiet))
     if not call.quiet:
         notes = NoteLines()

@@ -14,7 +14,7 @@ from ..scene.wiring import depends_on
 from .options import Call
 from .request import Request, request_of
 
-MOST_CURVES = 12
+MAX_CURVES = 12
 
 
 def axis_of(text: str, option: str) -> Axis:
@@ -59,13 +59,13 @@ def map_request(call: Call) -> PlotRequest:
         if axis.name in request.options:
             raise BadRequest(f"{axis.name} is on an axis; it cannot have one value too")
         if axis.name == quantity:
-            raise BadRequest(f"{quantity} is what is drawn; it is no axis")
+            raise BadRequest(f"{quantity} is the quantity that is drawn; it cannot be an axis too")
         if axis.name not in within:
             raise BadRequest(f"{quantity} does not depend on {axis.name}")
     if len({axis.name for axis in axes}) < len(axes):
         raise BadRequest(f"both axes are {axes[0].name}")
-    if request.count > (1 if len(axes) > 1 else MOST_CURVES):
-        most = f"{MOST_CURVES} curves" if len(axes) == 1 else "one map"
+    if request.count > (1 if len(axes) > 1 else MAX_CURVES):
+        most = f"{MAX_CURVES} curves" if len(axes) == 1 else "one map"
         raise BadRequest(f"{request.count} scenes are more than {most}")
     scenes = tuple((_distinction(scene, request), scene) for scene in request.scenes())
     return PlotRequest(quantity, x, y, scenes, marks_of(call.mark), request.materials)

@@ -20,7 +20,7 @@ class UnknownCommand(JkrollError):
     def __str__(self) -> str:
         name = self.word.replace("-", "_").casefold()
         if name in NOMENCLATURE:
-            return f"{quoted(self.word)} is a quantity, not a command; jkroll quantities {name} says which show it"
+            return f"{quoted(self.word)} is a quantity, not a command; jkroll quantities {name} lists the commands that show it"
         guess = closest(name.replace("_", "-"), COMMANDS)
         return f"no such command {quoted(self.word)}; {f'did you mean {guess}?' if guess else 'see jkroll --help'}"
 

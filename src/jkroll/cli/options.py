@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from ..errors import BadRequest
 from ..quantities.nomenclature import NOMENCLATURE
-from ..text import quoted
+from ..text import capitalized, quoted
 
 
 class Option(NamedTuple):
@@ -56,7 +56,7 @@ class Option(NamedTuple):
         meaning = NOMENCLATURE[self.name].sentence
         default = f", default {amount(self.name, DEFAULTS[self.name])}" if self.name in DEFAULTS else ""
         others = ", or --gamma2 and so on" if self.name == "material2" else ""
-        return f"{meaning[0].upper()}{meaning[1:]}{default}{others}."
+        return f"{capitalized(meaning)}{default}{others}."
 
 
 class Call(NamedTuple):
@@ -94,6 +94,7 @@ class Call(NamedTuple):
     quantities: str = ""
     strict: bool = False
     no_doubt: bool = False
+    uncertainty: bool = False
     jobs: int = 0
     dask: str = ""
     excel_safe: bool = False
@@ -158,6 +159,7 @@ TABLE = (
     Option("strict", "--strict", bool, "", "Stop at the first row that fails"),
     Option("resume", "--resume", bool, "", "Continue after an interruption"),
     Option("no_doubt", "--no-doubt", bool, "", "Omit the column of doubts"),
+    Option("uncertainty", "--uncertainty", bool, "", "Add columns of error bars, though the first rows have none"),
     Option("jobs", "--jobs", int, "N", "Number of processes (default: one per core)", 1, 64),
     Option("dask", "--dask", str, "ADDRESS", "Convert many tables on a Dask cluster; local starts one"),
     Option("excel_safe", "--excel-safe", bool, "", "Escape text that a spreadsheet would run"),

@@ -55,8 +55,6 @@ def run_question(call: Call) -> int:
     if call.quantities:
         _refuse_inputs(question, request)
     is_streamed = call.target is not None or (kind == "csv" and request.count > MANY)
-    if request.uncertain and (is_streamed or request.count > MANY):
-        raise BadRequest(f"-o and long lists take values without uncertainties, and {request.uncertain[0]} has one")
     if is_streamed:
         from .long_sweep import write_sweep
 
@@ -64,8 +62,7 @@ def run_question(call: Call) -> int:
     request.check_count()
     if kind in ("explain", "cite"):
         return _write_sources(question, request, kind, form)
-    of_samples = request.scenes() if request.uncertain else request.samples()
-    samples = [in_units(answer(question, scene), form) for scene in of_samples] if request.count > 1 else []
+    samples = [in_units(answer(question, scene), form) for scene in request.samples()] if request.count > 1 else []
     answers = (in_units(answer(question, scene), form) for scene in request.scenes())
     return write_answers(answers, layout(question, samples, request.count), kind, form, quiet=call.quiet)
 
@@ -88,7 +85,7 @@ def question_of(call: Call) -> Question:
         return QUESTIONS[call.command]
     named, offered = quantities_named(call.quantities)
     names = tuple(dict.fromkeys((*named, *offered)))
-    return Question(names, names)
+    return Question(names, names, named=tuple(named))
 
 
 def _refuse_inputs(question: Question, request: Request) -> None:

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import chain, islice, product
 from math import prod
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ..errors import BadRequest
 from ..materials.library import Material, Materials, known_materials
@@ -91,17 +91,14 @@ class Request:
                 for model in self.models:
                     yield Scene(dict(zip(self.spreads, row, strict=True)), *pair, model=model)
 
-    @cached_property
-    def uncertain(self) -> list[str]:
-        """The inputs of which a value has an uncertainty."""
-        return [name for name, spreads in self.spreads.items() if any(spread.uncertainty for spread in spreads)]
-
     def samples(self) -> list[Scene]:
-        """Return scenes of every kind: each pair of materials, both ends of ranges, equal and unequal spheres."""
+        """Return scenes of every kind: each pair of materials, both ends of ranges, equal and unequal spheres, error bars."""
         first = {name: spreads[0].low for name, spreads in self.spreads.items()}
         last = {name: spreads[-1].high for name, spreads in self.spreads.items()}
         radii2 = islice(chain.from_iterable(self.spreads.get("radius2", [])), MAX_SAMPLES)
         kinds = [first, last, *({**first, "radius2": radius2} for radius2 in radii2 if isinstance(radius2, float))]
+        of_kinds = [[spreads[0].low, *_of_each_kind(spreads)] for spreads in self.spreads.values()]
+        kinds += [dict(zip(self.spreads, row, strict=True)) for row in islice(product(*of_kinds), 1, None)]
         return [Scene(values, *pair, model=model) for pair in self.pairs for values in kinds for model in self.models]
 
     def _materials(self, words: str) -> list[Material | None]:
@@ -110,6 +107,11 @@ class Request:
         if words.casefold() == "all":
             return list(self.materials.materials.values())
         return [self.materials[word] for word in words.split(",")]
+
+
+def _of_each_kind(spreads: Sequence[Spread]) -> list[Any]:
+    """Return an uncertain value of each kind that is among the values of an input."""
+    return [*{spread.uncertainty.kind: spread.uncertainty for spread in spreads if spread.uncertainty}.values()]
 
 
 def request_of(call: Call) -> Request:

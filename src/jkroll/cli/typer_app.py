@@ -114,7 +114,7 @@ class _TyperCommand(TyperCommand):
 
 
 def _action(command: Command, words: str | Sequence[str] | None = None, **values: Any) -> Action:
-    """Return what a call asks for, given what typer has read: of an option all values that were given, of a flag whether it was."""
+    """Return what a call asks for, from what typer has read: a list of values for an option, True for a flag that was given."""
     flags = {option.name: option.flag for option in command.options()}
     given: dict[str, str | bool] = {}
     for name, value in values.items():

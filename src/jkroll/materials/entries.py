@@ -94,7 +94,7 @@ def _entries_in(file: File) -> list[Entry]:
                 both = f"{quoted(other)} and {quoted(name)}"
                 raise Malformed(f"{quoted(word)} names both {both}; case makes no difference")
             if not is_material_name(word):
-                raise Malformed(f"{quoted(word)} is no name for a material; one begins with a letter and has no comma")
+                raise Malformed(f"{quoted(word)} cannot name a material; a name begins with a letter and has no comma")
         entries.append(Entry(name, aliases, file))
     return entries
 

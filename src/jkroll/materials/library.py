@@ -13,7 +13,7 @@ from ..errors import JkrollError
 from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
 from ..quantities.ranges import value_of
-from ..text import closest, quoted, shown
+from ..text import closest, first_of, quoted, shown
 from .entries import SHIPPED, Entry, File, Malformed, Path, entries_of, string, strings, texts
 from .file import MaterialsFileError
 
@@ -58,8 +58,7 @@ class UnknownMaterial(JkrollError):
         if self.states:
             return f"material: {quoted(self.name)} has no values of its own; its states are {', '.join(self.states)}"
         hint = f"did you mean {self.guess}? " if self.guess else ""
-        more = f" and {len(self.known) - MAX_LISTED} more" if len(self.known) > MAX_LISTED else ""
-        return f"material: {quoted(self.name)} is not known; {hint}known are {', '.join(self.known[:MAX_LISTED])}{more}"
+        return f"material: {quoted(self.name)} is not known; {hint}known are {first_of(self.known, MAX_LISTED)}"
 
 
 class Materials:

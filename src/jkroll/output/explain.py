@@ -65,10 +65,10 @@ def write_explanation(pairs: Iterable[tuple[Scene, Answer]], out: TextIO, form: 
 def _explanation(result: Result, scene: Scene, form: Format) -> list[str]:
     """Return the lines that explain one result."""
     quantity = NOMENCLATURE[result.name]
-    if result.value is None:
-        return [f"{result.name} — {quantity.sentence}, Eq {quantity.equation}", f"  {result.reason}"]
     source = f"Eq {result.equation}" if result.equation.isdigit() else result.equation
-    title = f"{result.name} — {quantity.sentence}, {source}"
+    title = f"{result.name} — {quantity.sentence}" + (f", {source}" if source else "")
+    if result.value is None:
+        return [title, f"  {result.reason}"]
     steps = scene.plan(result.name).steps
     if not steps:
         return [title, f"  {quantity.symbol} = {amount(result.name, result.value, form)}"]

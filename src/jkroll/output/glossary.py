@@ -1,6 +1,6 @@
 """The nomenclature as text: every name with its symbol, unit, option, commands, equation and meaning."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from typing import Any, TextIO
 
 from ..answers.questions import QUESTIONS
@@ -8,12 +8,12 @@ from ..quantities.errors import UnknownQuantity
 from ..quantities.formatting import pretty
 from ..quantities.nomenclature import NOMENCLATURE, RANGES, canonical
 from ..scene.wiring import depends_on, formula_of, parameters_of, suffix_of
-from ..text import json_text, say, say_wrapped
+from ..text import first_of, json_text, say, say_wrapped
 from .explain import docstring_fields
 from .records import write_records
 
 _HEADS = ("name", "symbol", "unit", "option", "commands", "equation", "meaning")
-_MANY = 3  # commands that are named; more of them are counted
+_MAX_NAMED = 3  # commands that are named; more of them are counted
 
 
 def quantities_found(words: Sequence[str]) -> list[str]:
@@ -100,10 +100,12 @@ def _write_sheet(name: str, out: TextIO) -> None:
         "unit": pretty(quantity.unit),
         "option": option or (f"a word: {quantity.example}" if quantity.example else ""),
         "values": RANGES[quantity.range].words if quantity.range and quantity.example else "",
-        "commands": _few(commands_of(name)) or "any, with --quantities " + name,
+        "commands": first_of(commands_of(name), _MAX_NAMED) or "any, with --quantities " + name,
         "equation": quantity.equation,
         "formula": fields.get("formula", ""),
-        "follows from": ", ".join(p + suffix_of(name) for p in parameters_of(formula)) if formula else "",
+        "follows from": ", ".join(parameter + suffix_of(name) for parameter in parameters_of(formula))
+        if formula
+        else "",
         "valid": fields.get("Valid", ""),
         "accuracy": fields.get("Accuracy", ""),
         "note": quantity.note,
@@ -112,10 +114,3 @@ def _write_sheet(name: str, out: TextIO) -> None:
     for head, text in facts.items():
         if text:
             say_wrapped(f"  {head:13} {text}", out, 16)
-
-
-def _few(commands: Collection[str]) -> str:
-    """Return the names of commands, or, of many, the first and how many more there are."""
-    shown = list(commands)[:_MANY]
-    rest = len(commands) - len(shown)
-    return ", ".join(shown) + (f" and {rest} more" if rest else "")

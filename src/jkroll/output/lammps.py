@@ -38,7 +38,7 @@ MODELS = tuple(_REMARKS_ON)
 def lammps_input(scene: Scene) -> Iterator[str]:
     """Iterate over the lines of an input: coefficients of each pair of types, a time step, and what they stand on."""
     if scene.values.get("radius2") == INFINITY:
-        raise BadRequest("sphere 2 is a plane, which is no atom of LAMMPS: give two spheres")
+        raise BadRequest("sphere 2 is a plane, and the atoms of LAMMPS are spheres: give two spheres")
     whole = scene.evaluate((*QUANTITIES, "contact_shear_modulus", "density", "density2"))
     for value in whole.values():
         if isinstance(value, JkrollError):

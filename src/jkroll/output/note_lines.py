@@ -3,9 +3,9 @@
 from ..answers.answer import Answer
 from ..answers.result import Note
 
-MOST_LINES = 3  # below a single answer
-MOST_DOUBTS = 2  # that are worded there; further ones are a number and its limit
-MOST_RANGES = 4  # of rows that are named
+MAX_LINES = 3  # below a single answer
+MAX_DOUBTS = 2  # that are worded there; further ones are a number and its limit
+MAX_RANGES = 4  # of rows that are named
 _KINDS = (
     "material",
     "missing",
@@ -45,7 +45,7 @@ class NoteLines:
     def lines(self, *, with_rows: bool = True) -> list[str]:
         """Return the lines to print, by falling importance."""
         if self._count == 1:
-            return self._of_one_answer()[:MOST_LINES]
+            return self._of_one_answer()[:MAX_LINES]
         places = sorted(self._notes, key=lambda place: _KINDS.index(place[0]))
         return [
             _line(self._notes[place], [self._text(place) + (self._where(place) if with_rows else "")])
@@ -64,7 +64,7 @@ class NoteLines:
         for kind in _KINDS:
             notes = [note for note in self._notes.values() if note.kind == kind]
             if notes:
-                worded = len(notes) if kind != "doubt" else MOST_DOUBTS
+                worded = len(notes) if kind != "doubt" else MAX_DOUBTS
                 texts = [note.text for note in notes[:worded]]
                 more = [note.brief for note in notes[worded:]]
                 lines.append(
@@ -85,8 +85,8 @@ class NoteLines:
 
 def _rows(runs: list[list[int]]) -> str:
     """Return runs of rows as text: "rows 2, 5-7"."""
-    named = [str(first) if first == last else f"{first}-{last}" for first, last in runs[:MOST_RANGES]]
-    more = " and more" if len(runs) > MOST_RANGES else ""
+    named = [str(first) if first == last else f"{first}-{last}" for first, last in runs[:MAX_RANGES]]
+    more = " and more" if len(runs) > MAX_RANGES else ""
     return f"row{'s' if len(runs) > 1 or runs[0][0] < runs[0][1] else ''} {', '.join(named)}{more}"
 
 

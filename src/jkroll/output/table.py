@@ -23,7 +23,7 @@ _JKR = 7  # the place of JKR's value, shown beside that of another law
 # The columns of a scene's table, for narrower and narrower terminals: of results, and of results by convention.
 _COLUMNS: Sequence[tuple[int, ...]] = ((0, 1, 2, 3, 4), (1, 2, 3, 4), (1, 2, 3))
 _COLUMNS_BY_CONVENTION: Sequence[tuple[int, ...]] = ((0, 1, 2, 3, 5, 6), (1, 2, 3, 5, 6), (1, 2, 3, 5), (1, 2, 3))
-MOST_ACROSS = 20  # scenes that are tried as columns
+MAX_ACROSS = 20  # scenes that are tried as columns
 
 
 def scene_table(answer: Answer, out: TextIO, form: Format) -> None:
@@ -78,7 +78,7 @@ def sweep_table(answers: Sequence[Answer], out: TextIO, form: Format, shape: Lay
     results = [name for name in shape.columns if name not in shape.inputs and not _is_implied(name, answers)]
     if _print(_columns_table([*leading, *results], answers, out, form), out):
         return
-    if len(answers) <= MOST_ACROSS and any(
+    if len(answers) <= MAX_ACROSS and any(
         _print(table, out) for table in _across(leading, results, answers, out, form)
     ):
         return

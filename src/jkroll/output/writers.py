@@ -3,14 +3,15 @@
 Text of a user or a file is never read as markup, and nothing is cut where it does not fit.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, TextIO
 
 from ..answers.answer import Answer
-from ..answers.comparison import as_objects
+from ..answers.comparison import Difference
 from ..answers.result import Result
 from ..quantities.formatting import AS_USUAL, Format
 from ..quantities.nomenclature import NOMENCLATURE
+from ..scene.laws import BETWEEN
 from ..scene.limits import Verdict
 from ..text import json_text, say
 from .layout import Layout, layout
@@ -103,12 +104,11 @@ def as_object(answer: Answer, form: Format) -> dict[str, Any]:
     """Return the JSON object of one scene."""
     from .. import __version__
 
-    laws = {"laws": as_objects(answer.laws)} if answer.laws else {}
     return {
         "inputs": dict(answer.inputs),
         **({"uncertainties": _of_inputs(answer)} if answer.uncertain else {}),
         "results": [_result_object(result, form) for result in answer.results],
-        **laws,
+        **({"laws": {BETWEEN: _differences_object(answer.laws)}} if answer.laws else {}),
         "validity": [_verdict_object(verdict) for verdict in answer.validity],
         "notes": [note.text for note in answer.notes],
         "version": __version__,
@@ -148,6 +148,17 @@ def _result_object(result: Result, form: Format) -> dict[str, Any]:
     if result.error is not None:
         entry["relative_error"] = result.error
     return entry
+
+
+def _differences_object(found: Sequence[Difference]) -> dict[str, dict[str, float]]:
+    return {
+        each.name: {
+            "value": each.value,
+            "over_jkr": each.ratio,
+            "over_jkr_at_half_spacing": each.ratio_at_half_spacing,
+        }
+        for each in found
+    }
 
 
 def _verdict_object(verdict: Verdict) -> dict[str, Any]:

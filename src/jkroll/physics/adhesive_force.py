@@ -4,6 +4,8 @@ The moment of a contact whose attraction lags behind by ξ is F_aξ to first ord
 in JKR, which is Eq (25), and 2πwRξ in DMT at every load.
 """
 
+from __future__ import annotations
+
 from .dimensions import Energy, Force, Frequency, Length, Mass, Moment, Number, RollingStiffness, Stress, SurfaceEnergy
 from .elementary import pi, sqrt, within
 

@@ -170,7 +170,7 @@ def contact_point_moment(
     plane_strain_modulus: Stress,
     load_constant: Area,
 ) -> MomentPerLength:
-    """Return the moment with which the strip resists to rolling: that of its pressure about the contact point, per length.
+    """Return the moment with which the strip resists rolling: that of its pressure about the contact point, per length.
 
         M(x = 0) = M(X = 0) − ξP = (π/4)(E′/R)ξ(a² − 2C)
 

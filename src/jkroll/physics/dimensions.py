@@ -2,6 +2,7 @@
 
 A value is a float, or an array of floats; arrays broadcast. The annotation is for the reader, for the help texts and for
 the tests, which feed each formula pint Quantities and compare the units of the nomenclature: at run time it costs nothing.
+The formulas import `annotations` from `__future__`, so that `help` shows the dimension by its name.
 """
 
 from typing import Annotated, Any

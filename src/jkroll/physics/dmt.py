@@ -1,5 +1,7 @@
 """The DMT contact: Hertz' contact, which a constant attraction 2πwR from outside presses together."""
 
+from __future__ import annotations
+
 from .dimensions import Force, Length, Stiffness, Stress, SurfaceEnergy
 from .elementary import cbrt, pi, sqrt, within
 

@@ -1,5 +1,7 @@
 """From JKR to DMT: the parameter of the transition, the strength of attraction, and a fit of the pull-off force."""
 
+from __future__ import annotations
+
 from .dimensions import Force, Length, Number, Stress, SurfaceEnergy
 from .elementary import pi
 

@@ -5,6 +5,8 @@ the edge ratio v = a/√(c² − a²), found at a load or at an approach, and th
 spheres attract without contact, v is 0 and T is c. `dugdale` has the same curve in dimensionless form.
 """
 
+from __future__ import annotations
+
 from . import dugdale, dugdale_roots
 from .dimensions import Force, Length, Number, Stress, SurfaceEnergy
 from .elementary import pi, where

@@ -3,6 +3,8 @@
 The edge ratio v and the span T of the ring of attraction, which describe the state, come from `maugis`.
 """
 
+from __future__ import annotations
+
 from . import dugdale
 from .dimensions import Force, Length, Number, Stiffness, Stress
 from .elementary import sqrt

@@ -1,5 +1,7 @@
 """The energies of a Maugis contact: of a state, and between the states where it forms and breaks."""
 
+from __future__ import annotations
+
 from typing import Any
 
 from . import dugdale, dugdale_roots

@@ -1,5 +1,7 @@
 """Named states of a Maugis contact: without load, at pull-off, and where fixed grips let go."""
 
+from __future__ import annotations
+
 from . import dugdale, dugdale_roots
 from .dimensions import Force, Length, Number, Stress, SurfaceEnergy
 from .elementary import pi

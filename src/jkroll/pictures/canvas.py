@@ -45,10 +45,17 @@ def shade(place: float, colours: int = 2**24) -> Colour:
     """Return a colour between the darkest, 0, and the lightest, 1, for a screen of so many colours."""
     if colours <= 256:
         return _OF_CUBE[round(place * (len(_OF_CUBE) - 1))]
-    scaled = place * (len(_DARK_TO_LIGHT) - 1)
-    first = min(int(scaled), len(_DARK_TO_LIGHT) - 2)
-    low, high = _DARK_TO_LIGHT[first], _DARK_TO_LIGHT[first + 1]
-    red, green, blue = (round(a + (b - a) * (scaled - first)) for a, b in zip(low, high, strict=True))
+    red, green, blue = map(round, blended(_DARK_TO_LIGHT, place))
+    return red, green, blue
+
+
+def blended(colours: Sequence[Colour], place: float) -> tuple[float, float, float]:
+    """Return the colour at a place between the first, 0, and the last, 1, of equally spaced colours."""
+    scaled = place * (len(colours) - 1)
+    first = min(int(scaled), len(colours) - 2)
+    red, green, blue = (
+        low + (high - low) * (scaled - first) for low, high in zip(colours[first], colours[first + 1], strict=True)
+    )
     return red, green, blue
 
 

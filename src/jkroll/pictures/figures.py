@@ -11,6 +11,7 @@ from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.scene import DEFAULTS, Scene
 from ..scene.wiring import depends_on
+from ..text import capitalized
 from .axes import Axis
 from .maps import Map, Mark, evaluate, inputs_at, label_of, material_marks
 from .regions import Bound, bounds, regions
@@ -121,10 +122,9 @@ def figure(name: str, materials: Materials, size: tuple[int, int], *, as_printed
 def _caption(declared: Figure, *, as_printed: bool) -> tuple[str, ...]:
     """Return the caption: the quantity and its equation, the remark, and the assumptions."""
     quantity = NOMENCLATURE[declared.quantity]
-    sentence = f"{quantity.sentence[0].upper()}{quantity.sentence[1:]}"
     at_a_corner = {RADII.name: RADII.high, **inputs_at(declared.x.name, declared.x.low)}
     scene = Scene({**declared.given, **at_a_corner})
-    shown = f"{sentence} {quantity.symbol}, Eq ({equation_of(scene, declared.quantity)}), of identical spheres."
+    shown = f"{capitalized(quantity.sentence)} {quantity.symbol}, Eq ({equation_of(scene, declared.quantity)}), of identical spheres."
     if as_printed:
         shown += f" Dashed: Eq ({NOMENCLATURE[declared.printed].equation}) as printed."
     used = _assumed(scene, declared, {declared.quantity})

@@ -16,7 +16,7 @@ from ..scene.solver import solve
 from .axes import Axis, contour_values, in_one_unit, round_values, with_units
 
 CHUNK = 500_000  # points between two reports of progress
-MOST_CONTOURS = 12
+MAX_CONTOURS = 12
 NEIGHBOURS = ((0, 1), (0, -1), (1, 0), (-1, 0))  # steps of rows and columns
 _WIDE = 30.0  # ratio of the ends from which contours are logarithmic
 _HALVINGS = 40  # of an interval that holds an edge: its place is known to 1e-12 of a cell
@@ -97,8 +97,8 @@ class Map(NamedTuple):
         """Return the contours of a page."""
         low, high = extent(self.values)
         if self.has_log_labels:
-            return self.bands(MOST_CONTOURS)
-        return self._levels(contour_values(low, high, MOST_CONTOURS, is_log=self.is_log), low, high)
+            return self.bands(MAX_CONTOURS)
+        return self._levels(contour_values(low, high, MAX_CONTOURS, is_log=self.is_log), low, high)
 
     def _levels(self, values: Iterable[float], low: float, high: float) -> list[Level]:
         """Return the levels within the extent of the map, with labels."""

@@ -20,12 +20,11 @@ from .maps import Map
 from .mathtext import typeset, typeset_lines
 from .page_axes import draw_map, draw_panel, line_of
 from .panels import Panel, Picture
-from .styles import HATCHES, LABEL, SHADE, SMALL, STYLES, TICK, Style
+from .styles import HATCHES, LABEL, LETTER, SHADE, SMALL, STYLES, TICK, Style
 
 _ONE_PANEL, _MORE_PANELS = 120 / 25.4, 180 / 25.4  # default widths in inches
 _NARROWEST = 2.0  # width of a panel beside others
 _ASPECT, _ASPECT_BESIDE = 0.75, 1.0  # height of axes over their width, alone in a row and beside others
-_LETTER = 0.54  # width of a letter over its size, on average
 _GAP = 0.05  # between the parts of a page, in inches
 
 
@@ -154,7 +153,7 @@ def _height(part: Any, dpi: float) -> float:
 
 def _letters(inches: float) -> int:
     """Return the number of letters of a caption or legend that fit into a width."""
-    return int(0.97 * inches * 72 / (_LETTER * SMALL))
+    return int(0.97 * inches * 72 / (LETTER * SMALL))
 
 
 @contextmanager

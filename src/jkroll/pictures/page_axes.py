@@ -6,7 +6,7 @@ from .axes import Axis
 from .maps import NEIGHBOURS, Map, Mark, Mesh, Region, shifted
 from .mathtext import typeset, typeset_lines
 from .panels import Curve, Panel
-from .styles import BORDERS, DASHES, HATCHES, LABEL, SHADE, SMALL, Style
+from .styles import BORDERS, DASHES, HATCHES, LABEL, LETTER, SHADE, SMALL, Style
 
 CONTOURS, PRINTED, OUTLINE = "contours", "printed", "outline"  # the artists that `labels` looks for, by their gid
 
@@ -129,6 +129,6 @@ def _set_axes(axes: Any, x: Axis, y: Axis, inches: float, aspect: float) -> None
         ticks = axis.ticks(most)
         side.set_ticks([float(axis.place(tick.value)) for tick in ticks], labels=[typeset(tick.text) for tick in ticks])
         side.set_ticks([float(axis.place(value)) for value in axis.small_ticks()], minor=True)
-        side.set_label_text("\n".join(typeset_lines(axis.label(most), int(part * inches * 72 / (0.54 * LABEL)))))
+        side.set_label_text("\n".join(typeset_lines(axis.label(most), int(part * inches * 72 / (LETTER * LABEL)))))
     axes.tick_params(which="both", direction="in", top=False, right=False)
     axes.set(xlim=(0, 1), ylim=(0, 1))

@@ -12,7 +12,7 @@ from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
 from ..quantities.parsing import parse_quantity
 from ..scene.errors import MissingInput, NotInLaw
 from ..scene.scene import Scene
-from ..text import quoted
+from ..text import capitalized, quoted
 from .axes import Axis, described
 from .maps import (
     Map,
@@ -28,8 +28,8 @@ from .maps import (
 from .panels import Curve, Panel, Picture, axis_around
 from .regions import Bound, bounds_of, margin_along, regions
 
-MOST_POINTS = 25_000_000  # of a map
-MOST_ALONG = 1_000_000  # points of all curves together
+MAX_POINTS = 25_000_000  # of a map
+MAX_ALONG = 1_000_000  # points of all curves together
 
 
 class PlotRequest(NamedTuple):
@@ -78,8 +78,8 @@ def map_of(
     assert request.y is not None
     quantity, scene = request.quantity, request.scenes[0][1]
     x, y = sized(request.x, size[0]), sized(request.y, size[1])
-    if x.size * y.size > MOST_POINTS:
-        raise BadRequest(f"{x.size} x {y.size} points are more than {MOST_POINTS}")
+    if x.size * y.size > MAX_POINTS:
+        raise BadRequest(f"{x.size} x {y.size} points are more than {MAX_POINTS}")
     context = Context(quantity, scene, {**_one_of(x), **_one_of(y)})
     values = evaluate(scene, quantity, x, y, progress)
     if not has_values(values):
@@ -88,15 +88,15 @@ def map_of(
     if scene.material is None and {x.name, y.name} & {*PROPERTIES}:
         marks = [*material_marks(request.materials, x, y), *marks]
     found = tuple(regions(scene, context.bounds, x, y))
-    caption = (shown(quantity, [context.scene]), *fixed_inputs(context.inputs))
+    caption = (_first_sentence(quantity, [context.scene]), *fixed_inputs(context.inputs))
     return Map(quantity, scene, x, y, values, found, tuple(marks), described(quantity, ""), caption), context.notes
 
 
 def curves_of(request: PlotRequest, size: int) -> tuple[Picture, tuple[str, ...]]:
     """Return the curves of a request, by default of `size` points, and notes on them."""
     x = sized(request.x, size)
-    if x.size * len(request.scenes) > MOST_ALONG:
-        raise BadRequest(f"{len(request.scenes)} x {x.size} points are more than {MOST_ALONG}")
+    if x.size * len(request.scenes) > MAX_ALONG:
+        raise BadRequest(f"{len(request.scenes)} x {x.size} points are more than {MAX_ALONG}")
     contexts: list[Context] = []
     curves: list[Curve] = []
     missing: dict[str, MissingInput] = {}
@@ -116,7 +116,11 @@ def curves_of(request: PlotRequest, size: int) -> tuple[Picture, tuple[str, ...]
     points = [mark_at(text, request.materials, request.scenes[0][1], x, y) for text in request.marks]
     shared = [text for text in contexts[0].inputs if all(text in context.inputs for context in contexts)]
     doubts = [text for context, curve in zip(contexts, curves, strict=True) for text in context.doubts(x, curve.text)]
-    caption = (shown(request.quantity, [context.scene for context in contexts]), *fixed_inputs(shared), *doubts)
+    caption = (
+        _first_sentence(request.quantity, [context.scene for context in contexts]),
+        *fixed_inputs(shared),
+        *doubts,
+    )
     notes = [f"no curve: {error}" for error in missing.values()]
     notes += dict.fromkeys(note for context in contexts for note in context.notes)
     return Picture("", (Panel(x, y, tuple(curves), tuple(points)),), caption), tuple(notes)
@@ -130,7 +134,7 @@ class Context:
 
     def __init__(self, quantity: str, scene: Scene, values: Mapping[str, float]) -> None:
         """Describe a quantity of a scene; `values` holds one value of each axis."""
-        self.along = scene
+        self.given = scene
         self.scene = scene.replace(**values)
         self.bounds: list[Bound] = []
         notes = []
@@ -151,10 +155,10 @@ class Context:
 
     def _texts(self, names: Iterable[str]) -> Iterable[str]:
         """Iterate over the materials, and over inputs with their values."""
-        if self.along.material is not None:
-            yield self.along.material.name
-        if self.along.material2 is not None:
-            yield f"material2 = {self.along.material2.name}"
+        if self.given.material is not None:
+            yield self.given.material.name
+        if self.given.material2 is not None:
+            yield f"material2 = {self.given.material2.name}"
         for name in names:
             value = self.scene.values[name]
             yield f"{NOMENCLATURE[name].symbol} = {amount(name, in_words(name, value))}"
@@ -162,17 +166,17 @@ class Context:
     def doubts(self, x: Axis, curve: str) -> Iterable[str]:
         """Iterate over sentences that say where along an axis the model has no meaning or is not exact."""
         for bound in self.bounds:
-            where = x.values()[margin_along(self.along, bound, x) < 0]
+            where = x.values()[margin_along(self.given, bound, x) < 0]
             if where.size:
                 ends = (amount(x.name, float(f"{end:.2g}")) for end in (where[0], where[-1]))
                 of_curve = f"{curve}, " if curve else ""
                 yield f"{of_curve}{NOMENCLATURE[x.name].symbol} = {' to '.join(ends)}: {bound.broken}."
 
 
-def shown(quantity: str, scenes: Sequence[Scene]) -> str:
+def _first_sentence(quantity: str, scenes: Sequence[Scene]) -> str:
     """Return the first sentence of a caption: the quantity, and its equation and the law that was named, if there is one."""
     entry = NOMENCLATURE[quantity]
-    parts = [f"{entry.sentence[0].upper()}{entry.sentence[1:]} {entry.symbol}"]
+    parts = [f"{capitalized(entry.sentence)} {entry.symbol}"]
     equations = {equation_of(scene, quantity) for scene in scenes}
     laws = {scene.law.title for scene in scenes if scene.stated_model is not None}
     if len(equations) == 1 and (equation := equations.pop()):

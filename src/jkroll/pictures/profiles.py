@@ -5,7 +5,8 @@ from itertools import groupby
 from math import inf
 from typing import Any
 
-from ..answers.curve import EQUILIBRIUM, FOLD, JUMP_IN, MOST, PULL_OFF, Loads, states
+from ..answers.curve import EQUILIBRIUM, FOLD, JUMP_IN, MAX_LOAD, PULL_OFF, Loads, states
+from ..answers.notes import MOMENTS
 from ..materials.library import Materials
 from ..physics.cylinder import asymmetric_pressure, contact_point_moment, half_strips_moment, symmetric_pressure
 from ..physics.pressure import pressure
@@ -20,7 +21,6 @@ from .maps import Mark, solved
 from .panels import Curve, Panel, Picture, axis_around, clipped
 
 POINTS = 401
-MOMENTS = ("yield_moment", "unloaded_moment", "half_circles_moment", "fixed_approach_moment")
 SIZE = {"radius": 2e-8}  # of the spheres of Fig. 2, small enough that ξ is visible
 _STATE = ("contact_radius_at_load", "hertz_pressure", "boussinesq_pressure")
 
@@ -60,7 +60,7 @@ def _force_of_laws(scenes: Sequence[Scene], loads: Loads | None) -> Panel:
     """Return force against approach under each law, on all branches, up to the same load."""
     import numpy
 
-    ends = loads or Loads(-inf, MOST * max(scene["pull_off_force"] for scene in scenes))
+    ends = loads or Loads(-inf, MAX_LOAD * max(scene["pull_off_force"] for scene in scenes))
     curves = []
     for number, scene in enumerate(scenes):
         x, y = [], []
@@ -86,7 +86,7 @@ def _pressure_of_laws(scenes: Sequence[Scene], _: Loads | None) -> Panel:
         x = _across(-state["contact_radius_at_load"], state["contact_radius_at_load"])
         curves.append(Curve(scene.law.title, x, pressure(distance=abs(x), **state), number))
         highest = max(highest, state["hertz_pressure"])
-    return _panel(curves, highest, _titled("pressure without load", curves))
+    return _pressure_panel(curves, highest, _titled("pressure without load", curves))
 
 
 def _moment_of_laws(scenes: Sequence[Scene], _: Loads | None) -> Panel:
@@ -121,7 +121,7 @@ def _pressure(scene: Scene, _: Loads | None) -> Panel:
         state = solved(scene, _STATE, {"load_factor": factor})
         x = _across(-state["contact_radius_at_load"], state["contact_radius_at_load"])
         curves.append(Curve(text, x, pressure(distance=abs(x), **state), number))
-    return _panel(curves, state["hertz_pressure"], "pressure, Eq (12)")
+    return _pressure_panel(curves, state["hertz_pressure"], "pressure, Eq (12)")
 
 
 def _moment(scene: Scene, _: Loads | None) -> Panel:
@@ -154,14 +154,14 @@ _OF_LAWS: Mapping[str, tuple[_PanelOfLaws, tuple[str, ...]]] = {  # with the qua
 }
 
 
-def curves_of_contact(scene: Scene, loads: Loads | None, caption: tuple[str, ...], panel: str | None = None) -> Picture:
+def curves_of_contact(scene: Scene, loads: Loads | None, caption: tuple[str, ...], panel: str | None) -> Picture:
     """Return force against approach, pressure, and moment against ξ of one contact; or one of these panels."""
     names = (panel,) if panel is not None else tuple(PANELS)
     return Picture("", tuple(PANELS[name](scene, loads) for name in names), caption)
 
 
 def curves_of_laws(
-    scenes: Sequence[Scene], loads: Loads | None, caption: tuple[str, ...], panel: str | None = None
+    scenes: Sequence[Scene], loads: Loads | None, caption: tuple[str, ...], panel: str | None
 ) -> tuple[Picture, tuple[str, ...]]:
     """Return the panels of a contact with a curve for each law, and notes on the laws that lack one of them."""
     panels: list[Panel] = []
@@ -214,7 +214,7 @@ def figure_2(materials: Materials) -> Picture:
         Curve("half-circle a − ξ", right, half_circle_pressure(distance=right, half_circle_radius=a - shift, **at), 2, is_dashed=True),
         Curve("not shifted", centred, pressure(distance=abs(centred), **parts), 3),
     ]  # fmt: skip
-    along = _panel(curves, state["hertz_pressure"], "pressure along the way")
+    along = _pressure_panel(curves, state["hertz_pressure"], "pressure along the way")
     exact, simple = (amount(name, state[name]) for name in ("yield_moment", "half_circles_moment"))
     caption = (
         "The contact of two quartz spheres of 20 nm that have rolled by ξ: the circle stays behind the contact point.",
@@ -267,7 +267,7 @@ def figure_9(materials: Materials) -> Picture:
         ),
         f"Assumed: ξ = {amount('yield_displacement', shift)}.",
     )
-    panels = (_panel([symmetric], highest, "symmetric"), _panel(curves, highest, "shifted by ξ"))
+    panels = (_pressure_panel([symmetric], highest, "symmetric"), _pressure_panel(curves, highest, "shifted by ξ"))
     return Picture("Fig. 9: the line contact", panels, caption)
 
 
@@ -279,7 +279,7 @@ def _across(first: float, last: float) -> Any:
     return first + (last - first) * parts
 
 
-def _panel(curves: list[Curve], highest: float, title: str) -> Panel:
+def _pressure_panel(curves: list[Curve], highest: float, title: str) -> Panel:
     """Return a panel of pressures, cut where they diverge at a rim."""
     cut = tuple(curve._replace(y=clipped(curve.y, -2.5 * highest, 1.5 * highest)) for curve in curves)
     x = axis_around("position_across", [curve.x for curve in curves], is_log=False)

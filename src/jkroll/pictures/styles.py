@@ -2,9 +2,10 @@
 
 from typing import Any, NamedTuple
 
-from .canvas import Colour
+from .canvas import Colour, blended
 
 LABEL, TICK, SMALL = 8.0, 7.0, 6.5  # sizes of letters in points, whatever the width of the page
+LETTER = 0.54  # width of a letter over its size, on average
 SHADE = 0.25  # opacity of a shaded region
 DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)))
 HATCHES = ("xxxx", "////", "\\\\\\\\", "||||")
@@ -30,11 +31,8 @@ class Style(NamedTuple):
 
     def band(self, place: float) -> tuple[float, float, float]:
         """Return the colour of a band between the lowest, 0, and the highest, 1, as matplotlib takes it."""
-        scaled = place * (len(self.bands) - 1)
-        first = min(int(scaled), len(self.bands) - 2)
-        low, high = self.bands[first], self.bands[first + 1]
-        red, green, blue = ((a + (b - a) * (scaled - first)) / 255 for a, b in zip(low, high, strict=True))
-        return red, green, blue
+        red, green, blue = blended(self.bands, place)
+        return red / 255, green / 255, blue / 255
 
     def line(self, number: int) -> tuple[float, float, float]:
         """Return the colour of curves of one number, as matplotlib takes it."""
@@ -53,4 +51,4 @@ DARK = Style(
     ((24, 36, 66), (24, 58, 92), (26, 82, 110), (38, 108, 120), (66, 134, 126)),
     ((86, 180, 233), (230, 159, 0), (0, 158, 115), (204, 121, 167), (240, 228, 66), (242, 242, 242)),
 )  # fmt: skip
-STYLES = {"paper": PAPER, "dark": DARK, "light": PAPER}  # "light" is another word for paper
+STYLES = {"paper": PAPER, "dark": DARK}

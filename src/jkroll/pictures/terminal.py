@@ -10,7 +10,7 @@ from .canvas import LINES, RAMP, SIGNS, Canvas, Colour, Screen, screen_of, shade
 from .maps import Level, Map, Mark, Region, label_of
 from .panels import Curve, Panel, Picture
 
-MOST_ROWS = 24
+MAX_ROWS = 24
 BAND_STEPS = len(RAMP) - 1  # contours between so many bands
 BORDER = "'"
 HATCHES = "x/\\|"
@@ -106,7 +106,7 @@ class _Frame:
 
     def __init__(self, x: Axis, y: Axis, screen: Screen, *, is_true_to_scale: bool = False) -> None:
         self.x, self.y, self.screen = x, y, screen
-        self.height = max(8, min(MOST_ROWS, screen.height - 8, screen.width // 3))
+        self.height = max(8, min(MAX_ROWS, screen.height - 8, screen.width // 3))
         self.y_ticks = y.ticks(max(2, self.height // 2))
         self.margin = max((len(tick.text) for tick in self.y_ticks), default=0) + 1
         self.width = screen.width - self.margin - 1

@@ -37,9 +37,7 @@ class UnknownQuantity(JkrollError):
 
     def __str__(self) -> str:
         if self.name in NOMENCLATURE:
-            return (
-                f"{quoted(self.name)} is given in words and has no value to compute; jkroll quantities lists what has"
-            )
+            return f"{quoted(self.name)} stands for a word, not a number; jkroll quantities lists the quantities"
         guess = nearest(self.name)
         meant = f"did you mean {guess}? " if guess else ""
         return f"{quoted(self.name)} is not a quantity; {meant}jkroll quantities lists them"

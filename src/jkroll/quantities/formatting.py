@@ -5,7 +5,7 @@ from math import floor, isinf, log10
 from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
 
-from .nomenclature import INFINITY, NOMENCLATURE, word_for_infinity
+from .nomenclature import INFINITY, NOMENCLATURE, header, word_for_infinity
 from .units import Unit, convert
 
 if TYPE_CHECKING:
@@ -41,8 +41,7 @@ class Format(NamedTuple):
 
     def header(self, name: str) -> str:
         """Return a column header: name and unit."""
-        unit = self.unit(name)
-        return name if unit in ("", "1") else f"{name} [{unit}]"
+        return header(name, self.unit(name))
 
     def rounded(self, name: str, value: "float | str | Uncertain") -> tuple[str, str]:
         """Return a value, with its uncertainty if it has one, and its unit, rounded and with a suitable prefix."""

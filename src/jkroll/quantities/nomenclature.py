@@ -289,11 +289,11 @@ def canonical(word: str) -> str:
 PROPERTIES = ("surface_energy", "youngs_modulus", "poisson_ratio", "density")
 
 
-def header(name: str) -> str:
-    """Return the column header of a quantity: its name and, in brackets, its SI unit.
+def header(name: str, unit: str | None = None) -> str:
+    """Return the column header of a quantity: its name and, in brackets, a unit, by default its SI unit.
 
     >>> header("radius"), header("n_grav")
     ('radius [m]', 'n_grav')
     """
-    unit = NOMENCLATURE[name].unit
+    unit = NOMENCLATURE[name].unit if unit is None else unit
     return name if unit in ("", "1") else f"{name} [{unit}]"

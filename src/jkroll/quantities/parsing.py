@@ -61,12 +61,17 @@ def parse_value(text: str, dimension: Dimension) -> float:
     10.0
     """
     mantissa, exponent, unit_text = split_number(normalized(text))
-    if not unit_text and any(dimension):
+    return rounded(*ratio(mantissa, exponent, unit_in(unit_text, dimension)))
+
+
+def unit_in(text: str, dimension: Dimension) -> Unit:
+    """Read a unit of a dimension. Raises a `BadUnit`."""
+    if not text and any(dimension):
         raise NoUnit("has no unit")
-    unit = parse_unit(unit_text)
+    unit = parse_unit(text)
     if unit.dimension != dimension:
         raise BadUnit(f"is {kind_of(unit.dimension)}")
-    return rounded(*ratio(mantissa, exponent, unit))
+    return unit
 
 
 def has_uncertainty(text: str) -> bool:

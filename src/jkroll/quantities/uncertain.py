@@ -10,8 +10,8 @@ from typing import Any, Literal, NamedTuple
 
 from .errors import QuantityError
 from .nomenclature import NOMENCLATURE, RANGES
-from .parsing import NoUnit, error_about, has_uncertainty, parse_quantity, ratio, rounded, split_number
-from .units import BadUnit, Dimension, Unit, dimension_of, kind_of, normalized, parse_unit
+from .parsing import NoUnit, error_about, has_uncertainty, parse_quantity, ratio, rounded, split_number, unit_in
+from .units import BadUnit, Dimension, Unit, dimension_of, normalized
 
 
 class Measured(NamedTuple):
@@ -124,7 +124,7 @@ def _read(text: str, dimension: Dimension) -> Uncertain | None:
     """Read a text in one of the forms above, or a range; None for any other."""
     if match := _IN_BRACKETS.fullmatch(text):
         value, uncertainty, power, unit = match.groups()
-        return _symmetric(_decimal(value, power), _decimal(uncertainty, power), _unit(unit, dimension))
+        return _symmetric(_decimal(value, power), _decimal(uncertainty, power), unit_in(unit, dimension))
     if match := _LAST_DIGITS.fullmatch(text):
         value, digits, power, unit = match.groups()
         places = len(value.partition(".")[2])
@@ -132,10 +132,10 @@ def _read(text: str, dimension: Dimension) -> Uncertain | None:
         if 2 * int(digits) > abs(float(value)):
             plain = f"{value}±{int(digits) / 10**places:.{places}f}"
             raise UnclearUncertainty(f"can be read as {plain} or as {value}e{digits}", "write the one that is meant")
-        return _symmetric(nominal, uncertainty, _unit(unit, dimension))
+        return _symmetric(nominal, uncertainty, unit_in(unit, dimension))
     if match := _TWO_SIDES.fullmatch(text):
         value, plus, minus, unit = match.groups()
-        return _measured(_decimal(value), _decimal(minus), _decimal(plus), _unit(unit, dimension))
+        return _measured(_decimal(value), _decimal(minus), _decimal(plus), unit_in(unit, dimension))
     if match := _PLUS_MINUS.fullmatch(text):
         return _plus_minus(match[1], match[2], dimension)
     if " to " in text:
@@ -153,11 +153,11 @@ def _plus_minus(left: str, right: str, dimension: Dimension) -> Measured:
         if own_text != "%" or unit_text == "%":
             raise UnclearUncertainty("has a % that can be read in two ways", "write 25 mJ/m2 ± 20%, or (17±1) %")
         share = abs(value[0]) * uncertainty[0], value[1] + uncertainty[1] - 2
-        return _symmetric(value, share, _unit(unit_text, dimension))
+        return _symmetric(value, share, unit_in(unit_text, dimension))
     if unit_text and not own_text:
         raise NoUnit("has an uncertainty without a unit")
-    own = _unit(own_text, dimension)
-    return _symmetric(value, uncertainty, _unit(unit_text, dimension) if unit_text else own, own)
+    own = unit_in(own_text, dimension)
+    return _symmetric(value, uncertainty, unit_in(unit_text, dimension) if unit_text else own, own)
 
 
 def _interval(text: str, dimension: Dimension) -> Interval:
@@ -165,8 +165,8 @@ def _interval(text: str, dimension: Dimension) -> Interval:
     left, _, right = text.partition(" to ")
     first, first_unit = _split(left)
     last, last_unit = _split(right)
-    unit = _unit(last_unit, dimension)
-    low = ratio(*first, _unit(first_unit, dimension) if first_unit else unit)
+    unit = unit_in(last_unit, dimension)
+    low = ratio(*first, unit_in(first_unit, dimension) if first_unit else unit)
     high = ratio(*last, unit)
     middle = rounded(low[0] * high[1] + high[0] * low[1], 2 * low[1] * high[1])
     found = Interval(middle, rounded(*low), rounded(*high))
@@ -190,16 +190,6 @@ def _split(text: str) -> tuple[_Decimal, str]:
     """Split a text into the number at its head and the unit after it."""
     mantissa, exponent, unit = split_number(text.strip(" "))
     return (mantissa, exponent), unit
-
-
-def _unit(text: str, dimension: Dimension) -> Unit:
-    """Read a unit of a dimension."""
-    if not text and any(dimension):
-        raise NoUnit("has no unit")
-    unit = parse_unit(text)
-    if unit.dimension != dimension:
-        raise BadUnit(f"is {kind_of(unit.dimension)}")
-    return unit
 
 
 def _symmetric(value: _Decimal, uncertainty: _Decimal, unit: Unit, own: Unit | None = None) -> Measured:

@@ -9,6 +9,7 @@ from ..physics.jkr import FOLD_APPROACH
 from ..physics.maugis_states import fold_approach_maugis, pull_off_force_maugis
 from ..quantities.formatting import Format, amount
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
+from .wiring import parameters_of
 
 
 class MissingInput(JkrollError):
@@ -53,11 +54,11 @@ class NotInLaw(MissingInput):
         return f"{self.wanted}: {self.reason()}"
 
     def reason(self) -> str:
-        """Return that the law does not have the quantity, or what it follows from."""
+        """Return which quantity the law does not have: this one, or one that it follows from."""
         return self._of_the_law() or super().reason()
 
     def reason_of_several(self) -> str:
-        """Return the same of several quantities."""
+        """Return the same for several quantities."""
         return self._of_the_law() or super().reason_of_several()
 
     def _of_the_law(self) -> str:
@@ -73,10 +74,14 @@ def _as_typed(name: str) -> str:
     return f"{NOMENCLATURE[name].option} {NOMENCLATURE[name].example}"
 
 
-def _amounts(name: str, *values: float) -> list[str]:
-    """Return values as results are shown; with all their digits where the rounded ones would look alike."""
-    texts = [amount(name, value) for value in values]
-    return texts if len(set(texts)) == len(texts) else [amount(name, value, Format(digits=17)) for value in values]
+def _told_apart(name: str, value: float, limit: float) -> tuple[str, str]:
+    """Return two values as results are shown, or with as many digits more as tell them apart."""
+    for digits in (None, *range(7, 18)):
+        form = Format(digits=digits)
+        texts = amount(name, value, form), amount(name, limit, form)
+        if texts[0] != texts[1]:
+            break
+    return texts
 
 
 class Contradiction(JkrollError):
@@ -101,7 +106,11 @@ class ShapeMismatch(JkrollError):
         return "these arrays do not broadcast: " + ", ".join(f"{name} {shape}" for name, shape in self.shapes)
 
 
-class BeyondPullOff(NoResult):
+class NoContact(NoResult):
+    """Base class of the errors of a contact that does not exist: nothing of the scene is to be trusted."""
+
+
+class BeyondPullOff(NoContact):
     """Error raised at a tension larger than the pull-off force, where there is no contact."""
 
     name = "load"
@@ -112,12 +121,13 @@ class BeyondPullOff(NoResult):
 
     def reason(self) -> str:
         """Return which loads this contact holds."""
-        load, held, by_maugis = _amounts("load", self.load, -self.pull_off_force, -self.by_maugis)
+        load, held = _told_apart("load", self.load, -self.pull_off_force)
+        by_maugis = amount("load", -self.by_maugis)
         more = f"; by Maugis' law it holds down to {by_maugis} (--model maugis)" if self.by_maugis else ""
         return f"{load} is beyond pull-off; this contact holds down to {held}{more}"
 
 
-class BeyondFold(NoResult):
+class BeyondFold(NoContact):
     """Error raised at an approach at which even fixed grips have let go."""
 
     name = "approach_at_load"
@@ -128,7 +138,7 @@ class BeyondFold(NoResult):
 
     def reason(self) -> str:
         """Return which approaches this contact holds."""
-        approach, least = _amounts("approach_at_load", self.approach, self.least)
+        approach, least = _told_apart("approach_at_load", self.approach, self.least)
         return f"{approach} is beyond the fold; fixed grips hold this contact down to {least}"
 
 
@@ -143,7 +153,7 @@ class TooMuchHysteresis(NoResult):
 
     def reason(self) -> str:
         """Return how large the hysteresis may be."""
-        hysteresis, work = _amounts("adhesion_hysteresis", self.hysteresis, self.work)
+        hysteresis, work = _told_apart("adhesion_hysteresis", self.hysteresis, self.work)
         return f"{hysteresis} is above the work of adhesion, {work}, of which it is a part"
 
 
@@ -223,13 +233,13 @@ def failure_of(name: str, given: Mapping[str, Any]) -> NoResult | None:
         case "load_factor_at_approach_unstable" if given["approach_at_load"] > 0:
             found = NoUnstableState(name)
         case "edge_ratio_at_load":
-            held = pull_off_force_maugis(**_arguments(given, pull_off_force_maugis))
+            held = _evaluated(pull_off_force_maugis, given)
             found = BeyondPullOff(given["load"], held) if given["load"] < -held else None
         case "edge_ratio_at_approach":
-            least = fold_approach_maugis(**_arguments(given, fold_approach_maugis))
+            least = _evaluated(fold_approach_maugis, given)
             found = BeyondFold(given["approach_at_load"], least) if given["approach_at_load"] <= least else None
         case "contact_radius_dmt" | "adhesive_force_dmt":
-            held = pull_off_force_dmt(**_arguments(given, pull_off_force_dmt))
+            held = _evaluated(pull_off_force_dmt, given)
             found = BeyondPullOff(given["load"], held) if given["load"] < -held else None
         case "contact_radius_dmt_at_approach" if given["approach_at_load"] < 0:
             found = BeyondFold(given["approach_at_load"], 0.0)
@@ -241,7 +251,6 @@ def failure_of(name: str, given: Mapping[str, Any]) -> NoResult | None:
     return found
 
 
-def _arguments(given: Mapping[str, Any], formula: Any) -> dict[str, Any]:
-    """Return the arguments of a formula from those of another."""
-    names = formula.__code__.co_varnames[: formula.__code__.co_kwonlyargcount]
-    return {name: given[name] for name in names}
+def _evaluated(formula: Any, given: Mapping[str, Any]) -> Any:
+    """Return the result of a formula whose arguments are among those of another."""
+    return formula(**{name: given[name] for name in parameters_of(formula)})

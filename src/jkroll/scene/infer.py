@@ -5,9 +5,10 @@ from typing import Any
 
 from ..errors import NoResult
 from ..materials.library import Material, Materials
-from ..quantities.errors import QuantityError, UnknownQuantity
-from ..quantities.nomenclature import NOMENCLATURE, canonical
+from ..quantities.errors import QuantityError
+from ..quantities.nomenclature import canonical
 from ..quantities.parsing import is_uncertain
+from ..text import MAX_QUOTED
 from .inputs import check_range
 from .inverse import SIZES, CannotInfer, solution
 from .scene import Scene
@@ -57,15 +58,14 @@ def infer(
     if not isinstance(measured, Mapping) or len(measured) != 1:
         raise QuantityError(
             "measured",
-            str(measured)[:80],
+            str(measured)[:MAX_QUOTED],
             "is not one quantity and its value",
             'write {"pull_off_force": "300 nN"}',
         )
     ((word, value),) = measured.items()
-    quantity = _named(word)
+    known, _ = in_si({str(word): value})
+    ((quantity, at),) = known.items()
     described, _ = in_si(given)
-    known, _ = in_si({quantity: value})
-    at = known[quantity]
     check_range(quantity, at.value if is_uncertain(at) else at)
     spheres = materials_of(material, material2, materials)
     if any(map(is_uncertain, (at, *described.values()))):
@@ -73,14 +73,6 @@ def infer(
     if all(isinstance(each, float) for each in (at, *described.values())):
         return solution(name, quantity, at, Scene(described, *spheres, model=model)).value
     return _each(name, quantity, {quantity: at, **described}, Scene({}, *spheres, model=model))
-
-
-def _named(word: str) -> str:
-    """Return the name of a quantity, given the name or the word of its option."""
-    name = canonical(str(word))
-    if name not in NOMENCLATURE:
-        raise UnknownQuantity(str(word))
-    return name
 
 
 def _uncertain(name: str, quantity: str, at: Any, scene: Scene) -> Any:

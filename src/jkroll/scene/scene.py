@@ -5,6 +5,8 @@ names in DEFAULTS have values if nothing else is said.
 """
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
+from functools import reduce
+from operator import and_
 from typing import TYPE_CHECKING, Any
 
 from ..errors import JkrollError
@@ -84,7 +86,7 @@ class Scene:
         is_rigid = isinstance(self._rigid, bool) and self._rigid
         self._failures: dict[str, JkrollError] = dict.fromkeys(_OF_JKR, TwoRigidBodies()) if is_rigid else {}
         self._plan = NO_PLAN
-        self._known = frozenset(self.values)
+        self.known = frozenset(self.values)
 
     def replace(self, **values: Any) -> "Scene":
         """Return the scene in which some inputs have other values, of the same materials and without uncertainties."""
@@ -108,13 +110,11 @@ class Scene:
         return self.uncertain.get(name)
 
     @property
-    def is_identical(self) -> bool:
-        """True if nothing was said that makes sphere 2 differ from sphere 1."""
+    def is_identical(self) -> Any:
+        """True if nothing was said that makes sphere 2 differ from sphere 1, element by element for arrays."""
         own = {name.removesuffix("2"): value for name, value in self.given.items() if name.endswith("2")}
         lacking = self.material2 is not None and any(name in self.given and name not in own for name in PROPERTIES)
-        return not lacking and all(
-            value is self.given.get(name) or value == self.given.get(name) for name, value in own.items()
-        )
+        return reduce(and_, (value == self.given.get(name) for name, value in own.items()), not lacking)
 
     def data_used(self, inputs: Collection[str]) -> list[tuple[Material, str]]:
         """Return the materials and those of their properties that are among the inputs and were not stated otherwise."""
@@ -140,7 +140,7 @@ class Scene:
         """Return the plan of this scene, which grows by these quantities if it does not have them."""
         if not self._plan.knows(wanted):
             names = (*self._plan.found, *self._plan.missing, *wanted)
-            self._plan = plan(names, self._known, self.material2 is not None, self.law.name)
+            self._plan = plan(names, self.known, self.material2 is not None, self.law.name)
         return self._plan
 
     def inputs_of(self, *wanted: str) -> tuple[str, ...]:
@@ -224,7 +224,7 @@ class Scene:
         if source in self._failures:
             return self._failures[source]
         value = self.values[source]
-        return value if isinstance(value, float | int) or source in self._known else with_nan(source, value)
+        return value if isinstance(value, float | int) or source in self.known else with_nan(source, value)
 
 
 def _assumed(given: Mapping[str, Any]) -> Mapping[str, float]:

@@ -47,11 +47,11 @@ def solve(
     materials
         Where materials are looked up: `Materials(["mine.toml"])` for some of your own besides the shipped ones.
     model
-        The law of attraction: "jkr" (the paper's, which is meant if none is named), "maugis" or "dmt".
+        The law of attraction: "jkr" (the paper's, the default), "maugis" or "dmt".
     **given
         Inputs by name: a float, an array or a list in SI units, a text with a unit ("100 nm"), or a pint Quantity.
         Arrays broadcast. `radius2` may be infinite (a plane), and one Young's modulus too (a rigid body).
-        One value may be uncertain: `Measured`, `Interval`, "25±5 mJ/m2", "20 to 30 mJ/m2", or a pint Measurement.
+        Single values may be uncertain: `Measured`, `Interval`, "25±5 mJ/m2", "20 to 30 mJ/m2", or a pint Measurement.
 
     Returns
     -------
@@ -142,7 +142,7 @@ def _answers(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
 
 
 def uncertain_scene(
-    described: Mapping[str, Any], spheres: tuple[Material | None, Material | None], model: str | None = None
+    described: Mapping[str, Any], spheres: tuple[Material | None, Material | None], model: str | None
 ) -> Scene:
     """Return a scene of which some values are uncertain; arrays have no uncertainty."""
     for name, value in described.items():

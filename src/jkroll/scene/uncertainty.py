@@ -18,8 +18,8 @@ from .numerics import highest_between
 from .scene import Scene
 
 MAX_RANGES = 8  # whose corners are computed, all together
-_ASYMMETRIC = 0.1  # relative difference of the two sides from which on they are given one by one
-_SAMPLES = 24  # parts of a range in which turning points are looked for
+ASYMMETRIC = 0.1  # relative difference of the two sides from which on they are given one by one
+SAMPLES = 24  # parts of a range in which turning points are looked for
 _NEAR = 1e-4  # of such a part, the distance from an end at which the quantity shows whether it grows inwards
 _ROUNDING = 4e-15  # of a value: a change as small as this comes from rounding, and not from a source
 _ROUNDS = 10  # of a search along one range after the other
@@ -170,7 +170,7 @@ def _in_quadrature(
         changes = [[end - value for end in pair] for pair in outcomes]
         minus = hypot(*(min(0.0, *pair) for pair in changes))
         plus = hypot(*(max(0.0, *pair) for pair in changes))
-        if abs(plus - minus) <= _ASYMMETRIC * max(plus, minus):
+        if abs(plus - minus) <= ASYMMETRIC * max(plus, minus):
             minus = plus = (minus + plus) / 2
         variances = [fsum(change**2 for change in pair) for pair in changes]
         if max(minus, plus) > _ROUNDING * abs(value):
@@ -178,7 +178,7 @@ def _in_quadrature(
 
 
 def _shares(effective: Sequence[Source], parts: Sequence[float]) -> dict[str, float]:
-    """Return the share of each source, the largest first; of those without influence none."""
+    """Return the share of each source, the largest first; a source without influence has none."""
     whole = fsum(parts)
     shares = {source.names[0]: part / whole for source, part in zip(effective, parts, strict=True) if part}
     return dict(sorted(shares.items(), key=lambda share: -share[1]))
@@ -268,16 +268,16 @@ def _peak(height: Callable[[Place], float], place: Place, axis: int, ends: tuple
 
     samples = _samples(*ends)
     best = max(range(len(samples)), key=lambda number: at(samples[number]))
-    left, right = samples[max(best - 1, 0)], samples[min(best + 1, _SAMPLES)]
+    left, right = samples[max(best - 1, 0)], samples[min(best + 1, SAMPLES)]
     inwards = samples[best] + _NEAR * (left + right - 2 * samples[best])
-    if best in (0, _SAMPLES) and at(inwards) <= at(samples[best]):
+    if best in (0, SAMPLES) and at(inwards) <= at(samples[best]):
         return _moved(place, axis, samples[best])
     return _moved(place, axis, highest_between(left, right, at))
 
 
 def _samples(low: float, high: float) -> list[float]:
     """Return equally spaced values from one end of a range to the other."""
-    return [low, *(low + (high - low) * number / _SAMPLES for number in range(1, _SAMPLES)), high]
+    return [low, *(low + (high - low) * number / SAMPLES for number in range(1, SAMPLES)), high]
 
 
 def _moved(place: Place, axis: int, value: float) -> Place:

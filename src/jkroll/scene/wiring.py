@@ -149,7 +149,7 @@ def formula_of(name: str) -> Any:
 
 
 def suffix_of(name: str) -> str:
-    """Return "2" for a quantity of sphere 2 that has the formula of sphere 1, otherwise nothing."""
+    """Return "2" for a quantity of sphere 2 that has the formula of sphere 1, otherwise ""."""
     return "2" if name not in FORMULAS and name.endswith("2") else ""
 
 

@@ -1,0 +1,135 @@
+"""The elements of a scene of arrays, one by one: why an element has no value, and what its uncertainty is."""
+
+from collections.abc import Collection, Mapping, Sequence
+from itertools import product
+from typing import Any
+
+import numpy
+
+from ..errors import JkrollError, NoResult
+from ..quantities.nomenclature import INFINITY
+from .errors import NoContact, failure_of
+from .results import with_nan
+from .scene import Scene
+from .uncertainty import ASYMMETRIC, SAMPLES, Source
+
+# Values from which more follows than from others: no load, a plane, a rigid body. A scene of arrays takes them as numbers.
+SPECIAL: Mapping[str, float] = {
+    "load": 0.0,
+    "radius2": INFINITY,
+    "youngs_modulus": INFINITY,
+    "youngs_modulus2": INFINITY,
+}
+
+Sides = tuple[Any, Any]
+
+
+Reasons = dict[str, NoResult | None]  # why quantities have no value: None where nothing in the physics explains it
+
+
+class Failures:
+    """The formulas of a scene of arrays that have no value in some element."""
+
+    def __init__(self, scene: Scene, names: Sequence[str], size: int) -> None:
+        """`names`: quantities that the scene has evaluated. `size`: of the arrays."""
+        plan = scene.plan(*names)
+        self.sources = plan.found
+        steps = [(step, _fails(step.name, scene.values.get(step.name))) for step in plan.steps]
+        self.steps = [(step, fails.tolist()) for step, fails in steps if fails.any()]
+        used = {source for step, _ in self.steps for _, source in step.arguments}
+        self.values = {
+            name: numpy.broadcast_to(scene.values[name], size).tolist() for name in used if name in scene.values
+        }
+
+    def at(self, place: int) -> NoContact | Reasons:
+        """Return why quantities have no value at a place. Where there is no contact, that alone is the reason."""
+        failed: Reasons = {}
+        for (name, _, arguments), fails in self.steps:
+            if not fails[place]:
+                continue
+            first = next((source for _, source in arguments if source in failed), None)
+            if first is not None:
+                failed[name] = failed[first]
+                continue
+            found = failure_of(name, {parameter: self.values[source][place] for parameter, source in arguments})
+            if isinstance(found, NoContact):
+                return found
+            failed[name] = found
+        return {name: failed[source] for name, source in self.sources.items() if source in failed}
+
+
+def element(value: Any, place: int) -> float:
+    """Return an element of an array; a number stands for all elements."""
+    return float(value[place]) if isinstance(value, numpy.ndarray) else float(value)
+
+
+def _fails(name: str, value: Any) -> Any:
+    """Return which elements of an array are no result."""
+    return numpy.isnan(with_nan(name, value)) if isinstance(value, numpy.ndarray) else numpy.zeros(0, dtype=bool)
+
+
+def standard_uncertainties(scene: Scene, values: Mapping[str, Any], sources: Sequence[Source]) -> dict[str, Sides]:
+    """Return how far each quantity may lie below and above its value, element by element, as `uncertainty` does for numbers.
+
+    Both are 0 where no source has an influence, and nan where an end of a source has no value.
+    """
+    ends = [
+        [scene.replace(**source.at(end)).evaluate([*values]) for end in (source.given.low, source.given.high)]
+        for source in sources
+    ]
+    return {
+        name: _sides(value, [[_number(end[name]) for end in pair] for pair in ends]) for name, value in values.items()
+    }
+
+
+def _number(outcome: Any) -> Any:
+    return numpy.nan if isinstance(outcome, JkrollError) else outcome
+
+
+def _sides(value: Any, ends: Sequence[Sequence[Any]]) -> Sides:
+    """Return both sides of an uncertainty from the values at both ends of each source."""
+    changes = [numpy.broadcast_arrays(0.0, *(end - value for end in pair)) for pair in ends]
+    minus: Any = 0.0
+    plus: Any = 0.0
+    for pair in changes:
+        minus = numpy.hypot(minus, numpy.min(pair, axis=0))
+        plus = numpy.hypot(plus, numpy.max(pair, axis=0))
+    alike = numpy.abs(plus - minus) <= ASYMMETRIC * numpy.maximum(plus, minus)
+    middle = (minus + plus) / 2
+    return numpy.where(alike, middle, minus), numpy.where(alike, middle, plus)
+
+
+def ranges(scene: Scene, values: Mapping[str, Any], sources: Sequence[Source]) -> dict[str, Sides]:
+    """Return the least and the largest value of each quantity over all ranges together, element by element.
+
+    They are values at corners of the ranges. Both are nan where a step from a corner into the ranges leads further, as there
+    is a turning point inside then; and where a corner has no value.
+    """
+    limits = [(source.given.low, source.given.high) for source in sources]
+    corners = [_outcome(scene, values, sources, corner) for corner in product(*limits)]
+    steps = [
+        _outcome(scene, values, sources, [*corner[:axis], corner[axis] + (1 - 2 * side) * width, *corner[axis + 1 :]])
+        for corner, sides in zip(product(*limits), product((0, 1), repeat=len(limits)), strict=True)
+        for axis, (side, width) in enumerate(zip(sides, [(high - low) / SAMPLES for low, high in limits], strict=True))
+    ]
+    found: dict[str, Sides] = {}
+    for name, value in values.items():
+        at_corners = numpy.stack(numpy.broadcast_arrays(value, *(one[name] for one in corners)))[1:]
+        beside = numpy.stack(numpy.broadcast_arrays(value, *(one[name] for one in steps)))[1:]
+        from_corner = numpy.repeat(at_corners, len(limits), axis=0)
+        low, high = at_corners.min(axis=0), at_corners.max(axis=0)
+        turns = ((beside > high) & (from_corner == high)) | ((beside < low) & (from_corner == low))
+        is_odd = turns.any(axis=0) | numpy.isnan(beside).any(axis=0)
+        found[name] = (
+            numpy.where(is_odd, numpy.nan, numpy.minimum(low, value)),
+            numpy.where(is_odd, numpy.nan, numpy.maximum(high, value)),
+        )
+    return found
+
+
+def _outcome(scene: Scene, names: Collection[str], sources: Sequence[Source], place: Sequence[Any]) -> dict[str, Any]:
+    """Return quantities where each source has a value."""
+    changed: dict[str, Any] = {}
+    for source, value in zip(sources, place, strict=True):
+        changed |= source.at(value)
+    return {name: _number(outcome) for name, outcome in scene.replace(**changed).evaluate([*names]).items()}

@@ -1,0 +1,158 @@
+"""Error bars in the cells of tables, and of the materials that rows name."""
+
+import csv
+import json
+import math
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from harness import Run
+from jkroll.batch import output
+
+CELLS = ["25±5", "25+-5", "25(5)", "25±20%", "25+/-5 mJ/m2", "0.025 J/m2 ± 5 mJ/m2", "25 mJ/m2±20 %"]
+SIDES = ["pull_off_force [N]", "pull_off_force_minus [N]", "pull_off_force_plus [N]"]
+FORCE = 3 * math.pi * 0.025 * 50e-9  # Eq (1) for two spheres of 100 nm and 25 mJ/m²
+close = partial(pytest.approx, rel=1e-12, abs=0)
+REFUSED = "surface_energy: the cell has an uncertainty, for which the table has no columns; --uncertainty adds them"
+
+
+def written(rows: list[dict[str, Any]], end: str = "csv") -> str:
+    """Write a table as grains.END."""
+    name = f"grains.{end}"
+    if end == "parquet":
+        pyarrow, parquet = pytest.importorskip("pyarrow"), pytest.importorskip("pyarrow.parquet")
+        parquet.write_table(pyarrow.Table.from_pylist(rows), name)
+    elif end == "ndjson":
+        Path(name).write_text("".join(json.dumps(row) + "\n" for row in rows), encoding="utf-8")
+    else:
+        with Path(name).open("w", newline="", encoding="utf-8") as file:
+            writer = csv.DictWriter(file, rows[0], delimiter="\t" if end == "tsv" else ",", lineterminator="\n")
+            writer.writeheader()
+            writer.writerows(rows)
+    return name
+
+
+def found(end: str = "csv") -> list[dict[str, Any]]:
+    """Return the rows of out.END, numbers as such and None where there is nothing."""
+    if end == "parquet":
+        rows: list[dict[str, Any]] = pytest.importorskip("pyarrow.parquet").read_table("out.parquet").to_pylist()
+        return rows
+    lines = Path(f"out.{end}").read_text(encoding="utf-8").splitlines()
+    if end == "ndjson":
+        return [json.loads(line) for line in lines]
+    cells = csv.DictReader(lines, delimiter="\t" if end == "tsv" else ",")
+    return [{name: _read(cell) for name, cell in row.items()} for row in cells]
+
+
+def _read(cell: str) -> float | str | None:
+    try:
+        return float(cell)
+    except ValueError:
+        return cell or None
+
+
+@pytest.mark.parametrize("end", ["csv", "tsv", "ndjson", "parquet"])
+def test_error_bars_in_any_form_and_format(run: Run, end: str) -> None:
+    rows = [{"radius [nm]": 100.0, "gamma [mJ/m2]": cell} for cell in [*CELLS, "25", "20 to 30", "25±20"]]
+    ran = run(f"batch {written(rows, end)} -o out.{end} --quantities pull_off_force,r_min --quiet")
+    assert (ran.code, ran.err) == (1, "jkroll: 1 of 10 rows failed; column status says why\n")
+    *standard, plain, of_range, refused = found(end)
+    assert [*plain][2:7] == [*SIDES, "pull_off_force_low [N]", "pull_off_force_high [N]"]
+    for row in standard:
+        assert [row[name] for name in SIDES] == close([FORCE, FORCE / 5, FORCE / 5])
+        assert row["pull_off_force_low [N]"] is row["r_min_minus [m]"] is row["status"] is None
+    assert [plain[name] for name in SIDES] == [close(FORCE), None, None]
+    ends = of_range["pull_off_force_low [N]"], of_range["pull_off_force_high [N]"]
+    assert ends == close((0.8 * FORCE, 1.2 * FORCE))
+    assert "half the value" in refused["status"]
+
+
+def test_a_table_without_error_bars_has_no_columns_for_them(run: Run) -> None:
+    """A later cell that has one fails its row; an option adds the columns."""
+    rows = [{"radius [nm]": "100", "gamma [mJ/m2]": "25"}] * 200 + [{"radius [nm]": "100", "gamma [mJ/m2]": "25±5"}]
+    words = f"batch {written(rows)} -o out.csv --quantities pull_off_force"
+    assert run(words).err == "jkroll: 1 of 201 rows failed; column status says why\n"
+    assert [*found()[0]][2:] == ["pull_off_force [N]", "doubt", "status"]
+    assert found()[-1]["pull_off_force [N]"] is None
+    assert found()[-1]["status"] == REFUSED
+    assert run(f"{words} --strict") == (1, "", f"jkroll: line 202: {REFUSED}\n")
+    assert run(f"{words} --uncertainty").code == 0
+    assert found()[-1]["pull_off_force_minus [N]"] == close(FORCE / 5)
+    assert run("batch grains.csv -o out.csv --quantities r_min").code == 0  # which it does not enter
+
+
+def test_the_error_bar_of_an_option_fills_rows(run: Run) -> None:
+    rows = [{"radius [nm]": "100", "gamma [mJ/m2]": cell} for cell in ("25", "")]
+    assert (
+        run("batch", written(rows), "-o", "out.csv", "--gamma", "25±5mJ/m2", "--quantities", "pull_off_force").code == 0
+    )
+    assert [row["pull_off_force_plus [N]"] for row in found()] == [None, close(FORCE / 5)]
+
+
+def test_uncertain_materials(run: Run) -> None:
+    rows = [{"radius [nm]": 100.0 + row, "material": "quartz"} for row in range(200)]
+    rows += [{"radius [nm]": 100.0, "material": "ice-warm"}]
+    words = "batch grains.csv -o out.csv --quantities pull_off_force"
+    written(rows)
+    assert run(words).code == 0
+    assert found()[-1]["pull_off_force [N]"] == close(FORCE * 190 / 25)
+    assert found()[-1]["status"] == (
+        "ice-warm: uncertainties are left out, for which the table has no columns; --uncertainty adds them"
+    )
+    written(rows[::-1])
+    assert run(words).code == 0
+    assert found()[0]["pull_off_force_minus [N]"] == close(FORCE * 69 / 25)
+    assert found()[1]["pull_off_force_minus [N]"] is None
+    assert run("batch grains.csv -o out.csv --quantities contact_modulus").code == 0  # which rests on ranges alone
+    assert [*found()[0]][2:5] == ["contact_modulus [Pa]", "contact_modulus_low [Pa]", "contact_modulus_high [Pa]"]
+
+
+def test_an_end_without_a_value_is_said(run: Run) -> None:
+    rows = [{"radius [nm]": "100", "load [nN]": "-11±1"}, {"radius [nm]": "100", "load [nN]": "-5±1"}]
+    assert run("batch", written(rows), "-o", "out.csv", "--material", "quartz", "--quantities", "stiffness").code == 0
+    first, second = found()
+    assert first["stiffness [N/m]"] is not None
+    assert first["stiffness_minus [N/m]"] is None
+    assert first["status"].startswith(
+        "stiffness: no uncertainty, as there is no value at an end of an input: load: -12 nN is beyond pull-off"
+    )
+    assert second["stiffness_minus [N/m]"] is not None
+    assert second["status"] is None
+
+
+def test_a_status_is_short(run: Run) -> None:
+    """One clause names all inputs that are missing, whatever number of quantities lacks them."""
+    rows = [{"material": "quartz", "radius [nm]": ""}, {"material": "", "radius [nm]": "100"}]
+    assert run("batch", written(rows), "-o", "out.csv").code == 0
+    first, second = (row["status"] for row in found())
+    assert first == (
+        "pull_off_force, pull_off_force_dmt, yield_force_ratio and 27 more: needs radius of sphere 1; "
+        "give a radius such as 100nm"
+    )
+    assert second == (
+        "pull_off_force, pull_off_force_dmt, yield_force and 25 more: need some of surface energy per surface and mass "
+        "density and Young's modulus and Poisson's ratio; give --gamma 25mJ/m2 --density 2.6g/cm3 --young 54GPa "
+        "--poisson 0.17 or --work-of-adhesion 50mJ/m2"
+    )
+
+
+@pytest.mark.parametrize("option", ["--uncertainty", ""])
+def test_a_resumed_run_has_the_same_columns(run: Run, monkeypatch: pytest.MonkeyPatch, option: str) -> None:
+    rows = [{"radius [nm]": f"{100 + row}±5", "material": "quartz"} for row in range(300)]
+    words = f"batch {written(rows)} -o out.csv --jobs 1 {option}"
+    assert run(words).code == 0
+    whole = Path("out.csv").read_bytes()
+
+    def interrupt(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patch:
+        patch.setattr(output.OutputFile, "finish", interrupt)
+        assert run(words).code == 130
+    other = words.replace("--uncertainty", "") if option else f"{words} --uncertainty"
+    assert "another options" in run(f"{other} --resume").err
+    assert run(f"{words} --resume").code == 0
+    assert Path("out.csv").read_bytes() == whole
