@@ -11,7 +11,7 @@ from ..quantities.nomenclature import INFINITY
 from .errors import NoContact, failure_of
 from .results import with_nan
 from .scene import Scene
-from .uncertainty import ASYMMETRIC, SAMPLES, Source
+from .uncertainty import ASYMMETRIC, NEAR, ROUNDING, SAMPLES, Source
 
 # Values from which more follows than from others: no load, a plane, a rigid body. A scene of arrays takes them as numbers.
 SPECIAL: Mapping[str, float] = {
@@ -95,7 +95,8 @@ def _sides(value: Any, ends: Sequence[Sequence[Any]]) -> Sides:
         minus = numpy.hypot(minus, numpy.min(pair, axis=0))
         plus = numpy.hypot(plus, numpy.max(pair, axis=0))
     alike = numpy.abs(plus - minus) <= ASYMMETRIC * numpy.maximum(plus, minus)
-    middle = (minus + plus) / 2
+    felt = numpy.maximum(minus, plus) > ROUNDING * numpy.abs(value)
+    minus, plus, middle = felt * minus, felt * plus, felt * (minus + plus) / 2
     return numpy.where(alike, middle, minus), numpy.where(alike, middle, plus)
 
 
@@ -107,10 +108,11 @@ def ranges(scene: Scene, values: Mapping[str, Any], sources: Sequence[Source]) -
     """
     limits = [(source.given.low, source.given.high) for source in sources]
     corners = [_outcome(scene, values, sources, corner) for corner in product(*limits)]
+    parts = [NEAR * (high - low) / SAMPLES for low, high in limits]
     steps = [
         _outcome(scene, values, sources, [*corner[:axis], corner[axis] + (1 - 2 * side) * width, *corner[axis + 1 :]])
         for corner, sides in zip(product(*limits), product((0, 1), repeat=len(limits)), strict=True)
-        for axis, (side, width) in enumerate(zip(sides, [(high - low) / SAMPLES for low, high in limits], strict=True))
+        for axis, (side, width) in enumerate(zip(sides, parts, strict=True))
     ]
     found: dict[str, Sides] = {}
     for name, value in values.items():
@@ -118,6 +120,8 @@ def ranges(scene: Scene, values: Mapping[str, Any], sources: Sequence[Source]) -
         beside = numpy.stack(numpy.broadcast_arrays(value, *(one[name] for one in steps)))[1:]
         from_corner = numpy.repeat(at_corners, len(limits), axis=0)
         low, high = at_corners.min(axis=0), at_corners.max(axis=0)
+        is_felt = high - low > ROUNDING * numpy.abs(value)
+        low, high = numpy.where(is_felt, low, value), numpy.where(is_felt, high, value)
         turns = ((beside > high) & (from_corner == high)) | ((beside < low) & (from_corner == low))
         is_odd = turns.any(axis=0) | numpy.isnan(beside).any(axis=0)
         found[name] = (

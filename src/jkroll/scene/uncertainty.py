@@ -20,8 +20,8 @@ from .scene import Scene
 MAX_RANGES = 8  # whose corners are computed, all together
 ASYMMETRIC = 0.1  # relative difference of the two sides from which on they are given one by one
 SAMPLES = 24  # parts of a range in which turning points are looked for
-_NEAR = 1e-4  # of such a part, the distance from an end at which the quantity shows whether it grows inwards
-_ROUNDING = 4e-15  # of a value: a change as small as this comes from rounding, and not from a source
+NEAR = 1e-4  # of such a part, the distance from an end at which the quantity shows whether it grows inwards
+ROUNDING = 4e-15  # of a value: a change as small as this comes from rounding, and not from a source
 _ROUNDS = 10  # of a search along one range after the other
 
 Evaluate = Callable[[Mapping[str, float]], Mapping[str, Any]]  # from changed inputs to the outcome of each quantity
@@ -173,7 +173,7 @@ def _in_quadrature(
         if abs(plus - minus) <= ASYMMETRIC * max(plus, minus):
             minus = plus = (minus + plus) / 2
         variances = [fsum(change**2 for change in pair) for pair in changes]
-        if max(minus, plus) > _ROUNDING * abs(value):
+        if max(minus, plus) > ROUNDING * abs(value):
             yield name, Propagated(Measured(value, minus, plus), _shares(effective, variances))
 
 
@@ -233,7 +233,7 @@ def _range_of(surface: _Surface, value: float, effective: Sequence[Source]) -> P
     corners = [*product(*limits)]
     low = min(value, -_highest(lambda place: -surface.height(place), corners, limits))
     high = max(value, _highest(surface.height, corners, limits))
-    if high - low <= _ROUNDING * abs(value):
+    if high - low <= ROUNDING * abs(value):
         return None
     middle = tuple(source.given.value for source in effective)
     widths = []
@@ -269,7 +269,7 @@ def _peak(height: Callable[[Place], float], place: Place, axis: int, ends: tuple
     samples = _samples(*ends)
     best = max(range(len(samples)), key=lambda number: at(samples[number]))
     left, right = samples[max(best - 1, 0)], samples[min(best + 1, SAMPLES)]
-    inwards = samples[best] + _NEAR * (left + right - 2 * samples[best])
+    inwards = samples[best] + NEAR * (left + right - 2 * samples[best])
     if best in (0, SAMPLES) and at(inwards) <= at(samples[best]):
         return _moved(place, axis, samples[best])
     return _moved(place, axis, highest_between(left, right, at))
