@@ -117,6 +117,41 @@ def test_states_at_random_loads(count: int) -> None:
             check(reference.at_load, transition, load, edge_ratio, "radius zone approach moment stiffness")
 
 
+@pytest.mark.parametrize("count", [12, pytest.param(400, marks=pytest.mark.slow)])
+def test_the_approach_of_a_contact_whose_load_is_known(count: int) -> None:
+    """The load takes up what cancels between a² and the span; without load, so does its absence."""
+    random.seed(count)
+    for _ in range(count):
+        transition = 10 ** random.uniform(-4, 4)
+        load = random.choice((0.0, 10 ** random.uniform(-2, 3), -random.uniform(0.01, 1.4)))
+        edge_ratio = dugdale_roots.ratio_at_load(transition, load)
+        near, step = start(transition, edge_ratio), mpf(10) ** -18
+        exact, *others = (
+            {"radius": a, "approach": reference.approach(a, m, x)}
+            for x, y in ((1, 1), (1 + step, 1), (1, 1 + step))
+            for a, m, x in [(*reference.at_load(transition * x, load * mpf(y), near), transition * mpf(x))]
+        )
+        found = {
+            "approach": maugis_contact.approach_maugis_at_load(
+                load=load,
+                edge_ratio=edge_ratio,
+                zone_span=dugdale.span(transition, dugdale.shape(edge_ratio)),
+                reduced_radius=1.0,
+                contact_modulus=UNIT["contact_modulus"],
+                cohesive_stress=transition / 2,
+            )
+        }
+        bounds = {"approach": BOUND}
+        if load == 0:
+            found["radius"] = maugis_states.unloaded_radius_maugis(**UNIT, transition_parameter=transition)
+            bounds = {"approach": 6.0, "radius": 4.0}
+            unloaded = maugis_states.unloaded_approach_maugis(**UNIT, transition_parameter=transition)
+            assert unloaded == pytest.approx(found["approach"], rel=3e-15)
+        for name, value in found.items():
+            condition = float(sum(abs(other[name] / exact[name] - 1) for other in others) / step)
+            assert ulps(value, exact[name]) <= bounds[name] * (1 + condition), (name, transition, load)
+
+
 @pytest.mark.parametrize("count", [8, pytest.param(400, marks=pytest.mark.slow)])
 def test_states_at_random_approaches(count: int) -> None:
     random.seed(count)

@@ -98,6 +98,16 @@ def approach(transition: Any, at: Shape, span: Any) -> Any:
     return touching * touching - 4 / 3 * transition * span
 
 
+def unloaded_radius(transition: Any, at: Shape, span: Any) -> Any:
+    """Return a of a contact without load: a³ = λT²G3, as P is 0; v would bring its error in as its power 3/2."""
+    return cbrt(transition * span * span * at.g3)
+
+
+def unloaded_approach(transition: Any, at: Shape, span: Any) -> Any:
+    """Return δ of a contact without load: λT(G3/v − 4/3), in which almost nothing cancels."""
+    return transition * span * (at.g3 / at.v - 4 / 3)
+
+
 def approach_apart(transition: Any, span: Any) -> Any:
     """Return δ of spheres that attract without contact."""
     b = 8 / (3 * pi) * transition

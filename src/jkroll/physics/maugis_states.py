@@ -16,7 +16,7 @@ def unloaded_radius_maugis(
 ) -> Length:
     """Return the radius of the contact circle without load.
 
-        a0 = vT at P = 0
+        a0 = (3R·2σ0T²G3/(4E*))^(1/3), where P = 0
 
     work_of_adhesion      [J/m²]  > 0
     reduced_radius        [m]     > 0
@@ -26,16 +26,16 @@ def unloaded_radius_maugis(
     Returns:  [m]; a float for floats, an array for arrays, which broadcast.
     Source:   Maugis 1992, by Newton's method.
     Valid:    a0 ≪ R.
-    Accuracy: 10 ulp, times 1 plus its condition in λ.
+    Accuracy: 4 ulp, times 1 plus its condition in λ.
 
     >>> from math import pi
     >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
     >>> round(unloaded_radius_maugis(transition_parameter=1.0, **unit), 7)
     1.6360905
     """
-    v = dugdale_roots.ratio_at_load(transition_parameter, 0.0)
+    at = dugdale.shape(dugdale_roots.ratio_at_load(transition_parameter, 0.0))
     unit = dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
-    return v * dugdale.span(transition_parameter, dugdale.shape(v)) * unit
+    return dugdale.unloaded_radius(transition_parameter, at, dugdale.span(transition_parameter, at)) * unit
 
 
 def unloaded_approach_maugis(
@@ -47,7 +47,7 @@ def unloaded_approach_maugis(
 ) -> Length:
     """Return the approach of the centres without load.
 
-        δ0 = a0²/R − 2σ0T/E*
+        δ0 = (σ0T/E*)(3G3/(2v) − 2)
 
     work_of_adhesion      [J/m²]  > 0
     reduced_radius        [m]     > 0
@@ -57,7 +57,7 @@ def unloaded_approach_maugis(
     Returns:  [m]; a float for floats, an array for arrays, which broadcast.
     Source:   Maugis 1992, by Newton's method.
     Valid:    a0 ≪ R.
-    Accuracy: 20 ulp, times 1 plus its condition in λ.
+    Accuracy: 6 ulp, times 1 plus its condition in λ.
 
     >>> from math import pi
     >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
@@ -67,7 +67,7 @@ def unloaded_approach_maugis(
     at = dugdale.shape(dugdale_roots.ratio_at_load(transition_parameter, 0.0))
     unit = dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
     span = dugdale.span(transition_parameter, at)
-    return dugdale.approach(transition_parameter, at, span) * unit * (unit / reduced_radius)
+    return dugdale.unloaded_approach(transition_parameter, at, span) * unit * (unit / reduced_radius)
 
 
 def edge_ratio_at_pull_off(*, transition_parameter: Number) -> Number:

@@ -26,7 +26,7 @@ BY_A_LAW: Mapping[str, tuple[str, ...]] = {
     "contact_radius": ("unloaded_radius_maugis", "unloaded_radius_dmt"),
     "approach": ("unloaded_approach_maugis", "unloaded_approach_dmt"),
     "contact_radius_at_load": ("contact_radius_maugis", "contact_radius_dmt", "contact_radius_dmt_at_approach"),
-    "approach_at_load": ("approach_maugis", "approach_dmt"),
+    "approach_at_load": ("approach_maugis", "approach_maugis_at_load", "approach_dmt"),
     "load": ("load_maugis", "load_dmt"),
     "stiffness": ("stiffness_maugis", "stiffness_dmt"),
     "adhesive_force": ("adhesive_force_maugis", "adhesive_force_dmt"),

@@ -121,6 +121,7 @@ _MAUGIS = Law(
     },
     {
         **_GIVEN,
+        "load": {"approach_at_load": "approach_maugis_at_load"},
         "edge_ratio": {"load": "load_maugis"},
         "approach_at_load": {**_MAUGIS_AT_APPROACH, "load": "load_maugis"},
     },
