@@ -48,8 +48,8 @@ def convert(part: Part, order: Order) -> Tally:
             return Tally(0, 0)
         texts = blocks(given.pieces(form.compression, part.span), LINES[form.kind].cut)
         first = next(texts, b"")
-        head, rows = LINES[form.kind].head(first)
-        kinds = kinds_of(head.names, rows if part.span is None else _first_rows(part.path, form.kind), order)
+        head, rows = LINES[form.kind].head(first) if part.span is None else _beginning(part.path, form.kind)
+        kinds = kinds_of(head.names, rows, order)
         converter, columns = _converter(order, form.kind, head, kinds)
         for column in columns:
             check_first(column, [row[column.place] for row in rows])
@@ -70,10 +70,10 @@ def convert(part: Part, order: Order) -> Tally:
     return output.tally
 
 
-def _first_rows(path: str, kind: str) -> Sequence[Sequence[str]]:
-    """Return the cells of the first rows of a whole table: all of its parts have the same columns."""
+def _beginning(path: str, kind: str) -> tuple[Head, list[list[str]]]:
+    """Return the head of a whole table, and the cells of its first rows: all of its parts have the same columns."""
     with closing(Input(path)) as given:
-        return LINES[kind].head(next(blocks(given.pieces("", None), LINES[kind].cut), b""))[1]
+        return LINES[kind].head(next(blocks(given.pieces("", None), LINES[kind].cut), b""))
 
 
 def spans_of(path: str, kind: str) -> list[Span]:
