@@ -181,7 +181,7 @@ def output_to(settings: Settings) -> Output:
         return Output(os.dup(sys.stdout.fileno()), strict=settings.strict)
     if os.path.isdir(target):
         raise BadRequest(f"-o: {quoted(target)} is a directory")
-    if os.path.exists(target) and not os.path.isfile(target):
+    if os.path.exists(target) and not os.path.isfile(target):  # a device or a pipe
         return Output(os.open(target, os.O_WRONLY), strict=settings.strict)
     return OutputFile(target, strict=settings.strict)
 

@@ -19,7 +19,7 @@ from ..errors import BadRequest
 from ..text import quoted, say, shown
 from .blocks import Block
 from .cells import Floats, Numbers, Reader
-from .columns import check_first, is_input
+from .columns import is_input
 from .errors import BadTable
 from .lines import Converted
 from .output import OutputFile, Step, is_done
@@ -27,7 +27,7 @@ from .progress import watched
 from .rows import Evaluator
 from .settings import Order, Settings, Tally, input_format, output_format
 from .source import Input, Part, Span
-from .task import kinds_of, understood_task
+from .task import task_of_table
 
 BUFFER = 1 << 18  # bytes read at a time of each column
 SPAN = 1 << 20  # least number of rows of a part of a table, but for the last
@@ -103,14 +103,11 @@ class _Table:
         self.path = given.path
         self.file = file = pyarrow.parquet.ParquetFile(given.file, buffer_size=BUFFER, pre_buffer=False)
         schema = file.schema_arrow
-        names, sample = tuple(schema.names), _sample(file)
-        _, task = understood_task(names, kinds_of(names, sample, order), order)
+        task = task_of_table(tuple(schema.names), _sample(file), order)
         self.places = task.places
         for name, place in self.places.items():
             if not _is_cell(schema.types[place]):
                 raise BadTable(f"header: column {name} holds {schema.types[place]}: neither numbers nor texts")
-        for column in task.inputs:
-            check_first(column, [row[column.place] for row in sample])
         self.task, self.evaluator = task, Evaluator(task)
         texts = {*task.said, *task.remarks}
         fields = [pyarrow.field(name, pyarrow.string() if name in texts else pyarrow.float64()) for name in task.added]

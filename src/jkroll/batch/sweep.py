@@ -30,7 +30,7 @@ from .dialect import Places
 from .errors import missing_extra
 from .formats import compressor, format_of
 from .lines import Converted
-from .output import OutputFile, is_done, output_to
+from .output import is_done, output_to
 from .rows import Evaluator
 from .settings import Settings, Tally, fingerprint
 from .single import SIDES, Task
@@ -254,9 +254,8 @@ def stream(sweep: Sweep, settings: Settings) -> Tally:
         partial(_make_convert, sweep, kind, compression),
         sweep.size,
     )
-    is_piped = settings.target == "-"
-    settings = settings._replace(quiet=settings.quiet or is_piped)
-    with closing(output_to(settings) if is_piped else OutputFile(settings.target)) as output:
+    settings = settings._replace(quiet=settings.quiet or settings.target == "-")
+    with closing(output_to(settings)) as output:
         loop.run(work, output, settings)
         output.finish()
     return output.tally
