@@ -187,13 +187,19 @@ def output_to(settings: Settings) -> Output:
 
 
 def is_done(settings: Settings, input_time: int = 0) -> bool:
-    """Return whether `--resume` has nothing to do, and say so: the output is newer than the input, and nothing is beside it."""
+    """Return whether `--resume` has nothing to do, and say so: the output is newer than the input, and has no journal.
+
+    A whole file does not say with which options it was made.
+    """
     real = _real_path(settings.target)
     if not settings.resume or os.path.exists(real + ".journal") or not os.path.isfile(real):
         return False
     if os.stat(real).st_mtime_ns < input_time:
         return False
-    say(f"note: {quoted(settings.target)} is whole; without --resume it is made anew", sys.stderr)
+    say(
+        f"note: {quoted(settings.target)} is whole already, made with these options or others; without --resume it is made anew",
+        sys.stderr,
+    )
     return True
 
 

@@ -171,7 +171,7 @@ def write(
     output = OutputFile(settings.target, strict=settings.strict)
     with closing(output):
         if settings.resume and output.journal.has_begun:
-            say("note: --resume: a Parquet file cannot be gone on with; it is begun anew", sys.stderr)
+            say("note: --resume: a Parquet file cannot be continued; it is begun anew", sys.stderr)
         output.begin(identity, b"", Converted(b"", 0, 0, first_line, None))
 
         def counts() -> tuple[int, int]:

@@ -111,18 +111,15 @@ def scene_of(task: Task, text_of: Callable[[str], str]) -> Scene:
     given: dict[str, Any] = {}
     spheres: dict[str, Material | None] = {"material": task.material, "material2": task.material2}
     problems: list[str] = []
-    for column in task.inputs:
-        text = text_of(column.name)
-        try:
-            if text.strip():
-                given[column.name] = column.read(text)
-        except JkrollError as error:
-            problems.append(str(error))
-    for name, _ in task.materials_at:
+    cells: list[tuple[str, dict[str, Any], Callable[[str], Any]]] = [
+        *((column.name, given, column.read) for column in task.inputs),
+        *((name, spheres, task.known.__getitem__) for name, _ in task.materials_at),
+    ]
+    for name, found, read in cells:
         text = text_of(name)
         try:
             if text.strip():
-                spheres[name] = task.known[text]
+                found[name] = read(text)
         except JkrollError as error:
             problems.append(str(error))
     if problems:
