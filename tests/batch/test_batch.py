@@ -8,7 +8,6 @@ import os
 import subprocess
 import sys
 from collections.abc import Iterator
-from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -20,8 +19,7 @@ from harness import Run
 from jkroll.batch import source
 from jkroll.batch.cells import Reader
 from jkroll.batch.columns import Column, understood
-from jkroll.batch.delimited import DIALECTS, Delimited, Records
-from jkroll.batch.lines import Head
+from jkroll.batch.rows import Evaluator
 from jkroll.batch.single import CODES, alone
 from jkroll.batch.task import task_of
 from jkroll.materials.library import known_materials
@@ -124,13 +122,12 @@ def both_ways(text: str) -> Iterator[tuple[str, list[float], list[float], tuple[
     lines = text.splitlines()
     header = understood(lines[0].split(","))
     task = task_of(header, {}, "", known)._replace(doubt=True)
-    converter = Delimited(DIALECTS["csv"], Head(b"\n", ()), task, excel_safe=False)
-    columns = [list(column) for column in zip(*(line.encode().split(b",") for line in lines[1:]), strict=True)]
-    records = Records([b""] * (len(lines) - 1), dict(enumerate(columns)), {}, {}, range(len(lines) - 1))
-    block = converter._block(records)
-    together = converter.evaluator.results(block)
-    for row in range(block.size):
-        single = alone(task, partial(block.text, row))
+    rows = [dict(zip(header.texts, line.encode().split(b","), strict=True)) for line in lines[1:]]
+    cells = {name: [row[header.texts[place]] for row in rows] for name, place in task.places.items()}
+    together = Evaluator(task).results_of_texts(len(rows), cells, {})
+    for row in range(len(rows)):
+        of_row = {name: column[row].decode() for name, column in cells.items()}
+        single = alone(task, of_row.__getitem__)
         among = together.status.get(row, ""), together.remarks["doubt"].get(row, "")
         yield lines[row + 1], single.values, together.numbers[:, row].tolist(), (single.status, single.doubt), among
 
@@ -289,6 +286,12 @@ def test_rows_stay_rows_whatever_their_cells_hold(run: Run) -> None:
     ]
 
 
+def test_a_line_end_of_two_carriage_returns_splits_no_row(run: Run) -> None:
+    name = table(GRAINS + "x,quartz,100,0\r\r\n")
+    assert run("batch", name, "--quantities", "r_min", "--no-doubt", "-o", "out.csv").code == 0
+    assert b"\r" not in Path("out.csv").read_bytes()
+
+
 def test_other_separators_and_line_ends_are_named(run: Run) -> None:
     run("batch", table(GRAINS.replace("\n", "\r")), "-o", "out.csv")
     assert run("batch", table(GRAINS.replace("\n", "\r")), "-o", "out.csv").err == (
@@ -323,6 +326,7 @@ HEADERS = {
     "radius [kg": f"header: 'radius [kg' is no input; did you mean radius [nm]? {ANOTHER}",
     "Radius [nm]": f"header: 'Radius [nm]' is no input; did you mean radius [nm]? {ANOTHER}",
     "radius (nm)": f"header: 'radius (nm)' is no input; did you mean radius [nm]? {ANOTHER}",
+    "Radius (nm)": f"header: 'Radius (nm)' is no input; did you mean radius [nm]? {ANOTHER}",
     "radius_um": f"header: 'radius_um' is no input; did you mean radius [um]? {ANOTHER}",
     "Gamma [mJ/m2]": f"header: 'Gamma [mJ/m2]' is no input; did you mean surface_energy [mJ/m2]? {ANOTHER}",
     "youngs_moduls": f"header: 'youngs_moduls' is no input; did you mean youngs_modulus [GPa]? {ANOTHER}",
@@ -331,6 +335,7 @@ HEADERS = {
     "material\tradius": "header: 'material\\tradius' has tabs between its columns; write --format tsv".replace(
         "\\t", "?"
     ),
+    "radius [],x": "header: 'radius' has no unit, and neither has its first cell '100'; write radius [nm]",
     "radius,x": "header: 'radius' has no unit, and neither has its first cell '100'; write radius [nm]",
     "radius [nm],status": "header: there is a column 'status' already; rename it, or choose --quantities",
     "radius [nm],r_min [m]": "header: there is a column 'r_min [m]' already; rename it, or choose --quantities",

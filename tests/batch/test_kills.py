@@ -269,6 +269,6 @@ def test_resume_after_success_says_that_all_is_done(run: Run) -> None:
     Path("grains.csv").write_text("radius [nm],material\n100,quartz\n", encoding="utf-8")
     assert run("batch grains.csv -o out.csv").code == 0
     before = Path("out.csv").stat().st_mtime_ns
-    note = "note: 'out.csv' is whole; without --resume it is made anew\n"
+    note = "note: 'out.csv' is whole already, made with these options or others; without --resume it is made anew\n"
     assert run("batch grains.csv -o out.csv --resume") == (0, "", note)
     assert Path("out.csv").stat().st_mtime_ns == before

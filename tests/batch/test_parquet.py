@@ -146,9 +146,9 @@ def test_an_interrupted_file_is_begun_anew(run: Run, monkeypatch: pytest.MonkeyP
         patch.setattr(OutputFile, "finish", interrupt)
         stopped = run("batch", name, "-o", "out.parquet")
         assert (stopped.code, stopped.err) == (130, "")
-    note = "note: --resume: a Parquet file cannot be gone on with; it is begun anew\n"
+    note = "note: --resume: a Parquet file cannot be continued; it is begun anew\n"
     assert run("batch", name, "-o", "out.parquet", "--resume") == (0, "", note)
-    note = "note: 'out.parquet' is whole; without --resume it is made anew\n"
+    note = "note: 'out.parquet' is whole already, made with these options or others; without --resume it is made anew\n"
     assert run("batch", name, "-o", "out.parquet", "--resume") == (0, "", note)
 
 

@@ -10,6 +10,7 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -147,7 +148,11 @@ def test_a_large_table_is_split(run: Run, monkeypatch: pytest.MonkeyPatch, end: 
     from jkroll.materials.library import known_materials
 
     name = f"grains.{end}"
-    rows = [{"radius [nm]": 100.0 + row, "text": 'a\n"b"' if row % 3 else ""} for row in range(300)]
+    rows: list[dict[str, Any]] = [
+        {"radius [nm]": 100.0 + row, "text": 'a\n"b"' if row % 3 else ""}
+        | ({} if row % 5 else {"radius2 [nm]": 50.0})  # which the first line of a part may lack
+        for row in range(300)
+    ]
     if end == "csv":
         with Path(name).open("w", newline="") as file:
             writer = csv.DictWriter(file, rows[0])

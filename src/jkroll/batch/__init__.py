@@ -3,11 +3,15 @@
 From the bottom up:
 
 columns, cells, materials   the header of a table; a column of texts as SI numbers; a column of materials
-rows, single, task          a block of rows evaluated at once; a row by itself, with its words; the quantities to compute
-dialect, delimited, ndjson  formats whose records are lines; `lines` is their interface
+blocks, groups              a block of rows, and its results; the rows of it that are evaluated together
+single, evaluated, rows     a row by itself, with its words; a group of rows; a whole block
+lines, dialect              the interface of formats whose records are lines; where records of CSV and TSV end
+delimited, ndjson           these formats
 formats, settings           the registry of formats and compressions; the options of a run
-source, journal, output     blocks of whole records; what a run has done so far; a file that appears when it is whole
-workers, loop               processes; the loop that takes blocks through a converter into the output, in order
+task                        the quantities to compute, from the header, the first rows and the options
+source                      the input as blocks of whole records
+journal, output             the state of a run, for `--resume`; a file that appears when it is whole
+progress, workers, loop     the bar; processes; the loop that takes blocks through a converter into the output, in order
 stream, parquet, sweep      a table of lines; Parquet; the rows of ranges, which no file holds
 many, cluster               many tables, or the parts of a large one; Dask
 command                     the `batch` command

@@ -30,6 +30,11 @@ class Results(NamedTuple):
         """The status of the rows that have one."""
         return self.remarks[STATUS]
 
+    def first_failure(self, lines: Sequence[int]) -> tuple[int, str] | None:
+        """Return the line and the status of the first row that fails. `lines`: those at which the rows begin."""
+        first = min(self.lost, default=None)
+        return None if first is None else (lines[first], self.status[first])
+
     @property
     def doubtful(self) -> int:
         """The number of rows that exceed a limit of the model."""

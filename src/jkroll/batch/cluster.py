@@ -33,5 +33,5 @@ def on_cluster(order: Order, parts: list[Part], jobs: int) -> Iterator[tuple[Par
             except (OSError, ValueError):
                 raise BadTable(f"--dask: no scheduler answers at {quoted(address)}") from None
         futures = {client.submit(convert_part, order, part, pure=False): part for part in parts}
-        for future, (tally, *others) in as_completed([*futures], with_results=True):
-            yield futures[future], Done(tally, *others)
+        for future, done in as_completed([*futures], with_results=True):
+            yield futures[future], done

@@ -2,7 +2,9 @@
 
 import re
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import cached_property
+from math import gcd
 from typing import TYPE_CHECKING, NamedTuple
 
 from ..quantities.errors import BareNumber, QuantityError
@@ -26,15 +28,14 @@ _PER_CENT = re.compile(r"(.*?)((?:±|\+/?-)[^±]*%)?", re.DOTALL)  # 25±20 % of
 _WITH_UNIT = re.compile(r"[\s_(/,:\[]+\(?(.*?)\)?")
 
 
-class _Column(NamedTuple):
+@dataclass(frozen=True)
+class Column:
+    """The column of an input, with the unit of the cells that carry none."""
+
     place: int
     name: str
     unit_text: str
     unit: Unit | None
-
-
-class Column(_Column):
-    """The column of an input, with the unit of the cells that carry none."""
 
     @cached_property
     def exponent(self) -> int | None:
@@ -60,15 +61,9 @@ def power_of_ten(unit: Unit) -> int | None:
     >>> power_of_ten(unit_of("nm", "radius")), power_of_ten(unit_of("ft", "radius"))
     (-9, None)
     """
-    above, below = str(unit.numerator), str(unit.denominator)
-    if above.rstrip("0") != "1" or below.rstrip("0") != "1":
-        from fractions import Fraction
-
-        ratio = Fraction(unit.numerator, unit.denominator)
-        above, below = str(ratio.numerator), str(ratio.denominator)
-        if above.rstrip("0") != "1" or below.rstrip("0") != "1":
-            return None
-    return len(above) - len(below)
+    common = gcd(unit.numerator, unit.denominator)
+    above, below = str(unit.numerator // common), str(unit.denominator // common)
+    return len(above) - len(below) if above.rstrip("0") == below.rstrip("0") == "1" else None
 
 
 class Header(NamedTuple):
@@ -130,7 +125,7 @@ def split(text: str) -> tuple[str, str | None]:
 def _column(place: int, name: str, unit_text: str | None, text: str) -> Column:
     """Return the column of an input. Without a unit its cells carry their own, or are plain numbers if it is a ratio."""
     wanted = dimension_of(NOMENCLATURE[name].unit)
-    if unit_text is None or (unit_text in ("1", "-") and not any(wanted)):
+    if not unit_text or (unit_text in ("1", "-") and not any(wanted)):
         return Column(place, name, "", None)
     try:
         unit = unit_of(unit_text, name)
@@ -152,7 +147,8 @@ def _meant(name: str, unit_text: str | None) -> str | None:
         quantity = NOMENCLATURE[known_name]
         if quantity.option == f"--{plain}" or (name == quantity.symbol and (len(name) > 1 or unit)):
             return known_name + (unit or _example_unit(known_name))
-        rest = _WITH_UNIT.fullmatch(name[len(known_name) :]) if name.startswith(known_name) else None
+        is_begun = name[: len(known_name)].casefold() == known_name
+        rest = _WITH_UNIT.fullmatch(name[len(known_name) :]) if is_begun else None
         if rest is not None and known_name in INPUTS and _fits(rest[1], known_name):
             return f"{known_name} [{rest[1]}]"
         if rest is not None and rest[0].strip()[0] in "[(/":

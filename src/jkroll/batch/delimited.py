@@ -12,10 +12,10 @@ from typing import NamedTuple
 import numpy
 import orjson
 
-from .blocks import Block, Results
-from .cells import Reader
+from .blocks import Results
+from .cells import Floats
 from .dialect import Dialect, lines_of
-from .lines import BOM, Converted, Head, added
+from .lines import BOM, Converted, Head
 from .rows import Evaluator
 from .single import Task
 
@@ -37,7 +37,7 @@ class Records(NamedTuple):
     """A block taken apart."""
 
     lines: list[bytes]  # without line ends
-    columns: Mapping[int, list[bytes]]  # of the inputs, by place
+    columns: Mapping[str, list[bytes]]  # the cells, by the name of the input
     odd: Mapping[int, str]  # records that are no rows, and why
     blank: Mapping[int, bytes]  # lines without a cell, by the row before which they stand
     starts: Sequence[int]  # the line in the block at which each begins
@@ -52,15 +52,13 @@ class Delimited:
         self.width = len(head.names)
         self.line_end = b"\r\n" if head.text.endswith(b"\r\n") else b"\n"
         self.excel_safe = excel_safe
-        line = head.text.removeprefix(BOM).removesuffix(b"\n").removesuffix(b"\r")
-        cells = [self.safe(line) if excel_safe else line, *map(str.encode, added(task))]
+        line = head.text.removeprefix(BOM).rstrip(b"\r\n")
+        cells = [self.safe(line) if excel_safe else line, *map(str.encode, task.added)]
         self.head = (BOM if head.text.startswith(BOM) else b"") + dialect.separator.join(cells) + self.line_end
         self.said = b"".join(dialect.separator + text.encode() for text in task.said.values())
         self.no_remark = dialect.separator * len(task.remarks) + self.line_end
         self.evaluator = Evaluator(task)
-        self.readers = [Reader(column) for column in task.inputs]
-        self.materials_at = task.materials_at
-        self.places = {column.name: column.place for column in task.inputs} | dict(task.materials_at)
+        self.places = task.places
 
     def convert(self, text: bytes) -> Converted:
         """Return whole records with the results behind each."""
@@ -69,7 +67,7 @@ class Delimited:
         count = len(lines)
         if not count:
             return Converted(blank.get(0, b""), 0, 0, text.count(b"\n"), None)
-        results = self.evaluator.results(self._block(records))
+        results = self.evaluator.results_of_texts(count, records.columns, records.odd)
         if self.excel_safe:
             lines = [self.safe(line) for line in lines]
         if self.said:
@@ -77,8 +75,7 @@ class Delimited:
         if blank:
             lines = [blank.get(row, b"") + line for row, line in enumerate(lines)]
         output = b"".join([*self._strips(lines, results), blank.get(count, b"")])
-        first = min(results.lost, default=None)
-        failure = None if first is None else (records.starts[first], results.status[first])
+        failure = results.first_failure(records.starts)
         return Converted(output, count, len(results.lost), text.count(b"\n"), failure, results.doubtful)
 
     def _quickly(self, text: bytes) -> Records | None:
@@ -95,7 +92,7 @@ class Delimited:
         # As many cells as there should be, and a line feed behind each that should end a line.
         if len(cells) != count * (width + 1) + 1 or cells[width :: width + 1].count(b"\n") != count:
             return None
-        columns = {place: cells[place : -1 : width + 1] for place in self.places.values()}
+        columns = {name: cells[place : -1 : width + 1] for name, place in self.places.items()}
         return Records(lines, columns, {}, {}, range(count))
 
     def _carefully(self, text: bytes) -> Records:
@@ -114,7 +111,7 @@ class Delimited:
             if cells is not None and not cells:
                 blank.setdefault(len(lines), []).append(record)
                 continue
-            line = record.removesuffix(b"\n").removesuffix(b"\r")
+            line = record.rstrip(b"\r\n")
             if cells is None or len(cells) != self.width:
                 odd[len(lines)] = self._problem(line, cells)
                 lines.append(self._squared(line, cells))
@@ -123,7 +120,7 @@ class Delimited:
                 lines.append(line)
                 rows.append(cells)
             starts.append(start)
-        columns = {place: _column([row[place] for row in rows]) for place in self.places.values()}
+        columns = {name: _column([row[place] for row in rows]) for name, place in self.places.items()}
         return Records(lines, columns, odd, {row: b"".join(some) for row, some in blank.items()}, starts)
 
     def _problem(self, line: bytes, cells: list[str] | None) -> str:
@@ -142,16 +139,6 @@ class Delimited:
         kept = [quoted_cell(cell, separator) for cell in encoded[: width - 1]]
         return separator.join([*kept, b'"' + separator.join(encoded[width - 1 :]).replace(b'"', b'""') + b'"'])
 
-    def _block(self, records: Records) -> Block:
-        columns = records.columns
-        return Block(
-            len(records.lines),
-            {reader.column.name: reader.numbers(columns[reader.column.place]) for reader in self.readers},
-            {name: columns[place] for name, place in self.materials_at},
-            records.odd,
-            lambda row, name: columns[self.places[name]][row].decode("utf-8", "replace"),
-        )
-
     def _strips(self, lines: Sequence[bytes], results: Results) -> Iterator[bytes]:
         """Iterate over the pieces of the output, some rows at a time: each line, its results, its remarks and line end."""
         separator = self.dialect.separator
@@ -163,14 +150,7 @@ class Delimited:
             ends[row] = cells[several]
         for start in range(0, len(lines), STRIP):
             part = slice(start, start + STRIP)
-            numbers = numpy.ascontiguousarray(results.numbers[:, part].T)
-            text = orjson.dumps(numbers, option=orjson.OPT_SERIALIZE_NUMPY)
-            if b"n" in text:
-                text = text.replace(b"null", b"")
-            # [[1,2],[3,4]] becomes the pieces 1,2 and 3,4.
-            rows = text[2:-2].split(b"],[")
-            if separator != b",":
-                rows = [row.replace(b",", separator) for row in rows]
+            rows = written(results.numbers[:, part], separator)
             pieces = [separator] * (4 * len(rows))
             pieces[0::4], pieces[2::4], pieces[3::4] = lines[part], rows, ends[part]
             yield b"".join(pieces)
@@ -186,6 +166,15 @@ class Delimited:
     def safe(self, line: bytes) -> bytes:
         """Return a line in which a spreadsheet takes no cell of text for a formula."""
         return self.dialect.formula.sub(rb"\1\2'", line)
+
+
+def written(numbers: Floats, separator: bytes) -> list[bytes]:
+    """Return the text of the numbers of each row, from an array for each column; nan is an empty cell."""
+    text = orjson.dumps(numpy.ascontiguousarray(numbers.T), option=orjson.OPT_SERIALIZE_NUMPY)
+    if b"n" in text:
+        text = text.replace(b"null", b"")
+    rows = text[2:-2].split(b"],[")  # of [[1,2],[3,4]]
+    return rows if separator == b"," else [row.replace(b",", separator) for row in rows]
 
 
 def _column(cells: Sequence[str]) -> list[bytes]:

@@ -50,8 +50,7 @@ class Evaluated:
             fails[...] = is_shown
             return
         values[...] = outcome
-        if not _is_plausible(values):
-            fails[...] = ~_plausible(name, values)
+        fails[...] = ~_plausible(name, values)
         if numpy.any(rests_on_spacing(name, self.scene)):
             self._reasons[name] = RestsOnSpacing()
             fails |= rests_on_spacing(name, self.scene)
@@ -99,15 +98,6 @@ class Evaluated:
                 self.sides[side][places[name]] = numpy.where(is_moved, numbers, numpy.nan)
             is_odd |= numpy.isnan(low) & ~numpy.isnan(values[name])
         return is_odd
-
-
-def _is_plausible(values: Floats) -> bool:
-    """Return whether all values are numbers that doubles hold with all digits, and not 0: a quick test of the usual case."""
-    low, high = values.min(), values.max()
-    if low < 0:
-        size = numpy.abs(values)
-        low, high = size.min(), size.max()
-    return bool(low >= SMALLEST and high < INFINITY)
 
 
 def _plausible(name: str, values: Floats) -> Mask:

@@ -81,7 +81,7 @@ class Journal:
 
 
 def opened(path: str) -> int:
-    """Open a file to append to; BadTable for a link or what is no file."""
+    """Open a file to append to. Raises BadTable for a link, or for anything but a regular file."""
     flags = os.O_RDWR | os.O_CREAT | os.O_APPEND | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)
     try:
         descriptor = os.open(path, flags, 0o666)

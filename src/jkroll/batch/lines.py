@@ -45,8 +45,3 @@ class LineFormat(Protocol):
 
     def converter(self, head: Head, task: Task, *, excel_safe: bool) -> Converter:
         """Return the converter of the blocks after the head."""
-
-
-def added(task: Task) -> list[str]:
-    """Return the names of the columns that a table gets."""
-    return [*task.said, *task.headers, *task.remarks]

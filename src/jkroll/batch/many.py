@@ -99,7 +99,7 @@ def convert(path: str, order: Order, run: Runner) -> tuple[Tally, int]:
     manifest = os.path.join(directory, MANIFEST)
     options = json.dumps(order.identity([]), sort_keys=True)
     identities = {part: _identity(options, part) for part in parts}
-    before = _listed(manifest)  # whether it is needed or not: it is to be ours
+    before = _listed(manifest)  # also without --resume: a file that is not ours is refused
     code = 0
     with closing(Journal(manifest, f"{manifest}.partial")) as journal:
         before |= {entry["identity"]: entry for entry in journal.lines()[0][1:]}

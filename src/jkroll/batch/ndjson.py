@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy
 import orjson
 
-from .blocks import Block, Results
-from .cells import Reader
+from .blocks import Results
 from .columns import is_input
 from .errors import BadTable
-from .lines import BOM, Converted, Head, added
+from .lines import BOM, Converted, Head
 from .rows import Evaluator
 from .single import Task
 
@@ -28,7 +27,7 @@ class Ndjson:
 
     def head(self, text: bytes) -> tuple[Head, list[list[str]]]:
         """Return the names in the first object, and the values of the first objects. No line is a header."""
-        lines = [line for line in text.removeprefix(BOM).splitlines()[:200] if line.strip()]
+        lines = [line for line in text.removeprefix(BOM).split(b"\n")[:200] if line.strip()]
         if not lines:
             raise BadTable("the table is empty")
         first = _object(lines[0])
@@ -50,50 +49,33 @@ class NdjsonConverter:
     def __init__(self, head: Head, task: Task) -> None:
         self.head = head.text
         self.evaluator = Evaluator(task)
-        self.readers = [Reader(column) for column in task.inputs]
-        self.materials_at = task.materials_at
-        places = {column.name: column.place for column in task.inputs} | dict(task.materials_at)
-        self.keys = {name: head.names[place] for name, place in places.items()}
+        self.keys = {name: head.names[place] for name, place in task.places.items()}
         self.known = {*head.names}
-        names = added(task)
-        self.added = {*names}
+        self.added = {*task.added}
         self._said = b"".join(orjson.dumps({name: text})[1:-1] + b"," for name, text in task.said.items())
-        self._names = [orjson.dumps(name) + b":" for name in names[len(task.said) :]]
+        self._names = [orjson.dumps(name) + b":" for name in (*task.headers, *task.remarks)]
 
     def convert(self, text: bytes) -> Converted:
         """Return whole lines with the results in each."""
         raw = text.removesuffix(b"\n").split(b"\n") if text else []
-        lines = [line for line in raw if line.strip()]
-        if not lines:
+        places = [place for place, line in enumerate(raw) if line.strip()]
+        if not places:
             return Converted(text, 0, 0, text.count(b"\n"), None)
-        objects = _objects(lines)
+        objects = [_object(raw[place]) for place in places]
         odd = {row: "is not a JSON object" for row, one in enumerate(objects) if one is None}
         for row, one in enumerate(objects):
             if one is not None and one.keys() != self.known and (word := self._surprise(one)):
                 odd[row] = f"has {word!r}, which the first line has not"
-        results = self.evaluator.results(self._block(objects, odd))
+        rows: Sequence[Row] = [one if one is not None and row not in odd else {} for row, one in enumerate(objects)]
+        cells = {name: _cells([row.get(key) for row in rows]) for name, key in self.keys.items()}
+        results = self.evaluator.results_of_texts(len(rows), cells, odd)
         output = self._output(raw, objects, results)
-        first = min(results.lost, default=None)
-        failure = None
-        if first is not None:
-            places = [place for place, line in enumerate(raw) if line.strip()]
-            failure = (places[first], results.status[first])
-        return Converted(output, len(lines), len(results.lost), text.count(b"\n"), failure, results.doubtful)
+        failure = results.first_failure(places)
+        return Converted(output, len(rows), len(results.lost), text.count(b"\n"), failure, results.doubtful)
 
     def _surprise(self, one: Row) -> str | None:
         """Return a name that would be an input or a result if the first line had it."""
         return next((key for key in one if key not in self.known and (is_input(key) or key in self.added)), None)
-
-    def _block(self, objects: Sequence[Row | None], odd: Mapping[int, str]) -> Block:
-        rows = [{} if one is None or row in odd else one for row, one in enumerate(objects)] if odd else objects
-        columns = {name: _cells([row.get(key) for row in rows if row is not None]) for name, key in self.keys.items()}
-        return Block(
-            len(rows),
-            {reader.column.name: reader.numbers(columns[reader.column.name]) for reader in self.readers},
-            {name: columns[name] for name, _ in self.materials_at},
-            odd,
-            lambda row, name: columns[name][row].decode("utf-8", "replace"),
-        )
 
     def _output(self, raw: Sequence[bytes], objects: Sequence[Row | None], results: Results) -> bytes:
         numbers = orjson.dumps(numpy.ascontiguousarray(results.numbers.T), option=orjson.OPT_SERIALIZE_NUMPY)
@@ -114,17 +96,8 @@ class NdjsonConverter:
         return b"\n".join(output) + b"\n"
 
 
-def _objects(lines: Sequence[bytes]) -> Sequence[Row | None]:
-    """Return the object of each line; None for a line that is none. A line is read by itself, whatever the others are."""
-    try:
-        found: list[Any] = [orjson.loads(line) for line in lines]
-    except orjson.JSONDecodeError:
-        return [_object(line) for line in lines]
-    return [one if type(one) is dict else None for one in found]
-
-
 def _object(line: bytes) -> Row | None:
-    """Return the object of a line, or None."""
+    """Return the object that a line holds by itself, or None."""
     try:
         found = orjson.loads(line)
     except orjson.JSONDecodeError:

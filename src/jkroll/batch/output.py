@@ -181,19 +181,25 @@ def output_to(settings: Settings) -> Output:
         return Output(os.dup(sys.stdout.fileno()), strict=settings.strict)
     if os.path.isdir(target):
         raise BadRequest(f"-o: {quoted(target)} is a directory")
-    if os.path.exists(target) and not os.path.isfile(target):
+    if os.path.exists(target) and not os.path.isfile(target):  # a device or a pipe
         return Output(os.open(target, os.O_WRONLY), strict=settings.strict)
     return OutputFile(target, strict=settings.strict)
 
 
 def is_done(settings: Settings, input_time: int = 0) -> bool:
-    """Return whether `--resume` has nothing to do, and say so: the output is newer than the input, and nothing is beside it."""
+    """Return whether `--resume` has nothing to do, and say so: the output is newer than the input, and has no journal.
+
+    A whole file does not say with which options it was made.
+    """
     real = _real_path(settings.target)
     if not settings.resume or os.path.exists(real + ".journal") or not os.path.isfile(real):
         return False
     if os.stat(real).st_mtime_ns < input_time:
         return False
-    say(f"note: {quoted(settings.target)} is whole; without --resume it is made anew", sys.stderr)
+    say(
+        f"note: {quoted(settings.target)} is whole already, made with these options or others; without --resume it is made anew",
+        sys.stderr,
+    )
     return True
 
 

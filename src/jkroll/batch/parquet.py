@@ -19,15 +19,15 @@ from ..errors import BadRequest
 from ..text import quoted, say, shown
 from .blocks import Block
 from .cells import Floats, Numbers, Reader
-from .columns import check_first, is_input
+from .columns import is_input
 from .errors import BadTable
-from .lines import Converted, added
+from .lines import Converted
 from .output import OutputFile, Step, is_done
 from .progress import watched
 from .rows import Evaluator
 from .settings import Order, Settings, Tally, input_format, output_format
 from .source import Input, Part, Span
-from .task import kinds_of, understood_task
+from .task import task_of_table
 
 BUFFER = 1 << 18  # bytes read at a time of each column
 SPAN = 1 << 20  # least number of rows of a part of a table, but for the last
@@ -103,19 +103,14 @@ class _Table:
         self.path = given.path
         self.file = file = pyarrow.parquet.ParquetFile(given.file, buffer_size=BUFFER, pre_buffer=False)
         schema = file.schema_arrow
-        names, sample = tuple(schema.names), _sample(file)
-        _, task = understood_task(names, kinds_of(names, sample, order), order)
-        self.places = {column.name: column.place for column in task.inputs} | dict(task.materials_at)
+        task = task_of_table(tuple(schema.names), _sample(file), order)
+        self.places = task.places
         for name, place in self.places.items():
             if not _is_cell(schema.types[place]):
                 raise BadTable(f"header: column {name} holds {schema.types[place]}: neither numbers nor texts")
-        for column in task.inputs:
-            check_first(column, [row[column.place] for row in sample])
         self.task, self.evaluator = task, Evaluator(task)
-        self.readers = [Reader(column) for column in task.inputs]
-        fields = [
-            pyarrow.field(name, pyarrow.float64() if name in task.headers else pyarrow.string()) for name in added(task)
-        ]
+        texts = {*task.said, *task.remarks}
+        fields = [pyarrow.field(name, pyarrow.string() if name in texts else pyarrow.float64()) for name in task.added]
         self.schema = pyarrow.schema([*schema, *fields], metadata=schema.metadata)
         groups = [file.metadata.row_group(place) for place in range(file.metadata.num_row_groups)]
         start, end = (span.start, span.end) if span is not None else (0, len(groups))
@@ -143,9 +138,7 @@ class _Table:
         numbers = [as_column(values) for values in results.numbers]
         remarks = [pyarrow.array(map(texts.get, range(size)), "string") for texts in results.remarks.values()]
         table = pyarrow.Table.from_arrays([*batch.columns, *said, *numbers, *remarks], schema=self.schema)
-        first = min(results.lost, default=None)
-        failure = None if first is None else (first, results.status[first])
-        return Rows(table, len(results.lost), failure, results.doubtful)
+        return Rows(table, len(results.lost), results.first_failure(range(size)), results.doubtful)
 
     def _block(self, batch: Any) -> Block:
         """Return the inputs of some rows."""
@@ -158,7 +151,10 @@ class _Table:
             materials[name] = codes[encoded.indices.fill_null(len(kinds)).to_numpy()]
         return Block(
             batch.num_rows,
-            {reader.column.name: _numbers(batch.column(reader.column.place), reader) for reader in self.readers},
+            {
+                reader.column.name: _numbers(batch.column(reader.column.place), reader)
+                for reader in self.evaluator.readers
+            },
             materials,
             {},
             lambda row, name: _text(batch.column(self.places[name])[row].as_py()),
@@ -175,7 +171,7 @@ def write(
     output = OutputFile(settings.target, strict=settings.strict)
     with closing(output):
         if settings.resume and output.journal.has_begun:
-            say("note: --resume: a Parquet file cannot be gone on with; it is begun anew", sys.stderr)
+            say("note: --resume: a Parquet file cannot be continued; it is begun anew", sys.stderr)
         output.begin(identity, b"", Converted(b"", 0, 0, first_line, None))
 
         def counts() -> tuple[int, int]:

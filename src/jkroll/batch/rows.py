@@ -15,7 +15,7 @@ from ..scene.elements import element
 from ..scene.errors import NoContact
 from ..scene.scene import Scene
 from .blocks import Block, Results
-from .cells import Floats
+from .cells import Floats, Reader
 from .columns import DOUBT, STATUS
 from .evaluated import Evaluated
 from .groups import Group, Groups
@@ -29,10 +29,22 @@ class Evaluator:
     def __init__(self, task: Task) -> None:
         """`task`: the quantities to compute."""
         self.task = task
+        self.readers = [Reader(column) for column in task.inputs]
         self.lookups = {
             "material": Lookup(task.known, task.material),
             "material2": Lookup(task.known, task.material2),
         }
+
+    def results_of_texts(self, size: int, cells: Mapping[str, Sequence[bytes]], odd: Mapping[int, str]) -> Results:
+        """Return the results of rows of texts, by the name of the input. `odd`: records that are no rows, and why."""
+        block = Block(
+            size,
+            {reader.column.name: reader.numbers(cells[reader.column.name]) for reader in self.readers},
+            {name: cells[name] for name, _ in self.task.materials_at},
+            odd,
+            lambda row, name: cells[name][row].decode("utf-8", "replace"),
+        )
+        return self.results(block)
 
     def results(self, block: Block) -> Results:
         """Return the results of a block."""

@@ -9,7 +9,6 @@ from ..answers.other_laws import rests_on_spacing
 from ..errors import JkrollError, NoResult
 from ..materials.library import Material, Materials
 from ..quantities.nomenclature import NOMENCLATURE, header
-from ..quantities.parsing import has_uncertainty
 from ..scene.errors import MissingInput, NoContact
 from ..scene.limits import LIMITS, doubts
 from ..scene.scene import Scene
@@ -42,6 +41,11 @@ class Task(NamedTuple):
     always: frozenset[str] = frozenset()  # quantities that were asked for by name, though no answer shows them
 
     @property
+    def places(self) -> dict[str, int]:
+        """The places of the columns of inputs and materials, by name."""
+        return {column.name: column.place for column in self.inputs} | dict(self.materials_at)
+
+    @property
     def sides(self) -> tuple[str, ...]:
         """The sides of an uncertainty that have columns beside each result."""
         return tuple(side for kind in self.kinds for side in SIDES[kind])
@@ -64,6 +68,11 @@ class Task(NamedTuple):
     def remarks(self) -> tuple[str, ...]:
         """The columns of text after the results, which are empty in most rows."""
         return (DOUBT, STATUS) if self.doubt else (STATUS,)
+
+    @property
+    def added(self) -> list[str]:
+        """The headers of all columns that a table gets."""
+        return [*self.said, *self.headers, *self.remarks]
 
     def has_columns_for(self, sources: "Sources") -> bool:
         """Return whether there are columns for the uncertainties that these sources cause."""
@@ -102,39 +111,20 @@ def scene_of(task: Task, text_of: Callable[[str], str]) -> Scene:
     given: dict[str, Any] = {}
     spheres: dict[str, Material | None] = {"material": task.material, "material2": task.material2}
     problems: list[str] = []
-    for column in task.inputs:
-        text = text_of(column.name)
-        try:
-            if text.strip():
-                given[column.name] = column.read(text)
-        except JkrollError as error:
-            problems.append(str(error))
-    for name, _ in task.materials_at:
+    cells: list[tuple[str, dict[str, Any], Callable[[str], Any]]] = [
+        *((column.name, given, column.read) for column in task.inputs),
+        *((name, spheres, task.known.__getitem__) for name, _ in task.materials_at),
+    ]
+    for name, found, read in cells:
         text = text_of(name)
         try:
             if text.strip():
-                spheres[name] = task.known[text]
+                found[name] = read(text)
         except JkrollError as error:
             problems.append(str(error))
     if problems:
         raise BadCells("; ".join(problems))
     return Scene({**task.fixed, **given}, *spheres.values(), model=task.model)
-
-
-def kinds_of_row(task: Task, cells: Mapping[str, str]) -> set[str]:
-    """Return the kinds of the uncertainties that enter results of a row. Raises a JkrollError for a row that has none."""
-    materials = [task.known[text] for name, _ in task.materials_at if (text := cells.get(name, "")).strip()]
-    is_uncertain_row = any(map(has_uncertainty, cells.values())) or any(
-        one.uncertainties for one in (*materials, task.material, task.material2) if one is not None
-    )
-    if not is_uncertain_row:
-        return set()
-    from ..scene.uncertainty import sources_of
-
-    scene = scene_of(task, cells.__getitem__)
-    return {
-        source.given.kind for source in sources_of(scene, scene.inputs_of(*scene.numbers(*task.quantities))).entering
-    }
 
 
 def alone(task: Task, text_of: Callable[[str], str]) -> Single:

@@ -1,26 +1,17 @@
 """A table whose records are lines, from a file or a pipe into another."""
 
-from collections.abc import Sequence
 from contextlib import closing
-from functools import lru_cache, partial
+from functools import partial
 from itertools import chain
 
 from ..errors import BadRequest
 from . import loop, source
-from .columns import Column, check_first
 from .formats import LINES, compressor
 from .lines import Converted, Converter, Head
 from .output import is_done, output_to
 from .settings import Order, Tally, input_format, output_format
 from .source import Input, Part, Span, blocks
-from .task import kinds_of, understood_task
-
-
-@lru_cache(maxsize=8)  # the tables of a run often have the same header
-def _converter(order: Order, kind: str, head: Head, kinds: tuple[str, ...]) -> tuple[Converter, Sequence[Column]]:
-    """Return the converter of a table, without the compression, and the columns that it reads."""
-    table, task = understood_task(head.names, kinds, order)
-    return LINES[kind].converter(head, task, excel_safe=order.settings.excel_safe), table.inputs
+from .task import task_of_table
 
 
 def _make_convert(converter: Converter, compression: str) -> loop.Convert:
@@ -48,11 +39,9 @@ def convert(part: Part, order: Order) -> Tally:
             return Tally(0, 0)
         texts = blocks(given.pieces(form.compression, part.span), LINES[form.kind].cut)
         first = next(texts, b"")
-        head, rows = LINES[form.kind].head(first)
-        kinds = kinds_of(head.names, rows if part.span is None else _first_rows(part.path, form.kind), order)
-        converter, columns = _converter(order, form.kind, head, kinds)
-        for column in columns:
-            check_first(column, [row[column.place] for row in rows])
+        head, rows = LINES[form.kind].head(first) if part.span is None else _beginning(part.path, form.kind)
+        task = task_of_table(head.names, rows, order)
+        converter = LINES[form.kind].converter(head, task, excel_safe=settings.excel_safe)
         start = compress(converter.head) if converter.head else b""
         work = loop.Work(
             order.identity([given.size, given.time]),
@@ -70,10 +59,10 @@ def convert(part: Part, order: Order) -> Tally:
     return output.tally
 
 
-def _first_rows(path: str, kind: str) -> Sequence[Sequence[str]]:
-    """Return the cells of the first rows of a whole table: all of its parts have the same columns."""
+def _beginning(path: str, kind: str) -> tuple[Head, list[list[str]]]:
+    """Return the head of a whole table, and the cells of its first rows: all of its parts have the same columns."""
     with closing(Input(path)) as given:
-        return LINES[kind].head(next(blocks(given.pieces("", None), LINES[kind].cut), b""))[1]
+        return LINES[kind].head(next(blocks(given.pieces("", None), LINES[kind].cut), b""))
 
 
 def spans_of(path: str, kind: str) -> list[Span]:

@@ -11,7 +11,6 @@ from math import prod
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy
-import orjson
 
 from .. import __version__
 from ..answers.answer import answer
@@ -26,12 +25,12 @@ from . import loop
 from .blocks import Block
 from .cells import Floats, Numbers
 from .columns import Column
-from .delimited import DIALECTS, quoted_cell
+from .delimited import DIALECTS, quoted_cell, written
 from .dialect import Places
 from .errors import missing_extra
 from .formats import compressor, format_of
 from .lines import Converted
-from .output import OutputFile, is_done, output_to
+from .output import is_done, output_to
 from .rows import Evaluator
 from .settings import Settings, Tally, fingerprint
 from .single import SIDES, Task
@@ -133,13 +132,13 @@ class Evaluators:
 
     def __init__(self, sweep: Sweep) -> None:
         self.sweep = sweep
-        self.names = tuple(name for name in (*sweep.results, *(("energy",) if "energy" in sweep.inputs else ())))
+        names = (*sweep.results, *(name for name in sweep.inputs if name == "energy"))
         columns = tuple(Column(place, axis.name, "", None) for place, axis in enumerate(sweep.axes))
         sides = {side for of_result in sweep.shape.sides.values() for side in of_result}
         kinds = tuple(kind for kind, own in SIDES.items() if not sides.isdisjoint(own))
         self.evaluators = {
             (pair, law): Evaluator(
-                Task(columns, (), self.names, {}, *materials, sweep.known, keeps=True, model=model, kinds=kinds)
+                Task(columns, (), names, {}, *materials, sweep.known, keeps=True, model=model, kinds=kinds)
             )
             for pair, materials in enumerate(sweep.pairs)
             for law, model in enumerate(sweep.models)
@@ -224,9 +223,7 @@ def _make_convert(sweep: Sweep, kind: str, compression: str) -> loop.Convert:
         """Return a block as lines."""
         rows = evaluators.rows(block)
         leads = [b"".join(quoted_cell(text.encode(), separator) + separator for text in texts) for texts in rows.texts]
-        text = orjson.dumps(numpy.ascontiguousarray(rows.numbers.T) + 0.0, option=orjson.OPT_SERIALIZE_NUMPY)
-        # [[1,2],[3,4]] becomes the lines 1,2 and 3,4.
-        lines = text.replace(b"null", b"")[2:-2].replace(b",", separator).split(b"]" + separator + b"[")
+        lines = written(rows.numbers + 0.0, separator)
         for place, name in enumerate(sweep.inputs):
             for row in numpy.flatnonzero(numpy.isinf(rows.numbers[place])).tolist():
                 cells = lines[row].split(separator)
@@ -257,9 +254,8 @@ def stream(sweep: Sweep, settings: Settings) -> Tally:
         partial(_make_convert, sweep, kind, compression),
         sweep.size,
     )
-    is_piped = settings.target == "-"
-    settings = settings._replace(quiet=settings.quiet or is_piped)
-    with closing(output_to(settings) if is_piped else OutputFile(settings.target)) as output:
+    settings = settings._replace(quiet=settings.quiet or settings.target == "-")
+    with closing(output_to(settings)) as output:
         loop.run(work, output, settings)
         output.finish()
     return output.tally

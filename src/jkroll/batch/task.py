@@ -11,15 +11,15 @@ from ..answers.questions import quantities_named
 from ..errors import BadRequest, JkrollError
 from ..materials.library import Material, Materials
 from ..quantities.nomenclature import PROPERTIES
-from ..quantities.parsing import is_uncertain
+from ..quantities.parsing import has_uncertainty, is_uncertain
 from ..quantities.ranges import value_of
 from ..scene.errors import MissingInput
 from ..scene.scene import EXCLUSIVE, Scene
 from ..text import quoted, say
-from .columns import MATERIALS, Header, understood
+from .columns import MATERIALS, Header, check_first, understood
 from .errors import BadTable
 from .settings import Order
-from .single import SIDES, Task, kinds_of_row
+from .single import SIDES, Task, scene_of
 
 if TYPE_CHECKING:
     from ..quantities.uncertain import Uncertain
@@ -95,32 +95,45 @@ def _task_of(names: tuple[str, ...], order: Order) -> tuple[Header, Task]:
     return table, task._replace(doubt=order.settings.doubt)
 
 
-def kinds_of(names: tuple[str, ...], rows: Sequence[Sequence[str]], order: Order) -> tuple[str, ...]:
-    """Return the kinds of uncertainty that have columns: those of options, and those that enter results of the first rows."""
-    if order.settings.uncertainty:
-        return tuple(SIDES)
-    table, task = _task_of(names, order)
-    kinds: set[str] = {value.kind for value in task.fixed.values() if is_uncertain(value)}
-    places = {column.name: column.place for column in table.inputs} | dict(table.materials)
-    for row in rows:
-        cells = {name: row[place] for name, place in places.items()} if len(row) == len(table.texts) else {}
-        with suppress(JkrollError):
-            kinds |= kinds_of_row(task, cells)
-    return tuple(kind for kind in SIDES if kind in kinds)
+def task_of_table(names: tuple[str, ...], rows: Sequence[Sequence[str]], order: Order) -> Task:
+    """Return the task of a table with this header, and say which columns it does not use.
 
-
-def understood_task(names: tuple[str, ...], kinds: tuple[str, ...], order: Order) -> tuple[Header, Task]:
-    """Return the columns of a header and the task. Raises BadTable, or an error of the options.
-
-    `kinds`: of the uncertainties that have columns.
+    `rows`: the cells of the first rows, which decide on the columns for uncertainties. Raises BadTable, or an error of the options.
     """
     table, task = _task_of(names, order)
-    task = task._replace(kinds=kinds)
-    taken = {*task.headers, *task.said, *task.remarks}
-    for text in table.texts:
+    task = task._replace(kinds=tuple(SIDES) if order.settings.uncertainty else _kinds_of(task, rows))
+    taken = set(task.added)
+    for text in names:
         if text.strip() in taken:
             raise BadTable(f"header: there is a column {quoted(text)} already; rename it, or choose --quantities")
     if table.passing and not order.settings.quiet:
         names_passing = ", ".join(quoted(text) for text in table.passing)
         say(f"note: {names_passing}: no input; passed through, not used", sys.stderr)
-    return table, task
+    for column in task.inputs:
+        check_first(column, [row[column.place] for row in rows])
+    return task
+
+
+def _kinds_of(task: Task, rows: Sequence[Sequence[str]]) -> tuple[str, ...]:
+    """Return the kinds of the uncertainties that options have, or that enter results of some rows."""
+    kinds: set[str] = {value.kind for value in task.fixed.values() if is_uncertain(value)}
+    places = task.places
+    for row in rows:
+        with suppress(JkrollError):  # a bad row, which its status will explain
+            kinds |= _kinds_of_row(task, {name: row[place] for name, place in places.items()})
+    return tuple(kind for kind in SIDES if kind in kinds)
+
+
+def _kinds_of_row(task: Task, cells: Mapping[str, str]) -> set[str]:
+    """Return the kinds of the uncertainties that enter results of a row. Raises a JkrollError for a bad row."""
+    materials = [task.known[cells[name]] for name, _ in task.materials_at if cells[name].strip()]
+    is_uncertain_row = any(map(has_uncertainty, cells.values())) or any(
+        one.uncertainties for one in (*materials, task.material, task.material2) if one is not None
+    )
+    if not is_uncertain_row:
+        return set()
+    from ..scene.uncertainty import sources_of
+
+    scene = scene_of(task, cells.__getitem__)
+    inputs = scene.inputs_of(*scene.numbers(*task.quantities))
+    return {source.given.kind for source in sources_of(scene, inputs).entering}
