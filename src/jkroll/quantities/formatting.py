@@ -143,13 +143,19 @@ def amount(name: str, value: "float | str | Uncertain", form: Format = AS_USUAL)
 
 
 def _range(found: "Interval", scale: Unit, digits: int | None) -> str:
-    """Return a range, whose ends are rounded to two digits of the distance between them unless there is a number of digits."""
+    """Return a range, whose ends are rounded to two digits of the distance between them unless there is a number of digits.
+
+    Both ends have as many decimals as the one that needs more.
+    """
     low, high = convert(found.low, scale), convert(found.high, scale)
     place = _second_digit(high - low)
     texts = []
     for end in (low, high):
         least = floor(log10(abs(end))) - place + 1 if end else 1
         texts.append(significant(end, digits or max(1, min(least, DIGITS))))
+    if digits is None and not any("e" in text for text in texts):
+        decimals = max(len(text.partition(".")[2]) for text in texts)
+        texts = [f"{float(text):.{decimals}f}" for text in texts]
     return " to ".join(texts)
 
 
