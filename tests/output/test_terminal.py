@@ -95,7 +95,7 @@ def test_a_note_with_numbers_says_whose_they_are(run: Run) -> None:
 
 def test_every_law_has_its_own_doubt(run: Run) -> None:
     notes = run("pull-off quartz 100nm,1um --model jkr,dmt").err.splitlines()
-    assert "note: doubtful: μ<5, neither is exact, --model maugis holds: rows 1, 3" in notes
+    assert "note: doubtful: μ<5, neither JKR nor DMT is exact, --model maugis holds: rows 1, 3" in notes
     assert "note: doubtful: μ>0.01, Maugis–Dugdale is exact; --model maugis: rows 2, 4" in notes
 
 

@@ -106,6 +106,7 @@ def _write_sheet(name: str, out: TextIO) -> None:
         "follows from": ", ".join(parameter + suffix_of(name) for parameter in parameters_of(formula))
         if formula
         else "",
+        "source": fields.get("Source", ""),
         "valid": fields.get("Valid", ""),
         "accuracy": fields.get("Accuracy", ""),
         "note": quantity.note,

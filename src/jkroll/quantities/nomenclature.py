@@ -63,9 +63,7 @@ _BOTH_SPHERES = {
     )
 }
 
-_TRAILING = (
-    "takes the moment 4P_cξ of a contact that trails at ξ all the time; n_roll takes the mean moment, half of it"
-)
+_TRAILING = "for the moment 4P_cξ of a contact that trails at ξ all the time; n_roll has the mean moment, half of it"
 
 _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
     {

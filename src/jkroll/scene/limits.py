@@ -78,7 +78,7 @@ LIMITS = (
     Limit(
         "tabor_parameter", _ELASTICITY, "<",
         (
-            Doubt(5.0, "between DMT (below 0.1) and JKR (above 5)", "neither is exact, --model maugis holds"),
+            Doubt(5.0, "between DMT (below 0.1) and JKR (above 5)", "neither JKR nor DMT is exact, --model maugis holds"),
             Doubt(0.1, "small", "DMT is closer than JKR"),
         ),
         "large: JKR holds",
