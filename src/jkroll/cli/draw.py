@@ -87,8 +87,8 @@ def run_figure(call: Call) -> int:
     """Draw a figure of the paper; return the exit code."""
     _check(call)
     if len(call.words) != 1 or call.words[0] not in FIGURE_NAMES:
-        given = f"{quoted(' '.join(call.words))} is not a figure with data; " if call.words else ""
-        raise BadRequest(f"{given}there are {', '.join(FIGURE_NAMES)}")
+        given = f"{quoted(' '.join(call.words))} is not a figure with data" if call.words else "figure needs a name"
+        raise BadRequest(f"{given}; there are {', '.join(FIGURE_NAMES)}")
     name = call.words[0]
     materials = known_materials(*materials_files(call.materials))
     if name in PROFILES:

@@ -38,8 +38,8 @@ def format_of(call: Call, quantities: Sequence[str]) -> Format:
             name for name in quantities if text.strip() and dimension_of(NOMENCLATURE[name].unit) == unit.dimension
         ]
         if not fitting:
-            kinds = ", ".join(dict.fromkeys(f"{name} in {NOMENCLATURE[name].unit}" for name in quantities))
-            raise BadRequest(f"--to: {quoted(text)} fits none of the results: {kinds}")
+            units_of_results = ", ".join(dict.fromkeys(NOMENCLATURE[name].unit for name in quantities))
+            raise BadRequest(f"--to: {quoted(text)} fits none of the results, which are in: {units_of_results}")
         if fitting[0] in units:
             raise BadRequest(
                 f"--to: {quoted(units[fitting[0]][0])} and {quoted(text)} are units of one dimension; give one of them"

@@ -14,9 +14,11 @@ from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.numerics import logarithmic_slope
 from ..scene.scene import Scene
 from ..scene.wiring import Step
-from ..text import say
+from ..text import say, say_wrapped
 
 _SECTIONS = ("Source", "Valid", "Accuracy")
+_INDENT = 12  # of the texts, and of those beside the values of inputs and steps
+_STEP_INDENT = 27
 _LARGEST_DENOMINATOR = 12  # of an exponent shown as a fraction
 
 
@@ -59,7 +61,7 @@ def write_explanation(pairs: Iterable[tuple[Scene, Answer]], out: TextIO, form: 
         if number:
             say("", out)
         for line in _explanation(result, scene, form):
-            say(line, out)
+            say_wrapped(line, out, _STEP_INDENT if line.startswith("    ") else _INDENT)
 
 
 def _explanation(result: Result, scene: Scene, form: Format) -> list[str]:
