@@ -14,7 +14,7 @@ from .output import Output, Taken, taken
 from .progress import watched
 from .settings import Settings
 
-ALONE = 64  # blocks that this process converts before it starts others, which takes 0.2 s
+ALONE = 32  # blocks that this process converts before it starts others, which takes 0.2 s
 
 Convert = Callable[[bytes], Converted]
 

@@ -222,14 +222,16 @@ def _make_convert(sweep: Sweep, kind: str, compression: str) -> loop.Convert:
     def convert(block: bytes) -> Converted:
         """Return a block as lines."""
         rows = evaluators.rows(block)
-        leads = [b"".join(quoted_cell(text.encode(), separator) + separator for text in texts) for texts in rows.texts]
-        lines = written(rows.numbers + 0.0, separator)
+        leads = [separator.join(quoted_cell(text.encode(), separator) for text in texts) for texts in rows.texts]
+        lines = written(rows.numbers + 0.0, separator, b"\n")
         for place, name in enumerate(sweep.inputs):
             for row in numpy.flatnonzero(numpy.isinf(rows.numbers[place])).tolist():
                 cells = lines[row].split(separator)
-                cells[place] = (word_for_infinity(name) or "").encode()
+                cells[1 + place] = (word_for_infinity(name) or "").encode()
                 lines[row] = separator.join(cells)
-        output = b"".join([lead + line + b"\n" for lead, line in zip(cycle(leads), lines)])
+        if not any(leads):
+            lines = [line.removeprefix(separator) for line in lines]
+        output = b"".join([lead + line for lead, line in zip(cycle(leads), lines)])
         return Converted(compress(output), rows.size, rows.failed, rows.size, None)
 
     return convert
