@@ -529,3 +529,11 @@ def test_one_liners_need_nothing_that_only_posix_has() -> None:
     )
     note = "note: files in '.' cannot be locked; let no other run write them\n"
     assert (ran.returncode, ran.stderr) == (0, note)
+
+
+def test_a_table_without_a_radius_says_so(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "sizes.csv").write_text("d_um,n\n1,3\n", encoding="utf-8")
+    ran = run("batch sizes.csv --material quartz -o out.csv")
+    assert ran.err == "note: no column and no option gives a radius; what needs one is left out\n"
+    assert (tmp_path / "out.csv").read_text(encoding="utf-8").splitlines()[0] == "d_um,n,yield_force [N],doubt,status"
+    assert not run("batch sizes.csv --material quartz --quantities yield_force -o out.csv").err

@@ -109,6 +109,8 @@ def task_of_table(names: tuple[str, ...], rows: Sequence[Sequence[str]], order: 
     if table.passing and not order.settings.quiet:
         names_passing = ", ".join(quoted(text) for text in table.passing)
         say(f"note: {names_passing}: no input; passed through, not used", sys.stderr)
+    if "radius" not in {*table.names, *order.inputs} and not (order.settings.quantities or order.settings.quiet):
+        say("note: no column and no option gives a radius; what needs one is left out", sys.stderr)
     for column in task.inputs:
         check_first(column, [row[column.place] for row in rows])
     return task
