@@ -59,7 +59,7 @@ def kill_until_done(command: list[str], draw: random.Random, longest: float, *, 
 SWEEP = "yield-force quartz 100nm --load -20nN:20nN:20000:lin"
 
 
-@pytest.mark.parametrize("whole_group", [True, False])
+@pytest.mark.parametrize("whole_group", [True, pytest.param(False, marks=pytest.mark.slow)])
 @pytest.mark.parametrize(
     ("words", "end", "kills"),
     [

@@ -38,6 +38,10 @@ from jkroll.pictures.styles import DARK, PAPER, STYLES, Style
 SVG_TEXT = re.compile(r"<!-- (.*?) -->", re.DOTALL)  # letters are paths; their text stands beside them
 
 
+# The figures of the paper; of those that differ in their numbers alone, one in the fast run.
+OF_EACH_KIND = [pytest.param(name, marks=pytest.mark.slow) if name in ("3b", "3c", "3d") else name for name in FIGURES]
+
+
 @cache
 def in_a_column(name: str, width: int = 85) -> tuple[Map, Figure]:
     """Return a figure of the paper, and its page at the width of a journal's column in mm; drawn once for all tests."""
@@ -63,7 +67,7 @@ def contours(drawn: Map, page: Figure) -> list[tuple[float, Any]]:
     return found
 
 
-@pytest.mark.parametrize("name", FIGURES)
+@pytest.mark.parametrize("name", OF_EACH_KIND)
 def test_a_contour_of_the_paper_is_its_formula(name: str) -> None:
     drawn, page = in_a_column(name)
     declared = FIGURES[name]
@@ -105,9 +109,7 @@ def test_the_same_bytes_every_time(run: Run, tmp_path: Path, kind: str) -> None:
     assert (tmp_path / f"one.{kind}").read_bytes() == (tmp_path / f"two.{kind}").read_bytes()
 
 
-@pytest.mark.parametrize(
-    "name", [*(pytest.param(name, marks=pytest.mark.slow) for name in FIGURES if name != "6b"), "2", "6b", "9", "laws"]
-)
+@pytest.mark.parametrize("name", [*OF_EACH_KIND, "2", "9", "laws"])
 def test_every_figure_is_drawn_and_says_what_it_is(run: Run, tmp_path: Path, name: str) -> None:
     ran = run("figure", name, "-o", "figure.svg", "--width", "85mm", "--style", "dark")
     assert (ran.code, ran.err) == (0, "")
@@ -190,7 +192,7 @@ def test_regions_may_have_gaps(run: Run, tmp_path: Path) -> None:
     assert "no value" in SVG_TEXT.findall((tmp_path / "load.svg").read_text(encoding="utf-8"))
 
 
-@pytest.mark.parametrize("name", FIGURES)
+@pytest.mark.parametrize("name", OF_EACH_KIND)
 @pytest.mark.parametrize("width", [85, pytest.param(170, marks=pytest.mark.slow)])
 def test_no_label_of_a_contour_covers_a_line_or_another_label(name: str, width: int) -> None:
     drawn, page = in_a_column(name, width)
