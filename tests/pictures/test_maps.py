@@ -328,7 +328,7 @@ def test_where_a_curve_is_doubtful_is_said(run: Run) -> None:
 
 def test_limits_that_cannot_be_shown_are_said_to_be_missing(run: Run) -> None:
     ran = run("map pull-off --x radius=1nm:1um --y gamma=1mJ/m2:1J/m2")
-    assert "its limits are not shown: contact_radius_in_spacings needs Young's modulus" in ran.err
+    assert "its limits are not shown: a/z0 needs Young's modulus" in ran.err
     line = "map contact-radius-at-load quartz --x radius=10nm:1um --y load=0nN:50nN:lin"
     assert "everywhere μ < 5, JKR is not exact" in run(line).out
 

@@ -164,8 +164,11 @@ def test_the_default_energy_is_said_to_be_beyond_sticking(run: Run) -> None:
     assert words not in run("n-roll quartz 100nm --energy-ratio 1").err
     assert "the spheres do not stick" in run("n-roll quartz 100nm --speed 50m/s").err
     ratio = jkroll.solve("energy_over_sticking", material="quartz", radius=1e-7, model="maugis")
-    assert f"W0 = P_cδ0 is {ratio:.3g} U_stick" in run("n-roll quartz 100nm --model maugis").err
-    assert "U_stick" not in run("n-roll quartz 100nm --model dmt").err  # which has none
+    assert f"W0 = P_cδ0 of JKR is {ratio:.3g} U_stick" in run("n-roll quartz 100nm --model maugis").err
+    of_dmt = run("n-roll quartz 100nm --model dmt").err
+    assert "W0 = P_cδ0 of JKR\n" in of_dmt
+    assert "U_stick" not in of_dmt  # which has none
+    assert "F_cδ_c and its multiples are those of JKR" in run("energies quartz 100nm --model dmt").err
 
 
 def test_dmt_answers_where_both_bodies_are_rigid(run: Run) -> None:

@@ -62,8 +62,10 @@ def about_results(results: list[Result], scene: Scene) -> list[Note]:
         carries = "N_grav is what the first contact, on body 2, carries"
         notes.append(Note("result", f"{carries}; {_between_spheres_1(scene)}", carries))
     if "n_roll" in names and IMPACT.isdisjoint(scene.stated):
+        whose = "" if scene.law.is_default else " of JKR"
         ratios = scene.numbers("energy_over_sticking").values()  # none in a law without U_stick
-        notes += [Note("result", f"W0 = P_cδ0 is {one:.3g} U_stick, the largest energy that sticks") for one in ratios]
+        size = "".join(f" is {one:.3g} U_stick, the largest energy that sticks" for one in ratios)
+        notes += [Note("result", f"W0 = P_cδ0{whose}{size}")] if whose or size else []
     notes += remarks(scene, names)
     errors = ", ".join(f"{symbol_of(result.name)} by {100 * result.error:.2g} %" for result in known if result.error)
     return [*notes, Note("model", f"off the exact moment of this contact: {errors}")] if errors else notes

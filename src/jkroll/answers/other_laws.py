@@ -55,7 +55,9 @@ def at_half_spacing(scene: Scene) -> Scene:
 
 
 def remarks(scene: Scene, names: Collection[str]) -> Iterator[Note]:
-    """Iterate over the notes on results under Maugis' law alone."""
+    """Iterate over the notes on results under a law other than JKR, most of them on Maugis'."""
+    if "fold_energy" in names and not scene.law.is_default:
+        yield Note("result", "F_cδ_c and its multiples are those of JKR")
     if scene.law.name != BETWEEN:
         return
     if "yield_moment" in names and "adhesion_hysteresis" not in scene.given:

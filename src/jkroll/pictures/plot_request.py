@@ -145,7 +145,7 @@ class Context:
             except NotInLaw:
                 continue
             except MissingInput as error:
-                notes.append(f"its limits are not shown: {error}")
+                notes.append(f"its limits are not shown: {NOMENCLATURE[error.wanted].symbol} {error.reason()}")
         names = [quantity, *(name for bound in self.bounds for name in bound.names)]
         inputs = self.scene.inputs_of(*names)
         self.inputs = tuple(self._texts(name for name in inputs if name not in values))

@@ -63,7 +63,9 @@ _BOTH_SPHERES = {
     )
 }
 
-_TRAILING = "for the moment 4P_cξ of a contact that trails at ξ all the time; n_roll has the mean moment, half of it"
+_TRAILING = (
+    "for the moment of a contact that trails at ξ all the time, 4P_cξ in JKR; n_roll has the mean moment, half of it"
+)
 
 _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
     {
