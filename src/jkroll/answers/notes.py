@@ -65,7 +65,7 @@ def about_results(results: list[Result], scene: Scene) -> list[Note]:
         whose = "" if scene.law.is_default else " of JKR"
         ratios = scene.numbers("energy_over_sticking").values()  # none in a law without U_stick
         size = "".join(f" is {one:.3g} U_stick, the largest energy that sticks" for one in ratios)
-        notes += [Note("result", f"W0 = P_cδ0{whose}{size}")] if whose or size else []
+        notes += [Note("result", f"W0 = P_cδ0{whose}{size}", "W0")] if whose or size else []
     notes += remarks(scene, names)
     errors = ", ".join(f"{symbol_of(result.name)} by {100 * result.error:.2g} %" for result in known if result.error)
     return [*notes, Note("model", f"off the exact moment of this contact: {errors}")] if errors else notes
