@@ -1,5 +1,7 @@
 """Errors that jkroll declares. The command line prints one as a line and ends with its exit code."""
 
+ROWS_FAILED = 1  # exit code of a call that answered, though not for every row
+
 
 class JkrollError(Exception):
     """Base class of all errors that jkroll declares."""

@@ -3,6 +3,7 @@
 import sys
 from collections.abc import Mapping
 
+from ..errors import ROWS_FAILED
 from ..materials.library import known_materials
 from ..materials.places import materials_files
 from ..text import say
@@ -12,8 +13,6 @@ from .many import Runner, by_processes, convert_one, is_many
 from .many import convert as convert_many
 from .settings import Order, Settings
 from .source import Part
-
-ROWS_FAILED = 1
 
 
 def run(path: str, settings: Settings, inputs: Mapping[str, str]) -> int:

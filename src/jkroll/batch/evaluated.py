@@ -6,11 +6,10 @@ import numpy
 
 from ..answers.other_laws import rests_on_spacing
 from ..errors import NoResult
-from ..quantities.nomenclature import INFINITY
 from ..quantities.uncertain import Measured
 from ..scene.elements import Failures, Reasons, ranges, standard_uncertainties
 from ..scene.errors import MissingInput, NoContact
-from ..scene.results import MAY_BE_ZERO, SMALLEST
+from ..scene.results import are_answers
 from ..scene.scene import Scene
 from ..scene.uncertainty import MixedKinds, sources_of
 from .cells import Floats, Mask
@@ -50,7 +49,7 @@ class Evaluated:
             fails[...] = is_shown
             return
         values[...] = outcome
-        fails[...] = ~_plausible(name, values)
+        fails[...] = ~are_answers(name, values)
         if numpy.any(rests_on_spacing(name, self.scene)):
             self._reasons[name] = RestsOnSpacing()
             fails |= rests_on_spacing(name, self.scene)
@@ -98,10 +97,3 @@ class Evaluated:
                 self.sides[side][places[name]] = numpy.where(is_moved, numbers, numpy.nan)
             is_odd |= numpy.isnan(low) & ~numpy.isnan(values[name])
         return is_odd
-
-
-def _plausible(name: str, values: Floats) -> Mask:
-    """Return which values are numbers that doubles hold with all digits, or a zero that the quantity may be."""
-    size = numpy.abs(values)
-    fine: Mask = (size >= SMALLEST) & (size < INFINITY)
-    return fine | (size == 0) if name in MAY_BE_ZERO else fine

@@ -12,6 +12,7 @@ from ..quantities.nomenclature import NOMENCLATURE, header
 from ..scene.errors import MissingInput, NoContact
 from ..scene.limits import LIMITS, doubts
 from ..scene.scene import Scene
+from ..text import first_of
 from .columns import DOUBT, STATUS, Column
 
 if TYPE_CHECKING:
@@ -204,7 +205,7 @@ def worded(errors: Mapping[str, JkrollError], lead: str = "") -> str:
     for name, error in errors.items():
         reason = joined if name in lacking else str(error).removeprefix(f"{name}: ")
         reasons.setdefault(reason, []).append(name)
-    return "; ".join(f"{_few(names)}: {lead}{reason}" for reason, names in reasons.items())
+    return "; ".join(f"{first_of(names, MOST_NAMES)}: {lead}{reason}" for reason, names in reasons.items())
 
 
 def _joined(errors: Sequence[MissingInput]) -> str:
@@ -215,9 +216,3 @@ def _joined(errors: Sequence[MissingInput]) -> str:
     instead = [name for name in errors[0].instead if all(name in error.instead for error in errors)]
     lacking = dict.fromkeys(filter(None, (text for error in errors for text in error.lacking.split(", "))))
     return f"need some of {MissingInput('', [*missing], instead, ', '.join(lacking)).needs()}"
-
-
-def _few(names: Sequence[str]) -> str:
-    """Return the first names of a list, and how many more there are."""
-    rest = len(names) - MOST_NAMES
-    return ", ".join(names[:MOST_NAMES]) + (f" and {rest} more" if rest > 0 else "")

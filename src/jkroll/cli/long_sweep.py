@@ -6,15 +6,13 @@ from ..answers.answer import answer
 from ..answers.questions import Question
 from ..batch.settings import Settings
 from ..batch.sweep import Axis, Sweep, stream
-from ..errors import BadRequest
+from ..errors import ROWS_FAILED, BadRequest
 from ..output.layout import layout
 from ..output.note_lines import NoteLines
 from ..text import quoted, say, say_wrapped
 from .options import Call
 from .request import Request
 from .written import PICTURES, ending
-
-ROWS_FAILED = 1
 
 
 def write_sweep(question: Question, request: Request, kind: str, call: Call) -> int:

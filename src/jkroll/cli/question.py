@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator
 
 from ..answers.answer import Answer, answer, in_units
 from ..answers.questions import QUESTIONS, Question, quantities_named
-from ..errors import BadRequest, JkrollError
+from ..errors import ROWS_FAILED, BadRequest, JkrollError
 from ..materials.library import known_materials
 from ..materials.places import materials_files
 from ..output.layout import Layout, layout
@@ -18,7 +18,6 @@ from .options import Call
 from .request import Request, request_of
 from .written import format_name, format_of
 
-ROWS_FAILED = 1
 MANY = 20_000  # rows from which on a sweep is streamed by blocks
 
 

@@ -13,6 +13,13 @@ def is_zero(name: str, value: float) -> bool:
     return value == 0 and name in MAY_BE_ZERO
 
 
+def are_answers(name: str, values: Any) -> Any:
+    """Return which elements of an array doubles hold with all digits, or are the zero that the quantity may be."""
+    size = abs(values)
+    fine = (size >= SMALLEST) & (size < INFINITY)
+    return fine | (size == 0) if name in MAY_BE_ZERO else fine
+
+
 def with_nan(name: str, values: Any) -> Any:
     """Return an array with nan in place of the elements that are no answer."""
     import numpy
@@ -20,5 +27,4 @@ def with_nan(name: str, values: Any) -> Any:
     size = abs(values)
     if size.size and size.min() >= SMALLEST and size.max() < INFINITY:
         return values
-    may_be = (size == 0) & (name in MAY_BE_ZERO)
-    return numpy.where((size >= SMALLEST) & (size < INFINITY) | may_be, values, numpy.nan)
+    return numpy.where(are_answers(name, values), values, numpy.nan)
