@@ -124,7 +124,7 @@ def both_ways(text: str) -> Iterator[tuple[str, list[float], list[float], tuple[
     task = task_of(header, {}, "", known)._replace(doubt=True)
     rows = [dict(zip(header.texts, line.encode().split(b","), strict=True)) for line in lines[1:]]
     cells = {name: [row[header.texts[place]] for row in rows] for name, place in task.places.items()}
-    together = Evaluator(task).results_of_texts(len(rows), cells, {})
+    together = Evaluator(task).results_of_texts(len(rows), cells, {}, range(len(rows)))
     for row in range(len(rows)):
         of_row = {name: column[row].decode() for name, column in cells.items()}
         single = alone(task, of_row.__getitem__)

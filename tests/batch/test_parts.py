@@ -105,7 +105,7 @@ def test_a_pool_writes_what_one_process_writes(run: Run, monkeypatch: pytest.Mon
     from jkroll.batch import many
 
     assert run("batch", "grains/*.csv", "-o", "whole/", "--jobs", "1").code == 1
-    monkeypatch.setattr(many, "ALONE", 1)
+    monkeypatch.setattr(many, "FEW", 1)
     assert run("batch", "grains/*.csv", "-o", "forces/", "--jobs", "2").code == 1
     assert len(grains) == PARTS
     assert whole("forces") == whole("whole")

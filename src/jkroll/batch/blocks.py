@@ -15,7 +15,16 @@ class Block(NamedTuple):
     numbers: Mapping[str, Numbers]
     materials: Mapping[str, Sequence[bytes | str] | Codes]  # texts, or numbers of the lookup
     odd: Mapping[int, str]  # records that are no rows, and why
+    lines: Sequence[int]  # at which the rows begin
     text: Callable[[int, str], str]  # the text of a row's cell for an input
+
+
+class Tally(NamedTuple):
+    """The rows of a run, and those of them that failed or exceed a limit of the model."""
+
+    rows: int = 0
+    failed: int = 0
+    doubtful: int = 0
 
 
 class Results(NamedTuple):
@@ -30,12 +39,7 @@ class Results(NamedTuple):
         """The status of the rows that have one."""
         return self.remarks[STATUS]
 
-    def first_failure(self, lines: Sequence[int]) -> tuple[int, str] | None:
-        """Return the line and the status of the first row that fails. `lines`: those at which the rows begin."""
-        first = min(self.lost, default=None)
-        return None if first is None else (lines[first], self.status[first])
-
     @property
-    def doubtful(self) -> int:
-        """The number of rows that exceed a limit of the model."""
-        return len(self.remarks.get(DOUBT, ()))
+    def tally(self) -> Tally:
+        """The counts of the rows."""
+        return Tally(self.numbers.shape[1], len(self.lost), len(self.remarks.get(DOUBT, ())))

@@ -67,8 +67,8 @@ class Delimited:
         lines, blank = records.lines, records.blank
         count = len(lines)
         if not count:
-            return Converted(blank.get(0, b""), 0, 0, text.count(b"\n"), None)
-        results = self.evaluator.results_of_texts(count, records.columns, records.odd)
+            return Converted(blank.get(0, b""), text.count(b"\n"))
+        results = self.evaluator.results_of_texts(count, records.columns, records.odd, records.starts)
         if self.excel_safe:
             lines = [self.safe(line) for line in lines]
         if self.said:
@@ -76,8 +76,7 @@ class Delimited:
         if blank:
             lines = [blank.get(row, b"") + line for row, line in enumerate(lines)]
         output = b"".join([*self._strips(lines, results), blank.get(count, b"")])
-        failure = results.first_failure(records.starts)
-        return Converted(output, count, len(results.lost), text.count(b"\n"), failure, results.doubtful)
+        return Converted(output, text.count(b"\n"), results.tally)
 
     def _quickly(self, text: bytes) -> Records | None:
         """Take apart plain lines without quotes, all of the right width; None if there are others."""

@@ -18,7 +18,7 @@ class BadTable(JkrollError):
 
 
 class BadRow(JkrollError):
-    """Error raised for the first row that fails, with `--strict`."""
+    """Error raised for the first row that fails, with `--strict`. Its line is counted from the beginning of the block, or of the table."""
 
     exit_code = 1
 

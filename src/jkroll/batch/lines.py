@@ -2,6 +2,7 @@
 
 from typing import NamedTuple, Protocol
 
+from .blocks import Tally
 from .single import Task
 
 BOM = b"\xef\xbb\xbf"
@@ -11,11 +12,8 @@ class Converted(NamedTuple):
     """A converted block and its counts."""
 
     output: bytes
-    rows: int
-    failed: int
     lines: int
-    first_failure: tuple[int, str] | None  # line in the block, status
-    doubtful: int = 0
+    tally: Tally = Tally()
 
 
 class Head(NamedTuple):

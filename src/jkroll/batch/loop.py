@@ -9,12 +9,13 @@ from functools import partial
 from itertools import chain, islice
 from typing import Any, NamedTuple
 
+from .errors import BadRow
 from .lines import Converted
-from .output import Output, Taken, taken
+from .output import Fetch, Output, Step, step_of
 from .progress import watched
 from .settings import Settings
 
-ALONE = 32  # blocks that this process converts before it starts others, which takes 0.2 s
+ALONE = 8  # blocks that this process converts before it starts others
 
 Convert = Callable[[bytes], Converted]
 
@@ -40,23 +41,34 @@ def run(work: Work, output: Output, settings: Settings) -> None:
         return work.position() if work.position else output.done.rows, output.done.rows
 
     with watched(work.total, counts, settings, goes_on=output.goes_on) as show:
-        for block in _converted(work, settings.processes, output.path):
-            output.take(block)
-            show()
+        try:
+            for step, fetch in _converted(work, settings.processes, output.path):
+                output.take(step, fetch)
+                show()
+        except BadRow as error:
+            raise BadRow(output.done.lines + 1 + error.line, error.status) from None
 
 
-def _converted(work: Work, jobs: int, path: str) -> Iterator[Taken]:
+def _converted(work: Work, jobs: int, path: str) -> Iterator[tuple[Step, Fetch]]:
     """Iterate over converted blocks in their order. `path`: of the file into which they go, or an empty text."""
     convert = work.make_convert()
-    for text in islice(work.blocks, ALONE) if jobs > 1 else work.blocks:
-        yield taken(text, convert(text))
-    first = next(work.blocks, None)
-    if first is not None:
-        from .workers import in_order, started  # with multiprocessing, which a small table does not pay for
 
-        with started(jobs, partial(_answering, work.make_convert, path)) as workers:
-            for worker, (step, first_failure) in in_order(workers, chain([first], work.blocks)):
-                yield Taken(step, first_failure, worker.answer_to)
+    def here(text: bytes) -> tuple[Step, Fetch]:
+        converted = convert(text)
+        return step_of(text, converted), lambda _: converted.output
+
+    yield from map(here, islice(work.blocks, ALONE) if jobs > 1 else work.blocks)
+    first = next(work.blocks, None)
+    if first is None:
+        return
+    from .workers import are_ready, in_order, started  # with multiprocessing, which a small table does not pay for
+
+    blocks = chain([first], work.blocks)
+    with started(jobs, partial(_answering, work.make_convert, path)) as workers:
+        while not are_ready(workers) and (text := next(blocks, None)) is not None:
+            yield here(text)
+        for worker, step in in_order(workers, blocks):
+            yield step, worker.answer_to
 
 
 def _answering(make_convert: Callable[[], Convert], path: str) -> Callable[[bytes | int], Any]:
@@ -72,7 +84,7 @@ def _answering(make_convert: Callable[[], Convert], path: str) -> Callable[[byte
         if isinstance(question, bytes):
             converted = convert(question)
             output = converted.output
-            return taken(question, converted)[:2]
+            return step_of(question, converted)
         if not path:
             return output
         with open(path, "r+b") as file:

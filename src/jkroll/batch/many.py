@@ -18,14 +18,15 @@ from typing import Any, NamedTuple
 from .. import __version__
 from ..errors import BadRequest, JkrollError, MissingExtra
 from ..text import quoted, say
+from .blocks import Tally
 from .errors import BadTable, missing_extra
 from .journal import Journal
-from .settings import Order, Settings, Tally, input_format
+from .settings import Order, Settings, input_format
 from .source import Part, Span
 
 MANIFEST = "manifest.json"
 MOST_SAID = 20  # files whose failure is said on stderr; the manifest has them all
-ALONE = 8  # files that this process converts itself before it starts others
+FEW, LITTLE = 8, 1 << 20  # number and bytes of files up to which this process converts them all itself
 
 Entry = dict[str, Any]  # of a part, in the journal and the manifest
 
@@ -65,20 +66,26 @@ def convert_part(order: Order, part: Part) -> Done:
         raise  # as it would for every part
     except JkrollError as error:
         problem = str(error).removeprefix(f"{quoted(part.path)}: ")
-        return Done(Tally(0, 0), problem, error.exit_code)
+        return Done(Tally(), problem, error.exit_code)
 
 
 def by_processes(order: Order, parts: list[Part], jobs: int) -> Iterator[tuple[Part, Done]]:
     """Convert parts by a number of processes; yield each part as soon as it is done."""
-    alone = parts if jobs == 1 else parts[:ALONE]
-    for part in alone:
-        yield part, convert_part(order, part)
-    if len(alone) == len(parts):
+    jobs = min(jobs, len(parts))
+    if jobs < 2 or _is_little(parts):
+        for part in parts:
+            yield part, convert_part(order, part)
         return
     from .workers import as_ready, started
 
-    with started(min(jobs, len(parts) - len(alone)), partial(_answering, order)) as workers:
-        yield from as_ready(workers, parts[len(alone) :])
+    with started(jobs, partial(_answering, order)) as workers:
+        yield from as_ready(workers, parts)
+
+
+def _is_little(parts: list[Part]) -> bool:
+    """Return whether to convert some files takes less time than to start a process."""
+    sizes = [os.path.getsize(part.path) for part in parts if os.path.exists(part.path)]
+    return len(parts) <= FEW and sum(sizes) <= LITTLE
 
 
 def _answering(order: Order) -> Callable[[Part], Done]:

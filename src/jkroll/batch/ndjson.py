@@ -60,7 +60,7 @@ class NdjsonConverter:
         raw = text.removesuffix(b"\n").split(b"\n") if text else []
         places = [place for place, line in enumerate(raw) if line.strip()]
         if not places:
-            return Converted(text, 0, 0, text.count(b"\n"), None)
+            return Converted(text, text.count(b"\n"))
         objects = [_object(raw[place]) for place in places]
         odd = {row: "is not a JSON object" for row, one in enumerate(objects) if one is None}
         for row, one in enumerate(objects):
@@ -68,10 +68,8 @@ class NdjsonConverter:
                 odd[row] = f"has {word!r}, which the first line has not"
         rows: Sequence[Row] = [one if one is not None and row not in odd else {} for row, one in enumerate(objects)]
         cells = {name: _cells([row.get(key) for row in rows]) for name, key in self.keys.items()}
-        results = self.evaluator.results_of_texts(len(rows), cells, odd)
-        output = self._output(raw, objects, results)
-        failure = results.first_failure(places)
-        return Converted(output, len(rows), len(results.lost), text.count(b"\n"), failure, results.doubtful)
+        results = self.evaluator.results_of_texts(len(rows), cells, odd, places)
+        return Converted(self._output(raw, objects, results), text.count(b"\n"), results.tally)
 
     def _surprise(self, one: Row) -> str | None:
         """Return a name that would be an input or a result if the first line had it."""

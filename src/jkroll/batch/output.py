@@ -15,39 +15,33 @@ from zlib import crc32
 
 from ..errors import BadRequest
 from ..text import quoted, say
-from .errors import BadRow, BadTable, NotTheSame
+from .blocks import Tally
+from .errors import BadTable, NotTheSame
 from .journal import Journal, opened
 from .lines import Converted
-from .settings import Settings, Tally
+from .settings import Settings
 
 LARGE = 1 << 20  # bytes from which a file is flushed to the disk: 10 000 small ones would take minutes
 
 
 class Step(NamedTuple):
-    """A line of a journal: counts up to a block, and checksums of the block as read and as written."""
+    """A line of a journal: counts up to the end of a block, and checksums of the block as read and as written."""
 
     written: int = 0
+    lines: int = 0
     rows: int = 0
     failed: int = 0
-    lines: int = 0
+    doubtful: int = 0
     read_checksum: int = 0
     written_checksum: int = 0
-    doubtful: int = 0
 
 
-class Taken(NamedTuple):
-    """A block on its way to the output."""
-
-    step: Step  # what it adds, with its checksums
-    first_failure: tuple[int, str] | None
-    fetch: Callable[[int], bytes]  # returns it, or nothing if it has been written at this place of the file
+Fetch = Callable[[int], bytes]  # returns a block, or nothing if it has written it at this place of the file
 
 
-def taken(read: bytes, converted: Converted) -> Taken:
-    """Return a block that was converted in this process."""
-    output, rows, failed, lines, first_failure, doubtful = converted
-    step = Step(len(output), rows, failed, lines, crc32(read), crc32(output), doubtful)
-    return Taken(step, first_failure, lambda _: output)
+def step_of(read: bytes, converted: Converted) -> Step:
+    """Return what a block adds, with its checksums."""
+    return Step(len(converted.output), converted.lines, *converted.tally, crc32(read), crc32(converted.output))
 
 
 class Output:
@@ -56,10 +50,8 @@ class Output:
     goes_on = False  # whether --resume can go on after an interrupt
     path = ""  # of the file that is written, if it is one
 
-    def __init__(self, descriptor: int, *, strict: bool = False) -> None:
-        """`strict`: no row may fail."""
+    def __init__(self, descriptor: int) -> None:
         self.descriptor = descriptor
-        self.strict = strict
         self.done = Step()
 
     @property
@@ -69,25 +61,21 @@ class Output:
 
     def begin(self, _identity: Mapping[str, str], read: bytes, head: Converted) -> None:
         """Begin anew with a header."""
-        self.take(taken(read, head))
+        self.take(step_of(read, head), lambda _: head.output)
 
     def resume(self, _identity: Mapping[str, str], _read: bytes, _blocks: Iterator[bytes]) -> bool:
         """Go on with an interrupted run; False if there is none."""
         return False
 
-    def count(self, step: Step, first_failure: tuple[int, str] | None) -> None:
-        """Count a block. Raises BadRow if a row of it failed and none may."""
-        if self.strict and first_failure is not None:
-            line, status = first_failure
-            raise BadRow(self.done.lines + 1 + line, status)
+    def count(self, step: Step) -> None:
+        """Count a block."""
         total = Step(*map(add, self.done, step))
         self.done = total._replace(read_checksum=step.read_checksum, written_checksum=step.written_checksum)
 
-    def take(self, block: Taken) -> None:
+    def take(self, step: Step, fetch: Fetch) -> None:
         """Write a block."""
-        place = self.done.written
-        self.count(block.step, block.first_failure)
-        rest = memoryview(block.fetch(place))
+        rest = memoryview(fetch(self.done.written))
+        self.count(step)
         while rest:
             rest = rest[os.write(self.descriptor, rest) :]
 
@@ -104,7 +92,7 @@ class OutputFile(Output):
 
     goes_on = True
 
-    def __init__(self, target: str, *, strict: bool = False) -> None:
+    def __init__(self, target: str) -> None:
         """Open the file beside, and its journal. A link is written through. Raises BadRequest for a directory or device."""
         if os.path.exists(target) and not os.path.isfile(target):
             raise BadRequest(f"-o: {quoted(target)} is no file")
@@ -112,7 +100,7 @@ class OutputFile(Output):
         self.path = f"{self.target}.partial"
         self.journal = Journal(self.target, self.path)
         try:
-            super().__init__(opened(self.path), strict=strict)
+            super().__init__(opened(self.path))
         except (OSError, BadTable):
             self.journal.close()
             raise
@@ -121,11 +109,11 @@ class OutputFile(Output):
         """Begin anew with a header."""
         os.ftruncate(self.descriptor, 0)
         self.journal.begin(identity)
-        self.take(taken(read, head))
+        self.take(step_of(read, head), lambda _: head.output)
 
-    def take(self, block: Taken) -> None:
+    def take(self, step: Step, fetch: Fetch) -> None:
         """Write a block, and note it in the journal."""
-        super().take(block)
+        super().take(step, fetch)
         self.journal.add(self.done)
 
     def resume(self, identity: Mapping[str, str], read: bytes, blocks: Iterator[bytes]) -> bool:
@@ -178,12 +166,12 @@ def output_to(settings: Settings) -> Output:
     target = settings.target
     if target == "-":
         sys.stdout.flush()
-        return Output(os.dup(sys.stdout.fileno()), strict=settings.strict)
+        return Output(os.dup(sys.stdout.fileno()))
     if os.path.isdir(target):
         raise BadRequest(f"-o: {quoted(target)} is a directory")
     if os.path.exists(target) and not os.path.isfile(target):  # a device or a pipe
-        return Output(os.open(target, os.O_WRONLY), strict=settings.strict)
-    return OutputFile(target, strict=settings.strict)
+        return Output(os.open(target, os.O_WRONLY))
+    return OutputFile(target)
 
 
 def is_done(settings: Settings, input_time: int = 0) -> bool:

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import closing, contextmanager, suppress
 from math import isnan
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy
 import pyarrow
@@ -17,7 +17,7 @@ import pyarrow.parquet
 
 from ..errors import BadRequest
 from ..text import quoted, say, shown
-from .blocks import Block
+from .blocks import Block, Tally
 from .cells import Floats, Numbers, Reader
 from .columns import is_input
 from .errors import BadTable
@@ -25,7 +25,7 @@ from .lines import Converted
 from .output import OutputFile, Step, is_done
 from .progress import watched
 from .rows import Evaluator
-from .settings import Order, Settings, Tally, input_format, output_format
+from .settings import Order, Settings, input_format, output_format
 from .source import Input, Part, Span
 from .task import task_of_table
 
@@ -57,7 +57,7 @@ def convert(part: Part, order: Order) -> Tally:
         with _readable(part.path):
             table = _Table(given, order, part.span)
         identity = order.identity([given.size, given.time])
-        tally = write(settings, table.schema, table.converted(), table.size, identity, table.line)
+        tally = write(settings, table.schema, table.converted(), table.size, identity)
         given.check_unchanged()
         return tally
 
@@ -86,13 +86,7 @@ def _readable(path: str) -> Iterator[None]:
         raise BadTable(f"{quoted(path)} cannot be read as Parquet: {reason}") from None
 
 
-class Rows(NamedTuple):
-    """Rows with their results, as a table of Arrow, and their counts."""
-
-    table: Any
-    failed: int
-    first_failure: tuple[int, str] | None = None
-    doubtful: int = 0
+Rows = tuple[Any, Tally]  # a table of Arrow with results, and its counts
 
 
 class _Table:
@@ -129,6 +123,7 @@ class _Table:
                 if batch is None:
                     return
                 rows = self._rows(batch)
+                self.line += batch.num_rows
             yield rows
 
     def _rows(self, batch: Any) -> Rows:
@@ -138,7 +133,7 @@ class _Table:
         numbers = [as_column(values) for values in results.numbers]
         remarks = [pyarrow.array(map(texts.get, range(size)), "string") for texts in results.remarks.values()]
         table = pyarrow.Table.from_arrays([*batch.columns, *said, *numbers, *remarks], schema=self.schema)
-        return Rows(table, len(results.lost), results.first_failure(range(size)), results.doubtful)
+        return table, results.tally
 
     def _block(self, batch: Any) -> Block:
         """Return the inputs of some rows."""
@@ -157,22 +152,21 @@ class _Table:
             },
             materials,
             {},
+            range(self.line + 1, self.line + batch.num_rows + 1),
             lambda row, name: _text(batch.column(self.places[name])[row].as_py()),
         )
 
 
-def write(
-    settings: Settings, schema: Any, tables: Iterator[Rows], total: int, identity: dict[str, str], first_line: int = 0
-) -> Tally:
+def write(settings: Settings, schema: Any, tables: Iterator[Rows], total: int, identity: dict[str, str]) -> Tally:
     """Write tables as one file that gets its name when it is whole, in groups of rows of about the same size.
 
     `total`: the number of all rows. A thread writes.
     """
-    output = OutputFile(settings.target, strict=settings.strict)
+    output = OutputFile(settings.target)
     with closing(output):
         if settings.resume and output.journal.has_begun:
             say("note: --resume: a Parquet file cannot be continued; it is begun anew", sys.stderr)
-        output.begin(identity, b"", Converted(b"", 0, 0, first_line, None))
+        output.begin(identity, b"", Converted(b"", 0))
 
         def counts() -> tuple[int, int]:
             return output.done.rows, output.done.rows
@@ -185,10 +179,9 @@ def write(
         ):
             written: Future[None] = thread.submit(lambda: None)
             for group in _groups(tables):
-                for table, failed, first_failure, doubtful in group:
-                    step = Step(rows=table.num_rows, failed=failed, lines=table.num_rows, doubtful=doubtful)
-                    output.count(step, first_failure)
-                table = pyarrow.concat_tables([rows.table for rows in group])
+                for _, tally in group:
+                    output.count(Step(0, 0, *tally))
+                table = pyarrow.concat_tables([table for table, _ in group])
                 written.result()
                 written = thread.submit(writer.write_table, table, table.num_rows)
                 show()
@@ -203,7 +196,7 @@ def _groups(tables: Iterator[Rows]) -> Iterator[list[Rows]]:
     size = 0
     for rows in tables:
         group.append(rows)
-        size += rows.table.nbytes
+        size += rows[0].nbytes
         if size >= BYTES:
             yield group
             group, size = [], 0

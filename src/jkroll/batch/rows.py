@@ -17,6 +17,7 @@ from ..scene.scene import Scene
 from .blocks import Block, Results
 from .cells import Floats, Reader
 from .columns import DOUBT, STATUS
+from .errors import BadRow
 from .evaluated import Evaluated
 from .groups import Group, Groups
 from .materials import Codes, Lookup
@@ -35,19 +36,22 @@ class Evaluator:
             "material2": Lookup(task.known, task.material2),
         }
 
-    def results_of_texts(self, size: int, cells: Mapping[str, Sequence[bytes]], odd: Mapping[int, str]) -> Results:
-        """Return the results of rows of texts, by the name of the input. `odd`: records that are no rows, and why."""
+    def results_of_texts(
+        self, size: int, cells: Mapping[str, Sequence[bytes]], odd: Mapping[int, str], lines: Sequence[int]
+    ) -> Results:
+        """Return the results of rows of texts, by the name of the input. `odd`: records that are no rows, and why; `lines`: at which the rows begin."""
         block = Block(
             size,
             {reader.column.name: reader.numbers(cells[reader.column.name]) for reader in self.readers},
             {name: cells[name] for name, _ in self.task.materials_at},
             odd,
+            lines,
             lambda row, name: cells[name][row].decode("utf-8", "replace"),
         )
         return self.results(block)
 
     def results(self, block: Block) -> Results:
-        """Return the results of a block."""
+        """Return the results of a block. Raises BadRow for one that fails where none may."""
         sheet = _Sheet(self.task, numpy.empty((len(self.task.headers), block.size)))
         codes = {
             name: cells if isinstance(cells, numpy.ndarray) else self.lookups[name].codes(cells)
@@ -67,7 +71,11 @@ class Evaluator:
                 sheet.lose(row, block.odd[row])
             else:
                 sheet.take(row, alone(self.task, partial(block.text, row)))
-        return sheet.results()
+        results = sheet.results()
+        if self.task.strict and results.lost:
+            first = min(results.lost)
+            raise BadRow(block.lines[first], sheet.status[first])
+        return results
 
     def _evaluated(self, group: Group) -> Evaluated | None:
         """Evaluate a group; return None if its inputs make no scene."""

@@ -75,14 +75,6 @@ def fingerprint(parts: Mapping[str, Any]) -> dict[str, str]:
     }
 
 
-class Tally(NamedTuple):
-    """The rows of a run, and those of them that failed or are doubtful."""
-
-    rows: int
-    failed: int
-    doubtful: int = 0
-
-
 def input_format(path: str, settings: Settings) -> Format:
     """Return the format of the input."""
     if settings.format:

@@ -39,6 +39,7 @@ class Task(NamedTuple):
     model: str | None = None  # law of attraction, which is then a column before the results
     doubt: bool = False  # whether there is a column of doubts
     kinds: tuple[str, ...] = ()  # of the uncertainties that have columns
+    strict: bool = False  # whether a row that fails ends the run
     always: frozenset[str] = frozenset()  # quantities that were asked for by name, though no answer shows them
 
     @property

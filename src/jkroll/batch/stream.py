@@ -6,10 +6,11 @@ from itertools import chain
 
 from ..errors import BadRequest
 from . import loop, source
+from .blocks import Tally
 from .formats import LINES, compressor
 from .lines import Converted, Converter, Head
 from .output import is_done, output_to
-from .settings import Order, Tally, input_format, output_format
+from .settings import Order, input_format, output_format
 from .source import Input, Part, Span, blocks
 from .task import task_of_table
 
@@ -36,7 +37,7 @@ def convert(part: Part, order: Order) -> Tally:
     with closing(Input(part.path)) as given:
         given.check_output(settings.target)
         if is_done(settings, given.time):
-            return Tally(0, 0)
+            return Tally()
         texts = blocks(given.pieces(form.compression, part.span), LINES[form.kind].cut)
         first = next(texts, b"")
         head, rows = LINES[form.kind].head(first) if part.span is None else _beginning(part.path, form.kind)
@@ -46,7 +47,7 @@ def convert(part: Part, order: Order) -> Tally:
         work = loop.Work(
             order.identity([given.size, given.time]),
             head.text,
-            Converted(start, 0, 0, head.text.count(b"\n"), None),
+            Converted(start, head.text.count(b"\n")),
             filter(None, chain([first[len(head.text) :]], texts)),
             partial(_make_convert, converter, compression),
             given.size if part.span is None else 0,

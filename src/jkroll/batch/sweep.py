@@ -22,7 +22,7 @@ from ..quantities.nomenclature import INFINITY, NOMENCLATURE, header, word_for_i
 from ..quantities.ranges import Spread
 from ..scene.scene import DEFAULTS, Scene
 from . import loop
-from .blocks import Block
+from .blocks import Block, Tally
 from .cells import Floats, Numbers
 from .columns import Column
 from .delimited import DIALECTS, quoted_cell, written
@@ -32,7 +32,7 @@ from .formats import compressor, format_of
 from .lines import Converted
 from .output import is_done, output_to
 from .rows import Evaluator
-from .settings import Settings, Tally, fingerprint
+from .settings import Settings, fingerprint
 from .single import SIDES, Task
 
 if TYPE_CHECKING:
@@ -172,7 +172,9 @@ class Evaluators:
         for axis in sweep.axes:
             stride //= axis.size
             given[axis.name] = axis.numbers(places // stride % axis.size)
-        results = evaluator.results(Block(len(places), given, {}, {}, lambda row, name: _typed(name, given[name], row)))
+        results = evaluator.results(
+            Block(len(places), given, {}, {}, (), lambda row, name: _typed(name, given[name], row))
+        )
         found = dict(zip(evaluator.task.headers, results.numbers, strict=True))
         columns = [self._input(name, given, place, found) for name in sweep.inputs]
         columns += [found[head] for head in sweep.shape.headers(AS_USUAL)[len(sweep.shape.inputs) :]]
@@ -232,7 +234,7 @@ def _make_convert(sweep: Sweep, kind: str, compression: str) -> loop.Convert:
         if not any(leads):
             lines = [line.removeprefix(separator) for line in lines]
         output = b"".join([lead + line for lead, line in zip(cycle(leads), lines)])
-        return Converted(compress(output), rows.size, rows.failed, rows.size, None)
+        return Converted(compress(output), rows.size, Tally(rows.size, rows.failed))
 
     return convert
 
@@ -241,7 +243,7 @@ def stream(sweep: Sweep, settings: Settings) -> Tally:
     """Write all rows of a sweep."""
     form = format_of(settings.target)
     if is_done(settings):
-        return Tally(0, 0)
+        return Tally()
     if form is not None and form.kind == "parquet":
         return _write_parquet(sweep, settings)
     kind, compression = form or ("csv", "")
@@ -251,7 +253,7 @@ def stream(sweep: Sweep, settings: Settings) -> Tally:
     work = loop.Work(
         sweep.identity(),
         b"",
-        Converted(compressor(compression)(head), 0, 0, 1, None),
+        Converted(compressor(compression)(head), 1),
         sweep.blocks(),
         partial(_make_convert, sweep, kind, compression),
         sweep.size,
@@ -277,11 +279,11 @@ def _write_parquet(sweep: Sweep, settings: Settings) -> Tally:
         texts = [pyarrow.array([*islice(cycle(column), rows.size)]) for column in zip(*rows.texts, strict=True)]
         return pyarrow.RecordBatch.from_arrays([*texts, *map(parquet.as_column, rows.numbers)], schema=schema)
 
-    def tables() -> Iterator[parquet.Rows]:
+    def tables() -> Iterator[tuple[Any, Tally]]:
         blocks = sweep.blocks()
         while some := [evaluators.rows(block) for block in islice(blocks, together)]:
             table = pyarrow.Table.from_batches(map(batch, some), schema).combine_chunks()
-            yield parquet.Rows(table, sum(rows.failed for rows in some))
+            yield table, Tally(table.num_rows, sum(rows.failed for rows in some))
 
     together = max(parquet.rows_together(8 * len(schema)) // ROWS, 1)
     return parquet.write(settings, schema, tables(), sweep.size, sweep.identity())

@@ -92,7 +92,7 @@ def _task_of(names: tuple[str, ...], order: Order) -> tuple[Header, Task]:
     """Return the columns of a header and the task, without columns for uncertainties."""
     table = understood(names)
     task = task_of(table, order.inputs, order.settings.quantities, order.known)
-    return table, task._replace(doubt=order.settings.doubt)
+    return table, task._replace(doubt=order.settings.doubt, strict=order.settings.strict)
 
 
 def task_of_table(names: tuple[str, ...], rows: Sequence[Sequence[str]], order: Order) -> Task:

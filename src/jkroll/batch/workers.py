@@ -72,17 +72,19 @@ class Worker:
 def _serve(questions: "connection.Connection[Any, Any]", make_answer: Callable[[], Answer]) -> None:
     Thread(target=_end_with_parent, daemon=True).start()
     gc.disable()  # a block leaves no cycles, and to look for them takes a microsecond a row
-    answer: Answer | None = None
+    found: Any = None  # which says that the process is ready
+    try:
+        answer = make_answer()
+    except Exception as error:
+        found = error
     with suppress(EOFError, BrokenPipeError, ConnectionResetError):
         while True:
+            questions.send(found)
             question = questions.recv()
-            found: Any
             try:
-                answer = answer or make_answer()
                 found = answer(question)
             except Exception as error:
                 found = error
-            questions.send(found)
 
 
 def _end_with_parent() -> None:
@@ -110,6 +112,15 @@ def started(count: int, make_answer: Callable[[], Answer]) -> Iterator[list[Work
             worker.end()
 
 
+def are_ready(workers: list[Worker]) -> bool:
+    """Return whether all processes have begun to wait for questions; to be called until it is so. Raises the error of one that failed."""
+    if not all(worker.connection.poll() for worker in workers):
+        return False
+    for worker in workers:
+        worker.answer()
+    return True
+
+
 def in_order(workers: list[Worker], questions: Iterable[Any]) -> Iterator[tuple[Worker, Any]]:
     """Iterate over answers in the order of the questions, each with its process, which gets no question until the next step."""
     at_work: deque[Worker] = deque()
@@ -123,7 +134,9 @@ def in_order(workers: list[Worker], questions: Iterable[Any]) -> Iterator[tuple[
 
 
 def as_ready(workers: list[Worker], questions: Iterable[Any]) -> Iterator[tuple[Any, Any]]:
-    """Iterate over questions and their answers, each as soon as it is there."""
+    """Start with processes that are not ready; iterate over questions and their answers, each as soon as it is there."""
+    for worker in workers:
+        worker.answer()
     left = iter(questions)
     at_work: dict[Any, tuple[Worker, Any]] = {}  # by the connection
     free = [*workers]
