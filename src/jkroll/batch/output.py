@@ -111,8 +111,14 @@ class OutputFile(Output):
     def __init__(self, target: str, *, goes_on: bool = True) -> None:
         """Open the file beside, and its journal. A link is written through. Raises BadRequest for a directory or device."""
         self.goes_on = goes_on
+        if os.path.isdir(target):
+            raise BadRequest(
+                f"-o: {quoted(target)} is a directory; {quoted(target + os.sep)} is where a file for each table goes"
+            )
         if os.path.exists(target) and not os.path.isfile(target):
             raise BadRequest(f"-o: {quoted(target)} is no file")
+        if not os.path.isdir(folder := os.path.dirname(target) or "."):
+            raise BadRequest(f"-o: there is no directory {quoted(folder)}")
         self.target = _real_path(target)
         self.path = f"{self.target}.partial"
         self.journal = Journal(self.target, self.path)
@@ -190,9 +196,7 @@ def output_to(settings: Settings) -> Output:
     if target == "-":
         sys.stdout.flush()
         return Output(os.dup(sys.stdout.fileno()))
-    if os.path.isdir(target):
-        raise BadRequest(f"-o: {quoted(target)} is a directory")
-    if os.path.exists(target) and not os.path.isfile(target):  # a device or a pipe
+    if os.path.exists(target) and not (os.path.isfile(target) or os.path.isdir(target)):  # a device or a pipe
         return Output(os.open(target, os.O_WRONLY))
     return OutputFile(target)
 

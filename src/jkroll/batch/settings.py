@@ -84,6 +84,8 @@ def input_format(path: str, settings: Settings) -> Format:
         return found
     if path == "-":
         return Format("csv")
+    if os.path.isdir(path):
+        raise BadTable(f"{quoted(path)} is a directory; name its tables, as in {quoted(os.path.join(path, '*.csv'))}")
     raise BadTable(f"{quoted(path)}: its name says no format; give --format csv, tsv, ndjson or parquet")
 
 
@@ -93,5 +95,8 @@ def output_format(settings: Settings, of_input: Format) -> Format:
     if found is None:
         return Format(of_input.kind)
     if found.kind != of_input.kind:
-        raise BadTable(f"-o: a table of {of_input.kind} is written as {of_input.kind}, not as {found.kind}")
+        name = os.path.basename(settings.target).partition(".")[0]
+        raise BadTable(
+            f"-o: a table of {of_input.kind} stays one; write {quoted(f'{name}.{of_input.kind}')}, and convert it with another program"
+        )
     return found
