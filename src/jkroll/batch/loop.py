@@ -16,7 +16,7 @@ from .output import Fetch, Step, output_to, step_of
 from .progress import Bar
 from .settings import Settings
 
-ALONE = 8  # blocks that this process converts before it starts others
+ALONE = 16  # blocks that this process converts before it starts others
 
 Convert = Callable[[bytes], Converted]
 
