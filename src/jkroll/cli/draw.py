@@ -16,10 +16,10 @@ from ..pictures.panels import Picture
 from ..pictures.plot_request import Context, curves_of, fixed_inputs, map_of, mark_at
 from ..pictures.profiles import PANELS, PROFILES, curves_of_contact, curves_of_laws
 from ..pictures.styles import STYLES
+from ..quantities.laws import DEFAULT_LAW
 from ..quantities.nomenclature import header
 from ..quantities.parsing import parse_value
 from ..quantities.units import BadUnit, dimension_of
-from ..scene.laws import DEFAULT_LAW
 from ..text import quoted, say_wrapped
 from .map_request import map_request, marks_of
 from .options import Call

@@ -6,9 +6,9 @@ from ..pictures.axes import Axis
 from ..pictures.plot_request import PlotRequest
 from ..quantities.errors import QuantityError
 from ..quantities.formatting import amount
+from ..quantities.laws import DEFAULT_LAW
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.ranges import spreads_of
-from ..scene.laws import DEFAULT_LAW
 from ..scene.scene import Scene
 from ..scene.wiring import depends_on
 from .options import Call

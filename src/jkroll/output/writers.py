@@ -10,8 +10,8 @@ from ..answers.answer import Answer
 from ..answers.comparison import Difference
 from ..answers.result import Result
 from ..quantities.formatting import AS_USUAL, Format
+from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import NOMENCLATURE
-from ..scene.laws import BETWEEN
 from ..scene.limits import Verdict
 from ..text import json_text, say
 from .layout import Layout, layout

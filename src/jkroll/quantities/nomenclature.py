@@ -6,7 +6,8 @@ Parsing, help, tables, CSV headers, JSON and error messages all read this table.
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from .law_quantities import BY_A_LAW, OF_MAUGIS
+from .law_quantities import OF_MAUGIS
+from .laws import LAWS, routes_anywhere
 from .quantity import Quantity, Range
 
 INFINITY = float("inf")
@@ -71,7 +72,7 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
     {
         # what the user gives
         "material": Quantity("", "", "material of sphere 1"),
-        "model": Quantity("model", "", "law of attraction: jkr, maugis or dmt", option="--model", example="maugis"),
+        "model": Quantity("model", "", f"law of attraction: {', '.join(LAWS)}", option="--model", example="maugis"),
         "state": Quantity("state", "", "state of the contact on its force curve"),
         "material2": Quantity("", "", "material of sphere 2", option="--material2", example="iron"),
         **_BOTH_SPHERES,
@@ -253,16 +254,14 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
     }
 )  # fmt: skip
 
-NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
-    {
-        **_QUANTITIES,
-        **{
-            name: Quantity(base.symbol, base.unit, base.sentence, may_be_zero=base.may_be_zero)
-            for base, names in ((_QUANTITIES[quantity], names) for quantity, names in BY_A_LAW.items())
-            for name in names
-        },
-    }
-)
+# A formula by which some law has a quantity has a name of its own: it is the same quantity, without an equation of the paper.
+_BY_A_LAW = {
+    route: Quantity(quantity.symbol, quantity.unit, quantity.sentence, may_be_zero=quantity.may_be_zero)
+    for name, quantity in _QUANTITIES.items()
+    for route in routes_anywhere(name, LAWS)
+    if route not in _QUANTITIES
+}
+NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType({**_QUANTITIES, **_BY_A_LAW})
 
 
 # The names of inputs by the words of their options.

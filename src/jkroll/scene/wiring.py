@@ -12,8 +12,8 @@ from typing import Any, NamedTuple
 
 from ..physics import FORMULAS
 from ..quantities.errors import UnknownQuantity
+from ..quantities.laws import DEFAULT_LAW, Routes, differs, routes, routes_anywhere
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
-from .laws import DEFAULT_LAW, Routes, differs, routes, routes_anywhere
 
 
 class Step(NamedTuple):

@@ -4,15 +4,18 @@ A law is a table of routes, from the name of a quantity to the formula that give
 "pull_off_force_maugis" under Maugis' law. A plan follows the routes wherever a name occurs, so that what is made of
 such quantities (`n_grav` of the moment, `vertical_frequency` of the stiffness) needs no route of its own. None stands for
 a quantity that the law does not have; a name without a route is found by the formula of the same name.
+
+A new law is one more `Law` here, its formulas in `physics`, and the states of its force curve in `answers.curve`. The
+nomenclature takes the names of its formulas from the routes.
 """
 
 from collections.abc import Collection, Mapping
 from functools import cache
+from math import inf
 from types import MappingProxyType
 from typing import NamedTuple
 
 from ..errors import JkrollError
-from ..quantities.nomenclature import INFINITY
 from ..text import quoted
 
 Routes = Mapping[str, str | None]
@@ -23,12 +26,11 @@ class Law(NamedTuple):
 
     name: str
     title: str
-    source: str  # as results cite it, where the paper has no equation
+    source: str  # as results name it, where the paper has no equation
+    reference: Mapping[str, str]  # the same as BibTeX has it
     routes: Routes
     given: Mapping[str, Routes]
-    tabor_below: float = (
-        0.0  # Tabor parameter below which it holds; 0 for the default, which the limits of the model judge
-    )
+    tabor_below: float = 0.0  # Tabor parameter below which it holds; the limits of the model judge the default law
     fine: str = ""  # what is said of it there
     omits: frozenset[str] = frozenset()  # quantities that are not shown under it
     by_spacing: frozenset[str] = frozenset()  # quantities that the atomic spacing decides while λ is below 1
@@ -65,6 +67,7 @@ _JKR = Law(
     "jkr",
     "JKR",
     "",
+    {},
     {
         "zone_radius": "contact_radius_at_load",
         "edge_ratio": "edge_ratio_at_load",  # of Maugis' law: its quantities are known by their own names under any other
@@ -105,6 +108,18 @@ _MAUGIS = Law(
     "Maugis–Dugdale",
     "Maugis 1992",
     {
+        "key": "maugis-1992",
+        "type": "article",
+        "author": "Maugis, D.",
+        "title": "Adhesion of spheres: the {JKR-DMT} transition using a {Dugdale} model",
+        "journal": "Journal of Colloid and Interface Science",
+        "volume": "150",
+        "number": "1",
+        "pages": "243--269",
+        "year": "1992",
+        "doi": "10.1016/0021-9797(92)90285-T",
+    },
+    {
         **_OF_ANY_LAW,
         "pull_off_force": "pull_off_force_maugis",
         "contact_radius": "unloaded_radius_maugis",
@@ -125,7 +140,7 @@ _MAUGIS = Law(
         "edge_ratio": {"load": "load_maugis"},
         "approach_at_load": {**_MAUGIS_AT_APPROACH, "load": "load_maugis"},
     },
-    tabor_below=INFINITY,
+    tabor_below=inf,
     fine="Maugis–Dugdale covers all from DMT to JKR",
     omits=frozenset({"rolling_frequency_as_printed"}),
     by_spacing=frozenset({"sticking_energy", "sticking_speed"}),
@@ -135,6 +150,18 @@ _DMT = Law(
     "dmt",
     "DMT",
     "Derjaguin, Muller & Toporov 1975",
+    {
+        "key": "derjaguin-muller-toporov-1975",
+        "type": "article",
+        "author": "Derjaguin, B. V. and Muller, V. M. and Toporov, Yu. P.",
+        "title": "Effect of contact deformations on the adhesion of particles",
+        "journal": "Journal of Colloid and Interface Science",
+        "volume": "53",
+        "number": "2",
+        "pages": "314--326",
+        "year": "1975",
+        "doi": "10.1016/0021-9797(75)90018-1",
+    },
     {
         **_OF_ANY_LAW,
         "pull_off_force": "pull_off_force_dmt",
