@@ -211,7 +211,7 @@ def _touching(scene: Scene, names: Collection[str]) -> Iterator[tuple[Limit, Any
     if not names:
         return
     plan = scene.plan(*names)
-    used = {*names, *plan.stated, *(step.name for step in plan.steps)}
+    used = {*names, *plan.inputs, *(step.name for step in plan.steps)}
     touching = [
         limit for limit in LIMITS if limit.touches & used and (not limit.stated or limit.stated & scene.stated.keys())
     ]
