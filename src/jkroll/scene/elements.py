@@ -8,7 +8,8 @@ import numpy
 
 from ..errors import JkrollError, NoResult
 from ..quantities.nomenclature import INFINITY
-from .errors import NoContact, failure_of
+from .errors import NoContact
+from .failures import failure_of
 from .results import with_nan
 from .scene import Scene
 from .uncertainty import ASYMMETRIC, NEAR, ROUNDING, SAMPLES, Source

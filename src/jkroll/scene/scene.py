@@ -14,7 +14,8 @@ from ..materials.library import Material
 from ..quantities.laws import DEFAULT_LAW, Law, law_named
 from ..quantities.nomenclature import INFINITY, PROPERTIES, STATE
 from ..quantities.parsing import is_uncertain
-from .errors import Contradiction, MissingInput, NoFiniteValue, NotInLaw, TwoRigidBodies, failure_of
+from .errors import Contradiction, MissingInput, NoFiniteValue, NotInLaw, TwoRigidBodies
+from .failures import failure_of
 from .inputs import is_ordinary
 from .results import SMALLEST, is_zero, with_nan
 from .wiring import NO_PLAN, Missing, Plan, Step, in_order, plan
