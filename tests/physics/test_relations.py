@@ -17,7 +17,7 @@ import jkroll
 from jkroll import FORMULAS, NOMENCLATURE, JkrollError, solve
 from jkroll.output.explain import docstring_fields
 from jkroll.quantities.errors import OutOfRange, QuantityError, UnknownQuantity
-from jkroll.quantities.units import dimension_of
+from jkroll.quantities.units import dimension_of, kind_of
 from jkroll.scene.errors import (
     BeyondFold,
     BeyondPullOff,
@@ -224,9 +224,9 @@ def test_every_formula_is_documented_and_takes_its_parameters_by_name() -> None:
         assert all(parameter.kind is parameter.KEYWORD_ONLY for parameter in parameters), name
 
 
-def test_every_unit_of_the_nomenclature_can_be_read() -> None:
+def test_every_unit_of_the_nomenclature_can_be_read_and_has_a_word() -> None:
     for quantity in NOMENCLATURE.values():
-        dimension_of(quantity.unit)
+        assert kind_of(dimension_of(quantity.unit)) != "a quantity of another dimension", quantity.unit
 
 
 # --- What the Python face takes and gives -----------------------------------------------------------------------------

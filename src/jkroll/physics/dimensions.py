@@ -10,6 +10,7 @@ from typing import Annotated, Any
 FloatOrArray = Any  # a float gives a float and an array an array, which a union of the two could not say
 
 Length = Annotated[FloatOrArray, "m"]
+PerLength = Annotated[FloatOrArray, "m^-1"]
 Area = Annotated[FloatOrArray, "m^2"]
 Mass = Annotated[FloatOrArray, "kg"]
 Density = Annotated[FloatOrArray, "kg/m^3"]

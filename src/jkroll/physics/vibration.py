@@ -171,7 +171,7 @@ def sliding_frequency(*, tangential_stiffness: Stiffness, reduced_mass: Mass) ->
     Returns:  [Hz]; a float for floats, an array for arrays, which broadcast.
     Source:   A force k_s u at the contact moves the centres, 1/m, and turns the spheres, (5/2)/m.
     Valid:    Homogeneous spheres; small amplitudes.
-    Accuracy: 2 ulp.
+    Accuracy: 2.5 ulp.
 
     >>> round(sliding_frequency(tangential_stiffness=8 * pi**2, reduced_mass=7.0), 12)
     1.0

@@ -3,8 +3,9 @@
 An axis is logarithmic or linear. A place on it is a fraction of its length.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from math import ceil, floor, log10
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from ..quantities.formatting import engineering, pretty
@@ -32,6 +33,11 @@ class Axis(NamedTuple):
     high: float
     is_log: bool = True
     size: int = 0  # number of values; 0: the picture's default
+    beside: Mapping[str, float] = MappingProxyType({})  # inputs that a value of this one needs
+
+    def inputs(self, values: Any) -> dict[str, Any]:
+        """Return the inputs of a scene at values on the axis."""
+        return {**self.beside, self.name: values}
 
     def values(self) -> Any:
         """Return the values as an array, equally spaced along the axis."""

@@ -9,7 +9,7 @@ from ..scene.errors import MissingInput
 from ..scene.limits import LIMITS
 from ..scene.scene import Scene
 from .axes import Axis
-from .maps import Region, inputs_at, solved
+from .maps import Region, solved
 
 _LIMITS = {limit.name: limit for limit in LIMITS}
 COARSE = 200  # points a side that are enough for the smooth border of a region
@@ -70,7 +70,7 @@ def regions(scene: Scene, bounds: Iterable[Bound], x: Axis, y: Axis) -> list[Reg
     import numpy
 
     x, y = (axis._replace(size=min(axis.size, COARSE)) for axis in (x, y))
-    here = {**inputs_at(x.name, x.values()[None, :]), **inputs_at(y.name, y.values()[:, None])}
+    here = {**x.inputs(x.values()[None, :]), **y.inputs(y.values()[:, None])}
     found = []
     for bound in bounds:
         try:
@@ -89,7 +89,7 @@ def margin_along(scene: Scene, bound: Bound, x: Axis) -> Any:
     import numpy
 
     values = x.values()
-    return numpy.broadcast_to(bound.margin(scene, inputs_at(x.name, values)), values.shape)
+    return numpy.broadcast_to(bound.margin(scene, x.inputs(values)), values.shape)
 
 
 def _bound(name: str) -> Bound:

@@ -58,6 +58,7 @@ class UnknownLaw(JkrollError):
 
 _GIVEN: Mapping[str, Routes] = {
     "speed": {"energy": "kinetic_energy"},
+    "modulus_over_energy": {"contact_modulus": "contact_modulus_of_ratio"},
     "adhesion_hysteresis": {"yield_displacement": "yield_displacement_at_hysteresis"},
 }
 _MAUGIS_AT_APPROACH: Routes = {"edge_ratio": "edge_ratio_at_approach", "zone_span": "zone_span_at_approach"}
