@@ -18,7 +18,7 @@ from ..pictures.profiles import PANELS, PROFILES, curves_of_contact, curves_of_l
 from ..pictures.styles import STYLES
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.nomenclature import header
-from ..quantities.parsing import parse_value
+from ..quantities.parsing import error_about, parse_value
 from ..quantities.units import BadUnit, dimension_of
 from ..text import quoted, say_wrapped
 from .map_request import map_request, marks_of
@@ -64,8 +64,7 @@ def _inches(width: str | None) -> float | None:
     try:
         metres = parse_value(width, dimension_of("m"))
     except BadUnit as error:
-        remedy = error.remedy([dimension_of("m")]) or "expected a width such as 85mm"
-        raise BadRequest(f"--width: {quoted(width)} {error}; {remedy}") from None
+        raise error_about("--width", width, error, [dimension_of("m")], "expected a width such as 85mm") from None
     if not 0.07 <= metres <= 1:
         raise BadRequest(f"--width: {quoted(width)} is not between 70mm and 1m")
     return metres / 0.0254
