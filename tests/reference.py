@@ -290,9 +290,9 @@ SYMBOLS = {
     "s": "load_margin", "x": "load_factor", "a": "contact_radius_at_load", "delta": "approach_at_load",
     "a_": "contact_radius_ratio", "r": "distance", "p_H": "hertz_pressure", "p_B": "boussinesq_pressure",
     "K": "stiffness", "k": "rolling_stiffness", "xi": "yield_displacement", "M": "yield_moment",
-    "mean_M": "mean_rolling_moment", "A": "half_circle_radius", "angle": "angle", "dz": "displacement", "N": "number",
+    "mean_M": "mean_rolling_moment", "A": "half_circle_radius", "N": "number",
     "W0": "energy", "W": "energy_ratio", "v": "speed",
-    "R_min": "r_min", "U_stick": "sticking_energy", "W_adhesion": "adhesion_energy", "W_yield": "yield_energy", "z0": "atomic_spacing", "limit": "displacement_limit", "omega": "angular_speed",
+    "R_min": "r_min", "U_stick": "sticking_energy", "W_adhesion": "adhesion_energy", "W_yield": "yield_energy", "z0": "atomic_spacing", "limit": "displacement_limit",
     "G": "contact_shear_modulus", "k_s": "tangential_stiffness", "f": "sliding_frequency", "W_fold": "fold_energy",
     "M_0": "unloaded_moment", "theta": "rolling_angle", "E_stick_1": "sticking_energy_paszun_dominik", "E_stick_2": "sticking_energy_pencil_code",
 }  # fmt: skip
@@ -363,10 +363,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "gravity_moment": lambda m1, g, R1, N: m1 * g * R1 * N**2,
     "n_grav": lambda M, m1, g, R1: sqrt(M / (m1 * g * R1)),
     # vibrations
-    "sphere_acceleration": lambda P, m1: P / m1,
-    "approach_acceleration": lambda dz, K, m: -K * dz / m,
     "vertical_frequency": lambda K, m: sqrt(K / m) / (2 * pi),
-    "angular_acceleration": lambda angle, k, I1: -k * angle / I1,
     "rolling_frequency": lambda k, I: sqrt(k / I) / (2 * pi),  # noqa: E741
     "rolling_frequency_as_printed": lambda w, R1, rho1: 3 / (2 * pi) * sqrt(w / 2 / (5 * R1**3 * rho1)),
     "rolling_frequency_no_slip": lambda w, x, m_eff: sqrt(6 * pi * w * x / m_eff) / (2 * pi),
@@ -374,9 +371,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "adhesion_energy": lambda w, R, E: 3 * pi * w * R / 2 * cbrt(3 * pi**2 * w**2 * R / (4 * E**2)),
     "energy": lambda W, W_adhesion: W * W_adhesion,
     "kinetic_energy": lambda m1, v: m1 * v**2 / 2,
-    "rolling_energy": lambda m1, v, I1, omega: m1 * v**2 / 2 + I1 * omega**2 / 2,
     "initial_angular_speed": lambda W0, I1: sqrt(4 * W0 / (7 * I1)),
-    "angular_deceleration": lambda mean_M, I1: -mean_M / I1,
     "n_roll": lambda W0, mean_M: W0 / (7 * pi * mean_M),
     "n_roll_energy_balance": lambda W0, mean_M: W0 / (2 * pi * mean_M),
     "n_roll_after_impact": lambda W0, mean_M: 5 * W0 / 7 / (2 * pi * mean_M),
