@@ -174,14 +174,14 @@ def _write_data(drawn: Map | Picture, path: str) -> None:
 def _table(drawn: Map | Picture) -> Iterable[Sequence[str | float]]:
     """Iterate over the rows with a header. An empty line separates panels; a cell without a value is empty."""
     if isinstance(drawn, Map):
-        yield [header(drawn.x.name), header(drawn.y.name), header(drawn.quantity)]
+        yield [drawn.x.header(), drawn.y.header(), header(drawn.quantity)]
         for row in rows_of(drawn):
             yield [_cell(value) for value in row]
         return
     for number, panel in enumerate(drawn.panels):
         if number > 0:
             yield []
-        yield ["curve", header(panel.x.name), header(panel.y.name)]
+        yield ["curve", panel.x.header(), panel.y.header()]
         for curve in panel.curves:
             for x, y in zip(curve.x.tolist(), curve.y.tolist(), strict=True):
                 yield [curve.text, x, _cell(y)]

@@ -186,12 +186,9 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "yield_energy": Quantity("W_yield", "J", "energy to roll to the yield displacement", "25"),
         "energy_over_yield": Quantity("W0/W_yield", "1", "energy over the yield energy", "25"),
         "energy_over_sticking": Quantity("W0/U_stick", "1", "energy over the largest that sticks", "48"),
-        # axes of figures
+        # ratios
         "pull_off_force_ratio": Quantity("P_c/πwR", "1", "pull-off force over πwR"),
         "modulus_over_energy": Quantity("E*/γ", "m^-1", "contact modulus over surface energy", "49", range="positive"),
-        "position_across": Quantity("x", "m", "position from the contact point", "16", range="finite"),
-        "position_beside": Quantity("y", "m", "position perpendicular to the rolling direction", "11", range="finite"),
-        "pressure_across": Quantity("p", "Pa", "pressure, tension negative", "12"),
         # collisions
         "adhesion_energy": Quantity("P_cδ0", "J", "characteristic energy of adhesion", "48"),
         "kinetic_energy": Quantity("m1v²/2", "J", "kinetic energy of sphere 1", "45"),
