@@ -32,6 +32,14 @@ DEFAULTS = {
 }
 _SAYS = {"load": STATE, "yield_displacement": ("adhesion_hysteresis",)}  # what says the same as a default
 
+# The values of inputs from which more follows than from others: a plane, a rigid body, no load.
+FOLLOWS: Mapping[str, tuple[float, Mapping[str, float]]] = {
+    "radius2": (INFINITY, {"radius_ratio": 0.0, "mass2": INFINITY, "moment_of_inertia2": INFINITY}),
+    "youngs_modulus": (INFINITY, {"poisson_ratio": 0.0}),  # without strain, it does not matter
+    "youngs_modulus2": (INFINITY, {"poisson_ratio2": 0.0}),
+    "load": (0.0, {"load_margin": 1.0}),
+}
+
 # Inputs of which one follows from the other.
 EXCLUSIVE = (
     ("energy", "energy_ratio", "speed"),
@@ -252,19 +260,16 @@ def _both_rigid(given: Mapping[str, Any], *, own_material2: bool) -> Any:
     return ((modulus == INFINITY) | (ratio == -1)) & ((modulus2 == INFINITY) | (ratio2 == -1))
 
 
-def _implied(given: Mapping[str, Any], law: Law) -> dict[str, dict[str, float]]:
+def _implied(given: Mapping[str, Any], law: Law) -> dict[str, Mapping[str, float]]:
     """Return by each input the values that follow from it, or from its absence, and then need nothing else."""
-    implied: dict[str, dict[str, float]] = {}
+    known = {**DEFAULTS, **given}
+    implied = {name: follows for name, (value, follows) in FOLLOWS.items() if _is_number(known.get(name), value)}
     if "radius2" not in given:
         implied["radius2"] = {"radius_ratio": 1.0}
-    elif _is_number(given["radius2"], INFINITY):
-        implied["radius2"] = {"radius_ratio": 0.0, "mass2": INFINITY, "moment_of_inertia2": INFINITY}
-    if "poisson_ratio2" in given and _is_number(given.get("youngs_modulus"), INFINITY):
-        implied["youngs_modulus"] = {"poisson_ratio": 0.0}  # a rigid body has no strain that it could matter for
-    if _is_number(given.get("youngs_modulus2"), INFINITY):
-        implied["youngs_modulus2"] = {"poisson_ratio2": 0.0}
-    if _is_number(given.get("load", 0.0), 0.0) and STATE.isdisjoint(given) and law.has("load_margin"):
-        implied["load"] = {"load_margin": 1.0}
+    if "poisson_ratio2" not in given:
+        implied.pop("youngs_modulus", None)  # sphere 2, which yields, would take the ratio over
+    if not STATE.isdisjoint(given) or not law.has("load_margin"):
+        implied.pop("load", None)
     return implied
 
 
