@@ -23,21 +23,13 @@ RANGES: Mapping[str, Range] = MappingProxyType(
 # The state of the contact follows from the load unless one of these is given.
 STATE = frozenset({"approach_at_load", "load_factor", "edge_ratio"})
 
-_WORDS_FOR_INFINITY = {"radius2": "plane", "youngs_modulus": "rigid", "youngs_modulus2": "rigid"}
-
-
-def word_for_infinity(name: str) -> str | None:
-    """Return the word for an infinite value of a quantity, such as "plane" for a radius; None if it has none."""
-    return _WORDS_FOR_INFINITY.get(name)
-
-
 _PER_SPHERE = {
     "radius": Quantity("R1", "m", "radius of sphere 1", range="positive", example="100nm"),
     "surface_energy": Quantity(
         "γ1", "J/m^2", "surface energy per surface", range="positive", option="--gamma", example="25mJ/m2"
     ),
     "youngs_modulus": Quantity(
-        "E1", "Pa", "Young's modulus", range="up to infinite", option="--young", example="54GPa"
+        "E1", "Pa", "Young's modulus", range="up to infinite", infinity="rigid", option="--young", example="54GPa"
     ),
     "poisson_ratio": Quantity("ν1", "1", "Poisson's ratio", range="poisson", option="--poisson", example="0.17"),
     "density": Quantity("ρ1", "kg/m^3", "mass density", range="positive", option="--density", example="2.6g/cm3"),
@@ -60,7 +52,13 @@ _BOTH_SPHERES = {
     for suffix in ("", "2")
 } | {
     "radius2": Quantity(
-        "R2", "m", "radius of sphere 2, or plane", range="up to infinite", option="--radius2", example="1um"
+        "R2",
+        "m",
+        "radius of sphere 2, or plane",
+        range="up to infinite",
+        infinity="plane",
+        option="--radius2",
+        example="1um",
     )
 }
 
@@ -279,6 +277,11 @@ def canonical(word: str) -> str:
         return word
     name = word.strip().lstrip("-").replace("-", "_")
     return name if name in NOMENCLATURE else OPTION_WORDS.get(name, word)
+
+
+def word_for_infinity(name: str) -> str | None:
+    """Return the word for an infinite value of a quantity, such as "plane" for a radius; None if it has none."""
+    return NOMENCLATURE[name].infinity or None
 
 
 # What a materials file gives of a material.
