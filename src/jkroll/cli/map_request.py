@@ -20,8 +20,9 @@ MAX_CURVES = 12
 def axis_of(text: str, option: str) -> Axis:
     """Return the axis of a text `NAME=FROM:TO`, optionally with `:COUNT` and `:lin` or `:log`.
 
-    >>> axis_of("radius=1nm:1mm", "--x")
-    Axis(name='radius', low=1e-09, high=0.001, is_log=True, size=0)
+    >>> axis = axis_of("radius=1nm:1mm", "--x")
+    >>> axis.name, axis.low, axis.high, axis.is_log
+    ('radius', 1e-09, 0.001, True)
     """
     word, has_range, values = text.partition("=")
     if not has_range:
