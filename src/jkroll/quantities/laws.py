@@ -66,15 +66,15 @@ _MAUGIS_AT_APPROACH: Routes = {"edge_ratio": "edge_ratio_at_approach", "zone_spa
 _AT_FACTOR: Routes = {"load": "load_at_factor", "load_margin": "load_margin_of_factor"}
 
 _JKR = Law(
-    "jkr",
-    "JKR",
-    "",
-    {},
-    {
+    name="jkr",
+    title="JKR",
+    source="",
+    reference={},
+    routes={
         "zone_radius": "contact_radius_at_load",
         "edge_ratio": "edge_ratio_at_load",  # of Maugis' law: its quantities are known by their own names under any other
     },
-    {
+    given={
         **_GIVEN,
         "load_factor": _AT_FACTOR,
         "approach_at_load": {
@@ -106,10 +106,10 @@ _OF_ANY_LAW: Routes = {
 }
 
 _MAUGIS = Law(
-    "maugis",
-    "Maugis–Dugdale",
-    "Maugis 1992",
-    {
+    name="maugis",
+    title="Maugis–Dugdale",
+    source="Maugis 1992",
+    reference={
         "key": "maugis-1992",
         "type": "article",
         "author": "Maugis, D.",
@@ -121,7 +121,7 @@ _MAUGIS = Law(
         "year": "1992",
         "doi": "10.1016/0021-9797(92)90285-T",
     },
-    {
+    routes={
         **_OF_ANY_LAW,
         "pull_off_force": "pull_off_force_maugis",
         "contact_radius": "unloaded_radius_maugis",
@@ -136,7 +136,7 @@ _MAUGIS = Law(
         "pull_off_work_at_dead_load": "pull_off_work_at_dead_load_maugis",
         "sticking_energy": "sticking_energy_maugis",
     },
-    {
+    given={
         **_GIVEN,
         "load": {"approach_at_load": "approach_maugis_at_load"},
         "edge_ratio": {"load": "load_maugis"},
@@ -149,10 +149,10 @@ _MAUGIS = Law(
 )
 
 _DMT = Law(
-    "dmt",
-    "DMT",
-    "Derjaguin, Muller & Toporov 1975",
-    {
+    name="dmt",
+    title="DMT",
+    source="Derjaguin, Muller & Toporov 1975",
+    reference={
         "key": "derjaguin-muller-toporov-1975",
         "type": "article",
         "author": "Derjaguin, B. V. and Muller, V. M. and Toporov, Yu. P.",
@@ -164,7 +164,7 @@ _DMT = Law(
         "year": "1975",
         "doi": "10.1016/0021-9797(75)90018-1",
     },
-    {
+    routes={
         **_OF_ANY_LAW,
         "pull_off_force": "pull_off_force_dmt",
         "contact_radius": "unloaded_radius_dmt",
@@ -180,7 +180,7 @@ _DMT = Law(
         "pull_off_work_at_dead_load": None,
         "sticking_energy": None,
     },
-    {
+    given={
         **_GIVEN,
         "approach_at_load": {"load": "load_dmt", "contact_radius_at_load": "contact_radius_dmt_at_approach"},
     },

@@ -47,6 +47,7 @@ EXCLUSIVE = (
     ("surface_energy2", "work_of_adhesion"),
     ("load", "approach_at_load", "load_factor", "edge_ratio"),
     ("yield_displacement", "adhesion_hysteresis"),
+    ("contact_modulus", "modulus_over_energy"),
 )
 _MAY_CONTRADICT = frozenset(name for names in EXCLUSIVE for name in names)
 
