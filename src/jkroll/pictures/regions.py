@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 from ..errors import NoResult
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..scene.errors import MissingInput
-from ..scene.limits import LIMITS
+from ..scene.limits import LIMITS, limits_of
 from ..scene.scene import Scene
 from .axes import Axis
 from .maps import Region, solved
@@ -52,11 +52,9 @@ def bounds() -> tuple[Bound, ...]:
 def bounds_of(scene: Scene, quantity: str) -> list[Bound]:
     """Return the bounds that concern a quantity of a scene; the Tabor parameter bounds JKR and DMT, not Maugis' law."""
     try:
-        plan = scene.plan(quantity)
+        touched = {limit.name for limit in limits_of(scene, [quantity])}
     except MissingInput:
         return []
-    used = {quantity, *scene.inputs_of(quantity), *(step.name for step in plan.steps)}
-    touched = {limit.name for limit in LIMITS if limit.touches & used}
     if scene.law.is_default:
         return [bound for bound in bounds() if bound.names[0] in touched]
     found = [bound for bound in bounds() if bound.names[0] in touched - {"tabor_parameter"}]

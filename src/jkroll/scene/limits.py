@@ -201,15 +201,17 @@ def against_limit(verdict: Verdict) -> str:
     return f"{symbol} = {verdict.value:.3g} ({verdict.code.removeprefix(symbol)})"
 
 
-def _touching(scene: Scene, names: Collection[str]) -> Iterator[tuple[Limit, Any]]:
-    """Iterate over the limits of these names, with the number of each or the error that says why there is none."""
-    if not names:
-        return
-    plan = scene.plan(*names)
-    used = {*names, *(parameter for step in plan.steps for parameter, _ in step.arguments)}
-    touching = [
+def limits_of(scene: Scene, names: Collection[str]) -> list[Limit]:
+    """Return the limits that concern the answers to these names; raise MissingInput if the scene does not allow one."""
+    used = {*names, *(parameter for step in scene.plan(*names).steps for parameter, _ in step.arguments)}
+    return [
         limit for limit in LIMITS if limit.touches & used and (not limit.stated or limit.stated & scene.stated.keys())
     ]
+
+
+def _touching(scene: Scene, names: Collection[str]) -> Iterator[tuple[Limit, Any]]:
+    """Iterate over the limits of these names, with the number of each or the error that says why there is none."""
+    touching = limits_of(scene, names)
     values = scene.evaluate([limit.name for limit in touching])
     for limit in touching:
         yield limit, values[limit.name]
