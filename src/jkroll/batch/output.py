@@ -153,8 +153,7 @@ class OutputFile(Output):
             raise NotTheSame(quoted(self.path), changed[0])
         self.done = steps[-1]
         os.ftruncate(self.descriptor, self.done.written)
-        self.journal.begin(identity)
-        self.journal.add(*steps)
+        self.journal.keep(1 + len(steps))
         return True
 
     def _steps(self, lines: list[Any]) -> list[Step]:
