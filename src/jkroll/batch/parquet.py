@@ -22,7 +22,7 @@ from .columns import is_input
 from .errors import BadTable
 from .lines import Converted
 from .output import OutputFile, Step, is_done
-from .progress import watched
+from .progress import Bar
 from .rows import Evaluator
 from .settings import Order, Settings, input_format, output_format
 from .source import Input, Part, Span
@@ -141,16 +141,12 @@ def write(settings: Settings, schema: Any, rows: Iterator[Rows], total: int, ide
     `total`: the number of all rows.
     """
     texts = [field.name for field in schema if not pyarrow.types.is_floating(field.type)]  # numbers seldom repeat
-    with closing(OutputFile(settings.target)) as output:
+    with OutputFile(settings.target, goes_on=False) as output:
         if settings.resume and output.journal.has_begun:
             say("note: --resume: a Parquet file cannot be continued; it is begun anew", sys.stderr)
         output.begin(identity, b"", Converted(b"", 0))
-
-        def counts() -> tuple[int, int]:
-            return output.done.rows, output.done.rows
-
         with (
-            watched(total, counts, settings, goes_on=False) as show,
+            Bar(total, quiet=settings.quiet) as bar,
             open(output.descriptor, "wb", closefd=False) as file,
             pyarrow.parquet.ParquetWriter(file, schema, use_dictionary=texts) as writer,
         ):
@@ -159,8 +155,7 @@ def write(settings: Settings, schema: Any, rows: Iterator[Rows], total: int, ide
                 writer.write_table(table, table.num_rows)
                 for _, tally in group:
                     output.count(Step(0, 0, *tally))
-                show()
-        output.finish()
+                bar.show(output.done.rows, output.done.rows)
     return output.tally
 
 

@@ -5,7 +5,6 @@ The columns are those of a short sweep. A block is a number of rows from a place
 
 from bisect import bisect_right
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import closing
 from functools import partial
 from itertools import accumulate
 from math import prod
@@ -31,7 +30,7 @@ from .errors import missing_extra
 from .formats import Format, compressor, format_of
 from .lines import Converted
 from .materials import Codes
-from .output import is_done, output_to
+from .output import is_done
 from .rows import Evaluator
 from .settings import Settings, fingerprint
 from .single import SIDES, Task
@@ -202,10 +201,7 @@ def stream(sweep: Sweep, settings: Settings) -> Tally:
         prod(sweep.sizes),
     )
     settings = settings._replace(quiet=settings.quiet or settings.target == "-")
-    with closing(output_to(settings)) as output:
-        loop.run(work, output, settings)
-        output.finish()
-    return output.tally
+    return loop.run(work, settings)
 
 
 def _make_convert(sweep: Sweep, form: Format) -> loop.Convert:
