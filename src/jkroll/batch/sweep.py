@@ -3,12 +3,11 @@
 The columns are those of a short sweep. A block is a number of rows from a place on, so any process can compute any of them.
 """
 
-from bisect import bisect_right
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
-from itertools import accumulate
+from itertools import count
 from math import prod
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy
 
@@ -35,9 +34,6 @@ from .rows import Evaluator
 from .settings import Settings, fingerprint
 from .single import SIDES, Task
 
-if TYPE_CHECKING:
-    from ..quantities.uncertain import Uncertain
-
 ROWS = 1 << 12  # of a block
 
 
@@ -56,6 +52,11 @@ class Sweep(NamedTuple):
         return [len(self.pairs), *(sum(map(len, spreads)) for spreads in self.spreads.values()), len(self.models)]
 
     @property
+    def size(self) -> int:
+        """The number of rows."""
+        return prod(self.sizes)
+
+    @property
     def heads(self) -> list[str]:
         """The headers of the columns: texts, inputs that are numbers, results."""
         return self.shape.headers(AS_USUAL)
@@ -72,7 +73,11 @@ class Sweep(NamedTuple):
 
     def blocks(self) -> Iterator[bytes]:
         """Iterate over blocks, each as the place of its first row."""
-        return (b"%d" % start for start in range(0, prod(self.sizes), ROWS))
+        return (b"%d" % start for start in range(0, self.size, ROWS))
+
+    def cases(self) -> "list[_Case]":
+        """Return each pair of materials under each law, in the order of the rows."""
+        return [_Case(self, pair, model) for pair in self.pairs for model in self.models]
 
     def identity(self) -> dict[str, str]:
         """Return a hash of each part that the rows depend on."""
@@ -105,8 +110,8 @@ class _Case:
         block = Block(size, given, {}, {}, (), lambda row, name: _typed(name, given[name], row))
         results = self.evaluator.results(block)
         found = dict(zip(self.evaluator.task.headers, results.numbers, strict=True))
-        shown = numpy.array([found[header(name)] for name in self.results])
-        failed = results.lost.union(row for row in results.status if numpy.isnan(shown[:, row]).all())
+        without: Any = numpy.isnan([found[header(name)] for name in self.results]).all(axis=0)
+        failed = results.lost.union(row for row in results.status if without[row])
         values = {**self.scene.values, **{name: column.values for name, column in given.items()}}
         if "radius" in values:
             values.setdefault("radius2", values["radius"])
@@ -114,58 +119,39 @@ class _Case:
         return {**inputs, **found}, len(failed)
 
 
-class Rows(NamedTuple):
-    """Some rows."""
-
-    cases: Codes  # the place of each row's case
-    numbers: Floats  # an array for each column of numbers, nan where there is none
-    failed: int
-
-    @property
-    def tally(self) -> Tally:
-        """The counts of the rows."""
-        return Tally(len(self.cases), self.failed)
-
-
-class Evaluators:
-    """Compute the rows of any block."""
-
-    def __init__(self, sweep: Sweep) -> None:
-        self.sweep = sweep
-        self.cases = [_Case(sweep, pair, model) for pair in sweep.pairs for model in sweep.models]
-
-    def rows(self, block: bytes) -> Rows:
-        """Return the rows of a block."""
-        sweep, start = self.sweep, int(block)
-        rows = numpy.arange(start, min(start + ROWS, prod(sweep.sizes)))
-        pairs, *places, laws = numpy.unravel_index(rows, sweep.sizes)
-        cases = pairs * len(sweep.models) + laws
-        heads = sweep.heads[len(sweep.texts) :]
-        numbers = numpy.empty((len(heads), len(rows)))
-        failed = 0
-        for case in numpy.unique(cases).tolist():
-            own = numpy.flatnonzero(cases == case)
-            of_inputs = zip(sweep.spreads.items(), places, strict=True)
-            given = {name: _values(spreads, at[own]) for (name, spreads), at in of_inputs}
-            columns, failures = self.cases[case].columns(len(own), given)
-            for column, head in zip(numbers, heads, strict=True):
-                column[own] = columns.get(head, numpy.nan)
-            failed += failures
-        return Rows(cases, numbers, failed)
+def _rows(sweep: Sweep, cases: Sequence[_Case], block: bytes) -> tuple[Codes, Floats, Tally]:
+    """Return the rows of a block: the places of their cases, an array for each column of numbers, and their counts."""
+    rows = numpy.arange(int(block), min(int(block) + ROWS, sweep.size))
+    pairs, *places, laws = numpy.unravel_index(rows, sweep.sizes)
+    places_of_cases = pairs * len(sweep.models) + laws
+    heads = sweep.heads[len(sweep.texts) :]
+    numbers = numpy.empty((len(heads), len(rows)))
+    failed = 0
+    for place in numpy.unique(places_of_cases).tolist():
+        own = numpy.flatnonzero(places_of_cases == place)
+        of_inputs = zip(sweep.spreads.items(), places, strict=True)
+        given = {name: _values(spreads, at[own]) for (name, spreads), at in of_inputs}
+        columns, failures = cases[place].columns(len(own), given)
+        for column, head in zip(numbers, heads, strict=True):
+            column[own] = columns.get(head, numpy.nan)
+        failed += failures
+    return places_of_cases, numbers, Tally(len(rows), failed)
 
 
 def _values(spreads: Sequence[Spread], places: Codes) -> Numbers:
-    """Return the values at some places of lists and ranges."""
-    ends = [*accumulate(map(len, spreads))]
+    """Return the values at some places of lists and ranges behind each other."""
+    starts = numpy.cumsum([0, *map(len, spreads)])
     wanted, back = numpy.unique(places, return_inverse=True)
-    found: list[float] = []
-    uncertainties: list[Uncertain | None] = []
-    for place in wanted.tolist():
-        at = bisect_right(ends, place)
-        found.append(spreads[at].value(place - ends[at] + len(spreads[at])))
-        uncertainties.append(spreads[at].uncertainty)
-    uncertain = {row: one for row, place in enumerate(back.tolist()) if (one := uncertainties[place]) is not None}
-    return Numbers(numpy.array(found)[back], None, (), uncertain)
+    of_spreads = numpy.searchsorted(starts, wanted, side="right") - 1
+    within = wanted - starts[of_spreads]
+    values = [spreads[one].value(place) for one, place in zip(of_spreads.tolist(), within.tolist(), strict=True)]
+    uncertain = {
+        row: spread.uncertainty
+        for place, spread in enumerate(spreads)
+        if spread.uncertainty is not None
+        for row in numpy.flatnonzero(of_spreads[back] == place).tolist()
+    }
+    return Numbers(numpy.array(values)[back], None, (), uncertain)
 
 
 def _typed(name: str, column: Numbers, row: int) -> str:
@@ -198,30 +184,28 @@ def stream(sweep: Sweep, settings: Settings) -> Tally:
         Converted(compressor(form.compression)(head), 1),
         sweep.blocks(),
         partial(_make_convert, sweep, form),
-        prod(sweep.sizes),
+        sweep.size,
     )
     settings = settings._replace(quiet=settings.quiet or settings.target == "-")
     return loop.run(work, settings)
 
 
 def _make_convert(sweep: Sweep, form: Format) -> loop.Convert:
-    evaluators, compress = Evaluators(sweep), compressor(form.compression)
+    cases, compress = sweep.cases(), compressor(form.compression)
     separator = DIALECTS[form.kind].separator
-    leads = [
-        b"".join(quoted_cell(text.encode(), separator) + separator for text in case.texts) for case in evaluators.cases
-    ]
+    leads = [b"".join(quoted_cell(text.encode(), separator) + separator for text in case.texts) for case in cases]
 
     def convert(block: bytes) -> Converted:
         """Return a block as lines."""
-        rows = evaluators.rows(block)
-        lines = written(rows.numbers + 0.0, separator, b"\n")
-        for place, name in enumerate(sweep.inputs, 1):
-            for row in numpy.flatnonzero(numpy.isinf(rows.numbers[place - 1])).tolist():
+        places, numbers, tally = _rows(sweep, cases, block)
+        lines = written(numbers + 0.0, separator, b"\n")
+        for name, column, cell in zip(sweep.inputs, numbers, count(1)):
+            for row in numpy.flatnonzero(numpy.isinf(column)).tolist():
                 cells = lines[row].split(separator)
-                cells[place] = (word_for_infinity(name) or "").encode()
+                cells[cell] = (word_for_infinity(name) or "").encode()
                 lines[row] = separator.join(cells)
-        output = b"".join([leads[case] + line[1:] for case, line in zip(rows.cases.tolist(), lines, strict=True)])
-        return Converted(compress(output), len(lines), rows.tally)
+        output = b"".join([leads[place] + line[1:] for place, line in zip(places.tolist(), lines, strict=True)])
+        return Converted(compress(output), len(lines), tally)
 
     return convert
 
@@ -231,14 +215,14 @@ def _write_parquet(sweep: Sweep, settings: Settings) -> Tally:
         import pyarrow
 
         from . import parquet
-    evaluators = Evaluators(sweep)
-    texts = [pyarrow.array(column) for column in zip(*(case.texts for case in evaluators.cases), strict=True)]
+    cases = sweep.cases()
+    texts = [pyarrow.array(column) for column in zip(*(case.texts for case in cases), strict=True)]
     kinds = [pyarrow.string()] * len(texts) + [pyarrow.float64()] * (len(sweep.heads) - len(texts))
     schema = pyarrow.schema([*map(pyarrow.field, sweep.heads, kinds)])
 
-    def batch(rows: Rows) -> tuple[Any, Tally]:
-        columns = [*(text.take(rows.cases) for text in texts), *map(parquet.as_column, rows.numbers)]
-        return pyarrow.RecordBatch.from_arrays(columns, schema=schema), rows.tally
+    def batch(block: bytes) -> tuple[Any, Tally]:
+        places, numbers, tally = _rows(sweep, cases, block)
+        columns = [*(text.take(places) for text in texts), *map(parquet.as_column, numbers)]
+        return pyarrow.RecordBatch.from_arrays(columns, schema=schema), tally
 
-    rows = map(batch, map(evaluators.rows, sweep.blocks()))
-    return parquet.write(settings, schema, rows, prod(sweep.sizes), sweep.identity())
+    return parquet.write(settings, schema, map(batch, sweep.blocks()), sweep.size, sweep.identity())
