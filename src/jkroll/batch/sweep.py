@@ -97,12 +97,11 @@ class _Case:
         self.used = answer(sweep.shape.question, self.scene).inputs
         self.texts = [str(self.used[name]) for name in sweep.texts]
         columns = tuple(Column(place, name, "", None) for place, name in enumerate(sweep.spreads))
-        follows = "energy" in self.inputs and "energy" not in sweep.spreads  # from its ratio
-        names = (*self.results, *["energy"] * follows)
+        follows = [name for name in self.inputs if name == "energy" and name not in sweep.spreads]  # from its ratio
         sides = {side for of_result in sweep.shape.sides.values() for side in of_result}
         kinds = tuple(kind for kind, own in SIDES.items() if not sides.isdisjoint(own))
         self.evaluator = Evaluator(
-            Task(columns, (), names, {}, *pair, sweep.known, keeps=True, model=model, kinds=kinds)
+            Task(columns, (), (*self.results, *follows), {}, *pair, sweep.known, keeps=True, model=model, kinds=kinds)
         )
 
     def columns(self, size: int, given: Mapping[str, Numbers]) -> tuple[dict[str, Floats | float], int]:
@@ -114,7 +113,7 @@ class _Case:
         failed = results.lost.union(row for row in results.status if without[row])
         values = {**self.scene.values, **{name: column.values for name, column in given.items()}}
         if "radius" in values:
-            values.setdefault("radius2", values["radius"])
+            values.setdefault("radius2", values["radius"])  # as the scene assumes
         inputs = {header(name): values[name] for name in self.inputs if name in self.used and name in values}
         return {**inputs, **found}, len(failed)
 
@@ -123,19 +122,19 @@ def _rows(sweep: Sweep, cases: Sequence[_Case], block: bytes) -> tuple[Codes, Fl
     """Return the rows of a block: the places of their cases, an array for each column of numbers, and their counts."""
     rows = numpy.arange(int(block), min(int(block) + ROWS, sweep.size))
     pairs, *places, laws = numpy.unravel_index(rows, sweep.sizes)
-    places_of_cases = pairs * len(sweep.models) + laws
+    of_cases = pairs * len(sweep.models) + laws
     heads = sweep.heads[len(sweep.texts) :]
     numbers = numpy.empty((len(heads), len(rows)))
     failed = 0
-    for place in numpy.unique(places_of_cases).tolist():
-        own = numpy.flatnonzero(places_of_cases == place)
+    for place in numpy.unique(of_cases).tolist():
+        own = numpy.flatnonzero(of_cases == place)
         of_inputs = zip(sweep.spreads.items(), places, strict=True)
         given = {name: _values(spreads, at[own]) for (name, spreads), at in of_inputs}
         columns, failures = cases[place].columns(len(own), given)
         for column, head in zip(numbers, heads, strict=True):
             column[own] = columns.get(head, numpy.nan)
         failed += failures
-    return places_of_cases, numbers, Tally(len(rows), failed)
+    return of_cases, numbers, Tally(len(rows), failed)
 
 
 def _values(spreads: Sequence[Spread], places: Codes) -> Numbers:
