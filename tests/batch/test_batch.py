@@ -28,6 +28,7 @@ from jkroll.quantities.errors import QuantityError
 from jkroll.quantities.parsing import unit_of
 from tables import IN_SMALL_BLOCKS, random_table
 
+csv.field_size_limit(1 << 20)  # of the readers here: some cells have more than the 128 KiB that are usual
 GRAINS = "name,material,radius [nm],load [nN]\na,quartz,100,0\nb,iron,50,-2e-3\n"
 
 

@@ -24,11 +24,11 @@ from . import loop
 from .blocks import Block, Tally
 from .cells import Floats, Numbers
 from .columns import Column
-from .delimited import DIALECTS, quoted_cell, written
-from .dialect import Places
+from .delimited import DIALECTS, written
 from .errors import missing_extra
 from .formats import compressor, format_of
 from .lines import Converted
+from .materials import Codes
 from .output import is_done
 from .rows import Evaluator
 from .settings import Settings, fingerprint
@@ -51,7 +51,7 @@ class Axis(NamedTuple):
         """The number of values."""
         return sum(map(len, self.spreads))
 
-    def numbers(self, places: Places) -> Numbers:
+    def numbers(self, places: Codes) -> Numbers:
         """Return the values at some places, as a column."""
         wanted, back = numpy.unique(places, return_inverse=True)
         found = [self._at(place) for place in wanted.tolist()]
@@ -163,7 +163,7 @@ class Evaluators:
         texts = [[str(self.used[pair, law][name]) for name in sweep.texts] for law in laws]
         return Rows(texts, table, failed)
 
-    def _fill(self, table: Floats, place: tuple[int, int], places: Places) -> int:
+    def _fill(self, table: Floats, place: tuple[int, int], places: Codes) -> int:
         """Fill in the columns of the rows at some places of a pair of materials and a law; return how many rows fail."""
         sweep, evaluator = self.sweep, self.evaluators[place]
         given: dict[str, Numbers] = {}
@@ -223,7 +223,7 @@ def _make_convert(sweep: Sweep, kind: str, compression: str) -> loop.Convert:
     def convert(block: bytes) -> Converted:
         """Return a block as lines."""
         rows = evaluators.rows(block)
-        leads = [separator.join(quoted_cell(text.encode(), separator) for text in texts) for texts in rows.texts]
+        leads = [DIALECTS[kind].joined([*map(str.encode, texts)]) for texts in rows.texts]
         lines = written(rows.numbers + 0.0, separator, b"\n")
         for place, name in enumerate(sweep.inputs):
             for row in numpy.flatnonzero(numpy.isinf(rows.numbers[place])).tolist():
@@ -233,7 +233,7 @@ def _make_convert(sweep: Sweep, kind: str, compression: str) -> loop.Convert:
         if not any(leads):
             lines = [line.removeprefix(separator) for line in lines]
         output = b"".join([lead + line for lead, line in zip(cycle(leads), lines)])
-        return Converted(compress(output), rows.size, Tally(rows.size, rows.failed))
+        return Converted(compress(output), Tally(rows.size, rows.failed))
 
     return convert
 
@@ -252,7 +252,7 @@ def stream(sweep: Sweep, settings: Settings) -> Tally:
     work = loop.Work(
         sweep.identity(),
         b"",
-        Converted(compressor(compression)(head), 1),
+        Converted(compressor(compression)(head)),
         sweep.blocks(),
         partial(_make_convert, sweep, kind, compression),
         sweep.size,
