@@ -49,6 +49,7 @@ class Dialect:
         self._whole = rb"(?:%b(?:\r*+\n|(?!%b)[^\n]++\n))*+" % (cells, _OPEN)
         self._record = rb"((?:\r*+\n|\r++\Z)*+)(%b)(?:\r*+(?:\n|\Z)|([^\n]++)\n?)" % cells
         self._cell = rb"%b(%b|[^%b]*+)" % (mark, _QUOTED, mark)
+        self._simple = rb'(?:[^"]*+"(?<![^%b\n]")[^"\r\n%b]*+"(?![^\r\n%b]))*+[^"]*+' % (mark, mark, mark)
         number = rb'%b"?(?:%b|\r?$)' % (_NUMBER, mark)
         self._formula = rb'(?m)(^|%b)("?)(?=[=+\-@\t\r])(?!%b|%b|\r?$)' % (mark, mark, number)
 
@@ -76,6 +77,10 @@ class Dialect:
                 yield blank, line, find(self.separator + line), ""
             else:
                 yield blank, line, line.split(self.separator), ""
+
+    def bare(self, text: bytes) -> bytes:
+        """Return a text without quotes; with all of them if a cell needs them, or if one is no cell's."""
+        return text.replace(b'"', b"") if b'"' in text and re.fullmatch(self._simple, text) else text
 
     def joined(self, cells: Sequence[bytes]) -> bytes:
         """Return cells as a line, in quotes where they need them."""
@@ -172,14 +177,15 @@ class Delimited:
         return Converted(self.dialect.safe(output) if self.excel_safe else output, results.tally)
 
     def _quickly(self, text: bytes) -> Rows | None:
-        """Take apart plain lines without quotes, all of the right width; None if there are others."""
+        """Take apart lines that need no quotes and have the right width; None if there are others."""
         width, separator = self.width, self.dialect.separator
         text = text.replace(b"\r\n", b"\n")
-        if b'"' in text or b"\r" in text or not text.endswith(b"\n"):
+        bare = self.dialect.bare(text)
+        if b'"' in bare or b"\r" in bare or not bare.endswith(b"\n"):
             return None
         lines = text.split(b"\n")
         lines.pop()
-        cells = text.replace(b"\n", separator + b"\n" + separator).split(separator)
+        cells = bare.replace(b"\n", separator + b"\n" + separator).split(separator)
         # Behind each line's last cell, and there only, stands a line feed.
         if cells[width :: width + 1] != [b"\n"] * len(lines) or (width == 1 and b"" in lines):
             return None
