@@ -9,6 +9,7 @@ from __future__ import annotations
 import io
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from functools import cache
 from itertools import chain, islice
 from typing import NamedTuple
 
@@ -231,9 +232,14 @@ class Delimited:
         """Return what stands behind each line: its numbers, its remarks, and the line end."""
         rows = written(results.numbers, self.dialect.separator, self.no_remark)
         columns = results.remarks.values()
+
+        @cache  # many rows have the same doubts
+        def end(*remarks: str) -> bytes:
+            cells = self.dialect.joined([text.encode() for text in remarks])
+            return self.dialect.separator + cells + self.line_end
+
         for row in set().union(*columns):
-            remarks = self.dialect.joined([column.get(row, "").encode() for column in columns])
-            rows[row] = rows[row].removesuffix(self.no_remark) + self.dialect.separator + remarks + self.line_end
+            rows[row] = rows[row].removesuffix(self.no_remark) + end(*[column.get(row, "") for column in columns])
         return rows
 
 
