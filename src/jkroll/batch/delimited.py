@@ -68,9 +68,8 @@ class Dialect:
         find = re.compile(self._cell).findall
         for blank, line, rest in re.findall(self._record, text):
             if rest:
-                problem = (
-                    "a quote is not closed" if rest.startswith(b'"') else "a carriage return stands outside quotes"
-                )
+                is_quote = rest.startswith(b'"')
+                problem = "a quote is not closed" if is_quote else "a carriage return stands outside quotes"
                 first, *others = [part.rstrip(b"\r") for part in (line + rest).split(b"\n")]
                 yield blank, first, [], problem
                 yield from ((b"", other, [], problem) for other in others)
