@@ -3,6 +3,7 @@
 import hashlib
 import json
 import os
+import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -10,7 +11,7 @@ from typing import Any, NamedTuple
 
 from .. import __version__
 from ..materials.library import Materials
-from ..text import quoted
+from ..text import quoted, say
 from .errors import BadTable
 from .formats import CHUNK, Format, format_of, stated
 
@@ -93,6 +94,8 @@ def output_format(settings: Settings, of_input: Format) -> Format:
     """Return the format of the output: that of its name, else that of the input without compression."""
     found = format_of(settings.target)
     if found is None:
+        if os.path.splitext(settings.target)[1] and not settings.quiet:
+            say(f"note: {quoted(settings.target)} is written as {of_input.kind}: its name says no format", sys.stderr)
         return Format(of_input.kind)
     if found.kind != of_input.kind:
         name = os.path.basename(settings.target).partition(".")[0]

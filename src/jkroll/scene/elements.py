@@ -7,19 +7,14 @@ from typing import Any
 import numpy
 
 from ..errors import JkrollError, NoResult
-from ..quantities.nomenclature import INFINITY
-from .errors import NoContact, failure_of
+from .errors import NoContact
+from .failures import failure_of
 from .results import with_nan
-from .scene import Scene
+from .scene import FOLLOWS, Scene
 from .uncertainty import ASYMMETRIC, NEAR, ROUNDING, SAMPLES, Source
 
-# Values from which more follows than from others: no load, a plane, a rigid body. A scene of arrays takes them as numbers.
-SPECIAL: Mapping[str, float] = {
-    "load": 0.0,
-    "radius2": INFINITY,
-    "youngs_modulus": INFINITY,
-    "youngs_modulus2": INFINITY,
-}
+# Values from which more follows than from others: a scene of arrays takes them as numbers.
+SPECIAL: Mapping[str, float] = {name: value for name, (value, _) in FOLLOWS.items()}
 
 Sides = tuple[Any, Any]
 
