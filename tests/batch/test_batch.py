@@ -386,8 +386,10 @@ def test_a_header_is_checked_before_the_first_row(run: Run, text: str) -> None:
 def test_an_empty_file_and_utf_16(run: Run) -> None:
     Path("empty.csv").write_bytes(b"")
     assert run("batch empty.csv").err == "jkroll: the table is empty: it has no header\n"
-    Path("wide.csv").write_bytes("radius [nm]\n1\n".encode("utf-16"))
-    assert run("batch wide.csv").err == "jkroll: the table is not UTF-8; save it as UTF-8\n"
+    for encoding in ("utf-16", "utf-16-le", "utf-16-be"):
+        Path("wide.csv").write_bytes("radius [nm]\n1\n".encode(encoding))
+        assert run("batch wide.csv").err == "jkroll: the table is not UTF-8; save it as UTF-8\n"
+    assert batch(run, table("radius,name\n1 um,a\0b\n"), "--material", "quartz")[0]["name"] == "a\0b"
 
 
 @pytest.mark.parametrize("kind", ["csv", "tsv", "ndjson"])

@@ -114,10 +114,10 @@ class Dialect:
             raise BadTable("header: has a quote that is not closed")
         if blank or not line.strip():
             raise BadTable("header: is empty")
-        rows = [
-            cells for _, line, cells, _ in islice(self.records(body[size:]), 200) if line and len(cells) == len(names)
+        rows = [cells for _, line, cells, _ in islice(self.records(body[size:]), 200) if line]
+        sample = [
+            [cell.decode("utf-8", "replace") for cell in unquoted(cells)] for cells in rows if len(cells) == len(names)
         ]
-        sample = [[cell.decode("utf-8", "replace") for cell in unquoted(cells)] for cells in rows]
         return Head(text[: len(text) - len(body) + size], tuple(names)), sample
 
     def _check_separator(self, names: Sequence[str], line: str) -> None:

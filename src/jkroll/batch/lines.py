@@ -30,5 +30,5 @@ def check_encoding(text: bytes, name: str) -> None:
         if text.startswith(mark):
             ends = f"{name}.{end}"
             raise BadTable(f"the table is compressed; give it a name that ends in .{ends}, or write --format {ends}")
-    if text.startswith(_UTF_16) or b"\0" in text[:200]:
+    if text.startswith(_UTF_16) or b"\0" in text.partition(b"\n")[0]:
         raise BadTable("the table is not UTF-8; save it as UTF-8")
