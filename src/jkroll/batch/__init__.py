@@ -5,8 +5,7 @@ From the bottom up:
 columns, cells, materials   the header of a table; a column of texts as SI numbers; a column of materials
 blocks, groups              a block of rows, and its results; the rows of it that are evaluated together
 single, evaluated, rows     a row by itself, with its words; a group of rows; a whole block
-lines, dialect              the interface of formats whose records are lines; where records of CSV and TSV end
-delimited, ndjson           these formats
+lines, delimited, ndjson    the formats whose records are lines: what they have in common; CSV and TSV; NDJSON
 formats, settings           the registry of formats and compressions; the options of a run
 task                        the quantities to compute, from the header, the first rows and the options
 source                      the input as blocks of whole records

@@ -41,7 +41,7 @@ Fetch = Callable[[int], bytes]  # returns a block, or nothing if it has written 
 
 def step_of(read: bytes, converted: Converted) -> Step:
     """Return what a block adds, with its checksums."""
-    return Step(len(converted.output), converted.lines, *converted.tally, crc32(read), crc32(converted.output))
+    return Step(len(converted.output), read.count(b"\n"), *converted.tally, crc32(read), crc32(converted.output))
 
 
 class Output:

@@ -144,7 +144,7 @@ def write(settings: Settings, schema: Any, rows: Iterator[Rows], total: int, ide
     with OutputFile(settings.target, goes_on=False) as output:
         if settings.resume and output.journal.has_begun:
             say("note: --resume: a Parquet file cannot be continued; it is begun anew", sys.stderr)
-        output.begin(identity, b"", Converted(b"", 0))
+        output.begin(identity, b"", Converted(b""))
         with (
             Bar(total, quiet=settings.quiet) as bar,
             open(output.descriptor, "wb", closefd=False) as file,

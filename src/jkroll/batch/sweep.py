@@ -24,7 +24,7 @@ from . import loop
 from .blocks import Block, Tally
 from .cells import Floats, Numbers
 from .columns import Column
-from .delimited import DIALECTS, quoted_cell, written
+from .delimited import DIALECTS, written
 from .errors import missing_extra
 from .formats import Format, compressor, format_of
 from .lines import Converted
@@ -180,7 +180,7 @@ def stream(sweep: Sweep, settings: Settings) -> Tally:
     work = loop.Work(
         sweep.identity(),
         b"",
-        Converted(compressor(form.compression)(head), 1),
+        Converted(compressor(form.compression)(head)),
         sweep.blocks(),
         partial(_make_convert, sweep, form),
         sweep.size,
@@ -191,8 +191,9 @@ def stream(sweep: Sweep, settings: Settings) -> Tally:
 
 def _make_convert(sweep: Sweep, form: Format) -> loop.Convert:
     cases, compress = sweep.cases(), compressor(form.compression)
-    separator = DIALECTS[form.kind].separator
-    leads = [b"".join(quoted_cell(text.encode(), separator) + separator for text in case.texts) for case in cases]
+    dialect = DIALECTS[form.kind]
+    separator = dialect.separator
+    leads = [b"".join(dialect.joined([text.encode()]) + separator for text in case.texts) for case in cases]
 
     def convert(block: bytes) -> Converted:
         """Return a block as lines."""
@@ -204,7 +205,7 @@ def _make_convert(sweep: Sweep, form: Format) -> loop.Convert:
                 cells[cell] = (word_for_infinity(name) or "").encode()
                 lines[row] = separator.join(cells)
         output = b"".join([leads[place] + line[1:] for place, line in zip(places.tolist(), lines, strict=True)])
-        return Converted(compress(output), len(lines), tally)
+        return Converted(compress(output), tally)
 
     return convert
 
