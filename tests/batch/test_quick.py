@@ -115,3 +115,14 @@ def test_no_record_is_cut(text: bytes, rest: bytes) -> None:
 
     size = DIALECTS["csv"].cut(text)
     assert records(text[:size]) + records(text[size:] + rest) == records(text + rest)
+
+
+def test_an_open_quote_does_not_gather_what_follows_in_one_block() -> None:
+    from jkroll.batch.source import CHUNK, blocks
+
+    lines = [b'"open,quartz\n', *(b"row %d,quartz\n" % row for row in range(40_000))]
+    pieces = [b"".join(lines[start : start + 1000]) for start in range(0, len(lines), 1000)]
+    found = [*blocks(pieces, DIALECTS["csv"].cut)]
+    assert b"".join(found) == b"".join(lines)
+    assert len(found) > 4
+    assert all(block.endswith(b"\n") and len(block) <= CHUNK for block in found)

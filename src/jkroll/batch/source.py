@@ -92,26 +92,34 @@ class Input:
 
 
 def blocks(pieces: Iterable[bytes], cut: Cut) -> Iterator[bytes]:
-    """Iterate over blocks of whole records.
+    """Iterate over blocks of whole records, of CHUNK bytes at most unless a record is longer.
 
-    A record that is longer than MAX_RECORD ends where a line does; the format says what is wrong with it.
+    A record that does not end within MAX_RECORD, or at all, is given up: its first lines are a block, and the format says what
+    is wrong with them.
     """
-    text, needed = b"", 1
-    for piece in pieces:
-        text += piece
-        if len(text) < needed:
+    left = iter(pieces)
+    text, size, is_end = b"", CHUNK, False
+    while text or not is_end:
+        if len(text) < size and not is_end:
+            piece = next(left, b"")
+            text, is_end = text + piece, not piece
             continue
-        end = cut(text)
-        if not end and len(text) >= MAX_RECORD:
-            end = text.rfind(b"\n") + 1
-            if not end:
-                raise BadTable(f"a line is longer than {MAX_RECORD >> 20} MiB: this is no table")
-        if end:
-            yield text[:end]
-            text = text[end:]
-        needed = 1 if end else 2 * len(text)
-    if text:
-        yield text
+        end = cut(text[:size])
+        if not end and size < min(len(text), MAX_RECORD):
+            size *= 2
+            continue
+        if not end and is_end and size >= len(text) and cut(text + b"\n"):
+            end = len(text)  # the last line ends without a line feed
+        yield text[: (end := end or _end_of_lines(text))]
+        text, size = text[end:], CHUNK
+
+
+def _end_of_lines(text: bytes) -> int:
+    """Return where the last line ends that is within CHUNK bytes, or else the first line. Raises BadTable for one that is too long."""
+    end = text.rfind(b"\n", 0, CHUNK) + 1 or text.find(b"\n") + 1
+    if not end and len(text) >= MAX_RECORD:
+        raise BadTable(f"a line is longer than {MAX_RECORD >> 20} MiB: this is no table")
+    return end or len(text)
 
 
 def spans_of_lines(texts: Iterable[bytes], head: int) -> Iterator[Span]:
