@@ -8,7 +8,7 @@ from ..answers.inferred import inferred
 from ..answers.questions import Question, quantity_named
 from ..errors import BadRequest
 from ..output.layout import layout
-from ..quantities.nomenclature import canonical
+from ..quantities.naming import named
 from ..quantities.ranges import spreads_of
 from ..scene.inverse import SIZES, CannotInfer
 from .options import Call
@@ -26,7 +26,7 @@ def run_infer(call: Call) -> int:
     """Find an input for every scene and measured value; return the exit code."""
     if not call.words:
         raise BadRequest(f"infer needs an input: one of {', '.join(SIZES)}")
-    name = canonical(call.words[0])
+    name = named(call.words[0])
     if name not in SIZES:
         raise CannotInfer(call.words[0])
     quantity, measured = _measured(call.measured)

@@ -112,12 +112,12 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
             "δ", "m", "approach of the centres at the load", "6", range="finite", option="--approach", example="0.05nm",
             may_be_zero=True,
         ),
-        "load_at_factor": Quantity("P", "N", "load that holds the contact", "5", may_be_zero=True),
-        "load_margin_of_factor": Quantity("s", "1", "√(1 + P/P_c)", "5", may_be_zero=True),
-        "load_margin_at_approach": Quantity("s", "1", "√(1 + P/P_c) at the approach", "6", may_be_zero=True),
-        "load_factor_at_approach": Quantity("x", "1", "â^(3/2) at the approach", "6"),
-        "load_factor_at_load_unstable": Quantity("x", "1", "â^(3/2) on the unstable branch", "5", may_be_zero=True),
-        "load_factor_at_approach_unstable": Quantity("x", "1", "â^(3/2) on the unstable branch at the approach", "6", may_be_zero=True),
+        "load_at_factor": Quantity("P", "N", "load that holds the contact", "5", may_be_zero=True, variant_of="load"),
+        "load_margin_of_factor": Quantity("s", "1", "√(1 + P/P_c)", "5", may_be_zero=True, variant_of="load_margin"),
+        "load_margin_at_approach": Quantity("s", "1", "√(1 + P/P_c) at the approach", "6", may_be_zero=True, variant_of="load_margin"),
+        "load_factor_at_approach": Quantity("x", "1", "â^(3/2) at the approach", "6", variant_of="load_factor"),
+        "load_factor_at_load_unstable": Quantity("x", "1", "â^(3/2) on the unstable branch", "5", may_be_zero=True, variant_of="load_factor"),
+        "load_factor_at_approach_unstable": Quantity("x", "1", "â^(3/2) on the unstable branch at the approach", "6", may_be_zero=True, variant_of="load_factor"),
         "stiffness": Quantity("dP/dδ", "N/m", "normal stiffness at the load", "34", may_be_zero=True),
         "tangential_stiffness": Quantity("k_s", "N/m", "tangential stiffness at the load"),
         "hertz_pressure": Quantity("p_H", "Pa", "Hertz part of the pressure", "8"),
@@ -257,9 +257,9 @@ NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
     {
         **_QUANTITIES,
         **{
-            name: Quantity(base.symbol, base.unit, base.sentence, may_be_zero=base.may_be_zero)
-            for base, names in ((_QUANTITIES[quantity], names) for quantity, names in BY_A_LAW.items())
-            for name in names
+            name: Quantity(base.symbol, base.unit, base.sentence, may_be_zero=base.may_be_zero, variant_of=quantity)
+            for quantity, names in BY_A_LAW.items()
+            for name, base in ((name, _QUANTITIES[quantity]) for name in names)
         },
     }
 )
