@@ -13,7 +13,7 @@ from ..output.note_lines import NoteLines
 from ..output.writers import WRITERS
 from ..quantities.formatting import Format
 from ..scene.wiring import formula_of
-from ..text import say, say_wrapped
+from ..text import say_wrapped
 from .options import Call
 from .request import Request, request_of
 from .written import format_name, format_of
@@ -43,7 +43,8 @@ class Tally:
         """Print how many of `count` rows failed, if any did; return the exit code."""
         if not self.failed:
             return 0
-        say(f"jkroll: {self.failure if count == 1 else f'{self.failed} of {count} rows failed'}", sys.stderr)
+        failures = self.failure if count == 1 else f"{self.failed} of {count} rows failed"
+        say_wrapped(f"jkroll: {failures}", sys.stderr)
         return ROWS_FAILED
 
 
