@@ -354,6 +354,7 @@ def test_limits_that_cannot_be_shown_are_said_to_be_missing(run: Run) -> None:
         ("map pull-off quartz --x radius=1nm:1um --mark quarz@1nm", "did you mean quartz?"),
         ("map pull-off quartz --x radius=1nm:1um --mark quartz@1m", "nowhere on"),
         ("map pull-off --x radius=1nm:1um:100000 --y gamma=1mJ/m2:1J/m2:100000", "are more than"),
+        ("map pull-off 1nm:1um:25 --x gamma=1mJ/m2:1J/m2", "25 scenes are more than the 24 curves"),
         ("map pull-off quartz,iron --x radius=1nm:1um:500001", "2 x 500001 points are more than 1000000"),
         ("map pull-off quartz --x radius=1nm:1um -o picture.gif", "does not end in"),
         ("map pull-off quartz --x radius=1nm:1um --width 5N", "is a force"),
