@@ -36,10 +36,10 @@ _PER_SPHERE = {
         "γ1", "J/m^2", "surface energy per surface", range="positive", option="--gamma", example="25mJ/m2"
     ),
     "youngs_modulus": Quantity(
-        "E1", "Pa", "Young's modulus", range="up to infinite", option="--young", example="54GPa"
+        "E1", "Pa", "Young's modulus", range="up to infinite", option="--young", example="10GPa"
     ),
-    "poisson_ratio": Quantity("ν1", "1", "Poisson's ratio", range="poisson", option="--poisson", example="0.17"),
-    "density": Quantity("ρ1", "kg/m^3", "mass density", range="positive", option="--density", example="2.6g/cm3"),
+    "poisson_ratio": Quantity("ν1", "1", "Poisson's ratio", range="poisson", option="--poisson", example="0.3"),
+    "density": Quantity("ρ1", "kg/m^3", "mass density", range="positive", option="--density", example="1g/cm3"),
     "mass": Quantity("m1", "kg", "mass of sphere 1", "41", range="up to infinite"),
     "moment_of_inertia": Quantity("I1", "kg m^2", "moment of inertia of sphere 1", "39", range="up to infinite"),
 }
