@@ -46,9 +46,9 @@ def test_reference_point(run: Run, name: str) -> None:
 
 # --- Messages, whole ------------------------------------------------------------------------------------------------
 
-GOLD = "gold has none in Table 1; give --young 54GPa --poisson 0.17"
+GOLD = "gold has none in Table 1; give --young 10GPa --poisson 0.3"
 GIVE = "give --gamma 25mJ/m2 and a radius such as 100nm or --work-of-adhesion 50mJ/m2"
-GOLD_2 = "gold has none in Table 1; give --young2 54GPa --poisson2 0.17"
+GOLD_2 = "gold has none in Table 1; give --young2 10GPa --poisson2 0.3"
 MESSAGES = {
     "pull-off quarz 100nm": (
         2,
@@ -117,21 +117,21 @@ MESSAGES = {
     "pull-off quartz 100nm --model jkr,dmt,jkr": (2, "--model: 'jkr,dmt,jkr' names a law more than once"),
     "contact quartz 100nm --poisson 0.6": (
         2,
-        "poisson_ratio: '0.6' must lie between -1 and 0.5; expected a number such as 0.17",
+        "poisson_ratio: '0.6' must lie between -1 and 0.5; expected a number such as 0.3",
     ),
     "r-min 100nm --radius2 plane": (1, "r_min: sphere 2 is a plane; a chain needs two spheres"),
     "r-min 1e-170m": (2, "radius: 1e-170 must lie between 1e-60 and 1e60 in SI units"),
     "pull-off quartz 1nm:1um": (
         2,
-        "radius: '1nm:1um' is not a range; write FROM:TO:COUNT, with :lin for equal steps; expected a length such as 100nm",
+        "radius: '1nm:1um' is not a range; write FROM:TO:COUNT, with :lin for equal steps",
     ),
     "pull-off quartz 1nm:1um:1": (
         2,
         "radius: '1nm:1um:1' needs a count from 2 to 1000000000; expected a length such as 100nm",
     ),
-    "yield-force quartz 100nm --load -1nN:1nN:3": (
+    "yield-force quartz 100nm --load -1nN:1nN:3:log": (
         2,
-        "load: '-1nN:1nN:3' has an end that is not positive; end it with :lin; expected a force such as -5nN",
+        "load: '-1nN:1nN:3:log' has an end that is not positive; leave :log out: the steps are equal then",
     ),
     "pull-off quartz iron 100nm": (
         2,
@@ -143,6 +143,8 @@ MESSAGES = {
     ),
     "pull-off quartz 100nm --to nm": (2, "--to: 'nm' fits none of the results, which are in: N"),
     "pull-off quartz 100nm --json --csv": (2, "--json and --csv exclude each other"),
+    "pull-off quartz 100nm --digits ٣": (2, "--digits: '٣' is not a whole number from 1 to 17"),
+    "pull-off quartz 100nm --digits 1_0": (2, "--digits: '1_0' is not a whole number from 1 to 17"),
     "pull-off quartz 100nm --digits 0": (2, "--digits: '0' is not a whole number from 1 to 17"),
     "pull-off quartz 100nm --laod 5nN": (
         2,
@@ -394,9 +396,7 @@ def test_ranges_over_many_orders(run: Run) -> None:
     assert middle["inputs"]["load"] == 1.0
     middle = json.loads(run("pull-off quartz 100nm --radius2 1e-20m:1e60m:3 --json").out)[1]
     assert middle["inputs"]["radius2"] == 1e20
-    loads = [
-        one["inputs"]["load"] for one in json.loads(run("yield-force quartz 1um --load -3nN:1nN:5:lin --json").out)
-    ]
+    loads = [one["inputs"]["load"] for one in json.loads(run("yield-force quartz 1um --load -3nN:1nN:5 --json").out)]
     assert loads == [-3e-9, -2e-9, -1e-9, 0.0, 1e-9]
 
 
