@@ -134,6 +134,24 @@ def test_one_panel_of_a_contact(run: Run, tmp_path: Path) -> None:
     assert not any("pressure" in text or "moment" in text for text in shown)
 
 
+@pytest.mark.parametrize(
+    ("options", "held"),
+    [
+        ("", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17, ξ = 100 pm."),
+        ("--panel force", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17."),
+        ("--panel moment", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17, ξ = 100 pm."),
+        ("--panel force --model dmt", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17."),
+        ("--panel moment --model dmt", "R1 = 100 nm, γ1 = 25 mJ/m²."),
+        ("--model maugis", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17, z0 = 400 pm."),
+    ],
+)
+def test_a_caption_has_the_inputs_of_what_is_drawn(run: Run, options: str, held: str) -> None:
+    ran = run(f"contact quartz 100nm --xi 1angstrom --curve -o contact.svg {options}")
+    assert ran.out.splitlines()[-1] == f"Held: quartz, {held}"
+    assert ("z0" in ran.err) is ("z0" in held)
+    assert "ξ" not in ran.err
+
+
 @pytest.mark.parametrize("style", [PAPER, DARK])
 def test_bands_can_be_differ_in_grey_and_read_on(style: Style) -> None:
     greys = [

@@ -123,6 +123,9 @@ OUTPUT = (
 )
 MEASURED = Option("measured", "--measured", str, "QUANTITY=VALUE", "Measured quantity; an error bar as in 300±20nN")
 CURVE = Option("curve", "--curve", bool, "", "Whole force curve; with -o as a picture")
+MARKED = Option(
+    "yield_displacement", "--xi", str, "2angstrom", "Displacement that the panel of moments marks", hidden=True
+)
 _AS_TEXT = "Output as JSON or CSV"
 JSON = Option("json", "--json", bool, "", _AS_TEXT)
 CSV = Option("csv", "--csv", bool, "", _AS_TEXT)

@@ -1,6 +1,6 @@
 """Turn the request for a plot into a map or curves, with caption and notes."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from ..answers.notes import about_data, assumptions
@@ -148,20 +148,10 @@ class Context:
                 notes.append(f"its limits are not shown: {NOMENCLATURE[error.wanted].symbol} {error.reason()}")
         names = [quantity, *(name for bound in self.bounds for name in bound.names)]
         inputs = self.scene.inputs_of(*names)
-        self.inputs = tuple(self._texts(name for name in inputs if name not in values))
+        self.inputs = inputs_as_texts(self.scene, [name for name in inputs if name not in values])
         note = NOMENCLATURE[quantity].note
-        data = [note.text for note in (*assumptions(self.scene, inputs, names), *about_data(self.scene, inputs))]
+        data = notes_on(self.scene, inputs, names)
         self.notes = tuple(dict.fromkeys([*notes[:1], *data, *([f"{quantity}: {note}"] if note else [])]))
-
-    def _texts(self, names: Iterable[str]) -> Iterable[str]:
-        """Iterate over the materials, and over inputs with their values."""
-        if self.given.material is not None:
-            yield self.given.material.name
-        if self.given.material2 is not None:
-            yield f"material2 = {self.given.material2.name}"
-        for name in names:
-            value = self.scene.values[name]
-            yield f"{NOMENCLATURE[name].symbol} = {amount(name, in_words(name, value))}"
 
     def doubts(self, x: Axis, curve: str) -> Iterable[str]:
         """Iterate over sentences that say where along an axis the model has no meaning or is not exact."""
@@ -171,6 +161,20 @@ class Context:
                 ends = (amount(x.name, float(f"{end:.2g}")) for end in (where[0], where[-1]))
                 of_curve = f"{curve}, " if curve else ""
                 yield f"{of_curve}{NOMENCLATURE[x.name].symbol} = {' to '.join(ends)}: {bound.broken}."
+
+
+def inputs_as_texts(scene: Scene, names: Iterable[str]) -> tuple[str, ...]:
+    """Return the materials of a scene, and inputs with their values."""
+    materials = [scene.material.name] if scene.material is not None else []
+    if scene.material2 is not None:
+        materials.append(f"material2 = {scene.material2.name}")
+    values = ((name, in_words(name, scene.values[name])) for name in names)
+    return (*materials, *(f"{NOMENCLATURE[name].symbol} = {amount(name, value)}" for name, value in values))
+
+
+def notes_on(scene: Scene, inputs: Collection[str], names: Sequence[str]) -> list[str]:
+    """Return notes on the assumptions and the data from which quantities follow."""
+    return [note.text for note in (*assumptions(scene, inputs, [*names]), *about_data(scene, inputs))]
 
 
 def _first_sentence(quantity: str, scenes: Sequence[Scene]) -> str:
