@@ -104,6 +104,8 @@ _FORMAT = "Numbers only, JSON or CSV; output file"
 _INSTEAD = "Show the derivation or the BibTeX entry instead of results"
 MATERIALS = Option("materials", "--materials", str, "FILE", "Read materials from your own file as well")
 QUIET = Option("quiet", "--quiet", bool, "", "Suppress notes")
+EXPLAIN = Option("explain", "--explain", bool, "", _INSTEAD)
+CITE_ANSWER = Option("cite", "--cite", bool, "", _INSTEAD)
 RESULTS = (
     Option("to", "--to", str, "UNIT", "Unit of the results; several with commas"),
     Option("digits", "--digits", int, "N", "Significant digits", 1, 17),
@@ -116,8 +118,8 @@ OUTPUT = (
     *RESULTS,
     Option("target", "-o", str, "OUT", _FORMAT),
     Option("resume", "--resume", bool, "", "Continue the output file after an interruption", hidden=True),
-    Option("explain", "--explain", bool, "", _INSTEAD),
-    Option("cite", "--cite", bool, "", _INSTEAD),
+    EXPLAIN,
+    CITE_ANSWER,
     MATERIALS,
     QUIET,
 )

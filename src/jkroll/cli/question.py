@@ -12,6 +12,7 @@ from ..output.layout import Layout, layout
 from ..output.note_lines import NoteLines
 from ..output.writers import WRITERS
 from ..quantities.formatting import Format
+from ..scene.scene import Scene
 from ..scene.wiring import formula_of
 from ..text import say_wrapped
 from .options import Call
@@ -61,7 +62,8 @@ def run_question(call: Call) -> int:
         return write_sweep(question, request, kind, call)
     request.check_count()
     if kind in ("explain", "cite"):
-        return _write_sources(question, request, kind, form)
+        pairs = ((scene, answer(question, scene)) for scene in request.scenes())
+        return write_sources(pairs, request.count, kind, form)
     samples = [in_units(answer(question, scene), form) for scene in request.samples()] if request.count > 1 else []
     answers = (in_units(answer(question, scene), form) for scene in request.scenes())
     return write_answers(answers, layout(question, samples, request.count), kind, form, quiet=call.quiet)
@@ -117,14 +119,13 @@ def _unless_failed(one: Answer, question: Question) -> Answer:
     return one
 
 
-def _write_sources(question: Question, request: Request, kind: str, form: Format) -> int:
+def write_sources(pairs: Iterable[tuple[Scene, Answer]], count: int, kind: str, form: Format) -> int:
     """Write the derivations of results or their BibTeX entries; return the exit code."""
     from ..output.citations import write_citations
     from ..output.explain import write_explanation
 
     tally = Tally()
     write = write_citations if kind == "cite" else write_explanation
-    pairs = ((scene, one) for scene in request.scenes() for one in tally.watch([answer(question, scene)]))
-    write(pairs, sys.stdout, form)
+    write(((scene, one) for scene, answered in pairs for one in tally.watch([answered])), sys.stdout, form)
     sys.stdout.flush()
-    return tally.exit_code(request.count)
+    return tally.exit_code(count)

@@ -258,6 +258,10 @@ def _number(name: str, value: Any) -> Any:
         return checked(value, name, str(value.value))
     if isinstance(value, list | tuple):
         value = [_number(name, item) for item in value]
+        if any(map(is_uncertain, value)):
+            raise QuantityError(
+                name, "a list", "holds uncertain values, and arrays have no uncertainty", "give them one by one"
+            )
     return as_floats(name, value)
 
 
