@@ -127,7 +127,7 @@ _COMMANDS = (
     _question("report", "All quantities that your inputs allow.", "quartz 100nm"),
     Command(
         "export",
-        "Write the contact of a pair as input of LAMMPS.",
+        "Write the contact of a pair, or of a sphere and a wall, as input of LAMMPS.",
         Words("lammps [MATERIAL] [RADIUS]", INFINITY),
         _options_of_export,
         "export:run_export",
