@@ -47,15 +47,18 @@ class UnknownQuantity(JkrollError):
 
 
 # Words of others, and the quantity that they are likely to mean.
-_OTHER_WORDS = {
+OTHER_WORDS = {
     "adhesion": "pull_off_force",
     "adhesion_force": "pull_off_force",
+    "diameter": "radius",
     "elastic_modulus": "youngs_modulus",
+    "force": "pull_off_force",
     "rolling_force": "yield_force",
     "rolling_friction": "yield_force",
     "rolling_friction_force": "yield_force",
     "sticking_velocity": "sticking_speed",
     "surface_tension": "surface_energy",
+    "velocity": "speed",
 }
 
 
@@ -65,7 +68,7 @@ def nearest(word: str, names: Collection[str] = NOMENCLATURE) -> str | None:
     It is the one with this symbol, with or without the index of sphere 1, the one that others call so, the one whose name begins with
     the word, or else the one whose name or option resembles it most.
     """
-    meanings = {one: meant for one, meant in {**OPTION_WORDS, **_OTHER_WORDS}.items() if meant in names}
+    meanings = {one: meant for one, meant in {**OPTION_WORDS, **OTHER_WORDS}.items() if meant in names}
     meanings |= {name: name for name in names}
     name = word.strip().lstrip("-").replace("-", "_").replace(" ", "_").casefold()
     letters = name.replace("_", "")
