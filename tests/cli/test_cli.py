@@ -159,6 +159,11 @@ MESSAGES = {
         2,
         "no such option '--radius'; a radius stands alone: jkroll pull-off quartz 100nm",
     ),
+    "pull-off quartz --diameter 200nm": (
+        2,
+        "no such option '--diameter'; a radius stands alone: jkroll pull-off quartz 100nm",
+    ),
+    "n-roll quartz 100nm --velocity 1m/s": (2, "no such option '--velocity'; did you mean --speed?"),
     "pull-off --\x1b[31m": (2, "no such option '--?[31m'; see jkroll pull-off --help"),
     "--bare pull-off quartz 100nm": (2, "--bare goes behind a command: jkroll pull-off ... --bare"),
     "pul-off quartz 100nm": (2, "no such command 'pul-off'; did you mean pull-off?"),
@@ -513,6 +518,7 @@ def test_the_curve_has_its_states(run: Run) -> None:
         assert math.isclose(float(named[state]["load [N]"]) / force, load, abs_tol=1e-14)
         assert math.isclose(float(named[state]["approach_at_load [m]"]) / approach, delta, abs_tol=1e-14)
     assert named["fold"]["stiffness [N/m]"] == ""
+    assert named["jump-in"]["approach_at_load [m]"] == "0.0"
     approaches = [float(row["approach_at_load [m]"]) for row in rows]
     fold = approaches.index(min(approaches))
     assert approaches[: fold + 1] == sorted(approaches[: fold + 1], reverse=True)
@@ -616,3 +622,11 @@ def test_a_quantity_that_is_asked_for_by_name_is_shown_for_any_scene(run: Run, n
     (result,) = json.loads(ran.out)["results"]
     assert result["name"] == name
     assert result["value"] == solve(name, material="quartz", radius=1e-7, radius2=1e-6)
+
+
+def test_the_quantities_of_a_command_leave_out_its_inputs(run: Run) -> None:
+    shown = json.loads(run("report quartz 100nm --load 1nN --quantities pull-off,contact --json").out)["results"]
+    names = [result["name"] for result in shown]
+    assert names[0] == "pull_off_force"
+    assert "approach_at_load" in names
+    assert "load" not in names

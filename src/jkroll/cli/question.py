@@ -91,9 +91,9 @@ def question_of(call: Call) -> Question:
 
 
 def _refuse_inputs(question: Question, request: Request) -> None:
-    """Raise BadRequest for a quantity that is not a result of the scenes, but one of their inputs."""
+    """Raise BadRequest for a quantity that was named and is not a result of the scenes, but one of their inputs."""
     scene = request.samples()[0]
-    for name in question.quantities:
+    for name in question.named:
         if name in scene.stated or (name in scene.values and formula_of(name) is None):
             raise BadRequest(f"--quantities: {name} is an input here")
 

@@ -63,7 +63,7 @@ def infer(
             'write {"pull_off_force": "300 nN"}',
         )
     ((word, value),) = measured.items()
-    known, _ = in_si({str(word): value})
+    known, _ = in_si({named(str(word)): value})
     ((quantity, at),) = known.items()
     described, _ = in_si(given)
     check_range(quantity, at.value if is_uncertain(at) else at)
