@@ -35,7 +35,12 @@ def quantities_found(words: Sequence[str]) -> list[str]:
     if not found:
         raise UnknownQuantity(" ".join(words))
     found.sort(key=lambda name: (bool(NOMENCLATURE[name].variant_of), not _has(_called(name), begun)))
-    return [name for name in found if NOMENCLATURE[name].variant_of not in found]
+    return _without_variants(found)
+
+
+def _without_variants(names: Sequence[str]) -> list[str]:
+    """Return names without the variants of quantities that are among them."""
+    return [name for name in names if NOMENCLATURE[name].variant_of not in names]
 
 
 def write_quantities(names: Sequence[str], out: TextIO, kind: str) -> None:
@@ -48,7 +53,8 @@ def write_quantities(names: Sequence[str], out: TextIO, kind: str) -> None:
     elif kind == "table":
         from .table import write_wrapped
 
-        write_wrapped(("name", "symbol", "unit", "meaning"), [_table_row(name) for name in names], out)
+        rows = [_table_row(name) for name in _without_variants(names)]
+        write_wrapped(("name", "symbol", "unit", "meaning"), rows, out)
     else:
         write_records(_HEADS, map(_row, names), kind, out)
 

@@ -115,11 +115,14 @@ def curves_of(request: PlotRequest, size: int) -> tuple[Picture, tuple[str, ...]
     y = axis_around(request.quantity, [curve.y for curve in curves])
     points = [mark_at(text, request.materials, request.scenes[0][1], x, y) for text in request.marks]
     shared = [text for text in contexts[0].inputs if all(text in context.inputs for context in contexts)]
-    doubts = [text for context, curve in zip(contexts, curves, strict=True) for text in context.doubts(x, curve.text)]
+    doubts: dict[str, list[str]] = {}
+    for context, curve in zip(contexts, curves, strict=True):
+        for doubt, where in context.doubts(x):
+            doubts.setdefault(doubt, []).append(f"{curve.text}, {where}" if curve.text else where)
     caption = (
         _first_sentence(request.quantity, [context.scene for context in contexts]),
         *fixed_inputs(shared),
-        *doubts,
+        *(f"{'; '.join(places)}: {doubt}." for doubt, places in doubts.items()),
     )
     notes = [f"no curve: {error}" for error in missing.values()]
     notes += dict.fromkeys(note for context in contexts for note in context.notes)
@@ -153,14 +156,13 @@ class Context:
         data = notes_on(self.scene, inputs, names)
         self.notes = tuple(dict.fromkeys([*notes[:1], *data, *([f"{quantity}: {note}"] if note else [])]))
 
-    def doubts(self, x: Axis, curve: str) -> Iterable[str]:
-        """Iterate over sentences that say where along an axis the model has no meaning or is not exact."""
+    def doubts(self, x: Axis) -> Iterable[tuple[str, str]]:
+        """Iterate over clauses on the model, which has no meaning or is not exact, each with the part of an axis where that is so."""
         for bound in self.bounds:
             where = x.values()[margin_along(self.given, bound, x) < 0]
             if where.size:
                 ends = (amount(x.name, float(f"{end:.2g}")) for end in (where[0], where[-1]))
-                of_curve = f"{curve}, " if curve else ""
-                yield f"{of_curve}{NOMENCLATURE[x.name].symbol} = {' to '.join(ends)}: {bound.broken}."
+                yield bound.broken, f"{NOMENCLATURE[x.name].symbol} = {' to '.join(ends)}"
 
 
 def inputs_as_texts(scene: Scene, names: Iterable[str]) -> tuple[str, ...]:
