@@ -15,6 +15,7 @@ import pytest
 from harness import Run
 from jkroll import NOMENCLATURE, __version__, solve
 from jkroll.answers.questions import QUESTIONS
+from jkroll.cli.commands import COMMANDS
 
 REFERENCE = {  # audit.md, the reference point: quartz, R1 = 100 nm
     "pull_off_force": "1.1781e-8",
@@ -630,3 +631,16 @@ def test_the_quantities_of_a_command_leave_out_its_inputs(run: Run) -> None:
     assert names[0] == "pull_off_force"
     assert "approach_at_load" in names
     assert "load" not in names
+
+
+def test_what_a_note_tells_to_give_can_be_given(run: Run) -> None:
+    """`report`, `map` and `infer` take the inputs of every quantity."""
+    ran = run("report quartz 100nm --quantities E_roll --angle 90deg --bare --quiet")
+    assert float(ran.out) == solve("roll_energy", material="quartz", radius=1e-7, rolling_angle=math.pi / 2)
+    assert run("map E_roll quartz --x radius=1nm:1um:3 --angle 90deg --data -").code == 0
+    assert run("infer xi quartz 100nm --measured E_roll=15aJ --angle 90deg").code == 0
+    takers = COMMANDS["report"].flags()
+    for name in QUESTIONS:
+        assert {option.name for option in COMMANDS[name].options() if option.name in NOMENCLATURE} <= {
+            option.name for option in takers.values()
+        }

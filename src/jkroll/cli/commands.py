@@ -10,6 +10,7 @@ from ..answers.questions import QUESTIONS
 from ..errors import BadRequest
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from .options import (
+    ANGLE,
     AS_PRINTED,
     AXES,
     BENCH,
@@ -124,7 +125,7 @@ _COMMANDS = (
     ),
     _question("moment", "Rolling resistance at a displacement ξ.", "quartz 100nm --xi 1angstrom"),
     _question("energies", "Energies to break, to roll and to stick, by convention.", "quartz 100nm --angle 90deg"),
-    _question("report", "All quantities that your inputs allow.", "quartz 100nm"),
+    _question("report", "All quantities that your inputs allow.", "quartz 100nm", ANGLE),
     Command(
         "export",
         "Write the contact of a pair, or of a sphere and a wall, as input of LAMMPS.",
@@ -140,6 +141,7 @@ _COMMANDS = (
         lambda: (
             MEASURED,
             *inputs_of(QUESTIONS["report"].quantities),
+            ANGLE,
             *RESULTS,
             EXPLAIN,
             CITE_ANSWER,
@@ -162,7 +164,7 @@ _COMMANDS = (
         "map",
         "Draw a quantity over two inputs as a map, or over one as curves.",
         Words("QUANTITY [MATERIAL] [RADIUS]...", INFINITY),
-        lambda: (*AXES, *PICTURE, *inputs_of(QUESTIONS["report"].quantities)),
+        lambda: (*AXES, *PICTURE, *inputs_of(QUESTIONS["report"].quantities), ANGLE),
         "draw:run_map",
         "pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2",
         LOOK_UP,

@@ -128,6 +128,7 @@ CURVE = Option("curve", "--curve", bool, "", "Whole force curve; with -o as a pi
 MARKED = Option(
     "yield_displacement", "--xi", str, "2angstrom", "Displacement that the panel of moments marks", hidden=True
 )
+ANGLE = Option("rolling_angle", "--angle", str, "90deg", hidden=True)  # where any quantity may be asked for
 _AS_TEXT = "Output as JSON or CSV"
 JSON = Option("json", "--json", bool, "", _AS_TEXT)
 CSV = Option("csv", "--csv", bool, "", _AS_TEXT)
