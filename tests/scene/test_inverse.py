@@ -190,7 +190,7 @@ def test_an_inferred_value_is_explained_by_the_formula_of_what_was_measured(run:
     words = "infer gamma quartz 2um --radius2 plane --measured pull_off_force=300±20nN,3N"
     found, forward, failed = run(f"{words} --explain").out.split("\n\n")
     assert found.splitlines()[1:3] == ["  result    γ1 = 15.9 ± 1.1 mJ/m²", "  shares    P_c 100%"]
-    assert "κ = 1 " in found
+    assert "times κ = 1\n" in found
     assert "  by law    13.3793 mJ/m² (maugis), 11.9366 mJ/m² (dmt)" in found
     assert forward.startswith("pull_off_force — pull-off force, Eq 1\n  P_c = 3πγR")
     assert "    γ1 = 15.9155 mJ/m²     surface energy per surface\n" in forward

@@ -99,8 +99,8 @@ def _found(result: Result, form: Format) -> list[str]:
         lines.append(f"  shares    {shares}")
     if result.condition is not None:
         lines.append(
-            "  inferred  by bisection: with it, the formula below gives the measured value; "
-            f"κ = {result.condition:.3g} times the relative error of that is its own"
+            "  inferred  by bisection, so that the formula below gives the measured value; "
+            f"a relative error of that value enters times κ = {result.condition:.3g}"
         )
     if result.by_law:
         others = ", ".join(f"{amount(result.name, value, form)} ({law})" for law, value in result.by_law.items())

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Sequence
 from typing import Any, TextIO
 
 from ..answers.questions import QUESTIONS
-from ..quantities.errors import UnknownQuantity
+from ..quantities.errors import OTHER_WORDS, UnknownQuantity
 from ..quantities.formatting import pretty
 from ..quantities.naming import named, with_symbol
 from ..quantities.nomenclature import NOMENCLATURE, RANGES
@@ -32,6 +32,8 @@ def quantities_found(words: Sequence[str]) -> list[str]:
     found = [
         name for name in NOMENCLATURE if begun and _has(_called(name) | _pieces([NOMENCLATURE[name].sentence]), begun)
     ]
+    if not found and (meant := OTHER_WORDS.get(text.casefold())):
+        return [meant]
     if not found:
         raise UnknownQuantity(" ".join(words))
     found.sort(key=lambda name: (bool(NOMENCLATURE[name].variant_of), not _has(_called(name), begun)))
