@@ -341,6 +341,7 @@ def test_limits_that_cannot_be_shown_are_said_to_be_missing(run: Run) -> None:
         ("map pull-off", "map needs an axis"),
         ("map pull-off --x radius", "write a quantity and its range"),
         ("map pull-off --x radius=1nm", "is not a range"),
+        ("map pull-off --x radius=1nm:1um:lin:20", "is not a range"),
         ("map pull-off --x radius=1um:1nm", "does not rise"),
         ("map pull-off --x radius=1nm:1N", "is a force"),
         ("map pull-off --x radius=0nm:1um", "must be positive"),

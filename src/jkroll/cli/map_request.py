@@ -31,10 +31,10 @@ def axis_of(text: str, option: str) -> Axis:
         raise BadRequest(f"{option}: {name} has no range")
     first, colon, rest = values.partition(":")
     last, *how = rest.split(":")
-    if not colon or len(how) > 2 or "," in values:
-        raise QuantityError(name, values, "is not a range", "write FROM:TO, with :lin for equal steps")
     has_count = bool(how) and how[0] not in ("lin", "log")
     count, scale = how[0] if has_count else "2", how[has_count:]
+    if not colon or len(scale) > 1 or "," in values:
+        raise QuantityError(name, values, "is not a range", "write FROM:TO, with :lin for equal steps")
     spread = between(first, last, count, *scale, name=name, text=values)
     if not spread.low < spread.high:
         raise QuantityError(name, values, "does not rise")
