@@ -48,6 +48,36 @@ def test_jkr_pull_off(run: Run, lammps: Any, pair: str) -> None:
     assert math.isclose(-spheres.force(letting_go), pull_off, rel_tol=1e-6)
 
 
+@pytest.mark.parametrize(("model", "wanted"), [("jkr", "pull_off_force"), ("dmt", "pull_off_force_dmt")])
+def test_a_wall_holds_and_rolls_as_a_plane(run: Run, lammps: Any, model: str, wanted: str) -> None:
+    """The sphere is drawn off a plane of iron; in DMT it lets go where it stops to touch."""
+    printed = run(*f"export lammps quartz 1um --radius2 plane --material2 iron --model {model}".split()).out
+    scene = both(GRAIN, {**IRON, "radius": math.inf})
+    force, approach = jkroll.solve((wanted, "approach"), **scene).values()
+    spheres = Spheres(lammps, GRAIN, GRAIN, contact=printed.replace("pair_coeff 1 1", "pair_coeff * *").splitlines())
+    spheres.code.command("set type 2 z -5e-6")
+
+    def drawn(at: float) -> float:
+        for overlap in (spheres.touching, at):
+            spheres.x[0, 2] = spheres.radius - overlap
+            spheres.run(1)
+        return float(spheres.f[0, 2])
+
+    least = -approach if model == "jkr" else 0.0
+    letting_go = bisect(lambda at: drawn(at) == 0, least, spheres.touching)
+    assert math.isclose(-drawn(letting_go), force, rel_tol=1e-5)
+    expected = jkroll.solve("load", approach_at_load=approach, model=model, **scene)
+    assert math.isclose(drawn(approach), expected, rel_tol=1e-6, abs_tol=1e-6 * force)
+    if model == "jkr":  # it rolls by ξ, then farther, without slip
+        spheres.code.command("timestep 1e-12")
+        spheres.omega[0, 1] = 2e-10 / 100 / 1e-12 / spheres.radius
+        spheres.v[0, 0] = spheres.omega[0, 1] * spheres.radius
+        moment = jkroll.solve("yield_moment", **scene)
+        for steps, part in ((50, 0.5), (150, 1.0)):
+            spheres.run(steps)
+            assert math.isclose(abs(spheres.torque[0, 1]), part * moment, rel_tol=0.03)
+
+
 @pytest.mark.parametrize("pair", PAIRS)
 def test_dmt_force(run: Run, lammps: Any, pair: str) -> None:
     spheres = exported(run, lammps, pair, "--model", "dmt")

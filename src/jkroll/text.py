@@ -8,6 +8,7 @@ from typing import Any, TextIO
 
 _ASCII = {
     "γ": "gamma", "δ": "delta", "μ": "mu", "ν": "nu", "ρ": "rho", "ξ": "xi", "π": "pi", "ω": "omega", "Ω": "Omega", "α": "alpha",
+    "Δ": "Delta", "θ": "theta", "κ": "kappa", "λ": "lambda", "σ": "sigma", "Φ": "Phi", "φ": "phi",
     "µ": "u", "√": "sqrt", "∛": "cbrt", "⟨": "<", "⟩": ">", "⁰": "^0", "¹": "^1", "²": "^2", "³": "^3", "⁴": "^4", "⁵": "^5", "⁻": "^-", "½": "1/2 ", "¼": "1/4 ", "â": "ahat",
     "𝒜": "A", "Å": "angstrom", "\u0302": "hat", "−": "-", "–": "-", "—": "-", "·": "*", "×": "x", "≪": "<<", "≥": ">=",
     "≤": "<=", "±": "+/-", "≈": "~", "→": "->", "∞": "inf",
@@ -68,13 +69,22 @@ def say_wrapped(text: str, out: TextIO, indent: int = 2) -> None:
     """
     fitted = fitting(text, out)
     if out.isatty() and len(fitted) > columns():
-        import re
-        from textwrap import wrap
-
-        joined = re.sub(r"(?<=\d) (?=[^\W\d]|%)", "\xa0", fitted)
-        lines = wrap(joined, columns(), subsequent_indent=" " * indent, break_long_words=False, break_on_hyphens=False)
-        fitted = "\n".join(lines).replace("\xa0", " ")
+        fitted = "\n".join(wrapped(fitted, columns(), indent))
     out.write(fitted + "\n")
+
+
+def wrapped(text: str, width: int, indent: int = 0) -> list[str]:
+    """Return the lines of a sentence, broken at spaces, but not between a number and its unit; those after the first indented.
+
+    >>> wrapped("P = 0 N", 5), wrapped("P = 0 N", 6, 2)
+    (['P =', '0 N'], ['P =', '  0 N'])
+    """
+    import re
+    from textwrap import wrap
+
+    joined = re.sub(r"(?<=\d) (?=[^\W\d]|%)", "\xa0", text)
+    lines = wrap(joined, width, subsequent_indent=" " * indent, break_long_words=False, break_on_hyphens=False)
+    return [line.replace("\xa0", " ") for line in lines]
 
 
 MAX_SIZE = 1000  # a table or a picture of this size still fits into memory

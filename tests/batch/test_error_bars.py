@@ -134,8 +134,8 @@ def test_a_status_is_short(run: Run) -> None:
     )
     assert second == (
         "pull_off_force, pull_off_force_dmt, yield_force and 25 more: need some of surface energy per surface and mass "
-        "density and Young's modulus and Poisson's ratio; give --gamma 25mJ/m2 --density 2.6g/cm3 --young 54GPa "
-        "--poisson 0.17 or --work-of-adhesion 50mJ/m2"
+        "density and Young's modulus and Poisson's ratio; give --gamma 25mJ/m2 --density 1g/cm3 --young 10GPa "
+        "--poisson 0.3 or --work-of-adhesion 50mJ/m2"
     )
 
 

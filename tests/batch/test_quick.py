@@ -118,7 +118,8 @@ def test_no_record_is_cut(text: bytes, rest: bytes) -> None:
 
 
 def test_an_open_quote_does_not_gather_what_follows_in_one_block() -> None:
-    from jkroll.batch.source import CHUNK, blocks
+    from jkroll.batch.formats import CHUNK
+    from jkroll.batch.source import blocks
 
     lines = [b'"open,quartz\n', *(b"row %d,quartz\n" % row for row in range(40_000))]
     pieces = [b"".join(lines[start : start + 1000]) for start in range(0, len(lines), 1000)]

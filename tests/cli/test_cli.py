@@ -15,6 +15,7 @@ import pytest
 from harness import Run
 from jkroll import NOMENCLATURE, __version__, solve
 from jkroll.answers.questions import QUESTIONS
+from jkroll.cli.commands import COMMANDS
 
 REFERENCE = {  # audit.md, the reference point: quartz, R1 = 100 nm
     "pull_off_force": "1.1781e-8",
@@ -46,9 +47,9 @@ def test_reference_point(run: Run, name: str) -> None:
 
 # --- Messages, whole ------------------------------------------------------------------------------------------------
 
-GOLD = "gold has none in Table 1; give --young 54GPa --poisson 0.17"
+GOLD = "gold has none in Table 1; give --young 10GPa --poisson 0.3"
 GIVE = "give --gamma 25mJ/m2 and a radius such as 100nm or --work-of-adhesion 50mJ/m2"
-GOLD_2 = "gold has none in Table 1; give --young2 54GPa --poisson2 0.17"
+GOLD_2 = "gold has none in Table 1; give --young2 10GPa --poisson2 0.3"
 MESSAGES = {
     "pull-off quarz 100nm": (
         2,
@@ -117,21 +118,21 @@ MESSAGES = {
     "pull-off quartz 100nm --model jkr,dmt,jkr": (2, "--model: 'jkr,dmt,jkr' names a law more than once"),
     "contact quartz 100nm --poisson 0.6": (
         2,
-        "poisson_ratio: '0.6' must lie between -1 and 0.5; expected a number such as 0.17",
+        "poisson_ratio: '0.6' must lie between -1 and 0.5; expected a number such as 0.3",
     ),
     "r-min 100nm --radius2 plane": (1, "r_min: sphere 2 is a plane; a chain needs two spheres"),
     "r-min 1e-170m": (2, "radius: 1e-170 must lie between 1e-60 and 1e60 in SI units"),
     "pull-off quartz 1nm:1um": (
         2,
-        "radius: '1nm:1um' is not a range; write FROM:TO:COUNT, with :lin for equal steps; expected a length such as 100nm",
+        "radius: '1nm:1um' is not a range; write FROM:TO:COUNT, with :lin for equal steps",
     ),
     "pull-off quartz 1nm:1um:1": (
         2,
         "radius: '1nm:1um:1' needs a count from 2 to 1000000000; expected a length such as 100nm",
     ),
-    "yield-force quartz 100nm --load -1nN:1nN:3": (
+    "yield-force quartz 100nm --load -1nN:1nN:3:log": (
         2,
-        "load: '-1nN:1nN:3' has an end that is not positive; end it with :lin; expected a force such as -5nN",
+        "load: '-1nN:1nN:3:log' has an end that is not positive; leave :log out: the steps are equal then",
     ),
     "pull-off quartz iron 100nm": (
         2,
@@ -143,6 +144,8 @@ MESSAGES = {
     ),
     "pull-off quartz 100nm --to nm": (2, "--to: 'nm' fits none of the results, which are in: N"),
     "pull-off quartz 100nm --json --csv": (2, "--json and --csv exclude each other"),
+    "pull-off quartz 100nm --digits ٣": (2, "--digits: '٣' is not a whole number from 1 to 17"),
+    "pull-off quartz 100nm --digits 1_0": (2, "--digits: '1_0' is not a whole number from 1 to 17"),
     "pull-off quartz 100nm --digits 0": (2, "--digits: '0' is not a whole number from 1 to 17"),
     "pull-off quartz 100nm --laod 5nN": (
         2,
@@ -157,6 +160,11 @@ MESSAGES = {
         2,
         "no such option '--radius'; a radius stands alone: jkroll pull-off quartz 100nm",
     ),
+    "pull-off quartz --diameter 200nm": (
+        2,
+        "no such option '--diameter'; a radius stands alone: jkroll pull-off quartz 100nm",
+    ),
+    "n-roll quartz 100nm --velocity 1m/s": (2, "no such option '--velocity'; did you mean --speed?"),
     "pull-off --\x1b[31m": (2, "no such option '--?[31m'; see jkroll pull-off --help"),
     "--bare pull-off quartz 100nm": (2, "--bare goes behind a command: jkroll pull-off ... --bare"),
     "pul-off quartz 100nm": (2, "no such command 'pul-off'; did you mean pull-off?"),
@@ -394,9 +402,7 @@ def test_ranges_over_many_orders(run: Run) -> None:
     assert middle["inputs"]["load"] == 1.0
     middle = json.loads(run("pull-off quartz 100nm --radius2 1e-20m:1e60m:3 --json").out)[1]
     assert middle["inputs"]["radius2"] == 1e20
-    loads = [
-        one["inputs"]["load"] for one in json.loads(run("yield-force quartz 1um --load -3nN:1nN:5:lin --json").out)
-    ]
+    loads = [one["inputs"]["load"] for one in json.loads(run("yield-force quartz 1um --load -3nN:1nN:5 --json").out)]
     assert loads == [-3e-9, -2e-9, -1e-9, 0.0, 1e-9]
 
 
@@ -513,6 +519,7 @@ def test_the_curve_has_its_states(run: Run) -> None:
         assert math.isclose(float(named[state]["load [N]"]) / force, load, abs_tol=1e-14)
         assert math.isclose(float(named[state]["approach_at_load [m]"]) / approach, delta, abs_tol=1e-14)
     assert named["fold"]["stiffness [N/m]"] == ""
+    assert named["jump-in"]["approach_at_load [m]"] == "0.0"
     approaches = [float(row["approach_at_load [m]"]) for row in rows]
     fold = approaches.index(min(approaches))
     assert approaches[: fold + 1] == sorted(approaches[: fold + 1], reverse=True)
@@ -616,3 +623,24 @@ def test_a_quantity_that_is_asked_for_by_name_is_shown_for_any_scene(run: Run, n
     (result,) = json.loads(ran.out)["results"]
     assert result["name"] == name
     assert result["value"] == solve(name, material="quartz", radius=1e-7, radius2=1e-6)
+
+
+def test_the_quantities_of_a_command_leave_out_its_inputs(run: Run) -> None:
+    shown = json.loads(run("report quartz 100nm --load 1nN --quantities pull-off,contact --json").out)["results"]
+    names = [result["name"] for result in shown]
+    assert names[0] == "pull_off_force"
+    assert "approach_at_load" in names
+    assert "load" not in names
+
+
+def test_what_a_note_tells_to_give_can_be_given(run: Run) -> None:
+    """`report`, `map` and `infer` take the inputs of every quantity."""
+    ran = run("report quartz 100nm --quantities E_roll --angle 90deg --bare --quiet")
+    assert float(ran.out) == solve("roll_energy", material="quartz", radius=1e-7, rolling_angle=math.pi / 2)
+    assert run("map E_roll quartz --x radius=1nm:1um:3 --angle 90deg --data -").code == 0
+    assert run("infer xi quartz 100nm --measured E_roll=15aJ --angle 90deg").code == 0
+    takers = COMMANDS["report"].flags()
+    for name in QUESTIONS:
+        assert {option.name for option in COMMANDS[name].options() if option.name in NOMENCLATURE} <= {
+            option.name for option in takers.values()
+        }

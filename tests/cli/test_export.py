@@ -1,6 +1,8 @@
 """`jkroll export lammps`: the lines that it writes. test_lammps_export.py runs them."""
 
+import math
 import re
+from typing import Any
 
 import pytest
 
@@ -70,6 +72,27 @@ def test_a_work_of_adhesion_is_that_of_the_two_materials(run: Run) -> None:
     assert {numbers[1] for numbers in coefficients(text).values()} == {0.04}
 
 
+def test_a_plane_is_a_wall(run: Run) -> None:
+    text = run("export lammps quartz 1um --radius2 plane --material2 iron --load 10nN").out
+    assert "zplane 0 NULL\n" in text
+    of_wall = text.replace("fix wall all wall/gran granular", "pair_coeff 0 0")
+    modulus, gamma, _, _, rolling, cap = coefficients(of_wall)["0 0"]
+    scene: dict[str, Any] = {
+        "material": "quartz",
+        "material2": "iron",
+        "radius": 1e-6,
+        "radius2": math.inf,
+        "load": 1e-8,
+    }
+    assert modulus == pytest.approx(2 * solve("contact_modulus", **scene), rel=1e-11)
+    assert gamma == pytest.approx(math.sqrt(0.025 * 3.0), rel=1e-11)
+    assert rolling == pytest.approx(solve("rolling_stiffness", **scene) / 1e-12, rel=1e-11)
+    held = 1e-8 + 2 * solve("pull_off_force", **scene)
+    assert cap == pytest.approx(solve("yield_moment", **scene) / (1e-6 * held), rel=1e-11)
+    alone = run("export lammps quartz 1um").out
+    assert coefficients(text) == coefficients(alone)  # of the spheres among each other
+
+
 def test_a_pair_that_lacks_an_input_is_left_out(run: Run) -> None:
     """Of γ1 and γ2 nothing is said, so that only the coefficients of unlike spheres are known."""
     words = (
@@ -86,15 +109,11 @@ def test_a_pair_that_lacks_an_input_is_left_out(run: Run) -> None:
     [
         ("", "export: which program? write jkroll export lammps quartz 100nm"),
         ("yade quartz 100nm", "export: 'yade' is not among the programs: lammps"),
-        (
-            "lammps quartz 100nm --radius2 plane",
-            "sphere 2 is a plane, and the atoms of LAMMPS are spheres: give two spheres",
-        ),
         ("lammps quartz,iron 100nm", "export takes one pair of spheres, not 2"),
         ("lammps quartz 100nm --model maugis", "--model: LAMMPS has jkr and dmt, not 'maugis'"),
         (
             "lammps 100nm --gamma 25mJ/m2 --young 54GPa --poisson 0.17",
-            "time_step needs mass density; give --density 2.6g/cm3",
+            "time_step needs mass density; give --density 1g/cm3",
         ),
     ],
 )

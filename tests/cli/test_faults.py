@@ -360,3 +360,15 @@ def test_an_unknown_request_for_completions_is_a_wrong_usage(instruction: str) -
     assert ran.returncode == 2
     assert ran.stdout == b""
     assert len(ran.stderr.splitlines()) == 1
+
+
+def test_an_error_is_broken_on_a_terminal_alone() -> None:
+    """A pipe, which programs read, gets one line."""
+    words = [*JKROLL, "pull-off", "quarz", "100nm"]
+    code, screen = on_terminal(words, COLUMNS="60", TERM="xterm")
+    message = subprocess.run(words, capture_output=True, text=True, check=False).stderr
+    assert code == 2
+    assert len(message.splitlines()) == 1
+    assert len(screen.splitlines()) > 1
+    assert all(len(line) <= 60 for line in screen.splitlines())
+    assert screen.split() == message.split()

@@ -99,8 +99,8 @@ def test_a_material_that_lacks_a_property_names_its_file(run: Run, tmp_path: Pat
 BROKEN = {
     "a = ": "is not TOML: Invalid value (at end of document)",
     "[materials.a]\ndensity = 5": "a.density is not a text in quotes",
-    "[materials.a]\ndensity = '5'": "a: density: '5' has no unit; expected a mass density such as 2.6g/cm3",
-    "[materials.a]\ndensity = '-5 g/cm3'": "a: density: '-5 g/cm3' must be positive; expected a mass density such as 2.6g/cm3",
+    "[materials.a]\ndensity = '5'": "a: density: '5' has no unit; expected a mass density such as 1g/cm3",
+    "[materials.a]\ndensity = '-5 g/cm3'": "a: density: '-5 g/cm3' must be positive; expected a mass density such as 1g/cm3",
     "[materials.a]\ndensity = true": "a.density is not a text in quotes",
     "[materials.a]\ndensity = 1979-05-27": "a.density is not a text in quotes",
     "[materials.a]\ndensity = nan": "a.density is not a text in quotes",
@@ -164,7 +164,7 @@ def test_of_a_file_no_more_is_read_than_is_asked(run: Run, tmp_path: Path) -> No
     path = write(tmp_path / "mine.toml", ICE + "[materials.wood]\naliases = ['oak']\ndensity = '-5 g/cm3'\n")
     words = ("1um", "--materials", str(path), "--bare")
     assert run("pull-off", "ice", *words).code == run("pull-off", "quartz", *words).code == 0
-    problem = "wood: density: '-5 g/cm3' must be positive; expected a mass density such as 2.6g/cm3"
+    problem = "wood: density: '-5 g/cm3' must be positive; expected a mass density such as 1g/cm3"
     message = f"jkroll: materials file '{path}': {problem}\n"
     for material in ("wood", "Oak", "ice,wood", "all"):
         assert run("pull-off", material, *words).err == message

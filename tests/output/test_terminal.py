@@ -5,7 +5,9 @@ import re
 import pytest
 
 from harness import Run, Stream
+from jkroll.output.glossary import quantities_found, write_quantities
 from jkroll.quantities.formatting import Format
+from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.text import say_wrapped
 
 
@@ -130,3 +132,13 @@ def test_uncertain_columns_have_one_unit_and_two_digits_of_the_uncertainty(run: 
         "9.42 to 11.8 nN"
         in run("pull-off", "quartz", "100nm", "--gamma", "20 to 25mJ/m2", "--digits", "3", "--explain").out
     )
+
+
+def test_the_list_of_quantities_fits_and_names_no_variants(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    terminal = Stream(terminal=True)
+    write_quantities(quantities_found([]), terminal, "table")
+    lines = terminal.text().splitlines()
+    listed = {line.split()[0] for line in lines[2:] if line.strip() and not line.startswith(" ")}
+    assert max(map(len, lines)) <= 80
+    assert listed == {name for name, quantity in NOMENCLATURE.items() if not quantity.variant_of}

@@ -16,12 +16,13 @@ import pytest
 from harness import Run
 from jkroll import known_materials, solve
 from jkroll.cli.draw import OF_PAPER
-from jkroll.cli.map_request import map_request
+from jkroll.cli.map_request import MAX_CURVES, map_request
 from jkroll.cli.options import Call
 from jkroll.cli.process import main
 from jkroll.pictures.axes import described
 from jkroll.pictures.figures import FIGURES, figure
 from jkroll.pictures.maps import Map
+from jkroll.pictures.panels import Curve
 from jkroll.pictures.plot_request import map_of
 from jkroll.quantities.nomenclature import NOMENCLATURE
 
@@ -29,10 +30,11 @@ pytest.importorskip("matplotlib")
 from matplotlib.figure import Figure
 from matplotlib.mathtext import MathTextParser
 
-from jkroll.pictures.canvas import LINES
+from jkroll.pictures.canvas import LINES, SIGNS
 from jkroll.pictures.labels import _lines_of
 from jkroll.pictures.mathtext import typeset, typeset_lines
 from jkroll.pictures.page import figure_of
+from jkroll.pictures.page_axes import line_of
 from jkroll.pictures.styles import DARK, PAPER, STYLES, Style
 
 SVG_TEXT = re.compile(r"<!-- (.*?) -->", re.DOTALL)  # letters are paths; their text stands beside them
@@ -132,6 +134,24 @@ def test_one_panel_of_a_contact(run: Run, tmp_path: Path) -> None:
     assert not any("pressure" in text or "moment" in text for text in shown)
 
 
+@pytest.mark.parametrize(
+    ("options", "held"),
+    [
+        ("", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17, ξ = 100 pm."),
+        ("--panel force", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17."),
+        ("--panel moment", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17, ξ = 100 pm."),
+        ("--panel force --model dmt", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17."),
+        ("--panel moment --model dmt", "R1 = 100 nm, γ1 = 25 mJ/m²."),
+        ("--model maugis", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17, z0 = 400 pm."),
+    ],
+)
+def test_a_caption_has_the_inputs_of_what_is_drawn(run: Run, options: str, held: str) -> None:
+    ran = run(f"contact quartz 100nm --xi 1angstrom --curve -o contact.svg {options}")
+    assert ran.out.splitlines()[-1] == f"Held: quartz, {held}"
+    assert ("z0" in ran.err) is ("z0" in held)
+    assert "ξ" not in ran.err
+
+
 @pytest.mark.parametrize("style", [PAPER, DARK])
 def test_bands_can_be_differ_in_grey_and_read_on(style: Style) -> None:
     greys = [
@@ -227,6 +247,11 @@ def test_curves_are_differ_in_grey_by_their_dashes(run: Run, tmp_path: Path) -> 
     assert len({*LINES}) == len(LINES)
 
 
+def test_as_many_curves_as_there_may_be_differ() -> None:
+    looks = [line_of(Curve("", None, None, number), number, PAPER) for number in range(MAX_CURVES)]
+    assert len({(look["color"], look["linestyle"]) for look in looks}) == len({*SIGNS}) == MAX_CURVES
+
+
 def test_the_curves_of_a_contact(run: Run, tmp_path: Path) -> None:
     ran = run("contact quartz 100nm --curve -o contact.svg --quiet")
     assert (ran.code, ran.err) == (0, "")
@@ -283,7 +308,9 @@ def test_rows_of_a_curve_are_within_its_loads(run: Run, model: str) -> None:
         ("contact quartz 100nm --curve --load 1nN -o contact.svg", "give --load as FROM:TO"),
         ("contact quartz 100nm --curve --load 1nN:-1nN -o contact.svg", "does not rise"),
         ("contact quartz 100nm --curve --model dmt --panel pressure -o contact.svg", "not in DMT"),
-        ("figure 3a -o nowhere/figure.svg", "cannot write"),
+        ("figure 3a -o nowhere/figure.svg", "cannot write 'nowhere/figure.svg': No such"),
+        ("figure 3a --data nowhere/figure.csv", "cannot write 'nowhere/figure.csv': No such"),
+        ("n-grav quartz 1um -o nowhere/sweep.csv", "cannot write 'nowhere/sweep.csv"),
         ("figure 2 --mark quartz@1nm", "takes no --mark"),
         ("figure 3a --as-printed", "for 6b"),
         ("contact quartz 100nm --curve --panel tides -o contact.svg", "there are force, pressure, moment"),

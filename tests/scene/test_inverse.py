@@ -186,6 +186,21 @@ def test_the_command(run: Run) -> None:
     assert (table.code, table.err.splitlines()[-1]) == (1, "jkroll: 1 of 2 rows failed")
 
 
+def test_an_inferred_value_is_explained_by_the_formula_of_what_was_measured(run: Run) -> None:
+    words = "infer gamma quartz 2um --radius2 plane --measured pull_off_force=300±20nN,3N"
+    found, forward, failed = run(f"{words} --explain").out.split("\n\n")
+    assert found.splitlines()[1:3] == ["  result    γ1 = 15.9 ± 1.1 mJ/m²", "  shares    P_c 100%"]
+    assert "times κ = 1\n" in found
+    assert "  by law    13.3793 mJ/m² (maugis), 11.9366 mJ/m² (dmt)" in found
+    assert forward.startswith("pull_off_force — pull-off force, Eq 1\n  P_c = 3πγR")
+    assert "    γ1 = 15.9155 mJ/m²     surface energy per surface\n" in forward
+    assert "  result    P_c = 300 nN\n" in forward
+    assert "no value gives pull_off_force = 3 N" in failed
+    ran = run(f"{words} --cite")
+    assert (ran.code, ran.err) == (1, "jkroll: 1 of 2 rows failed\n")
+    assert "{Eq. (1)}" in ran.out
+
+
 @pytest.mark.parametrize(
     ("words", "code", "message"),
     [

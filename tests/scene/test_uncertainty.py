@@ -234,6 +234,14 @@ def test_measurements_of_pint_that_cannot_be(uncertainty: float, unit: str, reas
         solve("pull_off_force", surface_energy=energy, radius="100 nm")
 
 
+def test_a_list_holds_no_uncertain_values() -> None:
+    for energies in (["25±5 mJ/m2", "30 mJ/m2"], [Measured(0.025, 0.005, 0.005)]):
+        with pytest.raises(
+            QuantityError, match="holds uncertain values, and arrays have no uncertainty; give them one by one"
+        ):
+            solve("pull_off_force", surface_energy=energies, radius="100 nm")
+
+
 @pytest.mark.parametrize("low", [-0.3, -0.01, -0.002, -1e-4])
 def test_a_turning_point_next_to_an_end_of_a_range_is_found(low: float) -> None:
     """E* is least at ν = 0, however near to an end of the range that is."""

@@ -130,11 +130,14 @@ def curve(scenes: Iterable[Scene], loads: Loads | None = None) -> Iterator[tuple
         for state in states(scene, loads):
             at_state = scene.replace(**{state.given: state.value})
             row = answer(CURVE, at_state)
-            if state.name == "fold":
-                row = row._replace(results=tuple(map(_at_fold, row.results)))
+            row = row._replace(results=tuple(_at_state(state, result) for result in row.results))
             yield at_state, row._replace(inputs={**row.inputs, "state": state.name}, validity=(), laws=())
 
 
-def _at_fold(result: Result) -> Result:
-    """Return a result at the fold, where the stiffness is infinite."""
-    return result._replace(value=None, reason="infinite at the fold") if result.name == "stiffness" else result
+def _at_state(state: State, result: Result) -> Result:
+    """Return a result at a state: the stiffness is infinite at the fold, and the approach at the jump-in is zero, but for rounding."""
+    if state.name == _NAMED[FOLD] and result.name == "stiffness":
+        return result._replace(value=None, reason="infinite at the fold")
+    if state.name == _NAMED[JUMP_IN] and result.name == "approach_at_load":
+        return result._replace(value=0.0, propagated=None)
+    return result

@@ -50,6 +50,19 @@ def inferred(name: str, quantity: str, measured: "float | Uncertain", scene: Sce
     return add_uncertainties(plain, {} if uncertainty is None else {name: uncertainty}, sources)
 
 
+def with_forward(one: Answer, quantity: str, scene: Scene) -> tuple[Scene, Answer]:
+    """Return the scene with an inferred value in it, and the answer with the measured quantity computed from that scene.
+
+    An answer without a value is returned as it is.
+    """
+    (result,) = one.results
+    if result.value is None:
+        return scene, one
+    there = with_input(scene, result.name, result.value)
+    forward = answer(Question((quantity,), (quantity,), named=(quantity,)), there)
+    return there, one._replace(results=(result, *forward.results))
+
+
 def _echo(forward: Answer, name: str, quantity: str, value: float) -> dict[str, float | str]:
     """Return the inputs of an answer without the one that is asked for, and with the measured value."""
     return {known: each for known, each in forward.inputs.items() if known != name} | {quantity: value}

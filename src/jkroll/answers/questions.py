@@ -5,7 +5,8 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from ..quantities.errors import UnknownQuantity
-from ..quantities.nomenclature import NOMENCLATURE, canonical
+from ..quantities.naming import named
+from ..quantities.nomenclature import NOMENCLATURE
 
 
 class Question(NamedTuple):
@@ -110,7 +111,7 @@ def quantity_named(word: str) -> str:
     >>> quantity_named("radius"), quantity_named("gamma"), quantity_named("pull-off")
     ('radius', 'surface_energy', 'pull_off_force')
     """
-    name = canonical(word)
+    name = named(word)
     if _has_values(name):
         return name
     if word not in QUESTIONS:
@@ -130,14 +131,14 @@ def quantities_named(text: str) -> tuple[list[str], list[str]]:
     """
     if not text:
         return [], list(EVERYTHING)
-    named: list[str] = []
+    wanted: list[str] = []
     offered: list[str] = []
     for word in map(str.strip, text.split(",")):
-        name = canonical(word)
+        name = named(word)
         if word in QUESTIONS:
             offered += QUESTIONS[word].quantities
         elif _has_values(name):
-            named.append(name)
+            wanted.append(name)
         else:
             raise UnknownQuantity(word)
-    return named, offered
+    return wanted, offered

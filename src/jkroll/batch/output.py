@@ -4,6 +4,7 @@ A file is written beside its name as .partial. A journal notes after every block
 checksum of each; `--resume` goes on from there if input, options and version are the same.
 """
 
+import errno
 import os
 import stat
 import sys
@@ -117,8 +118,8 @@ class OutputFile(Output):
             )
         if os.path.exists(target) and not os.path.isfile(target):
             raise BadRequest(f"-o: {quoted(target)} is no file")
-        if not os.path.isdir(folder := os.path.dirname(target) or "."):
-            raise BadRequest(f"-o: there is no directory {quoted(folder)}")
+        if not os.path.isdir(os.path.dirname(target) or "."):
+            raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), target)
         self.target = _real_path(target)
         self.path = f"{self.target}.partial"
         self.journal = Journal(self.target, self.path)

@@ -9,12 +9,13 @@ from ..errors import BadRequest, MissingExtra
 from ..materials.library import known_materials
 from ..materials.places import materials_files
 from ..output.files import whole_file
+from ..pictures.contact_curves import PANELS, curves_of_contact, curves_of_laws
 from ..pictures.figures import FIGURES, figure
 from ..pictures.laws import figure_laws
 from ..pictures.maps import Map, rows_of
 from ..pictures.panels import Picture
-from ..pictures.plot_request import Context, curves_of, fixed_inputs, map_of, mark_at
-from ..pictures.profiles import PANELS, PROFILES, curves_of_contact, curves_of_laws
+from ..pictures.plot_request import curves_of, map_of, mark_at
+from ..pictures.profiles import PROFILES
 from ..pictures.styles import STYLES
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.nomenclature import header
@@ -118,14 +119,11 @@ def draw_contact(call: Call) -> int:
     if (count := request.count // len(request.models)) > 1:
         raise BadRequest(f"{count} scenes are more than one picture of a contact")
     scenes = list(request.scenes())
-    of_jkr = scenes[0].under(DEFAULT_LAW)
-    context = Context("fixed_approach_moment", of_jkr, {"load": 0.0})
-    held = fixed_inputs(context.inputs)
     if request.models in ([None], [DEFAULT_LAW]):
-        shown = () if call.panel else ("Both branches of the force curve; pressure; moment without load.",)
-        return _deliver(curves_of_contact(of_jkr, loads, (*shown, *held), call.panel), context.notes, call)
-    drawn, left_out = curves_of_laws(scenes, loads, held, call.panel)
-    return _deliver(drawn, (*left_out, *context.notes), call)
+        drawn, notes = curves_of_contact(scenes[0], loads, call.panel)
+    else:
+        drawn, notes = curves_of_laws(scenes, loads, call.panel)
+    return _deliver(drawn, notes, call)
 
 
 def _deliver(drawn: Map | Picture, notes: Iterable[str], call: Call) -> int:

@@ -10,7 +10,7 @@ from .commands import COMMANDS, flags_of
 from .options import Option
 
 TITLE = "Adhesive contact of two elastic spheres: pull-off, rolling, chains, vibrations."
-LISTS = "Lists (1nm,1um) and ranges (1nm:1um:50, or :50:lin) give one row each."
+LISTS = "Lists (1nm,1um) and ranges (1nm:1um:50, or 1nm:1um:50:lin for equal steps) give one row each."
 MAX_WIDTH = 98
 MIN_WIDTH = 48
 MIN_TEXT = 20

@@ -4,15 +4,15 @@ from itertools import chain
 from typing import TYPE_CHECKING
 
 from ..answers.answer import in_units
-from ..answers.inferred import inferred
+from ..answers.inferred import inferred, with_forward
 from ..answers.questions import Question, quantity_named
 from ..errors import BadRequest
 from ..output.layout import layout
-from ..quantities.nomenclature import canonical
+from ..quantities.naming import named
 from ..quantities.ranges import spreads_of
 from ..scene.inverse import SIZES, CannotInfer
 from .options import Call
-from .question import write_answers
+from .question import write_answers, write_sources
 from .request import request_of
 from .written import format_name, format_of
 
@@ -26,7 +26,7 @@ def run_infer(call: Call) -> int:
     """Find an input for every scene and measured value; return the exit code."""
     if not call.words:
         raise BadRequest(f"infer needs an input: one of {', '.join(SIZES)}")
-    name = canonical(call.words[0])
+    name = named(call.words[0])
     if name not in SIZES:
         raise CannotInfer(call.words[0])
     quantity, measured = _measured(call.measured)
@@ -36,9 +36,14 @@ def run_infer(call: Call) -> int:
     count = request.count * len(measured)
     if count > MAX_ANSWERS:
         raise BadRequest(f"{count} values are more than infer finds in one call: {MAX_ANSWERS}")
-    answers = [
-        in_units(inferred(name, quantity, value, scene), form) for scene in request.scenes() for value in measured
+    pairs = [
+        (scene, in_units(inferred(name, quantity, value, scene), form))
+        for scene in request.scenes()
+        for value in measured
     ]
+    if kind in ("explain", "cite"):
+        return write_sources((with_forward(one, quantity, scene) for scene, one in pairs), count, kind, form)
+    answers = [one for _, one in pairs]
     shape = layout(Question((name,), (name,)), answers, count)
     return write_answers(answers, shape, kind, form, quiet=call.quiet)
 

@@ -8,13 +8,13 @@ from ..quantities.errors import QuantityError
 from ..quantities.formatting import amount
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.nomenclature import NOMENCLATURE
-from ..quantities.ranges import spreads_of
+from ..quantities.ranges import between
 from ..scene.scene import Scene
 from ..scene.wiring import depends_on
 from .options import Call
 from .request import Request, request_of
 
-MAX_CURVES = 12
+MAX_CURVES = 24  # more cannot be told apart
 
 
 def axis_of(text: str, option: str) -> Axis:
@@ -30,11 +30,11 @@ def axis_of(text: str, option: str) -> Axis:
     name = quantity_named(word)
     first, colon, rest = values.partition(":")
     last, *how = rest.split(":")
-    if not colon or len(how) > 2 or "," in values:
-        raise QuantityError(name, values, "is not a range; write FROM:TO, with :lin for equal steps")
     has_count = bool(how) and how[0] not in ("lin", "log")
     count, scale = how[0] if has_count else "2", how[has_count:]
-    spread = spreads_of(":".join([first, last, count, *scale]), name)[0]
+    if not colon or len(scale) > 1 or "," in values:
+        raise QuantityError(name, values, "is not a range", "write FROM:TO, with :lin for equal steps")
+    spread = between(first, last, count, *scale, name=name, text=values)
     if not spread.low < spread.high:
         raise QuantityError(name, values, "does not rise")
     return Axis(name, spread.low, spread.high, spread.is_log, spread.size if has_count else 0)
@@ -62,7 +62,7 @@ def map_request(call: Call) -> PlotRequest:
     if len({axis.name for axis in axes}) < len(axes):
         raise BadRequest(f"both axes are {axes[0].name}")
     if request.count > (1 if len(axes) > 1 else MAX_CURVES):
-        most = f"{MAX_CURVES} curves" if len(axes) == 1 else "one map"
+        most = f"the {MAX_CURVES} curves that can be told apart; name fewer" if len(axes) == 1 else "one map"
         raise BadRequest(f"{request.count} scenes are more than {most}")
     scenes = tuple((_distinction(scene, request), scene) for scene in request.scenes())
     return PlotRequest(quantity, x, y, scenes, marks_of(call.mark), request.materials)

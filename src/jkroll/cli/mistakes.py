@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 
 from ..errors import JkrollError
+from ..quantities.errors import OTHER_WORDS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..text import closest, quoted
 from .commands import COMMANDS, flags_of
@@ -36,8 +37,8 @@ class UnknownOption(JkrollError):
         shown, name = quoted(self.flag), self.flag.lstrip("-").replace("-", "_").casefold()
         if name[:1].isdigit() or name[:1] == ".":
             return f"{shown} begins with a hyphen, as options do; {self._correction()}"
-        if name in ("radius", "material"):
-            return f"no such option {shown}; a {name} stands alone: jkroll pull-off quartz 100nm"
+        if (alone := OTHER_WORDS.get(name, name)) in ("radius", "material"):
+            return f"no such option {shown}; a {alone} stands alone: jkroll pull-off quartz 100nm"
         program = f"jkroll {self.command}" if self.command else "jkroll"
         takers = {flag: command.name for command in reversed([*COMMANDS.values()]) for flag in command.flags()}
         own = None if self.flag in takers else _meant(name, flags_of(self.command))
@@ -62,7 +63,7 @@ class UnknownOption(JkrollError):
 def _meant(name: str, flags: Iterable[str]) -> str | None:
     """Return the option that a name stands for, begins or resembles; None if there is none."""
     known = {flag.lstrip("-").replace("-", "_"): flag for flag in flags}
-    quantity = NOMENCLATURE.get(name)
+    quantity = NOMENCLATURE.get(OTHER_WORDS.get(name, name))
     if quantity is not None and quantity.option in known.values():
         return quantity.option
     begun = [word for word in known if name and word.startswith(name)]

@@ -2,13 +2,14 @@
 
 from collections.abc import Mapping
 from functools import cache
-from math import nan
 from types import MappingProxyType
 from typing import NamedTuple
 
 from ..errors import BadRequest
 from ..quantities.nomenclature import NOMENCLATURE
 from ..text import capitalized, quoted
+
+MAX_DIGITS = 9  # of a number
 
 
 class Option(NamedTuple):
@@ -19,11 +20,11 @@ class Option(NamedTuple):
 
     name: str
     flag: str
-    kind: type[str] | type[int] | type[float] | type[bool]
+    kind: type[str] | type[int] | type[bool]
     metavar: str = ""
     help: str = ""
-    low: float = 0.0  # of a number
-    high: float = 0.0
+    low: int = 0  # of a number
+    high: int = 0
     hidden: bool = False
     short: str = ""
 
@@ -32,23 +33,19 @@ class Option(NamedTuple):
         """The spellings of the option."""
         return (self.flag, self.short) if self.short else (self.flag,)
 
-    def read(self, text: str) -> str | float:
+    def read(self, text: str) -> str | int:
         """Return the value that a text stands for, or raise BadRequest."""
         if self.kind is str:
             return text
-        try:
-            number = int(text) if self.kind is int else float(text)
-        except ValueError:
-            number = nan
-        if not self.low <= number <= self.high:
-            noun = "a whole number" if self.kind is int else "a number"
-            raise BadRequest(f"{self.flag}: {quoted(text, 40)} is not {noun} from {self.low:g} to {self.high:g}")
+        is_number = text.isascii() and text.isdigit() and len(text) <= MAX_DIGITS
+        if not is_number or not self.low <= (number := int(text)) <= self.high:
+            raise BadRequest(f"{self.flag}: {quoted(text, 40)} is not a whole number from {self.low} to {self.high}")
         return number
 
     def sentence(self) -> str:
         """Return the help text: meaning, range and default."""
         if self.help:
-            span = f", {self.low:g} to {self.high:g}" if self.kind in (int, float) else ""
+            span = f", {self.low} to {self.high}" if self.kind is int else ""
             return f"{self.help}{span}."
         from ..quantities.formatting import amount
         from ..scene.scene import DEFAULTS
@@ -107,6 +104,8 @@ _FORMAT = "Numbers only, JSON or CSV; output file"
 _INSTEAD = "Show the derivation or the BibTeX entry instead of results"
 MATERIALS = Option("materials", "--materials", str, "FILE", "Read materials from your own file as well")
 QUIET = Option("quiet", "--quiet", bool, "", "Suppress notes")
+EXPLAIN = Option("explain", "--explain", bool, "", _INSTEAD)
+CITE_ANSWER = Option("cite", "--cite", bool, "", _INSTEAD)
 RESULTS = (
     Option("to", "--to", str, "UNIT", "Unit of the results; several with commas"),
     Option("digits", "--digits", int, "N", "Significant digits", 1, 17),
@@ -119,13 +118,17 @@ OUTPUT = (
     *RESULTS,
     Option("target", "-o", str, "OUT", _FORMAT),
     Option("resume", "--resume", bool, "", "Continue the output file after an interruption", hidden=True),
-    Option("explain", "--explain", bool, "", _INSTEAD),
-    Option("cite", "--cite", bool, "", _INSTEAD),
+    EXPLAIN,
+    CITE_ANSWER,
     MATERIALS,
     QUIET,
 )
 MEASURED = Option("measured", "--measured", str, "QUANTITY=VALUE", "Measured quantity; an error bar as in 300±20nN")
 CURVE = Option("curve", "--curve", bool, "", "Whole force curve; with -o as a picture")
+MARKED = Option(
+    "yield_displacement", "--xi", str, "2angstrom", "Displacement that the panel of moments marks", hidden=True
+)
+ANGLE = Option("rolling_angle", "--angle", str, "90deg", hidden=True)  # where any quantity may be asked for
 _AS_TEXT = "Output as JSON or CSV"
 JSON = Option("json", "--json", bool, "", _AS_TEXT)
 CSV = Option("csv", "--csv", bool, "", _AS_TEXT)

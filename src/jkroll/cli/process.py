@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from typing import TextIO
 
 from ..errors import BadRequest, JkrollError
-from ..text import quoted, say, shown
+from ..text import quoted, say_wrapped, shown
 from .commands import Action
 from .options import DEBUG
 from .reader import plain_action
@@ -78,11 +78,12 @@ def _action(words: Sequence[str]) -> Action:
 
 
 def _report(error: Exception) -> int:
-    """Print an error as one line on stderr, and return the exit code."""
+    """Print an error on stderr, in one line unless a terminal is narrower, and return the exit code."""
     if isinstance(error, JkrollError):
         message, code = str(error), error.exit_code
     elif isinstance(error, OSError):
-        message, code = f"cannot write: {error.strerror or error}", CANNOT_WRITE
+        file = f" {quoted(str(error.filename))}" if error.filename else ""
+        message, code = f"cannot write{file}: {error.strerror or error}", CANNOT_WRITE
         _discard(sys.stdout)
     else:
         message = (
@@ -90,7 +91,7 @@ def _report(error: Exception) -> int:
         )
         code = UNFORESEEN
     try:
-        say(f"jkroll: {message}", sys.stderr)
+        say_wrapped(f"jkroll: {message}", sys.stderr)
     except OSError:
         _discard(sys.stderr)
     return code

@@ -12,8 +12,9 @@ from ..output.layout import Layout, layout
 from ..output.note_lines import NoteLines
 from ..output.writers import WRITERS
 from ..quantities.formatting import Format
+from ..scene.scene import Scene
 from ..scene.wiring import formula_of
-from ..text import say, say_wrapped
+from ..text import say_wrapped
 from .options import Call
 from .request import Request, request_of
 from .written import format_name, format_of
@@ -43,7 +44,8 @@ class Tally:
         """Print how many of `count` rows failed, if any did; return the exit code."""
         if not self.failed:
             return 0
-        say(f"jkroll: {self.failure if count == 1 else f'{self.failed} of {count} rows failed'}", sys.stderr)
+        failures = self.failure if count == 1 else f"{self.failed} of {count} rows failed"
+        say_wrapped(f"jkroll: {failures}", sys.stderr)
         return ROWS_FAILED
 
 
@@ -60,7 +62,8 @@ def run_question(call: Call) -> int:
         return write_sweep(question, request, kind, call)
     request.check_count()
     if kind in ("explain", "cite"):
-        return _write_sources(question, request, kind, form)
+        pairs = ((scene, answer(question, scene)) for scene in request.scenes())
+        return write_sources(pairs, request.count, kind, form)
     answers: Iterable[Answer] = (in_units(answer(question, scene), form) for scene in request.scenes())
     if request.count == 1:
         answers = samples = [*answers]
@@ -91,9 +94,9 @@ def question_of(call: Call) -> Question:
 
 
 def _refuse_inputs(question: Question, request: Request) -> None:
-    """Raise BadRequest for a quantity that is not a result of the scenes, but one of their inputs."""
+    """Raise BadRequest for a quantity that was named and is not a result of the scenes, but one of their inputs."""
     scene = request.samples()[0]
-    for name in question.quantities:
+    for name in question.named:
         if name in scene.stated or (name in scene.values and formula_of(name) is None):
             raise BadRequest(f"--quantities: {name} is an input here")
 
@@ -119,14 +122,13 @@ def _unless_failed(one: Answer, question: Question) -> Answer:
     return one
 
 
-def _write_sources(question: Question, request: Request, kind: str, form: Format) -> int:
+def write_sources(pairs: Iterable[tuple[Scene, Answer]], count: int, kind: str, form: Format) -> int:
     """Write the derivations of results or their BibTeX entries; return the exit code."""
     from ..output.citations import write_citations
     from ..output.explain import write_explanation
 
     tally = Tally()
     write = write_citations if kind == "cite" else write_explanation
-    pairs = ((scene, one) for scene in request.scenes() for one in tally.watch([answer(question, scene)]))
-    write(pairs, sys.stdout, form)
+    write(((scene, one) for scene, answered in pairs for one in tally.watch([answered])), sys.stdout, form)
     sys.stdout.flush()
-    return tally.exit_code(request.count)
+    return tally.exit_code(count)

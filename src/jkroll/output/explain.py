@@ -73,23 +73,38 @@ def _explanation(result: Result, scene: Scene, form: Format) -> list[str]:
         return [title, f"  {result.reason}"]
     steps = scene.plan(result.name).steps
     if not steps:
-        return [title, f"  {quantity.symbol} = {amount(result.name, result.value, form)}"]
+        return [title, *_found(result, form)]
     fields = docstring_fields(steps[-1].formula)
     lines = [title, f"  {fields['formula']}", "  given"]
     lines += [_line(name, scene, form, _meaning(name, scene)) for name in scene.inputs_of(result.name)]
     if len(steps) > 1:
         lines.append("  steps")
     lines += [_line(step.name, scene, form, _formula_of(step)) for step in steps[:-1]]
-    found = result.propagated
-    shown = result.value if found is None else found.uncertainty
-    lines.append(f"  result    {quantity.symbol} = {amount(result.name, shown, form)}")
-    if found is not None:
-        shares = ", ".join(f"{NOMENCLATURE[name].symbol} {share:.0%}" for name, share in found.shares.items())
-        lines.append(f"  shares    {shares}")
+    lines += _found(result, form)
     lines += [f"  {key.lower():9} {fields[key]}" for key in _SECTIONS]
     lines.append(f"  power law {power_law(scene, result.name)}")
     if quantity.note:
         lines.append(f"  note      {quantity.note}")
+    return lines
+
+
+def _found(result: Result, form: Format) -> list[str]:
+    """Return the lines with the value of a result, the shares of its uncertainty, and what is known of an inferred one."""
+    found = result.propagated
+    shown = result.value if found is None else found.uncertainty
+    assert shown is not None
+    lines = [f"  result    {NOMENCLATURE[result.name].symbol} = {amount(result.name, shown, form)}"]
+    if found is not None:
+        shares = ", ".join(f"{NOMENCLATURE[name].symbol} {share:.0%}" for name, share in found.shares.items())
+        lines.append(f"  shares    {shares}")
+    if result.condition is not None:
+        lines.append(
+            "  inferred  by bisection, so that the formula below gives the measured value; "
+            f"a relative error of that value enters times κ = {result.condition:.3g}"
+        )
+    if result.by_law:
+        others = ", ".join(f"{amount(result.name, value, form)} ({law})" for law, value in result.by_law.items())
+        lines.append(f"  by law    {others}")
     return lines
 
 

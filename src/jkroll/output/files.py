@@ -9,7 +9,10 @@ from typing import BinaryIO
 
 @contextmanager
 def whole_file(path: str) -> Iterator[BinaryIO]:
-    """Open a temporary file that replaces `path` when it is complete; write to a device or a pipe directly."""
+    """Open a temporary file that replaces `path` when it is complete; write to a device or a pipe directly.
+
+    An OSError names `path`, not the temporary file.
+    """
     place = Path(os.path.realpath(path))
     if place.exists() and not place.is_file():
         with place.open("wb") as stream:
@@ -22,5 +25,8 @@ def whole_file(path: str) -> Iterator[BinaryIO]:
         if place.exists():
             beside.chmod(place.stat().st_mode & 0o7777)
         beside.replace(place)
+    except OSError as error:
+        error.filename = path
+        raise
     finally:
         beside.unlink(missing_ok=True)

@@ -1,12 +1,14 @@
 """The nomenclature as text: every name with its symbol, unit, option, commands, equation and meaning."""
 
-from collections.abc import Sequence
+import re
+from collections.abc import Iterable, Sequence
 from typing import Any, TextIO
 
 from ..answers.questions import QUESTIONS
-from ..quantities.errors import UnknownQuantity
+from ..quantities.errors import OTHER_WORDS, UnknownQuantity
 from ..quantities.formatting import pretty
-from ..quantities.nomenclature import NOMENCLATURE, RANGES, canonical
+from ..quantities.naming import named, with_symbol
+from ..quantities.nomenclature import NOMENCLATURE, RANGES
 from ..scene.wiring import depends_on, formula_of, parameters_of, suffix_of
 from ..text import first_of, json_text, say, say_wrapped
 from .explain import docstring_fields
@@ -17,15 +19,30 @@ _MAX_NAMED = 3  # commands that are named; more of them are counted
 
 
 def quantities_found(words: Sequence[str]) -> list[str]:
-    """Return the quantity that the words name, else all whose entry has each of the words; UnknownQuantity if none has."""
+    """Return the quantities that the words name, else those whose entry has each of the words; UnknownQuantity if none has.
+
+    Those that have them in their name stand first, variants last; a variant is left out where its quantity is found.
+    """
+    if not words:
+        return list(NOMENCLATURE)
     text = "_".join(words)
-    if not words or canonical(text) in NOMENCLATURE:
-        return [canonical(text)] if words else list(NOMENCLATURE)
-    pieces = text.casefold().replace("-", "_").split("_")
-    found = [name for name in NOMENCLATURE if all(piece in _searched(name) for piece in pieces)]
+    if called_so := [named(text)] if named(text) in NOMENCLATURE else with_symbol(text):
+        return called_so
+    begun = _pieces(words)
+    found = [
+        name for name in NOMENCLATURE if begun and _has(_called(name) | _pieces([NOMENCLATURE[name].sentence]), begun)
+    ]
+    if not found and (meant := OTHER_WORDS.get(text.casefold())):
+        return [meant]
     if not found:
         raise UnknownQuantity(" ".join(words))
-    return found
+    found.sort(key=lambda name: (bool(NOMENCLATURE[name].variant_of), not _has(_called(name), begun)))
+    return _without_variants(found)
+
+
+def _without_variants(names: Sequence[str]) -> list[str]:
+    """Return names without the variants of quantities that are among them."""
+    return [name for name in names if NOMENCLATURE[name].variant_of not in names]
 
 
 def write_quantities(names: Sequence[str], out: TextIO, kind: str) -> None:
@@ -38,7 +55,8 @@ def write_quantities(names: Sequence[str], out: TextIO, kind: str) -> None:
     elif kind == "table":
         from .table import write_wrapped
 
-        write_wrapped(("name", "symbol", "unit", "meaning"), [_table_row(name) for name in names], out)
+        rows = [_table_row(name) for name in _without_variants(names)]
+        write_wrapped(("name", "symbol", "unit", "meaning"), rows, out)
     else:
         write_records(_HEADS, map(_row, names), kind, out)
 
@@ -70,9 +88,24 @@ def commands_of(name: str) -> tuple[str, ...]:
     )
 
 
-def _searched(name: str) -> str:
-    quantity = NOMENCLATURE[name]
-    return f"{name} {quantity.symbol} {quantity.option} {quantity.sentence} {quantity.note}".casefold()
+def _is_akin(other: str, name: str) -> bool:
+    """Return whether the name of another quantity has all words of a name, and is no variant."""
+    return other != name and not NOMENCLATURE[other].variant_of and _has(_pieces([other]), _pieces([name]))
+
+
+def _called(name: str) -> set[str]:
+    """Return the words in the name, symbol and option of a quantity."""
+    return _pieces([name, NOMENCLATURE[name].symbol, NOMENCLATURE[name].option])
+
+
+def _pieces(texts: Iterable[str]) -> set[str]:
+    """Return the words of texts, in lower case and without underscores and signs."""
+    return set(re.findall(r"[^\W_]+", " ".join(texts).casefold()))
+
+
+def _has(words: Iterable[str], begun: Iterable[str]) -> bool:
+    """Return whether each text of `begun` begins one of the words."""
+    return all(any(word.startswith(piece) for word in words) for piece in begun)
 
 
 def _row(name: str) -> list[str]:
@@ -84,9 +117,10 @@ def _row(name: str) -> list[str]:
 def _table_row(name: str) -> list[str]:
     """Return the cells of a list: the option and the equation stand behind the meaning."""
     quantity = NOMENCLATURE[name]
+    variant = f", variant of {quantity.variant_of}" if quantity.variant_of else ""
     equation = f", Eq {quantity.equation}" if quantity.equation else ""
     option = f"; {quantity.option}" if quantity.option else ""
-    return [name, quantity.symbol, pretty(quantity.unit), f"{quantity.sentence}{equation}{option}"]
+    return [name, quantity.symbol, pretty(quantity.unit), f"{quantity.sentence}{variant}{equation}{option}"]
 
 
 def _write_sheet(name: str, out: TextIO) -> None:
@@ -110,6 +144,9 @@ def _write_sheet(name: str, out: TextIO) -> None:
         "valid": fields.get("Valid", ""),
         "accuracy": fields.get("Accuracy", ""),
         "note": quantity.note,
+        "variant of": quantity.variant_of,
+        "variants": ", ".join(other for other in NOMENCLATURE if NOMENCLATURE[other].variant_of == name),
+        "see also": ", ".join(other for other in NOMENCLATURE if _is_akin(other, name)),
     }
     say(f"{name}: {quantity.sentence}", out)
     for head, text in facts.items():

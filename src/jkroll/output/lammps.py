@@ -1,13 +1,13 @@
-"""The contact of two spheres as input of LAMMPS: `pair_style granular` with rolling resistance, in SI units.
+"""The contact of two spheres, or of a sphere and a plane, as input of LAMMPS: `granular` with rolling resistance, in SI units.
 
 LAMMPS takes γ = w/2. Only E* of the elastic constants enters its normal force, so that they are written as E = 2E*, ν = 0,
 which also mixes as E* does. Its rolling friction is a spring F = k ξ with the cap μ|P + 2P_po|, and the torque FR; k does not depend
-on the load. Comments are ASCII, as LAMMPS warns of other characters.
+on the load. A plane is a wall, whose coefficients mean the same. Comments are ASCII, as LAMMPS warns of other characters.
 """
 
 from collections.abc import Iterator, Mapping
 
-from ..errors import BadRequest, JkrollError
+from ..errors import JkrollError
 from ..quantities.nomenclature import INFINITY, PROPERTIES, STATE
 from ..scene.errors import MissingInput
 from ..scene.scene import Scene
@@ -36,33 +36,41 @@ MODELS = tuple(_REMARKS_ON)
 
 
 def lammps_input(scene: Scene) -> Iterator[str]:
-    """Iterate over the lines of an input: coefficients of each pair of types, a time step, and what they stand on."""
-    if scene.values.get("radius2") == INFINITY:
-        raise BadRequest("sphere 2 is a plane, and the atoms of LAMMPS are spheres: give two spheres")
+    """Iterate over the lines of an input: coefficients of each pair of types or of a wall, a time step, and what they stand on."""
     whole = scene.evaluate((*QUANTITIES, "contact_shear_modulus", "density", "density2"))
     for value in whole.values():
         if isinstance(value, JkrollError):
             raise value
     model = scene.law.name
     work, lag, load = scene["work_of_adhesion"], scene["yield_displacement"], scene["load"]
-    of_types = "" if scene.is_identical else " for types 1 and 2"
-    yield f"# Contact of two spheres by jkroll: {model.upper()}, gamma = w/2"
-    yield f"# w = {work:.12g} J/m^2, xi = {lag:.12g} m, P = {load:.12g} N{of_types}"
+    suffixes: tuple[str, ...] = ("", "2")
+    if scene.values.get("radius2") == INFINITY:
+        bodies, place, suffixes = "a sphere and a plane", " at the wall, which is put at z = 0", ("",)
+        pairs = {"pair_coeff 1 1 {}": _pair_of(scene, ""), "fix wall all wall/gran granular {} zplane 0 NULL": scene}
+    elif scene.is_identical:
+        bodies, place, suffixes = "two spheres", "", ("",)
+        pairs = {"pair_coeff 1 1 {}": scene}
+    else:
+        bodies, place = "two spheres", " for types 1 and 2"
+        pairs = {
+            "pair_coeff 1 1 {}": _pair_of(scene, ""),
+            "pair_coeff 2 2 {}": _pair_of(scene, "2"),
+            "pair_coeff 1 2 {}": scene,
+        }
+    yield f"# Contact of {bodies} by jkroll: {model.upper()}, gamma = w/2"
+    yield f"# w = {work:.12g} J/m^2, xi = {lag:.12g} m, P = {load:.12g} N{place}"
     yield "# units si"
-    pairs: dict[tuple[int, int], Scene] = {(1, 1): scene}
-    if not scene.is_identical:
-        pairs = {(1, 1): _pair_of(scene, ""), (2, 2): _pair_of(scene, "2"), (1, 2): scene}
-    for sphere, suffix in enumerate(("",) if scene.is_identical else ("", "2"), 1):
+    for sphere, suffix in enumerate(suffixes, 1):
         radius = scene.values.get("radius" + suffix, scene.values["radius"])
         yield f"# set type {sphere} diameter {2 * radius:.12g} density {scene['density' + suffix]:.12g}"
     yield "pair_style granular"
     steps = []
-    for types, pair in pairs.items():
+    for command, pair in pairs.items():
         try:
-            yield f"pair_coeff {types[0]} {types[1]} {_coefficients(pair)}"
+            yield command.format(_coefficients(pair))
             steps.append(pair["time_step"])
         except MissingInput as error:
-            yield f"# pair_coeff {types[0]} {types[1]} needs {error.needs()}"
+            yield f"# {command.partition(' {')[0]} needs {error.needs()}"
     yield f"timestep {min(steps):.12g}"
     yield from _REMARKS
     yield from _REMARKS_ON[model]
@@ -82,7 +90,7 @@ def _pair_of(scene: Scene, suffix: str) -> Scene:
 
 
 def _coefficients(pair: Scene) -> str:
-    """Return the words and numbers that follow the two types in `pair_coeff`."""
+    """Return the words and numbers that describe a contact in `pair_coeff` and `fix wall/gran`."""
     radius, load = pair["reduced_radius"], pair["load"]
     cap = pair["yield_moment"] / (radius * (load + 2 * pair["pull_off_force"]))
     numbers: Mapping[str, tuple[float, ...]] = {

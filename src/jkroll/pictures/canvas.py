@@ -22,7 +22,7 @@ RAMP = " .:-~=+*oO#%@"
 _CUBE = (0, 95, 135, 175, 215, 255)
 # Okabe and Ito's colours for the colour-blind, without those that are too light or too dark for some background.
 LINES: tuple[Colour, ...] = ((0, 114, 178), (213, 94, 0), (0, 158, 115), (204, 121, 167), (86, 180, 233), (230, 159, 0))
-SIGNS = "*o+x#%"
+SIGNS = "*o+x#%abcdefghijklmnpqrs"  # of curves
 
 
 class Screen(NamedTuple):

@@ -67,7 +67,8 @@ def draw_panel(axes: Any, panel: Panel, inches: float, aspect: float, style: Sty
 
 def line_of(curve: Curve, number: int, style: Style) -> dict[str, Any]:
     """Return the look of the curve of a number, as matplotlib takes it."""
-    dashes = "--" if curve.is_dashed else DASHES[number % len(DASHES)]
+    turn = number // len(DASHES)  # after which the colours come again, with other dashes
+    dashes = "--" if curve.is_dashed else DASHES[(number + turn) % len(DASHES)]
     return {"color": style.line(curve.colour), "linestyle": dashes, "linewidth": 1.1}
 
 

@@ -1,6 +1,6 @@
 """Turn the request for a plot into a map or curves, with caption and notes."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from ..answers.notes import about_data, assumptions
@@ -115,11 +115,14 @@ def curves_of(request: PlotRequest, size: int) -> tuple[Picture, tuple[str, ...]
     y = axis_around(request.quantity, [curve.y for curve in curves])
     points = [mark_at(text, request.materials, request.scenes[0][1], x, y) for text in request.marks]
     shared = [text for text in contexts[0].inputs if all(text in context.inputs for context in contexts)]
-    doubts = [text for context, curve in zip(contexts, curves, strict=True) for text in context.doubts(x, curve.text)]
+    doubts: dict[str, list[str]] = {}
+    for context, curve in zip(contexts, curves, strict=True):
+        for doubt, where in context.doubts(x):
+            doubts.setdefault(doubt, []).append(f"{curve.text}, {where}" if curve.text else where)
     caption = (
         _first_sentence(request.quantity, [context.scene for context in contexts]),
         *fixed_inputs(shared),
-        *doubts,
+        *(f"{'; '.join(places)}: {doubt}." for doubt, places in doubts.items()),
     )
     notes = [f"no curve: {error}" for error in missing.values()]
     notes += dict.fromkeys(note for context in contexts for note in context.notes)
@@ -148,29 +151,32 @@ class Context:
                 notes.append(f"its limits are not shown: {NOMENCLATURE[error.wanted].symbol} {error.reason()}")
         names = [quantity, *(name for bound in self.bounds for name in bound.names)]
         inputs = self.scene.inputs_of(*names)
-        self.inputs = tuple(self._texts(name for name in inputs if name not in values))
+        self.inputs = inputs_as_texts(self.scene, [name for name in inputs if name not in values])
         note = NOMENCLATURE[quantity].note
-        data = [note.text for note in (*assumptions(self.scene, inputs, names), *about_data(self.scene, inputs))]
+        data = notes_on(self.scene, inputs, names)
         self.notes = tuple(dict.fromkeys([*notes[:1], *data, *([f"{quantity}: {note}"] if note else [])]))
 
-    def _texts(self, names: Iterable[str]) -> Iterable[str]:
-        """Iterate over the materials, and over inputs with their values."""
-        if self.given.material is not None:
-            yield self.given.material.name
-        if self.given.material2 is not None:
-            yield f"material2 = {self.given.material2.name}"
-        for name in names:
-            value = self.scene.values[name]
-            yield f"{NOMENCLATURE[name].symbol} = {amount(name, in_words(name, value))}"
-
-    def doubts(self, x: Axis, curve: str) -> Iterable[str]:
-        """Iterate over sentences that say where along an axis the model has no meaning or is not exact."""
+    def doubts(self, x: Axis) -> Iterable[tuple[str, str]]:
+        """Iterate over clauses on the model, which has no meaning or is not exact, each with the part of an axis where that is so."""
         for bound in self.bounds:
             where = x.values()[margin_along(self.given, bound, x) < 0]
             if where.size:
                 ends = (amount(x.name, float(f"{end:.2g}")) for end in (where[0], where[-1]))
-                of_curve = f"{curve}, " if curve else ""
-                yield f"{of_curve}{NOMENCLATURE[x.name].symbol} = {' to '.join(ends)}: {bound.broken}."
+                yield bound.broken, f"{NOMENCLATURE[x.name].symbol} = {' to '.join(ends)}"
+
+
+def inputs_as_texts(scene: Scene, names: Iterable[str]) -> tuple[str, ...]:
+    """Return the materials of a scene, and inputs with their values."""
+    materials = [scene.material.name] if scene.material is not None else []
+    if scene.material2 is not None:
+        materials.append(f"material2 = {scene.material2.name}")
+    values = ((name, in_words(name, scene.values[name])) for name in names)
+    return (*materials, *(f"{NOMENCLATURE[name].symbol} = {amount(name, value)}" for name, value in values))
+
+
+def notes_on(scene: Scene, inputs: Collection[str], names: Sequence[str]) -> list[str]:
+    """Return notes on the assumptions and the data from which quantities follow."""
+    return [note.text for note in (*assumptions(scene, inputs, [*names]), *about_data(scene, inputs))]
 
 
 def _first_sentence(quantity: str, scenes: Sequence[Scene]) -> str:

@@ -1,10 +1,9 @@
 """Draw maps and curves in a terminal, to its width."""
 
 from math import isnan
-from textwrap import wrap
 from typing import Any, TextIO
 
-from ..text import say
+from ..text import say, wrapped
 from .axes import Axis
 from .canvas import LINES, RAMP, SIGNS, Canvas, Colour, Screen, screen_of, shade, stacked
 from .maps import Level, Map, Mark, Region, label_of
@@ -39,7 +38,7 @@ def draw_map(drawn: Map, out: TextIO) -> None:
     if drawn.printed is not None:
         _label(canvas, drawn.printed, levels, "({})", 0.8)
         legend.append("( ) as printed")
-    for line in wrap(drawn.title, screen.width):
+    for line in wrapped(drawn.title, screen.width):
         say(line, out)
     for line in stacked(above, axis.width):
         say(" " * axis.margin + line, out)
@@ -47,7 +46,7 @@ def draw_map(drawn: Map, out: TextIO) -> None:
     for line in _scale(drawn, levels, screen):
         say(line, out)
     for text in (*legend, *drawn.caption):
-        for line in wrap(text, screen.width):
+        for line in wrapped(text, screen.width):
             say(line, out)
 
 
@@ -70,7 +69,7 @@ def draw_picture(drawn: Picture, out: TextIO) -> None:
             for number, curve in enumerate(panel.curves):
                 say(f"{_key(curve.colour, SIGNS[number % len(SIGNS)], screen)} {curve.text}", out)
     for text in drawn.caption:
-        for line in wrap(text, screen.width):
+        for line in wrapped(text, screen.width):
             say(line, out)
 
 
@@ -121,7 +120,7 @@ class _Frame:
     def say(self, canvas: Canvas, out: TextIO) -> None:
         """Write the canvas with its axes."""
         texts = {canvas.height - 1 - _cell(self.y, tick.value, canvas.height): tick.text for tick in self.y_ticks}
-        for line in wrap(self.y.label(), self.screen.width):
+        for line in wrapped(self.y.label(), self.screen.width):
             say(line, out)
         for row, line in enumerate(canvas.lines(self.screen)):
             say(f"{texts.get(row, ''):>{self.margin - 1}} {line}", out)
@@ -133,7 +132,7 @@ class _Frame:
                 below[start : start + len(tick.text)] = tick.text
                 end = start + len(tick.text)
         say("".join(below).rstrip(), out)
-        for line in wrap(self.x.label(), self.screen.width):
+        for line in wrapped(self.x.label(), self.screen.width):
             say(f"{line:^{self.screen.width}}".rstrip(), out)
 
 

@@ -4,6 +4,7 @@ from collections.abc import Collection
 
 from ..errors import JkrollError
 from ..text import closest, quoted
+from .naming import with_symbol
 from .nomenclature import NOMENCLATURE, OPTION_WORDS, word_for_infinity
 from .units import dimension_of, kind_of
 
@@ -29,7 +30,7 @@ class BareNumber(QuantityError):
 
 
 class UnknownQuantity(JkrollError):
-    """Error raised for a name that is not in the nomenclature."""
+    """Error raised for a word that does not stand for one quantity."""
 
     def __init__(self, name: str) -> None:
         super().__init__(name)
@@ -38,21 +39,26 @@ class UnknownQuantity(JkrollError):
     def __str__(self) -> str:
         if self.name in NOMENCLATURE:
             return f"{quoted(self.name)} stands for a word, not a number; jkroll quantities lists the quantities"
+        if several := with_symbol(self.name):
+            return f"{quoted(self.name)} is the symbol of {' and '.join(several)}; write the name that is meant"
         guess = nearest(self.name)
         meant = f"did you mean {guess}? " if guess else ""
         return f"{quoted(self.name)} is not a quantity; {meant}jkroll quantities lists them"
 
 
 # Words of others, and the quantity that they are likely to mean.
-_OTHER_WORDS = {
+OTHER_WORDS = {
     "adhesion": "pull_off_force",
     "adhesion_force": "pull_off_force",
+    "diameter": "radius",
     "elastic_modulus": "youngs_modulus",
+    "force": "pull_off_force",
     "rolling_force": "yield_force",
     "rolling_friction": "yield_force",
     "rolling_friction_force": "yield_force",
     "sticking_velocity": "sticking_speed",
     "surface_tension": "surface_energy",
+    "velocity": "speed",
 }
 
 
@@ -62,13 +68,12 @@ def nearest(word: str, names: Collection[str] = NOMENCLATURE) -> str | None:
     It is the one with this symbol, with or without the index of sphere 1, the one that others call so, the one whose name begins with
     the word, or else the one whose name or option resembles it most.
     """
-    symbols = {NOMENCLATURE[name].symbol: name for name in reversed([*names])}
-    meanings = {one: meant for one, meant in {**OPTION_WORDS, **_OTHER_WORDS}.items() if meant in names}
+    meanings = {one: meant for one, meant in {**OPTION_WORDS, **OTHER_WORDS}.items() if meant in names}
     meanings |= {name: name for name in names}
     name = word.strip().lstrip("-").replace("-", "_").replace(" ", "_").casefold()
     letters = name.replace("_", "")
     begun = (one for one in names if letters and one.replace("_", "").startswith(letters))
-    meant = symbols.get(word) or symbols.get(word + "1") or meanings.get(name) or next(begun, None)
+    meant = next(iter(with_symbol(word, names)), None) or meanings.get(name) or next(begun, None)
     return meant or meanings.get(closest(name, meanings) or "")
 
 

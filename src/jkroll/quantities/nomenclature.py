@@ -29,10 +29,10 @@ _PER_SPHERE = {
         "γ1", "J/m^2", "surface energy per surface", range="positive", option="--gamma", example="25mJ/m2"
     ),
     "youngs_modulus": Quantity(
-        "E1", "Pa", "Young's modulus", range="up to infinite", infinity="rigid", option="--young", example="54GPa"
+        "E1", "Pa", "Young's modulus", range="up to infinite", infinity="rigid", option="--young", example="10GPa"
     ),
-    "poisson_ratio": Quantity("ν1", "1", "Poisson's ratio", range="poisson", option="--poisson", example="0.17"),
-    "density": Quantity("ρ1", "kg/m^3", "mass density", range="positive", option="--density", example="2.6g/cm3"),
+    "poisson_ratio": Quantity("ν1", "1", "Poisson's ratio", range="poisson", option="--poisson", example="0.3"),
+    "density": Quantity("ρ1", "kg/m^3", "mass density", range="positive", option="--density", example="1g/cm3"),
     "mass": Quantity("m1", "kg", "mass of sphere 1", "41", range="up to infinite"),
     "moment_of_inertia": Quantity("I1", "kg m^2", "moment of inertia of sphere 1", "39", range="up to infinite"),
 }
@@ -111,12 +111,12 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
             "δ", "m", "approach of the centres at the load", "6", range="finite", option="--approach", example="0.05nm",
             may_be_zero=True,
         ),
-        "load_at_factor": Quantity("P", "N", "load that holds the contact", "5", may_be_zero=True),
-        "load_margin_of_factor": Quantity("s", "1", "√(1 + P/P_c)", "5", may_be_zero=True),
-        "load_margin_at_approach": Quantity("s", "1", "√(1 + P/P_c) at the approach", "6", may_be_zero=True),
-        "load_factor_at_approach": Quantity("x", "1", "â^(3/2) at the approach", "6"),
-        "load_factor_at_load_unstable": Quantity("x", "1", "â^(3/2) on the unstable branch", "5", may_be_zero=True),
-        "load_factor_at_approach_unstable": Quantity("x", "1", "â^(3/2) on the unstable branch at the approach", "6", may_be_zero=True),
+        "load_at_factor": Quantity("P", "N", "load that holds the contact", "5", may_be_zero=True, variant_of="load"),
+        "load_margin_of_factor": Quantity("s", "1", "√(1 + P/P_c)", "5", may_be_zero=True, variant_of="load_margin"),
+        "load_margin_at_approach": Quantity("s", "1", "√(1 + P/P_c) at the approach", "6", may_be_zero=True, variant_of="load_margin"),
+        "load_factor_at_approach": Quantity("x", "1", "â^(3/2) at the approach", "6", variant_of="load_factor"),
+        "load_factor_at_load_unstable": Quantity("x", "1", "â^(3/2) on the unstable branch", "5", may_be_zero=True, variant_of="load_factor"),
+        "load_factor_at_approach_unstable": Quantity("x", "1", "â^(3/2) on the unstable branch at the approach", "6", may_be_zero=True, variant_of="load_factor"),
         "stiffness": Quantity("dP/dδ", "N/m", "normal stiffness at the load", "34", may_be_zero=True),
         "tangential_stiffness": Quantity("k_s", "N/m", "tangential stiffness at the load"),
         "hertz_pressure": Quantity("p_H", "Pa", "Hertz part of the pressure", "8"),
@@ -251,7 +251,9 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
 
 # A formula by which some law has a quantity has a name of its own: it is the same quantity, without an equation of the paper.
 _BY_A_LAW = {
-    route: Quantity(quantity.symbol, quantity.unit, quantity.sentence, may_be_zero=quantity.may_be_zero)
+    route: Quantity(
+        quantity.symbol, quantity.unit, quantity.sentence, may_be_zero=quantity.may_be_zero, variant_of=name
+    )
     for name, quantity in _QUANTITIES.items()
     for route in routes_anywhere(name, LAWS)
     if route not in _QUANTITIES

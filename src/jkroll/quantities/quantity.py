@@ -22,6 +22,7 @@ class Quantity(NamedTuple):
     shown_with: Collection[str] = ()  # inputs; it is shown only where one of them was stated
     hidden_with: Collection[str] = ()  # inputs; it is not shown where one of them was stated
     of_identical: bool = False  # shown for identical spheres only
+    variant_of: str = ""  # the quantity that it is by another formula or on another way
 
 
 class Range(NamedTuple):

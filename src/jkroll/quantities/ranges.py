@@ -53,7 +53,7 @@ def value_of(text: str, name: str) -> "float | Uncertain":
 
 
 def spreads_of(text: str, name: str) -> list[Spread]:
-    """Read values separated by commas, and ranges `FROM:TO:COUNT` with `:lin` or `:log` at the end.
+    """Read values separated by commas, and ranges `FROM:TO:COUNT`, with `:lin` or `:log` at the end or not.
 
     >>> [*spreads_of("1nm:1um:4", "radius")[0]]
     [1e-09, 1e-08, 1e-07, 1e-06]
@@ -87,14 +87,24 @@ def _single(text: str, name: str) -> Spread:
 def _range(text: str, name: str) -> Spread:
     """Read a range."""
     first, last, *rest = text.split(":")
-    scale = rest[1] if len(rest) == 2 else "log"
-    if not 1 <= len(rest) <= 2 or not (rest[0].isascii() and rest[0].isdigit()) or scale not in ("log", "lin"):
-        raise QuantityError(name, text, "is not a range; write FROM:TO:COUNT, with :lin for equal steps")
-    if len(rest[0]) > 10 or not 2 <= (size := int(rest[0])) <= MAX_VALUES:
+    if not 1 <= len(rest) <= 2:
+        raise QuantityError(name, text, "is not a range", "write FROM:TO:COUNT, with :lin for equal steps")
+    return between(first, last, *rest, name=name, text=text)
+
+
+def between(first: str, last: str, count: str, scale: str = "", *, name: str, text: str) -> Spread:
+    """Return the range between two values; an error quotes its text.
+
+    Without a scale, "lin" or "log", the steps are of equal ratios, or equal if an end is not positive.
+    """
+    if not (count.isascii() and count.isdigit()) or scale not in ("", "log", "lin"):
+        raise QuantityError(name, text, "is not a range", "write FROM:TO:COUNT, with :lin for equal steps")
+    if len(count) > 10 or not 2 <= (size := int(count)) <= MAX_VALUES:
         raise QuantityError(name, text, f"needs a count from 2 to {MAX_VALUES}")
     low, high = parse_quantity(first, name), parse_quantity(last, name)
-    if scale == "log" and not (low > 0 and high > 0):
-        raise QuantityError(name, text, "has an end that is not positive; end it with :lin")
+    is_positive = low > 0 and high > 0
+    if scale == "log" and not is_positive:
+        raise QuantityError(name, text, "has an end that is not positive", "leave :log out: the steps are equal then")
     if max(abs(low), abs(high)) == INFINITY:
         raise QuantityError(name, text, "has no end")
-    return Spread(low, high, size, is_log=scale == "log")
+    return Spread(low, high, size, is_log=is_positive and scale != "lin")

@@ -6,7 +6,7 @@ from typing import Any
 from ..errors import NoResult
 from ..materials.library import Material, Materials
 from ..quantities.errors import QuantityError
-from ..quantities.nomenclature import canonical
+from ..quantities.naming import named
 from ..quantities.parsing import is_uncertain
 from ..text import MAX_QUOTED
 from .inputs import check_range
@@ -52,7 +52,7 @@ def infer(
     >>> round(infer("gamma", measured={"pull_off_force": "300 nN"}, radius="2 um", radius2="plane"), 6)
     0.015915
     """
-    name = canonical(str(wanted))
+    name = named(str(wanted))
     if name not in SIZES:
         raise CannotInfer(str(wanted))
     if not isinstance(measured, Mapping) or len(measured) != 1:
@@ -63,7 +63,7 @@ def infer(
             'write {"pull_off_force": "300 nN"}',
         )
     ((word, value),) = measured.items()
-    known, _ = in_si({str(word): value})
+    known, _ = in_si({named(str(word)): value})
     ((quantity, at),) = known.items()
     described, _ = in_si(given)
     check_range(quantity, at.value if is_uncertain(at) else at)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from ..errors import JkrollError
 from ..materials.library import Material, Materials, known_materials
 from ..quantities.errors import QuantityError, UnknownQuantity
+from ..quantities.naming import named
 from ..quantities.nomenclature import NOMENCLATURE, canonical
 from ..quantities.parsing import is_uncertain
 from ..quantities.ranges import value_of
@@ -40,7 +41,8 @@ def solve(
     Parameters
     ----------
     wanted
-        A name of the nomenclature, or several. The word of an option is taken for its name: "gamma" is "surface_energy".
+        A name of the nomenclature, or several. The word of an option and a symbol are taken for names: "gamma" is
+        "surface_energy", "P_c" is "pull_off_force".
     material, material2
         Materials, or their names or aliases; `material2` for sphere 2, which is otherwise like sphere 1. A property given
         by name overrides the material's.
@@ -94,10 +96,10 @@ def solve(
 def _names(wanted: str | Iterable[str]) -> list[str]:
     """Return the wanted names as a list."""
     if isinstance(wanted, str):
-        return [canonical(wanted)]
+        return [named(wanted)]
     if not isinstance(wanted, Iterable):
         raise UnknownQuantity(str(wanted))
-    return [canonical(str(name)) for name in wanted]
+    return [named(str(name)) for name in wanted]
 
 
 def _material(argument: str, material: str | Material | None, materials: Materials | None) -> Material | None:
@@ -256,6 +258,10 @@ def _number(name: str, value: Any) -> Any:
         return checked(value, name, str(value.value))
     if isinstance(value, list | tuple):
         value = [_number(name, item) for item in value]
+        if any(map(is_uncertain, value)):
+            raise QuantityError(
+                name, "a list", "holds uncertain values, and arrays have no uncertainty", "give them one by one"
+            )
     return as_floats(name, value)
 
 

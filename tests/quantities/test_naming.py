@@ -1,0 +1,84 @@
+"""Words that users have for quantities."""
+
+from pathlib import Path
+
+import pytest
+
+import jkroll
+from harness import Run
+from jkroll.quantities.errors import UnknownQuantity
+from jkroll.quantities.naming import named, with_symbol
+from jkroll.quantities.nomenclature import NOMENCLATURE
+from jkroll.text import ascii_text
+
+WITH_SYMBOL = [name for name, quantity in NOMENCLATURE.items() if quantity.symbol and not quantity.variant_of]
+
+
+@pytest.mark.parametrize("name", WITH_SYMBOL)
+def test_a_symbol_leads_to_its_quantity(name: str) -> None:
+    symbol = NOMENCLATURE[name].symbol
+    for word in (symbol, ascii_text(symbol)):
+        found = with_symbol(word)
+        assert name in found
+        assert named(word) == (name if len(found) == 1 else word)
+
+
+@pytest.mark.parametrize(
+    ("word", "name"),
+    [
+        ("R_MIN", "r_min"),
+        ("Pull-Off-Force", "pull_off_force"),
+        ("--work-of-adhesion", "work_of_adhesion"),
+        ("p_C", "pull_off_force"),
+        ("\u00b5", "tabor_parameter"),  # the micro sign
+        ("γ", "surface_energy"),
+        ("R", "reduced_radius"),
+        ("r1", "radius"),
+        ("delta", "approach_at_load"),
+        ("v", "v"),  # the symbol of two
+        ("quartz", "quartz"),
+    ],
+)
+def test_words(word: str, name: str) -> None:
+    assert named(word) == name
+
+
+def test_a_symbol_of_several_quantities_is_not_guessed() -> None:
+    with pytest.raises(UnknownQuantity, match="'v' is the symbol of speed and edge_ratio; write the name"):
+        jkroll.solve("v", material="quartz", radius=1e-7)
+
+
+def test_symbols_wherever_a_quantity_is_named(run: Run) -> None:
+    assert jkroll.solve("P_c", material="quartz", radius=1e-7) == jkroll.solve(
+        "pull_off_force", material="quartz", radius=1e-7
+    )
+    by_symbols = run("report quartz 100nm --csv --quantities P_c,a0,delta0,R-min")
+    assert by_symbols == run("report quartz 100nm --csv --quantities pull_off_force,contact_radius,approach,r_min")
+    by_symbols = run("infer γ 2um --measured P_c=300nN --csv")
+    assert by_symbols == run("infer gamma 2um --measured pull_off_force=300nN --csv")
+    by_symbols = run("map P_c quartz --x R1=1nm:1um:3 --data -")
+    assert by_symbols == run("map pull_off_force quartz --x radius=1nm:1um:3 --data -")
+
+
+def test_a_table_is_not_read_by_symbols(run: Run, tmp_path: Path) -> None:
+    """A column of a user's table may be called v or P; only names make it an input."""
+    table, results = tmp_path / "grains.csv", tmp_path / "results.csv"
+    table.write_text("E,radius\n5,100nm\n")
+    assert run("batch", str(table), "-o", str(results), "--quantities", "R_min").code == 0
+    assert results.read_text().startswith("E,radius,r_min [m],")
+
+
+def test_search_shows_the_quantity_before_what_mentions_it(run: Run) -> None:
+    def names(words: str) -> list[str]:
+        lines = run(f"quantities {words} --csv").out.splitlines()[1:]
+        return [line.partition(",")[0] for line in lines]
+
+    assert names("E_roll") == ["roll_energy"]
+    assert names("v") == ["speed", "edge_ratio"]
+    assert names("pull off")[0] == "pull_off_force"
+    assert "pull_off_force_maugis" not in names("pull off")
+    assert "pull_off_force_maugis" in names("maugis")
+    assert names("roll").index("rolling_mass") < names("roll").index("yield_force")
+    assert names("surface tension") == ["surface_energy"]
+    assert "variants      pull_off_force_maugis" in run("quantities P_c").out
+    assert "is not a quantity" in run("quantities ++").err
