@@ -17,11 +17,11 @@ from hypothesis import strategies as st
 
 from harness import Run
 from jkroll.batch import source
+from jkroll.batch.asked import task_of
 from jkroll.batch.cells import Reader
 from jkroll.batch.columns import Column, understood
+from jkroll.batch.evaluated import CODES
 from jkroll.batch.rows import Evaluator
-from jkroll.batch.single import CODES, alone
-from jkroll.batch.task import task_of
 from jkroll.materials.library import known_materials
 from jkroll.output.manual import page
 from jkroll.quantities.errors import QuantityError
@@ -124,12 +124,13 @@ def both_ways(text: str) -> Iterator[tuple[str, list[float], list[float], tuple[
     task = task_of(header, {}, "", known)._replace(doubt=True)
     rows = [dict(zip(header.texts, line.encode().split(b","), strict=True)) for line in lines[1:]]
     cells = {name: [row[header.texts[place]] for row in rows] for name, place in task.places.items()}
-    together = Evaluator(task).results_of_texts(len(rows), cells, {}, range(len(rows)))
+    evaluator = Evaluator(task)
+    together = evaluator.results_of_texts(len(rows), cells, {}, range(len(rows)))
     for row in range(len(rows)):
         of_row = {name: column[row].decode() for name, column in cells.items()}
-        single = alone(task, of_row.__getitem__)
-        among = together.status.get(row, ""), together.remarks["doubt"].get(row, "")
-        yield lines[row + 1], single.values, together.numbers[:, row].tolist(), (single.status, single.doubt), among
+        single = evaluator.alone(of_row.__getitem__)
+        said = [(found.status.get(at, ""), found.doubts.get(at, "")) for found, at in ((single, 0), (together, row))]
+        yield lines[row + 1], single.numbers[:, 0].tolist(), together.numbers[:, row].tolist(), *said
 
 
 def agree(size: int, seed: int) -> None:

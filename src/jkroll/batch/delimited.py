@@ -18,7 +18,7 @@ from .cells import Floats
 from .dialect import Dialect, lines_of
 from .lines import BOM, Converted, Head
 from .rows import Evaluator
-from .single import Task
+from .task import Task
 
 STRIP = 128  # rows written at once: their text stays in the cache
 

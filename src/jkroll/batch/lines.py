@@ -3,7 +3,7 @@
 from typing import NamedTuple, Protocol
 
 from .blocks import Tally
-from .single import Task
+from .task import Task
 
 BOM = b"\xef\xbb\xbf"
 

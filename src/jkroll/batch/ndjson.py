@@ -13,7 +13,7 @@ from .columns import is_input
 from .errors import BadTable
 from .lines import BOM, Converted, Head
 from .rows import Evaluator
-from .single import Task
+from .task import Task
 
 Row = dict[str, Any]
 

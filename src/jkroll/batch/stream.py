@@ -6,13 +6,13 @@ from itertools import chain
 
 from ..errors import BadRequest
 from . import loop, source
+from .asked import task_of_table
 from .blocks import Tally
 from .formats import LINES, compressor
 from .lines import Converted, Converter, Head
 from .output import is_done, output_to
 from .settings import Order, input_format, output_format
 from .source import Input, Part, Span, blocks
-from .task import task_of_table
 
 
 def _make_convert(converter: Converter, compression: str) -> loop.Convert:

@@ -33,7 +33,7 @@ from .lines import Converted
 from .output import is_done, output_to
 from .rows import Evaluator
 from .settings import Settings, fingerprint
-from .single import SIDES, Task
+from .task import SIDES, Task
 
 if TYPE_CHECKING:
     from ..quantities.uncertain import Uncertain
@@ -57,7 +57,7 @@ class Axis(NamedTuple):
         wanted, back = numpy.unique(places, return_inverse=True)
         found = [self._at(place) for place in wanted.tolist()]
         uncertain = {row: one for row, place in enumerate(back.tolist()) if (one := found[place][1]) is not None}
-        return Numbers(numpy.array([value for value, _ in found])[back], None, (), uncertain)
+        return Numbers(numpy.array([value for value, _ in found])[back], (), uncertain)
 
     def _at(self, place: int) -> "tuple[float, Uncertain | None]":
         for spread in self.spreads:
@@ -134,11 +134,11 @@ class Evaluators:
         self.sweep = sweep
         names = (*sweep.results, *(name for name in sweep.inputs if name == "energy"))
         columns = tuple(Column(place, axis.name, "", None) for place, axis in enumerate(sweep.axes))
-        sides = {side for of_result in sweep.shape.sides.values() for side in of_result}
-        kinds = tuple(kind for kind, own in SIDES.items() if not sides.isdisjoint(own))
+        used = {side for of_result in sweep.shape.sides.values() for side in of_result}
+        sides = tuple(side for side in SIDES if side in used)
         self.evaluators = {
             (pair, law): Evaluator(
-                Task(columns, (), names, {}, *materials, sweep.known, keeps=True, model=model, kinds=kinds)
+                Task(columns, (), names, {}, materials, sweep.known, keeps=True, model=model, sides=sides)
             )
             for pair, materials in enumerate(sweep.pairs)
             for law, model in enumerate(sweep.models)
