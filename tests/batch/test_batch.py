@@ -125,7 +125,7 @@ def both_ways(text: str) -> Iterator[tuple[str, list[float], list[float], tuple[
     rows = [dict(zip(header.texts, line.encode().split(b","), strict=True)) for line in lines[1:]]
     cells = {name: [row[header.texts[place]] for row in rows] for name, place in task.places.items()}
     evaluator = Evaluator(task)
-    together = evaluator.results_of_texts(len(rows), cells, {}, range(len(rows)))
+    together = evaluator.results(evaluator.block(len(rows), cells, {}, range(len(rows))))
     for row in range(len(rows)):
         of_row = {name: column[row].decode() for name, column in cells.items()}
         single = evaluator.alone(of_row.__getitem__)

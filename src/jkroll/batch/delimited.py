@@ -68,7 +68,7 @@ class Delimited:
         count = len(lines)
         if not count:
             return Converted(blank.get(0, b""), text.count(b"\n"))
-        results = self.evaluator.results_of_texts(count, records.columns, records.odd, records.starts)
+        results = self.evaluator.results(self.evaluator.block(count, records.columns, records.odd, records.starts))
         if self.excel_safe:
             lines = [self.safe(line) for line in lines]
         if self.said:

@@ -39,7 +39,8 @@ class Evaluated(Results):
     """The results of rows that have one scene.
 
     A scene of arrays leaves rows open: those that fail for no reason that the physics has, and those whose uncertainties
-    need a search. A scene of numbers leaves none.
+    need a search. A scene of numbers leaves none. Raises a JkrollError for uncertainties that do not go together, or for which
+    the table has no columns.
     """
 
     def __init__(
@@ -120,24 +121,17 @@ class Evaluated(Results):
         """Add the uncertainties, and the remark on those that should be there and are not."""
         has_value: Mask = numpy.any(~numpy.isnan(self.values), axis=1)
         values = {name: self.values[place] for place, name in enumerate(self.task.quantities) if has_value[place]}
+        sources = uncertainty.sources_of(self.scene, self.scene.inputs_of(*values) if values else ())
         remark = ""
-        try:
-            sources = uncertainty.sources_of(self.scene, self.scene.inputs_of(*values) if values else ())
-            if any(side not in self.task.sides for source in sources.entering for side in source.given.sides):
-                remark = left_out(self.scene, sources)
-            elif self.is_of_numbers:
-                remark = self._search([*values])
-            elif sources.entering:
-                for name, found in elements.uncertainties(self.scene, values, sources.entering).items():
-                    self._add(name, found)
-                    self.is_open |= numpy.isnan(found.low) & ~numpy.isnan(values[name])
-        except JkrollError as error:
-            if self.is_of_numbers:
-                for place in range(len(self.is_open)):
-                    self.lose(place, str(error))
-            self.is_open[:] = not self.is_of_numbers
-            self.is_open[[*self.lost]] = False
-        for place in numpy.flatnonzero(~self.is_open).tolist() if remark else ():
+        if any(side not in self.task.sides for source in sources.entering for side in source.given.sides):
+            remark = left_out(self.scene, sources)
+        elif self.is_of_numbers:
+            remark = self._search([*values])
+        elif sources.entering:
+            for name, found in elements.uncertainties(self.scene, values, sources.entering).items():
+                self._add(name, found)
+                self.is_open |= numpy.isnan(found.low) & ~numpy.isnan(values[name])
+        for place in range(len(self.is_open)) if remark else ():
             if place not in self.lost:
                 self.status[place] = "; ".join(filter(None, [self.status.get(place), remark]))
 

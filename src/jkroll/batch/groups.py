@@ -12,11 +12,11 @@ from ..scene.elements import SPECIAL
 from ..scene.inputs import outside
 from ..scene.scene import Scene
 from .blocks import Block
-from .cells import Mask, Numbers
-from .materials import UNKNOWN, Codes, Lookup
+from .cells import Numbers
+from .materials import Codes, Lookup
 from .task import Task
 
-_EMPTY, _PLAIN, _SPECIAL, _MEASURED, _INTERVAL = range(5)  # kinds of cells
+_BAD, _EMPTY, _PLAIN, _SPECIAL, _MEASURED, _INTERVAL = range(-1, 5)  # kinds of cells
 
 
 class Group(NamedTuple):
@@ -39,8 +39,10 @@ def groups(task: Task, block: Block, lookups: Mapping[str, Lookup]) -> Iterator[
     """
     kinds = {name: _kinds(name, column) for name, column in block.numbers.items()}
     codes = [block.materials.get(name, numpy.zeros(block.size, dtype=numpy.int64)) for name in lookups]
-    of_materials = map(Lookup.kinds, lookups.values(), codes)
-    for rows in _alike(numpy.flatnonzero(_fine(block)), [*kinds.values(), *of_materials]):
+    of_rows = numpy.full(block.size, _PLAIN)
+    of_rows[[*block.odd]] = _BAD
+    columns = [of_rows, *kinds.values(), *map(Lookup.kinds, lookups.values(), codes)]
+    for rows in _alike(numpy.flatnonzero(numpy.min(columns, axis=0) != _BAD), columns):
         given = {
             name: _values(block.numbers[name], rows, int(of_cells[rows[0]]))
             for name, of_cells in kinds.items()
@@ -54,25 +56,15 @@ def groups(task: Task, block: Block, lookups: Mapping[str, Lookup]) -> Iterator[
         yield Group(rows, scene, [*lookups.values()], own)
 
 
-def _fine(block: Block) -> Mask:
-    """Return which rows have cells that are all values in the range of their inputs, or known materials."""
-    is_fine = numpy.ones(block.size, dtype=bool)
-    is_fine[[*block.odd]] = False
-    for codes in block.materials.values():
-        is_fine &= codes != UNKNOWN
-    for name, column in block.numbers.items():
-        is_fine &= ~outside(name, column.values) | numpy.isnan(column.values)
-        is_fine[[*column.odd]] = False
-    return is_fine
-
-
 def _kinds(name: str, column: Numbers) -> Codes:
     """Return the kind of each cell of a column."""
-    kinds = numpy.full(len(column.values), _PLAIN, dtype=numpy.int64)
+    kinds = numpy.where(outside(name, column.values), _BAD, _PLAIN)
     kinds[numpy.isnan(column.values)] = _EMPTY
     kinds[column.values == SPECIAL.get(name, numpy.nan)] = _SPECIAL
+    kinds[[*column.odd]] = _BAD
     for row, found in column.uncertain.items():
-        kinds[row] = _MEASURED if isinstance(found, Measured) else _INTERVAL
+        if kinds[row] != _BAD:
+            kinds[row] = _MEASURED if isinstance(found, Measured) else _INTERVAL
     return kinds
 
 

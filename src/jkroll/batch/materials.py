@@ -9,7 +9,7 @@ from ..materials.library import Material, Materials, UnknownMaterial
 from ..quantities.nomenclature import INFINITY
 from .cells import Kept
 
-UNKNOWN = -1
+UNKNOWN = -1  # number of what is no material, and of its kind
 
 Codes = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.int64]]
 
@@ -41,8 +41,8 @@ class Lookup:
         return self.known.index(found)
 
     def kinds(self, codes: Codes) -> Codes:
-        """Return a number for each row, which is the same for materials that can be one scene's."""
-        return numpy.array(self._kinds)[codes]
+        """Return a number for each row, which is the same for materials that can be one scene's; UNKNOWN stays."""
+        return numpy.array([*self._kinds, UNKNOWN])[codes]
 
     def together(self, codes: Codes) -> Material | None:
         """Return the materials of rows of one kind as one whose properties are arrays; a special one as it is."""

@@ -68,7 +68,7 @@ class NdjsonConverter:
                 odd[row] = f"has {word!r}, which the first line has not"
         rows: Sequence[Row] = [one if one is not None and row not in odd else {} for row, one in enumerate(objects)]
         cells = {name: _cells([row.get(key) for row in rows]) for name, key in self.keys.items()}
-        results = self.evaluator.results_of_texts(len(rows), cells, odd, places)
+        results = self.evaluator.results(self.evaluator.block(len(rows), cells, odd, places))
         return Converted(self._output(raw, objects, results), text.count(b"\n"), results.tally)
 
     def _surprise(self, one: Row) -> str | None:

@@ -5,6 +5,7 @@ the first leaves open.
 """
 
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from functools import partial
 
 import numpy
@@ -31,16 +32,10 @@ class Evaluator:
             name: Lookup(task.known, material) for name, material in zip(MATERIALS, task.spheres, strict=True)
         }
 
-    def results_of_texts(
-        self, size: int, cells: Mapping[str, Sequence[bytes]], odd: Mapping[int, str], lines: Sequence[int]
-    ) -> Results:
-        """Return the results of rows of texts. `odd`: records that are no rows, and why; `lines`: at which the rows begin."""
-        return self.results(self.block(size, cells, odd, lines))
-
     def block(
         self, size: int, cells: Mapping[str, Sequence[bytes]], odd: Mapping[int, str], lines: Sequence[int]
     ) -> Block:
-        """Return the block of rows of texts, by the name of the input."""
+        """Return a block of rows of texts, by the name of the input. `odd` and `lines` are as in `Block`."""
         return Block(
             size,
             {reader.column.name: reader.numbers(cells[reader.column.name]) for reader in self.readers},
@@ -56,9 +51,10 @@ class Evaluator:
         is_open = numpy.ones(block.size, dtype=bool)
         with numpy.errstate(all="ignore"):
             for group in groups(self.task, block, self.lookups):
-                found = Evaluated(self.task, group.scene, len(group.rows), group.materials)
-                results.put(group.rows.tolist(), found)
-                is_open[group.rows] = found.is_open
+                with suppress(JkrollError):  # which each row then has by itself
+                    found = Evaluated(self.task, group.scene, len(group.rows), group.materials)
+                    results.put(group.rows.tolist(), found)
+                    is_open[group.rows] = found.is_open
             for row in numpy.flatnonzero(is_open).tolist():
                 if row in block.odd:
                     results.lose(row, block.odd[row])
@@ -73,8 +69,8 @@ class Evaluator:
         """Return the results of a row by itself. `text_of` gives the cell of an input."""
         try:
             scene = self.task.scene_of(text_of)
+            return Evaluated(self.task, scene, 1, lambda _: (scene.material, scene.material2))
         except JkrollError as error:
             results = Results(self.task, 1)
             results.lose(0, str(error))
             return results
-        return Evaluated(self.task, scene, 1, lambda _: (scene.material, scene.material2))
