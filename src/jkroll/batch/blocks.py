@@ -57,12 +57,13 @@ class Results:
         """The counts of the rows."""
         return Tally(self.numbers.shape[1], len(self.lost), len(self.doubts))
 
-    def put(self, rows: Sequence[int], found: "Results") -> None:
+    def put(self, rows: Codes, found: "Results") -> None:
         """Take the results of some rows."""
         self.numbers[:, rows] = found.numbers
-        self.status.update((rows[place], text) for place, text in found.status.items())
-        self.doubts.update((rows[place], text) for place, text in found.doubts.items())
-        self.lost.update(rows[place] for place in found.lost)
+        row_at = rows.tolist().__getitem__
+        for texts, own in ((self.status, found.status), (self.doubts, found.doubts)):
+            texts.update(zip(map(row_at, own), own.values(), strict=True))
+        self.lost.update(map(row_at, found.lost))
 
     def lose(self, row: int, status: str, *, keeps: bool = False) -> None:
         """Note that no result of a row is to be trusted. They go, unless it keeps them."""

@@ -23,6 +23,7 @@ INPUTS = ("radius", *(name for name, quantity in NOMENCLATURE.items() if quantit
 DOUBT = "doubt"  # the limits of the model that a row exceeds, as codes
 STATUS = "status"
 ALIKE = 0.85  # how similar a header is to the name of an input to be taken for a mistake
+_SYMBOLS = {NOMENCLATURE[name].symbol: name for name in INPUTS}
 _HEADER = re.compile(r"([^\[\]]*?)\s*\[([^\[\]]*)\]")
 _PER_CENT = re.compile(r"(.*?)((?:±|\+/?-)[^±]*%)?", re.DOTALL)  # 25±20 % of the value
 _CUT = re.compile(r"[\s_(/,:\[]+|$")  # between a name and a unit
@@ -139,10 +140,10 @@ def _column(place: int, name: str, unit_text: str | None, text: str) -> Column:
 def _meant(name: str, unit_text: str | None) -> str | None:
     """Return the header that a mistaken one was probably meant to be, or None."""
     known = (*INPUTS, *MATERIALS)
-    symbols = {NOMENCLATURE[one].symbol: one for one in INPUTS if len(NOMENCLATURE[one].symbol) > 1 or unit_text}
+    symbol = _SYMBOLS.get(name) if len(name) > 1 or unit_text else None  # a letter alone may mean anything
     for cut in _CUT.finditer(name):
         plain = _plain(name[: cut.start()])
-        meant = symbols.get(name) or OPTION_WORDS.get(plain, plain)
+        meant = symbol or OPTION_WORDS.get(plain, plain)
         rest = name[cut.end() :].rstrip(")] ") or unit_text or ""
         if meant in known and _fits(rest, meant):
             return f"{meant} [{rest}]"

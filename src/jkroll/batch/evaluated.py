@@ -49,7 +49,6 @@ class Evaluated(Results):
         """`size`: the number of rows; `materials`: of both spheres of a row, by its place."""
         super().__init__(task, size)
         self.scene, self.materials = scene, materials
-        self.is_of_numbers = not any(isinstance(value, numpy.ndarray) for value in scene.given.values())
         self.is_open: Mask = numpy.zeros(size, dtype=bool)
         self._fails: Mask = numpy.zeros(self.values.shape, dtype=bool)  # where the scene has a quantity, but no value
         self._missing: list[str] = []  # quantities that lack inputs
@@ -67,8 +66,8 @@ class Evaluated(Results):
             self._propagate()
         for place in numpy.flatnonzero(self.is_open).tolist():
             self.status.pop(place, None)
-        is_empty: Mask = numpy.all(numpy.isnan(self.values), axis=0)
-        self.lost |= {place for place in self.status if is_empty[place]}
+        unclear = numpy.array([*self.status], dtype=int)
+        self.lost |= {*unclear[numpy.isnan(self.values[:, unclear]).all(axis=0)].tolist()}
         if task.doubt:
             self._doubt(names)
 
@@ -125,7 +124,7 @@ class Evaluated(Results):
         remark = ""
         if any(side not in self.task.sides for source in sources.entering for side in source.given.sides):
             remark = left_out(self.scene, sources)
-        elif self.is_of_numbers:
+        elif not any(isinstance(value, numpy.ndarray) for value in self.scene.given.values()):
             remark = self._search([*values])
         elif sources.entering:
             for name, found in elements.uncertainties(self.scene, values, sources.entering).items():

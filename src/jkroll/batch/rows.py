@@ -53,13 +53,13 @@ class Evaluator:
             for group in groups(self.task, block, self.lookups):
                 with suppress(JkrollError):  # which each row then has by itself
                     found = Evaluated(self.task, group.scene, len(group.rows), group.materials)
-                    results.put(group.rows.tolist(), found)
+                    results.put(group.rows, found)
                     is_open[group.rows] = found.is_open
             for row in numpy.flatnonzero(is_open).tolist():
                 if row in block.odd:
                     results.lose(row, block.odd[row])
                 else:
-                    results.put([row], self.alone(partial(block.text, row)))
+                    results.put(numpy.array([row]), self.alone(partial(block.text, row)))
         if self.task.strict and results.lost:
             first = min(results.lost)
             raise BadRow(block.lines[first], results.status[first])
