@@ -26,12 +26,13 @@ def random_table(size: int, seed: int) -> str:
     return "\n".join(lines) + "\n"
 
 
-# Small blocks, and processes after the first of them: a kill finds every state of a short run.
+# Small blocks, and processes for all but the first of them: a kill finds every state of a short run.
 IN_SMALL_BLOCKS = """
 import sys
-from jkroll.batch import loop, source, sweep
+from jkroll.batch import loop, source, sweep, workers
 from jkroll.cli.process import main
 loop.ALONE, source.CHUNK, sweep.ROWS = 2, 1 << 14, 1 << 9
+workers.are_ready = lambda started: all([worker.answer() is None for worker in started])  # waits until they are
 if __name__ == "__main__":
     sys.exit(main(sys.argv[1:]))
 """

@@ -271,7 +271,21 @@ def test_strict_stops_with_the_line(run: Run) -> None:
         1,
         "jkroll: line 6: radius: '0 nm' must be positive; expected a length such as 100nm\n",
     )
-    assert not Path("out.csv").exists()
+    assert not [*Path().glob("out.csv*")]
+    assert run("batch", name, "--strict", "-o", "out/").err == (
+        f"jkroll: '{name}': line 6: radius: '0 nm' must be positive; expected a length such as 100nm\n"
+    )
+    assert [path.name for path in Path("out").iterdir()] == ["manifest.json"]
+
+
+def test_a_target_that_cannot_be_is_named(run: Run) -> None:
+    name = table(GRAINS)
+    Path("forces").mkdir()
+    assert run("batch", name, "-o", "nowhere/out.csv").err == "jkroll: -o: there is no directory 'nowhere'\n"
+    message = "jkroll: -o: 'forces' is a directory; 'forces/' is where a file for each table goes\n"
+    assert run("batch", name, "-o", "forces").err == message
+    message = "jkroll: 'forces' is a directory; name its tables, as in 'forces/*.csv'\n"
+    assert run("batch", "forces", "-o", "out.csv").err == message
 
 
 def test_rows_stay_rows_whatever_their_cells_hold(run: Run) -> None:

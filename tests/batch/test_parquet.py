@@ -76,7 +76,9 @@ def test_what_is_no_parquet(run: Run) -> None:
         assert ran.err.startswith("jkroll: 'x.parquet' cannot be read as Parquet: ")
     name = write({"radius [nm]": [100.0]})
     assert run("batch", name).err == "jkroll: Parquet is read from a file and written to a file: -o FILE\n"
-    assert run("batch", name, "-o", "y.csv").err == "jkroll: -o: a table of parquet is written as parquet, not as csv\n"
+    assert run("batch", name, "-o", "y.csv").err == (
+        "jkroll: -o: a table of parquet stays one; write 'y.parquet', and convert it with another program\n"
+    )
     assert run("batch", name, "-o", name).err == f"jkroll: -o: '{name}' is the input; it is not overwritten\n"
     assert not Path("y.parquet").exists()
 
@@ -100,7 +102,8 @@ def test_what_cannot_be_read(run: Run) -> None:
     ran = run("batch", write({"radius [nm]": [1.0], "material": [b"iron"]}), "-o", "out.parquet", "--quiet")
     assert ran.code == 0
     Path("there.parquet").mkdir()
-    assert run("batch", name, "-o", "there.parquet").err == "jkroll: -o: 'there.parquet' is no file\n"
+    message = "jkroll: -o: 'there.parquet' is a directory; 'there.parquet/' is where a file for each table goes\n"
+    assert run("batch", name, "-o", "there.parquet").err == message
 
 
 @pytest.mark.parametrize("unit", ["nm", "m", "ft"])

@@ -6,8 +6,7 @@ from pathlib import Path
 import pytest
 
 from harness import Run, Stream
-from jkroll.batch.progress import watched
-from jkroll.batch.settings import Settings
+from jkroll.batch.progress import Bar
 
 
 def test_a_bar_shows_part_and_rows(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -15,8 +14,8 @@ def test_a_bar_shows_part_and_rows(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("sys.stderr", out)
     monkeypatch.setenv("TERM", "xterm")
     monkeypatch.setattr("jkroll.batch.progress.WAIT", 0)
-    with watched(4000, lambda: (1000, 50_000), Settings(), goes_on=True) as show:
-        show()
+    with Bar(4000, quiet=False) as bar:
+        bar.show(1000, 50_000)
     assert " 25%" in out.text()
     assert "50,000 rows" in out.text()
 

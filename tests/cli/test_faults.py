@@ -44,11 +44,12 @@ from jkroll.__main__ import run
 listen = signal.signal
 said = []
 def listen_and_say_so(*arguments):
-    listen(*arguments)
+    before = listen(*arguments)
     if not said:
         said.append("")
         sys.stderr.write(".")
         sys.stderr.flush()
+    return before
 signal.signal = listen_and_say_so
 run()
 """

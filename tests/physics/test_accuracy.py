@@ -133,9 +133,6 @@ def _values(random: Random, scene: Scene) -> Iterator[tuple[str, Any]]:
         ("energy", 1e-30, 1e3),
         ("energy_ratio", 1e-6, 1e6),
         ("speed", 1e-9, 1e6),
-        ("angular_speed", 1e-9, 1e12),
-        ("angle", 1e-12, 1),
-        ("displacement", 1e-15, 1e-3),
         ("number", 1, 1e9),
         ("atomic_spacing", 1e-11, 1e-8),
     ):

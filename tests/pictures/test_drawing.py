@@ -21,7 +21,7 @@ from jkroll.cli.options import Call
 from jkroll.cli.process import main
 from jkroll.pictures.axes import described
 from jkroll.pictures.figures import FIGURES, figure
-from jkroll.pictures.maps import Map, inputs_at
+from jkroll.pictures.maps import Map
 from jkroll.pictures.plot_request import map_of
 from jkroll.quantities.nomenclature import NOMENCLATURE
 
@@ -73,7 +73,7 @@ def test_a_contour_of_the_paper_is_its_formula(name: str) -> None:
     declared = FIGURES[name]
     sampled = 0
     for value, (x, y) in contours(drawn, page):
-        given: dict[str, Any] = {**declared.given, **inputs_at(drawn.x.name, x), "radius": y}
+        given: dict[str, Any] = {**declared.given, **drawn.x.inputs(x), "radius": y}
         np.testing.assert_allclose(solve(declared.quantity, **given), value, rtol=1e-9)
         sampled += len(x)
     assert sampled > 100

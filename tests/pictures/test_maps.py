@@ -344,7 +344,7 @@ def test_limits_that_cannot_be_shown_are_said_to_be_missing(run: Run) -> None:
         ("map pull-off --x radius=1um:1nm", "does not rise"),
         ("map pull-off --x radius=1nm:1N", "is a force"),
         ("map pull-off --x radius=0nm:1um", "must be positive"),
-        ("map pull-off --x material=a:b", "has no range"),
+        ("map pull-off --x material=a:b", "stands for a word, not a number"),
         ("map pull-off quartz 100nm --x radius=1nm:1um", "is on an axis"),
         ("map pull-off --x radius=1nm:1um --y radius=1nm:1um", "both axes"),
         ("map pull-off quartz --x density=1g/cm3:2g/cm3", "does not depend on density"),

@@ -13,12 +13,12 @@ from hypothesis import strategies as st
 import maugis_reference as reference
 from jkroll import FORMULAS, NOMENCLATURE, JkrollError, solve
 from jkroll.answers.answer import answer
-from jkroll.answers.curve import curve
+from jkroll.answers.curve import STATES_OF_LAW, curve
 from jkroll.answers.questions import QUESTIONS
 from jkroll.materials.library import known_materials
 from jkroll.physics import dugdale_roots
+from jkroll.quantities.laws import LAWS, Law, UnknownLaw
 from jkroll.scene.errors import BeyondFold, BeyondPullOff, NotInLaw
-from jkroll.scene.laws import LAWS, UnknownLaw
 from jkroll.scene.scene import Scene
 from maugis_reference import Exact, cbrt, mpf, pi
 
@@ -253,9 +253,22 @@ def test_every_route_leads_to_a_formula_of_the_nomenclature() -> None:
     for law in LAWS.values():
         for table in (law.routes, *law.given.values()):
             for name, route in table.items():
-                assert name in NOMENCLATURE
-                assert route is None or (route in FORMULAS and route in NOMENCLATURE)
-                assert route is None or NOMENCLATURE[route].unit == NOMENCLATURE[name].unit
+                assert name in NOMENCLATURE, f"{law.title} has a route for {name}, which is no quantity"
+                if route is not None:
+                    assert route in FORMULAS, f"write {route} in physics, and list its module in physics/__init__.py"
+                    assert NOMENCLATURE[route].unit == NOMENCLATURE[name].unit
+
+
+@pytest.mark.parametrize("law", LAWS.values(), ids=LAWS)
+def test_a_law_has_what_its_answers_need(law: Law) -> None:
+    assert law.name in STATES_OF_LAW, (
+        f"enter the states of the force curve of {law.title} in answers.curve.STATES_OF_LAW"
+    )
+    if not law.is_default:
+        assert law.source, f"name the source of {law.title} in its Law: results show it in place of an equation"
+        assert {"key", "type", "author", "year"} <= law.reference.keys(), f"--cite needs the reference of {law.title}"
+        assert law.tabor_below > 0, f"say in its Law below which Tabor parameter {law.title} holds, and what that means"
+        assert law.fine, f"say in its Law below which Tabor parameter {law.title} holds, and what that means"
 
 
 @pytest.mark.parametrize("model", ["maugis", "dmt"])

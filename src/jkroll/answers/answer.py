@@ -8,7 +8,7 @@ from ..errors import JkrollError, NoResult
 from ..quantities.formatting import Format, amount, in_words
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..scene.errors import BeyondPullOff, MissingInput, NoContact, reason_of
-from ..scene.limits import LIMIT_NAMES, Verdict, against_limit, judged, of_any_scene, sentence, uses_spacing
+from ..scene.limits import LIMIT_NAMES, Verdict, against_limit, judged, of_any_scene, sentence
 from ..scene.scene import Scene
 from ..scene.wiring import depends_on
 from .comparison import Difference, differences, with_differences, with_force_by_maugis
@@ -56,7 +56,8 @@ def answer(question: Question, scene: Scene) -> Answer:
     laws = differences(scene, [name for name in known if name in (*question.headline, *question.compared)])
     limits = judged(scene, known)
     validity = tuple(with_differences(each, laws, scene) for each in limits.verdicts)
-    entering = {*inputs, "atomic_spacing"} if uses_spacing(validity) else {*inputs}
+    of_limits = scene.inputs_of(*(verdict.name for verdict in validity))
+    entering = {*inputs, "atomic_spacing"} if "atomic_spacing" in of_limits else {*inputs}
     notes = (
         *assumptions(scene, entering, planned),
         *about_data(scene, inputs),

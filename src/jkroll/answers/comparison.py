@@ -5,9 +5,9 @@ from math import log
 from typing import NamedTuple
 
 from ..quantities.formatting import amount
+from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.errors import BeyondPullOff
-from ..scene.laws import BETWEEN, LAWS
 from ..scene.limits import Verdict
 from ..scene.scene import Scene
 from ..scene.wiring import depends_on

@@ -60,7 +60,7 @@ def states(scene: Scene, loads: Loads | None = None, steps: int = STEPS) -> list
     Without `loads` the curve ends at (16/9)P_c. `steps` is the number of states in contact, without those that have a name.
     """
     try:
-        found = _STATES[scene.law.name](scene, loads, steps)
+        found = STATES_OF_LAW[scene.law.name](scene, loads, steps)
     except (MissingInput, NoResult):  # the answer says what is missing, or that the spheres let go
         return [State("load", loads.high, "stable") if loads else State("load", 0.0, _NAMED[EQUILIBRIUM])]
     if loads is None:
@@ -121,7 +121,7 @@ def _of_dmt(scene: Scene, loads: Loads | None, steps: int) -> list[State]:
     return [State("approach_at_load", approach, approaches[approach]) for approach in sorted(approaches)]
 
 
-_STATES = {"jkr": _of_jkr, "maugis": _of_maugis, "dmt": _of_dmt}
+STATES_OF_LAW = {"jkr": _of_jkr, "maugis": _of_maugis, "dmt": _of_dmt}
 
 
 def curve(scenes: Iterable[Scene], loads: Loads | None = None) -> Iterator[tuple[Scene, Answer]]:

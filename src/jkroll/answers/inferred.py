@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING
 
 from ..errors import NoResult
 from ..quantities.formatting import amount
+from ..quantities.laws import LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.errors import MissingInput, reason_of
 from ..scene.inverse import SIZES, Solution, solution, with_input
-from ..scene.laws import LAWS
 from ..scene.scene import Scene
 from .answer import Answer, add_uncertainties, answer
 from .questions import Question

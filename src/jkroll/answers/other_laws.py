@@ -4,8 +4,8 @@ from collections.abc import Collection, Iterator, Sequence
 from typing import Any
 
 from ..quantities.formatting import amount
+from ..quantities.laws import BETWEEN, DEFAULT_LAW, differs
 from ..quantities.nomenclature import NOMENCLATURE
-from ..scene.laws import BETWEEN, DEFAULT_LAW, differs
 from ..scene.scene import Scene
 from .result import Note, OtherLaw, Result
 

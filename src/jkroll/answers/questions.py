@@ -111,11 +111,16 @@ def quantity_named(word: str) -> str:
     ('radius', 'surface_energy', 'pull_off_force')
     """
     name = canonical(word)
-    if name in NOMENCLATURE:
+    if _has_values(name):
         return name
     if word not in QUESTIONS:
         raise UnknownQuantity(word)
     return QUESTIONS[word].headline[0]
+
+
+def _has_values(name: str) -> bool:
+    """Return whether a name is that of a quantity, and not of a word such as a material."""
+    return name in NOMENCLATURE and bool(NOMENCLATURE[name].unit)
 
 
 def quantities_named(text: str) -> tuple[list[str], list[str]]:
@@ -131,7 +136,7 @@ def quantities_named(text: str) -> tuple[list[str], list[str]]:
         name = canonical(word)
         if word in QUESTIONS:
             offered += QUESTIONS[word].quantities
-        elif name in NOMENCLATURE and NOMENCLATURE[name].unit:
+        elif _has_values(name):
             named.append(name)
         else:
             raise UnknownQuantity(word)

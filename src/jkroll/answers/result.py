@@ -46,10 +46,14 @@ class Result(NamedTuple):
         return self.propagated.uncertainty.sides if self.propagated is not None else {}
 
 
+# Of notes, the most important first.
+Kind = Literal["material", "missing", "doubt", "result", "model", "assumption", "unchecked", "data"]
+
+
 class Note(NamedTuple):
     """A sentence about an answer."""
 
-    kind: Literal["material", "missing", "doubt", "result", "model", "assumption", "unchecked", "data"]
+    kind: Kind
     text: str
     matter: str = ""  # the same for all scenes that have such a note; by default the text
     brief: str = ""  # of a doubt: the number and the limit that it exceeds

@@ -8,9 +8,8 @@ import numpy
 from ..errors import JkrollError
 from ..materials.library import Material
 from ..quantities.uncertain import Interval, Measured
-from ..scene.elements import SPECIAL
 from ..scene.inputs import outside
-from ..scene.scene import Scene
+from ..scene.scene import FOLLOWS, Scene
 from .blocks import Block
 from .cells import Numbers
 from .materials import Codes, Lookup
@@ -60,7 +59,8 @@ def _kinds(name: str, column: Numbers) -> Codes:
     """Return the kind of each cell of a column."""
     kinds = numpy.where(outside(name, column.values), _BAD, _PLAIN)
     kinds[numpy.isnan(column.values)] = _EMPTY
-    kinds[column.values == SPECIAL.get(name, numpy.nan)] = _SPECIAL
+    if name in FOLLOWS:
+        kinds[column.values == FOLLOWS[name][0]] = _SPECIAL
     kinds[[*column.odd]] = _BAD
     for row, found in column.uncertain.items():
         if kinds[row] != _BAD:

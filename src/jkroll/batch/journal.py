@@ -56,20 +56,15 @@ class Journal:
         """Add lines."""
         os.write(self._descriptor, b"".join(json.dumps(entry).encode() + b"\n" for entry in entries))
 
-    def lines(self) -> tuple[list[Any], list[int]]:
-        """Return what the whole lines say, the first of them about the run, and the place at which each ends."""
-        found, ends = [], [0]
+    def lines(self) -> list[Any]:
+        """Return what the whole lines say, the first of them about the run."""
+        found: list[Any] = []
         with open(self.path, "rb") as file, suppress(ValueError):
             for line in file:
                 if not line.endswith(b"\n"):
                     break
                 found.append(json.loads(line))
-                ends.append(ends[-1] + len(line))
-        return found, ends[1:]
-
-    def cut(self, end: int) -> None:
-        """Take away what stands after a place."""
-        os.ftruncate(self._descriptor, end)
+        return found
 
     def remove(self) -> None:
         """Remove it: the file is whole."""

@@ -9,13 +9,14 @@ from functools import partial
 from itertools import chain, islice
 from typing import Any, NamedTuple
 
+from .blocks import Tally
 from .errors import BadRow
 from .lines import Converted
-from .output import Fetch, Output, Step, step_of
-from .progress import watched
+from .output import Fetch, Step, output_to, step_of
+from .progress import Bar
 from .settings import Settings
 
-ALONE = 8  # blocks that this process converts before it starts others
+ALONE = 16  # blocks that this process converts before it starts others
 
 Convert = Callable[[bytes], Converted]
 
@@ -32,21 +33,18 @@ class Work(NamedTuple):
     position: Callable[[], int] | None = None  # None: the rows
 
 
-def run(work: Work, output: Output, settings: Settings) -> None:
-    """Write a table, or the rest of it with `--resume`."""
-    if not (settings.resume and output.resume(work.identity, work.read, work.blocks)):
-        output.begin(work.identity, work.read, work.head)
-
-    def counts() -> tuple[int, int]:
-        return work.position() if work.position else output.done.rows, output.done.rows
-
-    with watched(work.total, counts, settings, goes_on=output.goes_on) as show:
+def run(work: Work, settings: Settings) -> Tally:
+    """Write a table, or the rest of it with `--resume`; return the counts of all of it."""
+    with output_to(settings) as output, Bar(work.total, quiet=settings.quiet) as bar:
+        if not (settings.resume and output.resume(work.identity, work.read, work.blocks)):
+            output.begin(work.identity, work.read, work.head)
         try:
             for step, fetch in _converted(work, settings.processes, output.path):
                 output.take(step, fetch)
-                show()
+                bar.show(work.position() if work.position else output.done.rows, output.done.rows)
         except BadRow as error:
             raise BadRow(output.done.lines + 1 + error.line, error.status) from None
+    return output.tally
 
 
 def _converted(work: Work, jobs: int, path: str) -> Iterator[tuple[Step, Fetch]]:

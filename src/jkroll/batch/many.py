@@ -109,7 +109,7 @@ def convert(path: str, order: Order, run: Runner) -> tuple[Tally, int]:
     before = _listed(manifest)  # also without --resume: a file that is not ours is refused
     code = 0
     with closing(Journal(manifest, f"{manifest}.partial")) as journal:
-        before |= {entry["identity"]: entry for entry in journal.lines()[0][1:]}
+        before |= {entry["identity"]: entry for entry in journal.lines()[1:]}
         entries: dict[Part, Entry] = {}
         if settings.resume:
             entries = {part: before[name] for part, name in identities.items() if _is_done(before.get(name), part)}

@@ -10,13 +10,13 @@ import sys
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from operator import add
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Self
 from zlib import crc32
 
 from ..errors import BadRequest
 from ..text import quoted, say
 from .blocks import Tally
-from .errors import BadTable, NotTheSame
+from .errors import BadRow, BadTable, NotTheSame
 from .journal import Journal, opened
 from .lines import Converted
 from .settings import Settings
@@ -45,7 +45,7 @@ def step_of(read: bytes, converted: Converted) -> Step:
 
 
 class Output:
-    """A stream that takes blocks in their order."""
+    """A stream that takes blocks in their order. It is finished where a `with` of it ends without an error."""
 
     goes_on = False  # whether --resume can go on after an interrupt
     path = ""  # of the file that is written, if it is one
@@ -54,13 +54,28 @@ class Output:
         self.descriptor = descriptor
         self.done = Step()
 
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, _kind: object, error: BaseException | None, _trace: object) -> None:
+        try:
+            if error is None:
+                self.finish()
+            elif isinstance(error, (BadTable, BadRow)):
+                self.discard()
+            elif isinstance(error, KeyboardInterrupt):
+                rest = "; --resume goes on" if self.goes_on else ""
+                say(f"jkroll: interrupted after {self.done.rows} rows{rest}", sys.stderr)
+        finally:
+            self.close()
+
     @property
     def tally(self) -> Tally:
         """The counts so far."""
         return Tally(self.done.rows, self.done.failed, self.done.doubtful)
 
     def begin(self, _identity: Mapping[str, str], read: bytes, head: Converted) -> None:
-        """Begin anew with a header."""
+        """Begin anew with a header: as read, and what it becomes."""
         self.take(step_of(read, head), lambda _: head.output)
 
     def resume(self, _identity: Mapping[str, str], _read: bytes, _blocks: Iterator[bytes]) -> bool:
@@ -82,6 +97,9 @@ class Output:
     def finish(self) -> None:
         """End the output after the last block."""
 
+    def discard(self) -> None:
+        """Leave nothing behind: the table is bad, and to go on would make it no better."""
+
     def close(self) -> None:
         """Close what is open."""
         os.close(self.descriptor)
@@ -90,12 +108,17 @@ class Output:
 class OutputFile(Output):
     """A file that gets its name when it is whole."""
 
-    goes_on = True
-
-    def __init__(self, target: str) -> None:
+    def __init__(self, target: str, *, goes_on: bool = True) -> None:
         """Open the file beside, and its journal. A link is written through. Raises BadRequest for a directory or device."""
+        self.goes_on = goes_on
+        if os.path.isdir(target):
+            raise BadRequest(
+                f"-o: {quoted(target)} is a directory; {quoted(target + os.sep)} is where a file for each table goes"
+            )
         if os.path.exists(target) and not os.path.isfile(target):
             raise BadRequest(f"-o: {quoted(target)} is no file")
+        if not os.path.isdir(folder := os.path.dirname(target) or "."):
+            raise BadRequest(f"-o: there is no directory {quoted(folder)}")
         self.target = _real_path(target)
         self.path = f"{self.target}.partial"
         self.journal = Journal(self.target, self.path)
@@ -109,7 +132,7 @@ class OutputFile(Output):
         """Begin anew with a header."""
         os.ftruncate(self.descriptor, 0)
         self.journal.begin(identity)
-        self.take(step_of(read, head), lambda _: head.output)
+        super().begin(identity, read, head)
 
     def take(self, step: Step, fetch: Fetch) -> None:
         """Write a block, and note it in the journal."""
@@ -118,11 +141,11 @@ class OutputFile(Output):
 
     def resume(self, identity: Mapping[str, str], read: bytes, blocks: Iterator[bytes]) -> bool:
         """Go to the last block that is whole in the journal, the output and the input; False if there is none."""
-        lines, ends = self.journal.lines()
-        steps = self._steps(lines[1:])
+        about, *lines = self.journal.lines() or [{}]
+        steps = self._steps(lines)
         if not steps:
             return False
-        changed = [name for name, value in identity.items() if lines[0].get(name) != value]
+        changed = [name for name, value in identity.items() if about.get(name) != value]
         for place, step in enumerate(steps):
             if not changed and crc32(next(blocks, b"") if place else read) != step.read_checksum:
                 changed = ["input"]
@@ -130,7 +153,8 @@ class OutputFile(Output):
             raise NotTheSame(quoted(self.path), changed[0])
         self.done = steps[-1]
         os.ftruncate(self.descriptor, self.done.written)
-        self.journal.cut(ends[len(steps)])
+        self.journal.begin(identity)
+        self.journal.add(*steps)
         return True
 
     def _steps(self, lines: list[Any]) -> list[Step]:
@@ -155,6 +179,11 @@ class OutputFile(Output):
         os.replace(self.path, self.target)
         self.journal.remove()
 
+    def discard(self) -> None:
+        """Remove what was written."""
+        os.unlink(self.path)
+        self.journal.remove()
+
     def close(self) -> None:
         """Close the files, and give up the lock with them."""
         super().close()
@@ -167,9 +196,7 @@ def output_to(settings: Settings) -> Output:
     if target == "-":
         sys.stdout.flush()
         return Output(os.dup(sys.stdout.fileno()))
-    if os.path.isdir(target):
-        raise BadRequest(f"-o: {quoted(target)} is a directory")
-    if os.path.exists(target) and not os.path.isfile(target):  # a device or a pipe
+    if os.path.exists(target) and not (os.path.isfile(target) or os.path.isdir(target)):  # a device or a pipe
         return Output(os.open(target, os.O_WRONLY))
     return OutputFile(target)
 

@@ -24,7 +24,7 @@ from .columns import is_input
 from .errors import BadTable
 from .lines import Converted
 from .output import OutputFile, Step, is_done
-from .progress import watched
+from .progress import Bar
 from .rows import Evaluator
 from .settings import Order, Settings, input_format, output_format
 from .source import Input, Part, Span
@@ -57,9 +57,7 @@ def convert(part: Part, order: Order) -> Tally:
         with _readable(part.path):
             table = _Table(given, order, part.span)
         identity = order.identity([given.size, given.time])
-        tally = write(settings, table.schema, table.converted(), table.size, identity)
-        given.check_unchanged()
-        return tally
+        return write(settings, table.schema, table.converted(), table.size, identity)
 
 
 def spans_of(path: str) -> list[Span]:
@@ -94,7 +92,7 @@ class _Table:
 
     def __init__(self, given: Input, order: Order, span: Span | None) -> None:
         """`span`: of groups of rows; None for all."""
-        self.path = given.path
+        self.given, self.path = given, given.path
         self.file = file = pyarrow.parquet.ParquetFile(given.file, buffer_size=BUFFER, pre_buffer=False)
         schema = file.schema_arrow
         task = task_of_table(tuple(schema.names), _sample(file), order)
@@ -121,6 +119,7 @@ class _Table:
             with _readable(self.path):
                 batch = next(batches, None)
                 if batch is None:
+                    self.given.check_unchanged()
                     return
                 rows = self._rows(batch)
                 self.line += batch.num_rows
@@ -162,17 +161,12 @@ def write(settings: Settings, schema: Any, tables: Iterator[Rows], total: int, i
 
     `total`: the number of all rows. A thread writes.
     """
-    output = OutputFile(settings.target)
-    with closing(output):
+    with OutputFile(settings.target, goes_on=False) as output:
         if settings.resume and output.journal.has_begun:
             say("note: --resume: a Parquet file cannot be continued; it is begun anew", sys.stderr)
         output.begin(identity, b"", Converted(b"", 0))
-
-        def counts() -> tuple[int, int]:
-            return output.done.rows, output.done.rows
-
         with (
-            watched(total, counts, settings, goes_on=False) as show,
+            Bar(total, quiet=settings.quiet) as bar,
             open(output.descriptor, "wb", closefd=False) as file,
             _writer(file, schema) as writer,
             ThreadPoolExecutor(1) as thread,
@@ -184,9 +178,8 @@ def write(settings: Settings, schema: Any, tables: Iterator[Rows], total: int, i
                 table = pyarrow.concat_tables([table for table, _ in group])
                 written.result()
                 written = thread.submit(writer.write_table, table, table.num_rows)
-                show()
+                bar.show(output.done.rows, output.done.rows)
             written.result()
-        output.finish()
     return output.tally
 
 

@@ -2,50 +2,47 @@
 
 import sys
 import time
-from collections.abc import Callable, Iterator
-from contextlib import ExitStack, contextmanager
+from typing import TYPE_CHECKING, Self
 
-from ..text import say
-from .settings import Settings
+if TYPE_CHECKING:
+    from rich.progress import Progress
 
 WAIT = 0.5  # seconds before a bar is shown
-Counts = Callable[[], tuple[int, int]]  # how much is done of the total, and the rows so far
 
 
-@contextmanager
-def watched(total: int, counts: Counts, settings: Settings, *, goes_on: bool) -> Iterator[Callable[[], None]]:
-    """Yield a function that shows the progress; after an interrupt say where the run stopped. `total`: 0 if unknown."""
-    is_shown = sys.stderr.isatty() and not settings.quiet
-    began = time.monotonic()
-    update: Callable[[], None] | None = None
-    with ExitStack() as until_the_end:
+class Bar:
+    """A bar on a terminal, and nothing elsewhere."""
 
-        def show() -> None:
-            nonlocal update
-            if update is None and is_shown and time.monotonic() - began >= WAIT:
-                update = until_the_end.enter_context(_bar(total, counts))
-            if update is not None:
-                update()
+    def __init__(self, total: int, *, quiet: bool) -> None:
+        """`total`: how much there is to do; 0 if it is unknown."""
+        self._total = total or None
+        self._is_shown = sys.stderr.isatty() and not quiet
+        self._began = time.monotonic()
+        self._progress: Progress | None = None
 
-        try:
-            yield show
-        except KeyboardInterrupt:
-            until_the_end.close()
-            say(f"jkroll: interrupted after {counts()[1]} rows{'; --resume goes on' * goes_on}", sys.stderr)
-            raise
+    def show(self, done: int, rows: int) -> None:
+        """Show how much is done of the total, and the rows so far."""
+        if not self._is_shown or time.monotonic() - self._began < WAIT:
+            return
+        if self._progress is None:
+            self._progress = _begun(self._total)
+        self._progress.update(self._progress.task_ids[0], completed=done, rows=rows)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Take the bar away."""
+        if self._progress is not None:
+            self._progress.stop()
 
 
-@contextmanager
-def _bar(total: int, counts: Counts) -> Iterator[Callable[[], None]]:
+def _begun(total: int | None) -> "Progress":
     from rich.console import Console
     from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 
     layout = (TextColumn("{task.percentage:3.0f}%"), BarColumn(), TextColumn("{task.fields[rows]:,} rows"))
-    with Progress(*layout, TimeRemainingColumn(), console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("", total=total or None, rows=0)
-
-        def update() -> None:
-            done, rows = counts()
-            bar.update(task, completed=done, rows=rows)
-
-        yield update
+    progress = Progress(*layout, TimeRemainingColumn(), console=Console(stderr=True), transient=True)
+    progress.add_task("", total=total, rows=0)
+    progress.start()
+    return progress

@@ -3,6 +3,7 @@
 import hashlib
 import json
 import os
+import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -10,7 +11,7 @@ from typing import Any, NamedTuple
 
 from .. import __version__
 from ..materials.library import Materials
-from ..text import quoted
+from ..text import quoted, say
 from .errors import BadTable
 from .formats import CHUNK, Format, format_of, stated
 
@@ -84,6 +85,8 @@ def input_format(path: str, settings: Settings) -> Format:
         return found
     if path == "-":
         return Format("csv")
+    if os.path.isdir(path):
+        raise BadTable(f"{quoted(path)} is a directory; name its tables, as in {quoted(os.path.join(path, '*.csv'))}")
     raise BadTable(f"{quoted(path)}: its name says no format; give --format csv, tsv, ndjson or parquet")
 
 
@@ -91,7 +94,12 @@ def output_format(settings: Settings, of_input: Format) -> Format:
     """Return the format of the output: that of its name, else that of the input without compression."""
     found = format_of(settings.target)
     if found is None:
+        if os.path.splitext(settings.target)[1] and not settings.quiet:
+            say(f"note: {quoted(settings.target)} is written as {of_input.kind}: its name says no format", sys.stderr)
         return Format(of_input.kind)
     if found.kind != of_input.kind:
-        raise BadTable(f"-o: a table of {of_input.kind} is written as {of_input.kind}, not as {found.kind}")
+        name = os.path.basename(settings.target).partition(".")[0]
+        raise BadTable(
+            f"-o: a table of {of_input.kind} stays one; write {quoted(f'{name}.{of_input.kind}')}, and convert it with another program"
+        )
     return found

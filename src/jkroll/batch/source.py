@@ -53,12 +53,17 @@ class Input:
             raise BadTable(f"{quoted(path)}: {os.strerror(errno.EISDIR)}")
 
     def pieces(self, compression: str, span: Span | None) -> Iterator[bytes]:
-        """Iterate over the bytes to convert, decompressed: CHUNK bytes at a time, but for the ends."""
+        """Iterate over the bytes to convert, decompressed: CHUNK bytes at a time, but for the ends.
+
+        Raises BadTable at the end if the file was changed in the meantime.
+        """
         if compression:
-            return decompressed(self.file, compression, self.path)
-        if span is None:
-            return iter(lambda: self.file.read(CHUNK), b"")
-        return chain(self._between(0, span.head), self._between(span.start, span.end))
+            yield from decompressed(self.file, compression, self.path)
+        elif span is None:
+            yield from iter(lambda: self.file.read(CHUNK), b"")
+        else:
+            yield from chain(self._between(0, span.head), self._between(span.start, span.end))
+        self.check_unchanged()
 
     def _between(self, start: int, end: int) -> Iterator[bytes]:
         self.file.seek(start)

@@ -10,7 +10,7 @@ from .asked import task_of_table
 from .blocks import Tally
 from .formats import LINES, compressor
 from .lines import Converted, Converter, Head
-from .output import is_done, output_to
+from .output import is_done
 from .settings import Order, input_format, output_format
 from .source import Input, Part, Span, blocks
 
@@ -53,11 +53,7 @@ def convert(part: Part, order: Order) -> Tally:
             given.size if part.span is None else 0,
             given.position,
         )
-        with closing(output_to(settings)) as output:
-            loop.run(work, output, settings)
-            given.check_unchanged()
-            output.finish()
-    return output.tally
+        return loop.run(work, settings)
 
 
 def _beginning(path: str, kind: str) -> tuple[Head, list[list[str]]]:

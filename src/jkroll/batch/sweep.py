@@ -4,7 +4,6 @@ The columns are those of a short sweep. A block is a number of rows from a place
 """
 
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import closing
 from functools import partial
 from itertools import cycle, islice
 from math import prod
@@ -30,7 +29,7 @@ from .dialect import Places
 from .errors import missing_extra
 from .formats import compressor, format_of
 from .lines import Converted
-from .output import is_done, output_to
+from .output import is_done
 from .rows import Evaluator
 from .settings import Settings, fingerprint
 from .task import SIDES, Task
@@ -259,10 +258,7 @@ def stream(sweep: Sweep, settings: Settings) -> Tally:
         sweep.size,
     )
     settings = settings._replace(quiet=settings.quiet or settings.target == "-")
-    with closing(output_to(settings)) as output:
-        loop.run(work, output, settings)
-        output.finish()
-    return output.tally
+    return loop.run(work, settings)
 
 
 def _write_parquet(sweep: Sweep, settings: Settings) -> Tally:

@@ -106,7 +106,7 @@ def complete_quantity(incomplete: str) -> list[str]:
 
 def complete_model(incomplete: str) -> list[str]:
     """Return the laws of attraction."""
-    from ..scene.laws import LAWS
+    from ..quantities.laws import LAWS
 
     return _beginning(LAWS, incomplete)
 

@@ -16,10 +16,10 @@ from ..pictures.panels import Picture
 from ..pictures.plot_request import Context, curves_of, fixed_inputs, map_of, mark_at
 from ..pictures.profiles import PANELS, PROFILES, curves_of_contact, curves_of_laws
 from ..pictures.styles import STYLES
+from ..quantities.laws import DEFAULT_LAW
 from ..quantities.nomenclature import header
-from ..quantities.parsing import parse_value
+from ..quantities.parsing import error_about, parse_value
 from ..quantities.units import BadUnit, dimension_of
-from ..scene.laws import DEFAULT_LAW
 from ..text import quoted, say_wrapped
 from .map_request import map_request, marks_of
 from .options import Call
@@ -64,8 +64,7 @@ def _inches(width: str | None) -> float | None:
     try:
         metres = parse_value(width, dimension_of("m"))
     except BadUnit as error:
-        remedy = error.remedy([dimension_of("m")]) or "expected a width such as 85mm"
-        raise BadRequest(f"--width: {quoted(width)} {error}; {remedy}") from None
+        raise error_about("--width", width, error, [dimension_of("m")], "expected a width such as 85mm") from None
     if not 0.07 <= metres <= 1:
         raise BadRequest(f"--width: {quoted(width)} is not between 70mm and 1m")
     return metres / 0.0254
@@ -175,14 +174,14 @@ def _write_data(drawn: Map | Picture, path: str) -> None:
 def _table(drawn: Map | Picture) -> Iterable[Sequence[str | float]]:
     """Iterate over the rows with a header. An empty line separates panels; a cell without a value is empty."""
     if isinstance(drawn, Map):
-        yield [header(drawn.x.name), header(drawn.y.name), header(drawn.quantity)]
+        yield [drawn.x.header(), drawn.y.header(), header(drawn.quantity)]
         for row in rows_of(drawn):
             yield [_cell(value) for value in row]
         return
     for number, panel in enumerate(drawn.panels):
         if number > 0:
             yield []
-        yield ["curve", header(panel.x.name), header(panel.y.name)]
+        yield ["curve", panel.x.header(), panel.y.header()]
         for curve in panel.curves:
             for x, y in zip(curve.x.tolist(), curve.y.tolist(), strict=True):
                 yield [curve.text, x, _cell(y)]

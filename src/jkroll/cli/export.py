@@ -4,7 +4,7 @@ import sys
 
 from ..errors import BadRequest
 from ..output.lammps import MODELS, lammps_input
-from ..scene.laws import DEFAULT_LAW
+from ..quantities.laws import DEFAULT_LAW
 from ..text import quoted, say
 from .options import Call
 from .request import request_of

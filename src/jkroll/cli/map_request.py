@@ -6,9 +6,9 @@ from ..pictures.axes import Axis
 from ..pictures.plot_request import PlotRequest
 from ..quantities.errors import QuantityError
 from ..quantities.formatting import amount
+from ..quantities.laws import DEFAULT_LAW
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.ranges import spreads_of
-from ..scene.laws import DEFAULT_LAW
 from ..scene.scene import Scene
 from ..scene.wiring import depends_on
 from .options import Call
@@ -20,15 +20,14 @@ MAX_CURVES = 12
 def axis_of(text: str, option: str) -> Axis:
     """Return the axis of a text `NAME=FROM:TO`, optionally with `:COUNT` and `:lin` or `:log`.
 
-    >>> axis_of("radius=1nm:1mm", "--x")
-    Axis(name='radius', low=1e-09, high=0.001, is_log=True, size=0)
+    >>> axis = axis_of("radius=1nm:1mm", "--x")
+    >>> axis.name, axis.low, axis.high, axis.is_log
+    ('radius', 1e-09, 0.001, True)
     """
     word, has_range, values = text.partition("=")
     if not has_range:
         raise BadRequest(f"{option}: write a quantity and its range, such as radius=1nm:1mm")
     name = quantity_named(word)
-    if NOMENCLATURE[name].unit == "":
-        raise BadRequest(f"{option}: {name} has no range")
     first, colon, rest = values.partition(":")
     last, *how = rest.split(":")
     if not colon or len(how) > 2 or "," in values:
@@ -46,8 +45,6 @@ def map_request(call: Call) -> PlotRequest:
     if not call.words:
         raise BadRequest("map needs a quantity, such as pull_off_force")
     quantity = quantity_named(call.words[0])
-    if NOMENCLATURE[quantity].unit == "":
-        raise BadRequest(f"{quantity} has no values")
     if call.x is None:
         raise BadRequest("map needs an axis: --x radius=1nm:1mm")
     x = axis_of(call.x, "--x")

@@ -203,7 +203,7 @@ def inputs_of(quantities: tuple[str, ...]) -> tuple[Option, ...]:
 
     The properties of a material are taken by every command, but shown only where they are used.
     """
-    from ..scene.laws import LAWS
+    from ..quantities.laws import LAWS
     from ..scene.wiring import depends_on, has_law
 
     depends = depends_on(quantities, LAWS)

@@ -61,8 +61,11 @@ def run_question(call: Call) -> int:
     request.check_count()
     if kind in ("explain", "cite"):
         return _write_sources(question, request, kind, form)
-    samples = [in_units(answer(question, scene), form) for scene in request.samples()] if request.count > 1 else []
-    answers = (in_units(answer(question, scene), form) for scene in request.scenes())
+    answers: Iterable[Answer] = (in_units(answer(question, scene), form) for scene in request.scenes())
+    if request.count == 1:
+        answers = samples = [*answers]
+    else:
+        samples = [in_units(answer(question, scene), form) for scene in request.samples()]
     return write_answers(answers, layout(question, samples, request.count), kind, form, quiet=call.quiet)
 
 

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 from ..errors import BadRequest
 from ..materials.library import Material, Materials, known_materials
 from ..materials.places import materials_files
+from ..quantities.laws import law_named
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.ranges import Spread, spreads_of
-from ..scene.laws import law_named
 from ..scene.scene import EXCLUSIVE, Scene
 from ..text import quoted
 from .options import Call

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from ..errors import BadRequest
 from ..quantities.formatting import Format
 from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.parsing import error_about
 from ..quantities.units import BadUnit, Unit, dimension_of, parse_unit
 from ..text import quoted
 from .options import Call
@@ -32,8 +33,9 @@ def format_of(call: Call, quantities: Sequence[str]) -> Format:
             unit = parse_unit(text)
         except BadUnit as error:
             wanted = [dimension_of(NOMENCLATURE[name].unit) for name in quantities]
-            remedy = error.remedy(wanted) or f"expected a unit such as {NOMENCLATURE[quantities[0]].unit}"
-            raise BadRequest(f"--to: {quoted(text)} {error}; {remedy}") from None
+            raise error_about(
+                "--to", text, error, wanted, f"expected a unit such as {NOMENCLATURE[quantities[0]].unit}"
+            ) from None
         fitting = [
             name for name in quantities if text.strip() and dimension_of(NOMENCLATURE[name].unit) == unit.dimension
         ]

@@ -6,6 +6,7 @@ from typing import TextIO
 from ..answers.answer import Answer
 from ..errors import JkrollError
 from ..quantities.formatting import Format
+from ..quantities.laws import LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.scene import Scene
 from ..text import say
@@ -65,34 +66,6 @@ _CONVENTIONS: Mapping[str, Mapping[str, str]] = {
 }
 
 
-_LAWS: Mapping[str, Mapping[str, str]] = {
-    "maugis": {
-        "key": "maugis-1992",
-        "type": "article",
-        "author": "Maugis, D.",
-        "title": "Adhesion of spheres: the {JKR-DMT} transition using a {Dugdale} model",
-        "journal": "Journal of Colloid and Interface Science",
-        "volume": "150",
-        "number": "1",
-        "pages": "243--269",
-        "year": "1992",
-        "doi": "10.1016/0021-9797(92)90285-T",
-    },
-    "dmt": {
-        "key": "derjaguin-muller-toporov-1975",
-        "type": "article",
-        "author": "Derjaguin, B. V. and Muller, V. M. and Toporov, Yu. P.",
-        "title": "Effect of contact deformations on the adhesion of particles",
-        "journal": "Journal of Colloid and Interface Science",
-        "volume": "53",
-        "number": "2",
-        "pages": "314--326",
-        "year": "1975",
-        "doi": "10.1016/0021-9797(75)90018-1",
-    },
-}
-
-
 def write_citations(pairs: Iterable[tuple[Scene, Answer]], out: TextIO, _: Format) -> None:
     """Write BibTeX entries of the paper, with the equations used, and of the material data used."""
     equations: set[str] = set()
@@ -102,7 +75,7 @@ def write_citations(pairs: Iterable[tuple[Scene, Answer]], out: TextIO, _: Forma
         failure = failure or answer.failure
         known = [result.name for result in answer.results if result.value is not None]
         equations |= {NOMENCLATURE[step.name].equation for name in known for step in scene.plan(name).steps}
-        laws = [_LAWS[one.law.name] for one in answer.results if one.law]
+        laws = [LAWS[one.law.name].reference for one in answer.results if one.law]
         entries = [*laws, *material_references(scene, answer.inputs), *_of_conventions(known)]
         references |= {str(entry["key"]): entry for entry in entries}
     numbers = sorted(filter(None, equations), key=int)

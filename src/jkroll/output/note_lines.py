@@ -1,21 +1,14 @@
 """The notes of answers as the lines below them: one line for each kind below an answer, for each matter below a sweep."""
 
+from typing import get_args
+
 from ..answers.answer import Answer
-from ..answers.result import Note
+from ..answers.result import Kind, Note
 
 MAX_LINES = 3  # below a single answer
 MAX_DOUBTS = 2  # that are worded there; further ones are a number and its limit
 MAX_RANGES = 4  # of rows that are named
-_KINDS = (
-    "material",
-    "missing",
-    "doubt",
-    "result",
-    "model",
-    "assumption",
-    "unchecked",
-    "data",
-)  # the most important first
+_KINDS = get_args(Kind)
 _OF_ONE_SCENE = ("model", "data")
 
 

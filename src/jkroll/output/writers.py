@@ -10,11 +10,11 @@ from ..answers.answer import Answer
 from ..answers.comparison import Difference
 from ..answers.result import Result
 from ..quantities.formatting import AS_USUAL, Format
+from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import NOMENCLATURE
-from ..scene.laws import BETWEEN
 from ..scene.limits import Verdict
 from ..text import json_text, say
-from .layout import Layout, layout
+from .layout import Layout
 from .records import write_records
 
 MAX_TABLE = 10_000  # rows of a table on a terminal
@@ -45,9 +45,6 @@ def write_bare(answers: Iterable[Answer], out: TextIO, form: Format, shape: Layo
 
 def write_csv(answers: Iterable[Answer], out: TextIO, form: Format, shape: Layout) -> None:
     """Write a header with units and a row for each scene: inputs, then results."""
-    if shape.size == 1:
-        answers = list(answers)
-        shape = layout(shape.question, answers, 1)
     write_records(shape.headers(form), _rows(answers, shape, form), "csv", out)
 
 

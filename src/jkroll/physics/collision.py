@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from .dimensions import (
-    AngularAcceleration,
     AngularSpeed,
     Energy,
     Inertia,
@@ -53,27 +52,6 @@ def kinetic_energy(*, mass: Mass, speed: Speed) -> Energy:
     return mass * speed**2 / 2
 
 
-def rolling_energy(*, mass: Mass, speed: Speed, moment_of_inertia: Inertia, angular_speed: AngularSpeed) -> Energy:
-    """Return the energy of a sphere that moves and spins.
-
-        W0 = ½m1v1² + ½I1ω1²
-
-    mass               [kg]     > 0
-    speed              [m/s]    any
-    moment_of_inertia  [kg m²]  > 0
-    angular_speed      [rad/s]  any
-
-    Returns:  [J]; a float for floats, an array for arrays, which broadcast.
-    Source:   Eq (45).
-    Valid:    Always.
-    Accuracy: 2 ulp.
-
-    >>> rolling_energy(mass=2.0, speed=1.0, moment_of_inertia=2.0, angular_speed=2.0)
-    5.0
-    """
-    return (mass * speed**2 + moment_of_inertia * angular_speed**2) / 2
-
-
 def initial_angular_speed(*, energy: Energy, moment_of_inertia: Inertia) -> AngularSpeed:
     """Return the angular speed of sphere 1 once it rolls without slip with all of its energy.
 
@@ -93,26 +71,6 @@ def initial_angular_speed(*, energy: Energy, moment_of_inertia: Inertia) -> Angu
     return sqrt(4 / 7 * energy / moment_of_inertia)
 
 
-def angular_deceleration(*, mean_rolling_moment: Moment, moment_of_inertia: Inertia) -> AngularAcceleration:
-    """Return the rate at which the rolling moment alone changes the spin of a sphere.
-
-        dω1/dt = −⟨M⟩/I1
-
-    mean_rolling_moment  [N m]    > 0
-    moment_of_inertia    [kg m²]  > 0
-
-    Returns:  [rad/s²]; a float for floats, an array for arrays, which broadcast.
-    Source:   Eq (47). It leaves out the friction at the contact, which brakes the centre and sustains the spin: without
-              slip the rate is −⟨M⟩/(I1 + m1R1²), which is 2/7 of it.
-    Valid:    A sphere that spins in place.
-    Accuracy: 0.5 ulp.
-
-    >>> angular_deceleration(mean_rolling_moment=1.0, moment_of_inertia=2.0)
-    -0.5
-    """
-    return -mean_rolling_moment / moment_of_inertia
-
-
 def n_roll(*, energy: Energy, mean_rolling_moment: Moment) -> Number:
     """Return the number of full turns that sphere 1 rolls over a fixed body 2 where the contact slides freely.
 
@@ -123,7 +81,8 @@ def n_roll(*, energy: Energy, mean_rolling_moment: Moment) -> Number:
 
     Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (48), and Eq (49), which is Eq (48) at W0 = P_cδ0.
-    Valid:    As Eq (47): it dissipates 2/7 of the energy and lets the rest slide away.
+    Valid:    A sphere that spins in place: Eq (47) leaves out the friction at the contact, which brakes the centre and
+              sustains the spin, so that 2/7 of the energy is dissipated and the rest slides away.
     Accuracy: 2 ulp above W0 and M.
 
     >>> round(n_roll(energy=14 * pi, mean_rolling_moment=1.0), 12)

@@ -48,6 +48,26 @@ def pull_off_force_dmt(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Lengt
     return 2 * pi * work_of_adhesion * reduced_radius
 
 
+def pull_off_force_ratio(*, pull_off_force: Force, work_of_adhesion: SurfaceEnergy, reduced_radius: Length) -> Number:
+    """Return the pull-off force in units in which laws of attraction are compared: 3/2 for JKR, 2 for DMT.
+
+        P_c/(πwR)
+
+    pull_off_force    [N]     > 0
+    work_of_adhesion  [J/m²]  > 0
+    reduced_radius    [m]     > 0
+
+    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
+    Source:   Definition.
+    Valid:    Always.
+    Accuracy: 2 ulp above P_c, w and R.
+
+    >>> round(pull_off_force_ratio(pull_off_force=3 * pi, work_of_adhesion=2.0, reduced_radius=1.0), 12)
+    1.5
+    """
+    return pull_off_force / (pi * work_of_adhesion * reduced_radius)
+
+
 def contact_radius(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress) -> Length:
     """Return the radius of the contact circle without load.
 

@@ -11,26 +11,6 @@ from .dimensions import Area, ForcePerLength, Length, MomentPerLength, Stress
 from .elementary import pi, sqrt
 
 
-def surface_displacement(*, position: Length, approach_at_load: Length, cylinder_radius: Length) -> Length:
-    """Return the displacement of the cylinder's surface in contact, at a position from the contact point.
-
-        u = δ − x²/(2R)
-
-    position          [m]  any
-    approach_at_load  [m]  any
-    cylinder_radius   [m]  > 0
-
-    Returns:  [m]; a float for floats, an array for arrays, which broadcast.
-    Source:   Eqs (50) and (60), which is (50) on a shifted strip; with x = X − ξ it is Eq (62).
-    Valid:    −a − ξ ≤ x ≤ a − ξ, a ≪ R. In two dimensions the load does not determine δ.
-    Accuracy: 2.5 ulp of the larger term.
-
-    >>> surface_displacement(position=1.0, approach_at_load=1.0, cylinder_radius=2.0)
-    0.75
-    """
-    return approach_at_load - position * position / (2 * cylinder_radius)
-
-
 def symmetric_pressure(
     *,
     position: Length,
@@ -240,7 +220,7 @@ def half_strips_moment(
 
     Returns:  [N]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (76) and (77), multiplied out so that no digit is lost.
-    Valid:    ξ < a. Where ξ ≪ a, Eq (70) is π/2 times this.
+    Valid:    ξ < a. Where ξ ≪ a it is Eq (78), 2/π of the exact Eq (70) for any load.
     Accuracy: 6 ulp of the largest term.
 
     >>> half_strips_moment(contact_half_width=2.0, yield_displacement=3.0, cylinder_radius=0.5,
@@ -248,35 +228,4 @@ def half_strips_moment(
     15.0
     """
     area = contact_half_width * contact_half_width - 2 * load_constant + yield_displacement * yield_displacement / 3
-    return plane_strain_modulus / (2 * cylinder_radius) * yield_displacement * area
-
-
-def linearised_half_strips_moment(
-    *,
-    contact_half_width: Length,
-    yield_displacement: Length,
-    cylinder_radius: Length,
-    plane_strain_modulus: Stress,
-    load_constant: Area,
-) -> MomentPerLength:
-    """Return the moment of the two half-strips to first order in ξ, per length.
-
-        M = (E′/2R)ξ(a² − 2C)
-
-    contact_half_width    [m]   > 0
-    yield_displacement    [m]   > 0
-    cylinder_radius       [m]   > 0
-    plane_strain_modulus  [Pa]  > 0
-    load_constant         [m²]  any
-
-    Returns:  [N]; a float for floats, an array for arrays, which broadcast.
-    Source:   Eq (78).
-    Valid:    ξ ≪ a. It is 2/π of the exact Eq (70) for any load.
-    Accuracy: 5.5 ulp of the larger term.
-
-    >>> linearised_half_strips_moment(contact_half_width=2.0, yield_displacement=3.0, cylinder_radius=0.5,
-    ...                               plane_strain_modulus=1.0, load_constant=1.0)
-    6.0
-    """
-    area = contact_half_width * contact_half_width - 2 * load_constant
     return plane_strain_modulus / (2 * cylinder_radius) * yield_displacement * area

@@ -10,6 +10,7 @@ from typing import Annotated, Any
 FloatOrArray = Any  # a float gives a float and an array an array, which a union of the two could not say
 
 Length = Annotated[FloatOrArray, "m"]
+PerLength = Annotated[FloatOrArray, "m^-1"]
 Area = Annotated[FloatOrArray, "m^2"]
 Mass = Annotated[FloatOrArray, "kg"]
 Density = Annotated[FloatOrArray, "kg/m^3"]
@@ -28,6 +29,5 @@ MomentPerLength = Annotated[FloatOrArray, "N"]
 RollingStiffness = Annotated[FloatOrArray, "N m/rad"]
 Angle = Annotated[FloatOrArray, "rad"]
 AngularSpeed = Annotated[FloatOrArray, "rad/s"]
-AngularAcceleration = Annotated[FloatOrArray, "rad/s^2"]
 Frequency = Annotated[FloatOrArray, "Hz"]
 Number = Annotated[FloatOrArray, "1"]

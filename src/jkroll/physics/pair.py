@@ -6,7 +6,7 @@ infinite).
 
 from __future__ import annotations
 
-from .dimensions import Density, Inertia, Length, Mass, Number, Stress, SurfaceEnergy
+from .dimensions import Density, Inertia, Length, Mass, Number, PerLength, Stress, SurfaceEnergy
 from .elementary import cube, pi, smaller_and_larger, sqrt
 
 
@@ -92,6 +92,44 @@ def contact_modulus(
     compliance = (1 - poisson_ratio) * (1 + poisson_ratio) / youngs_modulus
     compliance2 = (1 - poisson_ratio2) * (1 + poisson_ratio2) / youngs_modulus2
     return 1 / (compliance + compliance2)
+
+
+def modulus_over_energy(*, contact_modulus: Stress, work_of_adhesion: SurfaceEnergy) -> PerLength:
+    """Return the contact modulus over the surface energy, the one material constant in the turns at W0 = P_cδ0.
+
+        E*/γ = 2E*/w
+
+    contact_modulus   [Pa]    > 0
+    work_of_adhesion  [J/m²]  > 0
+
+    Returns:  [1/m]; a float for floats, an array for arrays, which broadcast.
+    Source:   Eq (49).
+    Valid:    Always.
+    Accuracy: 0.5 ulp above E* and w.
+
+    >>> modulus_over_energy(contact_modulus=3.0, work_of_adhesion=2.0)
+    3.0
+    """
+    return 2 * contact_modulus / work_of_adhesion
+
+
+def contact_modulus_of_ratio(*, modulus_over_energy: PerLength, work_of_adhesion: SurfaceEnergy) -> Stress:
+    """Return the contact modulus from its ratio to the surface energy.
+
+        E* = (E*/γ) w/2
+
+    modulus_over_energy  [1/m]   > 0
+    work_of_adhesion     [J/m²]  > 0
+
+    Returns:  [Pa]; a float for floats, an array for arrays, which broadcast.
+    Source:   Eq (49).
+    Valid:    Always.
+    Accuracy: 0.5 ulp above w.
+
+    >>> contact_modulus_of_ratio(modulus_over_energy=3.0, work_of_adhesion=2.0)
+    3.0
+    """
+    return modulus_over_energy * work_of_adhesion / 2
 
 
 def contact_shear_modulus(

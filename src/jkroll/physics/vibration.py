@@ -3,11 +3,7 @@
 from __future__ import annotations
 
 from .dimensions import (
-    Acceleration,
-    Angle,
-    AngularAcceleration,
     Density,
-    Force,
     Frequency,
     Inertia,
     Length,
@@ -21,45 +17,6 @@ from .dimensions import (
 from .elementary import cube, pi, sqrt
 
 
-def sphere_acceleration(*, load: Force, mass: Mass) -> Acceleration:
-    """Return the acceleration of a free sphere away from the contact by the contact's own force.
-
-        dv/dt = P/m1
-
-    load  [N]   any; tension is negative
-    mass  [kg]  > 0
-
-    Returns:  [m/s²]; a float for floats, an array for arrays, which broadcast.
-    Source:   Eqs (31) and (32); with the reduced mass, the second rate of the distance of the centres, Eq (33).
-    Valid:    P is the force at the present approach, positive where it repels.
-    Accuracy: 0.5 ulp.
-
-    >>> sphere_acceleration(load=1.0, mass=2.0)
-    0.5
-    """
-    return load / mass
-
-
-def approach_acceleration(*, displacement: Length, stiffness: Stiffness, reduced_mass: Mass) -> Acceleration:
-    """Return the second rate of the approach after a small displacement from equilibrium.
-
-        d²δ/dt² = −(dP/dδ)(δ − δ0)/m
-
-    displacement  [m]    any
-    stiffness     [N/m]  ≥ 0
-    reduced_mass  [kg]   > 0
-
-    Returns:  [m/s²]; a float for floats, an array for arrays, which broadcast.
-    Source:   Eq (34), which lost its sign in print.
-    Valid:    |δ − δ0| ≪ δ0.
-    Accuracy: 1.5 ulp.
-
-    >>> approach_acceleration(displacement=1.0, stiffness=2.0, reduced_mass=4.0)
-    -0.5
-    """
-    return -stiffness * displacement / reduced_mass
-
-
 def vertical_frequency(*, stiffness: Stiffness, reduced_mass: Mass) -> Frequency:
     """Return the frequency at which the distance of the two centres vibrates.
 
@@ -69,7 +26,7 @@ def vertical_frequency(*, stiffness: Stiffness, reduced_mass: Mass) -> Frequency
     reduced_mass  [kg]   > 0
 
     Returns:  [Hz]; a float for floats, an array for arrays, which broadcast.
-    Source:   Eq (35), where a frequency is Ω; under a load with the stiffness there.
+    Source:   Eqs (31)-(35), where a frequency is Ω and Eq (34) lost its sign; under a load with the stiffness there.
     Valid:    Free spheres, amplitudes well below δ0.
     Accuracy: 2 ulp above dP/dδ and m.
 
@@ -77,28 +34,6 @@ def vertical_frequency(*, stiffness: Stiffness, reduced_mass: Mass) -> Frequency
     1.0
     """
     return sqrt(stiffness / reduced_mass) / (2 * pi)
-
-
-def angular_acceleration(
-    *, angle: Angle, rolling_stiffness: RollingStiffness, moment_of_inertia: Inertia
-) -> AngularAcceleration:
-    """Return the angular acceleration of a sphere that has rolled by a small angle.
-
-        dω/dt = −k δ_α/I1
-
-    angle              [rad]      any
-    rolling_stiffness  [N m/rad]  > 0
-    moment_of_inertia  [kg m²]    > 0
-
-    Returns:  [rad/s²]; a float for floats, an array for arrays, which broadcast.
-    Source:   Eqs (37)-(39), which lost their sign in print; with the reduced moment of inertia, Eq (39).
-    Valid:    Angles below the yield angle.
-    Accuracy: 2 ulp.
-
-    >>> angular_acceleration(angle=1.0, rolling_stiffness=2.0, moment_of_inertia=4.0)
-    -0.5
-    """
-    return -rolling_stiffness * angle / moment_of_inertia
 
 
 def rolling_frequency(*, rolling_stiffness: RollingStiffness, reduced_moment_of_inertia: Inertia) -> Frequency:
@@ -110,7 +45,7 @@ def rolling_frequency(*, rolling_stiffness: RollingStiffness, reduced_moment_of_
     reduced_moment_of_inertia  [kg m²]    > 0
 
     Returns:  [Hz]; a float for floats, an array for arrays, which broadcast.
-    Source:   Eq (40).
+    Source:   Eqs (37)-(40), of which the first three lost their sign in print.
     Valid:    Exact for identical spheres; unequal free spheres also move their centres (`rolling_frequency_no_slip`).
     Accuracy: 2 ulp above k and I.
 
@@ -171,7 +106,7 @@ def sliding_frequency(*, tangential_stiffness: Stiffness, reduced_mass: Mass) ->
     Returns:  [Hz]; a float for floats, an array for arrays, which broadcast.
     Source:   A force k_s u at the contact moves the centres, 1/m, and turns the spheres, (5/2)/m.
     Valid:    Homogeneous spheres; small amplitudes.
-    Accuracy: 2 ulp.
+    Accuracy: 2.5 ulp.
 
     >>> round(sliding_frequency(tangential_stiffness=8 * pi**2, reduced_mass=7.0), 12)
     1.0

@@ -3,15 +3,22 @@
 An axis is logarithmic or linear. A place on it is a fraction of its length.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from math import ceil, floor, log10
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from ..quantities.formatting import engineering, pretty
-from ..quantities.nomenclature import NOMENCLATURE
-from ..quantities.parsing import unit_of
-from ..quantities.units import convert
+from ..quantities.nomenclature import NOMENCLATURE, header
+from ..quantities.quantity import Quantity
+from ..quantities.units import convert, parse_unit
 
+# The axes of figures that are no quantities of a scene.
+_OF_FIGURES: Mapping[str, Quantity] = {
+    "position_across": Quantity("x", "m", "position from the contact point"),
+    "position_beside": Quantity("y", "m", "position perpendicular to the rolling direction"),
+    "pressure_across": Quantity("p", "Pa", "pressure, tension negative"),
+}
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 _FEW_DECADES = 2e4  # so long an axis has room for small ticks
 _STEPS = (1, 2, 5)  # of a decade that has few ticks
@@ -25,13 +32,22 @@ class Tick(NamedTuple):
 
 
 class Axis(NamedTuple):
-    """A quantity of the nomenclature between two values."""
+    """A quantity of the nomenclature, or one that only figures have, between two values."""
 
     name: str
     low: float
     high: float
     is_log: bool = True
     size: int = 0  # number of values; 0: the picture's default
+    beside: Mapping[str, float] = MappingProxyType({})  # inputs that a value of this one needs
+
+    def inputs(self, values: Any) -> dict[str, Any]:
+        """Return the inputs of a scene at values on the axis."""
+        return {**self.beside, self.name: values}
+
+    def header(self) -> str:
+        """Return the column header of the values: name and unit."""
+        return header(self.name, quantity_of(self.name).unit)
 
     def values(self) -> Any:
         """Return the values as an array, equally spaced along the axis."""
@@ -72,8 +88,13 @@ class Axis(NamedTuple):
         """Return the title of the axis, with the unit if its ticks have none."""
         unit = "" if self.is_log else in_one_unit(self.name, [tick.value for tick in self.ticks(most)])[1]
         if self.is_log and not any(" " in tick.text for tick in self.ticks(most)):
-            unit = pretty(NOMENCLATURE[self.name].unit)
+            unit = pretty(quantity_of(self.name).unit)
         return described(self.name, unit)
+
+
+def quantity_of(name: str) -> Quantity:
+    """Return the meaning of the name of an axis."""
+    return _OF_FIGURES.get(name) or NOMENCLATURE[name]
 
 
 def described(name: str, unit: str) -> str:
@@ -82,7 +103,7 @@ def described(name: str, unit: str) -> str:
     >>> described("load", "nN")
     'load, tension negative, P [nN]'
     """
-    quantity = NOMENCLATURE[name]
+    quantity = quantity_of(name)
     return f"{quantity.sentence}, {quantity.symbol}" + (f" [{unit}]" if unit not in ("", "1") else "")
 
 
@@ -135,7 +156,7 @@ def with_units(name: str, values: list[float]) -> list[str]:
     >>> with_units("radius", [1e-9, 1e-7]), with_units("n_grav", [1000.0, 1e6])
     (['1 nm', '100 nm'], ['1000', '10⁶'])
     """
-    unit = NOMENCLATURE[name].unit
+    unit = quantity_of(name).unit
 
     def texts(digits: int) -> list[str]:
         found = []
@@ -155,11 +176,9 @@ def in_one_unit(name: str, values: list[float]) -> tuple[list[str], str]:
     (['-10', '0', '10'], 'nN')
     """
     largest = max(values, key=abs, default=0.0)
-    unit = engineering(largest, NOMENCLATURE[name].unit, 3)[1]
-    if unit in ("", NOMENCLATURE[name].unit):
-        shown = values
-    else:
-        shown = [convert(value, unit_of(unit, name)) for value in values]
+    unit = engineering(largest, quantity_of(name).unit, 3)[1]
+    is_plain = unit in ("", quantity_of(name).unit)
+    shown = values if is_plain else [convert(value, parse_unit(unit)) for value in values]
     return _distinct(lambda digits: [f"{value:.{digits}g}" for value in shown]), pretty(unit)
 
 

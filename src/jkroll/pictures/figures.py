@@ -13,7 +13,7 @@ from ..scene.scene import DEFAULTS, Scene
 from ..scene.wiring import depends_on
 from ..text import capitalized
 from .axes import Axis
-from .maps import Map, Mark, evaluate, inputs_at, label_of, material_marks
+from .maps import Map, Mark, evaluate, label_of, material_marks
 from .regions import Bound, bounds, regions
 
 
@@ -80,7 +80,7 @@ FIGURES: Mapping[str, Figure] = MappingProxyType(
         ),
         "8": Figure(
             "n_roll",
-            Axis("modulus_over_energy", 1e9, 1e13),
+            Axis("modulus_over_energy", 1e9, 1e13, beside={"surface_energy": 1.0}),  # γ may be any
             {},
             "For W0 = P_cδ0; in general these are n_roll/(W0/P_cδ0). An energy balance gives 7/2 of Eq (49). Below 10 nm, spheres "
             "with E*/γ above 3·10¹² m⁻¹ do not roll; below 100 nm a full turn takes E*/γ below 1.5·10⁹ m⁻¹. Gold has no modulus in Table 1.",
@@ -122,7 +122,7 @@ def figure(name: str, materials: Materials, size: tuple[int, int], *, as_printed
 def _caption(declared: Figure, *, as_printed: bool) -> tuple[str, ...]:
     """Return the caption: the quantity and its equation, the remark, and the assumptions."""
     quantity = NOMENCLATURE[declared.quantity]
-    at_a_corner = {RADII.name: RADII.high, **inputs_at(declared.x.name, declared.x.low)}
+    at_a_corner = {RADII.name: RADII.high, **declared.x.inputs(declared.x.low)}
     scene = Scene({**declared.given, **at_a_corner})
     shown = f"{capitalized(quantity.sentence)} {quantity.symbol}, Eq ({equation_of(scene, declared.quantity)}), of identical spheres."
     if as_printed:

@@ -4,7 +4,7 @@ Nothing is drawn here. Everything is computed by `solve`, on whole arrays.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from math import log10, pi
+from math import log10
 from typing import Any, NamedTuple
 
 from ..errors import NoResult
@@ -138,7 +138,7 @@ class Map(NamedTuple):
 
         def at(part: Any) -> tuple[Any, Any, Any]:
             x, y = (inside + part * (outside - inside) for inside, outside in (across, up))
-            here = {**inputs_at(self.x.name, self.x.value(x)), **inputs_at(self.y.name, self.y.value(y))}
+            here = {**self.x.inputs(self.x.value(x)), **self.y.inputs(self.y.value(y))}
             return x, y, numpy.broadcast_to(solved(self.scene, [self.quantity], here)[self.quantity], x.shape)
 
         low, high = numpy.zeros(across[0].shape), numpy.ones(across[0].shape)
@@ -188,20 +188,10 @@ def solved(scene: Scene, names: Sequence[str], values: Mapping[str, Any]) -> dic
     return dict(solve(names, material=scene.material, material2=scene.material2, model=model, **described))
 
 
-def inputs_at(name: str, values: Any) -> dict[str, Any]:
-    """Return the inputs that values on an axis stand for."""
-    return {"contact_modulus": values, "surface_energy": 1.0} if name == "modulus_over_energy" else {name: values}
-
-
 def coordinate(axis: Axis, scene: Scene) -> float | None:
     """Return the place of a scene on an axis; None if the scene does not determine it or it is beyond the ends."""
     try:
-        if axis.name == "modulus_over_energy":
-            value = 2 * scene["contact_modulus"] / scene["work_of_adhesion"]
-        elif axis.name == "pull_off_force_ratio":
-            value = scene["pull_off_force"] / (pi * scene["work_of_adhesion"] * scene["reduced_radius"])
-        else:
-            value = scene[axis.name]
+        value = scene[axis.name]
     except (MissingInput, NoResult):
         return None
     return value if axis.low <= value <= axis.high else None
@@ -218,7 +208,7 @@ def evaluate(scene: Scene, quantity: str, x: Axis, y: Axis, progress: Progress |
     for start in range(0, y.size, rows):
         if progress is not None:
             progress(start / y.size)
-        here = {**inputs_at(x.name, across), **inputs_at(y.name, up[start : start + rows])}
+        here = {**x.inputs(across), **y.inputs(up[start : start + rows])}
         values[start : start + rows] = solved(scene, [quantity], here)[quantity]
     if progress is not None:
         progress(1.0)
@@ -230,7 +220,7 @@ def along(scene: Scene, quantity: str, x: Axis) -> Any:
     import numpy
 
     values = x.values()
-    return numpy.broadcast_to(solved(scene, [quantity], inputs_at(x.name, values))[quantity], values.shape)
+    return numpy.broadcast_to(solved(scene, [quantity], x.inputs(values))[quantity], values.shape)
 
 
 def material_marks(materials: Materials, x: Axis, y: Axis) -> list[Mark]:

@@ -11,7 +11,7 @@ from textwrap import wrap
 from ..quantities.nomenclature import NOMENCLATURE
 
 _ATOM = r"[A-Za-zΑ-Ωα-ω](?:_[A-Za-z]+|_[α-ω]|_?\d)?\*?"  # a letter with its subscript: P_c, R1, δ_α, E*
-_MORE_ATOMS = ("π", "C", "â")  # occur in texts, but are no quantities
+_MORE_ATOMS = ("π", "C", "â", "p", "y")  # occur in texts, but are no quantities
 _SUPERSCRIPTS = "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
 _PLAIN_DIGITS = str.maketrans(_SUPERSCRIPTS, "-0123456789")
 _OPERATORS = frozenset("=<>+−-")

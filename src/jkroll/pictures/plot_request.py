@@ -22,7 +22,6 @@ from .maps import (
     coordinate,
     evaluate,
     has_values,
-    inputs_at,
     material_marks,
 )
 from .panels import Curve, Panel, Picture, axis_around
@@ -80,7 +79,8 @@ def map_of(
     x, y = sized(request.x, size[0]), sized(request.y, size[1])
     if x.size * y.size > MAX_POINTS:
         raise BadRequest(f"{x.size} x {y.size} points are more than {MAX_POINTS}")
-    context = Context(quantity, scene, {**_one_of(x), **_one_of(y)})
+    at_an_end = {**x.inputs(x.high), **y.inputs(y.high)}  # what a quantity needs is the same all along an axis
+    context = Context(quantity, scene, at_an_end)
     values = evaluate(scene, quantity, x, y, progress)
     if not has_values(values):
         raise NothingToDraw(quantity)
@@ -102,7 +102,7 @@ def curves_of(request: PlotRequest, size: int) -> tuple[Picture, tuple[str, ...]
     missing: dict[str, MissingInput] = {}
     for text, scene in request.scenes:
         try:
-            context = Context(request.quantity, scene, _one_of(x))
+            context = Context(request.quantity, scene, x.inputs(x.high))
         except MissingInput as error:
             missing[text] = error
             continue
@@ -189,8 +189,3 @@ def _first_sentence(quantity: str, scenes: Sequence[Scene]) -> str:
 def fixed_inputs(inputs: Sequence[str]) -> tuple[str, ...]:
     """Return the sentence of a caption about fixed inputs, if there are any."""
     return (f"Held: {', '.join(inputs)}.",) if inputs else ()
-
-
-def _one_of(axis: Axis) -> dict[str, float]:
-    """Return inputs at one end of an axis; which inputs a quantity needs is the same all along it."""
-    return inputs_at(axis.name, axis.high)

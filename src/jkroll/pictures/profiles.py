@@ -12,9 +12,9 @@ from ..physics.cylinder import asymmetric_pressure, contact_point_moment, half_s
 from ..physics.pressure import pressure
 from ..physics.shifted import exact_pressure, half_circle_pressure, unloaded_half_width
 from ..quantities.formatting import amount
+from ..quantities.laws import DEFAULT_LAW
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.errors import NotInLaw
-from ..scene.laws import DEFAULT_LAW
 from ..scene.scene import Scene
 from .axes import Axis
 from .maps import Mark, solved

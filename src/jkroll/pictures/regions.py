@@ -6,10 +6,10 @@ from typing import Any, NamedTuple
 from ..errors import NoResult
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..scene.errors import MissingInput
-from ..scene.limits import LIMITS
+from ..scene.limits import LIMITS, limits_of
 from ..scene.scene import Scene
 from .axes import Axis
-from .maps import Region, inputs_at, solved
+from .maps import Region, solved
 
 _LIMITS = {limit.name: limit for limit in LIMITS}
 COARSE = 200  # points a side that are enough for the smooth border of a region
@@ -52,11 +52,9 @@ def bounds() -> tuple[Bound, ...]:
 def bounds_of(scene: Scene, quantity: str) -> list[Bound]:
     """Return the bounds that concern a quantity of a scene; the Tabor parameter bounds JKR and DMT, not Maugis' law."""
     try:
-        plan = scene.plan(quantity)
+        touched = {limit.name for limit in limits_of(scene, [quantity])}
     except MissingInput:
         return []
-    used = {quantity, *scene.inputs_of(quantity), *(step.name for step in plan.steps)}
-    touched = {limit.name for limit in LIMITS if limit.touches & used}
     if scene.law.is_default:
         return [bound for bound in bounds() if bound.names[0] in touched]
     found = [bound for bound in bounds() if bound.names[0] in touched - {"tabor_parameter"}]
@@ -70,7 +68,7 @@ def regions(scene: Scene, bounds: Iterable[Bound], x: Axis, y: Axis) -> list[Reg
     import numpy
 
     x, y = (axis._replace(size=min(axis.size, COARSE)) for axis in (x, y))
-    here = {**inputs_at(x.name, x.values()[None, :]), **inputs_at(y.name, y.values()[:, None])}
+    here = {**x.inputs(x.values()[None, :]), **y.inputs(y.values()[:, None])}
     found = []
     for bound in bounds:
         try:
@@ -89,7 +87,7 @@ def margin_along(scene: Scene, bound: Bound, x: Axis) -> Any:
     import numpy
 
     values = x.values()
-    return numpy.broadcast_to(bound.margin(scene, inputs_at(x.name, values)), values.shape)
+    return numpy.broadcast_to(bound.margin(scene, x.inputs(values)), values.shape)
 
 
 def _bound(name: str) -> Bound:

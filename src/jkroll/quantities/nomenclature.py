@@ -6,7 +6,8 @@ Parsing, help, tables, CSV headers, JSON and error messages all read this table.
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from .law_quantities import BY_A_LAW, OF_MAUGIS
+from .law_quantities import OF_MAUGIS
+from .laws import LAWS, routes_anywhere
 from .quantity import Quantity, Range
 
 INFINITY = float("inf")
@@ -22,21 +23,13 @@ RANGES: Mapping[str, Range] = MappingProxyType(
 # The state of the contact follows from the load unless one of these is given.
 STATE = frozenset({"approach_at_load", "load_factor", "edge_ratio"})
 
-_WORDS_FOR_INFINITY = {"radius2": "plane", "youngs_modulus": "rigid", "youngs_modulus2": "rigid"}
-
-
-def word_for_infinity(name: str) -> str | None:
-    """Return the word for an infinite value of a quantity, such as "plane" for a radius; None if it has none."""
-    return _WORDS_FOR_INFINITY.get(name)
-
-
 _PER_SPHERE = {
     "radius": Quantity("R1", "m", "radius of sphere 1", range="positive", example="100nm"),
     "surface_energy": Quantity(
         "γ1", "J/m^2", "surface energy per surface", range="positive", option="--gamma", example="25mJ/m2"
     ),
     "youngs_modulus": Quantity(
-        "E1", "Pa", "Young's modulus", range="up to infinite", option="--young", example="54GPa"
+        "E1", "Pa", "Young's modulus", range="up to infinite", infinity="rigid", option="--young", example="54GPa"
     ),
     "poisson_ratio": Quantity("ν1", "1", "Poisson's ratio", range="poisson", option="--poisson", example="0.17"),
     "density": Quantity("ρ1", "kg/m^3", "mass density", range="positive", option="--density", example="2.6g/cm3"),
@@ -59,7 +52,13 @@ _BOTH_SPHERES = {
     for suffix in ("", "2")
 } | {
     "radius2": Quantity(
-        "R2", "m", "radius of sphere 2, or plane", range="up to infinite", option="--radius2", example="1um"
+        "R2",
+        "m",
+        "radius of sphere 2, or plane",
+        range="up to infinite",
+        infinity="plane",
+        option="--radius2",
+        example="1um",
     )
 }
 
@@ -71,7 +70,7 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
     {
         # what the user gives
         "material": Quantity("", "", "material of sphere 1"),
-        "model": Quantity("model", "", "law of attraction: jkr, maugis or dmt", option="--model", example="maugis"),
+        "model": Quantity("model", "", f"law of attraction: {', '.join(LAWS)}", option="--model", example="maugis"),
         "state": Quantity("state", "", "state of the contact on its force curve"),
         "material2": Quantity("", "", "material of sphere 2", option="--material2", example="iron"),
         **_BOTH_SPHERES,
@@ -185,12 +184,9 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "yield_energy": Quantity("W_yield", "J", "energy to roll to the yield displacement", "25"),
         "energy_over_yield": Quantity("W0/W_yield", "1", "energy over the yield energy", "25"),
         "energy_over_sticking": Quantity("W0/U_stick", "1", "energy over the largest that sticks", "48"),
-        # axes of figures
+        # ratios
         "pull_off_force_ratio": Quantity("P_c/πwR", "1", "pull-off force over πwR"),
         "modulus_over_energy": Quantity("E*/γ", "m^-1", "contact modulus over surface energy", "49", range="positive"),
-        "position_across": Quantity("x", "m", "position from the contact point", "16", range="finite"),
-        "position_beside": Quantity("y", "m", "position perpendicular to the rolling direction", "11", range="finite"),
-        "pressure_across": Quantity("p", "Pa", "pressure, tension negative", "12"),
         # collisions
         "adhesion_energy": Quantity("P_cδ0", "J", "characteristic energy of adhesion", "48"),
         "kinetic_energy": Quantity("m1v²/2", "J", "kinetic energy of sphere 1", "45"),
@@ -253,16 +249,14 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
     }
 )  # fmt: skip
 
-NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType(
-    {
-        **_QUANTITIES,
-        **{
-            name: Quantity(base.symbol, base.unit, base.sentence, may_be_zero=base.may_be_zero)
-            for base, names in ((_QUANTITIES[quantity], names) for quantity, names in BY_A_LAW.items())
-            for name in names
-        },
-    }
-)
+# A formula by which some law has a quantity has a name of its own: it is the same quantity, without an equation of the paper.
+_BY_A_LAW = {
+    route: Quantity(quantity.symbol, quantity.unit, quantity.sentence, may_be_zero=quantity.may_be_zero)
+    for name, quantity in _QUANTITIES.items()
+    for route in routes_anywhere(name, LAWS)
+    if route not in _QUANTITIES
+}
+NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType({**_QUANTITIES, **_BY_A_LAW})
 
 
 # The names of inputs by the words of their options.
@@ -283,6 +277,11 @@ def canonical(word: str) -> str:
         return word
     name = word.strip().lstrip("-").replace("-", "_")
     return name if name in NOMENCLATURE else OPTION_WORDS.get(name, word)
+
+
+def word_for_infinity(name: str) -> str | None:
+    """Return the word for an infinite value of a quantity, such as "plane" for a radius; None if it has none."""
+    return NOMENCLATURE[name].infinity or None
 
 
 # What a materials file gives of a material.

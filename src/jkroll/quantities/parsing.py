@@ -5,6 +5,7 @@ computed as a ratio of integers and rounded to a double once.
 """
 
 import re
+from collections.abc import Collection
 from typing import TYPE_CHECKING, Any
 
 from .errors import BareNumber, QuantityError
@@ -88,10 +89,16 @@ def is_uncertain(value: Any) -> "TypeGuard[Uncertain]":
     return isinstance(value, tuple)
 
 
-def error_about(name: str, text: str, error: BadUnit) -> QuantityError:
-    """Return the error that says of a quantity what is wrong with its text."""
+def error_about(
+    name: str, text: str, error: BadUnit, dimensions: Collection[Dimension] = (), expected: str = ""
+) -> QuantityError:
+    """Return the error that says what is wrong with the text of a quantity, or of an option that is none.
+
+    For an option, `dimensions` are those that its unit may have, and `expected` is the right form.
+    """
     kind = BareNumber if isinstance(error, NoUnit) else QuantityError
-    return kind(name, text[:MAX_TEXT], str(error), error.remedy([dimension_of(NOMENCLATURE[name].unit)]))
+    remedy = error.remedy(dimensions or [dimension_of(NOMENCLATURE[name].unit)])
+    return kind(name, text[:MAX_TEXT], str(error), remedy or expected)
 
 
 def split_number(text: str) -> tuple[int, int, str]:

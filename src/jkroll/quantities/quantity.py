@@ -12,6 +12,7 @@ class Quantity(NamedTuple):
     sentence: str
     equation: str = ""  # as the paper numbers it
     range: str = ""  # a name in RANGES, of the values that a user may give
+    infinity: str = ""  # the word for an infinite value
     option: str = ""  # of the command line
     example: str = ""  # a value as a user types it
     note: str = ""  # the reason why it is shown beside another quantity

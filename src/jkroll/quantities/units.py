@@ -127,8 +127,9 @@ def kind_of(dimension: Dimension) -> str:
 @cache
 def _kinds() -> dict[Dimension, str]:
     kinds = """1: a number; m: a length; kg: a mass; s: a time; K: a temperature; A: an electric current; rad: an angle; V: a voltage;
-    m^2: an area; m^3: a volume; m/s: a speed; m/s^2: an acceleration; kg/m^3: a mass density; kg m^2: a moment of inertia;
-    N: a force; J: an energy; W: a power; Pa: a pressure; J/m^2: a surface energy; Hz: a frequency; rad/s: an angular speed"""
+    m^2: an area; m^3: a volume; m^-1: a reciprocal length; m/s: a speed; m/s^2: an acceleration; rad/s: an angular speed;
+    Hz: a frequency; kg/m^3: a mass density; kg m^2: a moment of inertia; N: a force; N m/rad: a moment per angle; J: an energy;
+    W: a power; Pa: a pressure; J/m^2: a surface energy"""
     return {dimension_of(unit.strip()): kind for unit, kind in (pair.split(": ") for pair in kinds.split(";"))}
 
 

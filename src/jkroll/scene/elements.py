@@ -7,20 +7,12 @@ from typing import Any
 import numpy
 
 from ..errors import NoResult
-from ..quantities.nomenclature import INFINITY
 from ..quantities.uncertain import Interval, Measured, Uncertain
-from .errors import NoContact, failure_of
+from .errors import NoContact
+from .failures import failure_of
 from .results import with_nan
 from .scene import Scene
 from .uncertainty import ASYMMETRIC, NEAR, ROUNDING, SAMPLES, Source, TooManyRanges
-
-# Values from which more follows than from others: no load, a plane, a rigid body. A scene of arrays takes them as numbers.
-SPECIAL: Mapping[str, float] = {
-    "load": 0.0,
-    "radius2": INFINITY,
-    "youngs_modulus": INFINITY,
-    "youngs_modulus2": INFINITY,
-}
 
 MOST_RANGES = 4  # that are moved together: their corners double with each
 Reasons = dict[str, NoResult | None]  # why quantities have no value: None where nothing in the physics explains it

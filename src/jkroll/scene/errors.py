@@ -1,15 +1,10 @@
 """Errors about a scene: inputs that are missing or exclude each other, and contacts that do not exist."""
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 from ..errors import JkrollError, NoResult
-from ..physics.contact import pull_off_force_dmt
-from ..physics.jkr import FOLD_APPROACH
-from ..physics.maugis_states import fold_approach_maugis, pull_off_force_maugis
 from ..quantities.formatting import Format, amount
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE
-from .wiring import parameters_of
+from ..quantities.nomenclature import NOMENCLATURE
 
 
 class MissingInput(JkrollError):
@@ -217,41 +212,3 @@ def reason_of(name: str, error: MissingInput | NoResult) -> str:
     if isinstance(error, MissingInput) or error.name == name:
         return error.reason()
     return str(error)
-
-
-def failure_of(name: str, given: Mapping[str, Any]) -> NoResult | None:
-    """Return why a formula has no result for these numbers, if the physics forbids it."""
-    found: NoResult | None = None
-    match name:
-        case "load_margin" if given["load"] < -given["pull_off_force"]:
-            found = BeyondPullOff(given["load"], given["pull_off_force"])
-        case "r_min" if given["radius2"] == INFINITY:
-            found = NoChain()
-        case "vertical_frequency" if given["stiffness"] < 0:
-            found = NoVibration()
-        case "load_factor_at_load_unstable" if given["load"] > 0:
-            found = NoUnstableState(name)
-        case "load_factor_at_approach_unstable" if given["approach_at_load"] > 0:
-            found = NoUnstableState(name)
-        case "edge_ratio_at_load":
-            held = _evaluated(pull_off_force_maugis, given)
-            found = BeyondPullOff(given["load"], held) if given["load"] < -held else None
-        case "edge_ratio_at_approach":
-            least = _evaluated(fold_approach_maugis, given)
-            found = BeyondFold(given["approach_at_load"], least) if given["approach_at_load"] <= least else None
-        case "contact_radius_dmt" | "adhesive_force_dmt":
-            held = _evaluated(pull_off_force_dmt, given)
-            found = BeyondPullOff(given["load"], held) if given["load"] < -held else None
-        case "contact_radius_dmt_at_approach" if given["approach_at_load"] < 0:
-            found = BeyondFold(given["approach_at_load"], 0.0)
-        case "yield_displacement_at_hysteresis" if given["adhesion_hysteresis"] > given["work_of_adhesion"]:
-            found = TooMuchHysteresis(given["adhesion_hysteresis"], given["work_of_adhesion"])
-        case "load_factor_at_approach" | "load_margin_at_approach" | "load_factor_at_approach_unstable":
-            least = FOLD_APPROACH * given["approach"]
-            found = BeyondFold(given["approach_at_load"], least) if given["approach_at_load"] <= least else None
-    return found
-
-
-def _evaluated(formula: Any, given: Mapping[str, Any]) -> Any:
-    """Return the result of a formula whose arguments are among those of another."""
-    return formula(**{name: given[name] for name in parameters_of(formula)})

@@ -1,7 +1,7 @@
 """The limits of the model: one table of numbers and thresholds, which serves answers, maps and tables alike."""
 
 import operator
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from typing import Any, Literal, NamedTuple
 
 from ..errors import JkrollError
@@ -69,7 +69,7 @@ class Judgement(NamedTuple):
 _COMPARISONS = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
 _ELASTICITY = frozenset({"work_of_adhesion"})
 _DISPLACEMENT = frozenset({"yield_displacement"})
-_MOMENT = frozenset({"yield_moment", "yield_moment_of_force", "yield_force"})
+_MOMENT = frozenset({"yield_moment", "yield_force"})
 _TURNS = frozenset({"n_roll", "n_roll_energy_balance", "n_roll_after_impact"})
 IMPACT = frozenset({"energy", "energy_ratio", "speed"})
 
@@ -84,7 +84,7 @@ LIMITS = (
         "large: JKR holds",
     ),
     Limit(
-        "load_margin", frozenset({"load_factor", "load_factor_at_approach"}), "<=",
+        "load_margin", frozenset({"load_factor"}), "<=",
         (Doubt(0.0, "at or beyond pull-off", "only fixed grips hold this state"),),
         "stable at its load",
         STATE | {"load"},
@@ -157,11 +157,6 @@ LIMIT_NAMES = tuple(limit.name for limit in LIMITS)
 _CONSEQUENCES = {limit.code(doubt): doubt.consequence.partition(";")[0] for limit in LIMITS for doubt in limit.doubts}
 
 
-def uses_spacing(found: Iterable[Verdict]) -> bool:
-    """Return whether a verdict rests on the atomic spacing."""
-    return any(verdict.name in ("tabor_parameter", "contact_radius_in_spacings") for verdict in found)
-
-
 def judged(scene: Scene, names: Collection[str]) -> Judgement:
     """Return what limits the answers to these names, as far as the scene allows to judge it."""
     verdicts: list[Verdict] = []
@@ -206,15 +201,17 @@ def against_limit(verdict: Verdict) -> str:
     return f"{symbol} = {verdict.value:.3g} ({verdict.code.removeprefix(symbol)})"
 
 
-def _touching(scene: Scene, names: Collection[str]) -> Iterator[tuple[Limit, Any]]:
-    """Iterate over the limits of these names, with the number of each or the error that says why there is none."""
-    if not names:
-        return
-    plan = scene.plan(*names)
-    used = {*names, *plan.stated, *(step.name for step in plan.steps)}
-    touching = [
+def limits_of(scene: Scene, names: Collection[str]) -> list[Limit]:
+    """Return the limits that concern the answers to these names; raise MissingInput if the scene does not allow one."""
+    used = {*names, *(parameter for step in scene.plan(*names).steps for parameter, _ in step.arguments)}
+    return [
         limit for limit in LIMITS if limit.touches & used and (not limit.stated or limit.stated & scene.stated.keys())
     ]
+
+
+def _touching(scene: Scene, names: Collection[str]) -> Iterator[tuple[Limit, Any]]:
+    """Iterate over the limits of these names, with the number of each or the error that says why there is none."""
+    touching = limits_of(scene, names)
     values = scene.evaluate([limit.name for limit in touching])
     for limit in touching:
         yield limit, values[limit.name]

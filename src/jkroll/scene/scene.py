@@ -11,13 +11,14 @@ from typing import TYPE_CHECKING, Any
 
 from ..errors import JkrollError
 from ..materials.library import Material
+from ..quantities.laws import DEFAULT_LAW, Law, law_named
 from ..quantities.nomenclature import INFINITY, PROPERTIES, STATE
 from ..quantities.parsing import is_uncertain
-from .errors import Contradiction, MissingInput, NoFiniteValue, NotInLaw, TwoRigidBodies, failure_of
+from .errors import Contradiction, MissingInput, NoFiniteValue, NotInLaw, TwoRigidBodies
+from .failures import failure_of
 from .inputs import is_ordinary
-from .laws import DEFAULT_LAW, Law, law_named
 from .results import SMALLEST, is_zero, with_nan
-from .wiring import NO_PLAN, Missing, Plan, Step, plan
+from .wiring import NO_PLAN, Missing, Plan, Step, in_order, plan
 
 if TYPE_CHECKING:
     from ..quantities.uncertain import Uncertain
@@ -31,6 +32,14 @@ DEFAULTS = {
 }
 _SAYS = {"load": STATE, "yield_displacement": ("adhesion_hysteresis",)}  # what says the same as a default
 
+# The values of inputs from which more follows than from others: a plane, a rigid body, no load.
+FOLLOWS: Mapping[str, tuple[float, Mapping[str, float]]] = {
+    "radius2": (INFINITY, {"radius_ratio": 0.0, "mass2": INFINITY, "moment_of_inertia2": INFINITY}),
+    "youngs_modulus": (INFINITY, {"poisson_ratio": 0.0}),  # without strain, it does not matter
+    "youngs_modulus2": (INFINITY, {"poisson_ratio2": 0.0}),
+    "load": (0.0, {"load_margin": 1.0}),
+}
+
 # Inputs of which one follows from the other.
 EXCLUSIVE = (
     ("energy", "energy_ratio", "speed"),
@@ -38,6 +47,7 @@ EXCLUSIVE = (
     ("surface_energy2", "work_of_adhesion"),
     ("load", "approach_at_load", "load_factor", "edge_ratio"),
     ("yield_displacement", "adhesion_hysteresis"),
+    ("contact_modulus", "modulus_over_energy"),
 )
 _MAY_CONTRADICT = frozenset(name for names in EXCLUSIVE for name in names)
 
@@ -81,7 +91,11 @@ class Scene:
         self.given = {**own, **own2, **self.stated}
         checked = [is_ordinary(name, value) for name, value in self.given.items()]
         self._is_ordinary = all(checked)
-        self.values = {**_assumed(self.given), **_implied(self.given, self.law), **self.given}
+        self.values = _assumed(self.given)
+        self._implied = _implied(self.given, self.law)
+        for values in self._implied.values():
+            self.values |= values
+        self.values |= self.given
         self._rigid = _both_rigid(self.given, own_material2=material2 is not None)
         is_rigid = isinstance(self._rigid, bool) and self._rigid
         self._failures: dict[str, JkrollError] = dict.fromkeys(_OF_JKR, TwoRigidBodies()) if is_rigid else {}
@@ -145,7 +159,11 @@ class Scene:
 
     def inputs_of(self, *wanted: str) -> tuple[str, ...]:
         """Return the inputs that the wanted quantities depend on, in the order of the nomenclature."""
-        return tuple(name for name in self.plan(*wanted).stated if name in self.given or name in DEFAULTS)
+        source_of = {
+            name: source for source, values in self._implied.items() for name in values.keys() - self.given.keys()
+        }
+        used = {source_of.get(name, name) for name in self.plan(*wanted).inputs}
+        return in_order(used & (self.given.keys() | DEFAULTS.keys()))
 
     def _missing_input(self, name: str, missing: Missing) -> MissingInput:
         """Return the error of a quantity that needs more inputs, with the materials that should have had them."""
@@ -227,7 +245,7 @@ class Scene:
         return value if isinstance(value, float | int) or source in self.known else with_nan(source, value)
 
 
-def _assumed(given: Mapping[str, Any]) -> Mapping[str, float]:
+def _assumed(given: Mapping[str, Any]) -> dict[str, Any]:
     """Return the defaults of what nothing else says."""
     return {name: value for name, value in DEFAULTS.items() if given.keys().isdisjoint(_SAYS.get(name, ()))}
 
@@ -243,18 +261,19 @@ def _both_rigid(given: Mapping[str, Any], *, own_material2: bool) -> Any:
     return ((modulus == INFINITY) | (ratio == -1)) & ((modulus2 == INFINITY) | (ratio2 == -1))
 
 
-def _implied(given: Mapping[str, Any], law: Law) -> dict[str, Any]:
-    """Return values that follow from what was not said, or from a plane, and then need nothing else."""
-    implied: dict[str, Any] = {}
+def _implied(given: Mapping[str, Any], law: Law) -> dict[str, Mapping[str, float]]:
+    """Return by each input the values that follow from it, or from its absence, and then need nothing else."""
+    known = {**DEFAULTS, **given}
+    implied = {name: follows for name, (value, follows) in FOLLOWS.items() if _is_number(known.get(name), value)}
     if "radius2" not in given:
-        implied["radius_ratio"] = 1.0
-    elif isinstance(given["radius2"], float) and given["radius2"] == INFINITY:
-        implied |= {"radius_ratio": 0.0, "mass2": INFINITY, "moment_of_inertia2": INFINITY}
-    for sphere, is_known in (("", "poisson_ratio2" in given), ("2", True)):
-        modulus = given.get("youngs_modulus" + sphere)
-        if is_known and isinstance(modulus, float) and modulus == INFINITY:
-            implied["poisson_ratio" + sphere] = 0.0  # a rigid body has no strain that it could matter for
-    load = given.get("load", 0.0)
-    if isinstance(load, float | int) and load == 0 and STATE.isdisjoint(given) and law.has("load_margin"):
-        implied["load_margin"] = 1.0
+        implied["radius2"] = {"radius_ratio": 1.0}
+    if "poisson_ratio2" not in given:
+        implied.pop("youngs_modulus", None)  # sphere 2, which yields, would take the ratio over
+    if not STATE.isdisjoint(given) or not law.has("load_margin"):
+        implied.pop("load", None)
     return implied
+
+
+def _is_number(value: Any, number: float) -> bool:
+    """Return whether a value is this number; an array is none."""
+    return isinstance(value, float | int) and value == number

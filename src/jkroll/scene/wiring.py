@@ -12,8 +12,8 @@ from typing import Any, NamedTuple
 
 from ..physics import FORMULAS
 from ..quantities.errors import UnknownQuantity
+from ..quantities.laws import DEFAULT_LAW, Routes, differs, routes, routes_anywhere
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
-from .laws import DEFAULT_LAW, Routes, differs, routes, routes_anywhere
 
 
 class Step(NamedTuple):
@@ -37,7 +37,6 @@ class Plan(NamedTuple):
 
     steps: tuple[Step, ...]
     inputs: tuple[str, ...]
-    stated: tuple[str, ...]  # the same as a user states them
     found: Mapping[str, str]  # wanted name → the name under which its value is known
     missing: Mapping[str, Missing]  # the wanted names to which no formulas lead
 
@@ -55,17 +54,11 @@ class Plan(NamedTuple):
                 steps.append(step)
                 used.update(source for _, source in step.arguments)
         inputs = tuple(name for name in self.inputs if name in used)
-        stated = {_STATED_BY.get(name, name) for name in inputs}
         missing = {name: self.missing[name] for name in names if name in self.missing}
-        return Plan(
-            tuple(reversed(steps)), inputs, tuple(name for name in self.stated if name in stated), found, missing
-        )
+        return Plan(tuple(reversed(steps)), inputs, found, missing)
 
 
-NO_PLAN = Plan((), (), (), {}, {})
-
-# The input from which an implied value follows, to be echoed in its place.
-_STATED_BY = {"load_margin": "load", "radius_ratio": "radius2", "mass2": "radius2", "moment_of_inertia2": "radius2"}
+NO_PLAN = Plan((), (), {}, {})
 
 
 @cache
@@ -87,8 +80,7 @@ def plan(wanted: tuple[str, ...], known: frozenset[str], own_material2: bool, mo
             found[name] = source
             steps = path.steps
             inputs |= path.inputs
-    stated = {_STATED_BY.get(name, name) for name in inputs} & known
-    return Plan(tuple(steps.values()), _in_order(inputs), _in_order(stated), found, missing)
+    return Plan(tuple(steps.values()), in_order(inputs), found, missing)
 
 
 class _Path:
@@ -153,7 +145,7 @@ def suffix_of(name: str) -> str:
     return "2" if name not in FORMULAS and name.endswith("2") else ""
 
 
-def _in_order(names: Collection[str]) -> tuple[str, ...]:
+def in_order(names: Collection[str]) -> tuple[str, ...]:
     """Return names in the order of the nomenclature."""
     return tuple(name for name in NOMENCLATURE if name in names)
 

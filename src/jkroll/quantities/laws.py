@@ -4,15 +4,19 @@ A law is a table of routes, from the name of a quantity to the formula that give
 "pull_off_force_maugis" under Maugis' law. A plan follows the routes wherever a name occurs, so that what is made of
 such quantities (`n_grav` of the moment, `vertical_frequency` of the stiffness) needs no route of its own. None stands for
 a quantity that the law does not have; a name without a route is found by the formula of the same name.
+
+A new law is one more `Law` here, its formulas in `physics`, the states of its force curve in `answers.curve` and, where the
+physics gives a formula no result, the reason in `scene.failures`. The nomenclature takes the names of its formulas from the
+routes.
 """
 
 from collections.abc import Collection, Mapping
 from functools import cache
+from math import inf
 from types import MappingProxyType
 from typing import NamedTuple
 
 from ..errors import JkrollError
-from ..quantities.nomenclature import INFINITY
 from ..text import quoted
 
 Routes = Mapping[str, str | None]
@@ -23,12 +27,11 @@ class Law(NamedTuple):
 
     name: str
     title: str
-    source: str  # as results cite it, where the paper has no equation
+    source: str  # as results name it, where the paper has no equation
+    reference: Mapping[str, str]  # the same as BibTeX has it
     routes: Routes
     given: Mapping[str, Routes]
-    tabor_below: float = (
-        0.0  # Tabor parameter below which it holds; 0 for the default, which the limits of the model judge
-    )
+    tabor_below: float = 0.0  # Tabor parameter below which it holds; the limits of the model judge the default law
     fine: str = ""  # what is said of it there
     omits: frozenset[str] = frozenset()  # quantities that are not shown under it
     by_spacing: frozenset[str] = frozenset()  # quantities that the atomic spacing decides while λ is below 1
@@ -56,20 +59,22 @@ class UnknownLaw(JkrollError):
 
 _GIVEN: Mapping[str, Routes] = {
     "speed": {"energy": "kinetic_energy"},
+    "modulus_over_energy": {"contact_modulus": "contact_modulus_of_ratio"},
     "adhesion_hysteresis": {"yield_displacement": "yield_displacement_at_hysteresis"},
 }
 _MAUGIS_AT_APPROACH: Routes = {"edge_ratio": "edge_ratio_at_approach", "zone_span": "zone_span_at_approach"}
 _AT_FACTOR: Routes = {"load": "load_at_factor", "load_margin": "load_margin_of_factor"}
 
 _JKR = Law(
-    "jkr",
-    "JKR",
-    "",
-    {
+    name="jkr",
+    title="JKR",
+    source="",
+    reference={},
+    routes={
         "zone_radius": "contact_radius_at_load",
         "edge_ratio": "edge_ratio_at_load",  # of Maugis' law: its quantities are known by their own names under any other
     },
-    {
+    given={
         **_GIVEN,
         "load_factor": _AT_FACTOR,
         "approach_at_load": {
@@ -101,10 +106,22 @@ _OF_ANY_LAW: Routes = {
 }
 
 _MAUGIS = Law(
-    "maugis",
-    "Maugis–Dugdale",
-    "Maugis 1992",
-    {
+    name="maugis",
+    title="Maugis–Dugdale",
+    source="Maugis 1992",
+    reference={
+        "key": "maugis-1992",
+        "type": "article",
+        "author": "Maugis, D.",
+        "title": "Adhesion of spheres: the {JKR-DMT} transition using a {Dugdale} model",
+        "journal": "Journal of Colloid and Interface Science",
+        "volume": "150",
+        "number": "1",
+        "pages": "243--269",
+        "year": "1992",
+        "doi": "10.1016/0021-9797(92)90285-T",
+    },
+    routes={
         **_OF_ANY_LAW,
         "pull_off_force": "pull_off_force_maugis",
         "contact_radius": "unloaded_radius_maugis",
@@ -119,23 +136,35 @@ _MAUGIS = Law(
         "pull_off_work_at_dead_load": "pull_off_work_at_dead_load_maugis",
         "sticking_energy": "sticking_energy_maugis",
     },
-    {
+    given={
         **_GIVEN,
         "load": {"approach_at_load": "approach_maugis_at_load"},
         "edge_ratio": {"load": "load_maugis"},
         "approach_at_load": {**_MAUGIS_AT_APPROACH, "load": "load_maugis"},
     },
-    tabor_below=INFINITY,
+    tabor_below=inf,
     fine="Maugis–Dugdale covers all from DMT to JKR",
     omits=frozenset({"rolling_frequency_as_printed"}),
     by_spacing=frozenset({"sticking_energy", "sticking_speed"}),
 )
 
 _DMT = Law(
-    "dmt",
-    "DMT",
-    "Derjaguin, Muller & Toporov 1975",
-    {
+    name="dmt",
+    title="DMT",
+    source="Derjaguin, Muller & Toporov 1975",
+    reference={
+        "key": "derjaguin-muller-toporov-1975",
+        "type": "article",
+        "author": "Derjaguin, B. V. and Muller, V. M. and Toporov, Yu. P.",
+        "title": "Effect of contact deformations on the adhesion of particles",
+        "journal": "Journal of Colloid and Interface Science",
+        "volume": "53",
+        "number": "2",
+        "pages": "314--326",
+        "year": "1975",
+        "doi": "10.1016/0021-9797(75)90018-1",
+    },
+    routes={
         **_OF_ANY_LAW,
         "pull_off_force": "pull_off_force_dmt",
         "contact_radius": "unloaded_radius_dmt",
@@ -151,7 +180,7 @@ _DMT = Law(
         "pull_off_work_at_dead_load": None,
         "sticking_energy": None,
     },
-    {
+    given={
         **_GIVEN,
         "approach_at_load": {"load": "load_dmt", "contact_radius_at_load": "contact_radius_dmt_at_approach"},
     },
