@@ -10,6 +10,7 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
+from unittest.mock import patch
 
 import pytest
 from hypothesis import given, settings
@@ -215,6 +216,13 @@ def test_what_is_no_number_is_read_as_none(text: str) -> None:
         assert math.isnan(found.values[1])
 
 
+def test_empty_cells_and_several_units_are_read_together() -> None:
+    cells = [b"1 nN", b"", b"", b"2.5e1 uN", b" ", b"+3 nN", b"4 uN"]
+    with patch.object(Column, "read", side_effect=AssertionError):
+        values = Reader(Column(0, "load", "", None)).numbers(cells).values.tolist()
+    assert str(values) == "[1e-09, nan, nan, 2.5e-05, nan, 3e-09, 4e-06]"
+
+
 @pytest.mark.parametrize("unit", ["nN", "N"])
 def test_a_bare_number_among_cells_with_units_is_none(unit: str) -> None:
     found = Reader(Column(0, "load", "", None)).numbers([f"1 {unit}".encode(), b"5", b"2 nN"])
@@ -344,6 +352,8 @@ HEADERS = {
     "Radius (nm)": f"header: 'Radius (nm)' is no input; did you mean radius [nm]? {ANOTHER}",
     "radius_um": f"header: 'radius_um' is no input; did you mean radius [um]? {ANOTHER}",
     "Gamma [mJ/m2]": f"header: 'Gamma [mJ/m2]' is no input; did you mean surface_energy [mJ/m2]? {ANOTHER}",
+    "Energy (old)": f"header: 'Energy (old)' is no input; did you mean energy [J]? {ANOTHER}",
+    "young GPa": f"header: 'young GPa' is no input; did you mean youngs_modulus [GPa]? {ANOTHER}",
     "youngs_moduls": f"header: 'youngs_moduls' is no input; did you mean youngs_modulus [GPa]? {ANOTHER}",
     "material [m]": "header: 'material [m]': a material has no unit; write material",
     "material;radius": "header: 'material;radius' has semicolons between its columns; write commas, with decimal points",
