@@ -29,6 +29,7 @@ from jkroll.quantities.errors import QuantityError
 from jkroll.quantities.parsing import unit_of
 from tables import IN_SMALL_BLOCKS, random_table
 
+csv.field_size_limit(1 << 20)  # of the readers here: some cells have more than the 128 KiB that are usual
 GRAINS = "name,material,radius [nm],load [nN]\na,quartz,100,0\nb,iron,50,-2e-3\n"
 
 
@@ -337,6 +338,22 @@ def test_a_truncated_input_makes_no_output(run: Run, jobs: str) -> None:
     assert not Path("out.csv").exists()
 
 
+def test_lines_of_a_record_without_end_are_rows_that_failed(run: Run) -> None:
+    """Quotes stand around the separators, not around the cells: each ends in the next line, but for the last."""
+    name = table(GRAINS + 'a","quartz","100","0\n' * 3)
+    found = batch(run, name, "--quantities", "r_min")
+    assert [row["name"] for row in found] == ["a", "b", *['a","quartz","100","0'] * 3]
+    assert [row["status"] for row in found] == ["", "", *["a quote is not closed"] * 3]
+
+
+@pytest.mark.parametrize(
+    ("cells", "kept"), [("a,quartz", "a,quartz,,"), ('"a",quartz,1,2,"3"', '"a",quartz,1,"2,""3"""')]
+)
+def test_a_row_with_other_cells_keeps_what_it_has(run: Run, cells: str, kept: str) -> None:
+    assert run("batch", table(f"{GRAINS}{cells}\n"), "--quantities", "r_min", "-o", "out.csv").code == 1
+    assert Path("out.csv").read_text(encoding="utf-8").splitlines()[-1].startswith(f"{kept},,,")
+
+
 # --- Headers --------------------------------------------------------------------------------------------------------------
 
 ANOTHER = "A column to pass through needs another name"
@@ -380,8 +397,19 @@ def test_a_header_is_checked_before_the_first_row(run: Run, text: str) -> None:
 def test_an_empty_file_and_utf_16(run: Run) -> None:
     Path("empty.csv").write_bytes(b"")
     assert run("batch empty.csv").err == "jkroll: the table is empty: it has no header\n"
-    Path("wide.csv").write_bytes("radius [nm]\n1\n".encode("utf-16"))
-    assert run("batch wide.csv").err == "jkroll: the table is not UTF-8; save it as UTF-8\n"
+    for encoding in ("utf-16", "utf-16-le", "utf-16-be"):
+        Path("wide.csv").write_bytes("radius [nm]\n1\n".encode(encoding))
+        assert run("batch wide.csv").err == "jkroll: the table is not UTF-8; save it as UTF-8\n"
+    assert batch(run, table("radius,name\n1 um,a\0b\n"), "--material", "quartz")[0]["name"] == "a\0b"
+
+
+@pytest.mark.parametrize("kind", ["csv", "tsv", "ndjson"])
+@pytest.mark.parametrize(("end", "text"), [("gz", b"\x1f\x8b\x08\0"), ("zst", b"\x28\xb5\x2f\xfd")])
+def test_a_compressed_table_is_named_as_one(run: Run, kind: str, end: str, text: bytes) -> None:
+    Path(f"grains.{kind}").write_bytes(text)
+    assert run("batch", f"grains.{kind}").err == (
+        f"jkroll: the table is compressed; give it a name that ends in .{kind}.{end}, or write --format {kind}.{end}\n"
+    )
 
 
 def test_options_fill_what_a_row_does_not_give(run: Run) -> None:
@@ -480,6 +508,15 @@ def test_tabs_and_formulas(run: Run) -> None:
     assert lines[0] == "name\tmaterial\tradius [nm]\tload [nN]\tr_min [m]\tdoubt\tstatus"
     assert [line.split("\t")[0] for line in lines[1:]] == ["a", "b", "'=1+1", "'-x", "'-2+3"]
     assert [line.split("\t")[3] for line in lines[1:]] == ["0", "-2e-3", "-2", "-2", "-2"]
+
+
+def test_empty_cells_are_no_formulas(run: Run) -> None:
+    name = table('radius\tname\tlast\r\n1 um\t\t\r\n1 um\t"=1+1"\t\r\n', "grains.tsv")
+    words = f"batch {name} --material quartz --quantities r_min -o out.tsv"
+    assert run(f"{words} --excel-safe").code == 0
+    safe = Path("out.tsv").read_bytes()
+    assert run(words).code == 0
+    assert safe == Path("out.tsv").read_bytes().replace(b'"=1+1"', b'"\'=1+1"')
 
 
 @pytest.mark.parametrize("end", ENDS)

@@ -136,6 +136,19 @@ def test_what_a_file_says_of_itself_stays(run: Run) -> None:
     assert parquet.read_schema("out.parquet").metadata[b"source"] == b"a cloud"
 
 
+def test_a_column_of_materials_has_as_many_words_as_its_numbers_allow(run: Run) -> None:
+    """As pandas writes 128 categories."""
+    words = ["quartz", *(f"stone{number}" for number in range(127))]
+    codes = pyarrow.array([0, None, 127], pyarrow.int8())
+    material = pyarrow.DictionaryArray.from_arrays(codes, words)
+    parquet.write_table(pyarrow.table({"radius [nm]": [100.0] * 3, "material": material}), "grains.parquet")
+    assert run("batch grains.parquet -o out.parquet --quantities pull_off_force").code == 1
+    first, second, third = parquet.read_table("out.parquet").to_pylist()
+    assert first["pull_off_force [N]"] == pytest.approx(1.1781e-8, rel=1e-4)
+    assert second["status"].startswith("pull_off_force: need")
+    assert "stone126" in third["status"]
+
+
 def interrupt(*_: object) -> None:
     """As if someone pressed Ctrl-C."""
     raise KeyboardInterrupt

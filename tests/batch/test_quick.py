@@ -1,5 +1,7 @@
 """The quick way through a table and the careful one: whatever the quick one takes, both write the same bytes."""
 
+import csv
+import io
 from unittest.mock import patch
 
 from hypothesis import given, settings
@@ -9,7 +11,7 @@ from jkroll.batch import delimited
 from jkroll.batch.asked import task_of
 from jkroll.batch.cells import Reader
 from jkroll.batch.columns import understood
-from jkroll.batch.delimited import DIALECTS, Delimited
+from jkroll.batch.delimited import DIALECTS, Delimited, unquoted
 from jkroll.batch.lines import Converted, Head
 from jkroll.materials.library import known_materials
 
@@ -85,3 +87,31 @@ def test_the_quick_way_is_taken() -> None:
     assert not one_by_one.called
     first, *others = found.output.splitlines()[:300]
     assert others == [first] * 299
+
+
+@settings(deadline=None)
+@given(text=st.text(st.sampled_from('a,"\n\r'), max_size=24).map(str.encode))
+def test_records_are_those_of_csv(text: bytes) -> None:
+    """Where the csv module of Python takes all of a text, its records and cells are the same."""
+    records = [unquoted(cells) for _, line, cells, problem in DIALECTS["csv"].records(text) if line or problem]
+    try:
+        expected = [row for row in csv.reader(io.StringIO(text.decode(), newline="\n"), strict=True) if row]
+    except csv.Error:
+        assert [] in records
+    else:
+        assert [[cell.decode() for cell in cells] for cells in records] == expected
+
+
+@settings(deadline=None)
+@given(
+    text=st.text(st.sampled_from('a,"\n\r'), max_size=24).map(str.encode),
+    rest=st.text(st.sampled_from('a,"\n'), max_size=8).map(str.encode),
+)
+def test_no_record_is_cut(text: bytes, rest: bytes) -> None:
+    """Whatever comes after it, a text is cut where a record ends."""
+
+    def records(text: bytes) -> list[tuple[bytes, str]]:
+        return [(line, problem) for _, line, _, problem in DIALECTS["csv"].records(text) if line or problem]
+
+    size = DIALECTS["csv"].cut(text)
+    assert records(text[:size]) + records(text[size:] + rest) == records(text + rest)

@@ -34,6 +34,7 @@ SWEEPS = [
     "contact quartz 100±10nm --load -10nN:10nN:5:lin --model jkr,dmt",
     "moment quartz 100nm --radius2 90nm,1um --xi '1 to 2angstrom,2angstrom'",
     "contact ice-warm 100nm --load -100nN:0nN:5:lin",
+    "report 10nm:1um:5 --gamma 25mJ/m2 --young rigid,54GPa --poisson 0.17",
 ]
 
 

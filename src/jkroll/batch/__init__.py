@@ -5,8 +5,7 @@ From the bottom up:
 columns, cells, materials   the header of a table; a column of texts as SI numbers; a column of materials
 task, blocks                the quantities to compute; a block of rows, and the results of rows
 groups, evaluated, rows     the rows of a block that share a scene; the results of a scene; those of a whole block
-lines, dialect              the interface of formats whose records are lines; where records of CSV and TSV end
-delimited, ndjson           these formats
+lines, delimited, ndjson    the formats whose records are lines: what they have in common; CSV and TSV; NDJSON
 formats, settings           the registry of formats and compressions; the options of a run
 asked                       the task that the header, the first rows and the options make
 source                      the input as blocks of whole records

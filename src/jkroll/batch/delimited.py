@@ -1,51 +1,154 @@
-"""CSV and TSV: blocks of whole records taken apart, and put together again with the results behind each line.
+"""CSV and TSV: records taken apart, and put together again with the results behind each.
 
-The bytes of a line pass through. A quoted cell may hold separators and line ends; a line that is quoted badly or has a cell too
-many or too few spoils its own row only.
+The bytes of a record pass through. A quoted cell may hold separators and line ends. A quote that is not closed, or a cell too many
+or too few, spoils its own line only.
 """
 
 from __future__ import annotations
 
 import io
+import re
 from collections.abc import Iterator, Mapping, Sequence
+from functools import cache
+from itertools import chain, islice
 from typing import NamedTuple
 
 import numpy
 import orjson
 
+from ..text import quoted
 from .blocks import Results
 from .cells import Floats
-from .dialect import Dialect, lines_of
-from .lines import BOM, Converted, Head
+from .columns import is_input
+from .errors import BadTable
+from .lines import BOM, Converted, Head, check_encoding
 from .rows import Evaluator
 from .task import Task
 
-STRIP = 128  # rows written at once: their text stays in the cache
+_MISTAKEN = (
+    (";", "semicolons", "commas, with decimal points"),
+    ("\t", "tabs", "--format tsv"),
+    (",", "commas", "--format csv"),
+)
+STRIP = 256  # rows written at once: their text stays in the cache
+_NUMBER = rb"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
+_PLAIN = rb'[^"\r\n]*+'
+_QUOTED = rb'(?:"[^"]*+")++'  # a quote that is doubled ends one piece and begins the next
+_OPEN = rb'(?:"[^"]*+")*+"[^"]*+\Z'
 
 
-class DelimitedFormat(Dialect):
-    """CSV or TSV."""
+class Dialect:
+    """The rules by which cells are separated and records end."""
+
+    def __init__(self, name: str, separator: bytes) -> None:
+        """`separator`: one byte."""
+        self.name, self.separator = name, separator
+        mark = re.escape(separator)
+        # A quote opens a cell where the cell begins. If the cell does not end with it, the record is none, and ends with that line.
+        quotes = rb'(?:(?<=[^%b\n])"|%b(?![^%b\r\n]))' % (mark, _QUOTED, mark)
+        cells = rb"%b(?:%b%b)*+" % (_PLAIN, quotes, _PLAIN)
+        self._whole = rb"(?:%b(?:\r*+\n|(?!%b)[^\n]++\n))*+" % (cells, _OPEN)
+        self._record = rb"((?:\r*+\n|\r++\Z)*+)(%b)(?:\r*+(?:\n|\Z)|([^\n]++)\n?)" % cells
+        self._cell = rb"%b(%b|[^%b]*+)" % (mark, _QUOTED, mark)
+        self._simple = rb'(?:[^"]*+"(?<![^%b\n]")[^"\r\n%b]*+"(?![^\r\n%b]))*+[^"]*+' % (mark, mark, mark)
+        number = rb'%b"?(?:%b|\r?$)' % (_NUMBER, mark)
+        self._formula = rb'(?m)(^|%b)("?)(?=[=+\-@\t\r])(?!%b|%b|\r?$)' % (mark, mark, number)
+
+    def cut(self, text: bytes) -> int:
+        """Return the number of bytes of whole records at the beginning of a text."""
+        if b'"' not in text:
+            return text.rfind(b"\n") + 1
+        return next(re.finditer(self._whole, text)).end()
+
+    def records(self, text: bytes) -> Iterator[tuple[bytes, bytes, list[bytes], str]]:
+        """Iterate over records: the blank lines before, the line without its end, the cells as they are, and why there are none.
+
+        Each line of a record that cannot be taken apart is a record by itself. Behind the last one, blank lines have an empty line.
+        """
+        find = re.compile(self._cell).findall
+        for blank, line, rest in re.findall(self._record, text):
+            if rest:
+                is_quote = rest.startswith(b'"')
+                problem = "a quote is not closed" if is_quote else "a carriage return stands outside quotes"
+                first, *others = [part.rstrip(b"\r") for part in (line + rest).split(b"\n")]
+                yield blank, first, [], problem
+                yield from ((b"", other, [], problem) for other in others)
+            elif b'"' in line:
+                yield blank, line, find(self.separator + line), ""
+            else:
+                yield blank, line, line.split(self.separator), ""
+
+    def bare(self, text: bytes) -> bytes:
+        """Return a text without quotes; with all of them if a cell needs them, or if one is no cell's."""
+        return text.replace(b'"', b"") if b'"' in text and re.fullmatch(self._simple, text) else text
+
+    def joined(self, cells: Sequence[bytes]) -> bytes:
+        """Return cells as a line, in quotes where they need them."""
+        return self.separator.join([self._quoted(cell) for cell in cells])
+
+    def _quoted(self, cell: bytes) -> bytes:
+        if self.separator in cell or b'"' in cell or b"\n" in cell or b"\r" in cell:
+            return b'"' + cell.replace(b'"', b'""') + b'"'
+        return cell
+
+    def safe(self, lines: bytes) -> bytes:
+        """Return lines in which a spreadsheet takes no cell of text for a formula."""
+        return re.sub(self._formula, rb"\1\2'", lines)
+
+    def head(self, text: bytes) -> tuple[Head, list[list[str]]]:
+        """Return the header of a table, and the cells of the first rows after it. Raises BadTable."""
+        check_encoding(text, self.name)
+        if not text.strip():
+            raise BadTable("the table is empty: it has no header")
+        body = text.removeprefix(BOM)
+        size = next(re.finditer(self._record, body)).end()
+        blank, line, cells, problem = next(self.records(body[:size]))
+        try:
+            names = [cell.decode() for cell in unquoted(cells)]
+            self._check_separator(names, line.decode())
+        except UnicodeDecodeError:
+            raise BadTable("header: is not UTF-8; save the table as UTF-8") from None
+        if problem and b'"' not in line:
+            raise BadTable("the lines end in carriage returns alone; save the table with line feeds")
+        if problem:
+            raise BadTable("header: has a quote that is not closed")
+        if blank or not line.strip():
+            raise BadTable("header: is empty")
+        rows = [cells for _, line, cells, _ in islice(self.records(body[size:]), 200) if line]
+        sample = [
+            [cell.decode("utf-8", "replace") for cell in unquoted(cells)] for cells in rows if len(cells) == len(names)
+        ]
+        return Head(text[: len(text) - len(body) + size], tuple(names)), sample
+
+    def _check_separator(self, names: Sequence[str], line: str) -> None:
+        """Refuse a header that only another separator makes a header of."""
+        is_bare = len(names) == 1 and '"' not in line
+        for mark, kind, advice in _MISTAKEN:
+            others = line.replace('"', "").split(mark)
+            is_other = mark != self.separator.decode() and len(others) > 1 and (is_bare or any(map(is_input, others)))
+            if is_other and not any(map(is_input, names)):
+                raise BadTable(f"header: {quoted(line.strip())} has {kind} between its columns; write {advice}")
 
     def converter(self, head: Head, task: Task, *, excel_safe: bool) -> Delimited:
         """Return the converter of the blocks after the head."""
         return Delimited(self, head, task, excel_safe=excel_safe)
 
 
-DIALECTS = {"csv": DelimitedFormat(b","), "tsv": DelimitedFormat(b"\t")}
+DIALECTS = {"csv": Dialect("csv", b","), "tsv": Dialect("tsv", b"\t")}
 
 
-class Records(NamedTuple):
+class Rows(NamedTuple):
     """A block taken apart."""
 
-    lines: list[bytes]  # without line ends
+    lines: list[bytes]  # without line ends, but with the blank lines before them
     columns: Mapping[str, list[bytes]]  # the cells, by the name of the input
     odd: Mapping[int, str]  # records that are no rows, and why
-    blank: Mapping[int, bytes]  # lines without a cell, by the row before which they stand
     starts: Sequence[int]  # the line in the block at which each begins
+    rest: bytes = b""  # blank lines behind the last
 
 
 class Delimited:
-    """Converts blocks of lines."""
+    """Converts blocks of records."""
 
     def __init__(self, dialect: Dialect, head: Head, task: Task, *, excel_safe: bool) -> None:
         """Lines of the output end as the header does."""
@@ -53,9 +156,10 @@ class Delimited:
         self.width = len(head.names)
         self.line_end = b"\r\n" if head.text.endswith(b"\r\n") else b"\n"
         self.excel_safe = excel_safe
-        line = head.text.removeprefix(BOM).rstrip(b"\r\n")
-        cells = [self.safe(line) if excel_safe else line, *map(str.encode, task.added)]
-        self.head = (BOM if head.text.startswith(BOM) else b"") + dialect.separator.join(cells) + self.line_end
+        cells = [head.text.removeprefix(BOM).rstrip(b"\r\n"), *map(str.encode, task.added)]
+        line = dialect.separator.join(cells) + self.line_end
+        bom = BOM if head.text.startswith(BOM) else b""
+        self.head = bom + (dialect.safe(line) if excel_safe else line)
         self.said = b"".join(dialect.separator + text.encode() for text in task.said.values())
         self.no_remark = dialect.separator * len(task.remarks) + self.line_end
         self.evaluator = Evaluator(task)
@@ -63,108 +167,86 @@ class Delimited:
 
     def convert(self, text: bytes) -> Converted:
         """Return whole records with the results behind each."""
-        records = self._quickly(text) or self._carefully(text)
-        lines, blank = records.lines, records.blank
-        count = len(lines)
-        if not count:
-            return Converted(blank.get(0, b""), text.count(b"\n"))
-        results = self.evaluator.results(self.evaluator.block(count, records.columns, records.odd, records.starts))
-        if self.excel_safe:
-            lines = [self.safe(line) for line in lines]
+        lines, columns, odd, starts, rest = self._quickly(text) or self._carefully(text)
+        if not lines:
+            return Converted(rest)
+        results = self.evaluator.results(self.evaluator.block(len(lines), columns, odd, starts))
         if self.said:
             lines = [line + self.said for line in lines]
-        if blank:
-            lines = [blank.get(row, b"") + line for row, line in enumerate(lines)]
-        output = b"".join([*self._strips(lines, results), blank.get(count, b"")])
-        return Converted(output, text.count(b"\n"), results.tally)
+        output = b"".join([*chain.from_iterable(zip(lines, self._results(results), strict=True)), rest])
+        return Converted(self.dialect.safe(output) if self.excel_safe else output, results.tally)
 
-    def _quickly(self, text: bytes) -> Records | None:
-        """Take apart plain lines without quotes, all of the right width; None if there are others."""
-        width, separator, end = self.width, self.dialect.separator, self.line_end
-        if b'"' in text or not text.endswith(end):
+    def _quickly(self, text: bytes) -> Rows | None:
+        """Take apart lines that need no quotes and have the right width; None if there are others."""
+        width, separator = self.width, self.dialect.separator
+        text = text.replace(b"\r\n", b"\n")
+        bare = self.dialect.bare(text)
+        if b'"' in bare or b"\r" in bare or not bare.endswith(b"\n"):
             return None
-        lines = text.split(end)
+        lines = text.split(b"\n")
         lines.pop()
-        count = len(lines)
-        if text.count(b"\n") != count or text.count(b"\r") != count * (len(end) - 1) or (width == 1 and b"" in lines):
-            return None
-        cells = text.replace(end, separator + b"\n" + separator).split(separator)
-        # As many cells as there should be, and a line feed behind each that should end a line.
-        if len(cells) != count * (width + 1) + 1 or cells[width :: width + 1].count(b"\n") != count:
+        cells = bare.replace(b"\n", separator + b"\n" + separator).split(separator)
+        # Behind each line's last cell, and there only, stands a line feed.
+        if cells[width :: width + 1] != [b"\n"] * len(lines) or (width == 1 and b"" in lines):
             return None
         columns = {name: cells[place : -1 : width + 1] for name, place in self.places.items()}
-        return Records(lines, columns, {}, {}, range(count))
+        return Rows(lines, columns, {}, range(len(lines)))
 
-    def _carefully(self, text: bytes) -> Records:
-        """Take apart lines of any kind."""
-        all_lines = lines_of(text)
+    def _carefully(self, text: bytes) -> Rows:
+        """Take apart records of any kind."""
         lines: list[bytes] = []
-        rows: list[list[str]] = []
-        starts: list[int] = []
+        rows: list[list[bytes]] = []
         odd: dict[int, str] = {}
-        blank: dict[int, list[bytes]] = {}
-        nothing = [""] * self.width
-        end = 0
-        for size, cells in self.dialect.records(all_lines):
-            start, end = end, end + size
-            record = all_lines[start] if size == 1 else b"".join(all_lines[start:end])
-            if cells is not None and not cells:
-                blank.setdefault(len(lines), []).append(record)
+        starts: list[int] = []
+        rest = b""
+        place = 0
+        for blank, line, cells, problem in self.dialect.records(text):
+            if not (line or problem):
+                rest += blank
                 continue
-            line = record.rstrip(b"\r\n")
-            if cells is None or len(cells) != self.width:
-                odd[len(lines)] = self._problem(line, cells)
-                lines.append(self._squared(line, cells))
-                rows.append(nothing)
-            else:
-                lines.append(line)
+            place += blank.count(b"\n")
+            starts.append(place)
+            place += line.count(b"\n") + 1
+            if len(cells) == self.width:
+                lines.append(blank + line)
                 rows.append(cells)
-            starts.append(start)
-        columns = {name: _column([row[place] for row in rows]) for name, place in self.places.items()}
-        return Records(lines, columns, odd, {row: b"".join(some) for row, some in blank.items()}, starts)
+            else:
+                cell = "cell" if len(cells) == 1 else "cells"
+                odd[len(lines)] = problem or f"{len(cells)} {cell} where the header has {self.width}"
+                lines.append(blank + self._squared(line, cells))
+                rows.append(rows[-1] if rows else [b""] * self.width)  # read with the others, and not used
+        columns = {name: unquoted([row[place] for row in rows]) for name, place in self.places.items()}
+        return Rows(lines, columns, odd, starts, rest)
 
-    def _problem(self, line: bytes, cells: list[str] | None) -> str:
-        if cells is not None:
-            return f"{len(cells)} cell{'s' * (len(cells) != 1)} where the header has {self.width}"
-        return "a quote is not closed" if b'"' in line else "a carriage return stands outside quotes"
-
-    def _squared(self, line: bytes, cells: list[str] | None) -> bytes:
-        """Return a line with as many cells as the header: empty ones added, or what is too much kept in the last."""
+    def _squared(self, line: bytes, cells: Sequence[bytes]) -> bytes:
+        """Return a line with as many cells as the header: what is too much stays in the last, and a line without cells in the first."""
         separator, width = self.dialect.separator, self.width
-        if cells is None:
-            return b'"' + line.replace(b'"', b'""') + b'"' + separator * (width - 1)
-        if len(cells) < width:
-            return line + separator * (width - len(cells))
-        encoded = [*map(_encoded, cells)]
-        kept = [quoted_cell(cell, separator) for cell in encoded[: width - 1]]
-        return separator.join([*kept, b'"' + separator.join(encoded[width - 1 :]).replace(b'"', b'""') + b'"'])
+        if not cells:
+            return self.dialect.joined([line]) + separator * (width - 1)
+        if len(cells) > width:
+            return separator.join([*cells[: width - 1], self.dialect.joined([separator.join(cells[width - 1 :])])])
+        return line + separator * (width - len(cells))
 
-    def _strips(self, lines: Sequence[bytes], results: Results) -> Iterator[bytes]:
-        """Iterate over the pieces of the output, some rows at a time: each line, its results, its remarks and line end."""
-        separator = self.dialect.separator
+    def _results(self, results: Results) -> list[bytes]:
+        """Return what stands behind each line: its numbers, its remarks, and the line end."""
+        rows = written(results.numbers, self.dialect.separator, self.no_remark)
         columns = results.remarks.values()
-        texts = {row: tuple(column.get(row, "") for column in columns) for row in set().union(*columns)}
-        cells = {several: self._cells(several) for several in set(texts.values())}  # many rows have the same doubts
-        for start in range(0, len(lines), STRIP):
-            part = slice(start, start + STRIP)
-            rows = written(results.numbers[:, part], separator, self.no_remark)
-            for row in texts.keys() & range(start, start + STRIP) if texts else ():
-                rows[row - start] = rows[row - start].removesuffix(self.no_remark) + cells[texts[row]]
-            pieces = [b""] * (2 * len(rows))
-            pieces[0::2], pieces[1::2] = lines[part], rows
-            yield b"".join(pieces)
 
-    def _cells(self, texts: tuple[str, ...]) -> bytes:
-        """Return the cells behind the numbers of a row, and the line end."""
-        separator = self.dialect.separator
-        cells = [quoted_cell(text.encode(), separator) for text in texts]
-        if self.excel_safe:
-            cells = [*map(self.safe, cells)]
-        return separator + separator.join(cells) + self.line_end
+        @cache  # many rows have the same doubts
+        def end(*remarks: str) -> bytes:
+            cells = self.dialect.joined([text.encode() for text in remarks])
+            return self.dialect.separator + cells + self.line_end
 
-    def safe(self, line: bytes) -> bytes:
-        """Return a line in which a spreadsheet takes no cell of text for a formula."""
-        return self.dialect.formula.sub(rb"\1\2'", line)
+        for row in set().union(*columns):
+            rows[row] = rows[row].removesuffix(self.no_remark) + end(*[column.get(row, "") for column in columns])
+        return rows
+
+
+def unquoted(cells: list[bytes]) -> list[bytes]:
+    """Return cells without the quotes around them."""
+    if b'"' not in b"".join(cells):
+        return cells
+    return [cell[1:-1].replace(b'""', b'"') if cell.startswith(b'"') else cell for cell in cells]
 
 
 def written(numbers: Floats, separator: bytes, end: bytes) -> list[bytes]:
@@ -172,28 +254,15 @@ def written(numbers: Floats, separator: bytes, end: bytes) -> list[bytes]:
 
     A separator stands before each number, and behind the last an `end`, which is that of a line.
     """
-    text = orjson.dumps(numpy.ascontiguousarray(numbers.T), option=orjson.OPT_SERIALIZE_NUMPY)
-    if b"n" in text:
-        text = text.replace(b"null", b"")
-    text = b"," + text.replace(b"[", b"")  # ,1,2],3,4]] of [[1,2],[3,4]]
-    if separator != b",":
-        text = text.replace(b",", separator)
-    # To read lines takes a third of the time of a split, which looks at every byte.
-    return io.BytesIO(text.replace(b"]", end)).readlines()[: numbers.shape[1]]
-
-
-def _column(cells: Sequence[str]) -> list[bytes]:
-    """Return cells as bytes: all at once, unless one holds what is put between them."""
-    encoded = _encoded("\0".join(cells)).split(b"\0") if cells else []
-    return encoded if len(encoded) == len(cells) else [*map(_encoded, cells)]
-
-
-def _encoded(cell: str) -> bytes:
-    return cell.encode("utf-8", "surrogateescape")
-
-
-def quoted_cell(cell: bytes, separator: bytes) -> bytes:
-    """Return a cell, in quotes if it needs them."""
-    if separator in cell or b'"' in cell or b"\n" in cell or b"\r" in cell:
-        return b'"' + cell.replace(b'"', b'""') + b'"'
-    return cell
+    rows: list[bytes] = []
+    for start in range(0, numbers.shape[1], STRIP):
+        strip = numpy.ascontiguousarray(numbers[:, start : start + STRIP].T)
+        text = orjson.dumps(strip, option=orjson.OPT_SERIALIZE_NUMPY)
+        if b"n" in text:
+            text = text.replace(b"null", b"")
+        text = b"," + text.replace(b"[", b"")  # ,1,2],3,4]] of [[1,2],[3,4]]
+        if separator != b",":
+            text = text.replace(b",", separator)
+        # To read lines takes a third of the time of a split, which looks at every byte.
+        rows += io.BytesIO(text.replace(b"]", end)).readlines()[: len(strip)]
+    return rows

@@ -7,12 +7,11 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import BinaryIO, NamedTuple
 
 from ..text import quoted
-from .delimited import DIALECTS
+from .delimited import DIALECTS, Dialect
 from .errors import BadTable, missing_extra
-from .lines import LineFormat
 from .ndjson import Ndjson
 
-LINES: Mapping[str, LineFormat] = {**DIALECTS, "ndjson": Ndjson()}
+LINES: Mapping[str, Dialect | Ndjson] = {**DIALECTS, "ndjson": Ndjson()}
 KINDS = {"csv": "csv", "tsv": "tsv", "tab": "tsv", "ndjson": "ndjson", "jsonl": "ndjson", "parquet": "parquet"}
 COMPRESSIONS = {"gz": "gzip", "gzip": "gzip", "zst": "zstd", "zstd": "zstd"}
 CHUNK = 1 << 17  # bytes read at a time: enough rows to pay for a call of numpy, few enough to stay in the cache

@@ -12,6 +12,7 @@ import sys
 from collections.abc import Mapping
 from contextlib import suppress
 from functools import lru_cache
+from itertools import islice
 from typing import Any
 
 from ..errors import BadRequest
@@ -65,6 +66,11 @@ class Journal:
                     break
                 found.append(json.loads(line))
         return found
+
+    def keep(self, count: int) -> None:
+        """Take away what stands after the first lines: all at once, so that a run can be ended at any moment."""
+        with open(self.path, "rb") as file:
+            os.ftruncate(self._descriptor, sum(map(len, islice(file, count))))
 
     def remove(self) -> None:
         """Remove it: the file is whole."""

@@ -1,18 +1,19 @@
-"""The interface of formats whose records are lines."""
+"""The parts that formats whose records are lines have in common."""
 
-from typing import NamedTuple, Protocol
+from typing import NamedTuple
 
 from .blocks import Tally
-from .task import Task
+from .errors import BadTable
 
 BOM = b"\xef\xbb\xbf"
+_COMPRESSED = {b"\x1f\x8b": "gz", b"\x28\xb5\x2f\xfd": "zst"}  # by the first bytes
+_UTF_16 = (b"\xff\xfe", b"\xfe\xff")
 
 
 class Converted(NamedTuple):
     """A converted block and its counts."""
 
     output: bytes
-    lines: int
     tally: Tally = Tally()
 
 
@@ -23,23 +24,11 @@ class Head(NamedTuple):
     names: tuple[str, ...]
 
 
-class Converter(Protocol):
-    """Converts blocks of records."""
-
-    head: bytes  # first bytes of the output
-
-    def convert(self, text: bytes) -> Converted:
-        """Return whole records with their results."""
-
-
-class LineFormat(Protocol):
-    """A format whose records are lines."""
-
-    def cut(self, text: bytes) -> int:
-        """Return the number of bytes of whole records at the beginning of a text."""
-
-    def head(self, text: bytes) -> tuple[Head, list[list[str]]]:
-        """Return the beginning of a table, and the cells of its first rows. Raises BadTable."""
-
-    def converter(self, head: Head, task: Task, *, excel_safe: bool) -> Converter:
-        """Return the converter of the blocks after the head."""
+def check_encoding(text: bytes, name: str) -> None:
+    """Refuse a table that is compressed or in UTF-16. `name`: of the format."""
+    for mark, end in _COMPRESSED.items():
+        if text.startswith(mark):
+            ends = f"{name}.{end}"
+            raise BadTable(f"the table is compressed; give it a name that ends in .{ends}, or write --format {ends}")
+    if text.startswith(_UTF_16) or b"\0" in text.partition(b"\n")[0]:
+        raise BadTable("the table is not UTF-8; save it as UTF-8")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy
@@ -11,7 +11,7 @@ import orjson
 from .blocks import Results
 from .columns import is_input
 from .errors import BadTable
-from .lines import BOM, Converted, Head
+from .lines import BOM, Converted, Head, check_encoding
 from .rows import Evaluator
 from .task import Task
 
@@ -27,6 +27,7 @@ class Ndjson:
 
     def head(self, text: bytes) -> tuple[Head, list[list[str]]]:
         """Return the names in the first object, and the values of the first objects. No line is a header."""
+        check_encoding(text, "ndjson")
         lines = [line for line in text.removeprefix(BOM).split(b"\n")[:200] if line.strip()]
         if not lines:
             raise BadTable("the table is empty")
@@ -52,46 +53,46 @@ class NdjsonConverter:
         self.keys = {name: head.names[place] for name, place in task.places.items()}
         self.known = {*head.names}
         self.added = {*task.added}
-        self._said = b"".join(orjson.dumps({name: text})[1:-1] + b"," for name, text in task.said.items())
-        self._names = [orjson.dumps(name) + b":" for name in (*task.headers, *task.remarks)]
+        self.said = b"".join(orjson.dumps({name: text})[1:-1] + b"," for name, text in task.said.items())
+        self.names = [orjson.dumps(name) + b":" for name in (*task.headers, *task.remarks)]
 
     def convert(self, text: bytes) -> Converted:
-        """Return whole lines with the results in each."""
-        raw = text.removesuffix(b"\n").split(b"\n") if text else []
-        places = [place for place, line in enumerate(raw) if line.strip()]
+        """Return whole lines with the results in each. Blank lines stay."""
+        lines = text.removesuffix(b"\n").split(b"\n")
+        places = [place for place, line in enumerate(lines) if line.strip()]
         if not places:
-            return Converted(text, text.count(b"\n"))
-        objects = [_object(raw[place]) for place in places]
-        odd = {row: "is not a JSON object" for row, one in enumerate(objects) if one is None}
-        for row, one in enumerate(objects):
-            if one is not None and one.keys() != self.known and (word := self._surprise(one)):
-                odd[row] = f"has {word!r}, which the first line has not"
-        rows: Sequence[Row] = [one if one is not None and row not in odd else {} for row, one in enumerate(objects)]
+            return Converted(text)
+        objects = [_object(lines[place]) for place in places]
+        odd = {row: problem for row, one in enumerate(objects) if (problem := self._problem(one))}
+        rows = [one or {} for one in objects]
         cells = {name: _cells([row.get(key) for row in rows]) for name, key in self.keys.items()}
         results = self.evaluator.results(self.evaluator.block(len(rows), cells, odd, places))
-        return Converted(self._output(raw, objects, results), text.count(b"\n"), results.tally)
+        for place, one, members in zip(places, objects, self._members(results), strict=True):
+            lines[place] = _beginning(lines[place], one) + members
+        return Converted(b"\n".join([*lines, b""]), results.tally)
 
-    def _surprise(self, one: Row) -> str | None:
-        """Return a name that would be an input or a result if the first line had it."""
-        return next((key for key in one if key not in self.known and (is_input(key) or key in self.added)), None)
+    def _problem(self, one: Row | None) -> str:
+        """Return why a line is no row: it holds no object, or one with an input or a result that the first line has not."""
+        if one is None:
+            return "is not a JSON object"
+        if one.keys() == self.known:
+            return ""
+        surprises = (name for name in one if name not in self.known and (is_input(name) or name in self.added))
+        return next((f"has {name!r}, which the first line has not" for name in surprises), "")
 
-    def _output(self, raw: Sequence[bytes], objects: Sequence[Row | None], results: Results) -> bytes:
+    def _members(self, results: Results) -> Iterator[bytes]:
+        """Iterate over the members that the rows get, each with the end of the object."""
         numbers = orjson.dumps(numpy.ascontiguousarray(results.numbers.T), option=orjson.OPT_SERIALIZE_NUMPY)
-        rows = enumerate(numbers[2:-2].split(b"],["))
-        output: list[bytes] = []
-        for line in raw:
-            if not line.strip():
-                output.append(line)
-                continue
-            row, values = next(rows)
+        for row, values in enumerate(numbers[2:-2].split(b"],[")):
             cells = values.split(b",") + [orjson.dumps(texts.get(row)) for texts in results.remarks.values()]
-            members = self._said + b",".join(map(bytes.__add__, self._names, cells)) + b"}"
-            if objects[row] is None:
-                body = b'{"line":' + orjson.dumps(line.decode("utf-8", "replace")) + b","
-            else:
-                body = line.rstrip().removesuffix(b"}").rstrip() + b"," * bool(objects[row])
-            output.append(body + members)
-        return b"\n".join(output) + b"\n"
+            yield self.said + b",".join(map(bytes.__add__, self.names, cells)) + b"}"
+
+
+def _beginning(line: bytes, one: Row | None) -> bytes:
+    """Return the object of a line without its end; one that holds the line as a text where it is no object."""
+    if one is None:
+        return b'{"line":' + orjson.dumps(line.decode("utf-8", "replace")) + b","
+    return line.rstrip().removesuffix(b"}").rstrip() + b"," * bool(one)
 
 
 def _object(line: bytes) -> Row | None:

@@ -41,7 +41,7 @@ Fetch = Callable[[int], bytes]  # returns a block, or nothing if it has written 
 
 def step_of(read: bytes, converted: Converted) -> Step:
     """Return what a block adds, with its checksums."""
-    return Step(len(converted.output), converted.lines, *converted.tally, crc32(read), crc32(converted.output))
+    return Step(len(converted.output), read.count(b"\n"), *converted.tally, crc32(read), crc32(converted.output))
 
 
 class Output:
@@ -153,8 +153,7 @@ class OutputFile(Output):
             raise NotTheSame(quoted(self.path), changed[0])
         self.done = steps[-1]
         os.ftruncate(self.descriptor, self.done.written)
-        self.journal.begin(identity)
-        self.journal.add(*steps)
+        self.journal.keep(1 + len(steps))
         return True
 
     def _steps(self, lines: list[Any]) -> list[Step]:

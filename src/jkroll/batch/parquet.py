@@ -1,13 +1,12 @@
 """Parquet to Parquet: the columns of a file with the results beside them, a number of rows at a time.
 
-This thread reads and computes, another writes, and pyarrow has threads of its own; so `--jobs` changes nothing. A Parquet file
-ends with an index of all of it: one that was interrupted is begun anew.
+One process reads, computes and writes, so `--jobs` changes nothing. A Parquet file ends with an index of all of it: one that was
+interrupted is begun anew.
 """
 
 import sys
 from collections.abc import Iterator
-from concurrent.futures import Future, ThreadPoolExecutor
-from contextlib import closing, contextmanager, suppress
+from contextlib import closing, contextmanager
 from math import isnan
 from typing import Any
 
@@ -31,17 +30,10 @@ from .source import Input, Part, Span
 
 BUFFER = 1 << 18  # bytes read at a time of each column
 SPAN = 1 << 20  # least number of rows of a part of a table, but for the last
-BYTES = 1 << 24  # of the rows written together, about: three of these are at work
 BLOCK = 1 << 13  # rows computed together: what lies between two formulas stays in the cache
+BYTES = 1 << 24  # of the rows written together, and at most of those computed together, about
 
-
-def rows_together(width: float) -> int:
-    """Return how many rows of so many bytes are written together.
-
-    >>> rows_together(8 * 40), rows_together(1e6)
-    (52428, 16)
-    """
-    return max(int(BYTES / max(width, 1)), 1)
+Rows = tuple[Any, Tally]  # a batch of Arrow with results, and its counts
 
 
 def convert(part: Part, order: Order) -> Tally:
@@ -53,11 +45,10 @@ def convert(part: Part, order: Order) -> Tally:
     with closing(Input(part.path)) as given:
         given.check_output(part.target)
         if is_done(settings, given.time):
-            return Tally(0, 0)
+            return Tally()
         with _readable(part.path):
             table = _Table(given, order, part.span)
-        identity = order.identity([given.size, given.time])
-        return write(settings, table.schema, table.converted(), table.size, identity)
+        return write(settings, table.schema, table.rows(), table.size, order.identity([given.size, given.time]))
 
 
 def spans_of(path: str) -> list[Span]:
@@ -84,65 +75,53 @@ def _readable(path: str) -> Iterator[None]:
         raise BadTable(f"{quoted(path)} cannot be read as Parquet: {reason}") from None
 
 
-Rows = tuple[Any, Tally]  # a table of Arrow with results, and its counts
-
-
 class _Table:
     """A Parquet file whose rows are computed."""
 
     def __init__(self, given: Input, order: Order, span: Span | None) -> None:
         """`span`: of groups of rows; None for all."""
-        self.given, self.path = given, given.path
+        self.given = given
         self.file = file = pyarrow.parquet.ParquetFile(given.file, buffer_size=BUFFER, pre_buffer=False)
-        schema = file.schema_arrow
-        task = task_of_table(tuple(schema.names), _sample(file), order)
-        self.places = task.places
-        for name, place in self.places.items():
-            if not _is_cell(schema.types[place]):
-                raise BadTable(f"header: column {name} holds {schema.types[place]}: neither numbers nor texts")
-        self.task, self.evaluator = task, Evaluator(task)
+        self.task = task = task_of_table(tuple(file.schema_arrow.names), _first_rows(file), order)
+        self.evaluator = Evaluator(task)
         texts = {*task.said, *task.remarks}
         fields = [pyarrow.field(name, pyarrow.string() if name in texts else pyarrow.float64()) for name in task.added]
-        self.schema = pyarrow.schema([*schema, *fields], metadata=schema.metadata)
+        self.schema = pyarrow.schema([*file.schema_arrow, *fields], metadata=file.schema_arrow.metadata)
         groups = [file.metadata.row_group(place) for place in range(file.metadata.num_row_groups)]
-        start, end = (span.start, span.end) if span is not None else (0, len(groups))
-        self.groups = range(start, end)
-        self.size = sum(group.num_rows for group in groups[start:end])
-        self.line = sum(group.num_rows for group in groups[:start])
-        widths = [group.total_byte_size / max(group.num_rows, 1) for group in groups]
-        self.together = min(BLOCK, rows_together(max(widths, default=0) + 8 * len(fields)))
+        self.groups = range(*span[:2]) if span is not None else range(len(groups))
+        self.size = sum(groups[place].num_rows for place in self.groups)
+        self.line = sum(group.num_rows for group in groups[: self.groups.start])
+        width = max((group.total_byte_size / max(group.num_rows, 1) for group in groups), default=0) + 8 * len(fields)
+        self.together = max(min(BLOCK, int(BYTES / width)), 1)
 
-    def converted(self) -> Iterator[Rows]:
-        """Iterate over the rows with their results."""
-        batches = self.file.iter_batches(self.together, row_groups=self.groups)
-        while True:
-            with _readable(self.path):
-                batch = next(batches, None)
-                if batch is None:
-                    self.given.check_unchanged()
-                    return
-                rows = self._rows(batch)
+    def rows(self) -> Iterator[Rows]:
+        """Iterate over the rows with their results. Raises BadTable if the file was changed meanwhile."""
+        with _readable(self.given.path):
+            for batch in self.file.iter_batches(self.together, row_groups=self.groups):
+                yield self._with_results(batch)
                 self.line += batch.num_rows
-            yield rows
+        self.given.check_unchanged()
 
-    def _rows(self, batch: Any) -> Rows:
+    def _with_results(self, batch: Any) -> Rows:
         size = batch.num_rows
         results = self.evaluator.results(self._block(batch))
-        said = [pyarrow.repeat(text, size) for text in self.task.said.values()]
-        numbers = [as_column(values) for values in results.numbers]
-        remarks = [pyarrow.array(map(texts.get, range(size)), "string") for texts in results.remarks.values()]
-        table = pyarrow.Table.from_arrays([*batch.columns, *said, *numbers, *remarks], schema=self.schema)
-        return table, results.tally
+        columns = [
+            *batch.columns,
+            *(pyarrow.repeat(text, size) for text in self.task.said.values()),
+            *map(as_column, results.numbers),
+            *(pyarrow.array(map(texts.get, range(size)), "string") for texts in results.remarks.values()),
+        ]
+        return pyarrow.RecordBatch.from_arrays(columns, schema=self.schema), results.tally
 
     def _block(self, batch: Any) -> Block:
         """Return the inputs of some rows."""
-        materials: dict[str, Any] = {}
-        for name, place in self.task.materials_at:
-            array = batch.column(place)
-            encoded = array if pyarrow.types.is_dictionary(array.type) else array.dictionary_encode()
-            kinds = [_text(value) for value in encoded.dictionary.to_pylist()]
-            codes = self.evaluator.lookups[name].codes([*kinds, ""])
-            materials[name] = codes[encoded.indices.fill_null(len(kinds)).to_numpy()]
+        places = self.task.places
+        materials = {}
+        for name, place in self.task.materials_at:  # a text is looked up once, not in every row
+            encoded = batch.column(place).dictionary_encode()
+            texts = [*map(_text, encoded.dictionary.to_pylist()), ""]
+            rows = encoded.indices.cast(pyarrow.int64()).fill_null(len(texts) - 1)
+            materials[name] = self.evaluator.lookups[name].codes(texts)[rows.to_numpy()]
         return Block(
             batch.num_rows,
             {
@@ -152,42 +131,39 @@ class _Table:
             materials,
             {},
             range(self.line + 1, self.line + batch.num_rows + 1),
-            lambda row, name: _text(batch.column(self.places[name])[row].as_py()),
+            lambda row, name: _text(batch.column(places[name])[row].as_py()),
         )
 
 
-def write(settings: Settings, schema: Any, tables: Iterator[Rows], total: int, identity: dict[str, str]) -> Tally:
-    """Write tables as one file that gets its name when it is whole, in groups of rows of about the same size.
+def write(settings: Settings, schema: Any, rows: Iterator[Rows], total: int, identity: dict[str, str]) -> Tally:
+    """Write a file that gets its name when it is whole, in groups of rows of about the same size.
 
-    `total`: the number of all rows. A thread writes.
+    `total`: the number of all rows.
     """
+    texts = [field.name for field in schema if not pyarrow.types.is_floating(field.type)]  # numbers seldom repeat
     with OutputFile(settings.target, goes_on=False) as output:
         if settings.resume and output.journal.has_begun:
             say("note: --resume: a Parquet file cannot be continued; it is begun anew", sys.stderr)
-        output.begin(identity, b"", Converted(b"", 0))
+        output.begin(identity, b"", Converted(b""))
         with (
             Bar(total, quiet=settings.quiet) as bar,
             open(output.descriptor, "wb", closefd=False) as file,
-            _writer(file, schema) as writer,
-            ThreadPoolExecutor(1) as thread,
+            pyarrow.parquet.ParquetWriter(file, schema, use_dictionary=texts) as writer,
         ):
-            written: Future[None] = thread.submit(lambda: None)
-            for group in _groups(tables):
+            for group in _groups(rows):
+                table = pyarrow.Table.from_batches([batch for batch, _ in group])
+                writer.write_table(table, table.num_rows)
                 for _, tally in group:
                     output.count(Step(0, 0, *tally))
-                table = pyarrow.concat_tables([table for table, _ in group])
-                written.result()
-                written = thread.submit(writer.write_table, table, table.num_rows)
                 bar.show(output.done.rows, output.done.rows)
-            written.result()
     return output.tally
 
 
-def _groups(tables: Iterator[Rows]) -> Iterator[list[Rows]]:
+def _groups(batches: Iterator[Rows]) -> Iterator[list[Rows]]:
     """Iterate over rows that are written together."""
     group: list[Rows] = []
     size = 0
-    for rows in tables:
+    for rows in batches:
         group.append(rows)
         size += rows[0].nbytes
         if size >= BYTES:
@@ -197,39 +173,21 @@ def _groups(tables: Iterator[Rows]) -> Iterator[list[Rows]]:
         yield group
 
 
-@contextmanager
-def _writer(file: Any, schema: Any) -> Iterator[Any]:
-    """Yield a writer of Parquet. After an error nothing is read of what it wrote: a second error while it ends is no news."""
-    floats = [field.name for field in schema if pyarrow.types.is_floating(field.type)]
-    writer = pyarrow.parquet.ParquetWriter(
-        file,
-        schema,
-        compression="snappy",
-        use_dictionary=[name for name in schema.names if name not in floats],
-        column_encoding=dict.fromkeys(floats, "BYTE_STREAM_SPLIT"),
-        write_statistics=False,
-    )
-    try:
-        yield writer
-    except BaseException:
-        with suppress(OSError, pyarrow.ArrowException):
-            writer.close()
-        raise
-    writer.close()
-
-
 def as_column(values: Floats) -> Any:
     """Return numbers as a column, nan as null."""
     missing = numpy.isnan(values)
     return pyarrow.array(values, mask=missing if missing.any() else None)
 
 
-def _sample(file: Any) -> list[list[str]]:
-    """Return the first rows as cells of text, those of the inputs alone."""
+def _first_rows(file: Any) -> list[list[str]]:
+    """Return the first rows as cells of text, those of the inputs alone. Raises BadTable for an input of another type."""
     schema = file.schema_arrow
-    names = [name for name, kind in zip(schema.names, schema.types, strict=True) if is_input(name) and _is_cell(kind)]
-    first = next(file.iter_batches(200, columns=names, use_threads=False), None)
-    rows = [] if first is None else first.to_pylist()
+    inputs = [field for field in schema if is_input(field.name)]
+    for field in inputs:
+        if not _is_cell(field.type):
+            raise BadTable(f"header: column {field.name} holds {field.type}: neither numbers nor texts")
+    first = next(file.iter_batches(200, columns=[field.name for field in inputs], use_threads=False), None)
+    rows = first.to_pylist() if first is not None else []
     return [[_text(row.get(name)) for name in schema.names] for row in rows]
 
 

@@ -8,14 +8,16 @@ from ..errors import BadRequest
 from . import loop, source
 from .asked import task_of_table
 from .blocks import Tally
+from .delimited import Delimited
 from .formats import LINES, compressor
-from .lines import Converted, Converter, Head
+from .lines import Converted, Head
+from .ndjson import NdjsonConverter
 from .output import is_done
 from .settings import Order, input_format, output_format
 from .source import Input, Part, Span, blocks
 
 
-def _make_convert(converter: Converter, compression: str) -> loop.Convert:
+def _make_convert(converter: Delimited | NdjsonConverter, compression: str) -> loop.Convert:
     compress = compressor(compression)
 
     def convert(text: bytes) -> Converted:
@@ -47,7 +49,7 @@ def convert(part: Part, order: Order) -> Tally:
         work = loop.Work(
             order.identity([given.size, given.time]),
             head.text,
-            Converted(start, head.text.count(b"\n")),
+            Converted(start),
             filter(None, chain([first[len(head.text) :]], texts)),
             partial(_make_convert, converter, compression),
             given.size if part.span is None else 0,

@@ -5,9 +5,9 @@ The columns are those of a short sweep. A block is a number of rows from a place
 
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
-from itertools import cycle, islice
+from itertools import count
 from math import prod
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy
 
@@ -19,81 +19,51 @@ from ..output.layout import Layout
 from ..quantities.formatting import AS_USUAL
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, header, word_for_infinity
 from ..quantities.ranges import Spread
-from ..scene.scene import DEFAULTS, Scene
+from ..scene.scene import Scene
 from . import loop
 from .blocks import Block, Tally
 from .cells import Floats, Numbers
 from .columns import Column
-from .delimited import DIALECTS, quoted_cell, written
-from .dialect import Places
+from .delimited import DIALECTS, written
 from .errors import missing_extra
-from .formats import compressor, format_of
+from .formats import Format, compressor, format_of
 from .lines import Converted
+from .materials import Codes
 from .output import is_done
 from .rows import Evaluator
 from .settings import Settings, fingerprint
 from .task import SIDES, Task
 
-if TYPE_CHECKING:
-    from ..quantities.uncertain import Uncertain
-
 ROWS = 1 << 12  # of a block
 
 
-class Axis(NamedTuple):
-    """The values of an input: lists and ranges behind each other."""
-
-    name: str
-    spreads: Sequence[Spread]
-
-    @property
-    def size(self) -> int:
-        """The number of values."""
-        return sum(map(len, self.spreads))
-
-    def numbers(self, places: Places) -> Numbers:
-        """Return the values at some places, as a column."""
-        wanted, back = numpy.unique(places, return_inverse=True)
-        found = [self._at(place) for place in wanted.tolist()]
-        uncertain = {row: one for row, place in enumerate(back.tolist()) if (one := found[place][1]) is not None}
-        return Numbers(numpy.array([value for value, _ in found])[back], (), uncertain)
-
-    def _at(self, place: int) -> "tuple[float, Uncertain | None]":
-        for spread in self.spreads:
-            if place < len(spread):
-                return spread.value(place), spread.uncertainty
-            place -= len(spread)
-        raise IndexError(place)
-
-
 class Sweep(NamedTuple):
-    """All rows of a call: the pairs of materials, the axes and the laws that each pair is combined with, and the columns."""
+    """All rows of a call: each pair of materials with all values of its inputs, and these with each law."""
 
     pairs: Sequence[tuple[Material | None, Material | None]]
-    axes: Sequence[Axis]
+    spreads: Mapping[str, Sequence[Spread]]  # the lists and ranges of each input
     models: Sequence[str | None]
     shape: Layout
     known: Materials
 
     @property
-    def size(self) -> int:
-        """The number of rows."""
-        return len(self.pairs) * self.rows_of_pair
+    def sizes(self) -> list[int]:
+        """The numbers of pairs, of the values of each input, and of laws; the rows are their combinations."""
+        return [len(self.pairs), *(sum(map(len, spreads)) for spreads in self.spreads.values()), len(self.models)]
 
     @property
-    def rows_of_pair(self) -> int:
-        """The number of rows of a pair of materials."""
-        return prod(axis.size for axis in self.axes) * len(self.models)
+    def size(self) -> int:
+        """The number of rows."""
+        return prod(self.sizes)
 
-    def blocks(self) -> Iterator[bytes]:
-        """Iterate over blocks, each as where it begins and how many rows it has. No block has rows of two pairs."""
-        for first in range(0, self.size, self.rows_of_pair):
-            for start in range(first, first + self.rows_of_pair, ROWS):
-                yield b"%d %d" % (start, min(ROWS, first + self.rows_of_pair - start))
+    @property
+    def heads(self) -> list[str]:
+        """The headers of the columns: texts, inputs that are numbers, results."""
+        return self.shape.headers(AS_USUAL)
 
     @property
     def texts(self) -> list[str]:
-        """The columns of inputs that are texts: materials and laws. They are the first ones."""
+        """The columns of inputs that are texts: materials and laws."""
         return [name for name in self.shape.inputs if not NOMENCLATURE[name].unit]
 
     @property
@@ -101,104 +71,86 @@ class Sweep(NamedTuple):
         """The columns of inputs that are numbers."""
         return [name for name in self.shape.inputs if NOMENCLATURE[name].unit]
 
-    @property
-    def results(self) -> list[str]:
-        """The columns of results."""
-        return [name for name in self.shape.columns if name not in self.shape.inputs]
+    def blocks(self) -> Iterator[bytes]:
+        """Iterate over blocks, each as the place of its first row."""
+        return (b"%d" % start for start in range(0, self.size, ROWS))
+
+    def cases(self) -> "list[_Case]":
+        """Return each pair of materials under each law, in the order of the rows."""
+        return [_Case(self, pair, model) for pair in self.pairs for model in self.models]
 
     def identity(self) -> dict[str, str]:
         """Return a hash of each part that the rows depend on."""
-        axes = [(axis.name, [list(vars(spread).values()) for spread in axis.spreads]) for axis in self.axes]
-        options = [self.shape.headers(AS_USUAL), axes, [*map(str, self.pairs)], self.models]
+        spreads = [(name, [list(vars(spread).values()) for spread in some]) for name, some in self.spreads.items()]
+        options = [self.heads, spreads, [*map(str, self.pairs)], self.models]
         return fingerprint({"version": [__version__, ROWS], "options": options})
 
 
-class Rows(NamedTuple):
-    """Some rows of one pair of materials."""
+class _Case:
+    """A pair of materials under a law, whose rows differ by numbers alone."""
 
-    texts: Sequence[Sequence[str]]  # of the first rows, one for each law; those of the others follow in turns
-    numbers: Floats  # an array for each column of numbers, nan where there is none
-    failed: int
-
-    @property
-    def size(self) -> int:
-        """The number of rows."""
-        return self.numbers.shape[1]
-
-
-class Evaluators:
-    """Compute the rows of each pair of materials and each law."""
-
-    def __init__(self, sweep: Sweep) -> None:
-        self.sweep = sweep
-        names = (*sweep.results, *(name for name in sweep.inputs if name == "energy"))
-        columns = tuple(Column(place, axis.name, "", None) for place, axis in enumerate(sweep.axes))
+    def __init__(self, sweep: Sweep, pair: tuple[Material | None, Material | None], model: str | None) -> None:
+        self.inputs = sweep.inputs
+        self.results = [name for name in sweep.shape.columns if name not in sweep.shape.inputs]
+        first = {name: spreads[0].low for name, spreads in sweep.spreads.items()}
+        self.scene = Scene(first, *pair, model=model)
+        self.used = answer(sweep.shape.question, self.scene).inputs
+        self.texts = [str(self.used[name]) for name in sweep.texts]
+        columns = tuple(Column(place, name, "", None) for place, name in enumerate(sweep.spreads))
+        follows = [name for name in self.inputs if name == "energy" and name not in sweep.spreads]  # from its ratio
         used = {side for of_result in sweep.shape.sides.values() for side in of_result}
         sides = tuple(side for side in SIDES if side in used)
-        self.evaluators = {
-            (pair, law): Evaluator(
-                Task(columns, (), names, {}, materials, sweep.known, keeps=True, model=model, sides=sides)
-            )
-            for pair, materials in enumerate(sweep.pairs)
-            for law, model in enumerate(sweep.models)
-        }
-        first = {axis.name: axis.spreads[0].low for axis in sweep.axes}
-        self.used = {
-            (pair, law): answer(sweep.shape.question, Scene(first, *sweep.pairs[pair], model=sweep.models[law])).inputs
-            for pair, law in self.evaluators
-        }
-
-    def rows(self, block: bytes) -> Rows:
-        """Return the rows of a block."""
-        start, count = map(int, block.split())
-        sweep = self.sweep
-        pair, first = divmod(start, sweep.rows_of_pair)
-        places = numpy.arange(first, first + count)
-        table = numpy.empty((len(sweep.shape.headers(AS_USUAL)) - len(sweep.texts), count))
-        failed = 0
-        laws = [(first + row) % len(sweep.models) for row in range(len(sweep.models))]
-        for row, law in enumerate(laws):
-            own = slice(row, None, len(laws))
-            failed += self._fill(table[:, own], (pair, law), places[own] // len(laws))
-        texts = [[str(self.used[pair, law][name]) for name in sweep.texts] for law in laws]
-        return Rows(texts, table, failed)
-
-    def _fill(self, table: Floats, place: tuple[int, int], places: Places) -> int:
-        """Fill in the columns of the rows at some places of a pair of materials and a law; return how many rows fail."""
-        sweep, evaluator = self.sweep, self.evaluators[place]
-        given: dict[str, Numbers] = {}
-        stride = sweep.rows_of_pair // len(sweep.models)
-        for axis in sweep.axes:
-            stride //= axis.size
-            given[axis.name] = axis.numbers(places // stride % axis.size)
-        results = evaluator.results(
-            Block(len(places), given, {}, {}, (), lambda row, name: _typed(name, given[name], row))
+        self.evaluator = Evaluator(
+            Task(columns, (), (*self.results, *follows), {}, pair, sweep.known, keeps=True, model=model, sides=sides)
         )
-        found = dict(zip(evaluator.task.headers, results.numbers, strict=True))
-        columns = [self._input(name, given, place, found) for name in sweep.inputs]
-        columns += [found[head] for head in sweep.shape.headers(AS_USUAL)[len(sweep.shape.inputs) :]]
-        for row, column in enumerate(columns):
-            table[row] = column
-        without = numpy.isnan([found[header(name)] for name in sweep.results]).all(axis=0)
-        return len(results.lost.union(numpy.flatnonzero(without).tolist())) if results.status else 0
 
-    def _input(
-        self, name: str, given: Mapping[str, Numbers], place: tuple[int, int], found: Mapping[str, Floats]
-    ) -> Floats | float:
-        """Return a column of an input; nan where the results do not depend on it."""
-        if name not in self.used[place]:
-            return numpy.nan
-        if name in given:
-            return given[name].values
-        if name == "energy":
-            return found[header(name)]
-        for material, suffix in zip(self.sweep.pairs[place[0]], ("", "2"), strict=True):
-            own = name.removesuffix("2") if suffix else name
-            if material is not None and name == own + suffix and own in material.properties:
-                return material.properties[own]
-        if name == "radius2" and "radius" in given:
-            return given["radius"].values
-        return DEFAULTS.get(name, numpy.nan)
+    def columns(self, size: int, given: Mapping[str, Numbers]) -> tuple[dict[str, Floats | float], int]:
+        """Return the columns of numbers that some rows have, by header, and how many of the rows fail."""
+        block = Block(size, given, {}, {}, (), lambda row, name: _typed(name, given[name], row))
+        results = self.evaluator.results(block)
+        found = dict(zip(self.evaluator.task.headers, results.numbers, strict=True))
+        without: Any = numpy.isnan([found[header(name)] for name in self.results]).all(axis=0)
+        failed = results.lost.union(row for row in results.status if without[row])
+        values = {**self.scene.values, **{name: column.values for name, column in given.items()}}
+        if "radius" in values:
+            values.setdefault("radius2", values["radius"])  # as the scene assumes
+        inputs = {header(name): values[name] for name in self.inputs if name in self.used and name in values}
+        return {**inputs, **found}, len(failed)
+
+
+def _rows(sweep: Sweep, cases: Sequence[_Case], block: bytes) -> tuple[Codes, Floats, Tally]:
+    """Return the rows of a block: the places of their cases, an array for each column of numbers, and their counts."""
+    rows = numpy.arange(int(block), min(int(block) + ROWS, sweep.size))
+    pairs, *places, laws = numpy.unravel_index(rows, sweep.sizes)
+    of_cases = pairs * len(sweep.models) + laws
+    heads = sweep.heads[len(sweep.texts) :]
+    numbers = numpy.empty((len(heads), len(rows)))
+    failed = 0
+    for place in numpy.unique(of_cases).tolist():
+        own = numpy.flatnonzero(of_cases == place)
+        of_inputs = zip(sweep.spreads.items(), places, strict=True)
+        given = {name: _values(spreads, at[own]) for (name, spreads), at in of_inputs}
+        columns, failures = cases[place].columns(len(own), given)
+        for column, head in zip(numbers, heads, strict=True):
+            column[own] = columns.get(head, numpy.nan)
+        failed += failures
+    return of_cases, numbers, Tally(len(rows), failed)
+
+
+def _values(spreads: Sequence[Spread], places: Codes) -> Numbers:
+    """Return the values at some places of lists and ranges behind each other."""
+    starts = numpy.cumsum([0, *map(len, spreads)])
+    wanted, back = numpy.unique(places, return_inverse=True)
+    of_spreads = numpy.searchsorted(starts, wanted, side="right") - 1
+    within = wanted - starts[of_spreads]
+    values = [spreads[one].value(place) for one, place in zip(of_spreads.tolist(), within.tolist(), strict=True)]
+    uncertain = {
+        row: spread.uncertainty
+        for place, spread in enumerate(spreads)
+        if spread.uncertainty is not None
+        for row in numpy.flatnonzero(of_spreads[back] == place).tolist()
+    }
+    return Numbers(numpy.array(values)[back], (), uncertain)
 
 
 def _typed(name: str, column: Numbers, row: int) -> str:
@@ -206,59 +158,56 @@ def _typed(name: str, column: Numbers, row: int) -> str:
     value, found = float(column.values[row]), column.uncertain.get(row)
     if value == INFINITY:
         return word_for_infinity(name) or "inf"
-    text = repr(value)
-    if found is not None:
-        text = (
-            f"{value!r} +{found.plus!r}/-{found.minus!r}"
-            if found.kind == "standard"
-            else f"{found.low!r} to {found.high!r}"
-        )
+    if found is None:
+        text = repr(value)
+    elif found.kind == "standard":
+        text = f"{value!r} +{found.plus!r}/-{found.minus!r}"
+    else:
+        text = f"{found.low!r} to {found.high!r}"
     return f"{text} {NOMENCLATURE[name].unit}".removesuffix(" 1")
-
-
-def _make_convert(sweep: Sweep, kind: str, compression: str) -> loop.Convert:
-    evaluators, compress = Evaluators(sweep), compressor(compression)
-    separator = DIALECTS[kind].separator
-
-    def convert(block: bytes) -> Converted:
-        """Return a block as lines."""
-        rows = evaluators.rows(block)
-        leads = [separator.join(quoted_cell(text.encode(), separator) for text in texts) for texts in rows.texts]
-        lines = written(rows.numbers + 0.0, separator, b"\n")
-        for place, name in enumerate(sweep.inputs):
-            for row in numpy.flatnonzero(numpy.isinf(rows.numbers[place])).tolist():
-                cells = lines[row].split(separator)
-                cells[1 + place] = (word_for_infinity(name) or "").encode()
-                lines[row] = separator.join(cells)
-        if not any(leads):
-            lines = [line.removeprefix(separator) for line in lines]
-        output = b"".join([lead + line for lead, line in zip(cycle(leads), lines)])
-        return Converted(compress(output), rows.size, Tally(rows.size, rows.failed))
-
-    return convert
 
 
 def stream(sweep: Sweep, settings: Settings) -> Tally:
     """Write all rows of a sweep."""
-    form = format_of(settings.target)
+    form = format_of(settings.target) or Format("csv")
     if is_done(settings):
         return Tally()
-    if form is not None and form.kind == "parquet":
+    if form.kind == "parquet":
         return _write_parquet(sweep, settings)
-    kind, compression = form or ("csv", "")
-    if kind not in DIALECTS:
-        raise BadRequest(f"-o: a sweep is written as csv, tsv or parquet, not as {kind}")
-    head = DIALECTS[kind].separator.join(name.encode() for name in sweep.shape.headers(AS_USUAL)) + b"\n"
+    if form.kind not in DIALECTS:
+        raise BadRequest(f"-o: a sweep is written as csv, tsv or parquet, not as {form.kind}")
+    head = DIALECTS[form.kind].separator.join(map(str.encode, sweep.heads)) + b"\n"
     work = loop.Work(
         sweep.identity(),
         b"",
-        Converted(compressor(compression)(head), 1),
+        Converted(compressor(form.compression)(head)),
         sweep.blocks(),
-        partial(_make_convert, sweep, kind, compression),
+        partial(_make_convert, sweep, form),
         sweep.size,
     )
     settings = settings._replace(quiet=settings.quiet or settings.target == "-")
     return loop.run(work, settings)
+
+
+def _make_convert(sweep: Sweep, form: Format) -> loop.Convert:
+    cases, compress = sweep.cases(), compressor(form.compression)
+    dialect = DIALECTS[form.kind]
+    separator = dialect.separator
+    leads = [b"".join(dialect.joined([text.encode()]) + separator for text in case.texts) for case in cases]
+
+    def convert(block: bytes) -> Converted:
+        """Return a block as lines."""
+        places, numbers, tally = _rows(sweep, cases, block)
+        lines = written(numbers + 0.0, separator, b"\n")
+        for name, column, cell in zip(sweep.inputs, numbers, count(1)):
+            for row in numpy.flatnonzero(numpy.isinf(column)).tolist():
+                cells = lines[row].split(separator)
+                cells[cell] = (word_for_infinity(name) or "").encode()
+                lines[row] = separator.join(cells)
+        output = b"".join([leads[place] + line[1:] for place, line in zip(places.tolist(), lines, strict=True)])
+        return Converted(compress(output), tally)
+
+    return convert
 
 
 def _write_parquet(sweep: Sweep, settings: Settings) -> Tally:
@@ -266,20 +215,14 @@ def _write_parquet(sweep: Sweep, settings: Settings) -> Tally:
         import pyarrow
 
         from . import parquet
-    heads = sweep.shape.headers(AS_USUAL)
-    kinds = [pyarrow.string()] * len(sweep.texts) + [pyarrow.float64()] * (len(heads) - len(sweep.texts))
-    schema = pyarrow.schema([*map(pyarrow.field, heads, kinds)])
-    evaluators = Evaluators(sweep)
+    cases = sweep.cases()
+    texts = [pyarrow.array(column) for column in zip(*(case.texts for case in cases), strict=True)]
+    kinds = [pyarrow.string()] * len(texts) + [pyarrow.float64()] * (len(sweep.heads) - len(texts))
+    schema = pyarrow.schema([*map(pyarrow.field, sweep.heads, kinds)])
 
-    def batch(rows: Rows) -> Any:
-        texts = [pyarrow.array([*islice(cycle(column), rows.size)]) for column in zip(*rows.texts, strict=True)]
-        return pyarrow.RecordBatch.from_arrays([*texts, *map(parquet.as_column, rows.numbers)], schema=schema)
+    def batch(block: bytes) -> tuple[Any, Tally]:
+        places, numbers, tally = _rows(sweep, cases, block)
+        columns = [*(text.take(places) for text in texts), *map(parquet.as_column, numbers)]
+        return pyarrow.RecordBatch.from_arrays(columns, schema=schema), tally
 
-    def tables() -> Iterator[tuple[Any, Tally]]:
-        blocks = sweep.blocks()
-        while some := [evaluators.rows(block) for block in islice(blocks, together)]:
-            table = pyarrow.Table.from_batches(map(batch, some), schema).combine_chunks()
-            yield table, Tally(table.num_rows, sum(rows.failed for rows in some))
-
-    together = max(parquet.rows_together(8 * len(schema)) // ROWS, 1)
-    return parquet.write(settings, schema, tables(), sweep.size, sweep.identity())
+    return parquet.write(settings, schema, map(batch, sweep.blocks()), sweep.size, sweep.identity())

@@ -5,7 +5,7 @@ import sys
 from ..answers.answer import answer
 from ..answers.questions import Question
 from ..batch.settings import Settings
-from ..batch.sweep import Axis, Sweep, stream
+from ..batch.sweep import Sweep, stream
 from ..errors import ROWS_FAILED, BadRequest
 from ..output.layout import layout
 from ..output.note_lines import NoteLines
@@ -22,8 +22,8 @@ def write_sweep(question: Question, request: Request, kind: str, call: Call) -> 
     if call.to or call.digits or kind not in ("csv", "plain", "table"):
         raise BadRequest("a long sweep is written in SI units with all digits: -o and long ranges take --csv alone")
     samples = [answer(question, scene) for scene in request.samples()]
-    axes = [Axis(name, spreads) for name, spreads in request.spreads.items()]
-    sweep = Sweep(request.pairs, axes, request.models, layout(question, samples, request.count), request.materials)
+    shape = layout(question, samples, request.count)
+    sweep = Sweep(request.pairs, request.spreads, request.models, shape, request.materials)
     tally = stream(sweep, Settings(target=call.target or "-", resume=call.resume, quiet=call.quiet))
     if not call.quiet:
         notes = NoteLines()
