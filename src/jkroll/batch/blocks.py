@@ -39,18 +39,14 @@ class Results:
         self.numbers: Floats = numpy.full((len(task.headers), size), numpy.nan)  # an array for each column
         self.status: dict[int, str] = {}
         self.doubts: dict[int, str] = {}
+        texts = {DOUBT: self.doubts, STATUS: self.status}
+        self.remarks = {name: texts[name] for name in task.remarks}  # the columns of texts
         self.lost: set[int] = set()  # rows without any trusted result
 
     @property
     def values(self) -> Floats:
         """The numbers without those of uncertainties: an array for each quantity."""
         return self.numbers[:: 1 + len(self.task.sides)]
-
-    @property
-    def remarks(self) -> dict[str, dict[int, str]]:
-        """The columns of texts."""
-        texts = {DOUBT: self.doubts, STATUS: self.status}
-        return {name: texts[name] for name in self.task.remarks}
 
     @property
     def tally(self) -> Tally:

@@ -164,7 +164,7 @@ class Evaluated(Results):
             for key in numpy.unique(bits).tolist()
         }
         places = numpy.flatnonzero(bits)
-        self.doubts = dict(zip(places.tolist(), map(words.__getitem__, bits[places].tolist()), strict=True))
+        self.doubts.update(zip(places.tolist(), map(words.__getitem__, bits[places].tolist()), strict=True))
 
 
 def left_out(scene: Scene, sources: uncertainty.Sources) -> str:
