@@ -10,6 +10,7 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
+from unittest.mock import patch
 
 import pytest
 from hypothesis import given, settings
@@ -17,11 +18,11 @@ from hypothesis import strategies as st
 
 from harness import Run
 from jkroll.batch import source
+from jkroll.batch.asked import task_of
 from jkroll.batch.cells import Reader
 from jkroll.batch.columns import Column, understood
+from jkroll.batch.evaluated import CODES
 from jkroll.batch.rows import Evaluator
-from jkroll.batch.single import CODES, alone
-from jkroll.batch.task import task_of
 from jkroll.materials.library import known_materials
 from jkroll.output.manual import page
 from jkroll.quantities.errors import QuantityError
@@ -125,12 +126,13 @@ def both_ways(text: str) -> Iterator[tuple[str, list[float], list[float], tuple[
     task = task_of(header, {}, "", known)._replace(doubt=True)
     rows = [dict(zip(header.texts, line.encode().split(b","), strict=True)) for line in lines[1:]]
     cells = {name: [row[header.texts[place]] for row in rows] for name, place in task.places.items()}
-    together = Evaluator(task).results_of_texts(len(rows), cells, {}, range(len(rows)))
+    evaluator = Evaluator(task)
+    together = evaluator.results(evaluator.block(len(rows), cells, {}, range(len(rows))))
     for row in range(len(rows)):
         of_row = {name: column[row].decode() for name, column in cells.items()}
-        single = alone(task, of_row.__getitem__)
-        among = together.status.get(row, ""), together.remarks["doubt"].get(row, "")
-        yield lines[row + 1], single.values, together.numbers[:, row].tolist(), (single.status, single.doubt), among
+        single = evaluator.alone(of_row.__getitem__)
+        said = [(found.status.get(at, ""), found.doubts.get(at, "")) for found, at in ((single, 0), (together, row))]
+        yield lines[row + 1], single.numbers[:, 0].tolist(), together.numbers[:, row].tolist(), *said
 
 
 def agree(size: int, seed: int) -> None:
@@ -213,6 +215,13 @@ def test_what_is_no_number_is_read_as_none(text: str) -> None:
         found = Reader(column).numbers([others, text.encode()])
         assert found.odd == [1]
         assert math.isnan(found.values[1])
+
+
+def test_empty_cells_and_several_units_are_read_together() -> None:
+    cells = [b"1 nN", b"", b"", b"2.5e1 uN", b" ", b"+3 nN", b"4 uN"]
+    with patch.object(Column, "read", side_effect=AssertionError):
+        values = Reader(Column(0, "load", "", None)).numbers(cells).values.tolist()
+    assert str(values) == "[1e-09, nan, nan, 2.5e-05, nan, 3e-09, 4e-06]"
 
 
 @pytest.mark.parametrize("unit", ["nN", "N"])
@@ -362,6 +371,8 @@ HEADERS = {
     "Radius (nm)": f"header: 'Radius (nm)' is no input; did you mean radius [nm]? {ANOTHER}",
     "radius_um": f"header: 'radius_um' is no input; did you mean radius [um]? {ANOTHER}",
     "Gamma [mJ/m2]": f"header: 'Gamma [mJ/m2]' is no input; did you mean surface_energy [mJ/m2]? {ANOTHER}",
+    "Energy (old)": f"header: 'Energy (old)' is no input; did you mean energy [J]? {ANOTHER}",
+    "young GPa": f"header: 'young GPa' is no input; did you mean youngs_modulus [GPa]? {ANOTHER}",
     "youngs_moduls": f"header: 'youngs_moduls' is no input; did you mean youngs_modulus [GPa]? {ANOTHER}",
     "material [m]": "header: 'material [m]': a material has no unit; write material",
     "material;radius": "header: 'material;radius' has semicolons between its columns; write commas, with decimal points",

@@ -8,11 +8,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from jkroll.batch import delimited
+from jkroll.batch.asked import task_of
 from jkroll.batch.cells import Reader
 from jkroll.batch.columns import understood
 from jkroll.batch.delimited import DIALECTS, Delimited, unquoted
 from jkroll.batch.lines import Converted, Head
-from jkroll.batch.task import task_of
 from jkroll.materials.library import known_materials
 
 HEADER = ["name", "material", "radius [nm]", "load [nN]", "poisson_ratio", "radius2"]
@@ -79,7 +79,7 @@ def test_the_quick_way_is_taken() -> None:
     text = b"a,quartz,100,1,0.2,50 nm\n" * 300 + b"b,quartz,-5,0,0.2,50 nm\n"
     with (
         patch.object(Delimited, "_carefully", side_effect=AssertionError),
-        patch.object(Reader, "_one") as one_by_one,
+        patch.object(Reader, "_of_many_kinds") as one_by_one,
     ):
         found = converted("csv", "\n", text, excel_safe=False)
     assert found.tally == (301, 1, 0)

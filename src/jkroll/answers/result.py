@@ -43,13 +43,7 @@ class Result(NamedTuple):
 
     def sides(self) -> dict[str, float]:
         """Return the numbers of the uncertainty by name: minus and plus, or low and high; none if there is no uncertainty."""
-        if self.propagated is None:
-            return {}
-        return {
-            side: number
-            for side, number in self.propagated.uncertainty.as_object().items()
-            if isinstance(number, float)
-        }
+        return self.propagated.uncertainty.sides if self.propagated is not None else {}
 
 
 # Of notes, the most important first.

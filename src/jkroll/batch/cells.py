@@ -1,22 +1,22 @@
 """A column of texts as SI numbers: orjson reads them all at once, with the power of ten of the unit in the number's own text.
 
-So each number is rounded once, as in a one-liner. A cell that orjson does not take for a number is read by itself.
+So each number is rounded once, as in a one-liner. A cell that is no plain number with a decimal unit is read by itself.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
-from math import isnan
+from collections.abc import Callable, Mapping, Sequence
+from functools import lru_cache
 from types import MappingProxyType
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy
 import orjson
 
 from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import NOMENCLATURE
-from ..quantities.parsing import unit_of
+from ..quantities.parsing import has_uncertainty, unit_of
 from ..quantities.units import dimension_of
 from .columns import Column, power_of_ten
 
@@ -27,21 +27,33 @@ Floats = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.float64]]
 Mask = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.bool_]]
 
 PLAIN = b"0123456789.eE+-, "
-MAX_KEPT = 10_000  # texts whose value is remembered
-PART = 16  # cells read together where some cell of the block is no number
-_OWN_UNIT = re.compile(rb"[-+0-9.eE]+( ?[^\s0-9,][^,]*)")
-_POWER = re.compile(rb"[+-]?[0-9]{1,3}")
-_POWERS = re.compile(rb"e([+-]?[0-9]{1,3}),")
-_DOUBLE_SIGN = re.compile(rb",\+[^0-9]")
+MAX_KEPT = 10_000  # texts whose meaning is remembered
+_NUMBER = rb"[-+]?(?:0|[1-9][0-9]{0,19})(?:\.[0-9]{1,20})?(?:[eE][-+]?[0-9]{1,2})?"
+_CELL = re.compile(rb"\s*(" + _NUMBER + rb")( ?[^\s0-9.,][^,]*)?\s*")
+_POWER = re.compile(rb"e([+-]?[0-9]{1,3}),")
 
 
 class Numbers(NamedTuple):
-    """A column: SI values, nan where there is none; the cells that are not empty, are no numbers, or have uncertainties."""
+    """A column: SI values, nan where there is none; the cells that are no numbers, and those that have uncertainties."""
 
     values: Floats
-    given: Mask | None  # None: all of them
     odd: Sequence[int] = ()
     uncertain: Mapping[int, Uncertain] = MappingProxyType({})
+
+
+class Kept(dict[Any, Any]):
+    """A memory of what texts mean."""
+
+    def __init__(self, meaning: Callable[[Any], Any]) -> None:
+        """`meaning`: returns what a text means."""
+        self.meaning = meaning
+
+    def __missing__(self, text: bytes | str) -> Any:
+        found = self.meaning(text)
+        if len(self) >= MAX_KEPT:
+            self.clear()
+        self[text] = found
+        return found
 
 
 class Reader:
@@ -50,129 +62,95 @@ class Reader:
     def __init__(self, column: Column) -> None:
         """`column`: its name and unit."""
         self.column = column
-        self._kept: dict[bytes, float | Uncertain] = {}
-        self._own: tuple[bytes, bytes] | None = None
+        self._kept = Kept(self._value)
 
     def numbers(self, cells: Sequence[bytes]) -> Numbers:
         """Return the numbers of a block of cells."""
-        values = self._together(cells)
-        return Numbers(values, None) if values is not None else self._in_parts(cells)
+        match = _CELL.fullmatch(next(filter(None, cells), b""))
+        values = self._together(cells, (match and match[2]) or b"")
+        return Numbers(values) if values is not None else self._of_many_kinds(cells)
 
-    def _together(self, cells: Sequence[bytes]) -> Floats | None:
-        """Return the numbers of cells that are all plain numbers, or all have the same unit; else None."""
-        text = self._without_units(cells) if self.column.exponent is None else times_power(cells, self.column.exponent)
-        return plain_numbers(text, len(cells)) if text is not None else None
+    def _together(self, cells: Sequence[bytes], unit: bytes) -> Floats | None:
+        """Return the numbers of cells that are plain numbers with the same unit behind them, or empty; else None."""
+        exponent = self.column.exponent if not unit else _exponent(unit, self.column.name)
+        if exponent is None:
+            return None
+        text = b",".join(cells) + b","
+        if unit:
+            unit += b","
+            if text.count(unit) + cells.count(b"") != len(cells):
+                return None
+            text = text.replace(unit, b",")
+        return plain_numbers(text, exponent, len(cells))
 
-    def _in_parts(self, cells: Sequence[bytes]) -> Numbers:
-        """Return the numbers of cells some of which are empty, no numbers, or have units of their own."""
+    def _of_many_kinds(self, cells: Sequence[bytes]) -> Numbers:
+        """Return the numbers of cells of which some are no numbers, or have other units than others."""
         values = numpy.full(len(cells), numpy.nan)
-        given = numpy.ones(len(cells), dtype=bool)
+        by_unit: dict[bytes, list[int]] = {}
+        others: list[int] = []
+        for place, cell in enumerate(cells):
+            if match := _CELL.fullmatch(cell):
+                by_unit.setdefault(match[2] or b"", []).append(place)
+            elif cell and not cell.isspace():
+                others.append(place)
+        for unit, places in by_unit.items():
+            found = self._together([cells[place] for place in places], unit)
+            if found is None:
+                others += places
+            else:
+                values[places] = found
         odd: list[int] = []
         uncertain: dict[int, Uncertain] = {}
-        for start in range(0, len(cells), PART):
-            part = cells[start : start + PART]
-            together = self._together(part) if all(part) else None
-            if together is not None:
-                values[start : start + PART] = together
-            else:
-                for place, cell in enumerate(part, start):
-                    try:
-                        found = self._one(cell)
-                    except (QuantityError, UnicodeDecodeError):
-                        odd.append(place)
-                        continue
-                    if isinstance(found, float):
-                        values[place] = found
-                        given[place] = not isnan(found)
-                    else:
-                        values[place] = found.value
-                        uncertain[place] = found
-        return Numbers(values, None if given.all() else given, odd, uncertain)
-
-    def _without_units(self, cells: Sequence[bytes]) -> bytes | None:
-        """Return cells that all carry the same unit, with its power of ten in its place; else None."""
-        if self._own is None or not cells[0].endswith(self._own[0]):
-            match = _OWN_UNIT.fullmatch(cells[0].strip())
+        for place in others:
             try:
-                unit = unit_of(match[1].decode(), self.column.name) if match else None
+                value = self._kept[cells[place]]
             except (QuantityError, UnicodeDecodeError):
-                unit = None
-            exponent = power_of_ten(unit) if unit is not None else None
-            wanted = dimension_of(NOMENCLATURE[self.column.name].unit)
-            if match is None or unit is None or exponent is None or unit.dimension != wanted:
-                return None
-            self._own = (match[1], b"e%d" % exponent if exponent else b"")
-        unit_text, suffix = self._own
-        text = b",".join(cells) + b","
-        if text.count(unit_text + b",") != len(cells):
-            return None
-        return text.replace(unit_text + b",", suffix + b",")[:-1]
-
-    def _one(self, cell: bytes) -> float | Uncertain:
-        """Return the value of a cell, nan for an empty one."""
-        value = self._kept.get(cell)
-        if value is None:
-            value = self._value(cell)
-            if len(self._kept) < MAX_KEPT:
-                self._kept[cell] = value
-        return value
+                odd.append(place)
+                continue
+            if isinstance(value, float):
+                values[place] = value
+            else:
+                values[place], uncertain[place] = value.value, value
+        return Numbers(values, odd, uncertain)
 
     def _value(self, cell: bytes) -> float | Uncertain:
-        if not cell or cell.isspace():
-            return numpy.nan
-        if self.column.exponent is not None and _JSON_NUMBER.fullmatch(cell):
-            return float(b"%be%d" % (cell, self.column.exponent))
         return self.column.read(cell.decode())
 
 
-def times_power(cells: Sequence[bytes], exponent: int) -> bytes:
-    """Return numbers between commas, times a power of ten in their own text.
+@lru_cache(maxsize=MAX_KEPT)
+def _exponent(unit_text: bytes, name: str) -> int | None:
+    """Return the power of ten of a unit of a quantity; None for any other text."""
+    try:
+        text = unit_text.decode().strip()
+        unit = None if has_uncertainty(text) else unit_of(text, name)
+    except (QuantityError, UnicodeDecodeError):
+        return None
+    return power_of_ten(unit) if unit and unit.dimension == dimension_of(NOMENCLATURE[name].unit) else None
 
-    >>> times_power([b"1", b"2.5"], -9), times_power([b"+1E2", b"5.0e-1"], -9)
-    (b'1e-9,2.5e-9', b'1E-7,5.0E-10')
+
+def plain_numbers(text: bytes, exponent: int, count: int) -> Floats | None:
+    """Return numbers, each with a comma behind it, times a power of ten; nan for an empty text.
+
+    Returns None if there is anything else before a comma, or not as many.
+
+    >>> plain_numbers(b"1,2.5,+1E2,5.0e-1,,", -9, 5)
+    array([1.0e-09, 2.5e-09, 1.0e-07, 5.0e-10,     nan])
     """
-    text = b",".join(cells) + b","
-    if b"E" in text:
-        text = text.replace(b"E", b"e")
-    if b"+" in text and not _DOUBLE_SIGN.search(b"," + text):
-        text = (b"," + text).replace(b",+", b",")[1:]
-    if exponent and b"e" in text:
-        return _times_powers(text, len(cells), exponent)
-    suffix = b"e%d" % exponent if exponent else b""
-    return text.replace(b",", suffix + b",")[:-1] if suffix else text[:-1]
-
-
-def _times_powers(text: bytes, count: int, exponent: int) -> bytes:
-    """Return the same for numbers of which some have exponents of their own. Each ends with a comma."""
-    powers = _POWERS.findall(text)
-    if len(powers) != count:
-        suffix = b"e%d" % exponent
-        cells = text[:-1].split(b",")
-        return b",".join([_scaled(cell, exponent) if b"e" in cell else cell + suffix for cell in cells])
-    for power in {*powers}:  # an E marks what is replaced already
-        text = text.replace(b"e" + power + b",", b"E%d," % (int(power) + exponent))
-    return text[:-1]
-
-
-def _scaled(cell: bytes, exponent: int) -> bytes:
-    """Return a number with an exponent, times a power of ten; for anything else what is no number.
-
-    >>> _scaled(b"1.5e+3", -9)
-    b'1.5e-6'
-    """
-    mantissa, _, power = cell.partition(b"e")
-    return b"%be%d" % (mantissa, int(power) + exponent) if _POWER.fullmatch(power) else b"?"
-
-
-_JSON_NUMBER = re.compile(rb"-?[0-9]{1,20}(?:\.[0-9]{1,20})?")
-
-
-def plain_numbers(text: bytes, count: int) -> Floats | None:
-    """Return the numbers between commas; None if there is anything else between them, or not as many."""
     if text.translate(None, PLAIN):
         return None
+    text = b"," + text.replace(b"E", b"e")
+    if b"+" in text and b"+-" not in text:
+        text = text.replace(b",+", b",")
+    suffix = b"e%d" % exponent if exponent else b""
+    if suffix:
+        for power in set(_POWER.findall(text)):  # a semicolon marks the end of what has its power already
+            text = text.replace(b"e" + power + b",", b"E%d;" % (int(power) + exponent))
+        text = text[:1] + text[1:].replace(b",", suffix + b",").replace(b";", b",")
+    empty = b"," + suffix + b","
+    while empty in text:  # in a run of them, every other one is found
+        text = text.replace(empty, b",null,")
     try:
-        found = orjson.loads(b"[" + text + b"]")
+        found = orjson.loads(b"[" + text[1:-1] + b"]")
     except orjson.JSONDecodeError:
         return None
     return numpy.array(found, dtype=float) if len(found) == count else None

@@ -8,8 +8,8 @@ from math import gcd
 from typing import TYPE_CHECKING, NamedTuple
 
 from ..quantities.errors import BareNumber, QuantityError
-from ..quantities.nomenclature import NOMENCLATURE, canonical
-from ..quantities.parsing import unit_of
+from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS, canonical
+from ..quantities.parsing import split_number, unit_of
 from ..quantities.ranges import value_of
 from ..quantities.units import Unit, dimension_of, kind_of
 from ..text import closest, quoted
@@ -23,9 +23,10 @@ INPUTS = ("radius", *(name for name, quantity in NOMENCLATURE.items() if quantit
 DOUBT = "doubt"  # the limits of the model that a row exceeds, as codes
 STATUS = "status"
 ALIKE = 0.85  # how similar a header is to the name of an input to be taken for a mistake
+_SYMBOLS = {NOMENCLATURE[name].symbol: name for name in INPUTS}
 _HEADER = re.compile(r"([^\[\]]*?)\s*\[([^\[\]]*)\]")
 _PER_CENT = re.compile(r"(.*?)((?:±|\+/?-)[^±]*%)?", re.DOTALL)  # 25±20 % of the value
-_WITH_UNIT = re.compile(r"[\s_(/,:\[]+\(?(.*?)\)?")
+_CUT = re.compile(r"[\s_(/,:\[]+|$")  # between a name and a unit
 
 
 @dataclass(frozen=True)
@@ -138,23 +139,22 @@ def _column(place: int, name: str, unit_text: str | None, text: str) -> Column:
 
 def _meant(name: str, unit_text: str | None) -> str | None:
     """Return the header that a mistaken one was probably meant to be, or None."""
-    unit = f" [{unit_text}]" if unit_text else ""
-    plain = name.casefold().replace("-", "_").replace(" ", "_")
     known = (*INPUTS, *MATERIALS)
-    if plain in known:
-        return plain + unit
-    for known_name in sorted(known, key=len, reverse=True):
-        quantity = NOMENCLATURE[known_name]
-        if quantity.option == f"--{plain}" or (name == quantity.symbol and (len(name) > 1 or unit)):
-            return known_name + (unit or _example_unit(known_name))
-        is_begun = name[: len(known_name)].casefold() == known_name
-        rest = _WITH_UNIT.fullmatch(name[len(known_name) :]) if is_begun else None
-        if rest is not None and known_name in INPUTS and _fits(rest[1], known_name):
-            return f"{known_name} [{rest[1]}]"
-        if rest is not None and rest[0].strip()[0] in "[(/":
-            return known_name + _example_unit(known_name)
-    guess = closest(plain, known, ALIKE)
-    return guess and guess + (unit or _example_unit(guess))
+    symbol = _SYMBOLS.get(name) if len(name) > 1 or unit_text else None  # a letter alone may mean anything
+    for cut in _CUT.finditer(name):
+        plain = _plain(name[: cut.start()])
+        meant = symbol or OPTION_WORDS.get(plain, plain)
+        rest = name[cut.end() :].rstrip(")] ") or unit_text or ""
+        if meant in known and _fits(rest, meant):
+            return f"{meant} [{rest}]"
+        if meant in known and (cut.end() == len(name) or not {*cut[0]}.isdisjoint("([/")):
+            return meant + _example_unit(meant)
+    guess = closest(_plain(name), known, ALIKE)
+    return guess and guess + (f" [{unit_text}]" if unit_text else _example_unit(guess))
+
+
+def _plain(text: str) -> str:
+    return text.casefold().replace("-", "_").replace(" ", "_")
 
 
 def _fits(unit_text: str, name: str) -> bool:
@@ -168,7 +168,7 @@ def _fits(unit_text: str, name: str) -> bool:
 def _example_unit(name: str) -> str:
     """Return a unit for the header of a quantity, if it needs one: that of its example."""
     quantity = NOMENCLATURE[name]
-    return f" [{quantity.example.lstrip('+-.0123456789')}]" if any(dimension_of(quantity.unit or "1")) else ""
+    return f" [{split_number(quantity.example)[2]}]" if any(dimension_of(quantity.unit or "1")) else ""
 
 
 def check_first(column: Column, texts: Sequence[str]) -> None:

@@ -23,7 +23,7 @@ from .columns import is_input
 from .errors import BadTable
 from .lines import BOM, Converted, Head, check_encoding
 from .rows import Evaluator
-from .single import Task
+from .task import Task
 
 _MISTAKEN = (
     (";", "semicolons", "commas, with decimal points"),
@@ -170,7 +170,7 @@ class Delimited:
         lines, columns, odd, starts, rest = self._quickly(text) or self._carefully(text)
         if not lines:
             return Converted(rest)
-        results = self.evaluator.results_of_texts(len(lines), columns, odd, starts)
+        results = self.evaluator.results(self.evaluator.block(len(lines), columns, odd, starts))
         if self.said:
             lines = [line + self.said for line in lines]
         output = b"".join([*chain.from_iterable(zip(lines, self._results(results), strict=True)), rest])

@@ -1,87 +1,70 @@
 """The rows of a block that are evaluated together: their scenes have the same inputs, and differ by numbers alone."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy
 
+from ..errors import JkrollError
 from ..materials.library import Material
 from ..quantities.uncertain import Interval, Measured
-from ..scene.elements import SPECIAL
 from ..scene.inputs import outside
+from ..scene.scene import FOLLOWS, Scene
 from .blocks import Block
-from .cells import Mask, Numbers
-from .materials import UNKNOWN, Codes, Lookup
+from .cells import Numbers
+from .materials import Codes, Lookup
+from .task import Task
 
-_EMPTY, _PLAIN, _MEASURED, _INTERVAL, _SPECIAL = range(5)  # kinds of cells
+_BAD, _EMPTY, _PLAIN, _SPECIAL, _MEASURED, _INTERVAL = range(-1, 5)  # kinds of cells
 
 
 class Group(NamedTuple):
-    """Rows of a block, and their scene: its inputs, as arrays or as numbers that all rows have, and its materials."""
+    """Rows of a block, and their scene."""
 
     rows: Codes
-    given: Mapping[str, Any]
-    material: Material | None
-    material2: Material | None
+    scene: Scene
+    lookups: Sequence[Lookup]  # of the materials of both spheres
+    codes: Sequence[Codes]  # of the materials of the rows
+
+    def materials(self, place: int) -> tuple[Material | None, ...]:
+        """Return the materials of both spheres of the row at a place among these."""
+        return tuple(lookup.known[codes[place]] for lookup, codes in zip(self.lookups, self.codes, strict=True))
 
 
-class Groups:
-    """The groups of a block. Rows with a cell that is no value are in none."""
+def groups(task: Task, block: Block, lookups: Mapping[str, Lookup]) -> Iterator[Group]:
+    """Iterate over the groups of a block. Rows with a cell that is no value, or whose inputs make no scene, are in none.
 
-    def __init__(self, block: Block, codes: Mapping[str, Codes], lookups: Mapping[str, Lookup]) -> None:
-        """`codes`: of the materials, for the columns that name some; `lookups`: of the materials of both spheres."""
-        self.block, self.codes, self.lookups = block, codes, lookups
-        self._kinds = {name: _kinds(column) for name, column in block.numbers.items()}
-        self._materials = [lookups[name].kinds(one) for name, one in codes.items()]
-
-    def __iter__(self) -> Iterator[Group]:
-        """Iterate over the groups."""
-        return self._groups(numpy.flatnonzero(_fine(self.block, self.codes)), self._kinds)
-
-    def parts(self, group: Group) -> list[Group]:
-        """Return parts of a group whose special cells are numbers of the scene; none if there are no such cells."""
-        kinds = {}
-        for name, of_cells in self._kinds.items():
-            is_special = (of_cells == _PLAIN) & (self.block.numbers[name].values == SPECIAL.get(name, numpy.nan))
-            kinds[name] = numpy.where(is_special, _SPECIAL, of_cells)
-        has_special = any((of_cells[group.rows] == _SPECIAL).any() for of_cells in kinds.values())
-        return [*self._groups(group.rows, kinds)] if has_special else []
-
-    def _groups(self, rows: Codes, kinds: Mapping[str, Codes]) -> Iterator[Group]:
-        """Iterate over the groups among some rows, by the kinds of their cells."""
-        for own in _alike(rows, [*kinds.values(), *self._materials]):
-            given = {
-                name: _values(self.block.numbers[name], own, int(of_cells[own[0]]))
-                for name, of_cells in kinds.items()
-                if of_cells[own[0]] != _EMPTY
-            }
-            materials = [
-                lookup.together(self.codes[name][own]) if name in self.codes else lookup.known[0]
-                for name, lookup in self.lookups.items()
-            ]
-            yield Group(own, given, *materials)
+    `lookups`: of the materials of both spheres.
+    """
+    kinds = {name: _kinds(name, column) for name, column in block.numbers.items()}
+    codes = [block.materials.get(name, numpy.zeros(block.size, dtype=numpy.int64)) for name in lookups]
+    of_rows = numpy.full(block.size, _PLAIN)
+    of_rows[[*block.odd]] = _BAD
+    columns = [of_rows, *kinds.values(), *map(Lookup.kinds, lookups.values(), codes)]
+    for rows in _alike(numpy.flatnonzero(numpy.min(columns, axis=0) != _BAD), columns):
+        given = {
+            name: _values(block.numbers[name], rows, int(of_cells[rows[0]]))
+            for name, of_cells in kinds.items()
+            if of_cells[rows[0]] != _EMPTY
+        }
+        own = [of_sphere[rows] for of_sphere in codes]
+        try:
+            scene = task.scene(given, *map(Lookup.together, lookups.values(), own))
+        except JkrollError:
+            continue
+        yield Group(rows, scene, [*lookups.values()], own)
 
 
-def _fine(block: Block, codes: Mapping[str, Codes]) -> Mask:
-    """Return which rows have cells that are all values in the range of their inputs, or known materials."""
-    is_fine = numpy.ones(block.size, dtype=bool)
-    is_fine[[*block.odd]] = False
-    for one in codes.values():
-        is_fine &= one != UNKNOWN
-    for name, column in block.numbers.items():
-        is_fine[[*column.odd]] = False
-        refused = outside(name, column.values)
-        is_fine &= ~(refused if column.given is None else refused & column.given)
-    return is_fine
-
-
-def _kinds(column: Numbers) -> Codes:
+def _kinds(name: str, column: Numbers) -> Codes:
     """Return the kind of each cell of a column."""
-    kinds = numpy.full(len(column.values), _PLAIN, dtype=numpy.int64)
-    if column.given is not None:
-        kinds[~column.given] = _EMPTY
+    kinds = numpy.where(outside(name, column.values), _BAD, _PLAIN)
+    kinds[numpy.isnan(column.values)] = _EMPTY
+    if name in FOLLOWS:
+        kinds[column.values == FOLLOWS[name][0]] = _SPECIAL
+    kinds[[*column.odd]] = _BAD
     for row, found in column.uncertain.items():
-        kinds[row] = _MEASURED if isinstance(found, Measured) else _INTERVAL
+        if kinds[row] != _BAD:
+            kinds[row] = _MEASURED if isinstance(found, Measured) else _INTERVAL
     return kinds
 
 

@@ -13,7 +13,7 @@ from .columns import is_input
 from .errors import BadTable
 from .lines import BOM, Converted, Head, check_encoding
 from .rows import Evaluator
-from .single import Task
+from .task import Task
 
 Row = dict[str, Any]
 
@@ -66,7 +66,7 @@ class NdjsonConverter:
         odd = {row: problem for row, one in enumerate(objects) if (problem := self._problem(one))}
         rows = [one or {} for one in objects]
         cells = {name: _cells([row.get(key) for row in rows]) for name, key in self.keys.items()}
-        results = self.evaluator.results_of_texts(len(rows), cells, odd, places)
+        results = self.evaluator.results(self.evaluator.block(len(rows), cells, odd, places))
         for place, one, members in zip(places, objects, self._members(results), strict=True):
             lines[place] = _beginning(lines[place], one) + members
         return Converted(b"\n".join([*lines, b""]), results.tally)

@@ -16,6 +16,7 @@ import pyarrow.parquet
 
 from ..errors import BadRequest
 from ..text import quoted, say, shown
+from .asked import task_of_table
 from .blocks import Block, Tally
 from .cells import Floats, Numbers, Reader
 from .columns import is_input
@@ -26,7 +27,6 @@ from .progress import Bar
 from .rows import Evaluator
 from .settings import Order, Settings, input_format, output_format
 from .source import Input, Part, Span
-from .task import task_of_table
 
 BUFFER = 1 << 18  # bytes read at a time of each column
 SPAN = 1 << 20  # least number of rows of a part of a table, but for the last
@@ -213,8 +213,7 @@ def _numbers(array: Any, reader: Reader) -> Numbers:
     if is_text or (unit is None and reader.column.exponent is None):
         return reader.numbers([_text(value).encode() for value in array.to_pylist()])
     values = array.to_numpy(zero_copy_only=False).astype(float, copy=False)
-    missing = numpy.isnan(values)
     if unit is not None:
         with numpy.errstate(over="ignore"):  # an infinite number is read by itself, and refused
             values = values * float(unit.numerator) / float(unit.denominator)
-    return Numbers(values, ~missing if missing.any() else None, numpy.flatnonzero(numpy.isinf(values)).tolist())
+    return Numbers(values, numpy.flatnonzero(numpy.isinf(values)).tolist())

@@ -6,6 +6,7 @@ from itertools import chain
 
 from ..errors import BadRequest
 from . import loop, source
+from .asked import task_of_table
 from .blocks import Tally
 from .delimited import Delimited
 from .formats import LINES, compressor
@@ -14,7 +15,6 @@ from .ndjson import NdjsonConverter
 from .output import is_done
 from .settings import Order, input_format, output_format
 from .source import Input, Part, Span, blocks
-from .task import task_of_table
 
 
 def _make_convert(converter: Delimited | NdjsonConverter, compression: str) -> loop.Convert:

@@ -32,7 +32,7 @@ from .materials import Codes
 from .output import is_done
 from .rows import Evaluator
 from .settings import Settings, fingerprint
-from .single import SIDES, Task
+from .task import SIDES, Task
 
 ROWS = 1 << 12  # of a block
 
@@ -98,10 +98,10 @@ class _Case:
         self.texts = [str(self.used[name]) for name in sweep.texts]
         columns = tuple(Column(place, name, "", None) for place, name in enumerate(sweep.spreads))
         follows = [name for name in self.inputs if name == "energy" and name not in sweep.spreads]  # from its ratio
-        sides = {side for of_result in sweep.shape.sides.values() for side in of_result}
-        kinds = tuple(kind for kind, own in SIDES.items() if not sides.isdisjoint(own))
+        used = {side for of_result in sweep.shape.sides.values() for side in of_result}
+        sides = tuple(side for side in SIDES if side in used)
         self.evaluator = Evaluator(
-            Task(columns, (), (*self.results, *follows), {}, *pair, sweep.known, keeps=True, model=model, kinds=kinds)
+            Task(columns, (), (*self.results, *follows), {}, pair, sweep.known, keeps=True, model=model, sides=sides)
         )
 
     def columns(self, size: int, given: Mapping[str, Numbers]) -> tuple[dict[str, Floats | float], int]:
@@ -150,7 +150,7 @@ def _values(spreads: Sequence[Spread], places: Codes) -> Numbers:
         if spread.uncertainty is not None
         for row in numpy.flatnonzero(of_spreads[back] == place).tolist()
     }
-    return Numbers(numpy.array(values)[back], None, (), uncertain)
+    return Numbers(numpy.array(values)[back], (), uncertain)
 
 
 def _typed(name: str, column: Numbers, row: int) -> str:

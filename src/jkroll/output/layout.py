@@ -32,8 +32,16 @@ class Layout(NamedTuple):
     def _heads(self, name: str, form: Format) -> list[str]:
         if name in self.inputs:
             return [header(name)]
-        unit = form.header(name).removeprefix(name)
-        return [name + unit, *(f"{name}_{side}{unit}" for side in self.sides.get(name, ()))]
+        return heads(name, form.header(name), self.sides.get(name, ()))
+
+
+def heads(name: str, head: str, sides: Iterable[str]) -> list[str]:
+    """Return the headers of a quantity and of the sides of its uncertainty.
+
+    >>> heads("radius", "radius [nm]", ["minus", "plus"])
+    ['radius [nm]', 'radius_minus [nm]', 'radius_plus [nm]']
+    """
+    return [head, *(head.replace(name, f"{name}_{side}", 1) for side in sides)]
 
 
 def layout(question: Question, samples: Iterable[Answer], count: int) -> Layout:

@@ -36,9 +36,14 @@ class Measured(NamedTuple):
         """The value plus its uncertainty."""
         return self.value + self.plus
 
+    @property
+    def sides(self) -> dict[str, float]:
+        """The uncertainty on each side."""
+        return {"minus": self.minus, "plus": self.plus}
+
     def as_object(self) -> dict[str, float | str]:
         """Return the uncertainty as JSON states it."""
-        return {"kind": self.kind, "minus": self.minus, "plus": self.plus}
+        return {"kind": self.kind, **self.sides}
 
 
 class Interval(NamedTuple):
@@ -49,9 +54,14 @@ class Interval(NamedTuple):
     high: float
     kind: Literal["range"] = "range"
 
+    @property
+    def sides(self) -> dict[str, float]:
+        """Both ends."""
+        return {"low": self.low, "high": self.high}
+
     def as_object(self) -> dict[str, float | str]:
         """Return the range as JSON states it."""
-        return {"kind": self.kind, "low": self.low, "high": self.high}
+        return {"kind": self.kind, **self.sides}
 
 
 Uncertain = Measured | Interval

@@ -6,19 +6,15 @@ from typing import Any
 
 import numpy
 
-from ..errors import JkrollError, NoResult
+from ..errors import NoResult
+from ..quantities.uncertain import Interval, Measured, Uncertain
 from .errors import NoContact
 from .failures import failure_of
 from .results import with_nan
-from .scene import FOLLOWS, Scene
-from .uncertainty import ASYMMETRIC, NEAR, ROUNDING, SAMPLES, Source
+from .scene import Scene
+from .uncertainty import ASYMMETRIC, NEAR, ROUNDING, SAMPLES, Source, TooManyRanges
 
-# Values from which more follows than from others: a scene of arrays takes them as numbers.
-SPECIAL: Mapping[str, float] = {name: value for name, (value, _) in FOLLOWS.items()}
-
-Sides = tuple[Any, Any]
-
-
+MOST_RANGES = 4  # that are moved together: their corners double with each
 Reasons = dict[str, NoResult | None]  # why quantities have no value: None where nothing in the physics explains it
 
 
@@ -36,7 +32,7 @@ class Failures:
             name: numpy.broadcast_to(scene.values[name], size).tolist() for name in used if name in scene.values
         }
 
-    def at(self, place: int) -> NoContact | Reasons:
+    def at(self, place: int) -> Reasons:
         """Return why quantities have no value at a place. Where there is no contact, that alone is the reason."""
         failed: Reasons = {}
         for (name, _, arguments), fails in self.steps:
@@ -48,7 +44,7 @@ class Failures:
                 continue
             found = failure_of(name, {parameter: self.values[source][place] for parameter, source in arguments})
             if isinstance(found, NoContact):
-                return found
+                return {name: found}
             failed[name] = found
         return {name: failed[source] for name, source in self.sources.items() if source in failed}
 
@@ -63,43 +59,44 @@ def _fails(name: str, value: Any) -> Any:
     return numpy.isnan(with_nan(name, value)) if isinstance(value, numpy.ndarray) else numpy.zeros(0, dtype=bool)
 
 
-def standard_uncertainties(scene: Scene, values: Mapping[str, Any], sources: Sequence[Source]) -> dict[str, Sides]:
-    """Return how far each quantity may lie below and above its value, element by element, as `uncertainty` does for numbers.
+def uncertainties(scene: Scene, values: Mapping[str, Any], sources: Sequence[Source]) -> dict[str, Uncertain]:
+    """Return the uncertainty of each quantity, element by element, from sources of one kind, as `uncertainty` does for numbers.
 
-    Both are 0 where no source has an influence, and nan where an end of a source has no value.
+    Both sides are nan where an end of a source has no value, and where the extremes of a range need a search. Raises
+    TooManyRanges.
     """
+    if isinstance(sources[0].given, Measured):
+        return _in_quadrature(scene, values, sources)
+    if len(sources) > MOST_RANGES:
+        raise TooManyRanges(len(sources))
+    return _over_ranges(scene, values, sources)
+
+
+def _in_quadrature(scene: Scene, values: Mapping[str, Any], sources: Sequence[Source]) -> dict[str, Uncertain]:
+    """Return standard uncertainties. Both sides are 0 where no source has an influence."""
     ends = [
-        [scene.replace(**source.at(end)).evaluate([*values]) for end in (source.given.low, source.given.high)]
+        [_outcome(scene, values, [source], [end]) for end in (source.given.low, source.given.high)]
         for source in sources
     ]
-    return {
-        name: _sides(value, [[_number(end[name]) for end in pair] for pair in ends]) for name, value in values.items()
-    }
+    found: dict[str, Uncertain] = {}
+    for name, value in values.items():
+        minus: Any = 0.0
+        plus: Any = 0.0
+        for pair in ends:
+            changes = numpy.broadcast_arrays(0.0, *(end[name] - value for end in pair))
+            minus = numpy.hypot(minus, numpy.min(changes, axis=0))
+            plus = numpy.hypot(plus, numpy.max(changes, axis=0))
+        alike = numpy.abs(plus - minus) <= ASYMMETRIC * numpy.maximum(plus, minus)
+        felt = numpy.maximum(minus, plus) > ROUNDING * numpy.abs(value)
+        minus, plus, middle = felt * minus, felt * plus, felt * (minus + plus) / 2
+        found[name] = Measured(value, numpy.where(alike, middle, minus), numpy.where(alike, middle, plus))
+    return found
 
 
-def _number(outcome: Any) -> Any:
-    return numpy.nan if isinstance(outcome, JkrollError) else outcome
+def _over_ranges(scene: Scene, values: Mapping[str, Any], sources: Sequence[Source]) -> dict[str, Uncertain]:
+    """Return the least and the largest value of each quantity over all ranges together: values at corners of the ranges.
 
-
-def _sides(value: Any, ends: Sequence[Sequence[Any]]) -> Sides:
-    """Return both sides of an uncertainty from the values at both ends of each source."""
-    changes = [numpy.broadcast_arrays(0.0, *(end - value for end in pair)) for pair in ends]
-    minus: Any = 0.0
-    plus: Any = 0.0
-    for pair in changes:
-        minus = numpy.hypot(minus, numpy.min(pair, axis=0))
-        plus = numpy.hypot(plus, numpy.max(pair, axis=0))
-    alike = numpy.abs(plus - minus) <= ASYMMETRIC * numpy.maximum(plus, minus)
-    felt = numpy.maximum(minus, plus) > ROUNDING * numpy.abs(value)
-    minus, plus, middle = felt * minus, felt * plus, felt * (minus + plus) / 2
-    return numpy.where(alike, middle, minus), numpy.where(alike, middle, plus)
-
-
-def ranges(scene: Scene, values: Mapping[str, Any], sources: Sequence[Source]) -> dict[str, Sides]:
-    """Return the least and the largest value of each quantity over all ranges together, element by element.
-
-    They are values at corners of the ranges. Both are nan where a step from a corner into the ranges leads further, as there
-    is a turning point inside then; and where a corner has no value.
+    Both are nan where a step from a corner into the ranges leads further, as there is a turning point inside then.
     """
     limits = [(source.given.low, source.given.high) for source in sources]
     corners = [_outcome(scene, values, sources, corner) for corner in product(*limits)]
@@ -109,26 +106,26 @@ def ranges(scene: Scene, values: Mapping[str, Any], sources: Sequence[Source]) -
         for corner, sides in zip(product(*limits), product((0, 1), repeat=len(limits)), strict=True)
         for axis, (side, width) in enumerate(zip(sides, parts, strict=True))
     ]
-    found: dict[str, Sides] = {}
+    found: dict[str, Uncertain] = {}
     for name, value in values.items():
         at_corners = numpy.stack(numpy.broadcast_arrays(value, *(one[name] for one in corners)))[1:]
         beside = numpy.stack(numpy.broadcast_arrays(value, *(one[name] for one in steps)))[1:]
         from_corner = numpy.repeat(at_corners, len(limits), axis=0)
-        low, high = at_corners.min(axis=0), at_corners.max(axis=0)
+        low: Any = at_corners.min(axis=0)
+        high: Any = at_corners.max(axis=0)
         is_felt = high - low > ROUNDING * numpy.abs(value)
         low, high = numpy.where(is_felt, low, value), numpy.where(is_felt, high, value)
         turns = ((beside > high) & (from_corner == high)) | ((beside < low) & (from_corner == low))
         is_odd = turns.any(axis=0) | numpy.isnan(beside).any(axis=0)
-        found[name] = (
-            numpy.where(is_odd, numpy.nan, numpy.minimum(low, value)),
-            numpy.where(is_odd, numpy.nan, numpy.maximum(high, value)),
-        )
+        low, high = numpy.minimum(low, value), numpy.maximum(high, value)
+        low[is_odd] = high[is_odd] = numpy.nan
+        found[name] = Interval(value, low, high)
     return found
 
 
 def _outcome(scene: Scene, names: Collection[str], sources: Sequence[Source], place: Sequence[Any]) -> dict[str, Any]:
-    """Return quantities where each source has a value."""
+    """Return quantities where each source has a value, nan for those that have none."""
     changed: dict[str, Any] = {}
     for source, value in zip(sources, place, strict=True):
         changed |= source.at(value)
-    return {name: _number(outcome) for name, outcome in scene.replace(**changed).evaluate([*names]).items()}
+    return {**dict.fromkeys(names, numpy.nan), **scene.replace(**changed).numbers(*names)}

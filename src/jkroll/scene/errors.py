@@ -117,9 +117,10 @@ class BeyondPullOff(NoContact):
     def reason(self) -> str:
         """Return which loads this contact holds."""
         load, held = _told_apart("load", self.load, -self.pull_off_force)
-        by_maugis = amount("load", -self.by_maugis)
-        more = f"; by Maugis' law it holds down to {by_maugis} (--model maugis)" if self.by_maugis else ""
-        return f"{load} is beyond pull-off; this contact holds down to {held}{more}"
+        text = f"{load} is beyond pull-off; this contact holds down to {held}"
+        if not self.by_maugis:
+            return text
+        return f"{text}; by Maugis' law it holds down to {amount('load', -self.by_maugis)} (--model maugis)"
 
 
 class BeyondFold(NoContact):
