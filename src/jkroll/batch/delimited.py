@@ -30,7 +30,7 @@ _MISTAKEN = (
     ("\t", "tabs", "--format tsv"),
     (",", "commas", "--format csv"),
 )
-STRIP = 256  # rows written at once: their text stays in the cache
+STRIP = 128  # rows written at once: their text stays in the cache
 _NUMBER = rb"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 _PLAIN = rb'[^"\r\n]*+'
 _QUOTED = rb'(?:"[^"]*+")++'  # a quote that is doubled ends one piece and begins the next
@@ -173,7 +173,7 @@ class Delimited:
         results = self.evaluator.results(self.evaluator.block(len(lines), columns, odd, starts))
         if self.said:
             lines = [line + self.said for line in lines]
-        output = b"".join([*chain.from_iterable(zip(lines, self._results(results), strict=True)), rest])
+        output = b"".join([*self._strips(lines, results), rest])
         return Converted(self.dialect.safe(output) if self.excel_safe else output, results.tally)
 
     def _quickly(self, text: bytes) -> Rows | None:
@@ -227,19 +227,23 @@ class Delimited:
             return separator.join([*cells[: width - 1], self.dialect.joined([separator.join(cells[width - 1 :])])])
         return line + separator * (width - len(cells))
 
-    def _results(self, results: Results) -> list[bytes]:
-        """Return what stands behind each line: its numbers, its remarks, and the line end."""
-        rows = written(results.numbers, self.dialect.separator, self.no_remark)
+    def _strips(self, lines: Sequence[bytes], results: Results) -> Iterator[bytes]:
+        """Iterate over some lines at a time, with what stands behind each: its numbers, its remarks, and the line end."""
         columns = results.remarks.values()
+        remarked = set().union(*columns)
 
         @cache  # many rows have the same doubts
         def end(*remarks: str) -> bytes:
             cells = self.dialect.joined([text.encode() for text in remarks])
             return self.dialect.separator + cells + self.line_end
 
-        for row in set().union(*columns):
-            rows[row] = rows[row].removesuffix(self.no_remark) + end(*[column.get(row, "") for column in columns])
-        return rows
+        for start in range(0, len(lines), STRIP):
+            part = slice(start, start + STRIP)
+            rows = written(results.numbers[:, part], self.dialect.separator, self.no_remark)
+            for row in remarked.intersection(range(start, start + STRIP)) if remarked else ():
+                texts = [column.get(row, "") for column in columns]
+                rows[row - start] = rows[row - start].removesuffix(self.no_remark) + end(*texts)
+            yield b"".join(chain.from_iterable(zip(lines[part], rows, strict=True)))
 
 
 def unquoted(cells: list[bytes]) -> list[bytes]:
@@ -254,15 +258,11 @@ def written(numbers: Floats, separator: bytes, end: bytes) -> list[bytes]:
 
     A separator stands before each number, and behind the last an `end`, which is that of a line.
     """
-    rows: list[bytes] = []
-    for start in range(0, numbers.shape[1], STRIP):
-        strip = numpy.ascontiguousarray(numbers[:, start : start + STRIP].T)
-        text = orjson.dumps(strip, option=orjson.OPT_SERIALIZE_NUMPY)
-        if b"n" in text:
-            text = text.replace(b"null", b"")
-        text = b"," + text.replace(b"[", b"")  # ,1,2],3,4]] of [[1,2],[3,4]]
-        if separator != b",":
-            text = text.replace(b",", separator)
-        # To read lines takes a third of the time of a split, which looks at every byte.
-        rows += io.BytesIO(text.replace(b"]", end)).readlines()[: len(strip)]
-    return rows
+    text = orjson.dumps(numpy.ascontiguousarray(numbers.T), option=orjson.OPT_SERIALIZE_NUMPY)
+    if b"n" in text:
+        text = text.replace(b"null", b"")
+    text = b"," + text.replace(b"[", b"")  # ,1,2],3,4]] of [[1,2],[3,4]]
+    if separator != b",":
+        text = text.replace(b",", separator)
+    # To read lines takes a third of the time of a split, which looks at every byte.
+    return io.BytesIO(text.replace(b"]", end)).readlines()[: numbers.shape[1]]
