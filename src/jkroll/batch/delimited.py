@@ -10,7 +10,7 @@ import io
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
-from itertools import chain, islice
+from itertools import islice
 from typing import NamedTuple
 
 import numpy
@@ -243,7 +243,9 @@ class Delimited:
             for row in remarked.intersection(range(start, start + STRIP)) if remarked else ():
                 texts = [column.get(row, "") for column in columns]
                 rows[row - start] = rows[row - start].removesuffix(self.no_remark) + end(*texts)
-            yield b"".join(chain.from_iterable(zip(lines[part], rows, strict=True)))
+            pieces = [b""] * (2 * len(rows))
+            pieces[0::2], pieces[1::2] = lines[part], rows
+            yield b"".join(pieces)
 
 
 def unquoted(cells: list[bytes]) -> list[bytes]:
