@@ -30,6 +30,10 @@ def test_a_symbol_leads_to_its_quantity(name: str) -> None:
         ("Pull-Off-Force", "pull_off_force"),
         ("--work-of-adhesion", "work_of_adhesion"),
         ("p_C", "pull_off_force"),
+        ("Pc", "pull_off_force"),
+        ("Eroll", "roll_energy"),
+        ("P_cdelta0", "adhesion_energy"),
+        ("dP/ddelta", "stiffness"),
         ("\u00b5", "tabor_parameter"),  # the micro sign
         ("γ", "surface_energy"),
         ("R", "reduced_radius"),

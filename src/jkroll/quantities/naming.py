@@ -11,8 +11,8 @@ def named(word: str) -> str:
 
     A word that stands for nothing, or is the symbol of several quantities, is returned as it is.
 
-    >>> named("R-min"), named("gamma"), named("P_c"), named("delta0"), named("E"), named("v")
-    ('r_min', 'surface_energy', 'pull_off_force', 'approach', 'youngs_modulus', 'v')
+    >>> named("R-min"), named("gamma"), named("P_c"), named("Pc"), named("delta0"), named("E"), named("v")
+    ('r_min', 'surface_energy', 'pull_off_force', 'pull_off_force', 'approach', 'youngs_modulus', 'v')
     """
     for spelt in (word, word.casefold()):
         if (name := canonical(spelt)) in NOMENCLATURE:
@@ -24,8 +24,9 @@ def named(word: str) -> str:
 def with_symbol(word: str, names: Collection[str] = NOMENCLATURE) -> list[str]:
     """Return the quantities among `names` that have a symbol.
 
-    The symbol is looked for as it is printed; if no quantity has it, in any case and with Greek letters spelt out. The index of
-    sphere 1 may be left out. A variant of a quantity has the same symbol and is not looked for.
+    The symbol is looked for as it is printed; if no quantity has it, in any case, with Greek letters spelt out, and without the
+    underscores and spaces. The index of sphere 1 may be left out. A variant of a quantity has the same symbol and is not looked
+    for.
     """
     symbols = {name: NOMENCLATURE[name].symbol for name in names if not NOMENCLATURE[name].variant_of}
     for alike in (str, _spelt):
@@ -37,4 +38,4 @@ def with_symbol(word: str, names: Collection[str] = NOMENCLATURE) -> list[str]:
 
 
 def _spelt(symbol: str) -> str:
-    return ascii_text(symbol.casefold())
+    return ascii_text(symbol.casefold()).replace("_", "").replace(" ", "")
