@@ -20,6 +20,10 @@ TYPED = {
     "a second material of a list": ("pull-off quartz,ir\t", ["pull-off", "quartz,iron"]),
     "a unit": ("pull-off quartz 100n\t", ["pull-off", "quartz", "100nm"]),
     "an option, and its unit": ("r-min 1um --rad\t2n\t", ["r-min", "1um", "--radius2", "2nm"]),
+    "a second quantity of a list": (
+        "report quartz --quantities r_min,sticking_sp\t",
+        ["report", "quartz", "--quantities", "r_min,sticking_speed"],
+    ),
     "a second material": ("contact quartz 1um --material2 ir\t", ["contact", "quartz", "1um", "--material2", "iron"]),
     "a second material behind =": ("contact --material2=ir\t 1um", ["contact", "--material2=iron", "1um"]),
     "a unit behind =": ("contact --radius2=100n\t quartz", ["contact", "--radius2=100nm", "quartz"]),

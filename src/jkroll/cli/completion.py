@@ -64,10 +64,18 @@ def _beginning(names: Iterable[str], word: str) -> list[str]:
     return [name for name in names if name.casefold().startswith(word.casefold())]
 
 
+def _results() -> list[str]:
+    """Return the quantities that a formula gives, without variants and without what is only an input."""
+    return [
+        name
+        for name, quantity in NOMENCLATURE.items()
+        if quantity.unit and not quantity.variant_of and (quantity.equation or not quantity.range)
+    ]
+
+
 def complete_map(incomplete: str) -> list[str]:
     """Return quantities to draw; for a word that is begun, materials and radii too."""
-    word = incomplete.replace("-", "_")
-    quantities = [name for name in NOMENCLATURE if name.startswith(word) and NOMENCLATURE[name].equation]
+    quantities = _beginning(_results(), incomplete.replace("-", "_"))
     return [*quantities, *complete_words(incomplete)] if incomplete else quantities
 
 
@@ -82,7 +90,7 @@ def complete_infer(incomplete: str) -> list[str]:
 
 def complete_measured(incomplete: str) -> list[str]:
     """Return quantities that can be measured, each with the sign before its value."""
-    return [f"{name}=" for name in NOMENCLATURE if NOMENCLATURE[name].equation and f"{name}=".startswith(incomplete)]
+    return _beginning((f"{name}=" for name in _results()), incomplete)
 
 
 def complete_figure(incomplete: str) -> list[str]:
@@ -102,6 +110,12 @@ def complete_topic(incomplete: str) -> list[str]:
 def complete_quantity(incomplete: str) -> list[str]:
     """Return the names of quantities."""
     return _beginning(NOMENCLATURE, incomplete.replace("-", "_"))
+
+
+def complete_list(incomplete: str) -> list[str]:
+    """Return the quantities that may follow in a list with commas."""
+    head, comma, word = incomplete.rpartition(",")
+    return [head + comma + name for name in _beginning(_results(), word.replace("-", "_"))]
 
 
 def complete_model(incomplete: str) -> list[str]:
@@ -149,6 +163,7 @@ _OF_OPTION: Mapping[str, Completer] = {
     "y": complete_axis,
     "mark": complete_mark,
     "measured": complete_measured,
+    "quantities": complete_list,
     "model": complete_model,
     "material": complete_words,
     "material2": complete_words,
