@@ -121,9 +121,10 @@ def test_a_long_sweep_is_streamed_to_a_pipe_and_to_parquet(run: Run, monkeypatch
 
 
 def test_what_cannot_be_streamed(run: Run) -> None:
-    only = "jkroll: a long sweep is written in SI units with all digits: -o and long ranges take --csv alone\n"
-    assert run("pull-off quartz 1nm:1um:3 -o x.csv --to nN") == (2, "", only)
-    assert run("pull-off quartz 1nm:1um:3 -o x.csv --json") == (2, "", only)
+    only = "jkroll: -o and long ranges write CSV in SI units with all digits, and take --csv alone"
+    assert run("pull-off quartz 1nm:1um:30000 --csv --to nN") == (2, "", f"{only}\n")
+    assert run("pull-off quartz 1nm:1um:3 -o x.csv --to nN") == (2, "", f"{only}; for other output write > FILE\n")
+    assert run("pull-off quartz 1nm:1um:3 -o x.csv --json") == (2, "", f"{only}; for other output write > FILE\n")
     assert (
         run("pull-off quartz 1nm:1um:2000000").err
         == "jkroll: 2000000 scenes are more than 1000000; --csv and -o FILE write any number\n"

@@ -34,8 +34,11 @@ ALONG = 1001  # points of a curve
 FIGURE_NAMES = tuple(sorted({*FIGURES, *PROFILES, "laws"}))
 
 
-def _check(call: Call) -> None:
-    """Raise BadRequest for a picture that cannot be drawn, before anything is computed."""
+def _check(call: Call, numbers: str = "--data FILE") -> None:
+    """Raise BadRequest for a picture that cannot be drawn, before anything is computed.
+
+    `numbers` is the option that writes the numbers of the command instead of a picture.
+    """
     if call.style not in (None, *STYLES):
         raise BadRequest(f"--style: {quoted(call.style or '')} is not a style; there are {' and '.join(STYLES)}")
     if call.panel not in (None, *PANELS):
@@ -51,7 +54,7 @@ def _check(call: Call) -> None:
             raise BadRequest(f"{', '.join(given)}: for a file only; name one with -o")
         return
     if ending(call.target) not in PICTURES:
-        raise no_picture("-o", call.target)
+        raise no_picture("-o", call.target, f"; {numbers} writes the numbers")
     try:
         from ..pictures import page  # noqa: F401
     except ModuleNotFoundError as error:
@@ -109,7 +112,7 @@ def run_figure(call: Call) -> int:
 
 def draw_contact(call: Call) -> int:
     """Draw the curves of a contact; return the exit code."""
-    _check(call)
+    _check(call, "--csv > FILE")
     flag = "-o" if call.target else "--panel"
     if not call.curve:
         raise BadRequest(f"{flag} draws the curve: add --curve")

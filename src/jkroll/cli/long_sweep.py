@@ -20,7 +20,8 @@ def write_sweep(question: Question, request: Request, kind: str, call: Call) -> 
     if call.target and ending(call.target) in PICTURES:
         raise BadRequest(f"-o: {quoted(call.target)} is a picture; add --curve to contact, or see jkroll map --help")
     if call.to or call.digits or kind not in ("csv", "plain", "table"):
-        raise BadRequest("a long sweep is written in SI units with all digits: -o and long ranges take --csv alone")
+        remedy = "; for other output write > FILE" if call.target else ""
+        raise BadRequest(f"-o and long ranges write CSV in SI units with all digits, and take --csv alone{remedy}")
     samples = [answer(question, scene) for scene in request.samples()]
     shape = layout(question, samples, request.count)
     sweep = Sweep(request.pairs, request.spreads, request.models, shape, request.materials)
