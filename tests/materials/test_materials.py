@@ -105,6 +105,7 @@ BROKEN = {
     "[materials.a]\ndensity = 1979-05-27": "a.density is not a text in quotes",
     "[materials.a]\ndensity = nan": "a.density is not a text in quotes",
     "[materials.a]\ndensty = '1 g/cm3'": "'a' has an unknown key 'densty'; did you mean density?",
+    "[materials.a]\ngamma = '25 mJ/m2'": "'a' has an unknown key 'gamma'; did you mean surface_energy?",
     "materials = 3": "materials is not a table",
     "[materials]\na = 3": "materials.a is not a table",
     "[material.a]": "has an unknown key 'material'; expected [materials.NAME] tables",

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..errors import JkrollError
 from ..quantities.errors import QuantityError
+from ..quantities.naming import named
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
 from ..quantities.ranges import value_of
 from ..text import closest, first_of, quoted, shown
@@ -194,7 +195,7 @@ def _origin(where: str, table: Mapping[str, Any]) -> Origin:
 def _refuse_unknown_keys(where: str, table: Mapping[str, Any], known: Sequence[str]) -> None:
     for key in table:
         if key not in known:
-            guess = closest(key, known)
+            guess = closest(named(key), known)
             hint = f"; did you mean {guess}?" if guess else ""
             raise Malformed(f"{quoted(where)} has an unknown key {quoted(key)}{hint}")
 
