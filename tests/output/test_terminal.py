@@ -142,3 +142,10 @@ def test_the_list_of_quantities_fits_and_names_no_variants(monkeypatch: pytest.M
     listed = {line.split()[0] for line in lines[2:] if line.strip() and not line.startswith(" ")}
     assert max(map(len, lines)) <= 80
     assert listed == {name for name, quantity in NOMENCLATURE.items() if not quantity.variant_of}
+
+
+def test_a_list_with_long_names_fits_and_nothing_of_it_is_cut(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    lines = run("quantities of_stiff", terminal=True).out.splitlines()
+    assert max(map(len, lines)) <= 80
+    assert "variantofrolling_frequency_no_slip" in "".join(line[58:].replace(" ", "") for line in lines)

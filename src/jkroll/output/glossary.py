@@ -25,7 +25,7 @@ def quantities_found(words: Sequence[str]) -> list[str]:
     """
     if not words:
         return list(NOMENCLATURE)
-    text = "_".join(words)
+    text = "_".join(" ".join(words).split())
     if called_so := [named(text)] if named(text) in NOMENCLATURE else with_symbol(text):
         return called_so
     begun = _pieces(words)

@@ -24,6 +24,7 @@ _JKR = 7  # the place of JKR's value, shown beside that of another law
 _COLUMNS: Sequence[tuple[int, ...]] = ((0, 1, 2, 3, 4), (1, 2, 3, 4), (1, 2, 3))
 _COLUMNS_BY_CONVENTION: Sequence[tuple[int, ...]] = ((0, 1, 2, 3, 5, 6), (1, 2, 3, 5, 6), (1, 2, 3, 5), (1, 2, 3))
 MAX_ACROSS = 20  # scenes that are tried as columns
+MIN_WRAPPED = 20  # characters of a column of texts on a narrow terminal
 
 
 def scene_table(answer: Answer, out: TextIO, form: Format) -> None:
@@ -170,11 +171,13 @@ def write_rows(heads: Sequence[str], rows: Sequence[Sequence[str]], out: TextIO)
 
 
 def write_wrapped(heads: Sequence[str], rows: Sequence[Sequence[str]], out: TextIO) -> None:
-    """Write a table of texts whose last column is broken into lines."""
+    """Write a table of texts whose last column is broken into lines, within a word that is longer than the column."""
     table = _table(heads, rows, out)
-    table.columns[-1].no_wrap = False
+    last = table.columns[-1]
+    last.no_wrap, last.overflow = False, "fold"
     console = _console(out)
-    least = console.measure(table, options=console.options.update(width=10_000)).minimum
+    others = _table(heads[:-1], [row[:-1] for row in rows], out)
+    least = console.measure(others, options=console.options.update(width=10_000)).minimum + MIN_WRAPPED
     console.width = max(console.width, least)
     console.print(table)
 
