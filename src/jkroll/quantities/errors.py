@@ -50,14 +50,23 @@ class UnknownQuantity(JkrollError):
 OTHER_WORDS = {
     "adhesion": "pull_off_force",
     "adhesion_force": "pull_off_force",
+    "critical_angle": "yield_angle",
+    "critical_displacement": "yield_displacement",
+    "critical_rolling_angle": "yield_angle",
+    "critical_rolling_displacement": "yield_displacement",
     "diameter": "radius",
     "elastic_modulus": "youngs_modulus",
     "force": "pull_off_force",
+    "rolling_energy": "roll_energy",
     "rolling_force": "yield_force",
     "rolling_friction": "yield_force",
     "rolling_friction_force": "yield_force",
+    "rolling_resistance": "yield_moment",
+    "rolling_torque": "yield_moment",
+    "spring_constant": "stiffness",
     "sticking_velocity": "sticking_speed",
     "surface_tension": "surface_energy",
+    "torque": "yield_moment",
     "velocity": "speed",
 }
 
