@@ -107,7 +107,7 @@ def _material(argument: str, material: str | Material | None, materials: Materia
     if material is None or isinstance(material, Material):
         return material
     if not isinstance(material, str):
-        raise QuantityError(argument, str(material)[:MAX_QUOTED], "is not the name of one material")
+        raise QuantityError(argument, str(material)[:MAX_QUOTED], "is not the name of one material", 'write "quartz"')
     return (materials or known_materials())[material]
 
 
