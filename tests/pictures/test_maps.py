@@ -379,6 +379,11 @@ def test_what_is_refused_is_said_in_a_line(run: Run, line: str, message: str) ->
     assert message in ran.err
 
 
+def test_a_note_on_the_quantity_begins_with_its_symbol(run: Run) -> None:
+    ran = run("map n_roll_energy_balance quartz --x radius=10nm:1um:3 --data -")
+    assert "note: n_bal: 7/2 of Eq (48)" in ran.err
+
+
 def test_no_value_anywhere_is_a_failure(run: Run) -> None:
     for axes in ("--x load=-1uN:-0.5uN:lin", "--x load=-1uN:-0.5uN:lin --y xi=1angstrom:2angstrom"):
         ran = run(f"map yield-force quartz 10nm {axes}")

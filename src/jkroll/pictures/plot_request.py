@@ -3,7 +3,7 @@
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import NamedTuple
 
-from ..answers.notes import about_data, assumptions
+from ..answers.notes import about_data, assumptions, symbol_of
 from ..answers.other_laws import equation_of
 from ..errors import BadRequest, NoResult
 from ..materials.library import Materials
@@ -154,7 +154,7 @@ class Context:
         self.inputs = inputs_as_texts(self.scene, [name for name in inputs if name not in values])
         note = NOMENCLATURE[quantity].note
         data = notes_on(self.scene, inputs, names)
-        self.notes = tuple(dict.fromkeys([*notes[:1], *data, *([f"{quantity}: {note}"] if note else [])]))
+        self.notes = tuple(dict.fromkeys([*notes[:1], *data, *([f"{symbol_of(quantity)}: {note}"] if note else [])]))
 
     def doubts(self, x: Axis) -> Iterable[tuple[str, str]]:
         """Iterate over clauses on the model, which has no meaning or is not exact, each with the part of an axis where that is so."""
