@@ -15,16 +15,16 @@ import pyarrow
 import pyarrow.parquet
 
 from ..errors import BadRequest
+from ..table.blocks import Block, Tally
+from ..table.cells import Floats, Numbers, Reader
+from ..table.columns import is_input
+from ..table.errors import BadTable
+from ..table.evaluator import Evaluator
 from ..text import quoted, say, shown
 from .asked import task_of_table
-from .blocks import Block, Tally
-from .cells import Floats, Numbers, Reader
-from .columns import is_input
-from .errors import BadTable
 from .lines import Converted
 from .output import OutputFile, Step, is_done
 from .progress import Bar
-from .rows import Evaluator
 from .settings import Order, Settings, input_format, output_format
 from .source import Input, Part, Span
 
