@@ -17,7 +17,7 @@ SOURCE = Path(jkroll.__file__).parent
 MODULES = sorted(SOURCE.rglob("*.py"))
 
 # From the top down: a folder imports from those below it. The files outside a folder are the ground.
-FOLDERS = "cli batch bench audit pictures output answers scene materials quantities physics ground".split()
+FOLDERS = "cli batch table bench audit pictures output answers scene materials quantities physics ground".split()
 # The package and its script hand out names of all folders; the wheel's build adds the module of shipped materials.
 PUBLIC = {"__init__", "__main__"}
 ONLY = {
@@ -27,7 +27,7 @@ ONLY = {
     "tomllib": {"materials"},
     "mpmath": {"bench"},
     "matplotlib": {"pictures"},
-    "orjson": {"batch"},
+    "orjson": {"batch", "table"},
     "pyarrow": {"batch"},
     "distributed": {"batch"},
     "zstandard": {"batch"},

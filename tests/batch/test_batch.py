@@ -18,15 +18,15 @@ from hypothesis import strategies as st
 
 from harness import Run
 from jkroll.batch import source
-from jkroll.batch.asked import task_of
-from jkroll.batch.cells import Reader
-from jkroll.batch.columns import Column, understood
-from jkroll.batch.evaluated import CODES
-from jkroll.batch.rows import Evaluator
 from jkroll.materials.library import known_materials
 from jkroll.output.manual import page
 from jkroll.quantities.errors import QuantityError
 from jkroll.quantities.parsing import unit_of
+from jkroll.table.cells import Reader
+from jkroll.table.columns import Column, understood
+from jkroll.table.evaluated import CODES
+from jkroll.table.evaluator import Evaluator
+from jkroll.table.task import task_of
 from tables import IN_SMALL_BLOCKS, random_table
 
 csv.field_size_limit(1 << 20)  # of the readers here: some cells have more than the 128 KiB that are usual

@@ -117,11 +117,11 @@ def test_an_infinite_number_is_no_number(run: Run, unit: str) -> None:
 
 
 def test_a_part_counts_rows_from_the_beginning_of_the_file() -> None:
-    from jkroll.batch.errors import BadRow
     from jkroll.batch.parquet import convert
     from jkroll.batch.settings import Order, Settings
     from jkroll.batch.source import Part, Span
     from jkroll.materials.library import known_materials
+    from jkroll.table.errors import BadRow
 
     name = write({"radius [nm]": [*range(1, 235), 0.0, 1.0]})
     order = Order(Settings("out.parquet", quantities="r_min", strict=True, jobs=1), {}, known_materials())

@@ -8,12 +8,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from jkroll.batch import delimited
-from jkroll.batch.asked import task_of
-from jkroll.batch.cells import Reader
-from jkroll.batch.columns import understood
 from jkroll.batch.delimited import DIALECTS, Delimited, unquoted
 from jkroll.batch.lines import Converted, Head
 from jkroll.materials.library import known_materials
+from jkroll.table.cells import Reader
+from jkroll.table.columns import understood
+from jkroll.table.task import task_of
 
 HEADER = ["name", "material", "radius [nm]", "load [nN]", "poisson_ratio", "radius2"]
 PLAIN = st.sampled_from(

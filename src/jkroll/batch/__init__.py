@@ -1,13 +1,10 @@
-"""Tables of scenes: millions of rows in, the same rows with their results out.
+"""Tables of scenes in files: millions of rows in, the same rows with their results out. What a row means stands in `table`.
 
 From the bottom up:
 
-columns, cells, materials   the header of a table; a column of texts as SI numbers; a column of materials
-task, blocks                the quantities to compute; a block of rows, and the results of rows
-groups, evaluated, rows     the rows of a block that share a scene; the results of a scene; those of a whole block
 lines, delimited, ndjson    the formats whose records are lines: what they have in common; CSV and TSV; NDJSON
 formats, settings           the registry of formats and compressions; the options of a run
-asked                       the task that the header, the first rows and the options make
+asked                       what the header, the first rows and the options ask for
 source                      the input as blocks of whole records
 journal, output             the state of a run, for `--resume`; a file that appears when it is whole
 progress, workers, loop     the bar; processes; the loop that takes blocks through a converter into the output, in order

@@ -6,8 +6,8 @@ from contextlib import ExitStack
 
 from distributed import Client, LocalCluster, as_completed
 
+from ..table.errors import BadTable
 from ..text import quoted
-from .errors import BadTable
 from .many import Done, convert_part
 from .settings import Order
 from .source import Part

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from ..errors import ROWS_FAILED
 from ..materials.library import known_materials
 from ..materials.places import materials_files
+from ..table.columns import DOUBT, STATUS
 from ..text import say
-from .columns import DOUBT, STATUS
 from .errors import missing_extra
 from .many import Runner, by_processes, convert_one, is_many
 from .many import convert as convert_many

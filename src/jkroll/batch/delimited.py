@@ -16,14 +16,14 @@ from typing import NamedTuple
 import numpy
 import orjson
 
+from ..table.blocks import Results
+from ..table.cells import Floats
+from ..table.columns import is_input
+from ..table.errors import BadTable
+from ..table.evaluator import Evaluator
+from ..table.task import Task
 from ..text import quoted
-from .blocks import Results
-from .cells import Floats
-from .columns import is_input
-from .errors import BadTable
 from .lines import BOM, Converted, Head, check_encoding
-from .rows import Evaluator
-from .task import Task
 
 _MISTAKEN = (
     (";", "semicolons", "commas, with decimal points"),

@@ -6,9 +6,10 @@ import zlib
 from collections.abc import Callable, Iterator, Mapping
 from typing import BinaryIO, NamedTuple
 
+from ..table.errors import BadTable
 from ..text import quoted
 from .delimited import DIALECTS, Dialect
-from .errors import BadTable, missing_extra
+from .errors import missing_extra
 from .ndjson import Ndjson
 
 LINES: Mapping[str, Dialect | Ndjson] = {**DIALECTS, "ndjson": Ndjson()}

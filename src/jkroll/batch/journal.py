@@ -16,8 +16,8 @@ from itertools import islice
 from typing import Any
 
 from ..errors import BadRequest
+from ..table.errors import BadTable
 from ..text import quoted, say
-from .errors import BadTable
 
 MARK = "jkroll journal"  # key in the first line
 

@@ -2,8 +2,8 @@
 
 from typing import NamedTuple
 
-from .blocks import Tally
-from .errors import BadTable
+from ..table.blocks import Tally
+from ..table.errors import BadTable
 
 BOM = b"\xef\xbb\xbf"
 _COMPRESSED = {b"\x1f\x8b": "gz", b"\x28\xb5\x2f\xfd": "zst"}  # by the first bytes

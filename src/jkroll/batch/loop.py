@@ -9,8 +9,8 @@ from functools import partial
 from itertools import chain, islice
 from typing import Any, NamedTuple
 
-from .blocks import Tally
-from .errors import BadRow
+from ..table.blocks import Tally
+from ..table.errors import BadRow
 from .lines import Converted
 from .output import Fetch, Step, output_to, step_of
 from .progress import Bar

@@ -17,9 +17,10 @@ from typing import Any, NamedTuple
 
 from .. import __version__
 from ..errors import BadRequest, JkrollError, MissingExtra
+from ..table.blocks import Tally
+from ..table.errors import BadTable
 from ..text import quoted, say
-from .blocks import Tally
-from .errors import BadTable, missing_extra
+from .errors import missing_extra
 from .journal import Journal
 from .settings import Order, Settings, input_format
 from .source import Part, Span

@@ -8,12 +8,12 @@ from typing import Any
 import numpy
 import orjson
 
-from .blocks import Results
-from .columns import is_input
-from .errors import BadTable
+from ..table.blocks import Results
+from ..table.columns import is_input
+from ..table.errors import BadTable
+from ..table.evaluator import Evaluator
+from ..table.task import Task
 from .lines import BOM, Converted, Head, check_encoding
-from .rows import Evaluator
-from .task import Task
 
 Row = dict[str, Any]
 

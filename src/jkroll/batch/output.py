@@ -15,9 +15,10 @@ from typing import Any, NamedTuple, Self
 from zlib import crc32
 
 from ..errors import BadRequest
+from ..table.blocks import Tally
+from ..table.errors import BadRow, BadTable
 from ..text import quoted, say
-from .blocks import Tally
-from .errors import BadRow, BadTable, NotTheSame
+from .errors import NotTheSame
 from .journal import Journal, opened
 from .lines import Converted
 from .settings import Settings

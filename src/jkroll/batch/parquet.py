@@ -1,11 +1,12 @@
 """Parquet to Parquet: the columns of a file with the results beside them, a number of rows at a time.
 
-One process reads, computes and writes, so `--jobs` changes nothing. A Parquet file ends with an index of all of it: one that was
+A thread reads and computes while another one writes, so `--jobs` changes nothing. A Parquet file ends with an index of all of it: one that was
 interrupted is begun anew.
 """
 
 import sys
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import closing, contextmanager
 from math import isnan
 from typing import Any
@@ -15,16 +16,16 @@ import pyarrow
 import pyarrow.parquet
 
 from ..errors import BadRequest
+from ..table.blocks import Block, Tally
+from ..table.cells import Floats, Numbers, Reader
+from ..table.columns import is_input
+from ..table.errors import BadTable
+from ..table.evaluator import Evaluator
 from ..text import quoted, say, shown
 from .asked import task_of_table
-from .blocks import Block, Tally
-from .cells import Floats, Numbers, Reader
-from .columns import is_input
-from .errors import BadTable
 from .lines import Converted
 from .output import OutputFile, Step, is_done
 from .progress import Bar
-from .rows import Evaluator
 from .settings import Order, Settings, input_format, output_format
 from .source import Input, Part, Span
 
@@ -150,7 +151,7 @@ def write(settings: Settings, schema: Any, rows: Iterator[Rows], total: int, ide
             open(output.descriptor, "wb", closefd=False) as file,
             pyarrow.parquet.ParquetWriter(file, schema, use_dictionary=texts) as writer,
         ):
-            for group in _groups(rows):
+            for group in _ahead(_groups(rows)):
                 table = pyarrow.Table.from_batches([batch for batch, _ in group])
                 writer.write_table(table, table.num_rows)
                 for _, tally in group:
@@ -171,6 +172,15 @@ def _groups(batches: Iterator[Rows]) -> Iterator[list[Rows]]:
             group, size = [], 0
     if group:
         yield group
+
+
+def _ahead(groups: Iterator[list[Rows]]) -> Iterator[list[Rows]]:
+    """Iterate over groups, of which a thread prepares the next one while one is written."""
+    with ThreadPoolExecutor(1) as thread:
+        coming = thread.submit(next, groups, None)
+        while (group := coming.result()) is not None:
+            coming = thread.submit(next, groups, None)
+            yield group
 
 
 def as_column(values: Floats) -> Any:

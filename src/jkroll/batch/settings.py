@@ -11,8 +11,8 @@ from typing import Any, NamedTuple
 
 from .. import __version__
 from ..materials.library import Materials
+from ..table.errors import BadTable
 from ..text import quoted, say
-from .errors import BadTable
 from .formats import CHUNK, Format, format_of, stated
 
 MOST_PROCESSES = 16  # unless --jobs asks for more: one process reads for all of them

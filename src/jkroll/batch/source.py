@@ -9,8 +9,8 @@ from itertools import chain
 from typing import BinaryIO, NamedTuple
 
 from ..errors import BadRequest
+from ..table.errors import BadTable
 from ..text import quoted
-from .errors import BadTable
 from .formats import CHUNK, decompressed
 
 MAX_RECORD = 1 << 24

@@ -5,9 +5,9 @@ from functools import partial
 from itertools import chain
 
 from ..errors import BadRequest
+from ..table.blocks import Tally
 from . import loop, source
 from .asked import task_of_table
-from .blocks import Tally
 from .delimited import Delimited
 from .formats import LINES, compressor
 from .lines import Converted, Head

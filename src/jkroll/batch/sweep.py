@@ -20,19 +20,19 @@ from ..quantities.formatting import AS_USUAL
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, header, word_for_infinity
 from ..quantities.ranges import Spread
 from ..scene.scene import Scene
+from ..table.blocks import Block, Tally
+from ..table.cells import Floats, Numbers
+from ..table.columns import Column
+from ..table.evaluator import Evaluator
+from ..table.materials import Codes
+from ..table.task import SIDES, Task
 from . import loop
-from .blocks import Block, Tally
-from .cells import Floats, Numbers
-from .columns import Column
 from .delimited import DIALECTS, written
 from .errors import missing_extra
 from .formats import Format, compressor, format_of
 from .lines import Converted
-from .materials import Codes
 from .output import is_done
-from .rows import Evaluator
 from .settings import Settings, fingerprint
-from .task import SIDES, Task
 
 ROWS = 1 << 12  # of a block
 

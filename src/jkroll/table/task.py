@@ -3,16 +3,21 @@
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from ..errors import JkrollError
+from ..answers.answer import concerns
+from ..answers.questions import quantities_named
+from ..errors import BadRequest, JkrollError
 from ..materials.library import Material, Materials
 from ..output.layout import heads
-from ..quantities.nomenclature import header
-from ..scene.scene import Scene
-from .columns import DOUBT, MATERIALS, STATUS, Column
+from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, header
+from ..quantities.ranges import value_of
+from ..scene.errors import MissingInput
+from ..scene.scene import EXCLUSIVE, Scene
+from .columns import DOUBT, MATERIALS, STATUS, Column, Header
 
 if TYPE_CHECKING:
     from ..quantities.uncertain import Uncertain
 
+_SOME = 0.25  # a value that any input can have
 SIDES = ("minus", "plus", "low", "high")  # of uncertainties: the two of a standard one, and the ends of a range
 
 
@@ -82,3 +87,45 @@ class Task(NamedTuple):
             raise BadCells("; ".join(problems))
         spheres = [found.pop(name) for name in MATERIALS]
         return self.scene(found, *spheres)
+
+
+def task_of(table: Header, inputs: Mapping[str, str], wanted: str, known: Materials) -> Task:
+    """Return the task that the columns and options allow, without columns for uncertainties."""
+    material, material2 = (known[inputs[name]] if name in inputs else None for name in MATERIALS)
+    fixed = {name: value_of(text, name) for name, text in inputs.items() if name not in (*MATERIALS, "model")}
+    task = Task(table.inputs, table.materials, (), fixed, (material, material2), known, model=inputs.get("model"))
+    scene = _as_known(task)
+    has_own_2 = any(name.endswith("2") for name in table.names)
+    explicit, offered = quantities_named(wanted)
+    for name in explicit:
+        if name in table.names or name in fixed:
+            raise BadRequest(f"--quantities: {name} is an input here")
+        scene.plan(name)
+    outcomes = scene.evaluate(offered)
+    possible = [
+        name
+        for name in offered
+        if name not in table.names
+        and concerns(name, scene)
+        and not (NOMENCLATURE[name].of_identical and has_own_2)
+        and not isinstance(outcomes[name], MissingInput)
+    ]
+    quantities = tuple(dict.fromkeys((*explicit, *possible)))
+    if not quantities:
+        scene.plan(offered[0])
+    return task._replace(
+        quantities=quantities, always=frozenset(name for name in explicit if not concerns(name, scene))
+    )
+
+
+def _as_known(task: Task) -> Scene:
+    """Return a scene in which every column has a value; of columns that exclude each other, the first."""
+    given: dict[str, float] = {}
+    for column in task.inputs:
+        if not any(column.name in names and given.keys() & names for names in EXCLUSIVE):
+            given[column.name] = _SOME
+    some = Material("", dict.fromkeys(PROPERTIES, _SOME), (), {}, (), (), "", "")
+    places = task.places
+    return task.scene(
+        given, *(some if name in places else one for name, one in zip(MATERIALS, task.spheres, strict=True))
+    )
