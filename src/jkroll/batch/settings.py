@@ -94,12 +94,17 @@ def output_format(settings: Settings, of_input: Format) -> Format:
     """Return the format of the output: that of its name, else that of the input without compression."""
     found = format_of(settings.target)
     if found is None:
-        if os.path.splitext(settings.target)[1] and not settings.quiet:
-            say(f"note: {quoted(settings.target)} is written as {of_input.kind}: its name says no format", sys.stderr)
-        return Format(of_input.kind)
+        return unnamed(settings, of_input.kind)
     if found.kind != of_input.kind:
         name = os.path.basename(settings.target).partition(".")[0]
         raise BadTable(
             f"-o: a table of {of_input.kind} stays one; write {quoted(f'{name}.{of_input.kind}')}, and convert it with another program"
         )
     return found
+
+
+def unnamed(settings: Settings, kind: str) -> Format:
+    """Return the format of an output whose name says none, and say which one it is where the name ends as if it said one."""
+    if os.path.splitext(settings.target)[1] and not settings.quiet:
+        say(f"note: {quoted(settings.target)} is written as {kind}: its name says no format", sys.stderr)
+    return Format(kind)

@@ -32,7 +32,7 @@ from .errors import missing_extra
 from .formats import Format, compressor, format_of
 from .lines import Converted
 from .output import is_done
-from .settings import Settings, fingerprint
+from .settings import Settings, fingerprint, unnamed
 
 ROWS = 1 << 12  # of a block
 
@@ -169,7 +169,7 @@ def _typed(name: str, column: Numbers, row: int) -> str:
 
 def stream(sweep: Sweep, settings: Settings) -> Tally:
     """Write all rows of a sweep."""
-    form = format_of(settings.target) or Format("csv")
+    form = format_of(settings.target) or unnamed(settings, "csv")
     if is_done(settings):
         return Tally()
     if form.kind == "parquet":
