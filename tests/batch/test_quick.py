@@ -138,3 +138,16 @@ def test_a_first_record_longer_than_a_block_is_one() -> None:
     first, *rest = blocks(pieces, DIALECTS["csv"].cut)
     assert first.startswith(text[:-4])
     assert first + b"".join(rest) == text
+
+
+def test_a_line_of_separators_takes_little_memory() -> None:
+    import tracemalloc
+
+    line = b"," * (1 << 20)
+    converted("csv", "\n", b"\n", excel_safe=False)  # loads what is loaded once
+    tracemalloc.start()
+    found = converted("csv", "\n", line + b"\n", excel_safe=False)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert found.tally == (1, 1, 0)
+    assert peak < 50 * len(line)
