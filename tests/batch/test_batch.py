@@ -248,6 +248,14 @@ STATUS = {
 }
 
 
+def test_a_unit_is_guessed_once_for_all_rows_that_have_it(run: Run) -> None:
+    name = table(GRAINS + "".join(f"x,quartz,{row} nq,0\n" for row in range(1000)))
+    with patch("jkroll.quantities.units.closest", return_value="nm") as guess:
+        assert run("batch", name, "--quantities", "r_min", "-o", "out.csv", "--jobs", "1").code == 1
+    assert guess.call_count == 1
+    assert Path("out.csv").read_text(encoding="utf-8").count("'nq'; did you mean nm?") == 1000
+
+
 @pytest.mark.parametrize("line", STATUS)
 def test_a_bad_row_says_why_and_spoils_no_other(run: Run, line: str) -> None:
     name = table(GRAINS + line + "\n" + "c,quartz,100,0\n")
@@ -387,6 +395,13 @@ HEADERS = {
     '"radius [nm],x': "header: has a quote that is not closed",
     "": "header: is empty",
 }
+
+
+def test_a_long_name_of_a_column_is_no_mistaken_input() -> None:
+    name = "radius_" * 100_000
+    with patch("jkroll.batch.columns._plain", side_effect=str) as plain:
+        assert understood([name]).inputs == ()
+    assert plain.call_count < 20  # else for every _
 
 
 @pytest.mark.parametrize("text", HEADERS)

@@ -265,6 +265,15 @@ def test_files_of_the_users_are_left_alone(run: Run) -> None:
     assert Path("real.csv").read_text(encoding="utf-8").startswith("radius [nm],material,")
 
 
+@pytest.mark.parametrize("name", ["out.csv.journal", "out.csv.partial"])
+@pytest.mark.parametrize("make", [os.mkfifo, os.mkdir, lambda name: Path(name).symlink_to("grains.csv")])
+def test_a_refusal_leaves_nothing_behind(run: Run, name: str, make: Callable[[str], None]) -> None:
+    Path("grains.csv").write_text("radius [nm],material\n100,quartz\n", encoding="utf-8")
+    make(name)
+    assert run("batch", "grains.csv", "-o", "out.csv").code
+    assert {*os.listdir()} == {"grains.csv", name}
+
+
 def test_resume_after_success_says_that_all_is_done(run: Run) -> None:
     Path("grains.csv").write_text("radius [nm],material\n100,quartz\n", encoding="utf-8")
     assert run("batch grains.csv -o out.csv").code == 0

@@ -127,3 +127,27 @@ def test_an_open_quote_does_not_gather_what_follows_in_one_block() -> None:
     assert b"".join(found) == b"".join(lines)
     assert len(found) > 4
     assert all(block.endswith(b"\n") and len(block) <= CHUNK for block in found)
+
+
+def test_a_first_record_longer_than_a_block_is_one() -> None:
+    from jkroll.batch.formats import CHUNK
+    from jkroll.batch.source import blocks
+
+    text = b"radius [nm]" + b",column" * CHUNK + b"\n100\n"  # as read: pieces of CHUNK bytes
+    pieces = [text[start : start + CHUNK] for start in range(0, len(text), CHUNK)]
+    first, *rest = blocks(pieces, DIALECTS["csv"].cut)
+    assert first.startswith(text[:-4])
+    assert first + b"".join(rest) == text
+
+
+def test_a_line_of_separators_takes_little_memory() -> None:
+    import tracemalloc
+
+    line = b"," * (1 << 20)
+    converted("csv", "\n", b"\n", excel_safe=False)  # loads what is loaded once
+    tracemalloc.start()
+    found = converted("csv", "\n", line + b"\n", excel_safe=False)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert found.tally == (1, 1, 0)
+    assert peak < 50 * len(line)

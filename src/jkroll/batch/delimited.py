@@ -224,7 +224,8 @@ class Delimited:
         if not cells:
             return self.dialect.joined([line]) + separator * (width - 1)
         if len(cells) > width:
-            return separator.join([*cells[: width - 1], self.dialect.joined([separator.join(cells[width - 1 :])])])
+            end = sum(len(cell) + 1 for cell in cells[: width - 1])
+            return line[:end] + self.dialect.joined([line[end:]])
         return line + separator * (width - len(cells))
 
     def _strips(self, lines: Sequence[bytes], results: Results) -> Iterator[bytes]:

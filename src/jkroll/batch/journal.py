@@ -39,8 +39,9 @@ class Journal:
     def _is_own(self, beside: tuple[str, ...]) -> bool:
         """Return whether it is jkroll's, or False if there is none. Raises BadRequest."""
         first = b""
-        with suppress(OSError), open(self.path, "rb") as file:
-            first = file.readline(1000)
+        if os.path.isfile(self.path):  # a pipe would wait for a writer
+            with suppress(OSError), open(self.path, "rb") as file:
+                first = file.readline(1000)
         if first.startswith(b'{"%b"' % MARK.encode()):
             return True
         for path in (self.path, *beside):

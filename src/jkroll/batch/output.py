@@ -127,6 +127,8 @@ class OutputFile(Output):
         try:
             super().__init__(opened(self.path))
         except (OSError, BadTable):
+            if not self.journal.has_begun:
+                self.journal.remove()
             self.journal.close()
             raise
 

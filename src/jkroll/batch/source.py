@@ -105,10 +105,11 @@ def blocks(pieces: Iterable[bytes], cut: Cut) -> Iterator[bytes]:
             text, is_end = text + piece, not piece
             continue
         end = cut(text[:size])
-        if not end and size < min(len(text), MAX_RECORD):
+        is_all = is_end and size >= len(text)
+        if not end and not is_all and size < MAX_RECORD:
             size *= 2
             continue
-        if not end and is_end and size >= len(text) and cut(text + b"\n"):
+        if not end and is_all and cut(text + b"\n"):
             end = len(text)  # the last line ends without a line feed
         yield text[: (end := end or _end_of_lines(text))]
         text, size = text[end:], CHUNK

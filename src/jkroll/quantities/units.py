@@ -69,9 +69,9 @@ class UnknownUnit(BadUnit):
         except BadUnit:
             return ""
         lacking = [[want - have for want, have in zip(wanted, others, strict=True)] for wanted in dimensions]
-        fitting = {
+        fitting = frozenset(
             tuple(one // power for one in lack) for lack in lacking if power and not any(one % power for one in lack)
-        }
+        )
         guess = similar_unit(self.name, fitting)
         return f"did you mean {guess}?" if guess else ""
 
@@ -146,10 +146,11 @@ def convert(value: float, unit: Unit) -> float:
         return float("inf") if value > 0 else float("-inf")
 
 
-def similar_unit(word: str, dimensions: Collection[Dimension]) -> str | None:
+@lru_cache(maxsize=1000)  # many cells of a table may have the same mistake
+def similar_unit(word: str, dimensions: frozenset[Dimension]) -> str | None:
     """Return the unit of one of these dimensions that a mistyped word probably is; None if no unit is similar.
 
-    >>> similar_unit("Gpa", [dimension_of("Pa")]), similar_unit("Nm", [dimension_of("N m")])
+    >>> similar_unit("Gpa", frozenset([dimension_of("Pa")])), similar_unit("Nm", frozenset([dimension_of("N m")]))
     ('GPa', 'N m')
     """
     for place in range(1, len(word)):  # two units written as one word

@@ -12,7 +12,7 @@ from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS, canonical
 from ..quantities.parsing import split_number, unit_of
 from ..quantities.ranges import value_of
 from ..quantities.units import Unit, dimension_of, kind_of
-from ..text import closest, quoted
+from ..text import MAX_WORD, closest, quoted
 from .errors import BadTable
 
 if TYPE_CHECKING:
@@ -141,7 +141,7 @@ def _meant(name: str, unit_text: str | None) -> str | None:
     """Return the header that a mistaken one was probably meant to be, or None."""
     known = (*INPUTS, *MATERIALS)
     symbol = _SYMBOLS.get(name) if len(name) > 1 or unit_text else None  # a letter alone may mean anything
-    for cut in _CUT.finditer(name):
+    for cut in _CUT.finditer(name, 0, MAX_WORD):  # no name of an input is as long
         plain = _plain(name[: cut.start()])
         meant = symbol or OPTION_WORDS.get(plain, plain)
         rest = name[cut.end() :].rstrip(")] ") or unit_text or ""
