@@ -399,7 +399,7 @@ HEADERS = {
 
 def test_a_long_name_of_a_column_is_no_mistaken_input() -> None:
     name = "radius_" * 100_000
-    with patch("jkroll.batch.columns._plain", side_effect=str) as plain:
+    with patch("jkroll.table.columns._plain", side_effect=str) as plain:
         assert understood([name]).inputs == ()
     assert plain.call_count < 20  # else for every _
 
