@@ -6,6 +6,7 @@ import sys
 
 INTERRUPTED = 130
 CANNOT_WRITE = 1
+PATIENCE = 5  # seconds until an interrupt ends all: now and then a library drops what is raised in the midst of it
 SELDOM = 50_000  # new objects until the next search for cycles: what imports make is no garbage
 
 
@@ -15,14 +16,17 @@ def run() -> None:
         "OPENBLAS_NUM_THREADS", "1"
     )  # no matrices are multiplied: do not start a thread for each core
     try:
-        from signal import SIGINT, signal
+        import signal
 
         def unwind(*_: object) -> None:
-            """Raise KeyboardInterrupt once, so that files are put away; the next interrupt exits at once."""
-            signal(SIGINT, _end)
+            """Raise KeyboardInterrupt once, so that files are put away; the next interrupt, or an alarm, exits at once."""
+            signal.signal(signal.SIGINT, _end)
+            if hasattr(signal, "alarm"):  # not on Windows
+                signal.signal(signal.SIGALRM, _end)
+                signal.alarm(PATIENCE)
             raise KeyboardInterrupt
 
-        signal(SIGINT, unwind)
+        signal.signal(signal.SIGINT, unwind)
         gc.set_threshold(SELDOM)
         sys.unraisablehook = _end_if_interrupted
         from .cli.process import main
@@ -33,7 +37,7 @@ def run() -> None:
                 stream.flush()
             except OSError:
                 code = code or CANNOT_WRITE
-        signal(SIGINT, _end)
+        signal.signal(signal.SIGINT, _end)
     except KeyboardInterrupt:
         code = INTERRUPTED
     # Everything is written. An orderly shutdown of the interpreter would take a tenth of a call, and could be interrupted.

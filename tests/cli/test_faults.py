@@ -220,6 +220,24 @@ run()
     assert (ran.returncode, ran.stdout, ran.stderr) == (130, b"", b"")
 
 
+def test_an_interrupt_that_is_dropped_ends_the_run_after_a_while() -> None:
+    program = """
+import signal, time
+import jkroll.__main__
+import jkroll.cli.process
+def careless():
+    try:
+        signal.raise_signal(signal.SIGINT)
+    except BaseException:
+        time.sleep(60)
+jkroll.cli.process.main = careless
+jkroll.__main__.PATIENCE = 1
+jkroll.__main__.run()
+"""
+    ran = subprocess.run([sys.executable, "-c", program], capture_output=True, check=False, timeout=30)
+    assert (ran.returncode, ran.stdout, ran.stderr) == (130, b"", b"")
+
+
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGKILL])
 def test_it_dies_by_other_signals_silently(number: int, tmp_path: Path) -> None:
     """The system may cut the write that it interrupts, and so the last line; those before it are whole."""
