@@ -90,7 +90,7 @@ def approach_maugis_at_load(
     """Return the approach of the centres of a contact whose load is known.
 
         δ = 3P/(4E*a) + (σ0T/(2E*))(3(v + 1/v)θ − 1), θ = arctan(1/v), in which less cancels where v > 1
-        δ = a²/R − 2σ0T/E* elsewhere
+        δ of `approach_maugis` elsewhere
 
     load             [N]   tension negative; the one at which the contact has this edge ratio
     edge_ratio       [1]   > 0
@@ -109,12 +109,18 @@ def approach_maugis_at_load(
     ... )
     1.0
     """
-    a = edge_ratio * zone_span
     depth = cohesive_stress / contact_modulus * zone_span
     narrow = at_least(edge_ratio, 1.0)
     of_load = 3 / 4 * load / (contact_modulus * zone_span * narrow)
     of_narrow = of_load + depth * (3 / 2 * (narrow + 1 / narrow) * arctan(1 / narrow) - 1 / 2)
-    return where(edge_ratio > 1, of_narrow, a * a / reduced_radius - 2 * depth)
+    of_wide = approach_maugis(
+        edge_ratio=edge_ratio,
+        zone_span=zone_span,
+        reduced_radius=reduced_radius,
+        contact_modulus=contact_modulus,
+        cohesive_stress=cohesive_stress,
+    )
+    return where(edge_ratio > 1, of_narrow, of_wide)
 
 
 def load_maugis(
