@@ -2,7 +2,7 @@
 
 import io
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import BinaryIO, NamedTuple
 
 
 class Ran(NamedTuple):
@@ -14,10 +14,10 @@ class Ran(NamedTuple):
 
 
 class Stream(io.TextIOWrapper):
-    """A text stream in memory that says of itself whether it is a terminal."""
+    """A text stream, in memory or into a file, that says of itself whether it is a terminal."""
 
-    def __init__(self, *, terminal: bool = False, encoding: str = "utf-8") -> None:
-        super().__init__(io.BytesIO(), encoding=encoding, newline="")
+    def __init__(self, file: BinaryIO | None = None, *, terminal: bool = False, encoding: str = "utf-8") -> None:
+        super().__init__(file or io.BytesIO(), encoding=encoding, newline="")
         self.terminal = terminal
 
     def isatty(self) -> bool:
@@ -25,7 +25,7 @@ class Stream(io.TextIOWrapper):
         return self.terminal
 
     def text(self) -> str:
-        """Return all that was written."""
+        """Return all that was written into memory."""
         self.flush()
         buffer = self.buffer
         assert isinstance(buffer, io.BytesIO)

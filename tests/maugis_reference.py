@@ -1,116 +1,166 @@
-"""Maugis' own two equations for the contact radius and c/a, in 80-digit arithmetic; the unknowns are Ā and m = c/a.
+"""Maugis' own two equations for the contact radius and c/a, in 120-digit arithmetic; the unknowns are Ā and t = √(m² − 1), m = c/a.
 
 Maugis (J. Colloid Interface Sci. 150, 243, 1992), in units of (πwR²/K)^(1/3), πwR and (π²w²R/K²)^(1/3):
 
     (λĀ²/2)[√(m²−1) + (m²−2)arcsec m] + (4λ²Ā/3)[√(m²−1) arcsec m − m + 1] = 1
     P̄ = Ā³ − λĀ²[√(m²−1) + m² arcsec m]          δ̄ = Ā² − (4/3)λĀ√(m²−1)
 
-Nothing is shared with `jkroll`.
+A place on the curve is ln t. Load and approach fall along it, to pull-off and to the fold, so that bisection finds what is
+near enough to a state for the secant method. Nothing is shared with `jkroll`.
 """
 
 from collections.abc import Callable
+from functools import cache
 from typing import Any
 
 from mpmath import MPContext  # type: ignore[import-untyped]
 
-Exact = Any
+Exact = Any  # an mpf of the context below; mpmath declares no types
+OfState = Callable[[Exact, Exact, Exact], Exact]  # of Ā, t and λ
 
-digits = MPContext()
-digits.dps = 80
-mpf, pi, sqrt, cbrt = digits.mpf, +digits.pi, digits.sqrt, digits.cbrt
-
-
-def arcsec(m: Exact) -> Exact:
-    return digits.acos(1 / m)
+digits = MPContext()  # a context of its own, because other tests set the precision of mpmath's
+digits.dps = 120
+mpf, sqrt, cbrt = digits.mpf, digits.sqrt, digits.cbrt
+pi = digits.pi  # of as many digits as are asked for
 
 
-def zone(a: Exact, m: Exact, transition: Exact) -> Exact:
-    """Return the first equation's left side, less 1."""
-    t = sqrt(m * m - 1)
-    first = transition * a**2 / 2 * (t + (m * m - 2) * arcsec(m))
-    return first + 4 * transition**2 * a / 3 * (t * arcsec(m) - m + 1) - 1
+def arcsec(t: Exact) -> Exact:
+    return digits.atan(t)
 
 
-def load(a: Exact, m: Exact, transition: Exact) -> Exact:
-    return a**3 - transition * a**2 * (sqrt(m * m - 1) + m * m * arcsec(m))
-
-
-def approach(a: Exact, m: Exact, transition: Exact) -> Exact:
-    return a**2 - 4 * transition * a * sqrt(m * m - 1) / 3
-
-
-def solve(
-    equation: Callable[[Exact, Exact], Exact], transition: Exact, start: tuple[float, float]
-) -> tuple[Exact, Exact]:
-    """Return the Ā and m that satisfy the first equation and another one; the start is an Ā and a √(m² − 1)."""
-
-    def system(log_a: Exact, log_t: Exact) -> tuple[Exact, Exact]:
-        a, m = digits.exp(log_a), sqrt(1 + digits.exp(2 * log_t))
-        return zone(a, m, transition), equation(a, m)
-
-    first = digits.log(start[0]), digits.log(start[1])
-    log_a, log_t = digits.findroot(system, first, tol=mpf(10) ** -90, maxsteps=50, verify=False)
-    a, m = digits.exp(log_a), sqrt(1 + digits.exp(2 * log_t))
-    assert max(abs(zone(a, m, transition)), abs(equation(a, m))) < mpf(10) ** -40
-    return a, m
-
-
-def at_load(transition: Exact, wanted: Exact, start: tuple[float, float]) -> tuple[Exact, Exact]:
-    return solve(lambda a, m: load(a, m, transition) - wanted, transition, start)
-
-
-def at_approach(transition: Exact, wanted: Exact, start: tuple[float, float]) -> tuple[Exact, Exact]:
-    return solve(lambda a, m: approach(a, m, transition) - wanted, transition, start)
-
-
-def slopes(a: Exact, m: Exact, transition: Exact) -> tuple[Exact, Exact]:
-    """Return dP̄/dm and dδ̄/dm along the curve."""
-    h = mpf(10) ** -30
-
-    def partial(f: Callable[..., Exact], *, of_m: bool) -> Exact:
-        step_a, step_m = (0, h * (m - 1)) if of_m else (h * a, 0)
-        return (f(a + step_a, m + step_m, transition) - f(a - step_a, m - step_m, transition)) / (2 * (step_a + step_m))
-
-    turn = -partial(zone, of_m=True) / partial(zone, of_m=False)
-    return tuple(partial(f, of_m=True) + turn * partial(f, of_m=False) for f in (load, approach))
-
-
-def stiffness(a: Exact, m: Exact, transition: Exact) -> Exact:
-    of_load, of_approach = slopes(a, m, transition)
-    return of_load / of_approach
-
-
-def radius_of(m: Exact, transition: Exact) -> Exact:
-    """Return Ā at a given m, from the first equation, a quadratic."""
-    t = sqrt(m * m - 1)
-    first = transition / 2 * (t + (m * m - 2) * arcsec(m))
-    second = 4 * transition**2 / 3 * (t * arcsec(m) - m + 1)
+def radius_of(t: Exact, transition: Exact) -> Exact:
+    """Return Ā from the first equation, a quadratic."""
+    first = transition / 2 * (t + (t**2 - 1) * arcsec(t))
+    second = 4 * transition**2 / 3 * (t * arcsec(t) - sqrt(1 + t**2) + 1)
     return 2 / (second + sqrt(second**2 + 4 * first))
 
 
-def pull_off(transition: Exact, start: float) -> tuple[Exact, Exact]:
-    """Return the Ā and m of the largest tension; the start is a √(m² − 1)."""
-    return _extreme(0, transition, start)
+def load(a: Exact, t: Exact, transition: Exact) -> Exact:
+    return a**3 - transition * a**2 * (t + (1 + t**2) * arcsec(t))
 
 
-def fold(transition: Exact, start: float) -> tuple[Exact, Exact]:
-    """Return the Ā and m of the least approach in contact; the start is a √(m² − 1)."""
-    return _extreme(1, transition, start)
+def approach(a: Exact, t: Exact, transition: Exact) -> Exact:
+    return a**2 - 4 * transition * a * t / 3
 
 
-def _extreme(which: int, transition: Exact, start: float) -> tuple[Exact, Exact]:
-    def slope(log_t: Exact) -> Exact:
-        m = sqrt(1 + digits.exp(2 * log_t))
-        return slopes(radius_of(m, transition), m, transition)[which] * (m - 1)
-
-    first = digits.log(start)
-    log_t = digits.findroot(slope, (first, first + mpf(10) ** -8), tol=mpf(10) ** -40, maxsteps=50, verify=False)
-    assert abs(slope(log_t)) < mpf(10) ** -30
-    m = sqrt(1 + digits.exp(2 * log_t))
-    return radius_of(m, transition), m
+# --- States -------------------------------------------------------------------------------------------------------------
 
 
-def energy(m: Exact, transition: Exact) -> Exact:
+@cache
+def at_load(transition: Exact, wanted: Exact) -> tuple[Exact, Exact]:
+    """Return the Ā and t of the stable contact at a load."""
+    if wanted < load(*pull_off(transition), transition):
+        raise ValueError("beyond pull-off")
+    return _solve(load, wanted, transition)
+
+
+@cache
+def at_approach(transition: Exact, wanted: Exact) -> tuple[Exact, Exact]:
+    """Return the Ā and t of the contact that fixed grips hold at an approach."""
+    return _solve(approach, wanted, transition)
+
+
+def held_at(transition: Exact, delta: Exact) -> tuple[Exact, Exact]:
+    """Return the Ā and t of the state that fixed grips hold at an approach: 0 and infinity without contact."""
+    if delta < lowest_approach(transition):
+        raise ValueError("beyond the fold")
+    is_apart = not folds_in_contact(transition) and delta <= touch_approach(transition)
+    return (mpf(0), digits.inf) if is_apart else at_approach(transition, delta)
+
+
+def folds_in_contact(transition: Exact) -> bool:
+    return bool(transition > cbrt(9 * pi / (16 * (pi - 1))))
+
+
+def touch_approach(transition: Exact) -> Exact:
+    """Return the approach at which spheres touch: Ā is 0 there, and c̄ what the first equation makes of Ām."""
+    both = 4 * transition**2 / 3 * (pi / 2 - 1)
+    return -4 * transition / 3 * 2 / (both + sqrt(both**2 + pi * transition))
+
+
+def zone_apart(transition: Exact, delta: Exact) -> Exact:
+    """Return c̄ of spheres that attract without contact: c̄²/2 − bc̄ = δ̄ + 2/(πλ)."""
+    b = 8 * transition / (3 * pi)
+    return b + sqrt(b**2 + 2 * (delta + 2 / (pi * transition)))
+
+
+def lowest_approach(transition: Exact) -> Exact:
+    """Return the least approach at which fixed grips hold the spheres, in contact or apart."""
+    if folds_in_contact(transition):
+        return approach(*fold(transition), transition)
+    return -((8 * transition / (3 * pi)) ** 2) / 2 - 2 / (pi * transition)
+
+
+@cache
+def pull_off(transition: Exact) -> tuple[Exact, Exact]:
+    """Return the Ā and t of the largest tension."""
+    return _least(load, transition)
+
+
+@cache
+def fold(transition: Exact) -> tuple[Exact, Exact]:
+    """Return the Ā and t of the least approach in contact."""
+    return _least(approach, transition)
+
+
+def stiffness(t: Exact, transition: Exact) -> Exact:
+    place = digits.log(t)
+    return _slope(load, place, transition) / _slope(approach, place, transition)
+
+
+def _state(place: Exact, transition: Exact) -> tuple[Exact, Exact]:
+    t = digits.exp(place)
+    return radius_of(t, transition), t
+
+
+def _slope(of_state: OfState, place: Exact, transition: Exact) -> Exact:
+    """Return the slope of a function along the curve, to two thirds of the digits that its terms leave."""
+    step = mpf(10) ** (-digits.dps // 3)
+    before, after = (of_state(*_state(place + side, transition), transition) for side in (-step, step))
+    return (after - before) / (2 * step)
+
+
+@cache
+def _end_of_fall(of_state: OfState, transition: Exact) -> Exact:
+    """Return a place just before the one to which a function falls along the curve."""
+    return _bisect(lambda place: _slope(of_state, place, transition) < 0, mpf(digits.dps))
+
+
+def _bisect(is_before: Callable[[Exact], bool], high: Exact) -> Exact:
+    """Return a place just before the one at which a condition ceases to be met.
+
+    It begins where what cancels in the equations, in the proportion of t² to 1, leaves half of the digits.
+    """
+    low = -mpf(digits.dps) / 2
+    while high - low > 0.1:
+        middle = (low + high) / 2
+        low, high = (middle, high) if is_before(middle) else (low, middle)
+    return low
+
+
+def _solve(of_state: OfState, wanted: Exact, transition: Exact) -> tuple[Exact, Exact]:
+    def excess(place: Exact) -> Exact:
+        return of_state(*_state(place, transition), transition) - wanted
+
+    place = _root(excess, _bisect(lambda place: excess(place) > 0, _end_of_fall(of_state, transition)))
+    assert abs(excess(place)) <= mpf(10) ** -50 * (1 + abs(wanted))
+    return _state(place, transition)
+
+
+def _least(of_state: OfState, transition: Exact) -> tuple[Exact, Exact]:
+    place = _root(lambda place: _slope(of_state, place, transition), _end_of_fall(of_state, transition))
+    return _state(place, transition)
+
+
+def _root(function: Callable[[Exact], Exact], start: Exact) -> Exact:
+    ends = start, start + mpf(10) ** -12
+    return digits.findroot(function, ends, tol=mpf(10) ** (-digits.dps // 2), maxsteps=90, verify=False)
+
+
+# --- Energies -----------------------------------------------------------------------------------------------------------
+
+
+def energy_by_quadrature(t: Exact, transition: Exact) -> Exact:
     """Return Φ̄ at a state by quadrature of the force along the curve.
 
     It leads from where attraction begins, without contact at first, to where the spheres touch, and on to the state.
@@ -122,13 +172,50 @@ def energy(m: Exact, transition: Exact) -> Exact:
     apart = digits.quad(lambda c: -2 * quarter * c * c * (c - b), [0, touch])
 
     def power(angle: Exact) -> Exact:
-        at = 1 / digits.cos(angle)
+        at = digits.tan(angle)
         return load(radius_of(at, transition), at, transition) * slope_of(angle)
 
     def slope_of(angle: Exact) -> Exact:
         step = mpf(10) ** (-digits.dps // 3)
-        here, there = (1 / digits.cos(angle + side) for side in (step, -step))
-        first, last = (approach(radius_of(m, transition), m, transition) for m in (here, there))
+        here, there = (digits.tan(angle + side) for side in (step, -step))
+        first, last = (approach(radius_of(each, transition), each, transition) for each in (here, there))
         return (first - last) / (2 * step)
 
-    return apart + digits.quad(power, [pi / 2, arcsec(m)], method="gauss-legendre")
+    return apart + digits.quad(power, [pi / 2, arcsec(t)], method="gauss-legendre")
+
+
+def energy_terms(a: Exact, span: Exact, delta: Exact, transition: Exact) -> tuple[Exact, ...]:
+    """Return the terms of Φ̄ in closed form, of which quadrature gives the sum; T̄ is Āt, and c̄ without contact."""
+    angle, c = digits.atan2(span, a), sqrt(a**2 + span**2)
+    ring = span**4 * angle - a * span**3 + (2 * a * span**2 + 3 * a**3) * (span - a * angle)
+    return (
+        3 * a * delta**2 / 4,
+        -(a**3) * delta / 2,
+        3 * a**5 / 20,
+        -(c**2),
+        transition * ring / 4,
+        transition * (c**2 * angle - a * span) * (a**2 - delta),
+        -4 * transition**2 * span**4 * (a + 2 * c) / (a + c) ** 2 / 9,
+    )
+
+
+def energy(a: Exact, span: Exact, delta: Exact, transition: Exact) -> Exact:
+    return sum(energy_terms(a, span, delta, transition))
+
+
+def contact_energy(a: Exact, t: Exact, transition: Exact) -> Exact:
+    """Return Φ̄ of a contact."""
+    return energy(a, a * t, approach(a, t, transition), transition)
+
+
+def energy_held_at(transition: Exact, delta: Exact) -> Exact:
+    """Return Φ̄ of the state that fixed grips hold at an approach, in contact or apart."""
+    a, t = held_at(transition, delta)
+    return energy(a, a * t if a else zone_apart(transition, delta), delta, transition)
+
+
+def fold_energy(transition: Exact) -> Exact:
+    """Return Φ̄ where fixed grips let go, in contact or apart."""
+    if folds_in_contact(transition):
+        return contact_energy(*fold(transition), transition)
+    return energy(mpf(0), 8 * transition / (3 * pi), lowest_approach(transition), transition)

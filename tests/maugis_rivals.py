@@ -9,8 +9,6 @@ Maugis' radius and 9 % of JKR's unloaded approach, and the second give 2/3 and 1
 from math import exp
 from typing import Any
 
-from maugis_reference import Exact, at_load, mpf
-
 
 def fitted_pull_off(transition: float) -> float:
     """Return P̄ at pull-off after Carpick, Ogletree & Salmeron."""
@@ -43,8 +41,3 @@ def pietrement_approach(load: Any, transition: float) -> Any:
     share = -2.160 * alpha**0.019 + 2.753 * alpha**0.064 + 0.073 * alpha**1.919
     beta = 0.516 * alpha**4 - 0.683 * alpha**3 + 0.235 * alpha**2 + 0.429 * alpha
     return fitted_unloaded_radius(transition) ** 2 * (spread ** (4 / 3) - share * spread ** (2 * beta / 3))
-
-
-def exact_radius(load: float, transition: float, start: tuple[float, float]) -> Exact:
-    """Return Ā at a load by Maugis' own two equations, in 80 digits."""
-    return at_load(mpf(transition), mpf(load), start)[0]

@@ -48,6 +48,8 @@ def any_scene(random: Random) -> Scene:
     scene["yield_displacement"] = log_uniform(random, 1e-13, 1e-3)
     scene["gravity"] = log_uniform(random, 1e-3, 1e3)
     scene["rolling_angle"] = 1.6
+    scene["monomers"] = log_uniform(random, 1, 1e12)
+    scene["filling_factor"] = log_uniform(random, 1e-4, 0.7)
     match random.choice(["none", "load", "approach"]):
         case "load":
             scene["load"] = _any_ratio(random) * solve("pull_off_force", **scene)
@@ -114,3 +116,23 @@ def hard_scenes(fold: float) -> Iterator[Scene]:
     yield from ({**QUARTZ, **OTHER, name: value} for name, values in ENDS.items() for value in values)
     for radius, radius2 in ((1e-12, 1e3), (1e3, 1e-12), (1e-12, 1e-12), (1e3, math.inf)):
         yield {**QUARTZ, **OTHER, "radius": radius, "radius2": radius2}
+
+
+def strip_contacts(count: int) -> list[Scene]:
+    """Return strips in contact of any size, shift and load, the same every time."""
+    random = Random(1995)
+    return [_strip_contact(random) for _ in range(count)]
+
+
+def _strip_contact(random: Random) -> Scene:
+    radius = log_uniform(random, 1e-9, 1e3)
+    half_width = radius * log_uniform(random, 1e-6, 0.3)
+    place = random.choice([-1, 1]) * half_width * random.choice([random.random(), 1 - log_uniform(random, 1e-14, 1)])
+    shares = [random.uniform(-2, 1), 1 - log_uniform(random, 1e-15, 1), log_uniform(random, 1e-9, 1e9)]
+    constant = half_width**2 / 2 * random.choice(shares)
+    return {
+        "position": place, "position_in_strip": place, "contact_half_width": half_width, "load_constant": constant,
+        "cylinder_radius": radius, "yield_displacement": half_width * log_uniform(random, 1e-9, 1),
+        "plane_strain_modulus": log_uniform(random, 1e5, 1e13), "load_per_length": constant * log_uniform(random, 1e-3, 1e12),
+        "work_of_adhesion": log_uniform(random, 1e-6, 1e2),
+    }  # fmt: skip

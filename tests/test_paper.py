@@ -17,7 +17,7 @@ import pytest
 
 from jkroll import FORMULAS, NOMENCLATURE, known_materials, solve
 from jkroll.quantities.units import si_unit
-from jkroll.scene.errors import MissingInput
+from jkroll.scene.failures import MissingInput
 from jkroll.scene.wiring import parameters_of
 
 EMPTY_CELL = "..."

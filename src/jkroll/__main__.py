@@ -29,7 +29,10 @@ def run() -> None:
         signal.signal(signal.SIGINT, unwind)
         gc.set_threshold(SELDOM)
         sys.unraisablehook = _end_if_interrupted
-        from .cli.process import main
+        if os.environ.get("_JKROLL_COMPLETE") or sys.argv[1:] in (["--install-completion"], ["--show-completion"]):
+            from .cli.shells import main
+        else:
+            from .cli.process import main
 
         code = main()
         for stream in filter(None, (sys.stdout, sys.stderr)):

@@ -3,12 +3,12 @@
 import codecs
 import os
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any, TextIO
 
 _ASCII = {
     "γ": "gamma", "δ": "delta", "μ": "mu", "ν": "nu", "ρ": "rho", "ξ": "xi", "π": "pi", "ω": "omega", "Ω": "Omega", "α": "alpha",
-    "Δ": "Delta", "θ": "theta", "κ": "kappa", "λ": "lambda", "σ": "sigma", "Φ": "Phi", "φ": "phi",
+    "Δ": "Delta", "θ": "theta", "κ": "kappa", "λ": "lambda", "σ": "sigma", "Φ": "Phi", "φ": "phi", "τ": "tau", "ü": "u",
     "µ": "u", "√": "sqrt", "∛": "cbrt", "⟨": "<", "⟩": ">", "⁰": "^0", "¹": "^1", "²": "^2", "³": "^3", "⁴": "^4", "⁵": "^5", "⁻": "^-", "½": "1/2 ", "¼": "1/4 ", "â": "ahat",
     "𝒜": "A", "Å": "angstrom", "\u0302": "hat", "−": "-", "–": "-", "—": "-", "·": "*", "×": "x", "≪": "<<", "≥": ">=",
     "≤": "<=", "±": "+/-", "≈": "~", "→": "->", "∞": "inf",
@@ -51,10 +51,48 @@ def fitting(text: str, out: TextIO) -> str:
 
 
 def json_text(value: Any, out: TextIO) -> str:
-    """Return a value as JSON, in ASCII unless the stream is UTF-8."""
-    import json
+    """Return a value as JSON, in ASCII unless the stream is UTF-8. Raises ValueError for a number that is not finite."""
+    from json.encoder import encode_basestring, encode_basestring_ascii
 
-    return json.dumps(value, ensure_ascii=(out.encoding or "utf-8").lower() != "utf-8", indent=2)
+    is_utf_8 = (out.encoding or "utf-8").lower() == "utf-8"
+    return _json(value, encode_basestring if is_utf_8 else encode_basestring_ascii, "\n")
+
+
+def _json(value: Any, text_of: Callable[[str], str], line_end: str) -> str:
+    """Return a value as JSON; numbers have the spelling that they have elsewhere."""
+    inner = line_end + "  "
+    if isinstance(value, dict):
+        members = [f"{text_of(str(key))}: {_json(each, text_of, inner)}" for key, each in value.items()]
+        return "{" + inner + f",{inner}".join(members) + line_end + "}" if members else "{}"
+    if isinstance(value, list | tuple):
+        return (
+            "[" + inner + f",{inner}".join(_json(each, text_of, inner) for each in value) + line_end + "]"
+            if value
+            else "[]"
+        )
+    if value is None or isinstance(value, bool):
+        return {None: "null", True: "true", False: "false"}[value]
+    if isinstance(value, float):
+        if value - value != 0:
+            raise ValueError(f"{value} is not in JSON")
+        return spelled(value)
+    return str(value) if isinstance(value, int) else text_of(value)
+
+
+def spelled(number: float) -> str:
+    """Return a finite number as programs read it: the shortest text that is the same double, spelled as orjson spells it.
+
+    >>> spelled(1e-07), spelled(4.999999999999999e-05), spelled(100.0), spelled(1e22)
+    ('1e-7', '0.00004999999999999999', '100.0', '1e22')
+    """
+    text = repr(number)
+    if "e" not in text:
+        return text
+    mantissa, _, exponent = text.partition("e")
+    if int(exponent) != -5:
+        return f"{mantissa}e{int(exponent)}"
+    sign = "-" if number < 0 else ""
+    return f"{sign}0.0000{mantissa.removeprefix('-').replace('.', '')}"
 
 
 def say(text: str, out: TextIO) -> None:

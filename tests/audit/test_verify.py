@@ -14,11 +14,11 @@ import pytest
 from harness import Stream
 from jkroll import solve
 from jkroll.audit import Check, Row, Verdict, claims
-from jkroll.audit.check import Terms
-from jkroll.audit.cylinder import XI, A, C, E, R
+from jkroll.audit.checks import Terms
+from jkroll.audit.moment import XI, A, C, E, R
 from jkroll.audit.pair import pair, twins
 from jkroll.audit.verify import HEADS, NARROW_HEADS, WIDE, write_verification
-from jkroll.text import ascii_text
+from jkroll.text import ascii_text, spelled
 
 CLAIMS = claims()
 ROWS = [check.row() for check in CLAIMS]
@@ -193,7 +193,11 @@ def test_forms_for_machines_say_the_same() -> None:
     lines = [line.split("\t") for line in plain.text().splitlines()]
     assert lines == list(csv.reader(io.StringIO(table.text())))
     assert lines[0] == list(Row._fields)
-    assert lines[1:] == [[str(value) for value in each.values()] for each in json.loads(objects.text())]
+    spelled_out = [
+        [spelled(value) if isinstance(value, float) else str(value) for value in each.values()]
+        for each in json.loads(objects.text())
+    ]
+    assert lines[1:] == spelled_out
     assert [float(line[2]) for line in lines[1:]] == [row.printed for row in ROWS]
 
 

@@ -10,7 +10,6 @@ from typing import Any
 import pytest
 
 from harness import Run
-from jkroll.batch import output
 
 CELLS = ["25±5", "25+-5", "25(5)", "25±20%", "25+/-5 mJ/m2", "0.025 J/m2 ± 5 mJ/m2", "25 mJ/m2±20 %"]
 SIDES = ["pull_off_force [N]", "pull_off_force_minus [N]", "pull_off_force_plus [N]"]
@@ -73,7 +72,7 @@ def test_error_bars_in_any_form_and_format(run: Run, end: str) -> None:
 def test_a_table_without_error_bars_has_no_columns_for_them(run: Run) -> None:
     """A later cell that has one fails its row; an option adds the columns."""
     rows = [{"radius [nm]": "100", "gamma [mJ/m2]": "25"}] * 200 + [{"radius [nm]": "100", "gamma [mJ/m2]": "25±5"}]
-    words = f"batch {written(rows)} -o out.csv --quantities pull_off_force"
+    words = f"batch {written(rows)} -o out.csv --quantities pull_off_force --quiet"
     assert run(words).err == "jkroll: 1 of 201 rows failed; column status says why\n"
     assert [*found()[0]][2:] == ["pull_off_force [N]", "doubt", "status"]
     assert found()[-1]["pull_off_force [N]"] is None
@@ -129,30 +128,11 @@ def test_a_status_is_short(run: Run) -> None:
     assert run("batch", written(rows), "-o", "out.csv").code == 0
     first, second = (row["status"] for row in found())
     assert first == (
-        "pull_off_force, pull_off_force_dmt, yield_force_ratio and 27 more: needs radius of sphere 1; "
+        "pull_off_force, pull_off_force_dmt, yield_force_ratio and 29 more: needs radius of sphere 1; "
         "give a radius such as 100nm"
     )
     assert second == (
-        "pull_off_force, pull_off_force_dmt, yield_force and 25 more: need some of surface energy per surface and mass "
+        "pull_off_force, pull_off_force_dmt, yield_force and 27 more: need some of surface energy per surface and mass "
         "density and Young's modulus and Poisson's ratio; give --gamma 25mJ/m2 --density 1g/cm3 --young 10GPa "
         "--poisson 0.3 or --work-of-adhesion 50mJ/m2"
     )
-
-
-@pytest.mark.parametrize("option", ["--uncertainty", ""])
-def test_a_resumed_run_has_the_same_columns(run: Run, monkeypatch: pytest.MonkeyPatch, option: str) -> None:
-    rows = [{"radius [nm]": f"{100 + row}±5", "material": "quartz"} for row in range(300)]
-    words = f"batch {written(rows)} -o out.csv --jobs 1 {option}"
-    assert run(words).code == 0
-    whole = Path("out.csv").read_bytes()
-
-    def interrupt(*_: object) -> None:
-        raise KeyboardInterrupt
-
-    with monkeypatch.context() as patch:
-        patch.setattr(output.OutputFile, "finish", interrupt)
-        assert run(words).code == 130
-    other = words.replace("--uncertainty", "") if option else f"{words} --uncertainty"
-    assert "another options" in run(f"{other} --resume").err
-    assert run(f"{words} --resume").code == 0
-    assert Path("out.csv").read_bytes() == whole

@@ -1,7 +1,6 @@
-"""Runs that are ended in the middle: whatever ends them, going on gives the same bytes as a run that nobody disturbed."""
+"""Runs that are ended in the middle: a file appears whole or not at all, whatever ends them."""
 
 import contextlib
-import fcntl
 import json
 import os
 import random
@@ -13,10 +12,12 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
+from unittest.mock import patch
 
 import pytest
 
 from harness import Run
+from jkroll.output.records import whole_file
 from tables import IN_SMALL_BLOCKS, random_table
 
 BATCH = [sys.executable, "-m", "jkroll", "batch"]
@@ -36,129 +37,83 @@ def wait_until(condition: Callable[[], Any], process: "subprocess.Popen[Any]") -
             process.wait(0.002)
 
 
-def kill_until_done(command: list[str], draw: random.Random, longest: float, *, whole_group: bool) -> int:
-    """Run a command, kill it at a random moment, go on, until it ends by itself; say how often it was killed.
-
-    Each run may take longer than the one before: on a machine that has become slow, too, one gets to its end.
-    """
-    kills = 0
-    while True:
-        process = subprocess.Popen([*command, "--resume"], stderr=subprocess.DEVNULL, start_new_session=True)
-        try:
-            process.wait(draw.uniform(0.1, longest))
-        except subprocess.TimeoutExpired:
-            (os.killpg if whole_group else os.kill)(process.pid, signal.SIGKILL)
-            process.wait()
-            kills += 1
-            longest *= 1.1
-        else:
-            assert process.returncode in (0, 1)  # 0 if it was killed when all was done
-            return kills
-
-
 SWEEP = "yield-force quartz 100nm --load -20nN:20nN:20000:lin"
+
+
+def tables() -> None:
+    """Tables, and a script that converts them in small blocks."""
+    Path("small.py").write_text(IN_SMALL_BLOCKS)
+    Path("grains.csv").write_text(grains(4_000), encoding="utf-8")
+    lines = [{"radius [nm]": 100 + row % 977 if row % 997 else 0, "text": f"row {row}"} for row in range(4_000)]
+    Path("grains.ndjson").write_text("".join(json.dumps(line) + "\n" for line in lines))
+
+
+def begun(target: str) -> list[Path]:
+    """The files beside a target that runs have begun."""
+    return [*Path().glob(f".{target}.*")]
 
 
 @pytest.mark.parametrize("whole_group", [True, pytest.param(False, marks=pytest.mark.slow)])
 @pytest.mark.parametrize(
     ("words", "end", "kills"),
     [
-        ("batch grains.csv --material quartz", "csv", 1),
-        pytest.param("batch grains.csv --material quartz", "csv", 34, marks=pytest.mark.slow),
-        pytest.param("batch grains.ndjson --material quartz", "ndjson", 34, marks=pytest.mark.slow),
-        pytest.param(SWEEP, "csv", 34, marks=pytest.mark.slow),
+        ("batch grains.csv --material quartz", "csv", 2),
+        pytest.param("batch grains.csv --material quartz", "csv", 30, marks=pytest.mark.slow),
+        pytest.param("batch grains.ndjson --material quartz", "ndjson", 30, marks=pytest.mark.slow),
+        pytest.param(SWEEP, "csv", 30, marks=pytest.mark.slow),
+        pytest.param(SWEEP, "ndjson", 30, marks=pytest.mark.slow),
     ],
 )
-def test_kills_lose_nothing(words: str, end: str, kills: int, *, whole_group: bool) -> None:
-    Path("small.py").write_text(IN_SMALL_BLOCKS)
-    Path("grains.csv").write_text(grains(8_000), encoding="utf-8")
-    lines = [{"radius [nm]": 100 + row % 977 if row % 997 else 0, "text": f"row {row}"} for row in range(4_000)]
-    Path("grains.ndjson").write_text("".join(json.dumps(line) + "\n" for line in lines))
-    whole, out = Path(f"whole.{end}"), Path(f"out.{end}")
-    before = {path.name for path in Path().iterdir()}
+def test_a_kill_leaves_no_half_of_a_file(words: str, end: str, kills: int, *, whole_group: bool) -> None:
+    """Nothing, or what was there before; beside it what was begun, which no later run reads."""
+    tables()
     command = [sys.executable, "small.py", *words.split(), "-o"]
+    whole, out = Path(f"whole.{end}"), Path(f"out.{end}")
     began = time.monotonic()
     assert subprocess.run([*command, whole], capture_output=True).returncode == 1
     taken = time.monotonic() - began
+    before = {*os.listdir(), "__pycache__"}
     draw = random.Random(1)
     killed = 0
-    while killed < kills:
-        killed += kill_until_done([*command, out.name], draw, taken * 0.9, whole_group=whole_group)
-        assert out.read_bytes() == whole.read_bytes()
-        assert {path.name for path in Path().iterdir()} - {"__pycache__"} == {*before, out.name, whole.name}
-        out.unlink()
+    for place in range(kills):
+        if place % 2:
+            out.write_text("of before", encoding="utf-8")
+        process = subprocess.Popen([*command, out], stderr=subprocess.DEVNULL, start_new_session=True)
+        try:
+            process.wait(draw.uniform(0.1, taken))
+        except subprocess.TimeoutExpired:
+            (os.killpg if whole_group else os.kill)(process.pid, signal.SIGKILL)
+            process.wait()
+            killed += 1
+            texts = [whole.read_bytes(), *([b"of before"] if place % 2 else [])]
+            assert out.read_bytes() in texts if out.exists() else not place % 2
+        else:
+            assert out.read_bytes() == whole.read_bytes()
+        assert len(begun(out.name)) <= killed
+        out.unlink(missing_ok=True)
+    left = {path: path.read_bytes() for path in begun(out.name)}
+    assert {*os.listdir()} <= before | {path.name for path in left}
+    assert subprocess.run([*command, out], capture_output=True).returncode == 1
+    assert out.read_bytes() == whole.read_bytes()
+    assert {path: path.read_bytes() for path in begun(out.name)} == left
 
 
-def interrupted(command: list[str], how: int) -> int:
-    """The exit code of a command that got a signal once something was written."""
-    process = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
-    wait_until(lambda: Path("out.csv.partial").exists() and Path("out.csv.partial").stat().st_size, process)
-    process.send_signal(how)
-    _, message = process.communicate()
-    assert re.fullmatch(r"jkroll: interrupted after \d+ rows; --resume goes on\n", message) or process.returncode == 1
-    return process.returncode
-
-
-def an_interrupted_run(run: Run) -> str:
-    """Interrupt a run; return the words that go on with it."""
-    Path("small.py").write_text(IN_SMALL_BLOCKS)
-    Path("grains.csv").write_text(grains(15_000), encoding="utf-8")
-    words = "batch grains.csv --material quartz -o out.csv --jobs 1"
-    while (code := interrupted([sys.executable, "small.py", *words.split()], signal.SIGINT)) != 130:
-        assert code == 1  # it was done before the signal came
+@pytest.mark.parametrize("words", ["batch grains.csv --material quartz --jobs 1", SWEEP])
+def test_an_interrupt_leaves_nothing(words: str) -> None:
+    tables()
+    before = {*os.listdir(), "__pycache__"}
+    while True:
+        command = [sys.executable, "small.py", *words.split(), "-o", "out.csv"]
+        process = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
+        wait_until(lambda: any(path.stat().st_size for path in begun("out.csv")), process)
+        process.send_signal(signal.SIGINT)
+        _, message = process.communicate()
+        if process.returncode == 130:
+            break
+        assert process.returncode == 1  # it was done before the signal came
         Path("out.csv").unlink()
-    assert not Path("out.csv").exists()
-    assert run(words.replace("out.csv", "whole.csv")).code == 1
-    return f"{words} --resume"
-
-
-@pytest.fixture
-def small_blocks(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Blocks as those of the script."""
-    monkeypatch.setattr("jkroll.batch.source.CHUNK", 1 << 14)
-
-
-@pytest.mark.usefixtures("small_blocks")
-def test_an_interrupt_leaves_what_resume_goes_on_from(run: Run) -> None:
-    resume = an_interrupted_run(run)
-
-    def refused(*options: str, what: str) -> bool:
-        said = f"'out.csv.partial' is of a run with another {what}; without --resume it is begun anew"
-        return run(*resume.split(), *options) == (2, "", f"jkroll: --resume: {said}\n")
-
-    assert refused("--xi", "1nm", what="options")
-    assert refused("--quantities", "r_min", what="options")
-    about = Path("grains.csv").stat()
-    os.utime("grains.csv")
-    assert refused(what="input")
-    os.utime("grains.csv", ns=(about.st_atime_ns, about.st_mtime_ns))
-    assert run(resume).code == 1
-    assert Path("out.csv").read_bytes() == Path("whole.csv").read_bytes()
-
-
-def test_a_pipe_is_read_again_up_to_where_it_was() -> None:
-    Path("small.py").write_text(IN_SMALL_BLOCKS)
-    Path("grains.csv").write_text(grains(10_000), encoding="utf-8")
-    command = [
-        "sh",
-        "-c",
-        f'cat grains.csv | exec {sys.executable} small.py batch - --material quartz -o out.csv "$@"',
-        "sh",
-    ]
-    process = subprocess.Popen(command, stderr=subprocess.DEVNULL, start_new_session=True)
-    journal = Path("out.csv.journal")
-    wait_until(lambda: journal.exists() and journal.read_bytes().count(b"\n") > 2, process)
-    os.killpg(process.pid, signal.SIGKILL)
-    process.wait()
-    text = Path("grains.csv").read_text()
-    Path("grains.csv").write_text(text.replace("\n101,", "\n102,", 1))
-    ran = subprocess.run([*command, "--resume"], capture_output=True, text=True)
-    assert (ran.returncode, "another input" in ran.stderr) == (2, True)
-    Path("grains.csv").write_text(text)
-    assert subprocess.run([*command, "--resume"], capture_output=True).returncode == 1
-    Path("out.csv").rename("resumed.csv")
-    assert subprocess.run(command, capture_output=True).returncode == 1
-    assert Path("out.csv").read_bytes() == Path("resumed.csv").read_bytes()
+    assert re.fullmatch(r"read: .*\njkroll: interrupted after \d+ rows\n" if "batch" in words else "", message)
+    assert {*os.listdir()} <= before
 
 
 def started_by(process: "subprocess.Popen[Any]") -> list[str]:
@@ -190,11 +145,12 @@ def test_a_lost_process_is_noticed() -> None:
     workers = started_by(process)
     os.kill(int(workers[0]), signal.SIGKILL)
     _, message = process.communicate()
-    assert (process.returncode, message) == (
+    assert (process.returncode, message.splitlines(keepends=True)[-1]) == (
         1,
-        "jkroll: a working process was ended by signal 9; nothing is lost: --resume goes on\n",
+        "jkroll: a working process was ended by signal 9; no file was written\n",
     )
     assert not Path("out.csv").exists()
+    assert not begun("out.csv")
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="processes are found in /proc")
@@ -206,8 +162,7 @@ def test_no_process_outlives_the_one_that_started_it() -> None:
         Path(f"grains/{place:02}.csv").write_text(small if place < 9 else large, encoding="utf-8")
     with in_two_processes("grains/*.csv", "forces/") as process:
         workers = started_by(process)
-        journals = [Path(f"forces/{place:02}.csv.journal") for place in (9, 10)]
-        wait_until(lambda: all(journal.exists() for journal in journals), process)
+        wait_until(lambda: len([*Path("forces").glob(".09.csv.*"), *Path("forces").glob(".10.csv.*")]) == 2, process)
         process.kill()
     for place in range(9, 12):
         Path(f"grains/{place:02}.csv").write_text(small, encoding="utf-8")
@@ -225,37 +180,36 @@ def _state_of(process: str) -> str:
         return "Z"
 
 
-def test_two_runs_never_write_the_same_file(run: Run) -> None:
+def test_two_runs_of_one_file_write_it_one_after_the_other(run: Run) -> None:
+    """Each has its own file until it is done."""
     Path("grains.csv").write_text("radius [nm],material\n100,quartz\n", encoding="utf-8")
-    with Path("out.csv.journal").open("w") as other:
-        fcntl.flock(other, fcntl.LOCK_EX)
-        message = "jkroll: 'out.csv.journal' is being written by another run\n"
-        assert run("batch", "grains.csv", "-o", "out.csv") == (2, "", message)
+    command = [*BATCH, "-", "-o", "out.csv"]
+    process = subprocess.Popen(command, stdin=subprocess.PIPE, stderr=subprocess.PIPE)
+    assert process.stdin is not None
+    process.stdin.write(b"radius [nm],material\n" + b"50,iron\n" * 100_000)
+    process.stdin.flush()
+    wait_until(lambda: begun("out.csv"), process)
     assert run("batch", "grains.csv", "-o", "out.csv").code == 0
+    assert len(Path("out.csv").read_bytes().splitlines()) == 2
+    process.stdin.close()
+    assert process.wait() == 0
+    assert process.stderr is not None
+    process.stderr.close()
+    assert len(Path("out.csv").read_bytes().splitlines()) == 100_001
+    assert not begun("out.csv")
 
 
-@pytest.mark.usefixtures("small_blocks")
-def test_a_damaged_output_is_made_again_from_where_it_is_damaged(run: Run) -> None:
-    """As after a loss of power: the journal is there, and the end of the output is zeros."""
-    resume = an_interrupted_run(run)
-    with Path("out.csv.partial").open("r+b") as file:
-        file.seek(100)
-        file.write(b"\0" * 100)
-    assert run(resume).code == 1
-    assert Path("out.csv").read_bytes() == Path("whole.csv").read_bytes()
+def test_a_run_that_fails_leaves_what_was_there(run: Run) -> None:
+    Path("grains.csv").write_text("radius [nm],material\n100,quartz\n0,quartz\n", encoding="utf-8")
+    Path("out.csv").write_text("mine", encoding="utf-8")
+    assert run("batch", "grains.csv", "-o", "out.csv", "--strict").code == 1
+    assert Path("out.csv").read_text(encoding="utf-8") == "mine"
+    assert {*os.listdir()} == {"grains.csv", "out.csv"}
 
 
-def test_files_of_the_users_are_left_alone(run: Run) -> None:
+def test_a_file_is_replaced_as_it_was(run: Run) -> None:
+    """Through a link, and with the rights that it had."""
     Path("grains.csv").write_text("radius [nm],material\n100,quartz\n", encoding="utf-8")
-    for name in ("forces.journal", "forces.partial"):
-        Path(name).write_text("mine", encoding="utf-8")
-        message = f"'{name}' would be overwritten, and jkroll did not write it; move it away"
-        assert run("batch", "grains.csv", "-o", "forces") == (2, "", f"jkroll: -o: {message}\n")
-        assert Path(name).read_text(encoding="utf-8") == "mine"
-        Path(name).unlink()
-    Path("forces.journal").write_text('{"jkroll journal": broken\n1 2 3\n', encoding="utf-8")
-    Path("forces.partial").write_text("half", encoding="utf-8")
-    assert run("batch", "grains.csv", "-o", "forces", "--resume").code == 0
     Path("real.csv").write_text("", encoding="utf-8")
     Path("real.csv").chmod(0o640)
     Path("link.csv").symlink_to("real.csv")
@@ -265,19 +219,15 @@ def test_files_of_the_users_are_left_alone(run: Run) -> None:
     assert Path("real.csv").read_text(encoding="utf-8").startswith("radius [nm],material,")
 
 
-@pytest.mark.parametrize("name", ["out.csv.journal", "out.csv.partial"])
-@pytest.mark.parametrize("make", [os.mkfifo, os.mkdir, lambda name: Path(name).symlink_to("grains.csv")])
-def test_a_refusal_leaves_nothing_behind(run: Run, name: str, make: Callable[[str], None]) -> None:
-    Path("grains.csv").write_text("radius [nm],material\n100,quartz\n", encoding="utf-8")
-    make(name)
-    assert run("batch", "grains.csv", "-o", "out.csv").code
-    assert {*os.listdir()} == {"grains.csv", name}
-
-
-def test_resume_after_success_says_that_all_is_done(run: Run) -> None:
-    Path("grains.csv").write_text("radius [nm],material\n100,quartz\n", encoding="utf-8")
-    assert run("batch grains.csv -o out.csv").code == 0
-    before = Path("out.csv").stat().st_mtime_ns
-    note = "note: 'out.csv' is whole already, made with these options or others; without --resume it is made anew\n"
-    assert run("batch grains.csv -o out.csv --resume") == (0, "", note)
-    assert Path("out.csv").stat().st_mtime_ns == before
+def test_what_is_begun_is_no_other_file() -> None:
+    """Processes of other machines may have the same number, and a link there may lead anywhere."""
+    with whole_file("out.csv") as first, whole_file("out.csv") as second:
+        first.write(b"first\n")
+        second.write(b"second\n")
+        assert len(begun("out.csv")) == 2
+    assert Path("out.csv").read_bytes() == b"first\n"  # which was closed last
+    Path("kept").write_bytes(b"kept")
+    Path(".out.csv.00000000").symlink_to("kept")
+    with patch("os.urandom", return_value=bytes(4)), pytest.raises(FileExistsError), whole_file("out.csv"):
+        pass
+    assert Path(".out.csv.00000000").read_bytes() == b"kept"

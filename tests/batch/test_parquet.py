@@ -5,9 +5,11 @@ import datetime
 import math
 import sys
 from pathlib import Path
+from unittest.mock import Mock
 
 import pytest
 
+import jkroll
 from harness import Run
 from tables import random_table
 
@@ -37,6 +39,21 @@ def test_the_same_as_in_csv(run: Run) -> None:
         assert (row["doubt"] or "") == line["doubt"]
         assert bool(row["status"]) == bool(line["status"])
     assert [row["material"] for row in found] == columns["material"]
+
+
+def test_a_plane_that_a_list_wrote_is_read_as_one(run: Run) -> None:
+    assert run("n-grav quartz 100nm,1um --radius2 plane,1um -o list.parquet").code == 0
+    listed = parquet.read_table("list.parquet").select(["material", "radius [m]", "radius2 [m]"])
+    assert math.inf in listed["radius2 [m]"].to_pylist()
+    words = "--quantities yield_force,r_min"
+    assert run("batch", write(listed.to_pydict()), "-o", "out.parquet", *words.split()).code == 0
+    rows = parquet.read_table("out.parquet").to_pylist()
+    expected = [
+        jkroll.solve("yield_force", material="quartz", radius=row["radius [m]"], radius2=row["radius2 [m]"])
+        for row in rows
+    ]
+    assert [row["yield_force [N]"] for row in rows] == pytest.approx(expected, rel=1e-15)
+    assert ["plane" in (row["status"] or "") for row in rows] == [row["radius2 [m]"] == math.inf for row in rows]
 
 
 @pytest.mark.parametrize("kind", ["float64", "float32", "float16", "int64", "int16", "uint8"])
@@ -103,7 +120,7 @@ def test_what_cannot_be_read(run: Run) -> None:
     assert ran.code == 0
     Path("there.parquet").mkdir()
     message = "jkroll: -o: 'there.parquet' is a directory; 'there.parquet/' is where a file for each table goes\n"
-    assert run("batch", name, "-o", "there.parquet").err == message
+    assert run("batch", name, "-o", "there.parquet", "--quiet").err == message
 
 
 @pytest.mark.parametrize("unit", ["nm", "m", "ft"])
@@ -116,17 +133,13 @@ def test_an_infinite_number_is_no_number(run: Run, unit: str) -> None:
     assert "'-inf" in rows[2]["status"]
 
 
-def test_a_part_counts_rows_from_the_beginning_of_the_file() -> None:
-    from jkroll.batch.parquet import convert
-    from jkroll.batch.settings import Order, Settings
-    from jkroll.batch.source import Part, Span
-    from jkroll.materials.library import known_materials
-    from jkroll.table.errors import BadRow
+def test_lines_are_counted_from_the_beginning_of_the_file(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    from jkroll.batch import parquet as batch
 
+    monkeypatch.setattr(batch, "BLOCK", 30)
     name = write({"radius [nm]": [*range(1, 235), 0.0, 1.0]})
-    order = Order(Settings("out.parquet", quantities="r_min", strict=True, jobs=1), {}, known_materials())
-    with pytest.raises(BadRow, match="line 235: radius"):
-        convert(Part(name, "out.parquet", Span(2, 3)), order)
+    ran = run("batch", name, "-o", "out.parquet", "--strict", "--quiet")
+    assert (ran.code, ran.err.partition(" must")[0]) == (1, "jkroll: line 235: radius: '0.0 nm'")
 
 
 def test_what_a_file_says_of_itself_stays(run: Run) -> None:
@@ -149,28 +162,17 @@ def test_a_column_of_materials_has_as_many_words_as_its_numbers_allow(run: Run) 
     assert "stone126" in third["status"]
 
 
-def interrupt(*_: object) -> None:
-    """As if someone pressed Ctrl-C."""
-    raise KeyboardInterrupt
-
-
-def test_an_interrupted_file_is_begun_anew(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    from jkroll.batch.output import OutputFile
-
+def test_an_interrupted_run_leaves_no_file(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     name = write({"radius [nm]": [100.0 + row for row in range(1000)]})
     with monkeypatch.context() as patch:
-        patch.setattr(OutputFile, "finish", interrupt)
-        stopped = run("batch", name, "-o", "out.parquet")
-        assert (stopped.code, stopped.err) == (130, "")
-    note = "note: --resume: a Parquet file cannot be continued; it is begun anew\n"
-    assert run("batch", name, "-o", "out.parquet", "--resume") == (0, "", note)
-    note = "note: 'out.parquet' is whole already, made with these options or others; without --resume it is made anew\n"
-    assert run("batch", name, "-o", "out.parquet", "--resume") == (0, "", note)
+        patch.setattr("jkroll.batch.parquet._groups", Mock(side_effect=KeyboardInterrupt))
+        assert run("batch", name, "-o", "out.parquet", "--quiet") == (130, "", "")
+    assert [path.name for path in Path().iterdir()] == [name]
 
 
 def test_strict_writes_nothing(run: Run) -> None:
     name = write({"radius [nm]": [100.0, 0.0]})
-    ran = run("batch", name, "-o", "y.parquet", "--strict")
+    ran = run("batch", name, "-o", "y.parquet", "--strict", "--quiet")
     assert (ran.code, ran.err) == (
         1,
         "jkroll: line 2: radius: '0.0 nm' must be positive; expected a length such as 100nm\n",
@@ -189,10 +191,10 @@ def test_a_run_of_several_pieces_has_all_rows(
 
     table = pyarrow.table({"radius [nm]": [100.0 + row for row in range(rows)], "id": pyarrow.array(range(rows))})
     parquet.write_table(table, "grains.parquet", row_group_size=group)
-    assert run("batch grains.parquet -o one.parquet --jobs 1") == (0, "", "")
+    assert run("batch grains.parquet -o one.parquet --jobs 1 --quiet") == (0, "", "")
     monkeypatch.setattr(batch, "BYTES", 15_000)
     monkeypatch.setattr(batch, "BLOCK", 20)
-    assert run(f"batch grains.parquet -o several.parquet --jobs {jobs}") == (0, "", "")
+    assert run(f"batch grains.parquet -o several.parquet --jobs {jobs} --quiet") == (0, "", "")
     found = parquet.ParquetFile("several.parquet")
     assert found.read().equals(parquet.read_table("one.parquet"))
     assert Path("several.parquet").read_bytes()[:4] == b"PAR1" == Path("several.parquet").read_bytes()[-4:]

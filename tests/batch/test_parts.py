@@ -1,6 +1,5 @@
 """Many tables: one after the other, or by workers that may be killed."""
 
-import csv
 import gzip
 import json
 import os
@@ -10,11 +9,14 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import pytest
 
+import jkroll
 from harness import Run
+from jkroll.batch.lines import Tally
+from jkroll.batch.one import convert
+from jkroll.batch.settings import Order, Part
 from tables import random_table
 
 PARTS = 5
@@ -31,8 +33,10 @@ def grains() -> list[str]:
 
 
 def whole(directory: str) -> dict[str, bytes]:
-    """What a directory holds."""
-    return {path.name: path.read_bytes() for path in Path(directory).iterdir()}
+    """What a directory holds, without the time in its manifest."""
+    found = {path.name: path.read_bytes() for path in Path(directory).iterdir()}
+    manifest = {name: value for name, value in json.loads(found["manifest.json"]).items() if name != "begun"}
+    return found | {"manifest.json": json.dumps(manifest).encode()}
 
 
 def test_a_file_for_each_table_and_a_manifest(run: Run, grains: list[str]) -> None:
@@ -41,6 +45,8 @@ def test_a_file_for_each_table_and_a_manifest(run: Run, grains: list[str]) -> No
     manifest = json.loads(found.pop("manifest.json"))
     assert manifest["rows"] == sum(20 + place for place in range(PARTS))
     assert [one["input"] for one in manifest["files"]] == grains
+    assert [one["output"] for one in manifest["files"]] == [Path(name).name for name in grains]
+    assert manifest["version"] == jkroll.__version__
     for name in grains:
         assert run("batch", name, "-o", "one.csv", "--jobs", "1").code == 1
         assert found.pop(Path(name).name) == Path("one.csv").read_bytes()
@@ -86,6 +92,106 @@ def test_resume_leaves_out_what_is_done(run: Run, grains: list[str]) -> None:
     ran = run("batch", "grains/*.csv", "-o", "forces/", "--resume")
     assert ran.err.startswith("note: all 5 files are done; without --resume they are made anew\n")
     assert ran.code == 1
+
+
+def times(directory: str) -> dict[str, int]:
+    """When the tables of a directory were written."""
+    return {path.name: path.stat().st_mtime_ns for path in Path(directory).glob("*.csv")}
+
+
+def test_resume_makes_anew_what_is_older_than_its_input(run: Run, grains: list[str]) -> None:
+    words = ("batch", "grains/*.csv", "-o", "forces/", "--quantities", "r_min", "--jobs", "1")
+    assert run(*words).code == 1
+    before = times("forces")
+    Path(grains[1]).write_text("radius [nm]\n100\n", encoding="utf-8")
+    os.utime(grains[1], ns=(0, before["part-1.csv"] + 1))
+    assert run(*words, "--resume").code == 1
+    after = times("forces")
+    assert {name for name in before if after[name] != before[name]} == {"part-1.csv"}
+    assert (Path("forces") / "part-1.csv").read_text(encoding="utf-8").startswith("radius [nm],r_min [m],")
+    manifest = json.loads(Path("forces/manifest.json").read_text())
+    assert manifest["rows"] == sum(20 + place for place in range(PARTS)) - 20
+    assert run(*words).code == 1
+    assert all(after[name] != time for name, time in times("forces").items())
+
+
+@pytest.mark.usefixtures("grains")
+def test_resume_refuses_other_options_and_another_version(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    words = ("batch", "grains/*.csv", "-o", "forces/", "--quantities", "r_min", "--jobs", "1", "--quiet")
+    assert run(*words).code == 1
+    before = whole("forces")
+    for options in (["--xi", "1nm"], ["--model", "dmt"], ["--no-doubt"], ["--strict"]):
+        ran = run(*words, *options, "--resume")
+        said = "jkroll: --resume: 'forces/' was made with other options; without --resume it is made anew\n"
+        assert (ran.code, ran.err) == (2, said), options
+    with monkeypatch.context() as patch:
+        patch.setattr("jkroll.batch.many.__version__", "0.0.0")
+        said = "jkroll: --resume: 'forces/' was made with another version; without --resume it is made anew\n"
+        assert run(*words, "--resume") == (2, "", said)
+    assert whole("forces") == before
+    assert run(*words[:-3], "--jobs", "2", "--resume").code == 1  # which changes no result
+    assert whole("forces") == before
+
+
+def test_the_manifest_is_there_before_the_first_table(
+    run: Run, monkeypatch: pytest.MonkeyPatch, grains: list[str]
+) -> None:
+    """So a run that is ended in the middle can be continued: what has its name is whole."""
+    words = ("batch", "grains/*.csv", "-o", "forces/", "--jobs", "1")
+    with monkeypatch.context() as patch:
+        interrupted_at(2, patch)
+        assert run(*words).code == 130
+    assert {"version", "options", "files"} <= json.loads(Path("forces/manifest.json").read_text()).keys()
+    before = times("forces")
+    assert sorted(before) == [Path(name).name for name in grains[:2]]
+    assert run(*words, "--resume").code == 1
+    assert before.items() <= times("forces").items()
+    assert run(*words[:3], "whole/", *words[4:]).code == 1
+    manifest, *tables = (path for path in sorted(Path("whole").iterdir(), key=lambda path: path.suffix == ".csv"))
+    assert all((Path("forces") / path.name).read_bytes() == path.read_bytes() for path in tables)
+    assert (Path("forces") / manifest.name).exists()
+
+
+def interrupted_at(place: int, patch: pytest.MonkeyPatch) -> None:
+    """Have runs end before the table at a place."""
+    done: list[Part] = []
+
+    def until(part: Part, order: Order) -> Tally:
+        if len(done) == place:
+            raise KeyboardInterrupt
+        done.append(part)
+        return convert(part, order)
+
+    patch.setattr("jkroll.batch.many.convert_one", until)
+
+
+def test_resume_keeps_nothing_that_an_earlier_run_left(
+    run: Run, monkeypatch: pytest.MonkeyPatch, grains: list[str]
+) -> None:
+    """The files of before are newer than their inputs too, but were made with other options."""
+    words = ("batch", "grains/*.csv", "--jobs", "1")
+    assert run(*words, "-o", "forces/", "--quantities", "mass").code == 1
+    for place in (1, 2):
+        with monkeypatch.context() as patch:
+            interrupted_at(place, patch)
+            resume = ["--resume"] if place > 1 else []
+            assert run(*words, "-o", "forces/", "--quantities", "r_min", *resume).code == 130
+    before = times("forces")
+    assert run(*words, "-o", "forces/", "--quantities", "r_min", "--resume").code == 1
+    after = times("forces")
+    assert [Path(name).name for name in grains if before[Path(name).name] == after[Path(name).name]] == [
+        Path(name).name for name in grains[:3]
+    ]
+    assert run(*words, "-o", "whole/", "--quantities", "r_min").code == 1
+    assert all((Path("whole") / name).read_bytes() == (Path("forces") / name).read_bytes() for name in after)
+
+
+@pytest.mark.parametrize("option", [["--resume"], ["--dask", "local"]])
+def test_a_single_table_is_not_resumed_and_needs_no_cluster(run: Run, grains: list[str], option: list[str]) -> None:
+    said = f"jkroll: {option[0]} is for many files: name them as in 'grains/*.csv', with -o DIRECTORY/\n"
+    for path in (grains[0], "-"):
+        assert run("batch", path, "-o", "out.csv", *option) == (2, "", said)
+    assert not Path("out.csv").exists()
 
 
 @pytest.mark.usefixtures("grains")
@@ -141,50 +247,6 @@ def test_what_makes_no_directory(run: Run, grains: list[str]) -> None:
     assert all(Path(name).read_text().startswith("material,") for name in grains)
 
 
-@pytest.mark.parametrize("end", ["csv", "ndjson", "parquet"])
-def test_a_large_table_is_split(run: Run, monkeypatch: pytest.MonkeyPatch, end: str) -> None:
-    from jkroll.batch import many, source
-    from jkroll.batch.settings import Order, Settings
-    from jkroll.materials.library import known_materials
-
-    name = f"grains.{end}"
-    rows: list[dict[str, Any]] = [
-        {"radius [nm]": 100.0 + row, "text": 'a\n"b"' if row % 3 else ""}
-        | ({} if row % 5 else {"radius2 [nm]": 50.0})  # which the first line of a part may lack
-        for row in range(300)
-    ]
-    if end == "csv":
-        with Path(name).open("w", newline="") as file:
-            writer = csv.DictWriter(file, rows[0])
-            writer.writeheader()
-            writer.writerows(rows)
-    elif end == "ndjson":
-        Path(name).write_text("".join(json.dumps(row) + "\n" for row in rows))
-    else:
-        pyarrow, parquet = pytest.importorskip("pyarrow"), pytest.importorskip("pyarrow.parquet")
-        parquet.write_table(pyarrow.Table.from_pylist(rows), name, row_group_size=7)
-    monkeypatch.setattr(source, "SPAN", 500)
-    monkeypatch.setattr(source, "CHUNK", 100)
-    if end == "parquet":
-        monkeypatch.setattr("jkroll.batch.parquet.SPAN", 50)
-    assert run("batch", name, "-o", f"whole.{end}", "--quantities", "r_min").code == 0
-    settings = Settings("out/", quantities="r_min", dask="local", jobs=1)
-    assert many.convert(name, Order(settings, {}, known_materials()), many.by_processes) == ((300, 0, 0), 0)
-    manifest = json.loads(Path("out/manifest.json").read_text())["files"]
-    found = [Path("out") / one["output"] for one in manifest]
-    assert len(found) >= 5
-    assert [path.name for path in found] == [f"grains-{place:05}.{end}" for place in range(len(found))]
-    if end == "parquet":
-        whole, *others = (parquet.read_table(path) for path in ("whole.parquet", *found))
-        assert pyarrow.concat_tables(others).equals(whole)
-        return
-    texts = [path.read_bytes() for path in found]
-    if end == "csv":
-        head = texts[0].partition(b"\n")[0] + b"\n"
-        texts = [head, *(text.removeprefix(head) for text in texts)]
-    assert b"".join(texts) == Path(f"whole.{end}").read_bytes()
-
-
 @pytest.fixture
 def scheduler() -> Iterator[str]:
     """A Dask scheduler."""
@@ -235,7 +297,7 @@ def test_two_dask_workers_write_what_one_process_writes(
         command = [sys.executable, "-m", "jkroll", "batch", "grains/*.csv", "-o", "forces/", "--dask", scheduler]
         batch = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
         if kill:
-            while not (Path("forces").exists() and "manifest.json.journal" in whole_names("forces")):
+            while not [*Path("forces").glob(".part-*")]:
                 assert batch.poll() is None
             os.kill(workers[0].pid, signal.SIGKILL)
         _, message = batch.communicate()
@@ -244,4 +306,7 @@ def test_two_dask_workers_write_what_one_process_writes(
         for process in workers:
             process.kill()
             process.wait()
-    assert whole("forces") == whole("whole")
+    found = whole("forces")
+    begun = [name for name in found if name.startswith(".")]  # by the one that was killed
+    assert len(begun) <= kill
+    assert {name: text for name, text in found.items() if name not in begun} == whole("whole")

@@ -10,10 +10,10 @@ from hypothesis import strategies as st
 from jkroll.batch import delimited
 from jkroll.batch.delimited import DIALECTS, Delimited, unquoted
 from jkroll.batch.lines import Converted, Head
+from jkroll.batch.one import table_with
+from jkroll.batch.settings import Order, Settings
 from jkroll.materials.library import known_materials
-from jkroll.table.cells import Reader
-from jkroll.table.columns import understood
-from jkroll.table.task import task_of
+from jkroll.rows.cells import Reader
 
 HEADER = ["name", "material", "radius [nm]", "load [nN]", "poisson_ratio", "radius2"]
 PLAIN = st.sampled_from(
@@ -45,13 +45,17 @@ USUAL = rows(NUMBERS, st.sampled_from(["a", "", "b c", "-1"]))
 ANY = rows(NUMBERS | ODD, NAMES) | st.lists(NUMBERS | ODD, max_size=8)
 
 
+def converter(dialect: str, end: str, *, excel_safe: bool) -> Delimited:
+    """The converter of a table with this header."""
+    separator = DIALECTS[dialect].separator.decode()
+    table = table_with(tuple(HEADER), [], Order(Settings(quantities="report"), {}, known_materials()))
+    head = Head((separator.join(HEADER) + end).encode(), tuple(HEADER))
+    return DIALECTS[dialect].converter(head, table, strict=False, excel_safe=excel_safe)
+
+
 def converted(dialect: str, end: str, text: bytes, *, excel_safe: bool) -> Converted:
     """What becomes of a block of rows."""
-    separator = DIALECTS[dialect].separator.decode()
-    header = understood(HEADER)
-    task = task_of(header, {}, "report", known_materials())
-    head = Head((separator.join(HEADER) + end).encode(), tuple(HEADER))
-    return Delimited(DIALECTS[dialect], head, task, excel_safe=excel_safe).convert(text)
+    return converter(dialect, end, excel_safe=excel_safe).convert(text)
 
 
 @settings(deadline=None, max_examples=150)
@@ -77,11 +81,12 @@ def test_quick_or_careful(*, table: list[list[str]], dialect: str, end: str, las
 
 def test_the_quick_way_is_taken() -> None:
     text = b"a,quartz,100,1,0.2,50 nm\n" * 300 + b"b,quartz,-5,0,0.2,50 nm\n"
+    convert = converter("csv", "\n", excel_safe=False).convert
     with (
         patch.object(Delimited, "_carefully", side_effect=AssertionError),
         patch.object(Reader, "_of_many_kinds") as one_by_one,
     ):
-        found = converted("csv", "\n", text, excel_safe=False)
+        found = convert(text)
     assert found.tally == (301, 1, 0)
     assert b"radius: '-5 nm' must be positive; expected a length such as 100nm" in found.output.splitlines()[300]
     assert not one_by_one.called
@@ -121,7 +126,7 @@ def test_an_open_quote_does_not_gather_what_follows_in_one_block() -> None:
     from jkroll.batch.formats import CHUNK
     from jkroll.batch.source import blocks
 
-    lines = [b'"open,quartz\n', *(b"row %d,quartz\n" % row for row in range(40_000))]
+    lines = [b'"open,quartz\n', *(b"row %d,quartz\n" % row for row in range(CHUNK // 3))]
     pieces = [b"".join(lines[start : start + 1000]) for start in range(0, len(lines), 1000)]
     found = [*blocks(pieces, DIALECTS["csv"].cut)]
     assert b"".join(found) == b"".join(lines)

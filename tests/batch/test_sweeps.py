@@ -1,6 +1,8 @@
 """Sweeps of any length: the rows of a short sweep, whoever writes them."""
 
 import csv
+import gzip
+import json
 import math
 import re
 import shlex
@@ -10,9 +12,11 @@ from pathlib import Path
 
 import pytest
 
-import jkroll.batch.sweep
-import jkroll.cli.question
-from harness import Run
+from harness import Ran, Run
+from jkroll.quantities.nomenclature import NOMENCLATURE
+from jkroll.rows import sweep as rows_of_lists
+from jkroll.scene.wiring import formula_of
+from jkroll.text import spelled
 
 SWEEPS = [
     "pull-off quartz,iron 1nm:1um:7",
@@ -35,7 +39,26 @@ SWEEPS = [
     "moment quartz 100nm --radius2 90nm,1um --xi '1 to 2angstrom,2angstrom'",
     "contact ice-warm 100nm --load -100nN:0nN:5:lin",
     "report 10nm:1um:5 --gamma 25mJ/m2 --young rigid,54GPa --poisson 0.17",
+    "report quartz 1um,2um --radius2 plane,1um --quantities mass,mass2,moment_of_inertia2",
 ]
+INFERENCES = [
+    "infer gamma quartz,gold 2um --radius2 plane,1um --measured pull_off_force=300nN,3N,1nN:1uN:4",
+    "infer gamma quartz 2um±50nm --radius2 plane --measured pull_off_force=300±20nN,310nN,3N --model jkr,maugis",
+    "infer work-of-adhesion 1um --young 54GPa --poisson 0.17 --measured contact_radius=10nm:30nm:3 --model jkr,dmt",
+    "infer radius quartz --load 50nN --measured approach_at_load=200pm,300pm,3nm",
+    "infer radius quartz,ice-warm --measured 'pull_off_force=280 to 320nN,300nN'",
+    "infer load quartz 1um --measured contact_radius_at_load=1nm,10nm:30nm:4 --model jkr,maugis,dmt",
+    "infer young ice-warm,quartz 100nm --load -1nN,1N --measured contact_radius_at_load=2nm,4nm",
+    "infer young quartz 100nm --measured pull_off_force=10nN,20nN",
+    "infer xi quartz,ice-warm 0.95um --measured yield_force=1.21±0.36nN --model jkr,maugis",
+    "infer adhesion-hysteresis quartz 1um --measured yield_force=0.1nN:1nN:3 --material2 quartz,iron",
+    "infer gamma 1um,2um --gamma2 25±5mJ/m2,30mJ/m2 --measured pull_off_force=200nN",
+    "infer gamma quartz 1um --measured n_roll=3,4 --energy 1aJ:1fJ:2",
+    "infer gamma 1um --young rigid,54GPa --poisson 0.17 --measured contact_radius=30nm,40nm",
+]
+
+
+TEXTS = ("material", "model", "doubt", "status")
 
 
 def table(text: str) -> list[list[str]]:
@@ -43,27 +66,97 @@ def table(text: str) -> list[list[str]]:
     return list(csv.reader(text.splitlines()))
 
 
-@pytest.mark.parametrize("sweep", SWEEPS)
-def test_a_streamed_sweep_has_the_rows_of_a_short_one(run: Run, sweep: str) -> None:
-    short = run(*shlex.split(sweep), "--csv")
-    written = run(*shlex.split(sweep), "-o", "out.csv")
-    assert (written.code, written.out) == (short.code, "")
-    assert [line for line in short.err.splitlines() if "rows failed" in line] == [
-        line for line in written.err.splitlines() if "rows failed" in line
-    ]
-    rows, streamed = table(short.out), table(Path("out.csv").read_text(encoding="utf-8"))
-    assert streamed[0] == rows[0]
-    assert len(streamed) == len(rows)
-    close = 8e-15 if "maugis" in sweep else 4e-16  # numbers and arrays
-    for row, other in zip(rows[1:], streamed[1:], strict=True):
-        values = dict(zip(rows[0], row, strict=True))
-        for name, cell, streamed_cell in zip(rows[0], row, other, strict=True):
+def by(way: str, patch: pytest.MonkeyPatch) -> None:
+    """Have rows computed one by one with floats, or as arrays, whatever their number."""
+    patch.setattr(rows_of_lists, "WORTH_ARRAYS", {"floats": 10**9, "arrays": -1}[way])
+
+
+def in_both_ways(run: Run, monkeypatch: pytest.MonkeyPatch, *words: str) -> list[Ran]:
+    """Run a command whose rows are computed by floats, and one whose rows are computed as arrays."""
+    found = []
+    for way in ("floats", "arrays"):
+        with monkeypatch.context() as patch:
+            by(way, patch)
+            found.append(run(*words))
+    return found
+
+
+@pytest.mark.parametrize("sweep", [*SWEEPS, *INFERENCES])
+def test_rows_are_the_same_by_floats_and_by_arrays(run: Run, monkeypatch: pytest.MonkeyPatch, sweep: str) -> None:
+    """Numbers to within roundings; gaps, doubts, reasons and notes to the letter."""
+    floats, arrays = in_both_ways(run, monkeypatch, *shlex.split(sweep), "--csv")
+    assert (arrays.code, arrays.err) == (floats.code, floats.err)
+    header, *rows = table(floats.out)
+    assert header[-2:] == ["doubt", "status"]
+    other_header, *others = table(arrays.out)
+    assert other_header == header
+    close = 8e-15 if "maugis" in sweep else 4e-16
+    for row, other in zip(rows, others, strict=True):
+        values = dict(zip(header, row, strict=True))
+        for name, cell, other_cell in zip(header, row, other, strict=True):
             beside = re.sub("_(minus|plus)", "", name)  # a side is the difference of two values
             rounding = 0.0 if beside == name else 16 * math.ulp(float(values[beside] or 0))
             try:
-                assert float(cell) == pytest.approx(float(streamed_cell), rel=close, abs=rounding), name
+                assert float(cell) == pytest.approx(float(other_cell), rel=close, abs=rounding), name
             except ValueError:
-                assert cell == streamed_cell, name
+                assert cell == other_cell, name
+
+
+@pytest.mark.parametrize("way", ["floats", "arrays"])
+@pytest.mark.parametrize("form", ["", "--to nN", "--digits 4", "--no-doubt"])
+def test_a_file_has_the_bytes_of_the_stream(run: Run, monkeypatch: pytest.MonkeyPatch, way: str, form: str) -> None:
+    by(way, monkeypatch)
+    words = f"yield-force quartz,ice-warm 1nm:1um:7 --load -2nN:2nN:3:lin {form}".split()
+    shown = run(*words, "--csv")
+    for end, separator in (("csv", ","), ("tsv", "\t")):
+        written = run(*words, "-o", f"out.{end}")
+        assert (written.code, written.out, written.err) == (shown.code, "", shown.err)
+        cells = csv.reader(Path(f"out.{end}").read_text(encoding="utf-8").splitlines(), delimiter=separator)
+        assert [*cells] == table(shown.out)
+    assert Path("out.csv").read_text(encoding="utf-8") == shown.out
+    assert run(*words, "-o", "out.csv.gz").code == shown.code
+    assert gzip.decompress(Path("out.csv.gz").read_bytes()).decode() == shown.out
+    assert run(*words, "-o", "out.ndjson").code == shown.code
+    objects = [json.loads(line) for line in Path("out.ndjson").read_text(encoding="utf-8").splitlines()]
+    header, *rows = table(shown.out)
+    assert ("doubt" in header) == (form != "--no-doubt")
+    for row, one in zip(rows, objects, strict=True):
+        assert [*one] == header
+        assert [_cell(value) for value in one.values()] == row
+
+
+def _cell(value: object) -> str:
+    """Return a value of NDJSON as a cell of CSV."""
+    return "" if value is None else spelled(value) if isinstance(value, float) else str(value)
+
+
+@pytest.mark.parametrize("options", [[], ["--bare"], ["--digits", "5", "--to", "pN"]])
+def test_a_number_has_one_spelling(run: Run, monkeypatch: pytest.MonkeyPatch, options: list[str]) -> None:
+    """In every format and by either way, and it is read back as the same double."""
+    words = ["pull-off", "quartz", "1e-15m,1e-9m,20nm,50nm,1e5m,3e15m", "--quiet", *options]
+    out = {ran.out for ran in in_both_ways(run, monkeypatch, *words)}
+    cells = {cell for text in out for line in text.splitlines()[1:] for cell in re.split("[\t,]", line)}
+    numbers = [cell for cell in cells if re.fullmatch("[-+.0-9e]+", cell)]
+    assert len(numbers) >= 5
+    assert [number for number in numbers if spelled(float(number)) != number] == []
+    assert len(out) == 1
+
+
+@pytest.mark.parametrize("options", ["", "--angle 10deg", "--model maugis,dmt", "--load 1nN --radius2 200nm,plane"])
+def test_what_is_named_is_a_column_whether_a_command_shows_it_there_or_not(
+    run: Run, monkeypatch: pytest.MonkeyPatch, options: str
+) -> None:
+    named = [name for name, quantity in NOMENCLATURE.items() if quantity.unit and formula_of(name) is not None]
+    given = ["load", "rolling_angle"]
+    words = [*f"report quartz 100nm,200nm {options} --quantities".split(), ",".join({*named}.difference(given))]
+    for ran in in_both_ways(run, monkeypatch, *words, "--csv"):
+        assert ran.code == 0
+        header, *rows = table(ran.out)
+        assert "yield_force_fixed_load [N]" in header
+        for row in rows:
+            empty = {name for name, cell in zip(header, row, strict=True) if not cell}
+            shown = {"n_roll_after_impact", "yield_force_fixed_load [N]", "roll_energy_quarter_turn [J]"}
+            assert not empty & (shown | {"rolling_frequency_as_printed [Hz]", "pull_off_force_lennard_jones [N]"})
 
 
 @pytest.mark.parametrize("end", ["csv", "parquet"])
@@ -81,8 +174,9 @@ def test_rows_do_not_depend_on_the_blocks(run: Run, monkeypatch: pytest.MonkeyPa
         "2±0.2angstrom",
         "--quiet",
     ]
+    by("arrays", monkeypatch)
     assert run(*sweep, "-o", "whole.csv") == (0, "", "")
-    monkeypatch.setattr(jkroll.batch.sweep, "ROWS", 7)
+    monkeypatch.setattr(rows_of_lists, "BLOCK", 7)
     assert run(*sweep, "-o", f"out.{end}") == (0, "", "")
     if end == "csv":
         assert Path("out.csv").read_bytes() == Path("whole.csv").read_bytes()
@@ -90,17 +184,15 @@ def test_rows_do_not_depend_on_the_blocks(run: Run, monkeypatch: pytest.MonkeyPa
     found = pytest.importorskip("pyarrow.parquet").read_table("out.parquet")
     header, *rows = table(Path("whole.csv").read_text(encoding="utf-8"))
     assert found.column_names == header
-    assert header[:2] == ["material", "model"]
     for place, name in enumerate(header):
         cells = [row[place] or None for row in rows]
-        assert found[name].to_pylist() == (cells if place < 2 else [cell and float(cell) for cell in cells]), name
+        assert found[name].to_pylist() == (cells if name in TEXTS else [cell and float(cell) for cell in cells]), name
 
 
 @pytest.mark.slow
-def test_a_long_sweep_is_streamed_to_a_pipe_and_to_parquet(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_long_sweep_is_the_same_in_a_pipe_and_in_parquet(run: Run) -> None:
     parquet = pytest.importorskip("pyarrow.parquet")
     command = "pull-off quartz,iron 1nm:1um:15000"
-    assert jkroll.cli.question.MANY < 30_000
     piped = subprocess.run(
         [sys.executable, "-m", "jkroll", *command.split(), "--csv", "--quiet"], capture_output=True, text=True
     )
@@ -111,25 +203,35 @@ def test_a_long_sweep_is_streamed_to_a_pipe_and_to_parquet(run: Run, monkeypatch
     assert found.column_names == header
     assert found.num_rows == len(rows) == 30_000
     for place, name in enumerate(header):
-        cells = [row[place] for row in rows]
-        assert found[name].to_pylist() == ([float(cell) for cell in cells] if name != "material" else cells)
-    with monkeypatch.context() as patch:
-        patch.setattr(jkroll.cli.question, "MANY", 10**9)
-        short = table(run(f"{command} --csv").out)[1:]
-    values, others = ([float(cell) for row in some for cell in row[1:]] for some in (short, rows))
-    assert values == pytest.approx(others, rel=4e-16)
+        cells = [row[place] or None for row in rows]
+        assert found[name].to_pylist() == (cells if name in TEXTS else [cell and float(cell) for cell in cells]), name
 
 
-def test_what_cannot_be_streamed(run: Run) -> None:
-    only = "jkroll: -o and long ranges write CSV in SI units with all digits, and take --csv alone"
-    assert run("pull-off quartz 1nm:1um:30000 --csv --to nN") == (2, "", f"{only}\n")
-    assert run("pull-off quartz 1nm:1um:3 -o x.csv --to nN") == (2, "", f"{only}; for other output write > FILE\n")
-    assert run("pull-off quartz 1nm:1um:3 -o x.csv --json") == (2, "", f"{only}; for other output write > FILE\n")
-    assert (
-        run("pull-off quartz 1nm:1um:2000000").err
-        == "jkroll: 2000000 scenes are more than 1000000; --csv and -o FILE write any number\n"
-    )
-    assert (
-        run("pull-off quartz 1nm:1um:3 -o x.ndjson").err
-        == "jkroll: -o: a sweep is written as csv, tsv or parquet, not as ndjson\n"
-    )
+@pytest.mark.parametrize("line", ["pull-off quartz 100nm", "frequencies quartz,gold 100nm 1um --to MHz --digits 3"])
+def test_a_file_of_json_has_what_json_prints(run: Run, line: str) -> None:
+    printed = run(f"{line} --json")
+    for words in (f"{line} -o x.json", f"{line} --json -o X.JSON"):
+        assert run(words) == (printed.code, "", printed.err)
+    assert Path("x.json").read_bytes().decode() == Path("X.JSON").read_bytes().decode() == printed.out
+
+
+def test_what_is_not_written_into_a_file_of_json(run: Run) -> None:
+    for option in ("--csv", "--bare", "--cite"):
+        assert (
+            run(f"pull-off quartz 100nm -o x.json {option}").err
+            == f"jkroll: -o 'x.json' and {option} exclude each other\n"
+        )
+    assert run("pull-off quartz 100nm -o x.json --resume").code == 2
+    assert run("pull-off quartz 1nm:1um:2000000 -o x.json").code == 2
+    assert run("contact quartz 100nm --load=-1N -o x.json").code == 1
+    assert not Path("x.json").exists()
+
+
+def test_what_a_file_of_rows_is_not(run: Run) -> None:
+    for form in ("json", "bare", "explain", "cite"):
+        message = f"jkroll: -o and --{form} exclude each other; for that output write > FILE\n"
+        assert run(f"pull-off quartz 1nm:1um:3 -o x.csv --{form}") == (2, "", message)
+    too_many = "jkroll: --json: 2000000 scenes are more than 1000000; --csv writes any number\n"
+    assert run("pull-off quartz 1nm:1um:2000000 --json") == (2, "", too_many)
+    assert run("pull-off quartz 1nm:1um:3 -o x.csv --resume").code == 2
+    assert [*Path().iterdir()] == []

@@ -13,12 +13,11 @@ import pytest
 
 from harness import Run, Stream
 from jkroll import solve
-from jkroll.bench.by_hand import by_hand
-from jkroll.bench.measure import DEFAULT, QUICK, USUAL, Row, compare, measure, with_front
-from jkroll.bench.points import each, hard, ordinary, scenes
-from jkroll.bench.reference import exact, references
+from jkroll.bench.measure import DEFAULT, QUICK, USUAL, Row, by_hand_in_blocks, compare, measure, with_front
+from jkroll.bench.points import each, exact, hard, ordinary, references, scenes
 from jkroll.bench.report import HEADS, RATIO_HEADS, off_front, plot_bench, write_bench
-from jkroll.bench.ways import OTHER_WAYS, QUANTITIES
+from jkroll.bench.ways import OTHER_WAYS, QUANTITIES, by_hand
+from jkroll.scene.solver import BLOCK
 from maugis_reference import approach, at_load, mpf, stiffness
 from reference import exact_results, ulp_error
 
@@ -108,23 +107,22 @@ def test_two_references_agree(points: dict[str, np.ndarray]) -> None:
 
 
 def test_the_reference_of_maugis_law_solves_his_equations() -> None:
-    """Against the equations of the tests, which were written for another start and another precision."""
+    """Against the equations of the tests, which were written for another unknown and another precision."""
     for point in each(ordinary(8)):
         pair: dict[str, Any] = {
             name: point[name] for name in ("radius", "radius2", "work_of_adhesion", "contact_modulus")
         }
-        names = ("transition_parameter", "edge_ratio", "reduced_radius")
-        transition, ratio, reduced = solve(
+        names = ("transition_parameter", "reduced_radius")
+        transition, reduced = solve(
             names, model="maugis", **pair, load=point["load"], atomic_spacing=point["atomic_spacing"]
         ).values()
         force = math.pi * point["work_of_adhesion"] * reduced
         length = (math.pi * point["work_of_adhesion"] * reduced**2 / (4 / 3 * point["contact_modulus"])) ** (1 / 3)
-        start = exact("contact_radius_maugis", point)[0] / length, 1 / ratio
-        radius, edge = at_load(mpf(transition), mpf(point["load"] / force), start)
-        delta = approach(radius, edge, mpf(transition))
+        radius, t = at_load(mpf(transition), mpf(point["load"] / force))
+        delta = approach(radius, t, mpf(transition))
         assert exact("contact_radius_maugis", point)[0] == pytest.approx(float(radius) * length, rel=1e-12)
         assert exact("approach_maugis", point)[0] == pytest.approx(float(delta) * length**2 / reduced, rel=1e-11)
-        slope = float(stiffness(radius, edge, mpf(transition)))
+        slope = float(stiffness(t, mpf(transition)))
         assert exact("stiffness_maugis", point)[0] == pytest.approx(slope * force * reduced / length**2, rel=1e-11)
 
 
@@ -142,6 +140,13 @@ def test_by_hand_is_the_plain_program_of_the_rivals() -> None:
         np.testing.assert_array_equal(found[name], values[name], err_msg=name)
         np.testing.assert_allclose(found[name], wanted[name], rtol=1e-13, err_msg=name)
         assert numbers[name] == pytest.approx(wanted[name][7], rel=1e-13)
+
+
+def test_by_hand_in_blocks_is_by_hand() -> None:
+    many = scenes(BLOCK + 50)
+    whole = by_hand(np.sqrt, np.cbrt, np.minimum, np.maximum, **many)
+    for name, values in by_hand_in_blocks(many).items():
+        np.testing.assert_array_equal(values, whole[name], err_msg=name)
 
 
 def test_the_front_is_made_of_those_that_no_other_beats() -> None:

@@ -17,9 +17,8 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
 from jkroll.errors import JkrollError
-from jkroll.materials.file import MAX_BYTES
-from jkroll.materials.library import Materials
-from jkroll.quantities.parsing import parse_quantity, unit_of
+from jkroll.materials.library import MAX_BYTES, Materials
+from jkroll.quantities.values import parse_quantity, unit_of
 from shapes import SHAPES, ordinary
 
 TEXTS = {

@@ -1,4 +1,4 @@
-"""Command lines by the thousand: each ends with a documented code and says so in one line."""
+"""Command lines by the thousand: random ones end with a documented code and say so in one line, those of the corpus with theirs."""
 
 import resource
 from collections import Counter
@@ -9,7 +9,12 @@ from random import Random
 import pytest
 
 from command_lines import command_line
+from corpus_lines import among_input_files, commands, faults, lines, run, spread
 from invariants import check_call, isolate
+from jkroll.cli.commands import COMMANDS, flags_of
+from jkroll.quantities.laws import LAWS
+
+WRITES_TO_THE_HOME = {"install_completion"}
 
 
 def run_many(count: int, seed: int) -> Counter[int]:
@@ -40,3 +45,31 @@ def test_generated_command_lines() -> None:
 @pytest.mark.parametrize("seed", range(5))
 def test_very_many_generated_command_lines(seed: int) -> None:
     run_many(10_000, seed=100 + seed)
+
+
+def wrong(count: int) -> dict[str, list[str]]:
+    """Return what is wrong with lines of the corpus, by what is typed."""
+    with among_input_files():
+        found = {line.typed: faults(line, run(line)) for line in spread(lines(), count) if line.can_run}
+    return {typed: what for typed, what in found.items() if what}
+
+
+def test_some_lines_of_the_corpus() -> None:
+    assert wrong(60) == {}
+
+
+@pytest.mark.slow
+def test_the_corpus() -> None:
+    assert wrong(len(lines())) == {}
+
+
+def test_the_corpus_has_every_command_option_and_law() -> None:
+    typed = [command.words for line in lines() for command in commands(line.typed)]
+    assert len({line.typed for line in lines()}) == len(lines())
+    for name in (None, *COMMANDS):
+        flags = flags_of(name)
+        found = {word.partition("=")[0] for words in typed if name in (None, *words[:1]) for word in words}
+        names = {option.name for option in flags.values()} - WRITES_TO_THE_HOME
+        assert names == {flags[word].name for word in found & flags.keys()} - WRITES_TO_THE_HOME, name
+    models = [words[words.index("--model") + 1] for words in typed if "--model" in words[:-1]]
+    assert {*LAWS} <= {*models}

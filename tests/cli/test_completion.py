@@ -7,8 +7,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from typer.testing import CliRunner
 
-from harness import Run
+from jkroll.cli.shells import app
 from shells import Shell
 
 # What is typed, and the words that the command is then called with. A second TAB goes on where the first has ended.
@@ -70,13 +71,47 @@ def test_tab_completes(shell: Shell, what: str) -> None:
     assert shell.words_of(f"jkroll {keys}") == words
 
 
-def test_only_names_that_are_one_word_are_offered(run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def offered(line: str) -> list[str]:
+    """Return what a shell is offered for the last word of a line."""
+    words = {"COMP_WORDS": line, "COMP_CWORD": str(line.count(" "))}
+    environment = {"_JKROLL_COMPLETE": "complete_bash", **words}
+    return CliRunner().invoke(app, env=environment, prog_name="jkroll").stdout.split()
+
+
+def test_only_names_that_are_one_word_are_offered(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "mine.toml").write_text(NAMED, encoding="utf-8")
     monkeypatch.setenv("JKROLL_MATERIALS", "mine.toml")
-    monkeypatch.setenv("_JKROLL_COMPLETE", "complete_bash")
-    monkeypatch.setenv("COMP_WORDS", "jkroll pull-off z")
-    monkeypatch.setenv("COMP_CWORD", "2")
-    assert run("pull-off").out.splitlines() == [NAMES[-1]]
+    assert offered("jkroll pull-off z") == [NAMES[-1]]
+
+
+@pytest.mark.parametrize(
+    ("line", "candidates"),
+    [
+        ("jkroll figure 3", ["3a", "3b", "3c", "3d"]),
+        ("jkroll figure 3a --mark quartz@1m", ["quartz@1mm", "quartz@1m"]),
+        ("jkroll figure 3a --mark quar", ["quartz@"]),
+        ("jkroll guide mo", ["models"]),
+        ("jkroll export la", ["lammps"]),
+        ("jkroll quantities r_", ["r_min", "r_min_over_radius"]),
+        ("jkroll map r_", ["r_min", "r_min_over_radius"]),
+        ("jkroll map r_min qua", ["quartz"]),
+        ("jkroll map r_min --x rad", ["radius=", "radius2="]),
+        ("jkroll infer gam", ["gamma"]),
+        ("jkroll infer gamma --measured n_g", ["n_grav="]),
+        ("jkroll contact --model dmt,j", ["dmt,jkr"]),
+        ("jkroll contact --gamma 5mJ", ["5mJ/m2"]),
+        ("jkroll batch --jo", ["--jobs"]),
+        ("jkroll batch gr", []),
+        ("jkroll --v", ["--version"]),
+    ],
+)
+def test_candidates(line: str, candidates: list[str]) -> None:
+    assert offered(line) == candidates
+
+
+def test_an_option_is_offered_once() -> None:
+    assert "--radius2" in offered("jkroll r-min --")
+    assert "--radius2" not in offered("jkroll r-min --radius2 1um --")
 
 
 def test_no_name_in_a_file_becomes_a_command(shell: Shell) -> None:

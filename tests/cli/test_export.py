@@ -1,4 +1,4 @@
-"""`jkroll export lammps`: the lines that it writes. test_lammps_export.py runs them."""
+"""`jkroll export`: the lines that it writes. test_lammps_export.py runs those of LAMMPS; the laws of others are written out here."""
 
 import math
 import re
@@ -13,6 +13,7 @@ NUMBER = r"([-+.e\d]+)"
 COEFFICIENTS = re.compile(
     rf"pair_coeff (\d \d) (jkr|dmt) {NUMBER} 0 0 {NUMBER} tangential mindlin {NUMBER} 0 {NUMBER} rolling sds {NUMBER} 0 {NUMBER}"
 )
+TWISTING = re.compile(rf" twisting sds {NUMBER} 0 {NUMBER}")
 
 
 def coefficients(text: str) -> dict[str, tuple[float, ...]]:
@@ -26,9 +27,27 @@ def test_numbers_are_those_of_the_formulas(run: Run) -> None:
     assert modulus == pytest.approx(54e9 / (1 - 0.17**2), rel=1e-11)
     assert gamma == 0.025
     assert tangential == pytest.approx(4 * 54e9 / (2 * 1.17) / 1.83, rel=1e-11)
-    assert slip == 1e9
-    assert rolling == pytest.approx(4 * solve("pull_off_force", material="quartz", radius=1e-7) / 5e-8, rel=1e-11)
+    force = solve("pull_off_force", material="quartz", radius=1e-7)
+    assert slip == pytest.approx(solve("sliding_force", material="quartz", radius=1e-7) / (2 * force), rel=1e-11)
+    assert rolling == pytest.approx(4 * force / 5e-8, rel=1e-11)
     assert cap == pytest.approx(2 * 2e-10 / 5e-8, rel=1e-11)
+
+
+@pytest.mark.parametrize("load", [0.0, 5e-9, -1e-8])
+def test_thresholds_of_sliding_and_twisting_at_the_load(run: Run, load: float) -> None:
+    """The caps are μ(P + 2P_c): a force, and a moment with μ in metres."""
+    text = run(f"export lammps quartz 100nm --load={load}N --shear-strength 12MPa").out
+    scene: dict[str, Any] = {"material": "quartz", "radius": 1e-7, "load": load, "shear_strength": 12e6}
+    names = ("pull_off_force", "sliding_force", "twisting_stiffness", "twisting_moment")
+    force, slide, stiffness, twist = solve(names, **scene).values()
+    [(*_, slip, _, _)] = coefficients(text).values()
+    [(printed, cap)] = TWISTING.findall(text)
+    assert slip * (load + 2 * force) == pytest.approx(slide, rel=1e-11)
+    assert float(printed) == pytest.approx(stiffness, rel=1e-11)
+    assert float(cap) * (load + 2 * force) == pytest.approx(twist, rel=1e-11)
+    assert "tau = 1.2e+07 Pa" in text
+    assert "coeff_restitution" in text.partition("timestep")[2]
+    assert "marshall" not in text
 
 
 def test_dmt(run: Run) -> None:
@@ -37,6 +56,8 @@ def test_dmt(run: Run) -> None:
     for load in (0.0, 5e-9):
         text = run(f"export lammps quartz 100nm --model dmt --load {load}N").out
         assert "pair_coeff 1 1 dmt " in text
+        assert "tangential mindlin 50441361916.8 0 1000000000 " in text
+        assert "twisting" not in text.partition("timestep")[0]
         [(*_, rolling, cap)] = coefficients(text).values()
         assert rolling == pytest.approx(pull_off / 5e-8, rel=1e-11)
         assert cap == pytest.approx(pull_off * 2e-10 / 5e-8 / (load + 2 * pull_off), rel=1e-11)
@@ -93,6 +114,35 @@ def test_a_plane_is_a_wall(run: Run) -> None:
     assert coefficients(text) == coefficients(alone)  # of the spheres among each other
 
 
+@pytest.mark.parametrize("program", ["lammps", "liggghts", "dust-simulation"])
+def test_doubts_and_the_caveat_are_in_the_file_or_beside_it(run: Run, program: str) -> None:
+    """As comments in ASCII; --quiet leaves them out, and no number changes."""
+    ran = run(f"export {program} quartz 100nm")
+    quiet = run(f"export {program} quartz 100nm --quiet")
+    assert (quiet.code, quiet.err) == (0, "")
+    told = ran.err if program == "dust-simulation" else ran.out.removeprefix(quiet.out)
+    assert "doubtful: " in told
+    assert "= 0.136, Maugis" in told
+    assert "quartz: surface energy per surface: measured for micron-sized particles" in told
+    assert "changes nothing here" not in told
+    assert ran.out.startswith(quiet.out)
+    if program != "dust-simulation":
+        assert ran.out.isascii()
+        assert all(line.startswith("# ") for line in told.splitlines())
+        assert ran.err == ""
+
+
+def test_each_word_of_lammps_is_explained(run: Run) -> None:
+    for options, words in (
+        ("", ["jkr", "mindlin", "rolling sds", "twisting sds"]),
+        (" --model dmt", ["dmt", "mindlin"]),
+    ):
+        text = run(f"export lammps quartz 100nm{options} --quiet").out
+        comments = [line for line in text.partition("timestep")[2].splitlines() if line.startswith("#")]
+        assert all(any(f"{word}: " in line for line in comments) for word in words)
+        assert "not in DMT" not in run(f"export lammps quartz 100nm{options}").out
+
+
 def test_a_pair_that_lacks_an_input_is_left_out(run: Run) -> None:
     """Of γ1 and γ2 nothing is said, so that only the coefficients of unlike spheres are known."""
     words = (
@@ -108,7 +158,22 @@ def test_a_pair_that_lacks_an_input_is_left_out(run: Run) -> None:
     ("words", "message"),
     [
         ("", "export: which program? write jkroll export lammps quartz 100nm"),
-        ("yade quartz 100nm", "export: 'yade' is not among the programs: lammps"),
+        ("yade quartz 100nm", "export: 'yade' is not among the programs: lammps, liggghts, dust-simulation"),
+        ("liggghts quartz 100nm --model dmt", "--model: LIGGGHTS has jkr, not 'dmt'"),
+        ("liggghts quartz 100nm --load 1nN", "export: liggghts finds the load by itself; give none"),
+        ("liggghts quartz 100nm --young2 rigid", "export: liggghts needs a finite Young's modulus of each body"),
+        (
+            "dust-simulation quartz 100nm --shear-strength 1MPa",
+            "export: dust-simulation has the shear strength G/4π², and takes no other",
+        ),
+        (
+            "dust-simulation quartz 100nm --approach 0.1nm",
+            "export: dust-simulation finds the load by itself; give none",
+        ),
+        (
+            "dust-simulation quartz 100nm --poisson 0",
+            "export: dust-simulation divides by Poisson's ratio, which is 0 here",
+        ),
         ("lammps quartz,iron 100nm", "export takes one pair of spheres, not 2"),
         ("lammps quartz 100nm --model maugis", "--model: LAMMPS has jkr and dmt, not 'maugis'"),
         (
@@ -120,3 +185,84 @@ def test_a_pair_that_lacks_an_input_is_left_out(run: Run) -> None:
 def test_mistakes(run: Run, words: str, message: str) -> None:
     ran = run(*"export".split(), *words.split())
     assert (ran.code, ran.out, ran.err) == (2, "", f"jkroll: {message}\n")
+
+
+# --- LIGGGHTS: Hertz less kA, with A as cohesion_model_sjkr2.h and _sjkr.h have it ---------------------------------------
+
+
+def liggghts_force(
+    overlap: float, modulus: float, radii: tuple[float, float], density: float, *, exact_circle: bool
+) -> float:
+    """Return the force of two spheres, or of a sphere and a wall, whose radius is infinite."""
+    radius, radius2 = radii
+    at_wall = math.isinf(radius2)
+    reduced = radius if at_wall else radius * radius2 / (radius + radius2)
+    r = (radius if at_wall else radius + radius2) - overlap
+    if at_wall:
+        area = math.pi * (radius**2 - r**2) if exact_circle else 2 * math.pi * radius * overlap
+    elif exact_circle:
+        factors = (r - radius - radius2) * (r + radius - radius2) * (r - radius + radius2) * (r + radius + radius2)
+        area = -math.pi / 4 * factors / r**2
+    else:
+        area = 2 * math.pi * 2 * reduced * overlap
+    return float(4 / 3 * modulus * math.sqrt(reduced) * overlap**1.5 - density * area)
+
+
+@pytest.mark.parametrize(
+    ("words", "place", "radii"),
+    [
+        ("quartz 1um", 0, (1e-6, 1e-6)),
+        ("quartz 1um --radius2 3um --material2 iron", 0, (1e-6, 1e-6)),
+        ("quartz 1um --radius2 3um --material2 iron", 1, (1e-6, 3e-6)),
+        ("quartz 1um --radius2 3um --material2 iron", 3, (3e-6, 3e-6)),
+        ("quartz 1um --radius2 plane --material2 iron", 1, (1e-6, math.inf)),
+    ],
+)
+def test_pull_off_of_liggghts(run: Run, words: str, place: int, radii: tuple[float, float]) -> None:
+    """The least force of its own law is that of JKR; with sjkr, two spheres take twice the k, but for terms in δ/R."""
+    text = run(f"export liggghts {words}").out
+    solids = [[*map(float, re.findall(rf"{name} peratomtype (.*)", text)[0].split())] for name in ("Modulus", "Ratio")]
+    count, *densities = re.findall(r"peratomtypepair (.*)", text)[0].split()
+    assert len(densities) == int(count) ** 2 == len(solids[0]) ** 2
+    types = divmod(place, int(count))
+    modulus = 1 / sum((1 - solids[1][one] ** 2) / solids[0][one] for one in types)
+    materials = ["quartz", "iron"]
+    scene: dict[str, Any] = {
+        "material": materials[types[0]], "material2": materials[types[1]], "radius": radii[0], "radius2": radii[1]
+    }  # fmt: skip
+    force, approach = solve(["pull_off_force", "approach"], **scene).values()
+    overlaps = [approach * step / 2000 for step in range(1, 8000)]
+    for exact_circle, factor in ((False, 1), (True, 1 if math.isinf(radii[1]) else 2)):
+        density = factor * float(densities[place])
+        least = min(liggghts_force(at, modulus, radii, density, exact_circle=exact_circle) for at in overlaps)
+        assert -least == pytest.approx(force, rel=2e-2 if exact_circle else 1e-6)
+
+
+# --- DustSimulation: the constants of Simulation::setMaterialConstants --------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "words", ["quartz 0.6um --xi 2nm", "100nm --gamma 20mJ/m2 --young 54GPa --poisson 0.3 --density 2g/cm3"]
+)
+def test_dust_simulation(run: Run, words: str) -> None:
+    ran = run(f"export dust-simulation {words}")
+    version, name, *numbers = ran.out.splitlines()
+    assert (version, name) == ("MATERIAL_FILE_VERSION_1_4", "quartz" if "quartz" in words else "jkroll")
+    radius, density, gamma, nu, young, xi, _, _, *modifiers = map(float, numbers)
+    assert modifiers == [1, 1, 1]
+    assert "Silicate.mat" in ran.err
+    modulus, reduced, shear = young / 2 / (1 - nu**2), radius / 2, young / 2 / (1 + nu)
+    a0 = (9 * math.pi * gamma * reduced**2 / modulus) ** (1 / 3)
+    pull_off = 3 * math.pi * gamma * reduced  # dyn = 1e-5 N, and so on
+    sliding, twisting = 8 * (shear / 2 / (2 - nu)) * a0, 16 / 3 * (shear / 2) * a0**3
+    names = "pull_off_force yield_moment sliding_force twisting_moment tangential_stiffness mass".split()
+    own = [float(run(f"report {words} --quantities {name} --bare").out) for name in names]
+    theirs = [
+        1e-5 * pull_off,
+        1e-7 * 4 * pull_off / reduced * xi * reduced,
+        1e-5 * sliding * (2 - nu) / (16 * math.pi) * a0,
+        1e-7 * twisting / (16 * math.pi),
+        1e-3 * sliding,
+        1e-3 * 4 / 3 * math.pi * radius**3 * density,
+    ]
+    assert own == pytest.approx(theirs, rel=1e-11)

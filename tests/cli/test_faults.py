@@ -30,7 +30,7 @@ WRITERS = {
     "version": "--version",
 }
 SWEEPS = {
-    "bare": "pull-off quartz 1nm:1um:100000 --bare --quiet",
+    "bare": "pull-off quartz 1nm:1um:1000000 --bare --quiet",
     "csv": "report quartz 1nm:1um:1000000 --csv --quiet",
     "json": "r-min 1nm:1um:100000 --json",
     "explain": "r-min 1nm:1um:100000 --explain",
@@ -81,10 +81,22 @@ def test_a_full_disk_is_said_in_a_line(what: str) -> None:
 
 
 @pytest.mark.skipif(not os.path.exists("/dev/full"), reason="needs /dev/full")
+@pytest.mark.parametrize(
+    "line", ["pull-off quartz 100nm,200nm -o", "batch grains.csv -o", "figure 3a --data", "batch grains.ndjson -o"]
+)
+def test_a_full_disk_is_said_with_the_name_of_the_file(line: str) -> None:
+    Path("grains.csv").write_text("radius [nm],material\n100,quartz\n", encoding="utf-8")
+    Path("grains.ndjson").write_text('{"radius [nm]": 100, "material": "quartz"}\n', encoding="utf-8")
+    ran = run(f"{line} /dev/full")
+    assert ran.returncode == 1
+    assert ran.stderr.splitlines()[-1] == b"jkroll: cannot write '/dev/full': No space left on device"
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="needs /dev/full")
 def test_notes_that_cannot_be_written_are_an_error_and_the_result_stands() -> None:
     with open("/dev/full", "wb") as full:
         ran = run("pull-off quartz 100nm --bare", stderr=full)
-        assert (ran.returncode, ran.stdout) == (1, b"1.1780972450961723e-08\n")
+        assert (ran.returncode, ran.stdout) == (1, b"1.1780972450961723e-8\n")
         assert run("pull-off quarz", stderr=full).returncode == 2
         assert run("pull-off quartz 100nm", stdout=full, stderr=full).returncode == 1
 
@@ -119,15 +131,38 @@ def test_a_listener_to_notes_that_goes_away_is_141() -> None:
     os.close(reader)
     ran = run("pull-off quartz 100nm --bare", stderr=writer)
     os.close(writer)
-    assert (ran.returncode, ran.stdout) == (141, b"1.1780972450961723e-08\n")
+    assert (ran.returncode, ran.stdout) == (141, b"1.1780972450961723e-8\n")
 
 
-def test_a_file_that_may_not_grow(tmp_path: Path) -> None:
+def run_limited(line: str, **options: object) -> "subprocess.CompletedProcess[bytes]":
+    """Run jkroll where no file may grow beyond 20 kB. No bytecode is written: Python leaves a part of it there."""
+
     def limit() -> None:
         resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, 20_000))
 
+    return run(line, preexec_fn=limit, env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}, **options)
+
+
+@pytest.mark.parametrize(
+    ("line", "name"),
+    [
+        ("report quartz 1nm:1um:1000 -o out.csv", "out.csv"),
+        ("report quartz 1nm:1um:1000 -o out.parquet", "out.parquet"),
+        ("figure 3a --data map.csv", "map.csv"),
+        ("batch gr*.csv -o out/", "out/grains.csv"),
+    ],
+)
+def test_a_file_that_may_not_grow_is_named(line: str, name: str) -> None:
+    rows = "".join(f"{radius},quartz\n" for radius in range(1, 1000))
+    Path("grains.csv").write_text("radius [nm],material\n" + rows, encoding="utf-8")
+    ran = run_limited(line)
+    assert ran.returncode == 1
+    assert ran.stderr.decode().splitlines()[-1] == f"jkroll: cannot write '{name}': File too large"
+
+
+def test_a_file_that_may_not_grow(tmp_path: Path) -> None:
     with (tmp_path / "rows.csv").open("wb") as file:
-        ran = run(SWEEPS["csv"], stdout=file, preexec_fn=limit)
+        ran = run_limited(SWEEPS["csv"], stdout=file)
     assert (ran.returncode, ran.stderr) == (1, b"jkroll: cannot write: File too large\n")
 
 
@@ -136,7 +171,7 @@ def test_a_directory_that_is_gone(tmp_path: Path) -> None:
     command = f"cd gone; rmdir ../gone; {' '.join(JKROLL)} pull-off quartz 100nm --bare --quiet"
     environment = {**os.environ, "PYTHONPATH": str(Path(__file__).parents[2] / "src")}
     ran = subprocess.run(["bash", "-c", command], capture_output=True, text=True, check=False, env=environment)
-    assert (ran.returncode, ran.stdout, ran.stderr) == (0, "1.1780972450961723e-08\n", "")
+    assert (ran.returncode, ran.stdout, ran.stderr) == (0, "1.1780972450961723e-8\n", "")
 
 
 # --- Signals ------------------------------------------------------------------------------------------------------------
@@ -144,7 +179,7 @@ def test_a_directory_that_is_gone(tmp_path: Path) -> None:
 BUSY = {
     "a sweep": SWEEPS["bare"],
     "objects": SWEEPS["json"],
-    "a unit that pint knows": "pull-off quartz 1furlong:2furlong:100000 --bare --quiet",
+    "a unit that pint knows": "pull-off quartz 1furlong:2furlong:1000000 --bare --quiet",
     "what typer reads": "contact quartz 100nm --laod 5nN",
 }
 
@@ -339,7 +374,7 @@ ENVIRONMENTS = {
 def test_no_environment_changes_a_number(what: str) -> None:
     ran = run("report quartz 100nm", env=ENVIRONMENTS[what])
     assert ran.returncode == 0
-    assert ran.stdout.splitlines()[0] == b"pull_off_force 1.1780972450961723e-08 N"
+    assert ran.stdout.splitlines()[0] == b"pull_off_force 1.1780972450961723e-8 N"
     assert all(line.startswith(b"note: ") for line in ran.stderr.splitlines())
 
 

@@ -1,4 +1,4 @@
-"""The help is our own: it lists exactly what typer takes, and both readers print it."""
+"""The help is our own: it lists exactly what the reader takes and what typer is told of it."""
 
 import re
 from collections.abc import Iterator
@@ -7,24 +7,23 @@ from typing import Any
 import pytest
 import typer
 from typer.core import TyperOption
+from typer.testing import CliRunner
 
 from harness import Run
-from jkroll.cli.commands import COMMANDS
+from jkroll.cli.commands import COMMANDS, flags_of
 from jkroll.cli.help import help_of
-from jkroll.cli.typer_app import application, typer_action
+from jkroll.cli.shells import app
 
 NAMES = [None, *COMMANDS]
 
 
 def taken(name: str | None) -> dict[str, bool]:
-    """Return every flag that typer takes for a command, or before any, and whether it is hidden."""
-    group = application()
-    command: Any = group if name is None else group.commands[name]
-    program = typer.Context(group, **group.context_settings)
-    context = program if name is None else typer.Context(command, parent=program)
+    """Return every flag that typer knows of a command, or before any, and whether it is hidden."""
+    group: Any = typer.main.get_command(app)
+    command = group if name is None else group.commands[name]
     return {
         flag: parameter.hidden
-        for parameter in command.get_params(context)
+        for parameter in command.get_params(typer.Context(command))
         if isinstance(parameter, TyperOption)
         for flag in (*parameter.opts, *parameter.secondary_opts)
     }
@@ -38,9 +37,9 @@ def listed(name: str | None) -> Iterator[str]:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_the_help_lists_what_typer_takes(name: str | None) -> None:
+def test_the_help_lists_what_is_taken(name: str | None) -> None:
     flags = list(listed(name))
-    assert sorted(flags) == sorted(taken(name))
+    assert sorted(flags) == sorted(taken(name)) == sorted(flags_of(name))
     shown = [flag for flag in flags if not taken(name)[flag]]
     assert shown == flags[: len(shown)]
     assert shown[-2:] == ["-h", "--help"]
@@ -48,14 +47,15 @@ def test_the_help_lists_what_typer_takes(name: str | None) -> None:
 
 def test_the_help_lists_every_command() -> None:
     commands = help_of(None).split("Commands:\n")[1].split("\n\n  Example")[0]
-    assert re.findall(r"^  (\S+)", commands, re.MULTILINE) == [*COMMANDS] == [*application().commands]
+    assert re.findall(r"^  (\S+)", commands, re.MULTILINE) == [*COMMANDS]
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_typer_prints_the_same_help(run: Run, capsys: pytest.CaptureFixture[str], name: str | None) -> None:
+def test_every_way_to_ask_for_help(run: Run, name: str | None) -> None:
     words = [name] if name else []
-    typer_action([*words, "--help"])
-    assert capsys.readouterr().out == run(*words, "--help").out == run(*words, "-h").out
+    text = run(*words, "--help").out
+    assert text == run(*words, "-h").out == run("help", *words).out == help_of(name) + "\n"
+    assert CliRunner().invoke(app, [*words, "--help"]).stdout == text
 
 
 @pytest.mark.parametrize("width", [1, 30, 60, 80, 200])

@@ -1,8 +1,14 @@
 """Materials: the shipped file, the user's files, and malformed files."""
 
+import copy
+import csv
+import io
 import json
 import os
+import pickle
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -11,9 +17,7 @@ from hypothesis import strategies as st
 import jkroll
 from harness import Run
 from jkroll.errors import JkrollError
-from jkroll.materials.entries import SHIPPED
-from jkroll.materials.file import MaterialsFileError
-from jkroll.materials.library import Material, Materials, read
+from jkroll.materials.library import SHIPPED, Material, Materials, MaterialsFileError, read
 from jkroll.text import quoted
 
 ICE = """
@@ -35,8 +39,7 @@ def write(path: Path, text: str | bytes) -> Path:
 def test_aliases_in_any_case() -> None:
     materials = Materials()
     for word, name in {
-        "SiO2": "quartz",
-        "sio2": "quartz",
+        "QUARTZ": "quartz",
         "AU": "gold",
         "fe": "iron",
         "ps": "polystyrene",
@@ -70,23 +73,95 @@ def test_option_environment_and_configuration_add_up(run: Run, tmp_path: Path, m
     values = ran.out.split()
     assert len(values) == 4
     assert values[0] == values[1] == values[2] != values[3]
-    assert "shadows" not in ran.err
+    assert "overrides" not in ran.err
 
 
-def test_shadowing_is_announced_and_the_later_file_wins(
+def test_the_file_of_a_call_overrides_and_says_so(run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    mine = write(tmp_path / "mine.toml", ICE.replace("[materials.ice]", "[materials.Quartz]").replace("H2O", "gold"))
+    text = [f"{mine} overrides {word} of Table 1" for word in ("gold", "Quartz")]
+    said = "".join(f"note: {one}\n" for one in text)
+    Path("grains.csv").write_text("material,radius [um]\nquartz,1\n", encoding="utf-8")
+    for line in (
+        "pull-off quartz 1um --bare",
+        "pull-off quartz 1um --csv",
+        "pull-off quartz,iron 1um",
+        "pull-off quartz 1um --explain",
+        "pull-off quartz 1um --json",
+        "infer xi quartz 1um --measured yield_force=1nN",
+        "batch grains.csv --quantities pull_off_force -o out.csv",
+        "materials quartz",
+        "export lammps quartz 1um --young 1GPa --poisson 0.3",
+        "map pull-off quartz --x radius=1nm:1um",
+        "figure 3a --data -",
+    ):
+        for quiet in ("", "--quiet"):
+            if quiet and "export" in line:
+                continue  # it has no notes
+            ran = run(f"{line} --materials {mine} {quiet}")
+            assert ran.code == 0
+            assert ran.err.startswith(said)
+    force = jkroll.solve("pull_off_force", surface_energy=0.37, radius=1e-6)
+    assert float(run(f"pull-off quartz 1um --bare --materials {mine}").out) == force
+    notes = json.loads(run(f"pull-off gold 1um --json --quiet --materials {mine}").out)["notes"]
+    assert [note for note in notes if "overrides" in note] == [f"Quartz: {one}" for one in text]
+    assert "overrides" not in run(f"pull-off iron 1um --json --materials {mine}").out
+    monkeypatch.setenv("JKROLL_MATERIALS", str(mine))  # the same file, as the environment names it
+    assert run(f"pull-off quartz 1um --bare --quiet --materials {mine}").err == said
+
+
+def test_the_environment_changes_no_number(run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A file of the environment, or of the configuration, adds materials. A name that is also shipped is refused when it is used."""
+    shipped = Materials()
+    words = sorted({*shipped.names, *shipped.aliases, "ice"})
+    before = {word: run("report", word, "1um", "--csv", "--quiet") for word in (*words, "all")}
+    entries = ["[materials.Quartz]\naliases = ['mine']", "[materials.opal]\naliases = ['FE', 'silica']"]
+    path = write(tmp_path / "own.toml", "".join(f"{entry}\nsurface_energy = '1 J/m2'\n" for entry in entries))
+    write(tmp_path / "configuration/jkroll/materials.toml", "[materials.Ice-Warm]\nsurface_energy = '1 J/m2'\n")
+    monkeypatch.setenv("JKROLL_MATERIALS", str(path))
+    refused = {
+        "quartz": f"'Quartz' is Table 1's and also in {path}; rename it, or pass --materials {path}",
+        "Fe": f"'FE' is Table 1's and also in {path}; rename it, or pass --materials {path}",
+        "silica": f"'silica' is Table 1's and also in {path}; rename it, or pass --materials {path}",
+        "ice-warm": "'Ice-Warm' is later sources' and also in {0}; rename it, or pass --materials {0}".format(
+            tmp_path / "configuration/jkroll/materials.toml"
+        ),
+    }
+    refused["mine"] = refused["quartz"]
+    for word in (*words, "mine"):
+        after = run("report", word, "1um", "--csv", "--quiet")
+        if word in refused:
+            assert after == (2, "", f"jkroll: material: {refused[word]}\n")
+        else:
+            assert after == before[word]
+    rows = run("report all 1um --csv --quiet").out.splitlines()
+    assert [row for row in rows if not row.startswith("opal,")] == before["all"].out.splitlines()
+    assert run("pull-off opal 1um --bare --quiet").code == 0
+    assert run(f"pull-off quartz 1um --bare --quiet --materials {path}").code == 0
+
+
+def test_the_list_of_materials_names_those_that_are_refused(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    mine = write(tmp_path / "mine.toml", ICE.replace("[materials.ice]", "[materials.silica]").replace("H2O", "opal"))
-    other = write(tmp_path / "other.toml", ICE.replace("0.37", "0.5").replace("ice", "Silica"))
-    monkeypatch.setenv("JKROLL_MATERIALS", str(other))
-    ran = run("pull-off", "SILICA", "1um", "--materials", str(mine), "--json")
-    note = f"{mine} shadows silica of my measurements"
-    assert ran.code == 0
-    assert '"surface_energy": 0.37' in ran.out
-    assert note in ran.out
-    assert f"note: silica: {note}\n" in run("pull-off", "SILICA", "1um", "--materials", str(mine)).err
-    assert f"note: Silica: {other} shadows silica of Table 1\n" in run("pull-off silica 1um").err
-    assert "shadows" not in run("pull-off quartz 1um").err
+    listed = run("materials --csv").out
+    path = write(tmp_path / "own.toml", "[materials.quartz]\naliases = ['mine']\ndensity = '1 g/cm3'\n")
+    monkeypatch.setenv("JKROLL_MATERIALS", str(path))
+    ran = run("materials --csv")
+    assert (ran.code, ran.out) == (0, listed)
+    problem = f"material: 'quartz' is Table 1's and also in {path}; rename it, or pass --materials {path}"
+    assert ran.err == f"note: {problem}\n"
+    assert run("materials --csv --quiet").err == ""
+    assert run("materials quartz") == (2, "", f"jkroll: {problem}\n")
+
+
+def test_the_environment_overrides_the_configuration_and_says_so(
+    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    write(tmp_path / "configuration/jkroll/materials.toml", ICE)
+    path = write(tmp_path / "own.toml", ICE.replace("0.37", "0.5").replace("ice", "Ice"))
+    monkeypatch.setenv("JKROLL_MATERIALS", str(path))
+    ran = run("pull-off ice 1um --bare --quiet")
+    assert float(ran.out) == jkroll.solve("pull_off_force", surface_energy=0.5, radius=1e-6)
+    assert ran.err == "".join(f"note: {path} overrides {word} of my measurements\n" for word in ("H2O", "Ice"))
 
 
 def test_a_material_that_lacks_a_property_names_its_file(run: Run, tmp_path: Path) -> None:
@@ -103,6 +178,10 @@ BROKEN = {
     "[materials.a]\ndensity = '-5 g/cm3'": "a: density: '-5 g/cm3' must be positive; expected a mass density such as 1g/cm3",
     "[materials.a]\ndensity = true": "a.density is not a text in quotes",
     "[materials.a]\ndensity = 1979-05-27": "a.density is not a text in quotes",
+    "[materials.a]\npoisson_ratio = 0x" + "f" * 30_000: "a.poisson_ratio has too many digits",
+    "[materials.a]\npoisson_ratio = 0x"
+    + "f"
+    * 300: f"a: poisson_ratio: '{str(16**300 - 1)[:80]}' is longer than 80 characters; expected a number such as 0.3",
     "[materials.a]\ndensity = nan": "a.density is not a text in quotes",
     "[materials.a]\ndensty = '1 g/cm3'": "'a' has an unknown key 'densty'; did you mean density?",
     "[materials.a]\ngamma = '25 mJ/m2'": "'a' has an unknown key 'gamma'; did you mean surface_energy?",
@@ -117,7 +196,7 @@ BROKEN = {
     '[materials."a\\u202eb"]': "'a?b' cannot name a material; a name begins with a letter and has no comma",
     "[materials.a]\nreferences = ['x']": "'a' cites 'x', which [references] does not have",
     "[materials.ice]\n[materials.Ice]": "'Ice' names both 'ice' and 'Ice'; case makes no difference",
-    "[materials.a]\naliases = ['x']\n[materials.b]\naliases = ['X']": "'X' names both 'a' and 'b'; case makes no difference",
+    "[materials.x]\n[materials.b]\naliases = ['X']": "'X' names both 'x' and 'b'; case makes no difference",
     "[materials.'a ']": "'a ' cannot name a material; a name begins with a letter and has no comma",
     "[materials.a]\ndensity = { value = '1 g/cm3', methd = 'x' }": "'a.density' has an unknown key 'methd'; did you mean method?",
     "[materials.a]\ndensity = { method = 'x' }": "a.density is not a text in quotes",
@@ -209,6 +288,61 @@ def test_nothing_but_the_declared_error_escapes(tmp_path: Path, content: bytes) 
         assert "\n" not in str(error)
 
 
+@pytest.mark.parametrize("made", [str, Path, os.fsencode, lambda path: [path], lambda path: iter([str(path)])])
+def test_a_file_of_one_s_own_is_read_by_its_path_or_as_one_of_several(made: Callable[[Path], Any]) -> None:
+    path = write(Path("mine.toml"), ICE)
+    assert Materials(made(path))["H2O"].name == "ice"
+
+
+@pytest.mark.parametrize("paths", [3, None, [3], [["mine.toml"]], {"mine.toml": 1}.values()])
+def test_what_is_not_a_path_is_refused(paths: Any) -> None:
+    with pytest.raises(MaterialsFileError, match="is not a path"):
+        Materials(paths)
+    with pytest.raises(MaterialsFileError, match="is not a path"):
+        jkroll.known_materials(paths)
+
+
+@pytest.mark.parametrize("word", [3, None, b"quartz", ("quartz",)])
+def test_what_is_not_a_name_is_not_known(word: Any) -> None:
+    with pytest.raises(JkrollError, match="is not known"):
+        Materials()[word]
+
+
+@pytest.mark.parametrize("name", ["quartz", "ice-warm"])
+def test_a_material_is_pickled_copied_and_hashed(name: str) -> None:
+    material = Materials()[name]
+    copies: list[Any] = [pickle.loads(pickle.dumps(material)), copy.copy(material), copy.deepcopy(material)]
+    for again in copies:
+        assert again == material
+        assert {again: name}[material] == name
+        with pytest.raises(TypeError):
+            again.properties["density"] = 1.0
+
+
+def test_materials_are_pickled_copied_and_hashed() -> None:
+    materials = Materials(write(Path("mine.toml"), ICE))
+    known = materials.materials
+    assert hash(materials) == hash(materials)
+    for again in (pickle.loads(pickle.dumps(materials)), copy.copy(materials), copy.deepcopy(materials)):
+        assert again.materials == known
+        assert again["H2O"] == materials["ice"]
+
+
+def test_a_material_made_by_hand_has_properties_as_solve_takes_them() -> None:
+    mine = Materials()["quartz"]._replace(properties={"surface_energy": 0.05}, uncertainties={})
+    assert jkroll.solve("work_of_adhesion", material=mine) == 0.1
+    for properties, words in (
+        ({"surface_energy": "x"}, "surface_energy: 'x' does not begin with a number"),
+        ({"surface_energy": "25±5 mJ/m2"}, "surface_energy: .* is not a single number"),
+        ({"surface_energy": None}, "surface_energy: 'None' is not a number"),
+        ({"hardness": 1.0}, "'hardness' is not a quantity"),
+        (3, "material2: '3' is not a mapping of properties"),
+    ):
+        other: Any = mine._replace(properties=properties)  # type: ignore[arg-type]
+        with pytest.raises(JkrollError, match=words):
+            jkroll.solve("work_of_adhesion", material=mine, material2=other)
+
+
 def test_solve_takes_materials_by_name() -> None:
     assert jkroll.solve("pull_off_force", material="Fe", radius=1e-6) > 0
     with pytest.raises(JkrollError, match="did you mean quartz"):
@@ -281,28 +415,78 @@ def test_the_elastic_constants_of_ice_are_averages_of_those_of_its_crystals() ->
 
 
 def test_a_material_of_several_states_is_refused_with_their_list(run: Run, tmp_path: Path) -> None:
-    states = "material: 'ice' has no values of its own; its states are ice-model, ice-warm, ice-cold"
+    states = "material: 'ice' is ice-model (370 mJ/m²), ice-warm (190 mJ/m²) or ice-cold (2.9 mJ/m²): which?"
     assert run("pull-off ice 1um") == (2, "", f"jkroll: {states}\n")
     path = write(tmp_path / "mine.toml", ICE)
     assert run("pull-off", "ice", "1um", "--materials", str(path)).code == 0
 
 
-def test_silica_is_quartz_and_says_so(run: Run) -> None:
-    note = "note: quartz: silica is read as quartz, 2600 kg/m³; amorphous silica is silica-dry or silica-humid\n"
-    silica, quartz = run("pull-off silica 1um"), run("pull-off quartz 1um")
-    assert silica.out == quartz.out
-    assert note in silica.err
-    assert note in run("materials SILICA").err
-    assert "silica is" not in quartz.err + run("pull-off SiO2 1um").err + run("materials quartz").err
+def test_a_name_of_several_materials_is_refused_with_their_values(run: Run, tmp_path: Path) -> None:
+    of_silica = "quartz (25 mJ/m², Table 1), silica-dry (200 mJ/m², later sources) or silica-humid (22.5 mJ/m², later sources): which?"
+    for word in ("SiO2", "silica", "SILICA"):
+        message = f"material: '{word}' is {of_silica}"
+        for line in (
+            f"pull-off {word} 1um",
+            f"materials {word}",
+            f"pull-off iron,{word} 1um",
+            f"figure 3a --mark {word}",
+        ):
+            assert run(line) == (2, "", f"jkroll: {message}\n")
+        with pytest.raises(JkrollError) as refused:
+            jkroll.solve("pull_off_force", material="iron", material2=word, radius=1e-6)
+        assert str(refused.value) == message
+    path = write(
+        tmp_path / "mine.toml",
+        "[materials.ours]\naliases = ['wood']\ndensity = '1 g/cm3'\n[materials.theirs]\naliases = ['Wood']\n",
+    )
+    with pytest.raises(JkrollError, match=r"'wood' is ours or theirs: which\?"):
+        Materials(path)["wood"]
+
+
+def test_a_table_says_once_which_of_its_names_stand_for_several(run: Run) -> None:
+    rows = "".join(f"{name},{radius}\n" for radius in range(1, 50) for name in ("SiO2", "quartz", "ice"))
+    Path("grains.csv").write_text("material,radius [um]\n" + rows, encoding="utf-8")
+    ran = run("batch grains.csv --quantities pull_off_force -o out.csv")
+    lines = [line for line in ran.err.splitlines() if "which?" in line]
+    assert len(lines) == 2
+    assert lines[0].startswith("note: material: 'SiO2' is quartz (25 mJ/m², Table 1), silica-dry (200 mJ/m²")
+    assert lines[1].startswith("note: material: 'ice' is ice-model")
+    assert ran.err.splitlines()[-1] == "jkroll: 98 of 147 rows failed; column status says why"
+    assert Path("out.csv").read_text(encoding="utf-8").count("which?") == 98
+    assert "which?" not in run("batch grains.csv --quantities pull_off_force -o out.csv --quiet").err
 
 
 def test_the_sets_are_shown_apart(run: Run) -> None:
     out = run("materials", terminal=True).out
     assert out.index("Table 1") < out.index("quartz") < out.index("later sources") < out.index("ice-cold")
-    rows = [line.split(",") for line in run("materials --csv").out.splitlines()]
-    assert rows[0][-2:] == ["state", "source"]
-    assert rows[2][0] == "quartz"
-    assert rows[2][-2:] == ["", "Table 1"]
+    rows = {row["material"]: row for row in csv.DictReader(io.StringIO(run("materials --csv").out))}
+    assert (rows["quartz"]["source"], rows["quartz"]["state"]) == ("Table 1", "")
+    assert rows["ice-warm"]["source"] == "later sources"
+
+
+def test_the_list_shows_states_uncertainties_and_references(run: Run) -> None:
+    ice = Materials()["ice-warm"]
+    out = run("materials", terminal=True).out
+    assert ice.state in out
+    assert "190 ± 69" in out
+    assert "9.09 to 9.30" in out
+    words = out.split()
+    assert all(f"{entry['key']}" in {word.strip(",") for word in words} for entry in ice.references)
+    (row,) = (one for one in csv.DictReader(io.StringIO(run("materials --csv").out)) if one["material"] == "ice-warm")
+    assert float(row["surface_energy_minus [J/m^2]"]) == ice.uncertainties["surface_energy"].sides["minus"]
+    assert float(row["density_high [kg/m^3]"]) == ice.uncertainties["density"].high
+    assert row["references"].split(", ") == [entry["key"] for entry in ice.references]
+    assert row["state"] == ice.state
+
+
+def test_some_materials_are_listed(run: Run) -> None:
+    assert [one["name"] for one in json.loads(run("materials ice-cold,FE --json").out)] == ["ice-cold", "iron"]
+    table = run("materials quartz,ice-warm", terminal=True).out
+    assert "quartz" in table
+    assert "ice-warm" in table
+    assert "iron" not in table
+    assert len(run("materials quartz,ice-warm --csv").out.splitlines()) == 3
+    assert run("materials quartz,quarz").code == 2
 
 
 def test_a_material_is_shown_with_all_that_is_known_of_it(run: Run) -> None:

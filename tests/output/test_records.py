@@ -22,12 +22,12 @@ def written(kind: str, encoding: str = "utf-8") -> str:
 
 
 def test_plain_lines_are_separated_by_tabs() -> None:
-    assert written("plain") == "name\tvalue [N]\niron, γ = 3\t1.2345678901234567e-08\n[gold]\t-\n"
+    assert written("plain") == "name\tvalue [N]\niron, γ = 3\t1.2345678901234567e-8\n[gold]\t-\n"
 
 
 def test_csv_reads_back() -> None:
     rows = list(csv.reader(io.StringIO(written("csv"))))
-    assert rows == [list(HEADS), ["iron, γ = 3", "1.2345678901234567e-08"], ["[gold]", ""]]
+    assert rows == [list(HEADS), ["iron, γ = 3", "1.2345678901234567e-8"], ["[gold]", ""]]
 
 
 def test_json_has_numbers_and_null() -> None:
@@ -38,7 +38,7 @@ def test_json_has_numbers_and_null() -> None:
 def test_a_table_is_whole_on_any_terminal(columns: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("COLUMNS", str(columns))
     text = written("table")
-    assert all(cell in text for cell in ("iron, γ = 3", "1.2345678901234567e-08", "[gold]", "—"))
+    assert all(cell in text for cell in ("iron, γ = 3", "1.2345678901234567e-8", "[gold]", "—"))
     assert ("name: iron" in text) == (columns == 10)
 
 

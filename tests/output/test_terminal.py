@@ -1,11 +1,14 @@
 """What a terminal shows: tables of several scenes in the width there is, and notes in lines that fit."""
 
+import json
 import re
+from typing import Any
 
 import pytest
 
 from harness import Run, Stream
-from jkroll.output.glossary import quantities_found, write_quantities
+from jkroll import solve
+from jkroll.output.catalogue import quantities_found, write_quantities
 from jkroll.quantities.formatting import Format
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.text import say_wrapped
@@ -39,6 +42,16 @@ def test_scenes_that_do_not_differ_are_numbered(run: Run) -> None:
     assert "scene" in run("report quartz,quartz 100nm --quiet", terminal=True).out
 
 
+def test_rows_that_are_too_many_for_a_table_are_lines(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("jkroll.cli.question.MAX_TABLE", 99)
+    monkeypatch.setattr("jkroll.rows.sweep.BLOCK", 40)
+    for way in (10**9, -1):  # by floats, and by arrays
+        monkeypatch.setattr("jkroll.rows.sweep.WORTH_ARRAYS", way)
+        assert "─" in run("pull-off quartz 1nm:1um:99 --quiet", terminal=True).out
+        lines = run("pull-off quartz 1nm:1um:100 --quiet", terminal=True).out.splitlines()
+        assert [len(line.split("\t")) for line in lines] == [6] * 101
+
+
 @pytest.mark.parametrize(
     ("values", "unit"),
     [
@@ -70,6 +83,34 @@ def test_notes_are_broken_on_a_terminal_alone(monkeypatch: pytest.MonkeyPatch) -
     assert " ".join(line.strip() for line in lines) == text
 
 
+def test_the_judgement_by_another_law_is_of_the_moment_that_is_shown(run: Run) -> None:
+    grain: dict[str, Any] = {"material": "quartz", "radius": 950e-9, "yield_displacement": 2.57e-9}
+    shown = solve(["yield_moment", "reduced_radius", "work_of_adhesion"], **grain)
+    radius = solve("zone_radius", **grain, model="maugis")
+    ratio = shown["yield_moment"] / (2 * radius * shown["reduced_radius"] * shown["work_of_adhesion"])
+    assert f"; {ratio:.3g} for this moment by Maugis' law\n" in run("yield-force quartz 950nm --xi 2.57nm").err
+
+
+@pytest.mark.parametrize("law", ["maugis", "dmt"])
+def test_a_definition_of_jkr_stands_beside_values_of_jkr_alone(
+    run: Run, monkeypatch: pytest.MonkeyPatch, law: str
+) -> None:
+    monkeypatch.setenv("COLUMNS", "250")
+    words = "energies quartz 100nm --quiet"
+    of_jkr, of_law = (run(f"{words} {more}", terminal=True).out for more in ("", f"--model {law}"))
+    energies = json.loads(run(f"{words} --json").out)["results"]
+    others = json.loads(run(f"{words} --model {law} --json").out)["results"]
+    assert {one["value"] for one in others if "jkr" in one} >= {None}
+    for one, other in zip(energies, others, strict=True):
+        assert one["definition"] in of_jkr
+        is_of_jkr = one["value"] == other["value"]
+        assert (one["definition"] in of_law) == ("definition" in other) == is_of_jkr, one["name"]
+        assert is_of_jkr or other["jkr"] == one["value"]
+    line = next(line for line in of_law.splitlines() if " U_stick " in line)
+    assert "—" in line
+    assert "Thornton" not in line
+
+
 def test_many_doubts_are_a_number_and_its_limit(run: Run) -> None:
     first = run("report quartz 0.3nm").err.splitlines()[0]
     assert "ξ/ξ_max = 7.23, above 1: the leading edge would interpenetrate" in first
@@ -87,18 +128,10 @@ def test_many_doubts_are_a_number_and_its_limit(run: Run) -> None:
     ]
 
 
-def test_a_note_with_numbers_says_whose_they_are(run: Run) -> None:
-    notes = run("moment quartz 10nm,100nm,1um --model maugis").err
-    of_first = run("moment quartz 10nm --model maugis").err
-    (line,) = (line for line in notes.splitlines() if line.startswith("note: M: "))
-    assert line.endswith(": row 1, likewise rows 2-3")
-    assert line.partition(" times")[0] in of_first
-
-
 def test_every_law_has_its_own_doubt(run: Run) -> None:
     notes = run("pull-off quartz 100nm,1um --model jkr,dmt").err.splitlines()
     assert "note: doubtful: μ<5, neither JKR nor DMT is exact, --model maugis holds: rows 1, 3" in notes
-    assert "note: doubtful: μ>0.01, Maugis–Dugdale is exact; --model maugis: rows 2, 4" in notes
+    assert "note: doubtful: μ>0.01, Maugis–Dugdale is exact, --model maugis: rows 2, 4" in notes
 
 
 @pytest.mark.parametrize("topic", ["dem", "energies", "tables"])
@@ -146,6 +179,6 @@ def test_the_list_of_quantities_fits_and_names_no_variants(monkeypatch: pytest.M
 
 def test_a_list_with_long_names_fits_and_nothing_of_it_is_cut(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("COLUMNS", "80")
-    lines = run("quantities of_stiff", terminal=True).out.splitlines()
+    lines = run("quantities stif", terminal=True).out.splitlines()
     assert max(map(len, lines)) <= 80
     assert "variantofrolling_frequency_no_slip" in "".join(line[58:].replace(" ", "") for line in lines)

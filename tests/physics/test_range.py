@@ -1,7 +1,8 @@
 """Inputs at the ends of the range: a result is right to its last digits, or there is none; never a wrong number."""
 
 import math
-from collections.abc import Iterator
+import sys
+from collections.abc import Iterator, Mapping
 from itertools import combinations, product
 from random import Random
 from typing import Any
@@ -9,13 +10,15 @@ from typing import Any
 import numpy as np
 import pytest
 
-import reference
-from jkroll import solve
+from jkroll import NOMENCLATURE, solve
 from jkroll.errors import JkrollError
 from jkroll.quantities.errors import OutOfRange
-from jkroll.scene.inputs import LEAST, MOST
-from jkroll.scene.scene import Scene
-from reference import BOUND, Exact, conditions, digits, exact_results, ulp_error
+from jkroll.quantities.nomenclature import OF_MAUGIS
+from jkroll.scene.failures import MissingInput
+from jkroll.scene.scene import LEAST, MAY_BE_ZERO, MOST, SMALLEST, Scene, with_nan
+from jkroll.scene.wiring import Plan, formula_of
+from maugis_reference import Exact, digits, mpf
+from reference import BOUND, conditions, exact, exact_results, ulp_error
 from scenes import OTHER, QUARTZ
 
 GIVEN = QUARTZ | {"yield_displacement": 2e-10, "gravity": 9.8}
@@ -44,12 +47,10 @@ def scenes() -> Iterator[dict[str, Any]]:
 
 
 @pytest.fixture
-def _many_digits(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+def _many_digits() -> Iterator[None]:
     """Give the plain form of the rolling mass more digits than it cancels where the radii differ by 120 orders."""
-    before, digits.dps = digits.dps, 1500
-    monkeypatch.setattr(reference, "pi", +digits.pi)
-    yield
-    digits.dps = before
+    with digits.workdps(1500):
+        yield
 
 
 def is_right(value: Any, exact: Exact, condition: float) -> bool:
@@ -104,3 +105,121 @@ def test_an_element_that_leaves_the_doubles_leaves_the_others_alone() -> None:
     inertia = solve("moment_of_inertia", **given)
     assert np.flatnonzero(np.isnan(inertia)).tolist() == [5, 20_000, 39_999]
     assert (inertia[~np.isnan(inertia)] == solve("moment_of_inertia", **{**given, "radius": 1e-7})).all()
+
+
+# --- Corners ------------------------------------------------------------------------------------------------------------
+
+LARGEST = sys.float_info.max
+ORDINARY = (1e-30, 1e30)
+SIZES = [name for name in (*GIVEN, *OTHER, "atomic_spacing") if not name.startswith("poisson")]
+RESULTS = [name for name, one in NOMENCLATURE.items() if formula_of(name) is not None and not one.variant_of]
+BOUND_OF_LAW = {"jkr": BOUND, "maugis": 25.0}  # ulp, times 1 plus the condition in the state and in z0
+
+
+def corner_scenes(low: float, high: float, count: int) -> Iterator[dict[str, float]]:
+    """Iterate over scenes whose inputs have the least or the largest magnitude, or any between these."""
+    random = Random(count)
+
+    def corner() -> float:
+        return random.choice([low, high, low, high, 10 ** random.uniform(math.log10(low), math.log10(high))])
+
+    for _ in range(count):
+        scene = {name: corner() for name in SIZES}
+        scene |= {"poisson_ratio": random.choice([0.0, 0.3, 0.5, -0.999]), "poisson_ratio2": 0.2, "rolling_angle": 1.5}
+        if random.random() < 0.4:
+            scene[random.choice(["radius2", "youngs_modulus2"])] = math.inf
+        if random.random() < 0.3:
+            del scene["yield_displacement"]
+            scene["adhesion_hysteresis"] = min(scene["surface_energy"], scene["surface_energy2"])
+        if state := random.choice(["", "load", "load", "approach_at_load"]):
+            scene[state] = random.choice([-1, 1]) * corner()
+        if energy := random.choice(["", *ENERGIES]):
+            scene[energy] = corner()
+        yield scene
+
+
+class ExactScene:
+    """The exact values of all steps that lead to the results of a scene; None for a step that has none."""
+
+    def __init__(self, given: Mapping[str, Any], plan: Plan) -> None:
+        """Evaluate a plan from the values that it starts from."""
+        self.plan = plan
+        self.given = {name: mpf(given[name]) for name in plan.inputs}
+        self.values: dict[str, Exact | None] = dict(self.given)
+        self.in_doubles = set(plan.inputs)  # those that doubles hold, with all on the way to them
+        for name, formula, arguments in plan.steps:
+            known = {parameter: self.values[source] for parameter, source in arguments}
+            value = self.values[name] = None if None in known.values() else _exact_or_none(formula.__name__, known)
+            if value is not None and ((value == 0 and name in MAY_BE_ZERO) or SMALLEST < abs(value) < LARGEST):
+                self.in_doubles |= {name} if all(source in self.in_doubles for _, source in arguments) else set()
+
+    def is_right(self, name: str, value: Any, bound: float) -> bool:
+        """Return whether a number is the exact one; or, where there is no number, whether there is none in doubles."""
+        source = self.plan.found[name]
+        exact_value = self.values[source]
+        if not isinstance(value, float) or math.isnan(value):
+            return source not in self.in_doubles
+        if exact_value is None:
+            return False
+        error = ulp_error(value, exact_value)
+        return error <= bound or error <= bound * (1 + self.condition(source))
+
+    def condition(self, name: str) -> float:
+        """Return how many times relative errors of the state and of the atomic spacing appear in a result."""
+        value, step = self.values[name], mpf(10) ** -60
+        states = [state for state in (*STATES, "atomic_spacing") if self.given.get(state)]
+        moved = [ExactScene(self.given | {state: self.given[state] * (1 + step)}, self.plan) for state in states]
+        return float(sum(abs(each.values[name] / value - 1) for each in moved) / step) if value else 0.0
+
+
+def _exact_or_none(formula: str, given: dict[str, Exact]) -> Exact | None:
+    """Return the exact value of a formula; None where its equation has none."""
+    try:
+        value = exact(formula, given)
+    except (ValueError, ZeroDivisionError):
+        return None
+    return value if isinstance(value, digits.mpf) else None  # not a complex number
+
+
+@pytest.mark.parametrize(
+    ("model", "ends", "count"),
+    [
+        ("jkr", (LEAST, MOST), 60),
+        ("jkr", ORDINARY, 60),
+        ("maugis", ORDINARY, 30),
+        pytest.param("jkr", (LEAST, MOST), 1000, marks=pytest.mark.slow),
+        pytest.param("jkr", ORDINARY, 1000, marks=pytest.mark.slow),
+        pytest.param("maugis", ORDINARY, 1000, marks=pytest.mark.slow),
+    ],
+)
+def test_scenes_at_the_corners_have_right_numbers(model: str, ends: tuple[float, float], count: int) -> None:
+    """Every number is right, and there is one wherever doubles hold it and all on the way to it."""
+    answered = 0
+    for given in corner_scenes(*ends, count):
+        scene = Scene(given, model=model)
+        asked = [name for name in RESULTS if name not in scene.known and (model == "maugis" or name not in OF_MAUGIS)]
+        numbers = scene.evaluate(asked)
+        wanted = [name for name in asked if not isinstance(numbers[name], MissingInput)]
+        with digits.workdps(_digits_for(numbers)):
+            plan = scene.plan(*wanted)
+            exact_scene, elements = ExactScene(scene.values, plan), _elements(scene.values, plan)
+            for name in wanted:
+                for value in (numbers[name], elements[plan.found[name]]):
+                    assert exact_scene.is_right(name, value, BOUND_OF_LAW[model]), (name, value, given)
+                answered += isinstance(numbers[name], float)
+    assert answered > 60 * count
+
+
+def _elements(given: Mapping[str, Any], plan: Plan) -> dict[str, float]:
+    """Return what the formulas of a plan make of arrays."""
+    values = {name: np.array([given[name]]) for name in plan.inputs}
+    with np.errstate(all="ignore"):
+        for name, formula, arguments in plan.steps:
+            values[name] = with_nan(name, formula(**{parameter: values[source] for parameter, source in arguments}))
+    return {name: value.item() for name, value in values.items()}
+
+
+def _digits_for(numbers: dict[str, Any]) -> int:
+    """Return digits enough for what cancels in Maugis' equations: powers of λ, and of the edge ratio."""
+    sizes = [value for name, value in numbers.items() if name in OF_MAUGIS and OF_MAUGIS[name].unit == "1"]
+    return 120 + 6 * max([0, *(abs(int(math.log10(size))) for size in sizes if isinstance(size, float) and size > 0)])

@@ -5,6 +5,7 @@ import math
 import pydoc
 import re
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any, get_type_hints
 
 import numpy as np
@@ -15,16 +16,15 @@ from hypothesis import strategies as st
 
 import jkroll
 from jkroll import FORMULAS, NOMENCLATURE, JkrollError, solve
-from jkroll.output.explain import docstring_fields
+from jkroll.output.sources import docstring_fields
 from jkroll.quantities.errors import OutOfRange, QuantityError, UnknownQuantity
 from jkroll.quantities.units import dimension_of, kind_of
-from jkroll.scene.errors import (
+from jkroll.scene.failures import (
     BeyondFold,
     BeyondPullOff,
     Contradiction,
     MissingInput,
-    NoUnstableState,
-    NoVibration,
+    NotHeld,
     ShapeMismatch,
     TwoRigidBodies,
 )
@@ -50,10 +50,9 @@ def test_contact_at_load_satisfies_eqs_5_and_6(radius: float, ratio: float) -> N
     scene: dict[str, Any] = {**QUARTZ, "radius": radius}
     force, a0, delta0 = solve(names, **scene).values()
     a, delta = solve(["contact_radius_at_load", "approach_at_load"], load=ratio * force, **scene).values()
-    assert math.isclose(jkroll.load_ratio(contact_radius_ratio=a / a0), ratio, rel_tol=1e-12, abs_tol=1e-13)
-    assert math.isclose(
-        jkroll.approach_ratio(contact_radius_ratio=a / a0), delta / delta0, rel_tol=1e-12, abs_tol=1e-13
-    )
+    y = math.sqrt(a / a0)
+    assert math.isclose(4 * (y**6 - y**3), ratio, rel_tol=1e-12, abs_tol=1e-13)
+    assert math.isclose(3 * y**4 - 2 * y, delta / delta0, rel_tol=1e-12, abs_tol=1e-13)
 
 
 @given(loads)
@@ -68,9 +67,7 @@ def test_pressure_gives_approach_and_load_back(ratio: float) -> None:
     ]
     force = solve("pull_off_force", radius=1e-7, **QUARTZ)
     a, delta, p_h, p_b, modulus, force = solve(names, radius=1e-7, load=ratio * force, **QUARTZ).values()
-    from_13 = jkroll.approach_of_pressure(
-        contact_radius_at_load=a, contact_modulus=modulus, hertz_pressure=p_h, boussinesq_pressure=p_b
-    )
+    from_13 = math.pi * a / (2 * modulus) * (p_h + 2 * p_b)
     assert math.isclose(from_13, delta, rel_tol=1e-12, abs_tol=1e-13 * a)
     from_14 = jkroll.boussinesq_pressure_at_approach(
         approach_at_load=delta, contact_radius_at_load=a, contact_modulus=modulus, hertz_pressure=p_h
@@ -95,13 +92,12 @@ def test_stiffness_is_the_slope_of_the_load(ratio: float) -> None:
 def test_eqs_24_and_19_with_eq_6_are_eq_25_and_its_cubic_term(ratio: float) -> None:
     names = ["contact_radius_at_load", "approach_at_load", "contact_modulus", "reduced_radius"]
     force = solve("pull_off_force", radius=1e-7, **QUARTZ)
-    state = solve(names, radius=1e-7, load=ratio * force, **QUARTZ)
-    moments = solve(["yield_moment", "half_circles_moment"], radius=1e-7, load=ratio * force, **QUARTZ)
-    linearised = jkroll.linearised_moment(yield_displacement=2e-10, **state)
-    assert math.isclose(linearised, moments["yield_moment"], rel_tol=1e-11)
-    a = state.pop("contact_radius_at_load")
-    behind, ahead = (jkroll.half_circle_moment(half_circle_radius=a + shift, **state) for shift in (2e-10, -2e-10))
-    assert math.isclose(ahead - behind, moments["half_circles_moment"], rel_tol=1e-11)
+    a, delta, modulus, radius = solve(names, radius=1e-7, load=ratio * force, **QUARTZ).values()
+    moment, halves = solve(["yield_moment", "half_circles_moment"], radius=1e-7, load=ratio * force, **QUARTZ).values()
+    linearised = 2 * 2e-10 * modulus * a * (a**2 / radius - delta)
+    assert math.isclose(linearised, moment, rel_tol=1e-11)
+    behind, ahead = (modulus * (A**2 * delta / 2 - A**4 / (4 * radius)) for A in (a + 2e-10, a - 2e-10))
+    assert math.isclose(ahead - behind, halves, rel_tol=1e-11)
 
 
 def test_half_circles_tend_to_eq_25_with_the_square_of_xi() -> None:
@@ -128,9 +124,10 @@ def test_n_roll_follows_from_46_and_47() -> None:
 
 
 def test_chain_of_n_grav_spheres_is_at_its_limit() -> None:
+    """Eq (29): its moment on the first contact is m1 g R1 N²."""
     names = ["n_grav", "mass", "yield_moment"]
     number, mass, moment = solve(names, radius=1e-7, **QUARTZ).values()
-    assert close(jkroll.gravity_moment(mass=mass, gravity=9.80665, radius=1e-7, number=number), moment)
+    assert close(mass * 9.80665 * 1e-7 * number**2, moment)
 
 
 # --- Two spheres ----------------------------------------------------------------------------------------------------
@@ -203,9 +200,6 @@ def test_dimensions(name: str) -> None:
         parameter: UREG.Quantity(place / 10, unit).to_base_units()
         for place, (parameter, unit) in enumerate(units.items(), 2)
     }
-    for parameter in ("load", "approach_at_load") if name.endswith("unstable") else ():
-        if parameter in values:
-            values[parameter] *= -1
     result = formula(**values)
     assert UREG.Quantity(result).is_compatible_with(UREG.Quantity(1.0, wanted))
     if name in NOMENCLATURE:
@@ -222,6 +216,15 @@ def test_every_formula_is_documented_and_takes_its_parameters_by_name() -> None:
         assert ">>>" in (formula.__doc__ or ""), name
         parameters = inspect.signature(formula).parameters.values()
         assert all(parameter.kind is parameter.KEYWORD_ONLY for parameter in parameters), name
+
+
+def test_a_docstring_is_read_with_and_without_its_indentation() -> None:
+    """The compiler removes it from Python 3.13 on."""
+    for name, formula in FORMULAS.items():
+        text = inspect.cleandoc(formula.__doc__ or "")
+        dedented, indented = (SimpleNamespace(__doc__=doc) for doc in (text, text.replace("\n", "\n    ")))
+        assert docstring_fields(dedented)["formula"], name
+        assert docstring_fields(dedented) == docstring_fields(indented), name
 
 
 def test_every_unit_of_the_nomenclature_can_be_read_and_has_a_word() -> None:
@@ -276,7 +279,7 @@ def test_names_that_are_none_are_refused() -> None:
         with pytest.raises(UnknownQuantity, match="stands for a word, not a number"):
             solve(wrong, radius=1e-7, **QUARTZ)
     for wrong in ("mine.toml", ["mine.toml"]):
-        with pytest.raises(QuantityError, match=r"write Materials\(\[\"mine.toml\"\]\)"):
+        with pytest.raises(QuantityError, match=r"write Materials\(\"mine.toml\"\)"):
             solve("pull_off_force", material="quartz", radius=1e-7, materials=wrong)
     for wrong in (["quartz", "iron"], 1, b"quartz"):
         with pytest.raises(QuantityError):
@@ -287,21 +290,15 @@ def test_names_that_are_none_are_refused() -> None:
 def test_help_is_for_a_physicist() -> None:
     text = pydoc.render_doc(jkroll.pull_off_force, renderer=pydoc.TextDoc())
     assert "work_of_adhesion: 'SurfaceEnergy'" in text
-    assert re.search(r"work_of_adhesion +\[J/m²\] +> 0", text)
+    assert "P_c = 3πγR" in text
+    assert re.search(r"load +\[N\] +any", pydoc.render_doc(jkroll.load_margin, renderer=pydoc.TextDoc()))
     assert [name for name, formula in FORMULAS.items() if "Annotated" in str(inspect.signature(formula))] == []
 
 
-def test_a_state_that_is_none_is_refused_in_words() -> None:
-    force, approach = solve(["pull_off_force", "approach"], radius=1e-7, **QUARTZ).values()
-    for name, state in (
-        ("load_factor_at_load_unstable", {"load": force}),
-        ("load_factor_at_approach_unstable", {"approach_at_load": approach}),
-    ):
-        with pytest.raises(NoUnstableState, match="only a tension"):
-            solve(name, radius=1e-7, **state, **QUARTZ)
-    for name in ("load_factor_at_approach", "load_factor_at_approach_unstable"):
-        with pytest.raises(BeyondFold):
-            solve(name, radius=1e-7, approach_at_load=-approach, **QUARTZ)
+def test_an_approach_beyond_the_fold_is_refused() -> None:
+    approach = solve("approach", radius=1e-7, **QUARTZ)
+    with pytest.raises(BeyondFold):
+        solve("load_factor_at_approach", radius=1e-7, approach_at_load=-approach, **QUARTZ)
 
 
 def test_materials_of_one_s_own(tmp_path: Path) -> None:
@@ -337,7 +334,7 @@ def test_units_that_are_not_of_pint_are_not_dropped() -> None:
 
 
 def test_texts_with_units_in() -> None:
-    assert solve("pull_off_force", radius="100 nm", material="SIO2") == solve("pull_off_force", radius=1e-7, **QUARTZ)
+    assert solve("pull_off_force", radius="100 nm", material="QUARTZ") == solve("pull_off_force", radius=1e-7, **QUARTZ)
 
 
 @pytest.mark.parametrize(
@@ -359,6 +356,23 @@ def test_texts_with_units_in() -> None:
 def test_what_cannot_be_answered_raises(scene: dict[str, Any], error: type[Exception]) -> None:
     with pytest.raises(error):
         solve("vertical_frequency", **scene)
+
+
+@pytest.mark.parametrize(
+    ("scene", "words"),
+    [
+        ({"radius": [1e-7, math.nan]}, "radius: nan at index 1 must be positive"),
+        ({"radius": 1e-7, "load": [[0.0, 0.0], [math.nan, 0.0]]}, "load: nan at index 1, 0 must be finite"),
+        ({"radius": np.array([1e-7, 1e300])}, "radius: 1e+300 at index 1 must lie between 1e-60 and 1e60 in SI units"),
+    ],
+)
+def test_a_number_of_an_array_that_is_refused_is_named_with_its_index(scene: dict[str, Any], words: str) -> None:
+    with pytest.raises(OutOfRange) as refused:
+        solve("stiffness", **scene, **QUARTZ)
+    assert str(refused.value) == words
+    with pytest.raises(OutOfRange) as refused:
+        jkroll.infer("gamma", measured={"pull_off_force": 1e-8}, **scene)
+    assert str(refused.value) == words
 
 
 def test_pull_off_itself_can_be_reached() -> None:
@@ -392,7 +406,7 @@ def test_energy_ratio_and_energy_are_one_scene() -> None:
 
 def test_free_spheres_do_not_vibrate_beyond_pull_off() -> None:
     approach = solve("approach", radius=1e-7, **QUARTZ)
-    with pytest.raises(NoVibration):
+    with pytest.raises(NotHeld):
         solve("vertical_frequency", approach_at_load=-0.6 * approach, radius=1e-7, **QUARTZ)
 
 

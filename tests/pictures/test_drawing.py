@@ -1,6 +1,7 @@
 """Pictures in files: contours follow the formulas, labels cover nothing, and the same call gives the same bytes."""
 
 import csv
+import itertools
 import math
 import re
 import subprocess
@@ -15,16 +16,17 @@ import pytest
 
 from harness import Run
 from jkroll import known_materials, solve
-from jkroll.cli.draw import OF_PAPER
-from jkroll.cli.map_request import MAX_CURVES, map_request
+from jkroll.answers.curve import Loads, loads_of
+from jkroll.cli.map import MAX_CURVES, OF_PAPER, map_request
 from jkroll.cli.options import Call
 from jkroll.cli.process import main
 from jkroll.pictures.axes import described
+from jkroll.pictures.curves import curves_of_contact
 from jkroll.pictures.figures import FIGURES, figure
-from jkroll.pictures.maps import Map
-from jkroll.pictures.panels import Curve
-from jkroll.pictures.plot_request import map_of
+from jkroll.pictures.maps import Curve, Map
+from jkroll.pictures.request import map_of
 from jkroll.quantities.nomenclature import NOMENCLATURE
+from jkroll.scene.scene import Scene
 
 pytest.importorskip("matplotlib")
 from matplotlib.figure import Figure
@@ -32,9 +34,8 @@ from matplotlib.mathtext import MathTextParser
 
 from jkroll.pictures.canvas import LINES, SIGNS
 from jkroll.pictures.labels import _lines_of
-from jkroll.pictures.mathtext import typeset, typeset_lines
 from jkroll.pictures.page import figure_of
-from jkroll.pictures.page_axes import line_of
+from jkroll.pictures.page_axes import line_of, typeset, typeset_lines
 from jkroll.pictures.styles import DARK, PAPER, STYLES, Style
 
 SVG_TEXT = re.compile(r"<!-- (.*?) -->", re.DOTALL)  # letters are paths; their text stands beside them
@@ -141,8 +142,10 @@ def test_one_panel_of_a_contact(run: Run, tmp_path: Path) -> None:
         ("--panel force", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17."),
         ("--panel moment", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17, ξ = 100 pm."),
         ("--panel force --model dmt", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17."),
-        ("--panel moment --model dmt", "R1 = 100 nm, γ1 = 25 mJ/m²."),
-        ("--model maugis", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17, z0 = 400 pm."),
+        ("--panel moment --model dmt", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17, ξ = 100 pm."),
+        ("--panel moment --model jkr,dmt", "R1 = 100 nm, γ1 = 25 mJ/m²."),
+        ("--model maugis", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17, z0 = 400 pm, ξ = 100 pm."),
+        ("--model jkr,maugis", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17, z0 = 400 pm."),
     ],
 )
 def test_a_caption_has_the_inputs_of_what_is_drawn(run: Run, options: str, held: str) -> None:
@@ -150,6 +153,24 @@ def test_a_caption_has_the_inputs_of_what_is_drawn(run: Run, options: str, held:
     assert ran.out.splitlines()[-1] == f"Held: quartz, {held}"
     assert ("z0" in ran.err) is ("z0" in held)
     assert "ξ" not in ran.err
+
+
+def test_a_hatch_belongs_to_one_limit_and_shows_beneath_any_other() -> None:
+    """No stroke of a hatch is also one of another, so that no two of them together look like a third."""
+    hatch_of: dict[str, set[str]] = {}
+    for name in ("3a", "8"):
+        _, page = in_a_column(name)
+        (legend,) = page.legends
+        keys = {str(patch.get_label()): patch.get_hatch() for patch in legend.get_patches() if patch.get_hatch()}
+        drawn = {hatch for one in page.axes[0].collections for hatch in getattr(one, "hatches", [None]) if hatch}
+        assert drawn == {*keys.values()}
+        assert len(keys) == 3
+        for text, hatch in keys.items():
+            hatch_of.setdefault(text, set()).add(hatch)
+    assert [len(hatches) for hatches in hatch_of.values()] == [1] * 3
+    both = {"x": "/\\", "+": "-|"}
+    strokes = [{stroke for sign in hatch for stroke in both.get(sign, sign)} for (hatch,) in hatch_of.values()]
+    assert sum(map(len, strokes)) == len(set.union(*strokes))
 
 
 @pytest.mark.parametrize("style", [PAPER, DARK])
@@ -272,6 +293,56 @@ def test_the_curves_of_several_laws_are_over_one_another(run: Run, tmp_path: Pat
     assert {"** JKR", "oo DMT"} <= {*on_screen.out.splitlines()}
 
 
+@pytest.mark.parametrize(
+    ("model", "branches", "states"),
+    [
+        (None, ["unstable", "fixed grips", "stable"], ["fold", "pull-off", "jump-in", "P = 0"]),
+        ("maugis", ["without contact", "fixed grips", "stable"], ["fold", "pull-off", "P = 0"]),
+        ("dmt", ["stable"], ["pull-off", "P = 0"]),
+    ],
+)
+def test_the_force_curve_of_one_law_has_its_branches_and_states(
+    model: str | None, branches: list[str], states: list[str]
+) -> None:
+    scene = Scene({"radius": 1e-7}, known_materials()["quartz"], model=model)
+    (panel,) = curves_of_contact([scene], None, "force")[0].panels
+    curves = panel.curves[::-1]
+    assert ([curve.text for curve in curves], [point.text for point in panel.points]) == (branches, states)
+    for before, after in itertools.pairwise(curves):
+        assert (before.x[-1], before.y[-1]) == (after.x[0], after.y[0])
+    ends = {(x, y) for curve in curves for x, y in zip(curve.x.tolist(), curve.y.tolist(), strict=True)}
+    assert {(point.x, point.y) for point in panel.points} <= ends
+    pull_off = panel.points[states.index("pull-off")]
+    assert pull_off.y == min(y for _, y in ends) == pytest.approx(-scene["pull_off_force"])
+
+
+@pytest.mark.parametrize("loads", ["-5nN:10nN", "-5nN:-4.99nN", "1nN:1.001nN"])
+def test_curves_of_several_laws_end_at_the_loads_and_have_no_chords(loads: str) -> None:
+    """A gap is where the force is beyond the loads: between the unstable branch and the stable one."""
+    low, high = loads_of(loads)
+    scenes = [Scene({"radius": 1e-7}, known_materials()["quartz"], model=model) for model in ("jkr", "maugis")]
+    drawn, _ = curves_of_contact(scenes, Loads(low, high), "force")
+    (panel,) = drawn.panels
+    assert [curve.text for curve in panel.curves] == ["JKR", "Maugis–Dugdale"]
+    for curve in panel.curves:
+        assert (np.nanmin(curve.y), np.nanmax(curve.y)) == pytest.approx((low, high), rel=1e-12)
+        assert np.isnan(curve.y[1:-1]).any() == (low < 0)
+        steps = abs(np.diff(curve.x)) / (panel.x.high - panel.x.low)
+        assert steps[np.isfinite(np.diff(curve.y))].max() < 0.1
+
+
+def test_loads_that_no_law_holds(run: Run) -> None:
+    ran = run("contact quartz 100nm --curve --model jkr,dmt --panel force --load=-30nN:-20nN")
+    assert (ran.code, ran.out) == (1, "")
+    assert ran.err == "jkroll: load: -20 nN is beyond pull-off; this contact holds down to -15.708 nN\n"
+
+
+def test_a_branch_beyond_the_loads_is_not_in_the_key(run: Run) -> None:
+    out = run("contact quartz 100nm --curve --panel force --load=-5nN:10nN --quiet").out
+    assert {"** stable", "oo unstable"} <= {*out.splitlines()}
+    assert "fixed grips" not in out
+
+
 def test_the_pull_off_force_by_law_tends_to_its_limits(run: Run, tmp_path: Path) -> None:
     ran = run("figure laws --mark quartz@100nm,ice-warm@1um -o laws.svg --data -")
     rows = list(csv.DictReader(ran.out.splitlines()))
@@ -308,6 +379,7 @@ def test_rows_of_a_curve_are_within_its_loads(run: Run, model: str) -> None:
         ("contact quartz 100nm --curve --load 1nN -o contact.svg", "give --load as FROM:TO"),
         ("contact quartz 100nm --curve --load 1nN:-1nN -o contact.svg", "does not rise"),
         ("contact quartz 100nm --curve --model dmt --panel pressure -o contact.svg", "not in DMT"),
+        ("figure 3a -o svg", "-o: 'svg' does not end in .svg, .pdf or .png"),
         ("figure 3a -o nowhere/figure.svg", "cannot write 'nowhere/figure.svg': No such"),
         ("figure 3a --data nowhere/figure.csv", "cannot write 'nowhere/figure.csv': No such"),
         ("n-grav quartz 1um -o nowhere/sweep.csv", "cannot write 'nowhere/sweep.csv"),

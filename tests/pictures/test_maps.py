@@ -13,12 +13,12 @@ import pytest
 
 from harness import Run, Stream
 from jkroll import known_materials, solve
-from jkroll.cli.draw import show_progress as progress
+from jkroll.cli.map import show_progress as progress
 from jkroll.pictures.axes import Axis, round_values
-from jkroll.pictures.canvas import ink_on, screen_of, shade, stacked
+from jkroll.pictures.canvas import RAMP, ink_on, screen_of, shade, stacked
 from jkroll.pictures.figures import FIGURES, figure
-from jkroll.pictures.maps import Map, evaluate
-from jkroll.pictures.panels import axis_around
+from jkroll.pictures.maps import Map, axis_around, evaluate
+from jkroll.pictures.styles import LOOKS
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.scene.scene import Scene
 from jkroll.scene.wiring import depends_on
@@ -110,7 +110,7 @@ def test_fig_8_what_does_not_roll_at_10_nm_and_what_turns_at_100_nm() -> None:
     assert 2 * math.pi * 1e-8 * turns(2.6e12, 1e-8) == pytest.approx(2e-10, rel=0.03)
     assert turns(1.5e9, 1e-7) == pytest.approx(1, rel=0.03)
     shaded = MAPS["8"].regions[0]
-    assert shaded.kind == "shaded"
+    assert LOOKS[shaded.look].shade > 0
     row = int(np.argmin(abs(np.log(shaded.y.values() / 1e-8))))
     inside = shaded.x.values()[shaded.margin[row] < 0]
     assert inside.min() == pytest.approx(2.6e12, rel=0.2)
@@ -129,7 +129,7 @@ def test_regions_end_where_the_limits_are(name: str) -> None:
         "μ": ("tabor_parameter", 0.1),
     }
     for region in drawn.regions:
-        if region.kind != "hatched":
+        if not LOOKS[region.look].hatch:
             continue
         quantity, limit = limits[region.text.split()[0]]
         x, y = np.meshgrid(region.x.values(), region.y.values())
@@ -244,6 +244,36 @@ def test_a_band_is_bounded_by_its_contours(run: Run) -> None:
     assert cells[edge + 4] == above
 
 
+KEY = re.compile(r"^(\S) (\S.*)$", re.MULTILINE)  # a sign and what it stands for, below a map
+OVERLAPPING = ["figure 3a", "figure 8", "map moment quartz --x xi=0.01nm:1nm --y radius=1nm:1um"]
+
+
+def test_a_sign_stands_for_one_limit_on_every_map(run: Run) -> None:
+    texts: dict[str, set[str]] = {}
+    for line in OVERLAPPING:
+        found = KEY.findall(run(line).out)
+        assert len(found) >= 3
+        for sign, text in found:
+            texts.setdefault(sign, set()).add(text)
+    assert [len(several) for several in texts.values()] == [1] * len(texts)
+    assert len(texts) == len(set.union(*texts.values()))
+    assert not texts.keys() & {*RAMP}
+
+
+def test_the_key_names_what_is_on_the_map(run: Run) -> None:
+    """Grains of less than 39 nm, of which μ is below 0.1, do not hold 5 nN: they are not on the map."""
+    line = "map contact-radius-at-load quartz --x radius=10nm:1um --y load=-50nN:-{}:lin --quiet"
+    beyond, within = (run(line.format(load)).out for load in ("5nN", "1nN"))
+    assert [text for _, text in KEY.findall(beyond)] == ["no value"]
+    assert "\n| μ < 0.1: DMT is closer than JKR\n" in within
+
+
+def test_a_limit_that_holds_all_over_hatches_nothing(run: Run) -> None:
+    out = run("map contact-radius-at-load quartz --x radius=1nm:10nm --y load=-2nN:0nN:lin --quiet").out
+    assert "everywhere a/z0 < 3: elasticity is in doubt\neverywhere μ < 0.1: DMT is closer than JKR\n" in out
+    assert [text for _, text in KEY.findall(out)] == ["no value"]
+
+
 @pytest.mark.parametrize("colours", [256, 2**24])
 def test_half_blocks_have_colours_that_differ_in_grey(colours: int) -> None:
     bands = [shade(step / 12, colours) for step in range(13)]
@@ -323,7 +353,34 @@ def test_where_a_curve_is_doubtful_is_said(run: Run) -> None:
     radius = re.search(r"R1 = 10 nm to (\d+) nm: μ < 0.1", said)
     assert radius is not None
     assert solve("tabor_parameter", material="quartz", radius=float(radius[1]) * 1e-9) == pytest.approx(0.1, rel=0.02)
-    assert "R1 = 10 nm to 1 µm: μ < 5, JKR is not exact" in said
+    assert "Everywhere μ < 5, JKR is not exact." in said
+
+
+def test_a_doubt_of_a_whole_curve_has_no_range(run: Run) -> None:
+    """The Tabor parameter of iron passes 5 below 10 µm, that of quartz does not."""
+    out = " ".join(run("map contact_radius quartz,iron --x radius=10nm:10um").out.split())
+    assert re.search(r" quartz, everywhere; iron, R1 = 10 nm to \S+ (nm|µm): μ < 5, JKR is not exact\.", out)
+    assert "Everywhere μ < 5, JKR is not exact." in run("map contact_radius quartz,iron --x radius=10nm:100nm").out
+
+
+def test_a_curve_is_doubtful_only_where_it_is(run: Run) -> None:
+    """Grains of less than 39 nm, of which μ is below 0.1, do not hold 5 nN."""
+    out = run("map contact-radius-at-load quartz --x radius=10nm:1um --load=-5nN").out
+    assert "Everywhere μ < 5, JKR is not exact." in out
+    assert "DMT is closer" not in out
+    assert (
+        "R1 = 10 nm to 39 nm: μ < 0.1: DMT is closer than JKR." in run("map contact-radius quartz --x R1=10nm:1um").out
+    )
+
+
+def test_a_material_that_is_left_out_is_named_in_the_caption(run: Run) -> None:
+    lacking = " (no Young's modulus and no Poisson's ratio)"
+    assert " ".join(run("figure 8").out.split()).endswith(f" No place on these axes: gold{lacking}.")
+    out = run("map pull-off --x gamma=1mJ/m2:1J/m2 --y radius=1nm:1um").out
+    assert out.endswith("No place on these axes: iron.\n")
+    assert "No place" not in run("figure 3a").out
+    curves = run("map frequencies quartz,gold,iron --x radius=10nm:1um").out
+    assert f" No curve: gold{lacking}. " in " ".join(curves.split())
 
 
 def test_limits_that_cannot_be_shown_are_said_to_be_missing(run: Run) -> None:
@@ -462,4 +519,4 @@ def test_a_map_names_its_law_and_is_judged_by_it(run: Run, model: str, sentence:
 def test_curves_of_several_laws_have_no_equation_of_one(run: Run) -> None:
     ran = run("map pull-off quartz --x radius=1nm:1mm --model maugis,dmt")
     assert "Pull-off force P_c." in ran.out
-    assert "quartz, DMT, R1 = 1 nm to 1 mm: μ > 0.01, DMT is not exact." in " ".join(ran.out.split())
+    assert "quartz, DMT, everywhere: μ > 0.01, DMT is not exact." in " ".join(ran.out.split())

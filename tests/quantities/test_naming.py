@@ -7,7 +7,7 @@ import pytest
 import jkroll
 from harness import Run
 from jkroll.quantities.errors import UnknownQuantity
-from jkroll.quantities.naming import named, with_symbol
+from jkroll.quantities.names import named, with_symbol
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.text import ascii_text
 

@@ -1,17 +1,28 @@
 """Values with an uncertainty: the texts that state one, those that are refused, and how they are written."""
 
+import copy
+import math
+import pickle
 from decimal import Decimal
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from jkroll.errors import JkrollError
 from jkroll.quantities.errors import QuantityError
 from jkroll.quantities.formatting import Format, amount
-from jkroll.quantities.parsing import has_uncertainty, parse_quantity, unit_of
-from jkroll.quantities.uncertain import Interval, Measured, measured, parse_uncertain
+from jkroll.quantities.values import (
+    Interval,
+    Measured,
+    has_uncertainty,
+    measured,
+    parse_quantity,
+    parse_uncertain,
+    unit_of,
+)
 
 SPELLINGS = """25±5 mJ/m2; 25 ± 5 mJ/m2; 25+-5mJ/m2; 25 +/- 5 mJ/m2; 25+−5 mJ/m2; 25(5)mJ/m2; 25mJ/m2±20%; 25 mJ/m2 ± 5 mJ/m2;
 25 mJ/m2 ± 5 erg/cm2; (25±5) mJ/m2; (25 +/- 5) mJ·m⁻²; (2.50+/-0.50)e-2 J/m2; 25e-3±5e-3 J/m2; 25(5)e-3 J/m2; 25 +5/-5 mJ/m2"""
@@ -130,6 +141,45 @@ def test_a_number_of_the_package_uncertainties() -> None:
     assert measured(Ufloat(0.025, 0.0), "surface_energy") == 0.025
     with pytest.raises(QuantityError, match="half the value"):
         measured(Ufloat(0.025, 0.02), "surface_energy")
+
+
+@pytest.mark.parametrize("sides", [{"minus": 0.005}, {"plus": 0.005}, {"minus": 0.005, "plus": 0.005}])
+def test_one_uncertainty_is_that_of_both_sides(sides: dict[str, float]) -> None:
+    found = Measured(0.025, **sides)
+    assert (found.minus, found.plus) == (0.005, 0.005)
+    assert found == Measured(0.025, 0.005)
+
+
+@pytest.mark.parametrize(
+    ("kind", "values", "words"),
+    [
+        (Measured, (0.025,), "the uncertainty is missing"),
+        (Measured, (0.025, -0.005), "-0.005 is a negative uncertainty"),
+        (Measured, (0.025, 0.004, -0.005), "-0.005 is a negative uncertainty"),
+        (Measured, (0.025, math.nan), "'nan' is not a number"),
+        (Measured, ("25 mJ/m2", "5 mJ/m2"), "'25 mJ/m2' is not a number in SI units"),
+        (Measured, (numpy.ones(2), 0.1), "is not a number"),
+        (Interval, (0.025, 0.03, 0.02), "0.025 does not lie in the range from 0.03 to 0.02"),
+        (Interval, (0.05, 0.02, 0.03), "0.05 does not lie in the range from 0.02 to 0.03"),
+        (Interval, (0.025, None, 0.03), "'None' is not a number"),
+        (Interval, (10**400, 0, 1), "is not a number"),
+    ],
+)
+def test_what_is_no_uncertain_value_is_refused(kind: type[Any], values: tuple[Any, ...], words: str) -> None:
+    with pytest.raises(JkrollError, match=words):
+        kind(*values)
+
+
+@pytest.mark.parametrize("found", [Measured(0.025, 0.004, 0.006), Interval(0.025, 0.02, 0.03)])
+def test_an_uncertain_value_is_copied_and_pickled(found: Measured | Interval) -> None:
+    for again in (pickle.loads(pickle.dumps(found)), copy.copy(found), copy.deepcopy(found)):
+        assert again == found
+        assert type(again) is type(found)
+
+
+def test_a_range_is_no_standard_uncertainty() -> None:
+    numbers = (2.0, 1.0, 3.0)
+    assert Measured(*numbers) != Interval(*numbers)  # type: ignore[comparison-overlap]
 
 
 @pytest.mark.parametrize("found", [Measured(0.025, 0.005, 0.005), Interval(0.025, 0.02, 0.03)])

@@ -8,10 +8,9 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from jkroll.quantities.errors import QuantityError, nearest
-from jkroll.quantities.parsing import parse_quantity, unit_of
-from jkroll.quantities.pint_names import lookup
 from jkroll.quantities.unit_table import PINT_VERSION, PLAIN, PREFIXABLE, PREFIXES
-from jkroll.quantities.units import convert, dimension_of, kind_of
+from jkroll.quantities.units import convert, dimension_of, kind_of, lookup
+from jkroll.quantities.values import parse_quantity, unit_of
 
 OTHER_NAMES = {"°": "deg", "%": "percent", "kmph": "kph", "kmh": "kph"}  # for which pint has another name
 

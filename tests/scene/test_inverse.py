@@ -1,7 +1,9 @@
 """The inverse problem: a value put in comes back, every solution is found, and what has none is refused."""
 
+import csv
 import json
 import math
+from pathlib import Path
 from random import Random
 from typing import Any
 
@@ -76,6 +78,26 @@ def test_two_solutions_between_two_points_of_the_scan_are_found() -> None:
     assert 1 < high / low < 1.1
 
 
+@pytest.mark.parametrize("measured", ["31.4159pN", f"{2 * math.pi * 0.025 * 2e-10!r}N", "1e50N"])
+def test_rounding_is_no_dependence(run: Run, measured: str) -> None:
+    """In DMT, 2πγξ is computed from a pull-off force and a radius, whose digits do not all cancel."""
+    forces = {solve("yield_force", material="quartz", radius=1e-9 * 1.1**step, model="dmt") for step in range(100)}
+    assert len(forces) > 1
+    ran = run(f"infer radius quartz --measured yield_force={measured} --model dmt")
+    assert (ran.code, ran.err) == (1, "jkroll: radius: yield_force does not depend on it here\n")
+
+
+def test_a_jump_over_the_measured_value_is_no_solution() -> None:
+    """At a given approach the state of Maugis' law changes its branch at a radius of 13 µm."""
+    scene = Scene({"approach_at_load": 1e-10}, known_materials()["quartz"])
+    at = {radius: scene.replace(radius=radius)["approach_maugis_at_load"] for radius in (13.1e-6, 13.2e-6)}
+    assert at[13.1e-6] < 1.1e-10
+    assert at[13.2e-6] > 1.3e-10
+    found = solution("radius", "approach_maugis_at_load", 1.2e-10, scene)
+    assert found.forward == pytest.approx(1.2e-10, rel=1e-12)
+    assert found.value > 1e-4
+
+
 def test_a_load_is_found_up_to_pull_off() -> None:
     scene = Scene(PLANE, known_materials()["quartz"])
     force = scene["pull_off_force"]
@@ -125,7 +147,7 @@ def test_nothing_is_extrapolated() -> None:
         ("gamma", "pull_off_force=3nN", "is not one quantity and its value"),
         ("gamma", {3: 3e-9}, "'3' is not a quantity"),
         ("gamma", {"pull_off_force": math.nan}, "pull_off_force: nan must be positive"),
-        ("gamma", {"pull_off_force": [3e-9, -3e-9]}, "pull_off_force: -3e-09 must be positive"),
+        ("gamma", {"pull_off_force": [3e-9, -3e-9]}, "pull_off_force: -3e-09 at index 1 must be positive"),
         ("gamma", {"pull_off_force": 1e300}, "must lie between 1e-60 and 1e60"),
     ],
 )
@@ -179,11 +201,80 @@ def test_the_command(run: Run) -> None:
     assert "gives P_c = 300 nN; κ = |d ln γ1/d ln P_c| = 1; 13.3793 mJ/m² under Maugis–Dugdale" in ran.err
     table = run(*words, "pull_off_force=300nN,3N", "--csv")
     assert table.out.splitlines() == [
-        "material,radius [m],radius2 [m],pull_off_force [N],surface_energy [J/m^2]",
-        "quartz,2e-06,plane,3e-07,0.015915494309189534",
-        "quartz,2e-06,plane,3.0,",
+        "material,radius [m],radius2 [m],pull_off_force [N],surface_energy [J/m^2],doubt,status",
+        "quartz,2e-6,plane,3e-7,0.015915494309189534,,",
+        "quartz,2e-6,plane,3.0,,,surface_energy: no value gives pull_off_force = 3 N; it lies between 18.8496 pN and 18.8496 mN for 1 µJ/m² to 1 kJ/m²",
     ]
+    assert "note: doubtful: μ<5, neither JKR nor DMT is exact, --model maugis holds: row 1" in table.err.splitlines()
     assert (table.code, table.err.splitlines()[-1]) == (1, "jkroll: 1 of 2 rows failed")
+
+
+def column(table: str, name: str) -> list[str]:
+    """Return the cells of a column of CSV."""
+    return [row[name] for row in csv.DictReader(table.splitlines())]
+
+
+@pytest.mark.parametrize(
+    ("words", "inferred"),
+    [
+        ("radius quartz --measured pull_off_force=3nN,4nN", {"radius [m]", "radius2 [m]"}),
+        (
+            "gamma quartz 1um --material2 quartz --measured pull_off_force=3nN,4nN",
+            {"surface_energy [J/m^2]", "surface_energy2 [J/m^2]"},
+        ),
+    ],
+)
+def test_what_is_inferred_is_no_input(run: Run, words: str, inferred: set[str]) -> None:
+    header, *rows = csv.reader(run(f"infer {words} --csv").out.splitlines())
+    assert inferred & {*header} == {header[-3]}
+    assert all(row[-3] for row in rows)
+    (one,) = (json.loads(run(f"infer {words.replace(',4nN', '')} --json").out)["inputs"],)
+    assert inferred.isdisjoint(one)
+
+
+def test_the_uncertainty_of_sphere_2_enters_what_is_inferred_of_sphere_1() -> None:
+    """P_c is as √(γ1γ2): γ1 goes as 1/γ2 at a measured force."""
+    given: dict[str, Any] = {"radius": 1e-6, "surface_energy2": Measured(0.025, 0.001)}
+    found = infer("gamma", measured={"pull_off_force": 2e-7}, **given)
+    assert isinstance(found, Measured)
+    assert found.plus / found.value == pytest.approx(0.04, rel=0.05)
+
+
+def test_rows_have_the_doubts_of_what_was_measured(run: Run) -> None:
+    """With the inferred value in the scene."""
+    ran = run("infer radius quartz --measured pull_off_force=0.1nN,10nN,10mN --csv")
+    radii = ",".join(column(ran.out, "radius [m]"))
+    assert column(ran.out, "doubt") == column(
+        run("pull-off", "quartz", radii.replace(",", "m,") + "m", "--csv").out, "doubt"
+    )
+    assert column(ran.out, "doubt")[0] == "a/z0<3"
+    assert "note: doubtful: a/z0<3, elasticity is in doubt: row 1\n" in ran.err
+    assert not any(column(run("infer gamma quartz 1um --measured pull_off_force=3N,4N --csv").out, "doubt"))
+
+
+def test_more_rows_than_are_explained(run: Run) -> None:
+    words = "infer gamma quartz 2um --radius2 plane --measured pull_off_force=1nN:1uN:10001 --quiet"
+    ran = run(f"{words} --bare")
+    assert (ran.code, ran.err) == (0, "")
+    found = [*map(float, ran.out.split())]
+    forces = numpy.geomspace(1e-9, 1e-6, 10001)
+    assert found == pytest.approx(forces / (3 * math.pi * 2e-6), rel=1e-12)
+    refused = run(f"{words} --json")
+    assert (refused.code, refused.out) == (2, "")
+    assert refused.err == "jkroll: --json: 10001 scenes are more than 10000; --csv writes any number\n"
+
+
+def test_a_material_that_lacks_an_input_fails_its_rows_alone(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "own.toml").write_text(
+        '[materials.soft]\nyoungs_modulus = "1 GPa"\n[materials.stiff]\nyoungs_modulus = "1 GPa"\npoisson_ratio = 0.3\n'
+    )
+    words = "infer gamma soft,stiff 2um --measured contact_radius=30nm --materials own.toml --csv"
+    ran = run(words)
+    assert ran.code == 1
+    values = column(ran.out, "surface_energy [J/m^2]")
+    assert (values[0], values[1] != "") == ("", True)
+    assert "needs Poisson's ratio" in column(ran.out, "status")[0]
+    assert run(words.replace(",stiff", "")).code == 2
 
 
 def test_an_inferred_value_is_explained_by_the_formula_of_what_was_measured(run: Run) -> None:

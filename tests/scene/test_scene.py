@@ -6,11 +6,13 @@ import pytest
 
 from jkroll.physics import FORMULAS
 from jkroll.quantities.nomenclature import NOMENCLATURE
-from jkroll.scene.errors import BeyondPullOff, MissingInput, NoChain, NoFiniteValue
-from jkroll.scene.limits import LIMIT_NAMES, LIMITS
+from jkroll.scene.failures import BeyondPullOff, MissingInput, NoChain, NoFiniteValue
+from jkroll.scene.limits import LIMITS
 from jkroll.scene.scene import Scene
 from jkroll.scene.wiring import Plan, depends_on, formula_of, plan
 from scenes import QUARTZ
+
+LIMIT_NAMES = dict.fromkeys(limit.name for limit in LIMITS)
 
 
 def test_one_plan_leads_to_answers_and_their_limits(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -25,8 +27,8 @@ def test_one_plan_leads_to_answers_and_their_limits(monkeypatch: pytest.MonkeyPa
     names = ("pull_off_force", "n_roll", *LIMIT_NAMES)
     values = scene.evaluate(names)
     assert all(scene[name] == value for name, value in values.items())
-    assert scene.inputs_of("pull_off_force") == ("radius", "surface_energy")
     assert len(plans) == 1
+    assert scene.inputs_of("pull_off_force") == ("radius", "surface_energy")
 
 
 def test_a_quantity_that_fails_leaves_the_others_alone() -> None:

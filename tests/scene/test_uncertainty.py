@@ -14,7 +14,7 @@ import pytest
 from harness import Run
 from jkroll import Interval, Material, Measured, infer, known_materials, solve
 from jkroll.quantities.errors import QuantityError
-from jkroll.quantities.uncertain import Uncertain
+from jkroll.quantities.values import Uncertain
 from jkroll.scene.scene import Scene
 from jkroll.scene.uncertainty import MixedKinds, Propagated, TooManyRanges, uncertainties
 from scenes import QUARTZ
@@ -124,7 +124,7 @@ def test_a_turning_point_is_met_exactly() -> None:
 
 def test_what_is_copied_moves_together() -> None:
     surface = {"surface_energy": relative(0.025, 0.1)}
-    assert found("pull_off_force", QUARTZ, surface).uncertainty.high == pytest.approx(1.1 * 1.1780972450961723e-08)
+    assert found("pull_off_force", QUARTZ, surface).uncertainty.high == pytest.approx(1.1 * 1.1780972450961723e-8)
     both = {**surface, "surface_energy2": relative(0.025, 0.1)}
     one = found("pull_off_force", {**QUARTZ, "surface_energy2": 0.025}, both).uncertainty
     assert isinstance(one, Measured)
@@ -181,8 +181,8 @@ def test_every_format_has_the_uncertainty(run: Run) -> None:
     assert result["uncertainty"] == {"kind": "standard", "minus": 2.356194490192344e-09, "plus": 2.356194490192344e-09}
     assert answer["uncertainties"] == {"surface_energy": {"kind": "standard", "minus": 0.005, "plus": 0.005}}
     (row,) = csv.DictReader(io.StringIO(run(*words, "--csv").out))
-    assert row["pull_off_force_plus [N]"] == row["pull_off_force_minus [N]"] == "2.356194490192344e-09"
-    assert run(*words, "--bare").out == "1.1780972450961723e-08\n"
+    assert row["pull_off_force_plus [N]"] == row["pull_off_force_minus [N]"] == "2.356194490192344e-9"
+    assert run(*words, "--bare").out == "1.1780972450961723e-8\n"
     table = run(*words, terminal=True).out
     assert "11.8 ± 2.4   nN" in table
     assert "γ1 = 25.0 ± 5.0 mJ/m²" in table

@@ -20,7 +20,7 @@ with atheris.instrument_imports(include=["jkroll", "tomllib"]):
     import tomllib  # noqa: F401
 
     from invariants import CORPUS, TARGETS, isolate
-    from jkroll.quantities import parsing
+    from jkroll.quantities import values
 
 
 MAX_KEPT = 100  # bytes
@@ -38,7 +38,7 @@ def main() -> None:
             if path.stat().st_size <= MAX_KEPT:
                 shutil.copy(path, kept)
         return
-    parsing.unit_of("furlong", "radius")  # pint starts, which is no input's fault
+    values.unit_of("furlong", "radius")  # pint starts, which is no input's fault
     with tempfile.TemporaryDirectory() as directory:
         isolate(directory)
         atheris.Setup([sys.argv[0], *options, str(found), str(kept)], TARGETS[target])

@@ -8,7 +8,7 @@ meaning (`hbar` is Planck's constant, not a hectobar), that word goes into PLAIN
 
 import pint
 
-from jkroll.quantities.pint_names import BASE_UNITS, lookup
+from jkroll.quantities.units import lookup
 
 PREFIXES = """y z a f p n u m c d da h k M G T P E Z Y
 yocto zepto atto femto pico nano micro milli centi deci deca hecto kilo mega giga tera peta exa zetta yotta""".split()
@@ -65,7 +65,6 @@ def main() -> None:
                 raise SystemExit(f"pint does not know {prefix + name}")
     print('"""Unit names and their meanings, made from pint by tests/tools/make_unit_table.py: do not edit."""\n')
     print(f'PINT_VERSION = "{pint.__version__}"')
-    print(f"BASE_UNITS = {BASE_UNITS!r}".replace("'", '"'))
     print("# fmt: off")
     print("PREFIXES = {  # name: power of ten")
     for prefix, exponent in prefixes.items():

@@ -1,41 +1,215 @@
-"""The answer of a command for one scene: its results, the inputs as understood, limits and notes."""
+"""The answer of a command for one scene: its results, the inputs as understood, limits and notes.
 
-from collections.abc import Collection, Mapping
-from types import MappingProxyType
+Where JKR is in doubt, its results stand beside those of Maugis' law, which holds there.
+"""
+
+from collections.abc import Collection, Mapping, Sequence
+from functools import cached_property
+from math import log
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..errors import JkrollError, NoResult
-from ..quantities.formatting import Format, amount, in_words
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE
-from ..scene.errors import BeyondPullOff, MissingInput, NoContact, reason_of
-from ..scene.limits import LIMIT_NAMES, Verdict, against_limit, judged, of_any_scene, sentence
+from ..quantities.formatting import amount, in_words
+from ..quantities.laws import BETWEEN, LAWS
+from ..quantities.nomenclature import NOMENCLATURE
+from ..rows.columns import Row, Wanted, inputs_used, outcomes
+from ..scene.failures import BeyondPullOff, MissingInput, NoContact, OfIdenticalSpheres, RestsOnSpacing, reason_of
+from ..scene.limits import Judgement, Verdict, against_limit, judged, of_any_scene, sentence
 from ..scene.scene import Scene
 from ..scene.wiring import depends_on
-from .comparison import Difference, differences, with_differences, with_force_by_maugis
-from .notes import about_data, about_limits, about_missing, about_results, assumptions, few, model_error, symbol_of
-from .other_laws import over_spacing, rests_on_spacing, with_law
+from .notes import (
+    about_data,
+    about_idle,
+    about_limits,
+    about_missing,
+    about_results,
+    assumptions,
+    few,
+    model_error,
+    symbol_of,
+)
 from .questions import Question
-from .result import Note, Result
+from .results import Note, NoValue, Result, at_half_spacing, over_spacing, uses_law, with_law
 
 if TYPE_CHECKING:
-    from ..quantities.uncertain import Uncertain
+    from ..quantities.values import Uncertain
     from ..scene.uncertainty import Propagated, Sources
 
+_SHOWN = 2  # differences in the sentence
+_NO_CHANGE = 0.005  # relative change that is no per cent
+_MATTERS = 0.05  # relative change with the atomic spacing that is shown
 
-class Answer(NamedTuple):
-    """The results of a command for one scene."""
 
-    inputs: Mapping[str, float | str]
-    results: tuple[Result, ...]
-    notes: tuple[Note, ...]
-    validity: tuple[Verdict, ...]
-    failure: JkrollError | None  # why there is no result, or no contact
-    laws: tuple[Difference, ...] = ()  # how Maugis' law differs from JKR
-    uncertain: Mapping[str, "Uncertain"] = MappingProxyType({})  # the inputs that are uncertain
+class Difference(NamedTuple):
+    """A quantity under Maugis' law, over that of JKR, with the assumed atomic spacing and with half of it."""
+
+    name: str
+    value: float
+    ratio: float
+    ratio_at_half_spacing: float
+
+
+def differences(scene: Scene, names: Sequence[str]) -> tuple[Difference, ...]:
+    """Return how quantities of a JKR scene differ under Maugis' law, the largest difference first."""
+    if not scene.law.is_default:
+        return ()
+    between = scene.under(BETWEEN).replace(atomic_spacing=scene["atomic_spacing"])
+    wanted = [name for name in between.numbers(*names) if uses_law(between, name)]
+    values = scene.numbers(*wanted)
+    at_spacing = between.numbers(*wanted)
+    at_half = at_half_spacing(between).numbers(*wanted)
+    found = [
+        Difference(name, at_spacing[name], at_spacing[name] / value, at_half[name] / value)
+        for name, value in values.items()
+        if value and at_spacing.get(name) and at_half.get(name) and at_spacing[name] / value > 0
+    ]
+    return tuple(sorted(found, key=lambda each: -abs(log(each.ratio))))
+
+
+def with_differences(verdict: Verdict, found: Sequence[Difference], scene: Scene) -> Verdict:
+    """Return a verdict with what Maugis' law says in place of a doubt about JKR."""
+    if verdict.holds or not scene.law.is_default:
+        return verdict
+    if verdict.name == "tabor_parameter" and found:
+        return verdict._replace(text=_sentence(found, scene))
+    if verdict.name == "hysteresis_ratio":
+        between = scene.under(BETWEEN).numbers("zone_radius").get("zone_radius")
+        if between is not None:
+            ratio = verdict.value * (scene["zone_radius"] / between)
+            return verdict._replace(text=f"{verdict.text}; {ratio:.3g} for this moment by Maugis' law")
+    return verdict
+
+
+def _sentence(found: Sequence[Difference], scene: Scene) -> str:
+    """Return the largest differences: "Maugis–Dugdale has P_c +27 %, M −57 % at this ξ; --model maugis"."""
+    half = amount("atomic_spacing", scene["atomic_spacing"] / 2)
+    parts = []
+    shown = [*found[:1], *(each for each in found[1:_SHOWN] if abs(each.ratio - 1) >= _NO_CHANGE)]
+    for each in shown:
+        matters = abs(each.ratio_at_half_spacing / each.ratio - 1) > _MATTERS
+        at_half = f" ({_change(each.ratio_at_half_spacing)} at z0 = {half})" if matters else ""
+        parts.append(f"{NOMENCLATURE[each.name].symbol} {_change(each.ratio)}{at_half}")
+    at_displacement = any("yield_displacement" in depends_on([each.name]) for each in shown)
+    suffix = " at this ξ" if at_displacement and "yield_displacement" in scene.values else ""
+    return f"{LAWS[BETWEEN].title} has {', '.join(parts)}{suffix}; --model {BETWEEN}"
+
+
+def _change(ratio: float) -> str:
+    """Return a ratio as a change in per cent, or as a factor where it is large."""
+    if abs(ratio - 1) < _NO_CHANGE:
+        return "within 0.5 %"
+    return f"{100 * (ratio - 1):+.0f} %".replace("-", "−") if 0.1 < ratio < 10 else f"×{ratio:.2g}"
+
+
+def with_force_by_maugis(error: BeyondPullOff, scene: Scene) -> BeyondPullOff:
+    """Return the error of a load beyond pull-off, with the pull-off force of Maugis' law if that holds the load."""
+    if not scene.law.is_default:
+        return error
+    force = scene.under(BETWEEN).numbers("pull_off_force").get("pull_off_force", 0.0)
+    return BeyondPullOff(error.load, error.least, -force) if force >= -error.load else error
+
+
+# --- Answers ----------------------------------------------------------------------------------------------------------
+
+
+class Answer:
+    """The results of a command for one scene. Each part is computed when something shows it."""
+
+    def __init__(self, question: Question, scene: Scene) -> None:
+        """Compute the quantities of a question as far as the scene allows."""
+        self.question, self.scene = question, scene
+        self.outcomes = outcomes(scene, question.quantities, question.named)
+        self.shown = [*self.outcomes]
+        self.errors: dict[str, MissingInput | NoResult] = {
+            name: one for name, one in self.outcomes.items() if isinstance(one, MissingInput | NoResult)
+        }
 
     def value(self, name: str) -> float | None:
         """Return the value of a result, or None."""
         return next((result.value for result in self.results if result.name == name), None)
+
+    @property
+    def has_no_headline(self) -> bool:
+        """True if no quantity that the command is named after has a value."""
+        return all(self.value(name) is None for name in self.question.headline)
+
+    @cached_property
+    def inputs(self) -> Mapping[str, float | str]:
+        """The inputs on which the results depend, as they were understood."""
+        used = inputs_used(self.scene, self.question.quantities, self.shown)
+        return {name: in_words(name, value) for name, value in self.scene.echo(used).items()}
+
+    @cached_property
+    def results(self) -> tuple[Result, ...]:
+        """The quantities that are shown, with the reasons of those that have no value."""
+        scene = self.scene
+        plain = [
+            Result(name, None, self._reason(name, self.errors[name]))
+            if name in self.errors
+            else Result(name, self.outcomes[name], error=model_error(name, scene))
+            for name in self.shown
+        ]
+        results = plain if scene.law.is_default else with_law(plain, scene)
+        found, _ = self._uncertainties
+        return tuple(
+            result._replace(propagated=one) if isinstance(one := found.get(result.name), tuple) else result
+            for result in results
+        )
+
+    def _reason(self, name: str, error: MissingInput | NoResult) -> str:
+        return over_spacing(name, self.scene) if isinstance(error, RestsOnSpacing) else reason_of(name, error)
+
+    @cached_property
+    def _known(self) -> list[str]:
+        return [name for name in self.shown if name not in self.errors]
+
+    @cached_property
+    def _uncertainties(self) -> "tuple[Mapping[str, Propagated | JkrollError], Sources | None]":
+        if not self.scene.is_uncertain:
+            return {}, None
+        from ..scene.uncertainty import uncertainties
+
+        return uncertainties(self.scene, self.shown)
+
+    @cached_property
+    def uncertain(self) -> "Mapping[str, Uncertain]":
+        """The inputs that are uncertain."""
+        _, sources = self._uncertainties
+        return stated_by(sources, self.inputs) if sources is not None else {}
+
+    def sides(self) -> dict[str, Collection[str]]:
+        """Return by result the sides of its uncertainty, of those that have one."""
+        return {result.name: result.sides().keys() for result in self.results if result.propagated is not None}
+
+    def row(self, wanted: Wanted) -> Row:
+        """Return the answer as a row of columns."""
+        results = {result.name: result for result in self.results}
+        numbers: dict[str, Any] = {name: self.inputs.get(name) for name in wanted.names}
+        for name, result in results.items():
+            numbers[name] = result.value
+            numbers |= {f"{name}_{side}": number for side, number in result.sides().items()}
+        reasons = {name: NoValue(name, one.reason) for name, one in results.items() if one.value is None}
+        return Row(
+            {name: self.uncertain.get(name, self.inputs.get(name)) for name in wanted.inputs},
+            [float("nan") if (number := numbers.get(key)) is None else number for key in wanted.keys],
+            0,
+            reasons,
+        )
+
+    @cached_property
+    def laws(self) -> tuple[Difference, ...]:
+        """The differences of Maugis' law from JKR."""
+        compared = (*self.question.headline, *self.question.compared)
+        return differences(self.scene, [name for name in self._known if name in compared])
+
+    @cached_property
+    def _judgement(self) -> Judgement:
+        return judged(self.scene, self._known)
+
+    @cached_property
+    def validity(self) -> tuple[Verdict, ...]:
+        """The limits of the model, with what follows from them for these results."""
+        return tuple(with_differences(each, self.laws, self.scene) for each in self._judgement.verdicts)
 
     def doubts(self) -> list[Note]:
         """Return a note for each limit of the model that does not hold."""
@@ -45,70 +219,50 @@ class Answer(NamedTuple):
             if not one.holds
         ]
 
+    @cached_property
+    def notes(self) -> tuple[Note, ...]:
+        """The sentences about the answer, but for doubts."""
+        scene, planned = (
+            self.scene,
+            [name for name in self.shown if not isinstance(self.errors.get(name), MissingInput)],
+        )
+        of_limits = scene.inputs_of(*(verdict.name for verdict in self.validity))
+        entering = {*self.inputs, "atomic_spacing"} if "atomic_spacing" in of_limits else {*self.inputs}
+        found, sources = self._uncertainties
+        lacking = [name for name, error in self.errors.items() if isinstance(error, MissingInput)]
+        lacking += [name for names in self._judgement.missing.values() for name in names]
+        entering_any = {*self.inputs, *of_limits, *depends_on(lacking, [scene.law.name])}
+        return (
+            *assumptions(scene, entering, planned),
+            *about_idle(scene, entering_any),
+            *about_data(scene, self.inputs),
+            *about_results([*self.results], scene),
+            *about_missing([*self.results], self.errors),
+            *about_limits(self._judgement),
+            *(about_uncertainties(found, sources) if sources is not None else ()),
+        )
+
+    @cached_property
+    def failure(self) -> JkrollError | None:
+        """The reason why there is no result, or no contact."""
+        fatal = next((error for error in self.errors.values() if isinstance(error, NoContact)), None)
+        if fatal is not None:
+            return with_force_by_maugis(fatal, self.scene) if isinstance(fatal, BeyondPullOff) else fatal
+        return None if self._known else next(iter(self.errors.values()), OfIdenticalSpheres())
+
 
 def answer(question: Question, scene: Scene) -> Answer:
-    """Compute the quantities of a command as far as the scene allows."""
-    results, errors = _results(question, scene)
-    known = [result.name for result in results if result.value is not None]
-    planned = [result.name for result in results if not isinstance(errors.get(result.name), MissingInput)]
-    used = scene.inputs_of(*planned) if planned else depends_on(question.quantities) & scene.given.keys()
-    inputs = _echo(scene, used)
-    laws = differences(scene, [name for name in known if name in (*question.headline, *question.compared)])
-    limits = judged(scene, known)
-    validity = tuple(with_differences(each, laws, scene) for each in limits.verdicts)
-    of_limits = scene.inputs_of(*(verdict.name for verdict in validity))
-    entering = {*inputs, "atomic_spacing"} if "atomic_spacing" in of_limits else {*inputs}
-    notes = (
-        *assumptions(scene, entering, planned),
-        *about_data(scene, inputs),
-        *about_results(results, scene),
-        *about_missing(results, errors),
-        *about_limits(limits),
-    )
-    failure = _fatal(errors, scene) or (None if known else next(iter(errors.values()), None))
-    plain = Answer(inputs, tuple(results), notes, validity, failure, laws)
-    return with_uncertainties(plain, scene) if scene.is_uncertain else plain
+    """Return the answer to a question about a scene."""
+    return Answer(question, scene)
 
 
-def _results(question: Question, scene: Scene) -> tuple[list[Result], dict[str, MissingInput | NoResult]]:
-    """Return the quantities that are shown for a scene, and the errors of those that have no value.
-
-    The limits that will be judged are evaluated along with them, so that one plan leads to all.
-    """
-    shown = [name for name in question.quantities if name in question.named or concerns(name, scene)]
-    values = scene.evaluate((*shown, *LIMIT_NAMES))
-    errors = {name: values[name] for name in shown if isinstance(values[name], MissingInput | NoResult)}
-    results: list[Result] = []
-    for name in shown:
-        if name in errors:
-            results.append(Result(name, None, reason_of(name, errors[name])))
-        elif rests_on_spacing(name, scene):
-            results.append(Result(name, None, over_spacing(name, scene)))
-        else:
-            results.append(Result(name, values[name], error=model_error(name, scene)))
-    return (results if scene.law.is_default else with_law(results, scene)), errors
+def stated_by(sources: "Sources", inputs: Collection[str]) -> "dict[str, Uncertain]":
+    """Return the values of sources by those of their names that are among the inputs."""
+    return {name: source.given for source in sources.entering for name in source.names if name in inputs}
 
 
-def _fatal(errors: Mapping[str, JkrollError], scene: Scene) -> JkrollError | None:
-    """Return the error that invalidates the whole scene, even where some values could be computed; None if there is none."""
-    fatal = next((error for error in errors.values() if isinstance(error, NoContact)), None)
-    return with_force_by_maugis(fatal, scene) if isinstance(fatal, BeyondPullOff) else fatal
-
-
-def with_uncertainties(answer: Answer, scene: Scene) -> Answer:
-    """Return an answer with the uncertainties of its results, and of the inputs that they come from."""
-    from ..scene.uncertainty import uncertainties
-
-    names = [result.name for result in answer.results if result.value is not None]
-    return add_uncertainties(answer, *uncertainties(scene, names))
-
-
-def add_uncertainties(answer: Answer, found: Mapping[str, "Propagated | JkrollError"], sources: "Sources") -> Answer:
-    """Return an answer with these uncertainties, and with a note for those that do not exist, and for sources that are left out."""
-    results = [
-        result._replace(propagated=one) if not isinstance(one := found.get(result.name), JkrollError) else result
-        for result in answer.results
-    ]
+def about_uncertainties(found: Mapping[str, "Propagated | JkrollError"], sources: "Sources") -> list[Note]:
+    """Return notes on uncertainties that do not exist, and on sources that are left out."""
     failures: dict[str, list[str]] = {}
     for name, one in found.items():
         if isinstance(one, MissingInput | NoResult):
@@ -122,53 +276,4 @@ def add_uncertainties(answer: Answer, found: Mapping[str, "Propagated | JkrollEr
         reason = "ranges are left out beside ±" if source.given.kind == "range" else "± is left out beside ranges"
         name = source.names[0]
         left_out.setdefault(reason, []).append(f"{symbol_of(name)} = {amount(name, source.given)}")
-    notes += [Note("result", f"{reason}: {', '.join(texts)}") for reason, texts in left_out.items()]
-    entering = sources.entering
-    stated = {name: source.given for source in entering for name in source.names if name in answer.inputs}
-    return answer._replace(results=tuple(results), notes=(*answer.notes, *notes), uncertain=stated)
-
-
-def in_units(answer: Answer, form: Format) -> Answer:
-    """Return an answer without the values that are out of the range of doubles in their unit."""
-    results = tuple(_in_unit(result, form) for result in answer.results)
-    return answer._replace(results=results)
-
-
-def _in_unit(result: Result, form: Format) -> Result:
-    if not result.value or 0 < abs(form.number(result.name, result.value)) < INFINITY:
-        return result
-    return result._replace(value=None, reason=f"no value in {form.unit(result.name)} that a double can hold")
-
-
-def concerns(name: str, scene: Scene) -> Any:
-    """Return whether a quantity is shown for this scene, or for which elements of its arrays."""
-    quantity, stated = NOMENCLATURE[name], scene.stated.keys()
-    is_shown = (
-        name not in stated
-        and name not in scene.law.omits
-        and not (quantity.shown_with and stated.isdisjoint(quantity.shown_with))
-        and stated.isdisjoint(quantity.hidden_with)
-    )
-    return scene.is_identical if is_shown and quantity.of_identical else is_shown
-
-
-def _echo(scene: Scene, used: Collection[str]) -> dict[str, float | str]:
-    """Return the inputs on which the results depend, as they were understood."""
-    echoed: dict[str, Any] = {}
-    if scene.material is not None:
-        echoed["material"] = scene.material.name
-    if scene.material2 is not None:
-        echoed["material2"] = scene.material2.name
-    if scene.stated_model is not None:
-        echoed["model"] = scene.stated_model
-    for name in NOMENCLATURE:
-        if name in used:
-            echoed[name] = scene.values[name]
-        elif name == "radius2" and "radius" in used:
-            echoed[name] = scene.values["radius"]
-        elif name == "energy" and "energy_ratio" in used:
-            try:
-                echoed[name] = scene["energy"]
-            except NoResult:
-                continue
-    return {name: in_words(name, value) for name, value in echoed.items()}
+    return notes + [Note("result", f"{reason}: {', '.join(texts)}") for reason, texts in left_out.items()]

@@ -1,24 +1,28 @@
 """The force curve of a contact as rows: both branches, and the named states on them."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
+from functools import cached_property
 from typing import NamedTuple
 
 from ..errors import BadRequest, NoResult
 from ..physics.elementary import cbrt
-from ..quantities.parsing import parse_quantity
-from ..scene.errors import MissingInput
+from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.values import parse_quantity
+from ..rows.columns import Wanted
+from ..scene.failures import MissingInput
+from ..scene.limits import Verdict
 from ..scene.scene import Scene
 from ..text import quoted
-from .answer import Answer, answer
+from .answer import Answer, Difference
 from .questions import Question
-from .result import Result
+from .results import Result
 
 CURVE = Question(
     ("approach_at_load", "load"),
     ("approach_at_load", "load", "contact_radius_at_load", "stiffness"),
 )
 FOLD, PULL_OFF, JUMP_IN, EQUILIBRIUM = 1 / 6, 1 / 2, 2 / 3, 1.0
-_NAMED = {FOLD: "fold", PULL_OFF: "pull-off", JUMP_IN: "jump-in", EQUILIBRIUM: "equilibrium"}
+NAMED = {FOLD: "fold", PULL_OFF: "pull-off", JUMP_IN: "jump-in", EQUILIBRIUM: "equilibrium"}
 STEPS = 40  # of √â/√â_fold in JKR
 APART = 4  # states in contact for each without it
 MAX_LOAD = 16 / 9  # over the pull-off force of the law, where no loads are given
@@ -62,7 +66,7 @@ def states(scene: Scene, loads: Loads | None = None, steps: int = STEPS) -> list
     try:
         found = STATES_OF_LAW[scene.law.name](scene, loads, steps)
     except (MissingInput, NoResult):  # the answer says what is missing, or that the spheres let go
-        return [State("load", loads.high, "stable") if loads else State("load", 0.0, _NAMED[EQUILIBRIUM])]
+        return [State("load", loads.high, "stable") if loads else State("load", 0.0, NAMED[EQUILIBRIUM])]
     if loads is None:
         return found
     high = loads.high + 1e-12 * abs(loads.high)  # the load of the last state comes back but for rounding
@@ -78,7 +82,7 @@ def _of_jkr(scene: Scene, loads: Loads | None, steps: int) -> list[State]:
     """Return states by x = â^(3/2), from the end of the unstable branch on."""
     last = cbrt(6 * scene.replace(load=loads.high)["load_factor"]) if loads else 2.0
     roots = [last * step / steps for step in range(1, steps + 1)]
-    factors = {root**3 / 6: "" for root in roots if root != 1.0} | _NAMED
+    factors = {root**3 / 6: "" for root in roots if root != 1.0} | NAMED
     return [
         State("load_factor", factor, factors[factor] or _branch(factor, FOLD, PULL_OFF)) for factor in sorted(factors)
     ]
@@ -124,20 +128,68 @@ def _of_dmt(scene: Scene, loads: Loads | None, steps: int) -> list[State]:
 STATES_OF_LAW = {"jkr": _of_jkr, "maugis": _of_maugis, "dmt": _of_dmt}
 
 
-def curve(scenes: Iterable[Scene], loads: Loads | None = None) -> Iterator[tuple[Scene, Answer]]:
-    """Iterate over the states of each scene, under its own law."""
+class AtState(Answer):
+    """The answer at a state of the force curve."""
+
+    def __init__(self, scene: Scene, state: State) -> None:
+        """`scene`: at that state."""
+        super().__init__(CURVE, scene)
+        self.state = state
+
+    @cached_property
+    def inputs(self) -> Mapping[str, float | str]:
+        """The inputs as understood, with the name of the state."""
+        return {**super().inputs, "state": self.state.name}
+
+    @cached_property
+    def results(self) -> tuple[Result, ...]:
+        """The results, without numbers that rounding alone decides on."""
+        return tuple(_at_state(self.state, result) for result in super().results)
+
+    @cached_property
+    def laws(self) -> tuple[Difference, ...]:
+        """None: a curve is of one law."""
+        return ()
+
+    @cached_property
+    def validity(self) -> tuple[Verdict, ...]:
+        """None: the answer of `contact` judges the limits."""
+        return ()
+
+
+def curve(scenes: Iterable[Scene], loads: Loads | None = None) -> Iterator[AtState]:
+    """Iterate over the answers at the states of each scene, under its own law."""
     for scene in scenes:
         for state in states(scene, loads):
-            at_state = scene.replace(**{state.given: state.value})
-            row = answer(CURVE, at_state)
-            row = row._replace(results=tuple(_at_state(state, result) for result in row.results))
-            yield at_state, row._replace(inputs={**row.inputs, "state": state.name}, validity=(), laws=())
+            yield AtState(scene.replace(**{state.given: state.value}), state)
+
+
+def wanted_of_curve(samples: Iterable[AtState], *, is_bare: bool) -> Wanted:
+    """Return the columns of curves: the inputs, the name of the state and the results; the headline alone if bare.
+
+    `samples`: the curve of a scene of each kind.
+    """
+    if is_bare:
+        return Wanted(CURVE.headline, named=CURVE.headline, doubts=False)
+    inputs: set[str] = set()
+    sides: dict[str, set[str]] = {}
+    for one in samples:
+        inputs.update(one.inputs)
+        for name, own in one.sides().items():
+            sides.setdefault(name, set()).update(own)
+    return Wanted(
+        CURVE.quantities,
+        named=CURVE.quantities,
+        inputs=[name for name in NOMENCLATURE if name in inputs.difference(CURVE.quantities)],
+        sides=sides,
+        doubts=False,
+    )
 
 
 def _at_state(state: State, result: Result) -> Result:
     """Return a result at a state: the stiffness is infinite at the fold, and the approach at the jump-in is zero, but for rounding."""
-    if state.name == _NAMED[FOLD] and result.name == "stiffness":
+    if state.name == NAMED[FOLD] and result.name == "stiffness":
         return result._replace(value=None, reason="infinite at the fold")
-    if state.name == _NAMED[JUMP_IN] and result.name == "approach_at_load":
+    if state.name == NAMED[JUMP_IN] and result.name == "approach_at_load":
         return result._replace(value=0.0, propagated=None)
     return result

@@ -1,71 +1,116 @@
 """The answer of `infer`: the value of an input that a measured quantity implies, with what it rests on."""
 
 from collections.abc import Mapping
+from copy import copy
+from functools import cached_property
 from math import isfinite
 from typing import TYPE_CHECKING
 
-from ..errors import NoResult
-from ..quantities.formatting import amount
+from ..errors import JkrollError, NoResult
+from ..quantities.formatting import amount, in_words
 from ..quantities.laws import LAWS
 from ..quantities.nomenclature import NOMENCLATURE
-from ..scene.errors import MissingInput, reason_of
-from ..scene.inverse import SIZES, Solution, solution, with_input
+from ..scene.failures import MissingInput, reason_of
+from ..scene.inverse import SIZES, Solution, solution, used_beside, with_input
+from ..scene.limits import Verdict
 from ..scene.scene import Scene
-from .answer import Answer, add_uncertainties, answer
+from .answer import Answer, Difference, about_uncertainties
 from .questions import Question
-from .result import Note, Result
+from .results import Note, Result
 
 if TYPE_CHECKING:
-    from ..quantities.uncertain import Uncertain
+    from ..quantities.values import Uncertain
+    from ..scene.uncertainty import Propagated, Sources
 
 # The properties of a material that an inferred input takes the place of.
 _REPLACED = {"work_of_adhesion": ("surface_energy",)}
 
 
-def inferred(name: str, quantity: str, measured: "float | Uncertain", scene: Scene) -> Answer:
-    """Return the value of an input at which a quantity of a scene has its measured value, as the answer of a command.
+class Inferred(Answer):
+    """The answer that an input has the value at which a quantity of a scene has its measured value."""
 
-    A scene without a solution gives an answer without a value. Raises the errors of `solution` other than NoResult.
-    """
-    value = measured if isinstance(measured, float) else measured.value
-    question = Question((quantity,), (quantity,))
-    try:
-        found = solution(name, quantity, value, scene)
-    except NoResult as error:
-        anywhere = answer(question, with_input(scene, name, SIZES[name][1]))
-        return Answer(
-            _echo(anywhere, name, quantity, value), (Result(name, None, reason_of(name, error)),), (), (), error
+    def __init__(self, name: str, quantity: str, measured: "float | Uncertain", scene: Scene) -> None:
+        """Look for the value. Raises the errors of `solution` other than NoResult."""
+        self.name, self.quantity, self.measured = name, quantity, measured
+        self.measured_value = measured if isinstance(measured, float) else measured.value
+        self.given = scene
+        self.question = Question((name,), (name,))
+        self.solution: Solution | None = None
+        self.no_solution: NoResult | None = None
+        try:
+            self.solution = solution(name, quantity, self.measured_value, scene)
+        except NoResult as error:
+            self.no_solution = error
+        self.scene = self.solution.scene if self.solution is not None else with_input(scene, name, SIZES[name][1])
+        self.forward = Answer(Question((quantity,), (quantity,), named=(quantity,)), self.scene)
+
+    @cached_property
+    def inputs(self) -> Mapping[str, float | str]:
+        """The inputs without the one that is asked for, and with the measured value."""
+        known = self.scene.echo(used_beside(self.name, self.quantity, self.given))
+        return {name: in_words(name, value) for name, value in known.items()} | {self.quantity: self.measured_value}
+
+    @cached_property
+    def results(self) -> tuple[Result, ...]:
+        """The inferred value, with its uncertainty."""
+        if self.solution is None:
+            assert self.no_solution is not None
+            return (Result(self.name, None, reason_of(self.name, self.no_solution)),)
+        condition = self.solution.condition if isfinite(self.solution.condition) else None
+        one = self._uncertainties[0].get(self.name)
+        propagated = one if isinstance(one, tuple) else None
+        return (
+            Result(self.name, self.solution.value, condition=condition, by_law=self._by_law, propagated=propagated),
         )
-    forward = answer(question, found.scene)
-    inputs = _echo(forward, name, quantity, value)
-    by_law = _by_other_laws(name, quantity, value, scene)
-    result = Result(name, found.value, condition=found.condition if isfinite(found.condition) else None, by_law=by_law)
-    notes = (*_notes(name, quantity, found, by_law, scene), *forward.notes)
-    plain = Answer(inputs, (result,), notes, forward.validity, None)
-    if isinstance(measured, float) and not scene.is_uncertain:
-        return plain
-    from ..scene.uncertainty import inferred_uncertainty
 
-    uncertainty, sources = inferred_uncertainty(name, quantity, measured, found, scene)
-    return add_uncertainties(plain, {} if uncertainty is None else {name: uncertainty}, sources)
+    @cached_property
+    def _uncertainties(self) -> "tuple[Mapping[str, Propagated | JkrollError], Sources | None]":
+        if self.solution is None or (isinstance(self.measured, float) and not self.given.is_uncertain):
+            return {}, None
+        from ..scene.uncertainty import inferred_uncertainty
 
+        found, sources = inferred_uncertainty(self.name, self.quantity, self.measured, self.solution, self.given)
+        return ({self.name: found} if found is not None else {}), sources
 
-def with_forward(one: Answer, quantity: str, scene: Scene) -> tuple[Scene, Answer]:
-    """Return the scene with an inferred value in it, and the answer with the measured quantity computed from that scene.
+    @cached_property
+    def _by_law(self) -> dict[str, float]:
+        return _by_other_laws(self.name, self.quantity, self.measured_value, self.given)
 
-    An answer without a value is returned as it is.
-    """
-    (result,) = one.results
-    if result.value is None:
-        return scene, one
-    there = with_input(scene, result.name, result.value)
-    forward = answer(Question((quantity,), (quantity,), named=(quantity,)), there)
-    return there, one._replace(results=(result, *forward.results))
+    @cached_property
+    def laws(self) -> tuple[Difference, ...]:
+        """None: the value under each law stands beside the result."""
+        return ()
 
+    @cached_property
+    def validity(self) -> tuple[Verdict, ...]:
+        """The limits of the model for the measured quantity."""
+        return self.forward.validity if self.solution is not None else ()
 
-def _echo(forward: Answer, name: str, quantity: str, value: float) -> dict[str, float | str]:
-    """Return the inputs of an answer without the one that is asked for, and with the measured value."""
-    return {known: each for known, each in forward.inputs.items() if known != name} | {quantity: value}
+    @cached_property
+    def notes(self) -> tuple[Note, ...]:
+        """The proof of the value, and what the measured quantity rests on."""
+        if self.solution is None:
+            return ()
+        found, sources = self._uncertainties
+        return (
+            *_notes(self.name, self.quantity, self.solution, self._by_law, self.given),
+            *self.forward.notes,
+            *(about_uncertainties(found, sources) if sources is not None else ()),
+        )
+
+    @cached_property
+    def failure(self) -> JkrollError | None:
+        """The reason why there is no value."""
+        return self.no_solution
+
+    @cached_property
+    def explained(self) -> Answer:
+        """The measured quantity computed with the inferred value, beside that value: what `--explain` derives."""
+        if self.solution is None:
+            return self
+        explained = copy(self)
+        explained.results = (*self.results, *self.forward.results)
+        return explained
 
 
 def _by_other_laws(name: str, quantity: str, value: float, scene: Scene) -> dict[str, float]:

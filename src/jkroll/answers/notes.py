@@ -1,20 +1,46 @@
 """Notes about an answer: what was assumed, whose data were used, what a result counts, what is missing."""
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from ..errors import JkrollError
 from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE
-from ..scene.errors import MissingInput
-from ..scene.limits import IMPACT, Judgement
+from ..scene.failures import MissingInput
+from ..scene.limits import IMPACT, Judgement, judged, limits_of
 from ..scene.scene import DEFAULTS, Scene
+from ..scene.wiring import depends_on
 from ..text import first_of
-from .other_laws import remarks
-from .result import Note, Result
+from .results import Note, Result, remarks
 
 MAX_NAMES = 3  # of quantities in a note
+CUTOFFS = (4e-10, 1.65e-10)  # the spacing of solids, and the convention: w at the one that was not given
+_ELASTIC = ("youngs_modulus", "poisson_ratio")
 # The models of the rolling moment.
 MOMENTS = ("yield_moment", "unloaded_moment", "half_circles_moment", "fixed_approach_moment")
+
+
+def notes_on_rows(scene: Scene, names: Sequence[str]) -> list[Note]:
+    """Return the notes that follow from what is given, and not from numbers: they are the same for all rows of a kind."""
+    planned = _planned(scene, names)
+    if not planned:
+        return []
+    every = [*names, *(limit.name for limit in limits_of(scene, planned))]
+    of_limits = scene.inputs_of(*_planned(scene, every))
+    spacing = {"atomic_spacing"}.intersection(of_limits)  # which enters no answer
+    inputs = {*scene.inputs_of(*planned), *spacing}
+    entering = {*of_limits, *depends_on(scene.missing(every), [scene.law.name])}
+    return [
+        *assumptions(scene, inputs, planned),
+        *about_idle(scene, entering),
+        *about_conventions(scene, planned),
+        *about_limits(judged(scene, planned)),
+    ]
+
+
+def _planned(scene: Scene, names: Sequence[str]) -> list[str]:
+    """Return those of some quantities to which the scene's inputs lead."""
+    missing = scene.missing(names)
+    return [name for name in names if name not in missing]
 
 
 def assumptions(scene: Scene, inputs: Collection[str], names: list[str]) -> list[Note]:
@@ -26,6 +52,8 @@ def assumptions(scene: Scene, inputs: Collection[str], names: list[str]) -> list
     ]
     steps = {step.name for name in names for step in scene.plan(name).steps}
     notes = [Note("assumption", f"assumed {', '.join(assumed)}")] if assumed else []
+    if "hamaker" in inputs:
+        notes.append(_about_hamaker(scene))
     if (
         "work_of_adhesion" in steps
         and scene.given.get("surface_energy2", 0) != scene.given.get("surface_energy")
@@ -33,7 +61,33 @@ def assumptions(scene: Scene, inputs: Collection[str], names: list[str]) -> list
     ):
         text = "w = 2√(γ1γ2) by the geometric mixing rule; a measured one is better (--work-of-adhesion)"
         notes.append(Note("assumption", text))
-    return notes
+    return notes + [Note("assumption", text) for text in _about_shear(scene, steps)]
+
+
+def _about_hamaker(scene: Scene) -> Note:
+    """Return the work of adhesion and the atomic spacing that a Hamaker constant stands for, and the former at another cutoff."""
+    found = ", ".join(
+        f"{symbol_of(name)} = {amount(name, scene[name])}" for name in ("work_of_adhesion", "atomic_spacing")
+    )
+    other = min(CUTOFFS, key=lambda one: one == scene["cutoff"])
+    far = amount("work_of_adhesion", scene.replace(cutoff=other)["work_of_adhesion"])
+    return Note("result", f"{found}; at D0 = {amount('cutoff', other)}, w = {far}", "w")
+
+
+def _about_shear(scene: Scene, steps: Collection[str]) -> Iterator[str]:
+    """Iterate over what is assumed of the contact under shear, given the quantities on the way to the results."""
+    are_alike = all(scene.given.get(name + "2", one) == one for name, one in scene.given.items() if name in _ELASTIC)
+    for strength in scene.numbers("shear_strength").values() if "shear_strength" in steps else ():
+        softer = "" if are_alike else " of the softer solid, a rule of this program"
+        yield f"τ = G/4π² = {amount('shear_strength', strength)}{softer}, an order of magnitude (--shear-strength)"
+    if "contact_shear_modulus" in steps and not are_alike:
+        yield "k_s without Dundurs' coupling of unlike solids"
+
+
+def about_idle(scene: Scene, entering: Collection[str]) -> list[Note]:
+    """Return a note on the inputs that were given though nothing depends on them; `entering` are those that enter."""
+    idle = [NOMENCLATURE[name].option or name for name in scene.stated if name not in entering]
+    return [Note("result", f"{' and '.join(idle)} change{'' if idle[1:] else 's'} nothing here")] if idle else []
 
 
 def about_data(scene: Scene, inputs: Collection[str]) -> list[Note]:
@@ -51,13 +105,8 @@ def about_data(scene: Scene, inputs: Collection[str]) -> list[Note]:
 def about_results(results: list[Result], scene: Scene) -> list[Note]:
     """Return notes on the values: why one stands beside a headline, what it counts, how exact its model is."""
     known = [result for result in results if result.value is not None]
-    by_note: dict[str, list[str]] = {}
-    for result in known:
-        is_implied = scene.is_identical and result.name == "rolling_frequency_no_slip"
-        if NOMENCLATURE[result.name].note and not is_implied:
-            by_note.setdefault(NOMENCLATURE[result.name].note, []).append(symbol_of(result.name))
-    notes = [Note("result", f"{', '.join(symbols)}: {note}") for note, symbols in by_note.items()]
-    names = {result.name for result in known}
+    names = [result.name for result in known]
+    notes = about_conventions(scene, names)
     if "n_grav" in names and not scene.is_identical:
         carries = "N_grav is what the first contact, on body 2, carries"
         notes.append(Note("result", f"{carries}; {_between_spheres_1(scene)}", carries))
@@ -66,9 +115,37 @@ def about_results(results: list[Result], scene: Scene) -> list[Note]:
         ratios = scene.numbers("energy_over_sticking").values()  # none in a law without U_stick
         size = "".join(f" is {one:.3g} U_stick, the largest energy that sticks" for one in ratios)
         notes += [Note("result", f"W0 = P_cδ0{whose}{size}", "W0")] if whose or size else []
+    if "disruption_energy" in names:
+        as_many = "" if "contacts" in scene.given else "; n_c = N (--contacts)"
+        notes.insert(0, Note("result", f"N and n_c are of each of two equal aggregates{as_many}"))
+    if {"yield_force", "sliding_force", "peeling_force", "twisting_moment"} <= {*names}:
+        notes.append(_first_to_yield(scene))
     notes += remarks(scene, names)
     errors = ", ".join(f"{symbol_of(result.name)} by {100 * result.error:.2g} %" for result in known if result.error)
     return [*notes, Note("model", f"off the exact moment of this contact: {errors}")] if errors else notes
+
+
+def about_conventions(scene: Scene, names: Sequence[str]) -> list[Note]:
+    """Return a note for each reason why a quantity stands beside a headline."""
+    by_note: dict[str, list[str]] = {}
+    for name in names:
+        is_implied = scene.is_identical and name == "rolling_frequency_no_slip"
+        if NOMENCLATURE[name].note and not is_implied:
+            by_note.setdefault(NOMENCLATURE[name].note, []).append(symbol_of(name))
+    return [Note("result", f"{', '.join(symbols)}: {note}") for note, symbols in by_note.items()]
+
+
+def _first_to_yield(scene: Scene) -> Note:
+    """Return what yields first where a pair is pushed, and where it is turned. Sliding against peeling takes the area that is left."""
+    names = ("yield_force", "sliding_force", "peeling_force", "yield_moment", "twisting_moment", "peeling_over_sliding")
+    roll, slide, peel, bend, twist, ratio = scene.evaluate(names).values()
+    breaks, yields = ("peels off", "slides") if ratio < 1 else ("slides", "peels off")
+    rolls = "rolls before it slides" if roll < min(slide, peel) else f"{breaks} before it rolls"
+    pushed = f"pushed, it {rolls}; where it cannot roll, it {breaks} before it {yields}"
+    turned = "rolls it before it twists it" if bend < twist else "twists it before it rolls it"
+    ratio = f"M_twist = {twist / bend:.3g} M" if bend < twist else f"M = {bend / twist:.3g} M_twist"
+    text = f"{pushed} (T_peel = {amount('peeling_force', peel)}); a moment {turned} ({ratio})"
+    return Note("result", text, f"{pushed}; a moment {turned}")
 
 
 def model_error(name: str, scene: Scene) -> float | None:

@@ -5,8 +5,20 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from ..quantities.errors import UnknownQuantity
-from ..quantities.naming import named
+from ..quantities.names import named
 from ..quantities.nomenclature import NOMENCLATURE
+
+
+class Grid(NamedTuple):
+    """A table of one scene in which several quantities share a row: its heads, and by label the quantities of each cell."""
+
+    heads: tuple[str, ...]
+    rows: Mapping[str, tuple[tuple[str, ...], ...]]
+
+    @property
+    def quantities(self) -> tuple[str, ...]:
+        """The quantities of all cells."""
+        return tuple(name for cells in self.rows.values() for cell in cells for name in cell)
 
 
 class Question(NamedTuple):
@@ -16,6 +28,7 @@ class Question(NamedTuple):
     quantities: tuple[str, ...]  # all that are shown, in this order
     compared: tuple[str, ...] = ()  # with those of Maugis' law, besides the headline
     named: tuple[str, ...] = ()  # asked for by name: shown for any scene
+    grid: Grid | None = None  # the table of one scene, if it is not a row for each quantity
 
 
 _QUESTIONS = {
@@ -35,7 +48,14 @@ _QUESTIONS = {
     "n-grav": Question(("n_grav",), ("n_grav",)),
     "frequencies": Question(
         ("vertical_frequency", "rolling_frequency"),
-        ("vertical_frequency", "rolling_frequency", "rolling_frequency_as_printed", "rolling_frequency_no_slip"),
+        (
+            "vertical_frequency",
+            "rolling_frequency",
+            "rolling_frequency_as_printed",
+            "rolling_frequency_no_slip",
+            "sliding_frequency",
+            "twisting_frequency",
+        ),
     ),
     "n-roll": Question(("n_roll",), ("n_roll", "n_roll_energy_balance", "n_roll_after_impact")),
     "contact": Question(
@@ -101,7 +121,48 @@ _ENERGIES = Question(
         "sticking_speed_pencil_code",
     ),
 )
-QUESTIONS: Mapping[str, Question] = MappingProxyType({**_QUESTIONS, "report": _REPORT, "energies": _ENERGIES})
+_THREE = Grid(
+    ("", "stiffness", "yields at", "force or moment", "elastic energy"),
+    {
+        "rolling": (
+            ("rolling_stiffness",),
+            ("yield_displacement", "yield_angle"),
+            ("yield_force", "yield_moment"),
+            ("yield_energy",),
+        ),
+        "sliding": (("tangential_stiffness",), ("sliding_displacement",), ("sliding_force",), ("sliding_energy",)),
+        "twisting": (("twisting_stiffness",), ("twisting_angle",), ("twisting_moment",), ("twisting_energy",)),
+    },
+)
+_RESISTANCES = Question(
+    ("yield_force", "sliding_force", "twisting_moment"),
+    (*_THREE.quantities, "peeling_force", "peeling_radius"),
+    grid=_THREE,
+)
+_AGGREGATES = Question(
+    ("restructuring_energy", "disruption_energy"),
+    (
+        "restructuring_energy",
+        "restructuring_speed",
+        "restructuring_energy_ormel",
+        "restructuring_speed_ormel",
+        "disruption_energy",
+        "disruption_speed",
+        "disruption_energy_dust_simulation",
+        "disruption_speed_dust_simulation",
+        "compressive_strength",
+        "tensile_strength",
+    ),
+)
+QUESTIONS: Mapping[str, Question] = MappingProxyType(
+    {
+        **_QUESTIONS,
+        "report": _REPORT,
+        "energies": _ENERGIES,
+        "resistances": _RESISTANCES,
+        "aggregates": _AGGREGATES,
+    }
+)
 EVERYTHING = tuple(dict.fromkeys(name for question in _QUESTIONS.values() for name in question.quantities))
 
 

@@ -1,37 +1,59 @@
 """Tables on the machines of a Dask cluster: a task each, given again to another worker when one is lost."""
 
 import logging
+import os
 from collections.abc import Iterator
 from contextlib import ExitStack
 
-from distributed import Client, LocalCluster, as_completed
+from distributed import Client, KilledWorker, LocalCluster, as_completed
 
-from ..table.errors import BadTable
+from ..rows.header import BadTable
 from ..text import quoted
+from .lines import Tally
 from .many import Done, convert_part
-from .settings import Order
-from .source import Part
+from .settings import Order, Part
 
 LOCAL = "local"
-WAIT = 20.0  # seconds for a scheduler to answer
+WAIT = 20.0  # seconds for a scheduler to answer, and then for it to have a worker
 
 
 def on_cluster(order: Order, parts: list[Part], jobs: int) -> Iterator[tuple[Part, Done]]:
     """Convert parts at the scheduler of `--dask`; `local` starts one here. Yield each part as soon as it is done."""
-    address = order.settings.dask
     for name in ("distributed", "distributed.worker", "distributed.scheduler", "distributed.nanny", "tornado"):
         logging.getLogger(name).setLevel(logging.CRITICAL)
     with ExitStack() as until_the_end:
-        if address == LOCAL:
+        client = until_the_end.enter_context(_connected(order.settings.dask, jobs, until_the_end))
+        futures = {client.submit(convert_part, order, _anywhere(part), pure=False): part for part in parts}
+        for future in as_completed([*futures]):
+            try:
+                done = future.result()
+            except KilledWorker as error:
+                done = Done(Tally(), f"the workers that had it ended, {error.allowed_failures + 1} times", 1)
+            yield futures[future], done
+
+
+def _anywhere(part: Part) -> Part:
+    """Return a part by its whole paths: a worker opens a relative one in a directory of its own."""
+    return Part(*map(os.path.abspath, part))
+
+
+def _connected(address: str, jobs: int, until_the_end: ExitStack) -> Client:
+    """Return a client of a scheduler that has a worker. Raises BadTable."""
+    if address == LOCAL:
+        try:
             cluster = LocalCluster(
                 n_workers=jobs, threads_per_worker=1, dashboard_address=None, silence_logs=logging.CRITICAL
             )
-            client = until_the_end.enter_context(Client(until_the_end.enter_context(cluster)))
-        else:
-            try:
-                client = until_the_end.enter_context(Client(address, timeout=WAIT))
-            except (OSError, ValueError):
-                raise BadTable(f"--dask: no scheduler answers at {quoted(address)}") from None
-        futures = {client.submit(convert_part, order, part, pure=False): part for part in parts}
-        for future, done in as_completed([*futures], with_results=True):
-            yield futures[future], done
+        except (OSError, RuntimeError) as error:
+            raise BadTable(f"--dask local: no cluster can be started here: {error}") from None
+        return Client(until_the_end.enter_context(cluster))
+    try:
+        client = Client(address, timeout=WAIT)
+    except (OSError, ValueError):
+        raise BadTable(f"--dask: no scheduler answers at {quoted(address)}") from None
+    try:
+        client.wait_for_workers(1, timeout=WAIT)
+    except TimeoutError:
+        client.close()
+        raise BadTable(f"--dask: the scheduler at {quoted(address)} has no worker") from None
+    return client

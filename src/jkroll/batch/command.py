@@ -3,26 +3,28 @@
 import sys
 from collections.abc import Mapping
 
-from ..errors import ROWS_FAILED
-from ..materials.library import known_materials
-from ..materials.places import materials_files
-from ..table.columns import DOUBT, STATUS
+from ..errors import ROWS_FAILED, BadRequest
+from ..materials.library import Materials
+from ..rows.columns import DOUBT, STATUS
 from ..text import say
 from .errors import missing_extra
-from .many import Runner, by_processes, convert_one, is_many
+from .many import Runner, by_processes, is_many
 from .many import convert as convert_many
-from .settings import Order, Settings
-from .source import Part
+from .one import convert
+from .settings import Order, Part, Settings
 
 
-def run(path: str, settings: Settings, inputs: Mapping[str, str]) -> int:
+def run(path: str, settings: Settings, inputs: Mapping[str, str], known: Materials) -> int:
     """Convert a table, or several; return the exit code."""
-    order = Order(settings, inputs, known_materials(*materials_files(settings.materials)))
+    order = Order(settings, inputs, known)
     order.known.materials  # noqa: B018  a table may name any of them
     if is_many(path, settings):
         tally, code = convert_many(path, order, _runner(settings))
     else:
-        tally, code = convert_one(Part(path, settings.target), order), 0
+        if settings.resume or settings.dask:
+            flag = "--resume" if settings.resume else "--dask"
+            raise BadRequest(f"{flag} is for many files: name them as in 'grains/*.csv', with -o DIRECTORY/")
+        tally, code = convert(Part(path, settings.target), order), 0
     if tally.doubtful and not settings.quiet:
         say(f"note: {tally.doubtful} of {tally.rows} rows are doubtful; column {DOUBT} says why", sys.stderr)
     if tally.failed:

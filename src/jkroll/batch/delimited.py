@@ -6,7 +6,6 @@ or too few, spoils its own line only.
 
 from __future__ import annotations
 
-import io
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
@@ -14,22 +13,21 @@ from itertools import islice
 from typing import NamedTuple
 
 import numpy
-import orjson
 
-from ..table.blocks import Results
-from ..table.cells import Floats
-from ..table.columns import is_input
-from ..table.errors import BadTable
-from ..table.evaluator import Evaluator
-from ..table.task import Task
+from ..output.records import numbers_in_lines
+from ..rows.columns import OF_ROWS, Columns, doubts_in_words
+from ..rows.header import BadTable, is_input
+from ..rows.rows import evaluated
+from ..rows.table import Table
 from ..text import quoted
-from .lines import BOM, Converted, Head, check_encoding
+from .lines import BOM, Converted, Head, Tally, check_encoding, check_strictly
 
 _MISTAKEN = (
     (";", "semicolons", "commas, with decimal points"),
     ("\t", "tabs", "--format tsv"),
     (",", "commas", "--format csv"),
 )
+MAX_NUMBERS = 200_000  # that are computed together: more do not stay in the cache
 STRIP = 128  # rows written at once: their text stays in the cache
 _NUMBER = rb"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 _PLAIN = rb'[^"\r\n]*+'
@@ -48,7 +46,9 @@ class Dialect:
         quotes = rb'(?:(?<=[^%b\n])"|%b(?![^%b\r\n]))' % (mark, _QUOTED, mark)
         cells = rb"%b(?:%b%b)*+" % (_PLAIN, quotes, _PLAIN)
         self._whole = rb"(?:%b(?:\r*+\n|(?!%b)[^\n]++\n))*+" % (cells, _OPEN)
-        self._record = rb"((?:\r*+\n|\r++\Z)*+)(%b)(?:\r*+(?:\n|\Z)|([^\n]++)\n?)" % cells
+        blanks = b"[ \t]*+".replace(separator, b"")  # a line of blanks is blank
+        blank = rb"(?:%b\r*+\n|%b\r++\Z|%b(?<=[ \t])\Z)" % (blanks, blanks, blanks)
+        self._record = rb"(%b*+)(%b)(?:\r*+(?:\n|\Z)|([^\n]++)\n?)" % (blank, cells)
         self._cell = rb"%b(%b|[^%b]*+)" % (mark, _QUOTED, mark)
         self._simple = rb'(?:[^"]*+"(?<![^%b\n]")[^"\r\n%b]*+"(?![^\r\n%b]))*+[^"]*+' % (mark, mark, mark)
         number = rb'%b"?(?:%b|\r?$)' % (_NUMBER, mark)
@@ -129,9 +129,9 @@ class Dialect:
             if is_other and not any(map(is_input, names)):
                 raise BadTable(f"header: {quoted(line.strip())} has {kind} between its columns; write {advice}")
 
-    def converter(self, head: Head, task: Task, *, excel_safe: bool) -> Delimited:
+    def converter(self, head: Head, table: Table, *, strict: bool, excel_safe: bool) -> Delimited:
         """Return the converter of the blocks after the head."""
-        return Delimited(self, head, task, excel_safe=excel_safe)
+        return Delimited(self, head, table, strict=strict, excel_safe=excel_safe)
 
 
 DIALECTS = {"csv": Dialect("csv", b","), "tsv": Dialect("tsv", b"\t")}
@@ -150,31 +150,37 @@ class Rows(NamedTuple):
 class Delimited:
     """Converts blocks of records."""
 
-    def __init__(self, dialect: Dialect, head: Head, task: Task, *, excel_safe: bool) -> None:
-        """Lines of the output end as the header does."""
-        self.dialect = dialect
+    def __init__(self, dialect: Dialect, head: Head, table: Table, *, strict: bool, excel_safe: bool) -> None:
+        """Lines of the output end as the header does. `strict`: whether the first row that fails is an error."""
+        self.dialect, self.table, self.strict, self.excel_safe = dialect, table, strict, excel_safe
         self.width = len(head.names)
         self.line_end = b"\r\n" if head.text.endswith(b"\r\n") else b"\n"
-        self.excel_safe = excel_safe
-        cells = [head.text.removeprefix(BOM).rstrip(b"\r\n"), *map(str.encode, task.added)]
+        cells = [head.text.removeprefix(BOM).rstrip(b"\r\n"), *map(str.encode, table.added)]
         line = dialect.separator.join(cells) + self.line_end
         bom = BOM if head.text.startswith(BOM) else b""
         self.head = bom + (dialect.safe(line) if excel_safe else line)
-        self.said = b"".join(dialect.separator + text.encode() for text in task.said.values())
-        self.no_remark = dialect.separator * len(task.remarks) + self.line_end
-        self.evaluator = Evaluator(task)
-        self.places = task.places
+        self.said = b"".join(dialect.separator + text.encode() for text in table.said.values())
+        self.places = table.places
+        self.together = max(1, MAX_NUMBERS // len(table.numbers))  # rows
 
     def convert(self, text: bytes) -> Converted:
         """Return whole records with the results behind each."""
-        lines, columns, odd, starts, rest = self._quickly(text) or self._carefully(text)
-        if not lines:
-            return Converted(rest)
-        results = self.evaluator.results(self.evaluator.block(len(lines), columns, odd, starts))
-        if self.said:
-            lines = [line + self.said for line in lines]
-        output = b"".join([*self._strips(lines, results), rest])
-        return Converted(self.dialect.safe(output) if self.excel_safe else output, results.tally)
+        lines, cells, odd, starts, rest = self._quickly(text) or self._carefully(text)
+        pieces: list[bytes] = []
+        tally = Tally()
+        for start in range(0, len(lines), self.together):
+            part = slice(start, start + self.together)
+            own = {name: column[part] for name, column in cells.items()} if len(lines) > self.together else cells
+            problems = {row - start: why for row, why in odd.items() if start <= row < start + self.together}
+            columns = evaluated(self.table.wanted, self.table.block(len(lines[part]), own, problems))
+            failed = columns.failed()
+            check_strictly(columns, failed, starts[part], strict=self.strict)
+            tally = tally.plus(len(columns), len(failed), int(numpy.count_nonzero(columns.doubts & OF_ROWS)))
+            if self.said:
+                lines[part] = [line + self.said for line in lines[part]]
+            pieces += self._strips(lines[part], columns)
+        output = b"".join([*pieces, rest])
+        return Converted(self.dialect.safe(output) if self.excel_safe else output, tally)
 
     def _quickly(self, text: bytes) -> Rows | None:
         """Take apart lines that need no quotes and have the right width; None if there are others."""
@@ -187,7 +193,7 @@ class Delimited:
         lines.pop()
         cells = bare.replace(b"\n", separator + b"\n" + separator).split(separator)
         # Behind each line's last cell, and there only, stands a line feed.
-        if cells[width :: width + 1] != [b"\n"] * len(lines) or (width == 1 and b"" in lines):
+        if cells[width :: width + 1] != [b"\n"] * len(lines) or (width == 1 and not all(map(bytes.strip, lines))):
             return None
         columns = {name: cells[place : -1 : width + 1] for name, place in self.places.items()}
         return Rows(lines, columns, {}, range(len(lines)))
@@ -228,25 +234,38 @@ class Delimited:
             return line[:end] + self.dialect.joined([line[end:]])
         return line + separator * (width - len(cells))
 
-    def _strips(self, lines: Sequence[bytes], results: Results) -> Iterator[bytes]:
+    def _strips(self, lines: Sequence[bytes], columns: Columns) -> Iterator[bytes]:
         """Iterate over some lines at a time, with what stands behind each: its numbers, its remarks, and the line end."""
-        columns = results.remarks.values()
-        remarked = set().union(*columns)
-
-        @cache  # many rows have the same doubts
-        def end(*remarks: str) -> bytes:
-            cells = self.dialect.joined([text.encode() for text in remarks])
-            return self.dialect.separator + cells + self.line_end
-
+        separator = self.dialect.separator
+        no_remark = separator * len(self.table.remarks) + self.line_end
+        cut = -len(no_remark)
+        remarks = self._remarks(columns)
         for start in range(0, len(lines), STRIP):
             part = slice(start, start + STRIP)
-            rows = written(results.numbers[:, part], self.dialect.separator, self.no_remark)
-            for row in remarked.intersection(range(start, start + STRIP)) if remarked else ():
-                texts = [column.get(row, "") for column in columns]
-                rows[row - start] = rows[row - start].removesuffix(self.no_remark) + end(*texts)
+            rows = numbers_in_lines(columns.numbers[:, part], separator, b"", no_remark)
+            if any(ends := remarks[part]):
+                rows = [row[:cut] + end if end else row for row, end in zip(rows, ends, strict=True)]
             pieces = [b""] * (2 * len(rows))
             pieces[0::2], pieces[1::2] = lines[part], rows
             yield b"".join(pieces)
+
+    def _remarks(self, columns: Columns) -> list[bytes]:
+        """Return the doubts and the status of each row with the end of the line, or an empty text where there are none."""
+        separator, has_doubts = self.dialect.separator, len(self.table.remarks) > 1
+
+        @cache  # many rows have the same doubts
+        def doubts(bits: int) -> bytes:
+            return separator + doubts_in_words(bits, OF_ROWS).encode() if has_doubts else b""
+
+        @cache
+        def remark(bits: int) -> bytes:
+            return doubts(bits) + separator + self.line_end if bits and has_doubts else b""
+
+        remarks = [*map(remark, (columns.doubts & OF_ROWS).tolist())]
+        for row in columns.reasons:
+            status = self.dialect.joined([columns.status(row).encode()])
+            remarks[row] = doubts(int(columns.doubts[row])) + separator + status + self.line_end
+        return remarks
 
 
 def unquoted(cells: list[bytes]) -> list[bytes]:
@@ -254,18 +273,3 @@ def unquoted(cells: list[bytes]) -> list[bytes]:
     if b'"' not in b"".join(cells):
         return cells
     return [cell[1:-1].replace(b'""', b'"') if cell.startswith(b'"') else cell for cell in cells]
-
-
-def written(numbers: Floats, separator: bytes, end: bytes) -> list[bytes]:
-    """Return the text of the numbers of each row, from an array for each column; nan is an empty cell.
-
-    A separator stands before each number, and behind the last an `end`, which is that of a line.
-    """
-    text = orjson.dumps(numpy.ascontiguousarray(numbers.T), option=orjson.OPT_SERIALIZE_NUMPY)
-    if b"n" in text:
-        text = text.replace(b"null", b"")
-    text = b"," + text.replace(b"[", b"")  # ,1,2],3,4]] of [[1,2],[3,4]]
-    if separator != b",":
-        text = text.replace(b",", separator)
-    # To read lines takes a third of the time of a split, which looks at every byte.
-    return io.BytesIO(text.replace(b"]", end)).readlines()[: numbers.shape[1]]

@@ -16,18 +16,7 @@ class LostWorker(JkrollError):
         self.how = f"was ended by signal {-exit_code}" if exit_code < 0 else f"ended with exit code {exit_code}"
 
     def __str__(self) -> str:
-        return f"a working process {self.how}; nothing is lost: --resume goes on"
-
-
-class NotTheSame(JkrollError):
-    """Error raised when an interrupted run had another input, other options or another version."""
-
-    def __init__(self, partial: str, what: str) -> None:
-        super().__init__(partial, what)
-        self.partial, self.what = partial, what
-
-    def __str__(self) -> str:
-        return f"--resume: {self.partial} is of a run with another {self.what}; without --resume it is begun anew"
+        return f"a working process {self.how}; no file was written"
 
 
 @contextmanager

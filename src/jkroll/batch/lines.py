@@ -1,13 +1,26 @@
 """The parts that formats whose records are lines have in common."""
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
-from ..table.blocks import Tally
-from ..table.errors import BadTable
+from ..rows.columns import Columns
+from ..rows.header import BadRow, BadTable
 
 BOM = b"\xef\xbb\xbf"
 _COMPRESSED = {b"\x1f\x8b": "gz", b"\x28\xb5\x2f\xfd": "zst"}  # by the first bytes
 _UTF_16 = (b"\xff\xfe", b"\xfe\xff")
+
+
+class Tally(NamedTuple):
+    """The rows of a run, and those of them that failed or exceed a limit of the model."""
+
+    rows: int = 0
+    failed: int = 0
+    doubtful: int = 0
+
+    def plus(self, rows: int, failed: int, doubtful: int) -> "Tally":
+        """Return the counts with those of some more rows."""
+        return Tally(self.rows + rows, self.failed + failed, self.doubtful + doubtful)
 
 
 class Converted(NamedTuple):
@@ -32,3 +45,10 @@ def check_encoding(text: bytes, name: str) -> None:
             raise BadTable(f"the table is compressed; give it a name that ends in .{ends}, or write --format {ends}")
     if text.startswith(_UTF_16) or b"\0" in text.partition(b"\n")[0]:
         raise BadTable("the table is not UTF-8; save it as UTF-8")
+
+
+def check_strictly(columns: Columns, failed: Sequence[int], lines: Sequence[int], *, strict: bool) -> None:
+    """Raise BadRow for the first row that fails where none may. `lines`: at which the rows begin."""
+    if strict and failed:
+        first = min(failed)
+        raise BadRow(lines[first], columns.status(first))

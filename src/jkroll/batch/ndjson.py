@@ -8,12 +8,12 @@ from typing import Any
 import numpy
 import orjson
 
-from ..table.blocks import Results
-from ..table.columns import is_input
-from ..table.errors import BadTable
-from ..table.evaluator import Evaluator
-from ..table.task import Task
-from .lines import BOM, Converted, Head, check_encoding
+from ..output.records import numbers_in_lines
+from ..rows.columns import OF_ROWS, Columns, doubts_in_words
+from ..rows.header import BadTable, holds_input
+from ..rows.rows import evaluated
+from ..rows.table import Table
+from .lines import BOM, Converted, Head, Tally, check_encoding, check_strictly
 
 Row = dict[str, Any]
 
@@ -38,23 +38,23 @@ class Ndjson:
         sample = [[_text(row.get(name)) for name in names] for row in map(_object, lines) if row is not None]
         return Head(BOM if text.startswith(BOM) else b"", names), sample
 
-    def converter(self, head: Head, task: Task, *, excel_safe: bool) -> NdjsonConverter:
+    def converter(self, head: Head, table: Table, *, strict: bool, excel_safe: bool) -> NdjsonConverter:
         """Return the converter of the lines. No spreadsheet reads them: `excel_safe` changes nothing."""
         del excel_safe
-        return NdjsonConverter(head, task)
+        return NdjsonConverter(head, table, strict=strict)
 
 
 class NdjsonConverter:
     """Converts blocks of lines."""
 
-    def __init__(self, head: Head, task: Task) -> None:
-        self.head = head.text
-        self.evaluator = Evaluator(task)
-        self.keys = {name: head.names[place] for name, place in task.places.items()}
+    def __init__(self, head: Head, table: Table, *, strict: bool) -> None:
+        """`strict`: whether the first row that fails is an error."""
+        self.head, self.table, self.strict = head.text, table, strict
+        self.keys = {name: head.names[place] for name, place in table.places.items()}
         self.known = {*head.names}
-        self.added = {*task.added}
-        self.said = b"".join(orjson.dumps({name: text})[1:-1] + b"," for name, text in task.said.items())
-        self.names = [orjson.dumps(name) + b":" for name in (*task.headers, *task.remarks)]
+        self.added = {*table.added}
+        self.said = b"".join(orjson.dumps({name: text})[1:-1] + b"," for name, text in table.said.items())
+        self.names = [orjson.dumps(name) + b":" for name in (*table.numbers, *table.remarks)]
 
     def convert(self, text: bytes) -> Converted:
         """Return whole lines with the results in each. Blank lines stay."""
@@ -66,10 +66,13 @@ class NdjsonConverter:
         odd = {row: problem for row, one in enumerate(objects) if (problem := self._problem(one))}
         rows = [one or {} for one in objects]
         cells = {name: _cells([row.get(key) for row in rows]) for name, key in self.keys.items()}
-        results = self.evaluator.results(self.evaluator.block(len(rows), cells, odd, places))
-        for place, one, members in zip(places, objects, self._members(results), strict=True):
+        columns = evaluated(self.table.wanted, self.table.block(len(rows), cells, odd))
+        failed = columns.failed()
+        check_strictly(columns, failed, places, strict=self.strict)
+        for place, one, members in zip(places, objects, self._members(columns), strict=True):
             lines[place] = _beginning(lines[place], one) + members
-        return Converted(b"\n".join([*lines, b""]), results.tally)
+        tally = Tally(len(rows), len(failed), int(numpy.count_nonzero(columns.doubts & OF_ROWS)))
+        return Converted(b"\n".join([*lines, b""]), tally)
 
     def _problem(self, one: Row | None) -> str:
         """Return why a line is no row: it holds no object, or one with an input or a result that the first line has not."""
@@ -77,14 +80,20 @@ class NdjsonConverter:
             return "is not a JSON object"
         if one.keys() == self.known:
             return ""
-        surprises = (name for name in one if name not in self.known and (is_input(name) or name in self.added))
+        chosen, others = self.table.chosen, one.keys() - self.known
+        surprises = (
+            name
+            for name in one
+            if name in others and (name in self.added or holds_input(name, _text(one[name]), chosen))
+        )
         return next((f"has {name!r}, which the first line has not" for name in surprises), "")
 
-    def _members(self, results: Results) -> Iterator[bytes]:
+    def _members(self, columns: Columns) -> Iterator[bytes]:
         """Iterate over the members that the rows get, each with the end of the object."""
-        numbers = orjson.dumps(numpy.ascontiguousarray(results.numbers.T), option=orjson.OPT_SERIALIZE_NUMPY)
-        for row, values in enumerate(numbers[2:-2].split(b"],[")):
-            cells = values.split(b",") + [orjson.dumps(texts.get(row)) for texts in results.remarks.values()]
+        numbers = numbers_in_lines(columns.numbers, b",", b"null")
+        for row, (line, bits) in enumerate(zip(numbers, columns.doubts.tolist(), strict=True)):
+            texts = [doubts_in_words(bits, OF_ROWS), columns.status(row)][-len(self.table.remarks) :]
+            cells = line[1:-1].split(b",") + [orjson.dumps(text or None) for text in texts]
             yield self.said + b",".join(map(bytes.__add__, self.names, cells)) + b"}"
 
 

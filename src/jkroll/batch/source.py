@@ -1,38 +1,20 @@
-"""The input as blocks of whole records, cut at the same places in every run; and the parts of a large table."""
+"""The input as blocks of whole records, cut at the same places in every run."""
 
 import errno
 import os
 import stat
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
-from itertools import chain
-from typing import BinaryIO, NamedTuple
+from typing import BinaryIO
 
 from ..errors import BadRequest
-from ..table.errors import BadTable
+from ..rows.header import BadTable
 from ..text import quoted
 from .formats import CHUNK, decompressed
 
 MAX_RECORD = 1 << 24
-SPAN = 1 << 26  # least size of a part of a table, but for the last
 
 Cut = Callable[[bytes], int]  # number of bytes of whole records at the beginning of a text
-
-
-class Span(NamedTuple):
-    """Part of a table: bytes of lines, with the size of the header before the first line, or groups of rows of Parquet."""
-
-    start: int
-    end: int
-    head: int = 0
-
-
-class Part(NamedTuple):
-    """A table, or a part of one, and the file that it becomes."""
-
-    path: str
-    target: str
-    span: Span | None = None  # None: all of it
 
 
 class Input:
@@ -52,23 +34,16 @@ class Input:
         if stat.S_ISDIR(about.st_mode):
             raise BadTable(f"{quoted(path)}: {os.strerror(errno.EISDIR)}")
 
-    def pieces(self, compression: str, span: Span | None) -> Iterator[bytes]:
+    def pieces(self, compression: str) -> Iterator[bytes]:
         """Iterate over the bytes to convert, decompressed: CHUNK bytes at a time, but for the ends.
 
         Raises BadTable at the end if the file was changed in the meantime.
         """
         if compression:
             yield from decompressed(self.file, compression, self.path)
-        elif span is None:
-            yield from iter(lambda: self.file.read(CHUNK), b"")
         else:
-            yield from chain(self._between(0, span.head), self._between(span.start, span.end))
+            yield from iter(lambda: self.file.read(CHUNK), b"")
         self.check_unchanged()
-
-    def _between(self, start: int, end: int) -> Iterator[bytes]:
-        self.file.seek(start)
-        for place in range(start, end, CHUNK):
-            yield self.file.read(min(CHUNK, end - place))
 
     def position(self) -> int:
         """Return the number of bytes read of a file; 0 of a pipe."""
@@ -121,15 +96,3 @@ def _end_of_lines(text: bytes) -> int:
     if not end and len(text) >= MAX_RECORD:
         raise BadTable(f"a line is longer than {MAX_RECORD >> 20} MiB: this is no table")
     return end or len(text)
-
-
-def spans_of_lines(texts: Iterable[bytes], head: int) -> Iterator[Span]:
-    """Iterate over the parts of a table of lines that follow a header of some size, each of several blocks."""
-    start = end = head
-    for text in texts:
-        end += len(text)
-        if end - start >= SPAN:
-            yield Span(start, end, head)
-            start = end
-    if start < end:
-        yield Span(start, end, head)

@@ -88,7 +88,7 @@ def _serve(questions: "connection.Connection[Any, Any]", make_answer: Callable[[
 
 
 def _end_with_parent() -> None:
-    """End this process when the one that started it has ended: it could still write to a file that `--resume` continues."""
+    """End this process when the one that started it has ended: nobody waits for its answers."""
     parent = parent_process()
     if parent is not None:
         parent.join()

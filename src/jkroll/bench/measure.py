@@ -9,11 +9,9 @@ from typing import Any, NamedTuple
 import numpy
 
 from ..quantities.nomenclature import NOMENCLATURE
-from ..scene.solver import solve
-from .by_hand import by_hand
-from .points import Arrays, each, hard, ordinary, scenes
-from .reference import exact, inputs_of, references
-from .ways import OTHER_WAYS, QUANTITIES, own_way
+from ..scene.solver import BLOCK, solve
+from .points import Arrays, each, exact, hard, inputs_of, ordinary, references, scenes
+from .ways import OTHER_WAYS, QUANTITIES, by_hand, own_way
 
 DEFAULT = "jkroll, arrays"
 USUAL = (
@@ -138,7 +136,7 @@ def _in_single_precision(points: Arrays) -> Arrays:
 
 def _with_units(points: Arrays) -> Arrays:
     """Return pint Quantities in base units: cube roots of J/m² and Pa have dimensions that round differently."""
-    from ..quantities.pint_names import registry
+    from ..quantities.units import registry
 
     return {name: registry().Quantity(value, NOMENCLATURE[name].unit).to_base_units() for name, value in points.items()}
 
@@ -184,11 +182,11 @@ def beats(one: Row, two: Row) -> bool:
 
 
 def compare(size: Size) -> list[Ratio]:
-    """Compare `jkroll.solve` with plain expressions of numpy for many scenes, and of `math` for one; and Maugis' law with JKR."""
+    """Compare `jkroll.solve` with plain expressions of numpy in blocks for many scenes, and of `math` for one; and Maugis' law with JKR."""
     many = scenes(size.scenes)
     few: list[dict[str, Any]] = list(each({name: values[: size.numbers] for name, values in many.items()}))
     arrays = _best(
-        {"solve": lambda: solve(USUAL, **many), "by hand": lambda: by_hand(*_NUMPY, **many)},
+        {"solve": lambda: solve(USUAL, **many), "by hand": lambda: by_hand_in_blocks(many)},
         size.repeats,
     )
     numbers = _best(
@@ -207,6 +205,17 @@ def compare(size: Size) -> list[Ratio]:
         _ratio("one scene, math", 1, numbers, len(few)),
         _ratio("state by maugis, beside jkr", size.scenes, states, size.scenes),
     ]
+
+
+def by_hand_in_blocks(many: Arrays) -> dict[str, Any]:
+    """Return the usual quantities by plain numpy, in blocks as large as those of `solve`."""
+    size = len(many["radius"])
+    results = {name: numpy.empty(size) for name in USUAL}
+    for start in range(0, size, BLOCK):
+        place = slice(start, start + BLOCK)
+        for name, values in by_hand(*_NUMPY, **{name: array[place] for name, array in many.items()}).items():
+            results[name][place] = values
+    return results
 
 
 def _ratio(case: str, scenes: int, times: Mapping[str, float], count: int) -> Ratio:

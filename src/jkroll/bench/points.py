@@ -1,11 +1,19 @@
-"""The points at which the benchmark measures: ordinary contacts, and those where digits are easily lost."""
+"""The points at which the benchmark measures, ordinary contacts and those where digits are easily lost, and exact values there.
 
-from collections.abc import Mapping
+The equations are the paper's in their plainest form, in 60 digits; only they need mpmath. Inputs are doubles and taken as
+exact. The state is that of a load and a pull-off force, or of an approach in units of the unloaded one.
+"""
+
+# ruff: noqa: N803, N806  (the paper's symbols)
+
+from collections.abc import Callable, Mapping
+from functools import cache
 from typing import Any
 
 import numpy
 
 from ..physics.contact import pull_off_force
+from ..physics.dugdale import ratio_at_load
 from ..physics.jkr import FOLD_APPROACH
 from ..physics.pair import reduced_radius
 
@@ -88,3 +96,133 @@ def _at_loads(points: dict[str, Any], ratio: Any) -> Arrays:
     force = pull_off_force(work_of_adhesion=points["work_of_adhesion"], reduced_radius=reduced)
     load = numpy.maximum(ratio * force, -force)
     return {**points, "pull_off_force": force, "load": load, "approach": numpy.ones_like(load)}
+
+
+# --- Exact values -----------------------------------------------------------------------------------------------------
+
+DIGITS = 60
+
+SYMBOLS = {
+    "R1": "radius", "R2": "radius2", "w": "work_of_adhesion", "E": "contact_modulus", "rho": "density",
+    "xi": "yield_displacement", "g": "gravity", "P": "load", "P_c": "pull_off_force",
+    "delta": "approach_at_load", "delta0": "approach", "z0": "atomic_spacing",
+}  # fmt: skip
+
+
+def inputs_of(way: Callable[..., Any]) -> tuple[str, ...]:
+    """Return the names of the inputs of a function whose parameters are the paper's symbols."""
+    code = way.__code__
+    return tuple(SYMBOLS[symbol] for symbol in code.co_varnames[: code.co_argcount])
+
+
+@cache
+def _digits() -> Any:
+    """Return mpmath's arithmetic of 60 digits, in a context of its own."""
+    from mpmath import MPContext  # type: ignore[import-untyped]
+
+    context = MPContext()
+    context.dps = DIGITS
+    return context
+
+
+@cache
+def references() -> Mapping[str, Callable[..., Any]]:
+    """Return the equation of each quantity, for arguments of 60 digits in the paper's symbols."""
+    mp = _digits()
+    pi, sqrt, cbrt = +mp.pi, mp.sqrt, mp.cbrt
+
+    def reduced(one: Any, two: Any) -> Any:
+        return 1 / (1 / one + 1 / two)
+
+    def state(P: Any, P_c: Any) -> Any:
+        """Eq 5: x = â^(3/2), the larger root of P/P_c = 4(x² − x)."""
+        return (1 + sqrt(1 + P / P_c)) / 2
+
+    def force(R1: Any, R2: Any, w: Any) -> Any:
+        return 3 * pi * (w / 2) * reduced(R1, R2)
+
+    def radius(R1: Any, R2: Any, w: Any, E: Any) -> Any:
+        return cbrt(9 * pi * (w / 2) * reduced(R1, R2) ** 2 / E)
+
+    def approach(R1: Any, R2: Any, w: Any, E: Any) -> Any:
+        return force(R1, R2, w) / (E * radius(R1, R2, w, E))
+
+    def stretch(P: Any, P_c: Any) -> Any:
+        return cbrt(state(P, P_c) ** 2)
+
+    def moment(R1: Any, R2: Any, w: Any, xi: Any, P: Any, P_c: Any) -> Any:
+        return 4 * force(R1, R2, w) * state(P, P_c) * xi
+
+    def stiffness(R1: Any, R2: Any, w: Any, E: Any, P: Any, P_c: Any) -> Any:
+        """Slope of P(δ) through those of P(â), Eq 5, and of δ(â), Eq 6."""
+        a_ = stretch(P, P_c)
+        slope = (12 * a_**2 - 6 * sqrt(a_)) / (6 * a_ - 1 / sqrt(a_))
+        return force(R1, R2, w) / approach(R1, R2, w, E) * slope
+
+    def mass(R: Any, rho: Any) -> Any:
+        return 4 * pi / 3 * R**3 * rho
+
+    def inertia(R: Any, rho: Any) -> Any:
+        return 2 * mass(R, rho) * R**2 / 5
+
+    def factor_at_approach(delta: Any, delta0: Any) -> Any:
+        """Eq 6 by Newton's method, which is monotone from above the root."""
+        ratio, step = delta / delta0, mp.mpf(1)
+        y = 1 + sqrt(sqrt(abs(ratio)))
+        while abs(step) > abs(y) * mp.mpf(10) ** -(DIGITS // 2):  # the last step squares that
+            step = (3 * y**4 - 2 * y - ratio) / (12 * y**3 - 2)
+            y -= step
+        return y**3
+
+    def maugis(R1: Any, R2: Any, w: Any, E: Any, z0: Any, P: Any) -> tuple[Any, Any, Any]:
+        """Maugis' two equations for a and m = c/a at a load, by the secant method in v = 1/√(m² − 1)."""
+        R, K = reduced(R1, R2), 4 * E / 3
+        unit, unit_force = cbrt(pi * w * R**2 / K), pi * w * R
+        lambda_ = 2 * 16 * w / (9 * sqrt(mp.mpf(3)) * z0) / cbrt(pi * w * K**2 / R)
+
+        def at(v: Any) -> tuple[Any, Any, Any]:
+            m = sqrt(1 + 1 / v**2)
+            t, angle = 1 / v, mp.atan(1 / v)
+            ring = lambda_ / 2 * (t + (m**2 - 2) * angle)
+            both = 4 * lambda_**2 / 3 * (t * angle - m + 1)
+            a = 2 / (both + sqrt(both**2 + 4 * ring))
+            return a, a**3 - lambda_ * a**2 * (t + m**2 * angle), a**2 - 4 * lambda_ / 3 * a * t
+
+        near = mp.mpf(ratio_at_load(float(lambda_), float(P / unit_force)))
+        ends = near, near * (1 + mp.mpf(10) ** -9)
+        tol = near * mp.mpf(10) ** -25  # the last step leaves far less
+        v = mp.findroot(lambda v: at(v)[1] - P / unit_force, ends, tol=tol, verify=False)
+        slope = mp.diff(lambda v: at(v)[1], v) / mp.diff(lambda v: at(v)[2], v)
+        a, _, delta = at(v)
+        return a * unit, delta * unit**2 / R, slope * unit_force * R / unit**2
+
+    return {
+        "pull_off_force": force,
+        "contact_radius": radius,
+        "approach": approach,
+        "contact_radius_at_load": lambda R1, R2, w, E, P, P_c: radius(R1, R2, w, E) * stretch(P, P_c),
+        "approach_at_load": lambda R1, R2, w, E, P, P_c: (
+            approach(R1, R2, w, E) * (3 * stretch(P, P_c) ** 2 - 2 * sqrt(stretch(P, P_c)))),
+        "stiffness": stiffness,
+        "load_factor_at_approach": factor_at_approach,
+        "contact_radius_maugis": lambda R1, R2, w, E, z0, P: maugis(R1, R2, w, E, z0, P)[0],
+        "approach_maugis": lambda R1, R2, w, E, z0, P: maugis(R1, R2, w, E, z0, P)[1],
+        "stiffness_maugis": lambda R1, R2, w, E, z0, P: maugis(R1, R2, w, E, z0, P)[2],
+        "yield_moment": moment,
+        "yield_force": lambda R1, R2, w, xi, P, P_c: moment(R1, R2, w, xi, P, P_c) / R1,
+        "r_min": lambda R1, R2, xi: R1 * R2 / xi,
+        "n_grav": lambda R1, R2, w, rho, xi, g, P, P_c: sqrt(moment(R1, R2, w, xi, P, P_c) / (mass(R1, rho) * g * R1)),
+        "vertical_frequency": lambda R1, R2, w, E, rho, P, P_c: (
+            sqrt(stiffness(R1, R2, w, E, P, P_c) / reduced(mass(R1, rho), mass(R2, rho))) / (2 * pi)),
+        "rolling_frequency": lambda R1, R2, w, rho, P, P_c: (
+            sqrt(4 * force(R1, R2, w) * state(P, P_c) * reduced(R1, R2) / reduced(inertia(R1, rho), inertia(R2, rho)))
+            / (2 * pi)),
+        "n_roll": lambda R1, R2, w, E, xi, P, P_c: approach(R1, R2, w, E) / (14 * pi * state(P, P_c) * xi),
+    }  # fmt: skip
+
+
+def exact(quantity: str, point: Mapping[str, float]) -> tuple[float, float]:
+    """Return the double nearest to the exact value at a point, and the rest."""
+    reference = references()[quantity]
+    value = reference(*(_digits().mpf(point[name]) for name in inputs_of(reference)))
+    return float(value), float(value - float(value))

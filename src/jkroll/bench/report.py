@@ -5,8 +5,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, TextIO
 
-from ..output.files import whole_file
-from ..output.records import Cell, write_records
+from ..output.records import Cell, whole_file, write_records
 from ..text import json_text, say
 from .measure import DEFAULT, FULL, QUICK, Ratio, Row, beats, compare, measure
 

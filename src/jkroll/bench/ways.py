@@ -1,7 +1,7 @@
 """Ways to each headline quantity: the package's own, and what a reader of the paper would write down.
 
 A way is a function of arrays whose parameters are the paper's symbols: printed forms, textbook inversions, tables and
-quadratures.
+quadratures. `by_hand` has the usual quantities as a plain program would compute them: the least that `jkroll.solve` could cost.
 """
 
 # ruff: noqa: N803, N806  (the paper's symbols)
@@ -13,10 +13,77 @@ from typing import Any
 from numpy import abs, any, cbrt, exp, interp, linspace, log, pi, sin, sqrt, where
 from numpy.polynomial.legendre import leggauss
 
+from ..physics.any_law import TRANSITION_OVER_TABOR
 from ..physics.jkr import FOLD_APPROACH
 from ..scene.wiring import plan
-from .maugis_ways import WAYS_OF_MAUGIS
-from .reference import inputs_of, references
+from .points import inputs_of, references
+
+# --- Between JKR and DMT: either limit, and a published fit -----------------------------------------------------------
+
+
+def _margin_of_pull_off(R1: Any, R2: Any, w: Any, P: Any) -> Any:
+    """Return √((P + P_c)/P_c) of JKR."""
+    pull_off = 3 * pi * w / 2 * _reduced(R1, R2)
+    return sqrt((P + pull_off) / pull_off)
+
+
+def _unloaded_radius(R1: Any, R2: Any, w: Any, E: Any) -> Any:
+    """Return JKR's radius without load."""
+    return cbrt(9 * pi * w / 2 * _reduced(R1, R2) ** 2 / E)
+
+
+def _radius_by_jkr(R1: Any, R2: Any, w: Any, E: Any, P: Any) -> Any:
+    return _unloaded_radius(R1, R2, w, E) * cbrt(((1 + _margin_of_pull_off(R1, R2, w, P)) / 2) ** 2)
+
+
+def _approach_by_jkr(R1: Any, R2: Any, w: Any, E: Any, P: Any) -> Any:
+    x = (1 + _margin_of_pull_off(R1, R2, w, P)) / 2
+    return _unloaded_radius(R1, R2, w, E) ** 2 / (3 * _reduced(R1, R2)) * cbrt(x) * (3 * x - 2)
+
+
+def _stiffness_by_jkr(R1: Any, R2: Any, w: Any, E: Any, P: Any) -> Any:
+    s = _margin_of_pull_off(R1, R2, w, P)
+    return 6 * E * _radius_by_jkr(R1, R2, w, E, P) * s / (2 + 3 * s)
+
+
+def _radius_by_dmt(R1: Any, R2: Any, w: Any, E: Any, P: Any) -> Any:
+    R = _reduced(R1, R2)
+    return cbrt(3 / 4 * R / E * (P + 2 * pi * w * R))
+
+
+def _radius_by_cos(R1: Any, R2: Any, w: Any, E: Any, z0: Any, P: Any) -> Any:
+    """Return the fit of Carpick, Ogletree & Salmeron (J. Colloid Interface Sci. 211, 395, 1999).
+
+    The coefficients are those of the code woodem/woo, pkg/dem/Hertz.cpp, which cites Eqs (7), (10), (12a) and (12b) of the article.
+    """
+    R = _reduced(R1, R2)
+    transition = TRANSITION_OVER_TABOR * cbrt(R * (w / E) ** 2) / z0
+    alpha = (1 - exp(-transition / 0.924)) / 1.02
+    power, power_of_radius = 4.04 * transition**1.4, 2.28 * transition**1.3
+    pull_off = pi * w * R * (7 / 4 - (power - 1) / (power + 1) / 4)
+    unloaded = 1.54 + 0.279 * (power_of_radius - 1) / (power_of_radius + 1)
+    spread = (alpha + sqrt(1 + P / pull_off)) / (1 + alpha)
+    return unloaded * cbrt(3 / 4 * pi * w * R**2 / E * spread**2)
+
+
+WAYS_OF_MAUGIS: Mapping[str, Mapping[str, Callable[..., Any]]] = {
+    "contact_radius_maugis": {
+        "JKR": _radius_by_jkr,
+        "DMT": _radius_by_dmt,
+        "COS 1999": _radius_by_cos,
+    },
+    "approach_maugis": {
+        "JKR": _approach_by_jkr,
+        "DMT": lambda R1, R2, w, E, P: _radius_by_dmt(R1, R2, w, E, P) ** 2 / _reduced(R1, R2),
+    },
+    "stiffness_maugis": {
+        "JKR": _stiffness_by_jkr,
+        "DMT": lambda R1, R2, w, E, P: 2 * E * _radius_by_dmt(R1, R2, w, E, P),
+    },
+}
+
+
+# --- JKR --------------------------------------------------------------------------------------------------------------
 
 Way = Callable[..., Any]
 _NODES = 10_000  # of the tables
@@ -273,3 +340,67 @@ OTHER_WAYS: Mapping[str, Mapping[str, Way]] = {
     },
 }  # fmt: skip
 QUANTITIES = tuple(OTHER_WAYS)
+
+
+# --- By hand ----------------------------------------------------------------------------------------------------------
+
+
+def by_hand(
+    sqrt: Callable[[Any], Any],
+    cbrt: Callable[[Any], Any],
+    fmin: Callable[[Any, Any], Any],
+    fmax: Callable[[Any, Any], Any],
+    *,
+    radius: Any,
+    radius2: Any,
+    surface_energy: Any,
+    youngs_modulus: Any,
+    poisson_ratio: Any,
+    density: Any,
+    load: Any,
+) -> dict[str, Any]:
+    """Return the usual quantities of two spheres of one material: of floats by `math`, or of arrays by numpy."""
+    yield_displacement = 2e-10
+    work = 2 * sqrt(surface_energy * surface_energy)
+    larger = fmax(radius, radius2)
+    smaller = fmin(radius, radius2)
+    reduced = smaller / (1 + smaller / larger)
+    pull_off_force = 3.0 / 2 * pi * work * reduced
+    margin = sqrt((load + pull_off_force) / pull_off_force)
+    factor = (1 + margin) / 2
+    ratio = radius / radius2
+    yield_moment = 4 * pull_off_force * factor * yield_displacement
+    mass = 4 * pi * (radius * radius * radius) * density / 3
+    mass2 = 4 * pi * (radius2 * radius2 * radius2) * density / 3
+    compliance = (1 - poisson_ratio * poisson_ratio) / youngs_modulus
+    modulus = 1 / (compliance + compliance)
+    strain = work / modulus
+    stretched = reduced * factor
+    contact_radius_at_load = cbrt(9.0 / 2 * pi * strain * stretched * stretched)
+    stiffness = 6 * margin / (2 + 3 * margin) * modulus * contact_radius_at_load
+    lighter = fmin(mass, mass2)
+    heavier = fmax(mass, mass2)
+    reduced_mass = lighter / (1 + lighter / heavier)
+    rolling_stiffness = 4 * pull_off_force * factor * reduced
+    square = radius * radius
+    square2 = radius2 * radius2
+    inertia = 8 * pi * (square * square * radius) * density / 15
+    inertia2 = 8 * pi * (square2 * square2 * radius2) * density / 15
+    least = fmin(inertia, inertia2)
+    most = fmax(inertia, inertia2)
+    reduced_inertia = least / (1 + least / most)
+    shrunk = strain * strain * reduced
+    return {
+        "pull_off_force": pull_off_force,
+        "contact_radius": cbrt(9.0 / 2 * pi * strain * reduced * reduced),
+        "approach": cbrt(3.0 / 4 * (pi * pi) * shrunk),
+        "yield_force": 6 * pi * work * factor * yield_displacement / (1 + ratio),
+        "yield_force_ratio": 4 * factor * (yield_displacement / radius),
+        "yield_moment": yield_moment,
+        "yield_angle": yield_displacement / reduced,
+        "r_min": radius * (radius2 / yield_displacement),
+        "n_grav": sqrt(yield_moment / (mass * 9.80665 * radius)),
+        "vertical_frequency": sqrt(stiffness / (4 * (pi * pi) * reduced_mass)),
+        "rolling_frequency": sqrt(rolling_stiffness / (4 * (pi * pi) * reduced_inertia)),
+        "n_roll": cbrt(3 / (10976 * pi) * shrunk) / (yield_displacement * factor),
+    }

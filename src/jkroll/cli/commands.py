@@ -10,7 +10,6 @@ from ..answers.questions import QUESTIONS
 from ..errors import BadRequest
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from .options import (
-    ANGLE,
     AS_PRINTED,
     AXES,
     BENCH,
@@ -46,7 +45,11 @@ class Words(NamedTuple):
 
     metavar: str = ""
     most: float = 0
-    are_files: bool = False
+
+    @property
+    def kinds(self) -> tuple[str, ...]:
+        """The kinds of words, by rising place: MATERIAL, RADIUS and so on."""
+        return tuple(word.strip("[].") for word in self.metavar.split())
 
 
 PHYSICS, LOOK_UP, CHECKS = "Commands", "Tables, pictures, look-up", "Checks of the paper and of this program"
@@ -68,7 +71,7 @@ class Command(NamedTuple):
 
     def flags(self) -> dict[str, Option]:
         """Return the options by their spellings."""
-        return {flag: option for option in (*self.options(), *HELP) for flag in option.flags}
+        return {flag: option for option in (*self.options(), HELP) for flag in option.flags}
 
     def run(self) -> Callable[[Call], int]:
         """Return the function that answers a call."""
@@ -76,7 +79,7 @@ class Command(NamedTuple):
         found: Callable[[Call], int] = getattr(import_module(f".{module}", __package__), function)
         return found
 
-    def action(self, words: Sequence[str], given: Mapping[str, str | bool]) -> Action:
+    def action(self, words: Sequence[str], given: Mapping[str, str | bool | tuple[str, ...]]) -> Action:
         """Return what words and the texts of options by name ask for; BadRequest for an invalid value."""
         options = {option.name: option for option in self.options()}
         if given.get("target") == "":
@@ -89,9 +92,9 @@ class Command(NamedTuple):
 
 
 def _options_of_export() -> tuple[Option, ...]:
-    from ..output.lammps import QUANTITIES
+    from ..output.exports import QUANTITIES, THRESHOLDS
 
-    return (*inputs_of(QUANTITIES), MODEL_OF_EXPORT, MATERIALS)
+    return (*inputs_of(QUANTITIES + THRESHOLDS), MODEL_OF_EXPORT, MATERIALS, QUIET)
 
 
 _SCENE = Words("[MATERIAL] [RADIUS]...", INFINITY)
@@ -100,7 +103,13 @@ _LOOKS = tuple(option._replace(hidden=True) for option in (*STYLE, PANEL))
 
 def _options_of(name: str, *own: Option) -> tuple[Option, ...]:
     """Return the options of a question: inputs, its own, output."""
-    return (*inputs_of(QUESTIONS[name].quantities), *own, *OUTPUT)
+    inputs = _any_input() if name == "report" else inputs_of(QUESTIONS[name].quantities)
+    return (*inputs, *own, *OUTPUT)
+
+
+def _any_input() -> tuple[Option, ...]:
+    """Return the options of commands of which any quantity may be asked: those of the report are shown."""
+    return inputs_of(QUESTIONS["report"].quantities, any_input=True)
 
 
 def _question(name: str, sentence: str, example: str, *own: Option, runner: str = "question:run_question") -> Command:
@@ -125,11 +134,13 @@ _COMMANDS = (
     ),
     _question("moment", "Rolling resistance at a displacement ξ.", "quartz 100nm --xi 1angstrom"),
     _question("energies", "Energies to break, to roll and to stick, by convention.", "quartz 100nm --angle 90deg"),
-    _question("report", "All quantities that your inputs allow.", "quartz 100nm", ANGLE),
+    _question("resistances", "Rolling, sliding and twisting: when each yields.", "quartz 100nm --shear-strength 12MPa"),
+    _question("aggregates", "When aggregates of many grains restructure and break.", "quartz 100nm --monomers 1000"),
+    _question("report", "All quantities that your inputs allow.", "quartz 100nm"),
     Command(
         "export",
-        "Write the contact of a pair, or of a sphere and a wall, as input of LAMMPS.",
-        Words("lammps [MATERIAL] [RADIUS]", INFINITY),
+        "Write the contact of a pair as input of LAMMPS, LIGGGHTS or DustSimulation.",
+        Words("PROGRAM [MATERIAL] [RADIUS]", INFINITY),
         _options_of_export,
         "export:run_export",
         "lammps quartz 100nm --model dmt",
@@ -140,8 +151,7 @@ _COMMANDS = (
         Words("INPUT [MATERIAL] [RADIUS]...", INFINITY),
         lambda: (
             MEASURED,
-            *inputs_of(QUESTIONS["report"].quantities),
-            ANGLE,
+            *_any_input(),
             *RESULTS,
             EXPLAIN,
             CITE_ANSWER,
@@ -154,7 +164,7 @@ _COMMANDS = (
     Command(
         "batch",
         "Add results to each row of a table.",
-        Words("[IN]", 1, are_files=True),
+        Words("[IN]", 1),
         lambda: TABLE,
         "convert:run_batch",
         "grains.csv -o forces.csv",
@@ -164,26 +174,26 @@ _COMMANDS = (
         "map",
         "Draw a quantity over two inputs as a map, or over one as curves.",
         Words("QUANTITY [MATERIAL] [RADIUS]...", INFINITY),
-        lambda: (*AXES, *PICTURE, *inputs_of(QUESTIONS["report"].quantities), ANGLE),
-        "draw:run_map",
+        lambda: (*AXES, *PICTURE, *_any_input()),
+        "map:run_map",
         "pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2",
         LOOK_UP,
     ),
     Command(
         "figure",
         "Draw a figure of the paper from its equations.",
-        Words("NAME", 1),
+        Words("FIGURE", 1),
         lambda: (AS_PRINTED, *PICTURE),
-        "draw:run_figure",
+        "map:run_figure",
         "3a --mark quartz@100nm",
         LOOK_UP,
     ),
     Command(
         "materials",
         "List the known materials, or show one in full.",
-        Words("[NAME]", 1),
+        Words("[MATERIAL]", 1),
         lambda: (JSON, CSV, CITE, MATERIALS, QUIET),
-        "look_up:run_materials",
+        "catalogue:run_materials",
         "quartz",
         LOOK_UP,
     ),
@@ -192,7 +202,7 @@ _COMMANDS = (
         "List the names of quantities, or show what is known of one.",
         Words("[NAME]...", INFINITY),
         lambda: (JSON, CSV),
-        "look_up:run_quantities",
+        "catalogue:run_quantities",
         "tabor",
         LOOK_UP,
     ),
@@ -201,7 +211,7 @@ _COMMANDS = (
         "Show a page of the manual, or list its topics.",
         Words("[TOPIC]", 1),
         tuple,
-        "look_up:run_guide",
+        "catalogue:run_guide",
         "models",
         LOOK_UP,
     ),
@@ -229,4 +239,4 @@ COMMANDS: Mapping[str, Command] = MappingProxyType({command.name: command for co
 
 def flags_of(name: str | None) -> dict[str, Option]:
     """Return the options of a command, or of the program before any command, by their spellings."""
-    return COMMANDS[name].flags() if name else {option.flag: option for option in PROGRAM}
+    return COMMANDS[name].flags() if name else {flag: option for option in PROGRAM for flag in option.flags}

@@ -4,6 +4,7 @@ from ..batch.command import run
 from ..batch.settings import Settings
 from ..errors import BadRequest
 from .options import Call
+from .request import materials_of
 
 
 def run_batch(call: Call) -> int:
@@ -23,5 +24,6 @@ def run_batch(call: Call) -> int:
         dask=call.dask,
         materials=call.materials,
         quiet=call.quiet,
+        columns=call.columns,
     )
-    return run(call.words[0], settings, call.inputs)
+    return run(call.words[0], settings, call.inputs, materials_of(call.materials))

@@ -1,25 +1,26 @@
 """Runner of `infer`: from a measured value back to an input."""
 
-from itertools import chain
-from typing import TYPE_CHECKING
+import sys
+from functools import partial
 
-from ..answers.answer import in_units
-from ..answers.inferred import inferred, with_forward
-from ..answers.questions import Question, quantity_named
+from ..answers.inferred import Inferred
+from ..answers.questions import quantity_named
 from ..errors import BadRequest
-from ..output.layout import layout
-from ..quantities.naming import named
-from ..quantities.ranges import spreads_of
-from ..scene.inverse import SIZES, CannotInfer
+from ..output import notes as note_lines
+from ..output.records import in_units
+from ..quantities.formatting import Format
+from ..quantities.names import named
+from ..quantities.values import Spread, spreads_of
+from ..rows.inferred import Sought, observed
+from ..rows.sweep import Sweep
+from ..scene.inverse import SIZES, AlreadyGiven, CannotInfer, with_input
+from ..text import say_wrapped
 from .options import Call
-from .question import write_answers, write_sources
+from .question import check_count, exit_code, unless_failed, write_answers, write_columns
 from .request import request_of
 from .written import format_name, format_of
 
-if TYPE_CHECKING:
-    from ..quantities.uncertain import Uncertain
-
-MAX_ANSWERS = 10_000  # which are kept until their columns are known
+MAX_ANSWERS = 10_000  # that are explained one by one
 
 
 def run_infer(call: Call) -> int:
@@ -33,22 +34,42 @@ def run_infer(call: Call) -> int:
     kind = format_name(call)
     form = format_of(call, [name])
     request = request_of(call._replace(words=call.words[1:]))
-    count = request.count * len(measured)
-    if count > MAX_ANSWERS:
-        raise BadRequest(f"{count} values are more than infer finds in one call: {MAX_ANSWERS}")
-    pairs = [
-        (scene, in_units(inferred(name, quantity, value, scene), form))
-        for scene in request.scenes()
-        for value in measured
-    ]
-    if kind in ("explain", "cite"):
-        return write_sources((with_forward(one, quantity, scene) for scene, one in pairs), count, kind, form)
-    answers = [one for _, one in pairs]
-    shape = layout(Question((name,), (name,)), answers, count)
-    return write_answers(answers, shape, kind, form, quiet=call.quiet)
+    if quantity in request.spreads:
+        raise AlreadyGiven(quantity, quantity)
+    sweep = Sweep(request.pairs, {**request.spreads, quantity: measured}, request.models, partial(observed, quantity))
+    is_one = len(sweep) == 1 and kind in ("plain", "table")
+    if is_one or kind in ("json", "explain", "cite"):
+        check_count(len(sweep), kind, MAX_ANSWERS)
+        answers = (Inferred(name, quantity, row.measured, row.scene) for row in sweep.scenes())
+        shown = (one.explained for one in answers) if kind in ("explain", "cite") else answers
+        return write_answers(shown, len(sweep), kind, form, sys.stdout, quiet=call.quiet)
+    return _write_rows(name, quantity, sweep, kind, form, call)
 
 
-def _measured(text: str | None) -> "tuple[str, list[float | Uncertain]]":
+def _write_rows(name: str, quantity: str, sweep: Sweep, kind: str, form: Format, call: Call) -> int:
+    """Write a row for each scene and measured value; return the exit code."""
+    wanted = Sought.of(name, quantity, sweep.kinds)
+    if kind == "bare":
+        wanted = Sought(name, quantity, doubts=not call.quiet)
+    blocks = sweep.columns(wanted)
+    if len(sweep) == 1:
+        blocks = iter([unless_failed(next(blocks), [name])])
+    notes = note_lines.OfRows()
+    write_columns(wanted, notes.watch(in_units(columns, form) for columns in blocks), kind, form, call)
+    if call.quiet:
+        found = []
+    elif len(sweep) == 1:
+        (row,) = sweep.scenes()
+        found = note_lines.of_answer(Inferred(name, quantity, row.measured, row.scene))
+    else:
+        kinds = [(with_input(row.scene, name, SIZES[name][1]), [quantity]) for row in sweep.kinds]
+        found = notes.lines(sweep.pairs, kinds)
+    for line in found:
+        say_wrapped(line, sys.stderr)
+    return exit_code(notes, len(sweep))
+
+
+def _measured(text: str | None) -> tuple[str, list[Spread]]:
     """Read the measured quantity and its values."""
     if text is None:
         raise BadRequest("infer needs what was measured: --measured pull_off_force=300nN")
@@ -56,7 +77,4 @@ def _measured(text: str | None) -> "tuple[str, list[float | Uncertain]]":
     if not has_value:
         raise BadRequest("--measured: write a quantity and its value, such as pull_off_force=300nN")
     quantity = quantity_named(word)
-    spreads = spreads_of(value, quantity)
-    if sum(map(len, spreads)) > MAX_ANSWERS:
-        raise BadRequest(f"--measured: more than {MAX_ANSWERS} values")
-    return quantity, [*chain.from_iterable(spreads)]
+    return quantity, spreads_of(value, quantity)

@@ -27,6 +27,7 @@ class Option(NamedTuple):
     high: int = 0
     hidden: bool = False
     short: str = ""
+    repeats: bool = False  # the values are a tuple
 
     @property
     def flags(self) -> tuple[str, ...]:
@@ -89,6 +90,7 @@ class Call(NamedTuple):
     # of tables
     format: str = ""
     quantities: str = ""
+    columns: tuple[str, ...] = ()
     strict: bool = False
     no_doubt: bool = False
     uncertainty: bool = False
@@ -103,6 +105,7 @@ class Call(NamedTuple):
 _FORMAT = "Numbers only, JSON or CSV; output file"
 _INSTEAD = "Show the derivation or the BibTeX entry instead of results"
 MATERIALS = Option("materials", "--materials", str, "FILE", "Read materials from your own file as well")
+NO_DOUBT = Option("no_doubt", "--no-doubt", bool, "", "Omit the column of doubts")
 QUIET = Option("quiet", "--quiet", bool, "", "Suppress notes")
 EXPLAIN = Option("explain", "--explain", bool, "", _INSTEAD)
 CITE_ANSWER = Option("cite", "--cite", bool, "", _INSTEAD)
@@ -117,7 +120,7 @@ OUTPUT = (
     Option("quantities", "--quantities", str, "NAMES", "Show these quantities instead, separated by commas"),
     *RESULTS,
     Option("target", "-o", str, "OUT", _FORMAT),
-    Option("resume", "--resume", bool, "", "Continue the output file after an interruption", hidden=True),
+    NO_DOUBT._replace(hidden=True),
     EXPLAIN,
     CITE_ANSWER,
     MATERIALS,
@@ -128,7 +131,6 @@ CURVE = Option("curve", "--curve", bool, "", "Whole force curve; with -o as a pi
 MARKED = Option(
     "yield_displacement", "--xi", str, "2angstrom", "Displacement that the panel of moments marks", hidden=True
 )
-ANGLE = Option("rolling_angle", "--angle", str, "90deg", hidden=True)  # where any quantity may be asked for
 _AS_TEXT = "Output as JSON or CSV"
 JSON = Option("json", "--json", bool, "", _AS_TEXT)
 CSV = Option("csv", "--csv", bool, "", _AS_TEXT)
@@ -159,9 +161,17 @@ TABLE = (
     Option("target", "--output", str, "OUT", "Output file (written atomically)", short="-o"),
     Option("format", "--format", str, "FORMAT", "csv, tsv, ndjson or parquet, if no name says so; with .gz, .zst"),
     Option("quantities", "--quantities", str, "NAMES", "Quantities to compute, separated by commas; default all"),
+    Option(
+        "columns",
+        "--column",
+        str,
+        "HEADER=INPUT",
+        "Read a column as an input, or, with nothing behind =, as none",
+        repeats=True,
+    ),
     Option("strict", "--strict", bool, "", "Stop at the first row that fails"),
-    Option("resume", "--resume", bool, "", "Continue after an interruption"),
-    Option("no_doubt", "--no-doubt", bool, "", "Omit the column of doubts"),
+    Option("resume", "--resume", bool, "", "Convert what is left of many tables"),
+    NO_DOUBT,
     Option("uncertainty", "--uncertainty", bool, "", "Add columns of error bars, though the first rows have none"),
     Option("jobs", "--jobs", int, "N", "Number of processes (default: one per core)", 1, 64),
     Option("dask", "--dask", str, "ADDRESS", "Convert many tables on a Dask cluster; local starts one"),
@@ -183,26 +193,26 @@ BENCH = (
 )
 
 # The options that every command takes, and those of the program before any command.
-HELP = tuple(Option("help", flag, bool, "", "Show this message and exit") for flag in ("-h", "--help"))
+HELP = Option("help", "--help", bool, "", "Show this message and exit", short="-h")
 VERSION = Option("version", "--version", bool, "", "Show the version and exit")
-DEBUG = Option("debug", "--debug", bool, "", "Show where an error comes from; first or last word")
+DEBUG = Option("debug", "--debug", bool, "", "Show where an error comes from")
 PROGRAM = (
     VERSION,
     DEBUG,
     Option("install_completion", "--install-completion", bool, "", "Install completion for the current shell"),
     Option("show_completion", "--show-completion", bool, "", "Print the completion script of the current shell"),
-    *HELP,
+    HELP,
 )
 
 # Inputs that every question takes: shown where they are used, and among the further options.
 _ALWAYS = ("radius2", "material2", "surface_energy", "work_of_adhesion", "youngs_modulus", "poisson_ratio", "density")
 _HIDDEN = ("surface_energy2", "youngs_modulus2", "poisson_ratio2", "density2", "atomic_spacing")
-_HIDDEN_WHERE_USED = ("energy_ratio", "adhesion_hysteresis")
+_HIDDEN_WHERE_USED = ("energy_ratio", "adhesion_hysteresis", "hamaker", "hamaker2", "cutoff")
 
 
 @cache
-def inputs_of(quantities: tuple[str, ...]) -> tuple[Option, ...]:
-    """Return the options for the inputs that quantities depend on.
+def inputs_of(quantities: tuple[str, ...], *, any_input: bool = False) -> tuple[Option, ...]:
+    """Return the options for the inputs that quantities depend on, and with `any_input` for all others, too.
 
     The properties of a material are taken by every command, but shown only where they are used.
     """
@@ -212,7 +222,7 @@ def inputs_of(quantities: tuple[str, ...]) -> tuple[Option, ...]:
     depends = depends_on(quantities, LAWS)
     if any(map(has_law, quantities)):
         depends |= {"model"}
-    names = dict.fromkeys((*_ALWAYS, *_HIDDEN, *(name for name in NOMENCLATURE if name in depends)))
+    names = dict.fromkeys((*_ALWAYS, *_HIDDEN, *(name for name in NOMENCLATURE if any_input or name in depends)))
     shown = {*depends, "material2", "radius2"} - {*_HIDDEN, *_HIDDEN_WHERE_USED}
     return tuple(
         Option(name, quantity.option, str, quantity.example, hidden=name not in shown)

@@ -4,28 +4,26 @@ import errno
 import io
 import os
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import TextIO
 
 from ..errors import BadRequest, JkrollError
 from ..text import quoted, say_wrapped, shown
 from .commands import Action
 from .options import DEBUG
-from .reader import plain_action
+from .reader import read
 
-USAGE_ERROR = 2
 CANNOT_WRITE = 1
 UNFORESEEN = 1
 INTERRUPTED = 130
 BROKEN_PIPE = 141
-COMPLETE = "_JKROLL_COMPLETE"  # the variable in which a shell asks for completions
 
 
-def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the command line and return its exit code; print an error as one line."""
+def main(arguments: Sequence[str] | None = None, read: Callable[[Sequence[str]], Action] = read) -> int:
+    """Run what a command line is read as and return the exit code; print an error as one line."""
     words = list(sys.argv[1:] if arguments is None else arguments)
-    debug = DEBUG.flag in words[:1] + words[-1:]
-    words = [word for place, word in enumerate(words) if not (word == DEBUG.flag and place in (0, len(words) - 1))]
+    is_debugged = DEBUG.flag in words
+    words = [word for word in words if word != DEBUG.flag]
     if sys.stderr is None:
         sys.stderr = open(os.devnull, "w", encoding="utf-8")  # it was closed: nobody listens
     try:
@@ -35,18 +33,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
             if isinstance(stream, io.TextIOWrapper):
                 stream.reconfigure(errors="jkroll-ascii")
         _check(words)
-        code = _action(words or ["--help"])()
+        code = read(words)()
         sys.stdout.flush()
         return code
-    except SystemExit as stop:  # typer ends the program when it has answered a shell
-        return USAGE_ERROR if stop.code else 0
     except BrokenPipeError:
         _discard(sys.stdout)
         return BROKEN_PIPE
     except KeyboardInterrupt:
         return INTERRUPTED
     except Exception as error:
-        if debug:
+        if is_debugged:
             import traceback
 
             traceback.print_exc()
@@ -62,19 +58,6 @@ def _check(words: Iterable[str]) -> None:
             word.encode("utf-8", "surrogateescape")
         except UnicodeEncodeError:
             raise BadRequest(f"{quoted(word)} contains half a character (a lone surrogate)") from None
-
-
-def _action(words: Sequence[str]) -> Action:
-    """Return what words ask for, read by typer only if they are not plain."""
-    shell = os.environ.get(COMPLETE)
-    if shell == "complete_bash" and not ("COMP_WORDS" in os.environ and os.environ.get("COMP_CWORD", "").isdecimal()):
-        raise BadRequest(f"{COMPLETE}=complete_bash is for bash: it sets COMP_WORDS, and COMP_CWORD to a number")
-    action = None if shell else plain_action(words)
-    if action is None:
-        from .typer_app import typer_action
-
-        action = typer_action(words)
-    return action
 
 
 def _report(error: Exception) -> int:

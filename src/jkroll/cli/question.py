@@ -1,52 +1,27 @@
 """Runner of the commands that ask a question of scenes: from a call to printed answers and an exit code."""
 
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import chain, islice
+from math import isnan
+from typing import TextIO
 
-from ..answers.answer import Answer, answer, in_units
+from ..answers.answer import Answer
 from ..answers.questions import QUESTIONS, Question, quantities_named
 from ..errors import ROWS_FAILED, BadRequest, JkrollError
-from ..materials.library import known_materials
-from ..materials.places import materials_files
-from ..output.layout import Layout, layout
-from ..output.note_lines import NoteLines
-from ..output.writers import WRITERS
+from ..output import notes as note_lines
+from ..output.records import in_units, lines, text_output, write_json, write_plain
 from ..quantities.formatting import Format
-from ..scene.scene import Scene
+from ..quantities.nomenclature import NOMENCLATURE
+from ..rows.columns import Columns, Wanted
 from ..scene.wiring import formula_of
-from ..text import say_wrapped
+from ..text import fitting, quoted, say_wrapped
 from .options import Call
 from .request import Request, request_of
-from .written import format_name, format_of
+from .written import PICTURES, ending, format_name, format_of, is_json
 
-MANY = 20_000  # rows from which on a sweep is streamed by blocks
-
-
-class Tally:
-    """Notes and failures of answers, collected while they are written."""
-
-    def __init__(self) -> None:
-        """Begin with no answer."""
-        self.notes = NoteLines()
-        self.failure: JkrollError | None = None  # the first
-        self.failed = 0
-
-    def watch(self, answers: Iterable[Answer]) -> Iterator[Answer]:
-        """Iterate over answers, and collect their notes and failures."""
-        for one in answers:
-            self.notes.add(one)
-            if one.failure is not None:
-                self.failed += 1
-                self.failure = self.failure or one.failure
-            yield one
-
-    def exit_code(self, count: int) -> int:
-        """Print how many of `count` rows failed, if any did; return the exit code."""
-        if not self.failed:
-            return 0
-        failures = self.failure if count == 1 else f"{self.failed} of {count} rows failed"
-        say_wrapped(f"jkroll: {failures}", sys.stderr)
-        return ROWS_FAILED
+MAX_OBJECTS = 1_000_000  # answers that are written one by one
+MAX_TABLE = 10_000  # rows of a table on a terminal
 
 
 def run_question(call: Call) -> int:
@@ -55,32 +30,33 @@ def run_question(call: Call) -> int:
     request = request_of(call)
     if call.quantities:
         _refuse_inputs(question, request)
-    is_streamed = call.target is not None or (kind == "csv" and request.count > MANY)
-    if is_streamed:
-        from .long_sweep import write_sweep
-
-        return write_sweep(question, request, kind, call)
-    request.check_count()
-    if kind in ("explain", "cite"):
-        pairs = ((scene, answer(question, scene)) for scene in request.scenes())
-        return write_sources(pairs, request.count, kind, form)
-    answers: Iterable[Answer] = (in_units(answer(question, scene), form) for scene in request.scenes())
-    if request.count == 1:
-        answers = samples = [*answers]
-    else:
-        samples = [in_units(answer(question, scene), form) for scene in request.samples()]
-    return write_answers(answers, layout(question, samples, request.count), kind, form, quiet=call.quiet)
+    is_one = request.count == 1 and kind in ("plain", "table") and call.target is None
+    if is_one or kind in ("json", "explain", "cite"):
+        check_count(request.count, kind)
+        if request.count > 1:
+            request.sweep.wanted(
+                question.quantities, question.named
+            )  # raises what is wrong with rows before one is written
+        answers = (Answer(question, scene) for scene in request.scenes())
+        with text_output(call.target or "-") as out:
+            return write_answers(answers, request.count, kind, form, out, quiet=call.quiet)
+    return _write_rows(question, request, kind, form, call)
 
 
 def checked(call: Call) -> tuple[Question, str, Format]:
     """Return the question of a call, and the name and the units of the output format; raise BadRequest for a mistake."""
     kind = format_name(call)
-    if call.resume and call.target is None:
-        raise BadRequest("--resume needs a file to continue: -o FILE")
+    if call.target is not None and not is_json(call.target):
+        if ending(call.target) in PICTURES:
+            raise BadRequest(
+                f"-o: {quoted(call.target)} is a picture; add --curve to contact, or see jkroll map --help"
+            )
+        if kind in ("bare", "json", "explain", "cite"):
+            raise BadRequest(f"-o and --{kind} exclude each other; for that output write > FILE")
     question = question_of(call)
+    if kind == "bare":
+        question = question._replace(quantities=question.headline)
     form = format_of(call, question.quantities)
-    if call.materials is not None:
-        known_materials(*materials_files(call.materials))  # a file that was named is checked, needed or not
     return question, kind, form
 
 
@@ -95,40 +71,126 @@ def question_of(call: Call) -> Question:
 
 def _refuse_inputs(question: Question, request: Request) -> None:
     """Raise BadRequest for a quantity that was named and is not a result of the scenes, but one of their inputs."""
-    scene = request.samples()[0]
+    scene = request.sweep.kinds[0]
     for name in question.named:
         if name in scene.stated or (name in scene.values and formula_of(name) is None):
             raise BadRequest(f"--quantities: {name} is an input here")
 
 
-def write_answers(answers: Iterable[Answer], shape: Layout, kind: str, form: Format, *, quiet: bool) -> int:
-    """Write answers, and their notes unless these are in them; return the exit code."""
-    tally = Tally()
-    watched = tally.watch(answers)
-    if shape.size == 1:
-        watched = iter([_unless_failed(next(watched), shape.question)])
-    WRITERS[kind](watched, sys.stdout, form, shape)
+def check_count(count: int, kind: str, most: int = MAX_OBJECTS) -> None:
+    """Raise BadRequest if there are more scenes than are answered one by one."""
+    if count > most:
+        raise BadRequest(f"--{kind}: {count} scenes are more than {most}; --csv writes any number")
+
+
+# --- Rows -------------------------------------------------------------------------------------------------------------
+
+
+def _write_rows(question: Question, request: Request, kind: str, form: Format, call: Call) -> int:
+    """Write a row for each scene; return the exit code."""
+    sweep = request.sweep
+    if kind == "bare":
+        named = [name for name in question.headline if name in question.named or not NOMENCLATURE[name].of_identical]
+        wanted = Wanted(question.headline, named=named, doubts=not call.quiet)
+    else:
+        wanted = sweep.wanted(question.quantities, question.named)
+    is_shown = kind == "table" and call.target is None and request.count <= MAX_TABLE
+    blocks = sweep.columns(wanted, one_by_one=is_shown)
+    if request.count == 1:
+        headline = [name for name in question.headline if name in wanted.names and name not in sweep.spreads]
+        blocks = iter([unless_failed(next(blocks), headline)])
+    notes = note_lines.OfRows()
+    write_columns(wanted, notes.watch(in_units(columns, form) for columns in blocks), kind, form, call)
+    if call.quiet:
+        found = []
+    elif request.count == 1:
+        found = note_lines.of_answer(Answer(question, next(request.scenes())))
+    else:
+        kinds = [(scene, sweep.shown(scene, wanted.names, wanted.named)) for scene in sweep.kinds]
+        found = notes.lines(sweep.pairs, kinds)
+    for line in found:
+        say_wrapped(line, sys.stderr)
+    return exit_code(notes, request.count)
+
+
+def unless_failed(columns: Columns, headline: Sequence[str]) -> Columns:
+    """Return the columns of a single row, or raise its failure if it lacks the headline of the question."""
+    numbers = [columns.column(name)[0] for name in headline if name in columns.wanted.places]
+    if columns.failed() and all(map(isnan, numbers)):
+        raise columns.failure(0)
+    return columns
+
+
+def write_columns(wanted: Wanted, blocks: Iterable[Columns], kind: str, form: Format, call: Call) -> None:
+    """Write columns to stdout, as a table on a terminal or as lines of text, or to a file."""
+    if call.target is not None:
+        from ..batch.one import write_columns as write_file
+
+        write_file(wanted, blocks, form, call.target, doubt=not call.no_doubt, quiet=call.quiet)
+        return
+    every = iter(blocks)
+    if kind == "table":
+        first = [*islice(every, 2)]
+        if len(first) == 1 and len(first[0]) <= MAX_TABLE:
+            from ..output.table import sweep_table
+
+            sweep_table(first[0], sys.stdout, form)
+            return
+        every = chain(first, every)
+    for text in lines("plain" if kind == "table" else kind, wanted, every, form, doubt=not call.no_doubt):
+        sys.stdout.write(fitting(text.decode(), sys.stdout))
     sys.stdout.flush()
-    if not quiet and kind != "json":
-        for line in tally.notes.lines():
+
+
+def exit_code(notes: note_lines.OfRows, count: int) -> int:
+    """Print how many of `count` rows failed, if any did; return the exit code."""
+    return _failed(notes.failed, count, notes.failure)
+
+
+def _failed(failed: int, count: int, first: JkrollError | None) -> int:
+    if not failed:
+        return 0
+    say_wrapped(f"jkroll: {first if count == 1 else f'{failed} of {count} rows failed'}", sys.stderr)
+    return ROWS_FAILED
+
+
+# --- Answers ----------------------------------------------------------------------------------------------------------
+
+
+def write_answers(answers: Iterable[Answer], count: int, kind: str, form: Format, out: TextIO, *, quiet: bool) -> int:
+    """Write answers one by one, and the notes of a single one unless these are in it; return the exit code."""
+    failures: list[JkrollError] = []
+    is_shown = count == 1 and kind in ("plain", "table")
+
+    def watched() -> Iterator[Answer]:
+        for one in answers:
+            if one.failure is not None:
+                if count == 1 and kind not in ("explain", "cite") and one.has_no_headline:
+                    raise one.failure
+                failures.append(one.failure)
+            yield one
+
+    every = watched()
+    if kind == "explain":
+        from ..output.sources import write_explanation
+
+        write_explanation(every, out, form)
+    elif kind == "cite":
+        from ..output.sources import write_citations
+
+        write_citations(every, out)
+    elif kind == "json":
+        write_json(every, count, out, form)
+    elif is_shown:
+        only = next(every)
+        if kind == "table":
+            from ..output.table import scene_table
+
+            scene_table(only, out, form)
+        else:
+            write_plain(only, out, form)
+        out.flush()
+        for line in () if quiet else note_lines.of_answer(only):
             say_wrapped(line, sys.stderr)
-    return tally.exit_code(shape.size)
-
-
-def _unless_failed(one: Answer, question: Question) -> Answer:
-    """Return the answer of a single scene, or raise its failure if it lacks the headline of the question."""
-    if one.failure is not None and all(one.value(name) is None for name in question.headline):
-        raise one.failure
-    return one
-
-
-def write_sources(pairs: Iterable[tuple[Scene, Answer]], count: int, kind: str, form: Format) -> int:
-    """Write the derivations of results or their BibTeX entries; return the exit code."""
-    from ..output.citations import write_citations
-    from ..output.explain import write_explanation
-
-    tally = Tally()
-    write = write_citations if kind == "cite" else write_explanation
-    write(((scene, one) for scene, answered in pairs for one in tally.watch([answered])), sys.stdout, form)
-    sys.stdout.flush()
-    return tally.exit_code(count)
+    out.flush()
+    return _failed(len(failures), count, failures[0] if failures else None)

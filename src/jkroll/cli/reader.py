@@ -1,31 +1,86 @@
-"""Reader of plain command lines: a command, its words, and its options spelled in full.
+"""The grammar of command lines: from words to what they ask for, or to the error that says what is wrong with them.
 
-It exists because importing typer doubles the time of a call. Everything that is not plain (mistakes, options written
-together) is left to typer, which understands plain lines in the same way.
+A command stands first, its words and options behind it in any order: `--to nN`, `--to=nN`, `-o x.csv` or `-ox.csv`. A value that
+begins with a hyphen stands behind `=`, unless it is negative. Behind `--` there are words only.
 """
 
 import sys
-from collections.abc import Mapping, Sequence
+from collections import deque
+from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 
-from ..text import say
-from .commands import COMMANDS, Action
-from .options import Option
+from ..errors import BadRequest, JkrollError
+from ..quantities.errors import OTHER_WORDS
+from ..quantities.names import named
+from ..quantities.nomenclature import NOMENCLATURE
+from ..text import closest, quoted, say, shown
+from .commands import COMMANDS, Action, Command, flags_of
+from .options import HELP, Option
+
+# What others type, and what is certainly meant by it; the names and symbols of quantities are taken as options, too.
+SYNONYMS: Mapping[str, str] = {
+    "help": "--help",
+    "manual": "guide",
+    "units": "guide units",
+    "version": "--version",
+    "--format bare": "--bare",
+    "--format csv": "--csv",
+    "--format json": "--json",
+    "--out": "-o",
+    "--output": "-o",
+    "--unit": "--to",
+    "--units": "--to",
+}
+# What others type, and what may be meant by it.
+HINTS: Mapping[str, str] = {
+    "convert": "jkroll batch adds results to each row of a table, --to is the unit of results",
+    "plot": "jkroll map draws a quantity, jkroll figure a figure of the paper, jkroll contact --curve a force curve",
+    "--format": "write --json, --csv or --bare",
+    "--diameter": "a radius, half of it, stands alone: jkroll pull-off quartz 100nm",
+    "--material": "a material stands alone: jkroll pull-off quartz 100nm",
+    "--ndjson": "write --json; jkroll batch reads and writes NDJSON",
+    "--radius": "a radius stands alone: jkroll pull-off quartz 100nm",
+}
+# Words of a scene that may be given by name, too.
+NAMED = {
+    "MATERIAL": Option("material", "--material", str, "quartz"),
+    "RADIUS": Option("radius", "--radius", str, "100nm"),
+}
+MAX_OTHERS = 3
 
 
-def plain_action(words: Sequence[str]) -> Action | None:
-    """Return what plain words ask for; None for words that are not plain."""
-    name, *rest = words
-    if name not in COMMANDS:
-        return _PROGRAM.get(name) if not rest else None
-    command = COMMANDS[name]
-    read = _read(rest, command.flags(), files=command.words.are_files)
-    if read is None:
-        return None
-    arguments, given = read
+def read(words: Sequence[str]) -> Action:
+    """Return what a command line asks for, or raise the error that says what is wrong with it."""
+    first, *rest = words or (HELP.flag,)
+    if first in SYNONYMS:
+        first, *rest = *SYNONYMS[first].split(), *rest
+    if first in COMMANDS:
+        return _action(COMMANDS[first], rest)
+    if not first.startswith("-") or first in ("-", "--"):
+        raise UnknownCommand(first)
+    _, given = _read([first], flags_of(None))
     if "help" in given:
-        return partial(_print_help, name)
-    return command.action(arguments, given) if len(arguments) <= command.words.most else None
+        return partial(_print_help, rest[0] if rest and rest[0] in COMMANDS else None)
+    if "version" in given:
+        return print_version
+    raise BadRequest(f"{first} stands alone: jkroll {first}")
+
+
+def _action(command: Command, words: Sequence[str]) -> Action:
+    """Return what the words behind a command ask for."""
+    if any(flag in _before_dashes(words) for flag in HELP.flags):
+        return partial(_print_help, command.name)
+    by_name = [option for kind, option in NAMED.items() if kind in command.words.kinds]
+    arguments, given = _read(words, {option.flag: option for option in by_name} | command.flags(), command)
+    arguments += [str(given.pop(option.name)) for option in by_name if option.name in given]
+    if len(arguments) > command.words.most:
+        extra = quoted(arguments[int(command.words.most)])
+        raise BadRequest(f"{extra} is one word too many: jkroll {command.name} {command.words.metavar}".rstrip())
+    return command.action(arguments, given)
+
+
+def _before_dashes(words: Sequence[str]) -> Sequence[str]:
+    return words[: words.index("--")] if "--" in words else words
 
 
 def _print_help(name: str | None) -> int:
@@ -44,50 +99,164 @@ def print_version() -> int:
     return 0
 
 
-_PROGRAM: Mapping[str, Action] = {
-    "--help": partial(_print_help, None),
-    "-h": partial(_print_help, None),
-    "--version": print_version,
-}
+# --- Words and options ------------------------------------------------------------------------------------------------
 
 
 def _read(
-    words: Sequence[str], flags: Mapping[str, Option], *, files: bool
-) -> tuple[list[str], dict[str, str | bool]] | None:
-    """Return the words without the options, and the texts of the options by name; None for words that are not plain.
-
-    A value that begins with a hyphen and a digit is read where an option takes one, or where a word is a file.
-    """
+    words: Iterable[str], flags: Mapping[str, Option], command: Command | None = None
+) -> tuple[list[str], dict[str, str | bool | tuple[str, ...]]]:
+    """Return the words without the options, and the texts of the options by name."""
+    kinds = command.words.kinds if command else ()
     arguments: list[str] = []
-    given: dict[str, str | bool] = {}
-    rest = iter(words)
-    for word in rest:
-        if _is_word(word) or (files and _is_negative(word)):
-            arguments.append(word)
+    given: dict[str, str | bool | tuple[str, ...]] = {}
+    rest = deque(words)
+    while rest:
+        word = rest.popleft()
+        if word == "--":
+            return [*arguments, *rest], given
+        if "RADIUS" in kinds and (spelt := _named_value(word, flags)):
+            word = spelt
+        elif not word.startswith("-") or word == "-" or ("IN" in kinds and _is_negative(word)):
+            arguments.append(_with_unit(word, rest) if "RADIUS" in kinds else word)
             continue
-        flag, has_value, text = word.partition("=")
-        option = flags.get(flag)
-        if option is None or (option.name in given and option.kind is not bool):
-            return None
+        flag, value = _split(word, flags)
+        if flag not in flags:
+            flag, value = _meant_together(flag, value, rest)
+        option = _option(flag, flags)
+        if option is None:
+            raise UnknownOption(flag, command.name if command else None)
         if option.kind is bool:
-            if has_value:
-                return None
+            if value is not None:
+                raise BadRequest(f"{option.flag} takes no value: leave {quoted('=' + value)} out")
             given[option.name] = True
-            continue
-        if has_value and not flag.startswith("--"):
-            return None
-        value = text if has_value else next(rest, "--")
-        if not _is_word(value) and not _is_negative(value):
-            return None
-        given[option.name] = value
+        elif option.repeats:
+            given[option.name] = (*_texts(given.get(option.name)), _value(option, value, rest, flags))
+        elif option.name in given:
+            raise BadRequest(f"{option.flag} is given more than once")
+        else:
+            given[option.name] = _value(option, value, rest, flags)
     return arguments, given
 
 
-def _is_word(text: str) -> bool:
-    """Return whether a text cannot be taken for an option; a single hyphen is standard input or output."""
-    return text == "-" or not text.startswith("-")
+def _texts(given: str | bool | tuple[str, ...] | None) -> tuple[str, ...]:
+    return given if isinstance(given, tuple) else ()
+
+
+def _split(word: str, flags: Mapping[str, Option]) -> tuple[str, str | None]:
+    """Return the option of a word, and the value that is joined to it, if there is one: --to=nN, -ox.csv."""
+    flag, has_value, value = word.partition("=")
+    short = flags.get(word[:2])
+    if short is not None and short.kind is not bool and word[2:] and _option(f"-{flag}", flags) is None:
+        return word[:2], word[2:].removeprefix("=")
+    return flag, value if has_value else None
+
+
+def _meant_together(flag: str, value: str | None, rest: deque[str]) -> tuple[str, str | None]:
+    """Return the option that is meant by an option with its value, such as --format json; else both as they are."""
+    meant = SYNONYMS.get(f"{flag} {rest[0] if value is None and rest else value}")
+    if meant is None:
+        return flag, value
+    if value is None:
+        rest.popleft()
+    return meant, None
+
+
+def _value(option: Option, value: str | None, rest: deque[str], flags: Mapping[str, Option]) -> str:
+    """Return the value of an option, which is joined to it or the next of the other words."""
+    if value is None:
+        found = rest[0] if rest else "--"
+        if found.startswith("-") and found != "-" and not _is_negative(found):
+            is_option = not rest or _option(found.partition("=")[0], flags) is not None
+            meant = "" if is_option else f"; if {quoted(found)} is meant, write {option.flag}={shown(found)}"
+            raise BadRequest(f"{option.flag} needs a value, as in {option.flag} {option.metavar}{meant}")
+        value = rest.popleft()
+    quantity = NOMENCLATURE.get(option.name)
+    return _with_unit(value, rest) if quantity is not None and quantity.unit not in ("", "1") else value
+
+
+def _with_unit(number: str, rest: deque[str]) -> str:
+    """Return a value, if it is a number with the unit that follows it after a space."""
+    is_number = number[-1:].isdigit() and not number.strip("+-−±().0123456789eE")
+    if is_number and rest and rest[0][:1].isalpha() and rest[0].casefold() not in ("plane", "all"):
+        return f"{number} {rest.popleft()}"
+    return number
 
 
 def _is_negative(text: str) -> bool:
     """Return whether a text begins as a negative value does."""
     return len(text) > 1 and text[0] == "-" and text[1] in "0123456789."
+
+
+def _named_value(word: str, flags: Mapping[str, Option]) -> str | None:
+    """Return a word such as gamma=25mJ/m2 as an option."""
+    name, has_value, _ = word.partition("=")
+    return f"--{word}" if has_value and not word.startswith("-") and _option(f"--{name}", flags) else None
+
+
+def _option(flag: str, flags: Mapping[str, Option]) -> Option | None:
+    """Return the option of a flag, of a synonym, or of the name or the symbol of a quantity; None if there is none."""
+    if found := flags.get(flag) or flags.get(SYNONYMS.get(flag, "")):
+        return found
+    by_name = {option.name: option for option in flags.values() if option.name in NOMENCLATURE}
+    return by_name.get(named(flag[2:], by_name)) if flag.startswith("--") else None
+
+
+# --- Mistakes ---------------------------------------------------------------------------------------------------------
+
+
+class UnknownCommand(JkrollError):
+    """Error raised for a first word that is not a command."""
+
+    def __init__(self, word: str) -> None:
+        super().__init__(word)
+        self.word = word
+
+    def __str__(self) -> str:
+        name = self.word.replace("-", "_").casefold()
+        if name in NOMENCLATURE:
+            return f"{quoted(self.word)} is a quantity, not a command; jkroll quantities {name} lists the commands that show it"
+        guess = closest(name.replace("_", "-"), COMMANDS)
+        hint = HINTS.get(name) or (f"did you mean {guess}?" if guess else "see jkroll --help")
+        return f"no such command {quoted(self.word)}; {hint}"
+
+
+class UnknownOption(JkrollError):
+    """Error raised when a command, or the program before any command, does not take an option."""
+
+    def __init__(self, flag: str, command: str | None) -> None:
+        super().__init__(flag, command)
+        self.flag, self.command = flag, command
+
+    def __str__(self) -> str:
+        if _is_negative(self.flag):
+            problem = (
+                "begins with a hyphen, as options do; a negative value follows the option that takes it: --load -5nN"
+            )
+            return f"{quoted(self.flag)} {problem}"
+        name = self.flag.lstrip("-").replace("-", "_").casefold()
+        takers = {flag: command.name for command in reversed([*COMMANDS.values()]) for flag in command.flags()}
+        own = None if self.flag in takers else _meant(name, flags_of(self.command))
+        guess = _meant(name, takers)
+        if self.flag in HINTS or own or not guess:
+            hint = HINTS.get(self.flag) or (f"did you mean {own}?" if own else f"see {self._program()} --help")
+            return f"no such option {quoted(self.flag)}; {hint}"
+        if self.command is None:
+            return f"{guess} goes behind a command: jkroll {takers[guess]} ... {guess}"
+        others = [command.name for command in COMMANDS.values() if guess in command.flags()]
+        more = ", ..." if len(others) > MAX_OTHERS else ""
+        return f"{self.command} takes no {quoted(self.flag)}; {guess} is an option of {', '.join(others[:MAX_OTHERS])}{more}"
+
+    def _program(self) -> str:
+        return f"jkroll {self.command}" if self.command else "jkroll"
+
+
+def _meant(name: str, flags: Iterable[str]) -> str | None:
+    """Return the option that a name stands for, begins or resembles; None if there is none."""
+    known = {flag.lstrip("-").replace("-", "_"): flag for flag in flags}
+    if (synonym := SYNONYMS.get(f"--{name}")) in known.values():
+        return synonym
+    quantity = NOMENCLATURE.get(OTHER_WORDS.get(name, name))
+    if quantity is not None and quantity.option in known.values():
+        return quantity.option
+    begun = [word for word in known if name and word.startswith(name)]
+    return known.get(begun[0] if len(begun) == 1 else closest(name, known) or "")

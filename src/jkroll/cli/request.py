@@ -1,39 +1,38 @@
 """From words and options to scenes: materials and values, with a scene for each element of a list or range."""
 
-from collections.abc import Iterator, Mapping, Sequence
-from functools import cached_property
-from itertools import chain, islice, product
-from math import prod
-from typing import TYPE_CHECKING, Any
+import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cached_property, partial
+from itertools import product
+from typing import TYPE_CHECKING
 
 from ..errors import BadRequest
 from ..materials.library import Material, Materials, known_materials
-from ..materials.places import materials_files
+from ..materials.places import materials_of_user
 from ..quantities.laws import law_named
 from ..quantities.nomenclature import NOMENCLATURE
-from ..quantities.ranges import Spread, spreads_of
+from ..quantities.values import Spread, spreads_of
+from ..rows.sweep import Pair, Sweep
 from ..scene.scene import EXCLUSIVE, Scene
-from ..text import quoted
+from ..text import quoted, say_wrapped
 from .options import Call
 
 if TYPE_CHECKING:
     from ..answers.curve import Loads
 
-MAX_SAMPLES = 50
-MAX_SCENES = 1_000_000  # answered one by one
-
 
 class Request:
     """The words and options of one call, read as far as they are needed."""
 
-    def __init__(self, words: Sequence[str], options: Mapping[str, str], files: Sequence[str] = ()) -> None:
+    def __init__(
+        self, words: Sequence[str], options: Mapping[str, str], known: Callable[[], Materials] = known_materials
+    ) -> None:
         """Sort words into materials and radii.
 
-        `options` are texts by the names of inputs; `files` are of materials, by rising precedence.
+        `options` are texts by the names of inputs; `known` returns the known materials, once some are needed.
         """
         self.options = dict(options)
-        self.files = files
-        words = _joined(words)
+        self._known = known
         if "plane" in map(str.casefold, words):
             raise BadRequest("a plane is sphere 2: write --radius2 plane")
         radii = [word for word in words if not _is_material(word)]
@@ -59,8 +58,8 @@ class Request:
 
     @cached_property
     def materials(self) -> Materials:
-        """The known materials; their files are read at the first access."""
-        return known_materials(*self.files)
+        """The known materials."""
+        return self._known()
 
     @cached_property
     def spreads(self) -> dict[str, list[Spread]]:
@@ -69,37 +68,23 @@ class Request:
         return {name: spreads[name] for name in NOMENCLATURE if name in spreads}
 
     @cached_property
-    def pairs(self) -> list[tuple[Material | None, Material | None]]:
+    def pairs(self) -> list[Pair]:
         """The materials of the two spheres, in all combinations."""
         return list(product(self._materials(self.material_words), self._materials(self.material2_words)))
 
     @cached_property
+    def sweep(self) -> Sweep:
+        """The rows."""
+        return Sweep(self.pairs, self.spreads, self.models)
+
+    @property
     def count(self) -> int:
         """The number of scenes."""
-        return len(self.pairs) * len(self.models) * prod(sum(map(len, spreads)) for spreads in self.spreads.values())
-
-    def check_count(self) -> None:
-        """Raise BadRequest if there are more scenes than are answered one by one."""
-        if self.count > MAX_SCENES:
-            raise BadRequest(f"{self.count} scenes are more than {MAX_SCENES}; --csv and -o FILE write any number")
+        return len(self.sweep)
 
     def scenes(self) -> Iterator[Scene]:
         """Iterate over the scenes, one for each combination of materials and values."""
-        values = [[*chain.from_iterable(spreads)] for spreads in self.spreads.values()]
-        for pair in self.pairs:
-            for row in product(*values):
-                for model in self.models:
-                    yield Scene(dict(zip(self.spreads, row, strict=True)), *pair, model=model)
-
-    def samples(self) -> list[Scene]:
-        """Return scenes of every kind: each pair of materials, both ends of ranges, equal and unequal spheres, error bars."""
-        first = {name: spreads[0].low for name, spreads in self.spreads.items()}
-        last = {name: spreads[-1].high for name, spreads in self.spreads.items()}
-        radii2 = islice(chain.from_iterable(self.spreads.get("radius2", [])), MAX_SAMPLES)
-        kinds = [first, last, *({**first, "radius2": radius2} for radius2 in radii2 if isinstance(radius2, float))]
-        of_kinds = [[spreads[0].low, *_of_each_kind(spreads)] for spreads in self.spreads.values()]
-        kinds += [dict(zip(self.spreads, row, strict=True)) for row in islice(product(*of_kinds), 1, None)]
-        return [Scene(values, *pair, model=model) for pair in self.pairs for values in kinds for model in self.models]
+        return self.sweep.scenes()
 
     def _materials(self, words: str) -> list[Material | None]:
         if not words:
@@ -109,14 +94,20 @@ class Request:
         return [self.materials[word] for word in words.split(",")]
 
 
-def _of_each_kind(spreads: Sequence[Spread]) -> list[Any]:
-    """Return an uncertain value of each kind that is among the values of an input."""
-    return [*{spread.uncertainty.kind: spread.uncertainty for spread in spreads if spread.uncertainty}.values()]
+def materials_of(option: str | None) -> Materials:
+    """Return the known materials with those of the user's files, and say which names these take from others."""
+    found = materials_of_user(option)
+    for text in found.overrides:
+        say_wrapped(f"note: {text}", sys.stderr)
+    return found
 
 
 def request_of(call: Call) -> Request:
     """Return the request of the words and inputs of a call, with the user's materials files."""
-    return Request(call.words, call.inputs, materials_files(call.materials))
+    if call.materials is None:
+        return Request(call.words, call.inputs, partial(materials_of, None))
+    known = materials_of(call.materials)  # a file that was named is checked, needed or not
+    return Request(call.words, call.inputs, lambda: known)
 
 
 def curve_request(call: Call) -> "tuple[Request, Loads | None]":
@@ -128,17 +119,6 @@ def curve_request(call: Call) -> "tuple[Request, Loads | None]":
     if "approach_at_load" in inputs:
         raise BadRequest("--curve goes through all approaches; it takes none")
     return request_of(call._replace(inputs=inputs)), loads_of(loads) if loads is not None else None
-
-
-def _joined(words: Sequence[str]) -> list[str]:
-    """Return the words, joining a number and a unit that follows it after a space."""
-    joined: list[str] = []
-    for word in words:
-        if joined and joined[-1][-1:].isdigit() and not joined[-1].strip("+-−±().0123456789eE") and _is_material(word):
-            joined[-1] += f" {word}"
-        else:
-            joined.append(word)
-    return joined
 
 
 def _is_material(word: str) -> bool:

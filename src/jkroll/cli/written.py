@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from ..errors import BadRequest
 from ..quantities.formatting import Format
 from ..quantities.nomenclature import NOMENCLATURE
-from ..quantities.parsing import error_about
 from ..quantities.units import BadUnit, Unit, dimension_of, parse_unit
+from ..quantities.values import error_about
 from ..text import quoted
 from .options import Call
 
@@ -16,10 +16,17 @@ PICTURES = ("svg", "pdf", "png")
 
 
 def format_name(call: Call) -> str:
-    """Return the name of the output format: the one that was chosen, else a table on a terminal and plain lines in a pipe."""
+    """Return the name of the output format: the one that was chosen, else a table on a terminal and plain lines in a pipe.
+
+    A name of the output file that ends in .json chooses JSON.
+    """
     chosen = [name for name in FORMATS if getattr(call, name)]
     if len(chosen) > 1:
         raise BadRequest(f"--{chosen[0]} and --{chosen[1]} exclude each other")
+    if is_json(call.target):
+        if chosen and chosen != ["json"]:
+            raise BadRequest(f"-o {quoted(call.target or '')} and --{chosen[0]} exclude each other")
+        return "json"
     if chosen:
         return chosen[0]
     return "table" if sys.stdout.isatty() else "plain"
@@ -57,5 +64,15 @@ def no_picture(flag: str, path: str, remedy: str = "") -> BadRequest:
 
 
 def ending(path: str) -> str:
-    """Return the ending of a file name, in lower case."""
-    return path.rpartition(".")[2].casefold()
+    """Return the ending of a file name, in lower case and without its point.
+
+    >>> ending("a/Map.SVG"), ending("svg")
+    ('svg', '')
+    """
+    _, point, end = path.rpartition(".")
+    return end.casefold() if point else ""
+
+
+def is_json(target: str | None) -> bool:
+    """Return whether an output file was named whose name says that it is JSON."""
+    return target is not None and ending(target) == "json"

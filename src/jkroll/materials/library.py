@@ -1,25 +1,212 @@
 """Materials by name: the shipped ones and those of the user's files, which take precedence.
 
-The properties of a material are read and checked when it is asked for. A mistake in one material of a file does not keep a user
-from the others.
+A file is TOML of a size that cannot keep a call waiting. The properties of a material are read and checked when it is asked
+for. A mistake in one material of a file does not keep a user from the others.
 """
 
+import os
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
+from stat import S_ISREG
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 from ..errors import JkrollError
 from ..quantities.errors import QuantityError
-from ..quantities.naming import named
+from ..quantities.names import named
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
-from ..quantities.ranges import value_of
+from ..quantities.values import Uncertain, value_of
 from ..text import closest, first_of, quoted, shown
-from .entries import SHIPPED, Entry, File, Malformed, Path, entries_of, string, strings, texts
-from .file import MaterialsFileError
 
-if TYPE_CHECKING:
-    from ..quantities.uncertain import Uncertain
+MAX_BYTES = 64_000  # some 180 materials with all their references
+MAX_DOTS = 100  # in a line: a dotted key costs time and memory with the square of its parts
+
+
+class MaterialsFileError(JkrollError):
+    """Error raised when a materials file cannot be read, or when something in it is not a material."""
+
+    def __init__(self, path: str, problem: str) -> None:
+        super().__init__(path, problem)
+        self.path, self.problem = path, problem
+
+    def __str__(self) -> str:
+        return f"materials file {quoted(self.path)}: {self.problem}"
+
+
+def data_of(path: str) -> dict[str, Any]:
+    """Read a TOML file; MaterialsFileError if it cannot be read or exceeds the limits above."""
+    text = _text(path)
+    if any(line.count(".") > MAX_DOTS for line in text.split("\n")):
+        raise MaterialsFileError(path, f"has a line of more than {MAX_DOTS} dots")
+    import tomllib
+
+    try:
+        return tomllib.loads(text)
+    except ValueError as error:
+        raise MaterialsFileError(path, f"is not TOML: {shown(str(error))}") from None
+    except RecursionError:
+        raise MaterialsFileError(path, "is not TOML: nested too deeply") from None
+
+
+def _text(path: str) -> str:
+    """Return the text of a regular file of at most MAX_BYTES."""
+    try:
+        if not S_ISREG(os.stat(path).st_mode):
+            raise MaterialsFileError(path, "is not a regular file")
+        with open(path, "rb") as file:
+            content = file.read(MAX_BYTES + 1)
+    except OSError as error:
+        raise MaterialsFileError(path, error.strerror or "cannot be read") from None
+    except ValueError:
+        raise MaterialsFileError(path, "is not a path") from None
+    if len(content) > MAX_BYTES:
+        raise MaterialsFileError(path, f"is larger than {MAX_BYTES // 1000} kB")
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        raise MaterialsFileError(path, "is not UTF-8") from None
+
+
+# --- Entries of a file ------------------------------------------------------------------------------------------------
+
+Path = str | os.PathLike[str]
+MAX_NAME = 60
+
+_HERE = os.path.dirname(os.path.abspath(__file__))
+# A wheel has the file here, and a checkout at its top level.
+_PLACES = (os.path.join(folder, "materials.toml") for folder in (_HERE, os.path.join(_HERE, *[os.pardir] * 3)))
+SHIPPED = next(path for path in _PLACES if os.path.exists(path))
+
+
+class File(NamedTuple):
+    """A materials file, of which only the form has been checked."""
+
+    path: str
+    title: str
+    materials: Mapping[str, Any]
+    references: Mapping[str, Any]
+
+
+class Entry(NamedTuple):
+    """A material in a file, of which only the names have been checked."""
+
+    name: str
+    aliases: tuple[str, ...]
+    file: File
+    remarks: tuple[str, ...] = ()
+
+    @property
+    def is_shipped(self) -> bool:
+        """True for a material of the file that comes with jkroll."""
+        return self.file.path == SHIPPED
+
+    @property
+    def title(self) -> str:
+        """The title of its set."""
+        return shown(str(self.file.materials[self.name].get("source", self.file.title)))
+
+
+def is_material_name(word: str) -> bool:
+    """Return whether a word can name a material: it differs from a radius and from a list.
+
+    >>> is_material_name("SiO2"), is_material_name("100nm"), is_material_name("a,b"), is_material_name("all")
+    (True, False, False, False)
+    """
+    return (
+        word[:1].isalpha()
+        and word == word.strip()
+        and len(word) <= MAX_NAME
+        and word.isprintable()
+        and "," not in word
+        and word.casefold() not in ("all", "plane")
+    )
+
+
+class Malformed(Exception):
+    """Error raised for something in a materials file that is not a material; the file is named where it is caught."""
+
+
+def path_of(path: Path) -> str:
+    """Return a path as a text; raise MaterialsFileError for what is none."""
+    try:
+        return os.fsdecode(path)
+    except TypeError:
+        raise MaterialsFileError(str(path), "is not a path") from None
+
+
+def entries_of(path: str) -> list[Entry]:
+    """Return the materials of a file, with their names checked."""
+    data = _shipped_data() if path == SHIPPED else data_of(path)
+    try:
+        return _entries_in(_form_of(data, path))
+    except Malformed as error:
+        raise MaterialsFileError(path, str(error)) from None
+
+
+def _shipped_data() -> Mapping[str, Any]:
+    """Return the content of the shipped file, which a wheel also holds as a module, made when it was built."""
+    if os.path.dirname(SHIPPED) != _HERE:  # a checkout
+        return data_of(SHIPPED)
+    from .shipped import DATA  # type: ignore  # mypy does not find it, or finds it without types
+
+    return dict(DATA)
+
+
+def _form_of(data: Mapping[str, Any], path: str) -> File:
+    """Check the outermost level of a file."""
+    unknown = set(data) - {"title", "materials", "references"}
+    if unknown:
+        raise Malformed(f"has an unknown key {quoted(min(unknown))}; expected [materials.NAME] tables")
+    title = string(data.get("title", shown(path)), "title")
+    return File(path, title, *(table_of(data.get(name, {}), name) for name in ("materials", "references")))
+
+
+def _entries_in(file: File) -> list[Entry]:
+    """Check the names and aliases of all materials of a file. Several may have one alias, which is then refused when it is used."""
+    names: dict[str, str] = {}
+    for name in file.materials:
+        names.setdefault(name.casefold(), name)
+    entries: list[Entry] = []
+    for name, table in file.materials.items():
+        aliases = strings(table_of(table, f"materials.{name}").get("aliases", []), f"{name}.aliases")
+        for word in (name, *aliases):
+            other = names.get(word.casefold(), name)
+            if other != name:
+                both = f"{quoted(other)} and {quoted(name)}"
+                raise Malformed(f"{quoted(word)} names both {both}; case makes no difference")
+            if not is_material_name(word):
+                raise Malformed(f"{quoted(word)} cannot name a material; a name begins with a letter and has no comma")
+        entries.append(Entry(name, aliases, file))
+    return entries
+
+
+def table_of(value: object, where: str) -> Mapping[str, Any]:
+    """Return a value that is a table; Malformed if it is not."""
+    if not isinstance(value, dict):
+        raise Malformed(f"{shown(where)} is not a table")
+    return value
+
+
+def texts(value: object, where: str) -> dict[str, str]:
+    """Return a table of texts."""
+    return {key: string(text, f"{where}.{key}") for key, text in table_of(value, where).items()}
+
+
+def strings(value: object, where: str) -> tuple[str, ...]:
+    """Return a list of texts."""
+    if not isinstance(value, list):
+        raise Malformed(f"{shown(where)} is not a list")
+    return tuple(string(text, where) for text in value)
+
+
+def string(value: object, where: str) -> str:
+    """Return a value that is a text, safe to print; Malformed if it is not a text."""
+    if not isinstance(value, str):
+        raise Malformed(f"{shown(where)} is not a text in quotes")
+    return shown(value)
+
+
+# --- Materials by name ------------------------------------------------------------------------------------------------
 
 MAX_LISTED = 20
 
@@ -38,8 +225,8 @@ class Material(NamedTuple):
     name: str
     properties: Mapping[str, float]
     aliases: tuple[str, ...]
-    notes: Mapping[str, str]  # by property or alias
-    remarks: tuple[str, ...]  # on the name by which the material was found, and on materials that it replaces
+    notes: Mapping[str, str]  # by property
+    remarks: tuple[str, ...]  # on the names that it takes from materials of other files
     references: tuple[Mapping[str, str], ...]
     title: str  # of the set: "Table 1"
     path: str
@@ -47,61 +234,112 @@ class Material(NamedTuple):
     uncertainties: Mapping[str, "Uncertain"] = MappingProxyType({})  # of properties that have one
     origins: Mapping[str, Origin] = MappingProxyType({})  # of properties whose origin is stated
 
+    def __hash__(self) -> int:
+        return hash((self.path, self.name))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Return what pickle and copy take: a read-only mapping has no pickle of its own."""
+        return _of_fields, tuple(dict(field) if isinstance(field, MappingProxyType) else field for field in self)
+
+
+def _of_fields(*fields: Any) -> Material:
+    """Return a material whose mappings are read-only."""
+    return Material._make(MappingProxyType(field) if isinstance(field, dict) else field for field in fields)
+
 
 class UnknownMaterial(JkrollError):
-    """Error raised for a material that no file describes, or for the name of several states of one."""
+    """Error raised for a material that no file describes."""
 
-    def __init__(self, name: str, known: Sequence[str], guess: str | None, states: Sequence[str] = ()) -> None:
-        super().__init__(name, tuple(known), guess, tuple(states))
-        self.name, self.known, self.guess, self.states = name, tuple(known), guess, tuple(states)
+    def __init__(self, name: str, known: Sequence[str], guess: str | None) -> None:
+        super().__init__(name, tuple(known), guess)
+        self.name, self.known, self.guess = name, tuple(known), guess
 
     def __str__(self) -> str:
-        if self.states:
-            return f"material: {quoted(self.name)} has no values of its own; its states are {', '.join(self.states)}"
         hint = f"did you mean {self.guess}? " if self.guess else ""
         return f"material: {quoted(self.name)} is not known; {hint}known are {first_of(self.known, MAX_LISTED)}"
 
 
-class Materials:
-    """All known materials, by name or alias in any case."""
+class UnclearMaterial(JkrollError):
+    """Error raised for a name that stands for several materials."""
 
-    def __init__(self, paths: Iterable[Path] = ()) -> None:
-        """Read the shipped file, then each of `paths`. A material shadows those of the same name in earlier files."""
+    def __init__(self, name: str, meanings: str) -> None:
+        super().__init__(name, meanings)
+        self.name, self.meanings = name, meanings
+
+    def __str__(self) -> str:
+        return f"material: {quoted(self.name)} is {self.meanings}"
+
+
+class Materials:
+    """All known materials, by name or alias in any case. A name that stands for several of them is refused when it is used."""
+
+    def __init__(self, paths: Path | Iterable[Path] = (), *, added: Iterable[Path] = ()) -> None:
+        """Read the shipped file, then `added`, then that of `paths`, or each of them.
+
+        A material takes the names that it shares with those of earlier files, but one of `added` takes none of the shipped
+        file: to use such a name is an error.
+        """
+        self.overrides: list[str] = []  # sentences on the names that were taken
+        self.clashes: dict[str, UnclearMaterial] = {}  # errors of the names that were not, case folded
         self._entries: dict[str, Entry] = {}
         self._read: dict[str, Material] = {}
-        self._name_of: dict[str, str] = {}  # by name or alias, case folded
-        for path in dict.fromkeys((SHIPPED, *paths)):
+        self._meanings: dict[str, list[Entry]] = {}  # of a name or alias, case folded
+        is_one = isinstance(paths, str | bytes) or not isinstance(paths, Iterable)
+        taking = [*map(path_of, [paths] if is_one else paths)]  # type: ignore[arg-type]
+        for path in dict.fromkeys((SHIPPED, *map(path_of, added), *taking)):
             for entry in entries_of(path):
-                self._add(entry)
+                self._add(entry, takes=path in taking)
 
-    def _add(self, entry: Entry) -> None:
-        """Add a material, with a note on each name that it takes from a material of another file."""
-        for word in dict.fromkeys(word.casefold() for word in (entry.name, *entry.aliases)):
-            before = self._entries.get(self._name_of.get(word, ""))
-            if before is not None and before.file is not entry.file:
-                note = f"{shown(entry.file.path)} shadows {shown(word)} of {shown(before.file.title)}"
-                entry = entry._replace(remarks=(*entry.remarks, note))
-                if before.name.casefold() == entry.name.casefold():
-                    del self._entries[before.name]
-                    self._name_of |= {alias.casefold(): entry.name for alias in before.aliases}
-            self._name_of[word] = entry.name
-        self._entries[entry.name] = entry
+    def _add(self, entry: Entry, *, takes: bool) -> None:
+        """Add a material under all of its names, or, unless it `takes` them, those that are not of the shipped file."""
+        words = {word.casefold(): word for word in (*entry.aliases, entry.name)}
+        name = entry.name.casefold()
+        others = {word: [one for one in self._meanings.get(word, ()) if one.file is not entry.file] for word in words}
+        if not takes:
+            shipped = {word: one for word, ones in others.items() for one in ones[:1] if one.is_shipped}
+            clashes = {word: _clash(words[word], one, entry) for word, one in shipped.items()}
+            if name in clashes:  # it is not known by its other names either
+                clashes = dict.fromkeys(words, clashes[name])
+            self.clashes |= clashes
+            words = {word: text for word, text in words.items() if word not in clashes}
+        file = shown(entry.file.path)
+        taken = ((words[word], one.title) for word in words for one in others[word])
+        remarks = dict.fromkeys(f"{file} overrides {shown(word)} of {title}" for word, title in taken)
+        self.overrides += remarks
+        entry = entry._replace(remarks=tuple(remarks))
+        for word in words:
+            self.clashes.pop(word, None)
+            of_file = [one for one in self._meanings.get(word, ()) if one.file is entry.file]
+            self._meanings[word] = [*of_file, entry]
+        if name in words:
+            for one in others[name]:
+                if one.name.casefold() == name:
+                    self._replace(one, entry)
+            self._entries[entry.name] = entry
+
+    def _replace(self, before: Entry, entry: Entry) -> None:
+        """Give the other names of a material to the one that has taken its name."""
+        del self._entries[before.name]
+        for alias in map(str.casefold, before.aliases):
+            self._meanings[alias] = [entry if one is before else one for one in self._meanings[alias]]
 
     def __getitem__(self, word: str) -> Material:
         """Return the material of a name or alias, in any case.
 
-        Raises UnknownMaterial, with a suggestion or the states of the material, and MaterialsFileError if something is wrong
-        with it.
+        Raises UnknownMaterial, UnclearMaterial for a name that stands for several, and MaterialsFileError for a bad material.
         """
+        word = str(word)
         key = word.strip().casefold()
-        name = self._name_of.get(key)
-        if name is None:
-            states = [known for known in self._entries if known.casefold().startswith(f"{key}-")]
-            guess = None if states else closest(key, self._name_of)
-            raise UnknownMaterial(word, sorted(self._entries), guess and self._name_of[guess], states)
-        found = self._named(name)
-        on_alias = [note for alias, note in found.notes.items() if alias.casefold() == key]
-        return found._replace(remarks=(*found.remarks, *on_alias)) if on_alias else found
+        if clash := self.clashes.get(key):
+            raise clash
+        meanings = self._meanings.get(key, [])
+        if len(meanings) == 1:
+            return self._named(meanings[0].name)
+        states = [entry for name, entry in self._entries.items() if name.casefold().startswith(f"{key}-")]
+        if len(several := meanings or states) > 1:
+            raise UnclearMaterial(word, _choice([*map(_material, several)]))
+        guess = states[0].name if states else closest(key, [*self.names, *self.aliases])
+        raise UnknownMaterial(word, sorted(self._entries), guess)
 
     def _named(self, name: str) -> Material:
         if name not in self._read:
@@ -121,7 +359,7 @@ class Materials:
     @property
     def aliases(self) -> list[str]:
         """The other names of all materials."""
-        return [alias for entry in self._entries.values() for alias in entry.aliases]
+        return [*dict.fromkeys(alias for entry in self._entries.values() for alias in entry.aliases)]
 
 
 def known_materials(*paths: Path) -> Materials:
@@ -134,9 +372,30 @@ def _shipped() -> Materials:
     return Materials()
 
 
+def _clash(name: str, shipped: Entry, added: Entry) -> UnclearMaterial:
+    """Return the error of a name that is shipped and in another file, which may not take it."""
+    whose = f"{shipped.title}'" if shipped.title.endswith("s") else f"{shipped.title}'s"
+    file = shown(added.file.path)
+    return UnclearMaterial(name, f"{whose} and also in {file}; rename it, or pass --materials {file}")
+
+
+def _choice(materials: Sequence[Material]) -> str:
+    """Return the materials that a name stands for, with their surface energies, and their sets if they differ."""
+    from ..quantities.formatting import amount
+
+    has_sets = len({material.title for material in materials}) > 1
+    texts = []
+    for material in materials:
+        energy = material.properties.get("surface_energy")
+        known = [amount("surface_energy", energy)] if energy is not None else []
+        about = ", ".join([*known, *([material.title] if has_sets else [])])
+        texts.append(f"{material.name} ({about})" if about else material.name)
+    return f"{', '.join(texts[:-1])} or {texts[-1]}: which?"
+
+
 def read(path: Path) -> list[Material]:
     """Read and check a materials file as a whole; MaterialsFileError says what is wrong with it."""
-    return [_material(entry) for entry in entries_of(path)]
+    return [_material(entry) for entry in entries_of(path_of(path))]
 
 
 def _material(entry: Entry) -> Material:
@@ -167,7 +426,7 @@ def _checked(entry: Entry) -> Material:
             uncertainties[key] = found
     notes = texts(table.get("notes", {}), f"{name}.notes")
     for key in notes:
-        if key not in properties and key not in aliases:
+        if key not in properties:
             raise Malformed(f"{quoted(name)} has a note on {quoted(key)}, which it does not give")
     general = strings(table.get("references", []), f"{name}.references")
     cited = dict.fromkeys([*general, *(origin.reference for origin in origins.values() if origin.reference)])
@@ -207,10 +466,18 @@ def _reference(key: str, name: str, file: File) -> Mapping[str, str]:
     return {"key": key, **texts(file.references[key], f"references.{key}")}
 
 
-def _property(key: str, value: object, name: str) -> "float | Uncertain":
+def _as_text(number: float, where: str) -> str:
+    """Return a number as it could have been typed."""
+    try:
+        return repr(number)
+    except ValueError:  # thousands of hexadecimal digits, which Python does not convert
+        raise Malformed(f"{shown(where)} has too many digits") from None
+
+
+def _property(key: str, value: object, name: str) -> float | Uncertain:
     """Return the SI value of a property: a text with a unit or, for a property without a unit, a number."""
     if isinstance(value, (int, float)) and not isinstance(value, bool) and NOMENCLATURE[key].unit == "1":
-        value = repr(value)
+        value = _as_text(value, f"{name}.{key}")
     text = string(value, f"{name}.{key}")
     try:
         return value_of(text, key)

@@ -4,17 +4,27 @@ import os
 import sys
 
 from ..errors import BadRequest
+from .library import Materials, known_materials
 
 ENVIRONMENT = "JKROLL_MATERIALS"
 
 
-def materials_files(option: str | None) -> tuple[str, ...]:
-    """Return the user's materials files by rising precedence: configuration directory, environment, option."""
+def materials_of_user(option: str | None) -> Materials:
+    """Return the known materials with those of the user's files.
+
+    By rising precedence these are the files of the configuration directory and of the environment, which may add materials but
+    change no shipped one, and that of the option, which may.
+    """
     if option == "":
         raise BadRequest("--materials is empty")
     configuration = os.path.join(configuration_directory(), "materials.toml")
     files = [configuration] if _exists(configuration) else []
-    return tuple(dict.fromkeys(files + [path for path in (os.environ.get(ENVIRONMENT), option) if path]))
+    added = [path for path in (*files, os.environ.get(ENVIRONMENT)) if path and not _is_same(path, option)]
+    return Materials(option or (), added=added) if added or option else known_materials()
+
+
+def _is_same(path: str, other: str | None) -> bool:
+    return other is not None and os.path.realpath(path) == os.path.realpath(other)
 
 
 def _exists(path: str) -> bool:

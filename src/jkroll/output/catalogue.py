@@ -1,14 +1,20 @@
-"""Materials as text: a table for each set, plain lines, CSV, JSON or BibTeX."""
+"""The materials and the quantities of the nomenclature as text: lists of them, and all that is known of one."""
 
-from collections.abc import Sequence
+import re
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, TextIO
 
+from ..answers.questions import QUESTIONS
 from ..materials.library import Material
-from ..quantities.formatting import AS_USUAL, amount
-from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, header
-from ..text import json_text, say, say_wrapped
-from .citations import bibtex
+from ..quantities.errors import OTHER_WORDS, UnknownQuantity
+from ..quantities.formatting import AS_USUAL, amount, pretty
+from ..quantities.names import named, with_symbol
+from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, RANGES, header
+from ..rows.columns import heads
+from ..scene.wiring import depends_on, formula_of, parameters_of, suffix_of
+from ..text import first_of, json_text, say, say_wrapped
 from .records import Cell, write_records
+from .sources import bibtex, docstring_fields
 
 
 def write_materials(chosen: Sequence[Material], out: TextIO, kind: str, *, whole: bool) -> None:
@@ -18,33 +24,57 @@ def write_materials(chosen: Sequence[Material], out: TextIO, kind: str, *, whole
         for entry in entries.values():
             say(bibtex(entry), out)
     elif kind == "json":
-        objects = [as_object(material) for material in chosen]
+        objects = [material_as_object(material) for material in chosen]
         say(json_text(objects[0] if whole else objects, out), out)
     elif whole and kind == "table":
-        _write_sheet(chosen[0], out)
+        _write_material(chosen[0], out)
     elif whole and kind == "plain":
         _write_lines(chosen[0], out)
     elif kind == "table":
         _write_tables(chosen, out)
     else:
-        write_records(["material", *map(header, PROPERTIES), "state", "source"], map(_row, chosen), kind, out)
+        sides = {name: _sides_of(name, chosen) for name in PROPERTIES}
+        of_properties = [head for name in PROPERTIES for head in heads(name, header(name), sides[name])]
+        records = (_material_row(material, sides) for material in chosen)
+        write_records(["material", *of_properties, "state", "references", "source"], records, kind, out)
 
 
 def _write_tables(chosen: Sequence[Material], out: TextIO) -> None:
-    """Write a table for each set of materials, with its title above."""
-    symbols = [NOMENCLATURE[name].symbol for name in PROPERTIES]
-    for number, title in enumerate(dict.fromkeys(material.title for material in chosen)):
+    """Write two tables for each set of materials: their values, and the rest."""
+    from .table import column, write_rows, write_wrapped
+
+    for title in dict.fromkeys(material.title for material in chosen):
         members = [material for material in chosen if material.title == title]
-        if number:
-            say("", out)
+        names = [material.name for material in members]
+        values = [
+            column(name, [one.uncertainties.get(name, one.properties.get(name)) for one in members], AS_USUAL)
+            for name in PROPERTIES
+        ]
         say(title, out)
-        write_records(["material", "also", *symbols], map(_table_row, members), "table", out)
-    if any(material.uncertainties for material in chosen):
+        write_rows(*_rows(["material", *names], *values), out)
         say("", out)
-        say("nominal values; states, uncertainties and origins: jkroll materials NAME", out)
+        write_wrapped(*_rows(["material", *names], ["state, other names, references", *map(_about, members)]), out)
+        say("", out)
+    say("methods, notes and the references in full: jkroll materials NAME", out)
 
 
-def as_object(material: Material) -> dict[str, Any]:
+def _rows(*columns: Sequence[str]) -> tuple[Sequence[str], Sequence[Sequence[str]]]:
+    """Return the heads and the rows of columns."""
+    head, *rows = zip(*columns, strict=True)
+    return head, rows
+
+
+def _about(material: Material) -> str:
+    """Return the state, the other names and the references of a material."""
+    also = f"also {', '.join(material.aliases)}" if material.aliases else ""
+    return "; ".join(filter(None, (material.state, also, _keys(material))))
+
+
+def _keys(material: Material) -> str:
+    return ", ".join(entry["key"] for entry in material.references)
+
+
+def material_as_object(material: Material) -> dict[str, Any]:
     """Return the JSON object of a material; a property that it does not have is null."""
     return {
         "name": material.name,
@@ -59,15 +89,19 @@ def as_object(material: Material) -> dict[str, Any]:
     }
 
 
-def _row(material: Material) -> list[Cell]:
-    values = [material.properties.get(name) for name in PROPERTIES]
-    return [material.name, *values, material.state or None, material.title]
+def _sides_of(name: str, materials: Sequence[Material]) -> list[str]:
+    """Return the sides of the uncertainty of a property that some materials have."""
+    return [
+        *dict.fromkeys(side for one in materials if name in one.uncertainties for side in one.uncertainties[name].sides)
+    ]
 
 
-def _table_row(material: Material) -> list[Cell]:
-    properties = material.properties
-    amounts = [amount(name, properties[name]) if name in properties else None for name in PROPERTIES]
-    return [material.name, ", ".join(material.aliases), *amounts]
+def _material_row(material: Material, sides: Mapping[str, Sequence[str]]) -> list[Cell]:
+    values: list[Cell] = []
+    for name in PROPERTIES:
+        own = material.uncertainties[name].sides if name in material.uncertainties else {}
+        values += [material.properties.get(name), *map(own.get, sides[name])]
+    return [material.name, *values, material.state or None, _keys(material) or None, material.title]
 
 
 def _write_lines(material: Material, out: TextIO) -> None:
@@ -83,7 +117,7 @@ def _write_lines(material: Material, out: TextIO) -> None:
             say(f"{name}.{field} {text}", out)
 
 
-def _write_sheet(material: Material, out: TextIO) -> None:
+def _write_material(material: Material, out: TextIO) -> None:
     """Write the properties of a material with its state, aliases, origins, notes and references."""
     aliases = f" (also {', '.join(material.aliases)})" if material.aliases else ""
     say(f"material {material.name}{aliases}", out)
@@ -121,3 +155,145 @@ def _origin(material: Material, name: str) -> list[tuple[str, str]]:
     """Return the fields of the origin of a property, with their names."""
     origin = material.origins.get(name)
     return [(field, text) for field, text in origin._asdict().items() if text] if origin else []
+
+
+# --- Quantities -------------------------------------------------------------------------------------------------------
+
+_HEADS = ("name", "symbol", "unit", "option", "commands", "equation", "meaning")
+_MAX_NAMED = 3  # commands that are named; more of them are counted
+
+
+def quantities_found(words: Sequence[str]) -> list[str]:
+    """Return the quantities that the words name, else those whose entry has each of the words; UnknownQuantity if none has.
+
+    Those that have them in their name stand first, variants last; a variant is left out where its quantity is found.
+    """
+    if not words:
+        return list(NOMENCLATURE)
+    text = "_".join(" ".join(words).split())
+    if called_so := [named(text)] if named(text) in NOMENCLATURE else with_symbol(text):
+        return called_so
+    begun = _pieces(words)
+    found = [
+        name for name in NOMENCLATURE if begun and _has(_called(name) | _pieces([NOMENCLATURE[name].sentence]), begun)
+    ]
+    found.sort(key=lambda name: (bool(NOMENCLATURE[name].variant_of), not _has(_called(name), begun)))
+    meant = OTHER_WORDS.get(text.casefold())
+    found = [*([meant] if meant else []), *(name for name in found if name != meant)]
+    if not found:
+        raise UnknownQuantity(" ".join(words))
+    return _without_variants(found)
+
+
+def _without_variants(names: Sequence[str]) -> list[str]:
+    """Return names without the variants of quantities that are among them."""
+    return [name for name in names if NOMENCLATURE[name].variant_of not in names]
+
+
+def write_quantities(names: Sequence[str], out: TextIO, kind: str) -> None:
+    """Write a list of quantities in a format, or a single one in full."""
+    if kind == "json":
+        objects = [quantity_as_object(name) for name in names]
+        say(json_text(objects[0] if len(names) == 1 else objects, out), out)
+    elif kind in ("table", "plain") and len(names) == 1:
+        _write_quantity(names[0], out)
+    elif kind == "table":
+        from .table import write_wrapped
+
+        rows = [_quantity_table_row(name) for name in _without_variants(names)]
+        write_wrapped(("name", "symbol", "unit", "meaning"), rows, out)
+    else:
+        write_records(_HEADS, map(_quantity_row, names), kind, out)
+
+
+def quantity_as_object(name: str) -> dict[str, Any]:
+    """Return the JSON object of a quantity."""
+    quantity = NOMENCLATURE[name]
+    return {
+        "name": name,
+        "symbol": quantity.symbol,
+        "unit": quantity.unit,
+        "option": quantity.option,
+        "example": quantity.example,
+        "commands": list(commands_of(name)),
+        "equation": quantity.equation,
+        "formula": docstring_fields(formula_of(name))["formula"] if formula_of(name) else "",
+        "meaning": quantity.sentence,
+        "note": quantity.note,
+    }
+
+
+def commands_of(name: str) -> tuple[str, ...]:
+    """Return the commands that show a quantity, or that take it as an option."""
+    takes = bool(NOMENCLATURE[name].option) or formula_of(name) is None
+    return tuple(
+        command
+        for command, question in QUESTIONS.items()
+        if name in question.quantities or (takes and name in depends_on(question.quantities))
+    )
+
+
+def _is_akin(other: str, name: str) -> bool:
+    """Return whether the name of another quantity has all words of a name, and is no variant."""
+    return other != name and not NOMENCLATURE[other].variant_of and _has(_pieces([other]), _pieces([name]))
+
+
+def _called(name: str) -> set[str]:
+    """Return the words in the name, symbol and option of a quantity."""
+    return _pieces([name, NOMENCLATURE[name].symbol, NOMENCLATURE[name].option])
+
+
+def _pieces(texts: Iterable[str]) -> set[str]:
+    """Return the words of texts, in lower case and without underscores and signs."""
+    return set(re.findall(r"[^\W_]+", " ".join(texts).casefold()))
+
+
+def _has(words: Iterable[str], begun: Iterable[str]) -> bool:
+    """Return whether each text of `begun` begins one of the words."""
+    return all(any(word.startswith(piece) for word in words) for piece in begun)
+
+
+def _quantity_row(name: str) -> list[str]:
+    quantity = NOMENCLATURE[name]
+    commands = " ".join(commands_of(name))
+    return [name, quantity.symbol, quantity.unit, quantity.option, commands, quantity.equation, quantity.sentence]
+
+
+def _quantity_table_row(name: str) -> list[str]:
+    """Return the cells of a list: the option and the equation stand behind the meaning."""
+    quantity = NOMENCLATURE[name]
+    variant = f", variant of {quantity.variant_of}" if quantity.variant_of else ""
+    equation = f", Eq {quantity.equation}" if quantity.equation else ""
+    option = f"; {quantity.option}" if quantity.option else ""
+    return [name, quantity.symbol, pretty(quantity.unit), f"{quantity.sentence}{variant}{equation}{option}"]
+
+
+def _write_quantity(name: str, out: TextIO) -> None:
+    """Write what is known of a quantity, a line for each fact."""
+    quantity = NOMENCLATURE[name]
+    formula = formula_of(name)
+    fields = docstring_fields(formula) if formula else {}
+    option = f"{quantity.option} {quantity.example}" if quantity.option else ""
+    facts = {
+        "symbol": quantity.symbol,
+        "unit": pretty(quantity.unit),
+        "option": option or (f"a word: {quantity.example}" if quantity.example else ""),
+        "values": RANGES[quantity.range].words if quantity.range and quantity.example else "",
+        "commands": first_of(commands_of(name), _MAX_NAMED) or "any, with --quantities " + name,
+        "equation": quantity.equation,
+        "formula": fields.get("formula", ""),
+        "follows from": ", ".join(parameter + suffix_of(name) for parameter in parameters_of(formula))
+        if formula
+        else "",
+        "source": fields.get("Source", ""),
+        "valid": fields.get("Valid", ""),
+        "accuracy": fields.get("Accuracy", ""),
+        "note": quantity.note,
+        "variant of": quantity.variant_of,
+        "variants": ", ".join(other for other in NOMENCLATURE if NOMENCLATURE[other].variant_of == name),
+        "see also": ", ".join(other for other in NOMENCLATURE if _is_akin(other, name)),
+    }
+    say(f"{name}: {quantity.sentence}", out)
+    for head, text in facts.items():
+        if text:
+            say_wrapped(f"  {head:13} {text}", out, 16)

@@ -1,6 +1,7 @@
 """Tables on a terminal, set by rich."""
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from math import isnan
 from typing import TYPE_CHECKING, Any, TextIO
 
 from rich import box
@@ -9,14 +10,15 @@ from rich.table import Table
 from rich.text import Text
 
 from ..answers.answer import Answer
-from ..answers.result import Result
-from ..quantities.formatting import Format, amount, pretty
+from ..answers.questions import Grid
+from ..answers.results import Result
+from ..quantities.formatting import Format, amount, in_words, pretty
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
+from ..rows.columns import Columns
 from ..text import columns, fitting, say
-from .layout import Layout
 
 if TYPE_CHECKING:
-    from ..quantities.uncertain import Uncertain
+    from ..quantities.values import Uncertain
 
 _HEADS = ("quantity", "symbol", "value", "unit", "Eq", "definition", "reference", "JKR")
 _JKR = 7  # the place of JKR's value, shown beside that of another law
@@ -24,26 +26,50 @@ _JKR = 7  # the place of JKR's value, shown beside that of another law
 _COLUMNS: Sequence[tuple[int, ...]] = ((0, 1, 2, 3, 4), (1, 2, 3, 4), (1, 2, 3))
 _COLUMNS_BY_CONVENTION: Sequence[tuple[int, ...]] = ((0, 1, 2, 3, 5, 6), (1, 2, 3, 5, 6), (1, 2, 3, 5), (1, 2, 3))
 MAX_ACROSS = 20  # scenes that are tried as columns
-MIN_WRAPPED = 20  # characters of a column of texts on a narrow terminal
+MIN_WRAPPED = 18  # characters of a column of texts on a narrow terminal
+BETWEEN = 3  # two columns
+MIN_REFERENCE = 14  # of a column of references, broken into lines beside the other columns
 
 
 def scene_table(answer: Answer, out: TextIO, form: Format) -> None:
-    """Write the inputs of one scene, and its results below each other."""
-    rows = [_result_row(result, form) for result in answer.results]
-    styles = ["dim" if _is_aside(result) else "" for result in answer.results]
-    by_convention = all(NOMENCLATURE[result.name].definition for result in answer.results)
+    """Write the inputs of one scene, and its results below each other, or in a grid if all of them are JKR's and it fits."""
+    results = [result.in_unit(form) for result in answer.results]
     say(_inputs({**answer.inputs, **answer.uncertain}, form), out)
+    grid = answer.question.grid
+    if (
+        grid
+        and not any(result.law for result in results)
+        and _print(_grid_table(grid, answer, results, out, form), out)
+    ):
+        return
+    rows = [_result_row(result, form) for result in results]
+    styles = ["dim" if _is_aside(result) else "" for result in results]
+    by_convention = all(NOMENCLATURE[result.name].definition for result in results)
     columns_of = _COLUMNS_BY_CONVENTION if by_convention else _COLUMNS
-    if any(result.law and result.law.jkr is not None for result in answer.results):
+    if any(result.law and result.law.jkr is not None for result in results):
         columns_of = [(*chosen, _JKR) for chosen in columns_of]
     right = {"value", "Eq", "JKR"}
-    tables = (
-        _table([_HEADS[i] for i in chosen], [[row[i] for i in chosen] for row in rows], out, right, styles)
-        for chosen in columns_of
-    )
-    if not any(_print(table, out) for table in tables):
-        for row in rows:
-            say(" ".join(cell for cell in row[1:4] if cell), out)
+    for chosen in columns_of:
+        heads, cells = [_HEADS[i] for i in chosen], [[row[i] for i in chosen] for row in rows]
+        if _print(_table(heads, cells, out, right, styles), out):
+            return
+        if _HEADS[chosen[-1]] == "reference" and _print_wrapped(heads, cells, out, right, styles, MIN_REFERENCE):
+            return
+    for row in rows:
+        say(" ".join(cell for cell in row[1:4] if cell), out)
+
+
+def _grid_table(grid: Grid, answer: Answer, results: Sequence[Result], out: TextIO, form: Format) -> Table:
+    """Return the table of a grid; the quantities of a cell stand below each other."""
+    found: dict[str, Any] = {**answer.inputs, **answer.uncertain}
+    found |= {result.name: result.propagated.uncertainty if result.propagated else result.value for result in results}
+
+    def cell(names: tuple[str, ...]) -> str:
+        values = ((name, found.get(name)) for name in names)
+        return "\n".join("—" if value is None else amount(name, value, form) for name, value in values)
+
+    rows = [[label, *map(cell, cells)] for label, cells in grid.rows.items()]
+    return _table(grid.heads, rows, out, grid.heads[1:])
 
 
 def _result_row(result: Result, form: Format) -> list[str]:
@@ -52,11 +78,19 @@ def _result_row(result: Result, form: Format) -> list[str]:
         value, unit = "—", ""
     else:
         value, unit = form.rounded(result.name, result.propagated.uncertainty if result.propagated else result.value)
-    definition = "" if result.law else quantity.definition
-    source = quantity.reference or f"Eq {result.equation}"
+    definition, reference = ("", "") if result.law else (quantity.definition, quantity.reference)
     beside = result.law.jkr if result.law else None
     jkr = "" if beside is None else amount(result.name, beside, form)
-    return [quantity.sentence, quantity.symbol, value, pretty(unit), result.equation, definition, source, jkr]
+    return [
+        quantity.sentence,
+        quantity.symbol,
+        value,
+        pretty(unit),
+        result.equation,
+        definition,
+        reference or result.source,
+        jkr,
+    ]
 
 
 def _is_aside(result: Result) -> bool:
@@ -64,88 +98,97 @@ def _is_aside(result: Result) -> bool:
     return bool(NOMENCLATURE[result.name].note) or result.value is None
 
 
-def sweep_table(answers: Sequence[Answer], out: TextIO, form: Format, shape: Layout) -> None:
+_LEADERS = dict.fromkeys(PROPERTIES, "material") | {name + "2": "material2" for name in PROPERTIES}
+
+
+def sweep_table(columns: Columns, out: TextIO, form: Format) -> None:
     """Write a table of several scenes; inputs that all of them share stand above.
 
     A scene is a row. Where that is wider than the terminal, a scene is a column, and where this is too wide as well, a row
     again, of as many tables as it takes.
     """
-    of_rows = [{**answer.inputs, **answer.uncertain} for answer in answers]
-    values = {name: {inputs.get(name) for inputs in of_rows} for name in shape.columns}
-    inputs = of_rows[0]
-    common = {name: inputs[name] for name in shape.columns if name in inputs and len(values[name]) == 1}
-    say(_inputs(common, form, f"{len(answers)} scenes"), out)
-    leading = [name for name in shape.inputs if len(values[name] - {None}) != 1 and not _is_implied(name, answers)]
-    results = [name for name in shape.columns if name not in shape.inputs and not _is_implied(name, answers)]
-    if _print(_columns_table([*leading, *results], answers, out, form), out):
+    cells = _Cells(columns, form)
+    common = {name: values[0] for name, values in cells.inputs.items() if len({*values}) == 1}
+    say(_inputs(common, form, f"{len(columns)} scenes"), out)
+    several = [name for name, values in cells.inputs.items() if len({*values} - {None}) != 1]
+    leading = [name for name in several if not cells.is_implied(name)]
+    results = [name for name in columns.wanted.names if name not in cells.inputs]
+    if _print(cells.table([*leading, *results], out), out):
         return
-    if len(answers) <= MAX_ACROSS and any(
-        _print(table, out) for table in _across(leading, results, answers, out, form)
-    ):
+    if len(columns) <= MAX_ACROSS and any(_print(table, out) for table in cells.across(leading, results, out)):
         return
     while results:
         count = len(results)
-        while not _print(_columns_table([*leading, *results[:count]], answers, out, form), out, anyway=count == 1):
+        while not _print(cells.table([*leading, *results[:count]], out), out, anyway=count == 1):
             count -= 1
         results = results[count:]
 
 
-def _columns_table(names: Sequence[str], answers: Sequence[Answer], out: TextIO, form: Format) -> Table:
-    columns = [_column(name, answers, form) for name in names]
-    heads = [column[0] for column in columns]
-    return _table(heads, [*zip(*(column[1:] for column in columns), strict=True)], out, set(heads))
+class _Cells:
+    """The values of columns as they are printed, with their uncertainties."""
+
+    def __init__(self, columns: Columns, form: Format) -> None:
+        self.columns, self.form = columns, form
+        self.inputs: dict[str, list[Any]] = {
+            name: [in_words(name, value) for value in column] for name, column in columns.inputs.items()
+        }
+
+    def values(self, name: str) -> list[Any]:
+        """Return inputs or results, with their uncertainties if they have some; None is a gap."""
+        if name in self.inputs:
+            return self.inputs[name]
+        columns = self.columns
+        found = [None if isnan(value) else float(value) for value in columns.column(name)]
+        if not (keys := columns.wanted.sides_of(name)):
+            return found
+        from ..quantities.values import of_sides
+
+        sides = [{side: columns.column(key)[row] for side, key in keys.items()} for row in range(len(columns))]
+        return [value and of_sides(value, own) for value, own in zip(found, sides, strict=True)]
+
+    def column(self, name: str) -> list[str]:
+        """Return the head and the cells of a column."""
+        return column(name, self.values(name), self.form)
+
+    def table(self, names: Sequence[str], out: TextIO) -> Table:
+        """Return a table with a row for each scene."""
+        columns = [self.column(name) for name in names]
+        heads = [column[0] for column in columns]
+        return _table(heads, [*zip(*(column[1:] for column in columns), strict=True)], out, set(heads))
+
+    def across(self, leading: Sequence[str], results: Sequence[str], out: TextIO) -> Iterator[Table]:
+        """Iterate over tables with a column for each scene and a row for each result: with the words for it, and without."""
+        numbers = ["scene", *(str(number) for number in range(1, len(self.columns) + 1))]
+        distinct = [self.column(name) for name in leading] or [numbers]
+        heads = ["\n".join(parts) for parts in zip(*distinct, strict=True)]
+        rows = [self.column(name) for name in results]
+        words = [NOMENCLATURE[name].sentence for name in results]
+        yield _table(
+            ["quantity", *heads], [[word, *row] for word, row in zip(words, rows, strict=True)], out, set(heads[1:])
+        )
+        yield _table(heads, rows, out, set(heads[1:]))
+
+    def is_implied(self, name: str) -> bool:
+        """Return whether an input repeats another: sphere 2 is as large as sphere 1, or the material sets a property."""
+        if name == "energy":
+            return "energy_ratio" in self.inputs
+        if name == "radius2":
+            return self.inputs[name] == self.inputs.get("radius")
+        leader = self.inputs.get(_LEADERS.get(name, ""))
+        if leader is None or None in leader:
+            return False
+        pairs = {*zip(leader, self.inputs[name], strict=True)}
+        return len(pairs) == len({material for material, _ in pairs})
 
 
-def _across(
-    leading: Sequence[str], results: Sequence[str], answers: Sequence[Answer], out: TextIO, form: Format
-) -> Iterator[Table]:
-    """Iterate over tables with a column for each scene and a row for each result: with the words for it, and without."""
-    numbers = ["scene", *(str(number) for number in range(1, len(answers) + 1))]
-    distinct = [_column(name, answers, form) for name in leading] or [numbers]
-    heads = ["\n".join(parts) for parts in zip(*distinct, strict=True)]
-    rows = [_column(name, answers, form) for name in results]
-    words = [NOMENCLATURE[name].sentence for name in results]
-    yield _table(
-        ["quantity", *heads], [[word, *row] for word, row in zip(words, rows, strict=True)], out, set(heads[1:])
-    )
-    yield _table(heads, rows, out, set(heads[1:]))
-
-
-def _column(name: str, answers: Sequence[Answer], form: Format) -> list[str]:
+def column(name: str, values: "Sequence[float | str | Uncertain | None]", form: Format) -> list[str]:
     """Return the head and the cells of a column; the head has the unit, if one suits all of its values."""
     head = NOMENCLATURE[name].symbol or name
-    values = [_value(answer, name) for answer in answers]
     common = form.common_unit(name, [value for value in values if not isinstance(value, str | None)])
     if common:
         cells = ["—" if value is None else form.in_unit(value, common) for value in values]
         return [f"{head} [{pretty(common[0])}]", *cells]
     return [head, *("—" if value is None else amount(name, value, form) for value in values)]
-
-
-def _value(answer: Answer, name: str) -> Any:
-    """Return an input or a result, with its uncertainty if it has one."""
-    if name in answer.inputs:
-        return answer.uncertain.get(name, answer.inputs[name])
-    result = next((result for result in answer.results if result.name == name), None)
-    return result and (result.propagated.uncertainty if result.propagated else result.value)
-
-
-_LEADERS = dict.fromkeys(PROPERTIES, "material") | {name + "2": "material2" for name in PROPERTIES}
-
-
-def _is_implied(name: str, answers: Sequence[Answer]) -> bool:
-    """Return whether a column repeats another: sphere 2 is as large as sphere 1, or the material sets a property."""
-    if name == "energy":
-        return any("energy_ratio" in answer.inputs for answer in answers)
-    if name == "radius2":
-        return all(answer.inputs.get(name) == answer.inputs.get("radius") for answer in answers)
-    leader = _LEADERS.get(name)
-    if leader is None or all(name not in answer.inputs for answer in answers):
-        return False
-    if any(leader not in answer.inputs for answer in answers):
-        return False
-    pairs = {(answer.inputs[leader], answer.inputs.get(name)) for answer in answers}
-    return len(pairs) == len({material for material, _ in pairs})
 
 
 def _inputs(inputs: "Mapping[str, float | str | Uncertain]", form: Format, start: str = "") -> str:
@@ -172,14 +215,7 @@ def write_rows(heads: Sequence[str], rows: Sequence[Sequence[str]], out: TextIO)
 
 def write_wrapped(heads: Sequence[str], rows: Sequence[Sequence[str]], out: TextIO) -> None:
     """Write a table of texts whose last column is broken into lines, within a word that is longer than the column."""
-    table = _table(heads, rows, out)
-    last = table.columns[-1]
-    last.no_wrap, last.overflow = False, "fold"
-    console = _console(out)
-    others = _table(heads[:-1], [row[:-1] for row in rows], out)
-    least = console.measure(others, options=console.options.update(width=10_000)).minimum + MIN_WRAPPED
-    console.width = max(console.width, least)
-    console.print(table)
+    _print_wrapped(heads, rows, out, (), (), MIN_WRAPPED, anyway=True)
 
 
 def _console(out: TextIO) -> Console:
@@ -200,6 +236,30 @@ def _table(
     for row, style in zip(rows, styles or [""] * len(rows), strict=True):
         table.add_row(*(Text(fitting(cell, out), style) for cell in row))
     return table
+
+
+def _print_wrapped(
+    heads: Sequence[str],
+    rows: Sequence[Sequence[str]],
+    out: TextIO,
+    right: Collection[str],
+    styles: Sequence[str],
+    least: int,
+    *,
+    anyway: bool = False,
+) -> bool:
+    """Print a table whose last column is broken into lines if it has `least` characters, or anyway; return whether it was printed."""
+    table = _table(heads, rows, out, right, styles)
+    last = table.columns[-1]
+    last.no_wrap, last.overflow = False, "fold"
+    console = _console(out)
+    others = _table(heads[:-1], [row[:-1] for row in rows], out)
+    width = console.measure(others, options=console.options.update(width=10_000)).maximum + BETWEEN + least
+    if width > console.width and not anyway:
+        return False
+    console.width = max(console.width, width)
+    console.print(table)
+    return True
 
 
 def _print(table: Table, out: TextIO, *, anyway: bool = False) -> bool:

@@ -2,28 +2,29 @@
 
 A formula's name and its parameters' names are names of the nomenclature: that is all the wiring there is. Parameters
 are passed by name, because three radii, two energies per area (γ and w = 2γ) and five forces are easily exchanged.
+
+A formula gives a float for floats, and an array for arrays, which broadcast. Its annotations have the units, by their
+names in `dimensions`. Its arguments are positive, but for those that have a line in its docstring.
 """
 
 from collections.abc import Callable, Mapping
 from typing import Any
 
 from . import (
-    adhesive_force,
-    chain,
+    aggregates,
+    any_law,
     collision,
     contact,
     conventions,
     dmt,
+    hamaker,
     jkr,
-    jkr_to_dmt,
     maugis,
-    maugis_contact,
     maugis_energies,
-    maugis_states,
-    moment_models,
     pair,
     pressure,
     rolling,
+    tangential,
     validity,
     vibration,
 )
@@ -40,9 +41,17 @@ def _formulas(*modules: Any) -> dict[str, Callable[..., Any]]:
 
 
 PAPER_FORMULAS: Mapping[str, Callable[..., Any]] = _formulas(
-    pair, contact, pressure, jkr, rolling, moment_models, chain, vibration, collision, conventions, validity
+    pair,
+    contact,
+    pressure,
+    jkr,
+    rolling,
+    vibration,
+    collision,
+    conventions,
+    validity,
+    tangential,
+    aggregates,
 )
-LAW_FORMULAS: Mapping[str, Callable[..., Any]] = _formulas(
-    adhesive_force, dmt, jkr_to_dmt, maugis, maugis_contact, maugis_states, maugis_energies
-)
+LAW_FORMULAS: Mapping[str, Callable[..., Any]] = _formulas(any_law, hamaker, dmt, maugis, maugis_energies)
 FORMULAS: Mapping[str, Callable[..., Any]] = {**PAPER_FORMULAS, **LAW_FORMULAS}

@@ -19,10 +19,6 @@ def energy(*, energy_ratio: Number, adhesion_energy: Energy) -> Energy:
 
         W0 = (W0/P_cδ0) P_cδ0
 
-    energy_ratio     [1]  > 0
-    adhesion_energy  [J]  > 0
-
-    Returns:  [J]; a float for floats, an array for arrays, which broadcast.
     Source:   Text below Eq (48).
     Valid:    Always.
     Accuracy: 0.5 ulp above P_cδ0.
@@ -38,10 +34,8 @@ def kinetic_energy(*, mass: Mass, speed: Speed) -> Energy:
 
         W0 = m1v²/2
 
-    mass   [kg]   > 0
     speed  [m/s]  any
 
-    Returns:  [J]; a float for floats, an array for arrays, which broadcast.
     Source:   Caption of Fig. 7.
     Valid:    A sphere that does not spin, moving along the surface of the fixed one.
     Accuracy: 1.5 ulp above its mass.
@@ -57,10 +51,6 @@ def initial_angular_speed(*, energy: Energy, moment_of_inertia: Inertia) -> Angu
 
         ω(0) = √((4/7)W0/I1)
 
-    energy             [J]      > 0
-    moment_of_inertia  [kg m²]  > 0
-
-    Returns:  [rad/s]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (46).
     Valid:    A homogeneous sphere; no energy lost to sliding.
     Accuracy: 1.5 ulp.
@@ -76,10 +66,6 @@ def n_roll(*, energy: Energy, mean_rolling_moment: Moment) -> Number:
 
         n = W0/(7π⟨M⟩) = W0/(14π P_c â^(3/2) ξ)
 
-    energy               [J]    > 0
-    mean_rolling_moment  [N m]  > 0
-
-    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (48), and Eq (49), which is Eq (48) at W0 = P_cδ0.
     Valid:    A sphere that spins in place: Eq (47) leaves out the friction at the contact, which brakes the centre and
               sustains the spin, so that 2/7 of the energy is dissipated and the rest slides away.
@@ -96,10 +82,6 @@ def n_roll_energy_balance(*, energy: Energy, mean_rolling_moment: Moment) -> Num
 
         n = W0/(2π⟨M⟩), which is 7/2 of Eq (48)
 
-    energy               [J]    > 0
-    mean_rolling_moment  [N m]  > 0
-
-    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Caption of Fig. 7: "until all energy is dissipated".
     Valid:    No slip at any time; W0 is the energy of the translation and of the spin.
     Accuracy: 2 ulp above W0 and M.
@@ -115,10 +97,6 @@ def n_roll_after_impact(*, energy: Energy, mean_rolling_moment: Moment) -> Numbe
 
         n = (5/7)W0/(2π⟨M⟩), which is 5/2 of Eq (48)
 
-    energy               [J]    > 0
-    mean_rolling_moment  [N m]  > 0
-
-    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   The angular momentum about the contact is kept while friction spins the sphere up: 5/7 of W0 remain.
     Valid:    A tangential impact on a fixed body 2, short beside the rolling; no slip after it.
     Accuracy: 2 ulp above W0 and M.

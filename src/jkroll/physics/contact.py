@@ -15,10 +15,6 @@ def pull_off_force(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length) -
 
         P_c = 3πγR = (3/2)πwR
 
-    work_of_adhesion  [J/m²]  > 0
-    reduced_radius    [m]     > 0
-
-    Returns:  [N]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (1).
     Valid:    Large, soft spheres (JKR); small, hard ones tend to 4πγR (DMT).
     Accuracy: 2 ulp above w and R.
@@ -34,10 +30,6 @@ def pull_off_force_dmt(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Lengt
 
         P_DMT = 4πγR = 2πwR
 
-    work_of_adhesion  [J/m²]  > 0
-    reduced_radius    [m]     > 0
-
-    Returns:  [N]; a float for floats, an array for arrays, which broadcast.
     Source:   Text below Eq (1): "for very hard spheres, this factor should rather be 4".
     Valid:    Small, hard spheres (Tabor parameter well below 0.1).
     Accuracy: 2 ulp above w and R.
@@ -53,11 +45,6 @@ def pull_off_force_ratio(*, pull_off_force: Force, work_of_adhesion: SurfaceEner
 
         P_c/(πwR)
 
-    pull_off_force    [N]     > 0
-    work_of_adhesion  [J/m²]  > 0
-    reduced_radius    [m]     > 0
-
-    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Definition.
     Valid:    Always.
     Accuracy: 2 ulp above P_c, w and R.
@@ -73,11 +60,6 @@ def contact_radius(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, c
 
         a0 = (9πγR²/E*)^(1/3) = (9πwR²/2E*)^(1/3)
 
-    work_of_adhesion  [J/m²]  > 0
-    reduced_radius    [m]     > 0
-    contact_modulus   [Pa]    > 0
-
-    Returns:  [m]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (2).
     Valid:    a0 ≪ R, and a0 well above the atomic spacing.
     Accuracy: 2 ulp above w, R and E*.
@@ -93,11 +75,6 @@ def approach(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact
 
         δ0 = P_c/(E*a0) = a0²/(3R) = (3π²γ²R/E*²)^(1/3) = (3π²w²R/4E*²)^(1/3)
 
-    work_of_adhesion  [J/m²]  > 0
-    reduced_radius    [m]     > 0
-    contact_modulus   [Pa]    > 0
-
-    Returns:  [m]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (3).
     Valid:    As Eq (2).
     Accuracy: 2 ulp above w, R and E*.
@@ -113,10 +90,8 @@ def load_margin(*, load: Force, pull_off_force: Force) -> Number:
 
         s = √(1 + P/P_c)
 
-    load            [N]  any; tension is negative
-    pull_off_force  [N]  > 0
+    load  [N]  any; tension is negative
 
-    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (5), solved for â^(3/2) = (1 + s)/2.
     Valid:    P ≥ −P_c. Beyond, a float raises ValueError and an array holds NaN.
     Accuracy: 1.5 ulp for the two forces as they are given.
@@ -134,7 +109,6 @@ def load_factor(*, load_margin: Number) -> Number:
 
     load_margin  [1]  ≥ 0; negative between pull-off and the fold
 
-    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (5).
     Valid:    The stable branch.
     Accuracy: 0.5 ulp above s.
@@ -152,12 +126,6 @@ def contact_radius_at_load(
 
         a = a0 x^(2/3) = (9πwR²x²/2E*)^(1/3)
 
-    work_of_adhesion  [J/m²]  > 0
-    reduced_radius    [m]     > 0
-    contact_modulus   [Pa]    > 0
-    load_factor       [1]     > 0
-
-    Returns:  [m]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (5).
     Valid:    As Eq (2); the stable branch.
     Accuracy: 2 ulp above w, R, E* and x.
@@ -183,15 +151,9 @@ def approach_at_load(
 
         δ = δ0(3â² − 2√â) = δ0 x^(1/3) (3s − 1)/2 = δ0 x^(1/3) (8P_c + 9P)/(2P_c(1 + 3s))
 
-    work_of_adhesion  [J/m²]  > 0
-    reduced_radius    [m]     > 0
-    contact_modulus   [Pa]    > 0
-    load              [N]     any; tension is negative
-    pull_off_force    [N]     > 0
-    load_margin       [1]     ≥ 0; negative between pull-off and the fold
-    load_factor       [1]     > 0
+    load         [N]  any; tension is negative
+    load_margin  [1]  ≥ 0; negative between pull-off and the fold
 
-    Returns:  [m]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (6).
     Valid:    x > 0. It passes through 0 at P = −(8/9)P_c, where the last form keeps its digits.
     Accuracy: 4.5 ulp above w, R, E*, P, P_c and s.
@@ -212,11 +174,8 @@ def stiffness(*, contact_modulus: Stress, contact_radius_at_load: Length, load_m
 
         dP/dδ = 6 E*a s/(2 + 3s)
 
-    contact_modulus         [Pa]  > 0
-    contact_radius_at_load  [m]   > 0
-    load_margin             [1]   ≥ 0; negative between pull-off and the fold
+    load_margin  [1]  ≥ 0; negative between pull-off and the fold
 
-    Returns:  [N/m]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (5) and (6); Eq (34) without load.
     Valid:    Small vibrations about the load.
     Accuracy: 3 ulp above E*, a and s for s ≥ 0; beyond, 2 + 3s cancels towards the fold.
@@ -232,10 +191,6 @@ def tangential_stiffness(*, contact_shear_modulus: Stress, contact_radius_at_loa
 
         k_s = 8G*a
 
-    contact_shear_modulus   [Pa]  > 0
-    contact_radius_at_load  [m]   > 0
-
-    Returns:  [N/m]; a float for floats, an array for arrays, which broadcast.
     Source:   As coded in LAMMPS (pair granular, mindlin: 4G/(2 − ν) for identical solids) and Lumajord/DustSimulation.
     Valid:    Small displacements: the contact circle sticks.
     Accuracy: 0.5 ulp.
@@ -244,40 +199,3 @@ def tangential_stiffness(*, contact_shear_modulus: Stress, contact_radius_at_loa
     48.0
     """
     return 8 * contact_shear_modulus * contact_radius_at_load
-
-
-def load_ratio(*, contact_radius_ratio: Number) -> Number:
-    """Return the load at a contact radius, over the pull-off force.
-
-        P̂ = 4(â³ − â^(3/2))
-
-    contact_radius_ratio  [1]  ≥ 0
-
-    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
-    Source:   Eq (5).
-    Valid:    â ≥ 0, both branches.
-    Accuracy: 3 ulp of the larger term.
-
-    >>> load_ratio(contact_radius_ratio=1.0)
-    0.0
-    """
-    x = contact_radius_ratio * sqrt(contact_radius_ratio)
-    return 4 * x * (x - 1)
-
-
-def approach_ratio(*, contact_radius_ratio: Number) -> Number:
-    """Return the approach at a contact radius, over the one without load.
-
-        δ̂ = 3â² − 2√â
-
-    contact_radius_ratio  [1]  ≥ 0
-
-    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
-    Source:   Eq (6).
-    Valid:    â ≥ 0, both branches.
-    Accuracy: 2 ulp of the larger term.
-
-    >>> approach_ratio(contact_radius_ratio=1.0)
-    1.0
-    """
-    return 3 * contact_radius_ratio**2 - 2 * sqrt(contact_radius_ratio)

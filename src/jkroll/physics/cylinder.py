@@ -23,13 +23,9 @@ def symmetric_pressure(
 
         p_s = (E′/2R)[√(a² − x²) + (C − a²/2)/√(a² − x²)]
 
-    position              [m]   any
-    contact_half_width    [m]   > 0
-    cylinder_radius       [m]   > 0
-    plane_strain_modulus  [Pa]  > 0
-    load_constant         [m²]  any
+    position       [m]   any
+    load_constant  [m²]  any
 
-    Returns:  [Pa]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (56), which solves Eq (51).
     Valid:    |x| < a ≪ R, C ≤ a²/2; beyond, the surfaces would interpenetrate outside the strip.
     Accuracy: 7 ulp of the largest term.
@@ -56,14 +52,9 @@ def asymmetric_pressure(
 
         p_a = (E′/2R)[√(a² − X²) + (C − a²/2 + ξX)/√(a² − X²)]
 
-    position_in_strip     [m]   −a to a
-    contact_half_width    [m]   > 0
-    yield_displacement    [m]   > 0
-    cylinder_radius       [m]   > 0
-    plane_strain_modulus  [Pa]  > 0
-    load_constant         [m²]  any
+    position_in_strip  [m]   −a to a
+    load_constant      [m²]  any
 
-    Returns:  [Pa]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (64), which solves Eq (51). The C inside Eq (63) is minus this one.
     Valid:    |X| < a ≪ R, ξ ≤ a/2 − C/a; beyond, the leading edge, X = a, would interpenetrate.
     Accuracy: 7 ulp of the largest term.
@@ -82,11 +73,8 @@ def load_per_length(*, cylinder_radius: Length, plane_strain_modulus: Stress, lo
 
         P = πE′C/(2R)
 
-    cylinder_radius       [m]   > 0
-    plane_strain_modulus  [Pa]  > 0
-    load_constant         [m²]  any
+    load_constant  [m²]  any
 
-    Returns:  [N/m]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (59) and (65): it does not depend on ξ.
     Valid:    a ≪ R.
     Accuracy: 2.5 ulp.
@@ -102,11 +90,6 @@ def load_constant(*, load_per_length: ForcePerLength, cylinder_radius: Length, p
 
         C = 2PR/(πE′)
 
-    load_per_length       [N/m]  > 0
-    cylinder_radius       [m]    > 0
-    plane_strain_modulus  [Pa]   > 0
-
-    Returns:  [m²]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (59) and (65), solved for C.
     Valid:    a ≪ R.
     Accuracy: 3 ulp.
@@ -124,12 +107,6 @@ def strip_moment(
 
         M(X = 0) = πE′a²ξ/(4R)
 
-    contact_half_width    [m]   > 0
-    yield_displacement    [m]   > 0
-    cylinder_radius       [m]   > 0
-    plane_strain_modulus  [Pa]  > 0
-
-    Returns:  [N]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (68).
     Valid:    As Eq (64).
     Accuracy: 3.5 ulp.
@@ -154,13 +131,8 @@ def contact_point_moment(
 
         M(x = 0) = M(X = 0) − ξP = (π/4)(E′/R)ξ(a² − 2C)
 
-    contact_half_width    [m]   > 0
-    yield_displacement    [m]   > 0
-    cylinder_radius       [m]   > 0
-    plane_strain_modulus  [Pa]  > 0
-    load_constant         [m²]  any
+    load_constant  [m²]  any
 
-    Returns:  [N]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (69) and (70), which has +2C for −2C and ≈ for =.
     Valid:    As Eq (64). Without adhesion it vanishes.
     Accuracy: 6 ulp of the larger term.
@@ -176,30 +148,6 @@ def contact_point_moment(
 # --- The trick of Sect. 4.1 in two dimensions: the strip as two halves at the same load -----------------------------
 
 
-def half_strip_moment(
-    *, half_strip_width: Length, cylinder_radius: Length, plane_strain_modulus: Stress, load_constant: Area
-) -> MomentPerLength:
-    """Return the moment of one half of a symmetric strip about the contact point, per length.
-
-        M½ = (E′/2R)(C𝒜 − 𝒜³/6)
-
-    half_strip_width      [m]   > 0
-    cylinder_radius       [m]   > 0
-    plane_strain_modulus  [Pa]  > 0
-    load_constant         [m²]  any
-
-    Returns:  [N]; a float for floats, an array for arrays, which broadcast.
-    Source:   Eq (76).
-    Valid:    𝒜 ≪ R.
-    Accuracy: 5 ulp of the larger term.
-
-    >>> half_strip_moment(half_strip_width=6.0, cylinder_radius=0.5, plane_strain_modulus=1.0, load_constant=7.0)
-    6.0
-    """
-    area = load_constant - half_strip_width * half_strip_width / 6
-    return plane_strain_modulus / (2 * cylinder_radius) * half_strip_width * area
-
-
 def half_strips_moment(
     *,
     contact_half_width: Length,
@@ -212,13 +160,8 @@ def half_strips_moment(
 
         M = M½(a − ξ) − M½(a + ξ) = (E′/2R)ξ(a² − 2C + ξ²/3)
 
-    contact_half_width    [m]   > 0
-    yield_displacement    [m]   > 0
-    cylinder_radius       [m]   > 0
-    plane_strain_modulus  [Pa]  > 0
-    load_constant         [m²]  any
+    load_constant  [m²]  any
 
-    Returns:  [N]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (76) and (77), multiplied out so that no digit is lost.
     Valid:    ξ < a. Where ξ ≪ a it is Eq (78), 2/π of the exact Eq (70) for any load.
     Accuracy: 6 ulp of the largest term.

@@ -13,12 +13,16 @@ state, the edge ratio v = a/√(c² − a²): it is large where the ring is narr
 
     n = √(1 + v²)    θ = arctan(1/v)    h = tan(θ/2) = 1/(n + v)
     G1 = v + (1 − v²)θ    G2 = θ − h    G3 = v + n²θ    D = vh + n²θ²
+
+At an extreme, at a load and at an approach, v is the root of a smooth function, found by Newton's method from a start that is
+near enough for a fixed number of steps.
 """
 
 import math
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
-from .elementary import arctan, at_least, cbrt, pi, sqrt, where
+from .elementary import arctan, at_least, at_most, cbrt, is_any, pi, sqrt, where, within
 
 FOLD_WITHOUT_CONTACT = 0.9379474572107123  # (9π/(16(π − 1)))^(1/3): below, a vanishes before fixed grips let go
 JUMP_WITHOUT_CONTACT = 0.6551853485522241  # (9/32)^(1/3): below, approaching spheres attract before they touch
@@ -30,6 +34,12 @@ _LAG_COEFFICIENTS = tuple(4 * k / (4 * k * k - 1) for k in range(11, 0, -1))
 def length_unit(work_of_adhesion: Any, reduced_radius: Any, contact_modulus: Any) -> Any:
     """Return the unit of lengths along the surface, (πwR²/K)^(1/3)."""
     return cbrt(3 / 4 * pi * (work_of_adhesion / contact_modulus) * reduced_radius * reduced_radius)
+
+
+def approach_unit(work_of_adhesion: Any, reduced_radius: Any, contact_modulus: Any) -> Any:
+    """Return the unit of approaches, (π²w²R/K²)^(1/3)."""
+    strain = 3 / 4 * pi * (work_of_adhesion / contact_modulus)
+    return cbrt(strain * strain * reduced_radius)
 
 
 class Shape(NamedTuple):
@@ -62,7 +72,8 @@ def _lag(at: Shape) -> Any:
     for coefficient in _LAG_COEFFICIENTS:
         narrow = (coefficient - narrow) * square
     wide = 1 - at.v * at.theta
-    return wide + (at.h < _NARROW) * (narrow - wide)  # of an array in no order, numpy.where takes ten times as long
+    is_narrow = at.h < _NARROW
+    return is_narrow * narrow + (1 - is_narrow) * wide  # of an array in no order, numpy.where takes ten times as long
 
 
 def g1(at: Shape) -> Any:
@@ -139,3 +150,151 @@ def energy(transition: Any, at: Shape, span: Any, approach: Any) -> Any:
     pull = (theta - v * lag) * (spread - approach)
     inner = 4 / 9 * transition * span * (v + 2 * n) * at.h * at.h
     return 3 / 4 * punch - outside * outside + transition * square * (square * ring / 4 + pull - inner)
+
+
+# --- States: roots by Newton's method ---------------------------------------------------------------------------------
+
+_STEPS = 3  # of Newton's method, each of which squares the error
+_FAR = 32.0  # √(1 + P/P_c) beyond which another start is taken, and twice as many steps
+_TINY = 1e-300  # in place of a slope of 0
+
+# --- Extremes -------------------------------------------------------------------------------------------------------
+
+
+def pull_off_ratio(transition: Any) -> Any:
+    """Return v where the tension is largest."""
+    return _nearer_to_pull_off(transition, pull_off(transition)[0])
+
+
+def pull_off(transition: Any) -> tuple[Any, Any]:
+    """Return v at pull-off to 3e-8, from a fit to 4e-4, and with all digits the tension, which is stationary there."""
+    square = 0.2900717 / transition - 0.7981143
+    square = square / (1 + transition * (1.456039 + transition * (0.960759 + transition * 0.109797)))
+    v = _nearer_to_pull_off(transition, transition / sqrt(1.3103706971044482 + square))
+    at = shape(v)
+    return v, -load(transition, at, span(transition, at))
+
+
+def _nearer_to_pull_off(transition: Any, v: Any) -> Any:
+    """Return v after a step of Newton's method towards pull-off."""
+    at = shape(v)
+    d_slope = at.h * (1 - v / at.n) + 2 * at.theta * (v * at.theta - 1)
+    growth = 1 / v + 2 * v * at.theta / at.g3 - d_slope / at.d
+    return _step_to(transition, at, v * at.g3 / at.d, growth)
+
+
+def fold_ratio(transition: Any) -> Any:
+    """Return v where fixed grips let go; 0 where they hold on to spheres that no longer touch."""
+    beyond = at_least(transition - FOLD_WITHOUT_CONTACT, 0.0)
+    difference = beyond - 0.46
+    v = (difference + sqrt(difference * difference + 6.6 * beyond)) / 3.3
+    for _ in range(_STEPS):
+        at = shape(v)
+        v = at_least(_step_to(transition, at, at.g3 / at.h, 2 * v * at.theta / at.g3 + 1 / at.n), 0.0)
+    return where(beyond == 0, 0.0, v)
+
+
+def lowest_approach(transition: Any) -> Any:
+    """Return δ at the fold, in contact or apart."""
+    v = fold_ratio(transition)
+    at = shape(v)
+    b = 8 / (3 * pi) * transition
+    apart = -b * b / 2 - 2 / (pi * transition)
+    return where(v == 0, apart, approach(transition, at, span(transition, at)))
+
+
+def _step_to(transition: Any, at: Shape, q: Any, growth: Any) -> Any:
+    """Return v after a step of Newton's method towards the v whose extreme belongs to λ.
+
+    λ = ¾qT with T³ = 8/(3q(G1 + 2qG2)) is the one whose extreme is at v; `growth` is d ln q/dv.
+    """
+    v, n = at.v, at.n
+    g = g1(at) + 2 * q * at.g2
+    own = cbrt(9 / 8 * (q / g) * q)
+    g1_slope = 2 * v * (v / (n * n) - at.theta)
+    g2_slope = at.h / n - 1 / (n * n)
+    slope = own * (2 * growth - (g1_slope + 2 * q * (growth * at.g2 + g2_slope)) / g) / 3
+    return v + (transition - own) / slope
+
+
+# --- States ---------------------------------------------------------------------------------------------------------
+
+
+def ratio_at_load(transition: Any, load_in_units: Any) -> Any:
+    """Return v of the stable contact at a load; there is none beyond pull-off.
+
+    The start is a fit, to 15 % up to 10³ pull-off forces, and in a wide contact that of Hertz: the steps leave 1e-16.
+    """
+    least, tension = pull_off(transition)
+    margin = load_in_units + tension
+    aim = sqrt(within(margin >= 0, margin))
+    reach = aim / sqrt(tension)
+    root = sqrt(transition)
+    cube = root * transition
+    scale = cube / (cube + 0.65 + 1.2 * root / (1 + 9 * transition))
+    power = (1 + 1 / ((1 + 0.82 * root) * (1 + 0.82 * root))) / 3
+    start = least * (1 + reach / scale) ** power
+
+    def curve(at: Shape) -> tuple[Any, Any]:
+        wide = span(transition, at)
+        q = 4 / 3 * transition / wide
+        slope = 3 / 2 * wide * (at.v * at.g3 - q * at.d) * _stretch(transition, at, wide, q)
+        return load(transition, at, wide) + tension, slope
+
+    is_far = reach > _FAR
+    if not is_any(is_far):
+        return _root(curve, aim, start, least, power)
+    start = where(is_far, _in_wide_contact(transition, cbrt(at_least(load_in_units, 0.0))), start)
+    v = _root(curve, aim, start, least, power)
+    return where(is_far, _root(curve, aim, v, least, power), v)
+
+
+def ratio_at_approach(transition: Any, approach_in_units: Any) -> Any:
+    """Return v of the state that fixed grips hold at an approach: 0 without contact; there is none beyond the fold."""
+    least = fold_ratio(transition)
+    at = shape(least)
+    lowest = approach(transition, at, span(transition, at))
+    excess = within(approach_in_units >= lowest_approach(transition), approach_in_units - lowest)
+    excess = at_least(excess, 0.0)
+    aim = sqrt(excess)
+    start = least + (sqrt(aim * transition * (aim + transition)) + cbrt(transition * excess)) / 2
+    start = where(aim > 100, _in_wide_contact(transition, sqrt(at_least(approach_in_units, 0.0))), start)
+
+    def curve(at: Shape) -> tuple[Any, Any]:
+        wide = span(transition, at)
+        return approach(transition, at, wide) - lowest, approach_slope(transition, at, wide)
+
+    return _root(curve, aim, _root(curve, aim, start, least), least)
+
+
+def approach_slope(transition: Any, at: Shape, span: Any) -> Any:
+    """Return dδ/dv of a contact."""
+    q = 4 / 3 * transition / span
+    return (at.g3 - q * at.h) * _stretch(transition, at, span, q)
+
+
+def _in_wide_contact(transition: Any, radius: Any) -> Any:
+    """Return v of a ring around a contact whose radius is Hertz': wide, v² = (π/4)λa², or narrow, v³ = ⅔λa² + ⅔λ²av."""
+    area = transition * radius * radius
+    return at_most(sqrt(pi / 4 * area), cbrt(2 / 3 * area)) + transition * sqrt(2 / 3 * radius)
+
+
+def _stretch(transition: Any, at: Shape, span: Any, q: Any) -> Any:
+    """Return the factor that dP/dv and dδ/dv have in common, T²v(2 + q)/(n²(G1 + qG2)), with G1 = 2/(λT²) − 2qG2."""
+    square = span * span
+    return square * at.v * (2 + q) / (at.n * at.n * (2 / (transition * square) - q * at.g2))
+
+
+def _root(curve: Callable[[Shape], tuple[Any, Any]], aim: Any, start: Any, least: Any, power: Any = 1.0) -> Any:
+    """Return the v where the root of a curve is `aim`, by Newton's method in v^(1/power).
+
+    The curve is the load or the approach above its least. Its root has a slope at the least as well, and under a load is
+    almost a straight line over v^(1/power). The bounds matter where rounding has the last word.
+    """
+    v, most = start, start + (start - least)
+    for _ in range(_STEPS):
+        value, slope = curve(shape(v))
+        root = sqrt(at_least(value, 0.0))
+        growth = 1 - 2 * root * (root - aim) / at_least(power * v * slope, _TINY)
+        v = at_most(at_least(v * at_least(growth, 0.0) ** power, least), most)
+    return v

@@ -1,4 +1,4 @@
-"""The JKR contact at any state: at a load or at an approach, on both branches, and the energies between its states.
+"""The JKR contact at any state that fixed grips hold, and the energies between its states.
 
 One variable describes a state: x = â^(3/2) (`load_factor`). It is 1 without load, 1/2 at pull-off, 1/6 at the fold where
 fixed grips let go, and runs down to 0 on the unstable branch. Loads have two states for −P_c < P < 0, approaches have
@@ -10,12 +10,12 @@ from __future__ import annotations
 from typing import Any
 
 from .dimensions import Energy, Force, Length, Number, Stress, SurfaceEnergy
-from .elementary import cbrt, cube, pi, sqrt, where, within
+from .elementary import cbrt, pi, sqrt, where, within
 
 FOLD_APPROACH = -0.8254818122236567  # −(3/4)^(2/3), the least δ̂, rounded
 FOLD_APPROACH_REST = 1.4776601947357812e-17  # what rounding took from it
 CBRT_6 = cbrt(6.0)
-NEWTON_STEPS = 6  # from the starts below; a seventh changes nothing
+NEWTON_STEPS = 6  # from the start below; a seventh changes nothing
 
 # Energies between states of the curve, in P_cδ0: from ∫P̂ dδ̂ = 24/5 y^10 − 8y^7 + 2y^4 with y = √â.
 WELL = 6 / 5
@@ -29,9 +29,6 @@ def load_margin_of_factor(*, load_factor: Number) -> Number:
 
         s = 2x − 1
 
-    load_factor  [1]  > 0
-
-    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (5), as x = (1 + s)/2.
     Valid:    0 < x.
     Accuracy: 0.5 ulp of 2x.
@@ -47,10 +44,6 @@ def load_at_factor(*, pull_off_force: Force, load_factor: Number) -> Force:
 
         P = 4P_c(x² − x)
 
-    pull_off_force  [N]  > 0
-    load_factor     [1]  > 0
-
-    Returns:  [N]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (5).
     Valid:    0 < x, both branches.
     Accuracy: 2 ulp above P_c and x − 1.
@@ -67,9 +60,7 @@ def load_factor_at_approach(*, approach_at_load: Length, approach: Length) -> Nu
         3x^(4/3) − 2x^(1/3) = δ/δ0
 
     approach_at_load  [m]  any
-    approach          [m]  > 0
 
-    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (6), solved by Newton's method in η = x^(1/3)/x_fold^(1/3) − 1: η²(3 + 2η + η²/2) = 6^(1/3)(δ̂ − δ̂_fold).
     Valid:    δ̂ ≥ −(3/4)^(2/3). Beyond, a float raises ValueError and an array holds NaN.
     Accuracy: 2 ulp for the ratio δ̂ as it is rounded, also at the fold, where the state itself is ill-conditioned.
@@ -86,9 +77,7 @@ def load_margin_at_approach(*, approach_at_load: Length, approach: Length) -> Nu
         s = 2x − 1 = (1 + 2(δ/δ0)/x^(1/3))/3
 
     approach_at_load  [m]  any
-    approach          [m]  > 0
 
-    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (5) and (6), as `load_factor_at_approach`; where δ passes through 0 it keeps the digits that 2x − 1 loses.
     Valid:    δ̂ ≥ −(3/4)^(2/3). Beyond, a float raises ValueError and an array holds NaN.
     Accuracy: 4 ulp of the larger term, for the ratio δ̂ as it is rounded.
@@ -99,64 +88,12 @@ def load_margin_at_approach(*, approach_at_load: Length, approach: Length) -> Nu
     return (1 + 2 * _approach_over_root(approach_at_load / approach)) / 3
 
 
-def load_factor_at_load_unstable(*, load: Force, pull_off_force: Force, load_margin: Number) -> Number:
-    """Return the state on the unstable branch, x = â^(3/2), at a tension.
-
-        x = (1 − s)/2 = −P/(2P_c(1 + s))
-
-    load            [N]  any; tension is negative
-    pull_off_force  [N]  > 0
-    load_margin     [1]  ≥ 0; negative between pull-off and the fold
-
-    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
-    Source:   Eq (5).
-    Valid:    −P_c ≤ P ≤ 0.
-    Accuracy: 2 ulp above s.
-
-    >>> load_factor_at_load_unstable(load=-1.0, pull_off_force=1.0, load_margin=0.0)
-    0.5
-    """
-    return within(load <= 0, -load / pull_off_force / (2 * (1 + load_margin)))
-
-
-def load_factor_at_approach_unstable(*, approach_at_load: Length, approach: Length) -> Number:
-    """Return the state on the unstable branch, x = â^(3/2), at an approach of the centres between the fold and 0.
-
-        3x^(4/3) − 2x^(1/3) = δ/δ0
-
-    approach_at_load  [m]  any
-    approach          [m]  > 0
-
-    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
-    Source:   Eq (6), solved by Newton's method.
-    Valid:    −(3/4)^(2/3) ≤ δ̂ ≤ 0. Elsewhere, a float raises ValueError and an array holds NaN.
-    Accuracy: 1.5 ulp for the ratio δ̂ as it is rounded, also at the fold.
-
-    >>> load_factor_at_approach_unstable(approach_at_load=0.0, approach=1.0)
-    0.0
-    """
-    return _unstable_factor(approach_at_load / approach)
-
-
 def _approach_over_root(approach_ratio: Any) -> Any:
     """Return δ̂/y = 3x − 2 on the stable branch, y = x^(1/3), at δ̂ ≥ δ̂_fold; an error of y counts once in it."""
     excess = _excess(approach_ratio)
     start = where(excess < 3, sqrt(excess / 3), sqrt(sqrt(2 * excess)))
     y = (1 + _root_of_excess(start, excess)) / CBRT_6
     return approach_ratio / y
-
-
-def _unstable_factor(approach_ratio: Any) -> Any:
-    """Return x = y³ on the unstable branch, at δ̂_fold ≤ δ̂ ≤ 0: y by η near the fold, elsewhere from 2y = 3y⁴ − δ̂."""
-    excess = _excess(within(approach_ratio <= 0, approach_ratio))
-    is_near_fold = excess < 0.5
-    near = where(is_near_fold, excess, 0.5)
-    near_fold = (1 + _root_of_excess(-sqrt(near / 3), near)) / CBRT_6
-    depth = where(is_near_fold, 0.5, -approach_ratio)
-    y = depth / 2
-    for _ in range(NEWTON_STEPS):
-        y = y + (3 * y * cube(y) - 2 * y + depth) / (2 - 12 * cube(y))
-    return cube(within(excess >= 0, where(is_near_fold, near_fold, y)))
 
 
 def _excess(approach_ratio: Any) -> Any:
@@ -181,11 +118,6 @@ def adhesion_energy(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, 
 
         W = P_c δ0 = (3/2)πwR (3π²w²R/(4E*²))^(1/3) = wR (81π⁵w²R/(32E*²))^(1/3)
 
-    work_of_adhesion  [J/m²]  > 0
-    reduced_radius    [m]     > 0
-    contact_modulus   [Pa]    > 0
-
-    Returns:  [J]; a float for floats, an array for arrays, which broadcast.
     Source:   Text below Eq (48), with JKR's P_c and δ0, Eqs (1) and (3).
     Valid:    The largest energy that sticks is 0.7722 P_cδ0.
     Accuracy: 4 ulp above w, R and E*.
@@ -203,9 +135,6 @@ def well_energy(*, adhesion_energy: Energy) -> Energy:
 
         (6/5) P_cδ0
 
-    adhesion_energy  [J]  > 0
-
-    Returns:  [J]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (5) and (6).
     Valid:    JKR; quasi-static.
     Accuracy: 1.5 ulp above w, R and E*.
@@ -221,9 +150,6 @@ def pull_off_work(*, adhesion_energy: Energy) -> Energy:
 
         (6/5 + (2/15)6^(−1/3)) P_cδ0 = 1.2733762 P_cδ0
 
-    adhesion_energy  [J]  > 0
-
-    Returns:  [J]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (5) and (6).
     Valid:    JKR; quasi-static; the jump at the fold dissipates what is left.
     Accuracy: 1.5 ulp above w, R and E*.
@@ -239,9 +165,6 @@ def pull_off_work_at_dead_load(*, adhesion_energy: Energy) -> Energy:
 
         (6 − 4^(1/3))/5 P_cδ0 = 0.8825198 P_cδ0
 
-    adhesion_energy  [J]  > 0
-
-    Returns:  [J]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (5) and (6).
     Valid:    JKR; quasi-static up to the jump at P = −P_c.
     Accuracy: 1.5 ulp above w, R and E*.
@@ -259,9 +182,6 @@ def sticking_energy(*, adhesion_energy: Energy) -> Energy:
 
         ((2/15)6^(−1/3) + (4/5)(2/3)^(1/3)) P_cδ0 = 0.7722405 P_cδ0
 
-    adhesion_energy  [J]  > 0
-
-    Returns:  [J]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (5) and (6); text below Eq (48) has P_cδ0 as its order of magnitude.
     Valid:    JKR; no other loss.
     Accuracy: 1.5 ulp above w, R and E*.

@@ -1,4 +1,4 @@
-"""The state of a contact between JKR and DMT at a load or an approach: Maugis' theory, in SI units.
+"""A contact between JKR and DMT: Maugis' theory, in SI units.
 
 A constant stress σ0 pulls in a ring around the contact circle, a < r < c, up to a gap w/σ0. Two numbers describe a state:
 the edge ratio v = a/√(c² − a²), found at a load or at an approach, and the span T = √(c² − a²) of the ring. Where the
@@ -7,9 +7,9 @@ spheres attract without contact, v is 0 and T is c. `dugdale` has the same curve
 
 from __future__ import annotations
 
-from . import dugdale, dugdale_roots
-from .dimensions import Force, Length, Number, Stress, SurfaceEnergy
-from .elementary import pi, where
+from . import dugdale
+from .dimensions import Force, Length, Number, Stiffness, Stress, SurfaceEnergy
+from .elementary import arctan, at_least, pi, sqrt, where
 
 
 def edge_ratio_at_load(
@@ -19,21 +19,17 @@ def edge_ratio_at_load(
 
         v = a/√(c² − a²)
 
-    load                  [N]     any; tension is negative
-    work_of_adhesion      [J/m²]  > 0
-    reduced_radius        [m]     > 0
-    transition_parameter  [1]     > 0
+    load  [N]  any; tension is negative
 
-    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Maugis 1992, by Newton's method.
     Valid:    Loads above pull-off. Below, a float raises ValueError and an array holds NaN.
-    Accuracy: 10 ulp, times 1 plus its condition in the load and λ.
+    Accuracy: 8 ulp, times 1 plus its condition in the load and λ.
 
     >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0}
     >>> round(edge_ratio_at_load(load=0.0, transition_parameter=1.0, **unit), 7)
     1.4102117
     """
-    return dugdale_roots.ratio_at_load(transition_parameter, load / (pi * work_of_adhesion * reduced_radius))
+    return dugdale.ratio_at_load(transition_parameter, load / (pi * work_of_adhesion * reduced_radius))
 
 
 def edge_ratio_at_approach(
@@ -48,23 +44,18 @@ def edge_ratio_at_approach(
 
         v = a/√(c² − a²)
 
-    approach_at_load      [m]     any
-    work_of_adhesion      [J/m²]  > 0
-    reduced_radius        [m]     > 0
-    contact_modulus       [Pa]    > 0
-    transition_parameter  [1]     > 0
+    approach_at_load  [m]  any
 
-    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Maugis 1992, by Newton's method.
     Valid:    Approaches above the fold. Beyond, a float raises ValueError and an array holds NaN.
-    Accuracy: 10 ulp, times 1 plus its condition in the approach and λ.
+    Accuracy: 8 ulp, times 1 plus its condition in the approach and λ.
 
     >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
     >>> edge_ratio_at_approach(approach_at_load=-3.0, transition_parameter=0.2, **unit)
     0.0
     """
-    unit = dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
-    return dugdale_roots.ratio_at_approach(transition_parameter, approach_at_load / unit / unit * reduced_radius)
+    unit = dugdale.approach_unit(work_of_adhesion, reduced_radius, contact_modulus)
+    return dugdale.ratio_at_approach(transition_parameter, approach_at_load / unit)
 
 
 def zone_span(
@@ -79,16 +70,11 @@ def zone_span(
 
         T = (πwR²/K)^(1/3)/(⅔λ²G2 + √((⅔λ²G2)² + λG1/2))
 
-    edge_ratio            [1]     ≥ 0; 0 without contact
-    work_of_adhesion      [J/m²]  > 0
-    reduced_radius        [m]     > 0
-    contact_modulus       [Pa]    > 0
-    transition_parameter  [1]     > 0
+    edge_ratio  [1]  ≥ 0; 0 without contact
 
-    Returns:  [m]; a float for floats, an array for arrays, which broadcast.
     Source:   Maugis 1992, solved for T.
     Valid:    Contact.
-    Accuracy: 6 ulp, times 1 plus its condition in v.
+    Accuracy: 6 ulp above v.
 
     >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
     >>> round(zone_span(edge_ratio=1.0, transition_parameter=1.0, **unit), 7)
@@ -111,24 +97,340 @@ def zone_span_at_approach(
 
         c²/2 − bc = δ + 2/(πλ), b = 8λ/3π without contact, in the units of `dugdale`
 
-    edge_ratio            [1]     ≥ 0; 0 without contact
-    approach_at_load      [m]     any
-    work_of_adhesion      [J/m²]  > 0
-    reduced_radius        [m]     > 0
-    contact_modulus       [Pa]    > 0
-    transition_parameter  [1]     > 0
+    edge_ratio        [1]  ≥ 0; 0 without contact
+    approach_at_load  [m]  any
 
-    Returns:  [m]; a float for floats, an array for arrays, which broadcast.
     Source:   Maugis 1992; Johnson & Greenwood 1997.
     Valid:    Approaches above the fold.
-    Accuracy: 6 ulp, times 1 plus its condition.
+    Accuracy: 6 ulp above v; without contact, times 1 plus its condition in the approach and λ.
 
     >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
     >>> c = zone_span_at_approach(edge_ratio=0.0, approach_at_load=-20 / pi, transition_parameter=0.1, **unit)
     >>> round(c * 3 * pi / 1.6, 12)
     1.0
     """
-    unit = dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
+    unit = dugdale.approach_unit(work_of_adhesion, reduced_radius, contact_modulus)
     touching = dugdale.span(transition_parameter, dugdale.shape(edge_ratio))
-    apart = dugdale.span_apart(transition_parameter, approach_at_load / unit / unit * reduced_radius)
-    return unit * where(edge_ratio > 0, touching, apart)
+    apart = dugdale.span_apart(transition_parameter, approach_at_load / unit)
+    span = where(edge_ratio == 0, apart, touching)
+    return span * dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
+
+
+# --- Radii, load, approach and stiffness in a state -------------------------------------------------------------------
+
+
+def contact_radius_maugis(*, edge_ratio: Number, zone_span: Length) -> Length:
+    """Return the radius of the contact circle; 0 where the spheres attract without contact.
+
+        a = vT
+
+    edge_ratio  [1]  ≥ 0; 0 without contact
+
+    Source:   Maugis 1992.
+    Valid:    a ≪ R.
+    Accuracy: 0.5 ulp above v and T.
+
+    >>> contact_radius_maugis(edge_ratio=2.0, zone_span=3.0)
+    6.0
+    """
+    return edge_ratio * zone_span
+
+
+def zone_radius(*, edge_ratio: Number, zone_span: Length) -> Length:
+    """Return the radius of the edge of the ring of attraction, where bonds break.
+
+        c = T√(1 + v²)
+
+    edge_ratio  [1]  ≥ 0; 0 without contact
+
+    Source:   Maugis 1992.
+    Valid:    c ≪ R.
+    Accuracy: 2 ulp above v and T.
+
+    >>> zone_radius(edge_ratio=0.75, zone_span=4.0)
+    5.0
+    """
+    return zone_span * sqrt(1 + edge_ratio * edge_ratio)
+
+
+def approach_maugis(
+    *,
+    edge_ratio: Number,
+    zone_span: Length,
+    reduced_radius: Length,
+    contact_modulus: Stress,
+    cohesive_stress: Stress,
+) -> Length:
+    """Return the approach of the centres at which a contact is in a state.
+
+        δ = a²/R − 2σ0T/E*
+
+    edge_ratio  [1]  ≥ 0; 0 without contact
+
+    Source:   Maugis 1992.
+    Valid:    Contact.
+    Accuracy: 3 ulp of the larger term, above v and T.
+
+    >>> approach_maugis(edge_ratio=2.0, zone_span=1.0, reduced_radius=1.0, contact_modulus=1.0, cohesive_stress=0.5)
+    3.0
+    """
+    a = edge_ratio * zone_span
+    return a * a / reduced_radius - 2 * cohesive_stress / contact_modulus * zone_span
+
+
+def approach_maugis_at_load(
+    *,
+    load: Force,
+    edge_ratio: Number,
+    zone_span: Length,
+    reduced_radius: Length,
+    contact_modulus: Stress,
+    cohesive_stress: Stress,
+) -> Length:
+    """Return the approach of the centres of a contact whose load is known.
+
+        δ = 3P/(4E*a) + (σ0T/(2E*))(3(v + 1/v)θ − 1), θ = arctan(1/v), in which less cancels where v > 1
+        δ of `approach_maugis` elsewhere
+
+    load  [N]  tension negative; the one at which the contact has this edge ratio
+
+    Source:   Maugis 1992.
+    Valid:    Contact.
+    Accuracy: 5 ulp of the larger term, above v and T.
+
+    >>> approach_maugis_at_load(
+    ...     load=4.0, edge_ratio=3.0, zone_span=1.0, reduced_radius=9.0, contact_modulus=1.0, cohesive_stress=0.0
+    ... )
+    1.0
+    """
+    depth = cohesive_stress / contact_modulus * zone_span
+    narrow = at_least(edge_ratio, 1.0)
+    of_load = 3 / 4 * load / (contact_modulus * zone_span * narrow)
+    of_narrow = of_load + depth * (3 / 2 * (narrow + 1 / narrow) * arctan(1 / narrow) - 1 / 2)
+    of_wide = approach_maugis(
+        edge_ratio=edge_ratio,
+        zone_span=zone_span,
+        reduced_radius=reduced_radius,
+        contact_modulus=contact_modulus,
+        cohesive_stress=cohesive_stress,
+    )
+    return where(edge_ratio > 1, of_narrow, of_wide)
+
+
+def load_maugis(
+    *,
+    edge_ratio: Number,
+    zone_span: Length,
+    reduced_radius: Length,
+    contact_modulus: Stress,
+    cohesive_stress: Stress,
+) -> Force:
+    """Return the load that holds a state, in contact or apart.
+
+        P = 4E*a³/(3R) − 2σ0(aT + c²θ), θ = arctan(1/v)
+
+    edge_ratio  [1]  ≥ 0; 0 without contact
+
+    Source:   Maugis 1992.
+    Valid:    Always.
+    Accuracy: 5 ulp of the larger term, above v and T.
+
+    >>> from math import pi
+    >>> load_maugis(edge_ratio=0.0, zone_span=1.0, reduced_radius=1.0, contact_modulus=1.0, cohesive_stress=1 / pi)
+    -1.0
+    """
+    a = edge_ratio * zone_span
+    hertz = 4 / 3 * contact_modulus / reduced_radius * a * a * a
+    return hertz - 2 * cohesive_stress * zone_span * zone_span * dugdale.shape(edge_ratio).g3
+
+
+def stiffness_maugis(
+    *,
+    edge_ratio: Number,
+    zone_span: Length,
+    reduced_radius: Length,
+    contact_modulus: Stress,
+    cohesive_stress: Stress,
+) -> Stiffness:
+    """Return the normal stiffness of a state, in contact or apart; negative where only fixed grips hold the spheres.
+
+        dP/dδ = 2E*T (vG3 − qD)/(G3 − qh), q = 2σ0R/(E*T); the functions of v are those of `dugdale`
+
+    edge_ratio  [1]  ≥ 0; 0 without contact
+
+    Source:   Derivative of Maugis' solution along its curve.
+    Valid:    Above the fold.
+    Accuracy: 6 ulp, times 1 plus its condition in v, T and σ0.
+
+    >>> stiffness_maugis(edge_ratio=1.0, zone_span=1.0, reduced_radius=1.0, contact_modulus=1.0, cohesive_stress=0.0)
+    2.0
+    """
+    at = dugdale.shape(edge_ratio)
+    q = 2 * cohesive_stress / contact_modulus * (reduced_radius / zone_span)
+    return 2 * contact_modulus * zone_span * dugdale.stiffness_ratio(at, q)
+
+
+def adhesive_force_maugis(*, edge_ratio: Number, zone_span: Length, cohesive_stress: Stress) -> Force:
+    """Return Hertz' load at the contact radius less the load: the rolling moment per displacement of the ring of attraction.
+
+        F_a = 4E*a³/(3R) − P = 2σ0(aT + c²θ), θ = arctan(1/v)
+
+    edge_ratio  [1]  ≥ 0; 0 without contact
+
+    Source:   Maugis 1992.
+    Valid:    In contact or apart.
+    Accuracy: 4 ulp above v and T.
+
+    >>> from math import pi
+    >>> adhesive_force_maugis(edge_ratio=0.0, zone_span=1.0, cohesive_stress=1 / pi)
+    1.0
+    """
+    return 2 * cohesive_stress * zone_span * zone_span * dugdale.shape(edge_ratio).g3
+
+
+def contact_displacement(
+    *,
+    zone_span: Length,
+    reduced_radius: Length,
+    contact_modulus: Stress,
+    cohesive_stress: Stress,
+    yield_displacement: Length,
+) -> Length:
+    """Return the displacement of the contact circle when its ring of attraction lags behind by ξ: ξ in JKR, 0 in DMT.
+
+        ξ_contact = ξ/(1 + E*T/(σ0R))
+
+    Source:   First order in ξ.
+    Valid:    ξ ≪ a.
+    Accuracy: 3 ulp above T.
+
+    >>> contact_displacement(zone_span=1.0, reduced_radius=1.0, contact_modulus=1.0, cohesive_stress=1.0,
+    ...                      yield_displacement=2.0)
+    1.0
+    """
+    return yield_displacement / (1 + contact_modulus / cohesive_stress * (zone_span / reduced_radius))
+
+
+# --- Named states: without load, at pull-off, and where fixed grips let go --------------------------------------------
+
+
+def unloaded_radius_maugis(
+    *,
+    work_of_adhesion: SurfaceEnergy,
+    reduced_radius: Length,
+    contact_modulus: Stress,
+    transition_parameter: Number,
+) -> Length:
+    """Return the radius of the contact circle without load.
+
+        a0 = (3R·2σ0T²G3/(4E*))^(1/3), where P = 0
+
+    Source:   Maugis 1992, by Newton's method.
+    Valid:    a0 ≪ R.
+    Accuracy: 6 ulp.
+
+    >>> from math import pi
+    >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
+    >>> round(unloaded_radius_maugis(transition_parameter=1.0, **unit), 7)
+    1.6360905
+    """
+    at = dugdale.shape(dugdale.ratio_at_load(transition_parameter, 0.0))
+    unit = dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
+    return dugdale.unloaded_radius(transition_parameter, at, dugdale.span(transition_parameter, at)) * unit
+
+
+def unloaded_approach_maugis(
+    *,
+    work_of_adhesion: SurfaceEnergy,
+    reduced_radius: Length,
+    contact_modulus: Stress,
+    transition_parameter: Number,
+) -> Length:
+    """Return the approach of the centres without load.
+
+        δ0 = (σ0T/E*)(3G3/(2v) − 2)
+
+    Source:   Maugis 1992, by Newton's method.
+    Valid:    a0 ≪ R.
+    Accuracy: 12 ulp.
+
+    >>> from math import pi
+    >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
+    >>> round(unloaded_approach_maugis(transition_parameter=1.0, **unit), 7)
+    1.1298939
+    """
+    at = dugdale.shape(dugdale.ratio_at_load(transition_parameter, 0.0))
+    unit = dugdale.approach_unit(work_of_adhesion, reduced_radius, contact_modulus)
+    return dugdale.unloaded_approach(transition_parameter, at, dugdale.span(transition_parameter, at)) * unit
+
+
+def edge_ratio_at_pull_off(*, transition_parameter: Number) -> Number:
+    """Return the edge ratio where the tension is largest, and a contact under a constant load breaks.
+
+        q = vG3/D, q = 4λ/(3T)
+
+    Source:   Maugis 1992; in closed form at a given v.
+    Valid:    Always.
+    Accuracy: 6 ulp.
+
+    >>> round(edge_ratio_at_pull_off(transition_parameter=1.0), 7)
+    0.9262053
+    """
+    return dugdale.pull_off_ratio(transition_parameter)
+
+
+def pull_off_force_maugis(
+    *, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, transition_parameter: Number
+) -> Force:
+    """Return the force that separates two spheres, between (3/2)πwR for soft, large ones and 2πwR for hard, small ones.
+
+        P_c = 2σ0(aT + c²θ) − 4E*a³/(3R) at the edge ratio of pull-off
+
+    Source:   Maugis 1992.
+    Valid:    Always; a Lennard-Jones pair lets go up to 6 % later.
+    Accuracy: 8 ulp.
+
+    >>> round(pull_off_force_maugis(work_of_adhesion=1 / pi, reduced_radius=1.0, transition_parameter=1.0), 7)
+    1.6007349
+    """
+    _, tension = dugdale.pull_off(transition_parameter)
+    return pi * work_of_adhesion * reduced_radius * tension
+
+
+def edge_ratio_at_fold(*, transition_parameter: Number) -> Number:
+    """Return the edge ratio where fixed grips let go; 0 where they hold on to spheres that attract without contact.
+
+        q = G3/h, q = 4λ/(3T), if λ > (9π/(16(π − 1)))^(1/3) = 0.938
+
+    Source:   Maugis 1992; Johnson & Greenwood 1997; in closed form at a given v.
+    Valid:    Always.
+    Accuracy: 4 ulp, times 1 plus its condition in λ.
+
+    >>> edge_ratio_at_fold(transition_parameter=0.9)
+    0.0
+    """
+    return dugdale.fold_ratio(transition_parameter)
+
+
+def fold_approach_maugis(
+    *,
+    work_of_adhesion: SurfaceEnergy,
+    reduced_radius: Length,
+    contact_modulus: Stress,
+    transition_parameter: Number,
+) -> Length:
+    """Return the least approach at which fixed grips hold the spheres, in contact or apart.
+
+        δ at q = G3/h, q = 4λ/(3T); −b²/2 − 2/(πλ), b = 8λ/3π, in the units of `dugdale`, if λ < 0.938
+
+    Source:   Maugis 1992; Johnson & Greenwood 1997.
+    Valid:    Always.
+    Accuracy: 8 ulp.
+
+    >>> from math import pi
+    >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
+    >>> round(fold_approach_maugis(transition_parameter=1e-3, **unit), 4)
+    -636.6198
+    """
+    unit = dugdale.approach_unit(work_of_adhesion, reduced_radius, contact_modulus)
+    return dugdale.lowest_approach(transition_parameter) * unit

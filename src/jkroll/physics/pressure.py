@@ -2,32 +2,23 @@
 
 from __future__ import annotations
 
-from .dimensions import Length, Number, Stress, SurfaceEnergy
-from .elementary import cbrt, pi, sqrt
+from .dimensions import Length, Number, Stress
+from .elementary import pi, sqrt
 
 
-def hertz_pressure(
-    *, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress, load_factor: Number
-) -> Stress:
+def hertz_pressure(*, contact_radius_at_load: Length, contact_modulus: Stress, reduced_radius: Length) -> Stress:
     """Return the constant of the Hertz part of the pressure, which flattens the spheres.
 
-        p_H = 2aE*/(πR) = 6P_câ/(πa0²) = E*(36wx²/(π²RE*))^(1/3)
+        p_H = 2aE*/(πR), which is 6P_câ/(πa0²) = E*(36wx²/(π²RE*))^(1/3) in JKR
 
-    work_of_adhesion  [J/m²]  > 0
-    reduced_radius    [m]     > 0
-    contact_modulus   [Pa]    > 0
-    load_factor       [1]     > 0
-
-    Returns:  [Pa]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (8), and the text below Eq (13).
-    Valid:    As Eq (2).
-    Accuracy: 2.5 ulp above w, R, E* and x.
+    Valid:    Any law of attraction.
+    Accuracy: 2.5 ulp above a, E* and R.
 
-    >>> p = hertz_pressure(work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9, load_factor=1.0)
-    >>> f"{p:.4e}"
-    '1.4128e+09'
+    >>> round(hertz_pressure(contact_radius_at_load=pi, contact_modulus=1.0, reduced_radius=2.0), 12)
+    1.0
     """
-    return contact_modulus * cbrt(36 / pi**2 * work_of_adhesion / contact_modulus / reduced_radius * load_factor**2)
+    return 2 / pi * contact_modulus * (contact_radius_at_load / reduced_radius)
 
 
 def boussinesq_pressure(*, hertz_pressure: Stress, load_factor: Number) -> Stress:
@@ -35,10 +26,6 @@ def boussinesq_pressure(*, hertz_pressure: Stress, load_factor: Number) -> Stres
 
         p_B = −2P_c/(πa0²√â) = −p_H/(3x)
 
-    hertz_pressure  [Pa]  > 0
-    load_factor     [1]   > 0
-
-    Returns:  [Pa]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (8) and (9).
     Valid:    JKR equilibrium at the load; the stable branch.
     Accuracy: 2 ulp above p_H and x.
@@ -56,12 +43,9 @@ def pressure(
 
         p(r) = p_H √(1 − r²/a²) + p_B/√(1 − r²/a²)
 
-    distance                [m]   ≥ 0, below a
-    contact_radius_at_load  [m]   > 0
-    hertz_pressure          [Pa]  > 0
-    boussinesq_pressure     [Pa]  any; negative in equilibrium
+    distance             [m]   ≥ 0, below a
+    boussinesq_pressure  [Pa]  any; negative in equilibrium
 
-    Returns:  [Pa]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (12); Eq (7) lost both square roots in print.
     Valid:    0 ≤ r < a.
     Accuracy: 4 ulp of the larger term.
@@ -74,29 +58,6 @@ def pressure(
     return hertz_pressure * depth + boussinesq_pressure / depth
 
 
-def approach_of_pressure(
-    *, contact_radius_at_load: Length, contact_modulus: Stress, hertz_pressure: Stress, boussinesq_pressure: Stress
-) -> Length:
-    """Return the approach of the two centres that goes with the two parts of the pressure.
-
-        δ = (πa/2E*)(p_H + 2p_B)
-
-    contact_radius_at_load  [m]   > 0
-    contact_modulus         [Pa]  > 0
-    hertz_pressure          [Pa]  > 0
-    boussinesq_pressure     [Pa]  any; negative in equilibrium
-
-    Returns:  [m]; a float for floats, an array for arrays, which broadcast.
-    Source:   Eq (13).
-    Valid:    Any circular contact, in adhesive equilibrium or not.
-    Accuracy: 2.5 ulp of the larger term.
-
-    >>> round(approach_of_pressure(contact_radius_at_load=1.0, contact_modulus=1.0, hertz_pressure=2.0, boussinesq_pressure=0.0), 6)
-    3.141593
-    """
-    return pi / 2 * (contact_radius_at_load / contact_modulus) * (hertz_pressure + 2 * boussinesq_pressure)
-
-
 def boussinesq_pressure_at_approach(
     *, approach_at_load: Length, contact_radius_at_load: Length, contact_modulus: Stress, hertz_pressure: Stress
 ) -> Stress:
@@ -104,12 +65,8 @@ def boussinesq_pressure_at_approach(
 
         p_B = E*δ/(πa) − p_H/2
 
-    approach_at_load        [m]   any
-    contact_radius_at_load  [m]   > 0
-    contact_modulus         [Pa]  > 0
-    hertz_pressure          [Pa]  > 0
+    approach_at_load  [m]  any
 
-    Returns:  [Pa]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (14); put into Eq (12) it is Eq (15).
     Valid:    Any circular contact.
     Accuracy: 2.5 ulp of the larger term.

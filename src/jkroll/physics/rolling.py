@@ -1,51 +1,54 @@
-"""Resistance to rolling: Eqs 10, 25-27, 43 and 44."""
+"""Resistance to rolling, and chains of spheres: Eqs 10, 16-30, 43 and 44.
+
+At a fixed load Eq (25) is exact. At a fixed approach the exact moment is larger by E*aξ³/R, and the two half-circles
+exceed it by as much again.
+"""
 
 from __future__ import annotations
 
-from .dimensions import Angle, Force, Length, Moment, Number, RollingStiffness, SurfaceEnergy
-from .elementary import pi
+from .dimensions import (
+    Acceleration,
+    Angle,
+    Force,
+    Length,
+    Mass,
+    Moment,
+    Number,
+    RollingStiffness,
+    Stress,
+    SurfaceEnergy,
+)
+from .elementary import cube, pi, sqrt
 
 
-def yield_moment(*, pull_off_force: Force, load_factor: Number, yield_displacement: Length) -> Moment:
-    """Return the moment with which a contact resists when its circle lags behind by ξ; at the yield displacement, the largest.
+def yield_moment(*, adhesive_force: Force, yield_displacement: Length) -> Moment:
+    """Return the moment with which a contact resists when its attraction lags behind by ξ; at the yield displacement, the largest.
 
-        M = 4 P_c â^(3/2) ξ = 2 P_c ξ (1 + s)
+        M = F_aξ, which is 4 P_c â^(3/2) ξ = 2 P_c ξ (1 + s) in JKR
 
-    pull_off_force      [N]  > 0
-    load_factor         [1]  > 0
-    yield_displacement  [m]  > 0
+    Source:   Eq (25), exact in JKR at a fixed load, in three dimensions; first order in ξ for any law of attraction.
+    Valid:    ξ < a0/(3√â) in JKR, beyond which the leading edge would interpenetrate; ξ ≪ a in other laws.
+    Accuracy: 0.5 ulp above F_a.
 
-    Returns:  [N m]; a float for floats, an array for arrays, which broadcast.
-    Source:   Eq (25); exact in three dimensions at a fixed load.
-    Valid:    ξ < a0/(3√â); beyond, the leading edge would interpenetrate.
-    Accuracy: 2 ulp above P_c and x.
-
-    >>> f"{yield_moment(pull_off_force=1.1781e-8, load_factor=1.0, yield_displacement=2e-10):.4e}"
+    >>> f"{yield_moment(adhesive_force=4.7124e-8, yield_displacement=2e-10):.4e}"
     '9.4248e-18'
     """
-    return 4 * pull_off_force * load_factor * yield_displacement
+    return adhesive_force * yield_displacement
 
 
-def rolling_stiffness(
-    *, work_of_adhesion: SurfaceEnergy, load_factor: Number, reduced_radius: Length
-) -> RollingStiffness:
+def rolling_stiffness(*, adhesive_force: Force, reduced_radius: Length) -> RollingStiffness:
     """Return the moment per angle between the spheres while they roll back and forth without yielding.
 
-        k = M/δ_α = 4 P_c â^(3/2) R = 6πw â^(3/2) R², with ξ = R δ_α
+        k = M/δ_α = F_aR, which is 4 P_c â^(3/2) R = 6πw â^(3/2) R² in JKR, with ξ = R δ_α
 
-    work_of_adhesion  [J/m²]  > 0
-    load_factor       [1]     > 0
-    reduced_radius    [m]     > 0
-
-    Returns:  [N m/rad]; a float for floats, an array for arrays, which broadcast.
-    Source:   Eqs (25) and (39).
+    Source:   Eqs (25) and (39), exact in JKR at a fixed load; first order in ξ for any law of attraction.
     Valid:    Angles below the yield angle.
-    Accuracy: 3 ulp above w, x and R.
+    Accuracy: 0.5 ulp above F_a and R.
 
-    >>> round(rolling_stiffness(work_of_adhesion=0.3183098861837907, load_factor=1.0, reduced_radius=0.5), 12)
-    1.5
+    >>> rolling_stiffness(adhesive_force=2.0, reduced_radius=3.0)
+    6.0
     """
-    return 6 * pi * work_of_adhesion * load_factor * reduced_radius**2
+    return adhesive_force * reduced_radius
 
 
 def yield_force(
@@ -55,12 +58,8 @@ def yield_force(
 
         Q = M/R1 = 4 P_c â^(3/2) ξ/R1 = 6πw â^(3/2) ξ/(1 + R1/R2), which is 6πγξ for identical spheres without load
 
-    work_of_adhesion    [J/m²]  > 0
-    load_factor         [1]     > 0
-    yield_displacement  [m]     > 0
-    radius_ratio        [1]     ≥ 0; 0 on a plane
+    radius_ratio  [1]  ≥ 0; 0 on a plane
 
-    Returns:  [N]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (10), (25) and (26); identical spheres need no radius.
     Valid:    As Eq (25).
     Accuracy: 3.5 ulp above w and x.
@@ -78,15 +77,11 @@ def yield_force_fixed_load(
 
         Q = M/R1 − Pξ/R2
 
-    yield_moment        [N m]  > 0
-    radius              [m]    > 0
-    load                [N]    any; tension is negative
-    yield_displacement  [m]    > 0
-    radius2             [m]    > 0; infinite for a plane
+    load     [N]  any; tension is negative
+    radius2  [m]  > 0; infinite for a plane
 
-    Returns:  [N]; a float for floats, an array for arrays, which broadcast. Negative where the load alone overturns sphere 1.
     Source:   The moments about the contact; Eq (26) has a load that turns with the line of centres.
-    Valid:    As Eq (25), with body 2 held. On a plane it is M/R1.
+    Valid:    As Eq (25), with body 2 held. On a plane it is M/R1. It is negative where the load alone overturns sphere 1.
     Accuracy: 2 ulp of the larger term above M.
 
     >>> yield_force_fixed_load(yield_moment=6.0, radius=2.0, load=4.0, yield_displacement=1.0, radius2=2.0)
@@ -100,11 +95,6 @@ def yield_force_ratio(*, load_factor: Number, yield_displacement: Length, radius
 
         Q/P_c = 4 â^(3/2) ξ/R1
 
-    load_factor         [1]  > 0
-    yield_displacement  [m]  > 0
-    radius              [m]  > 0
-
-    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (27).
     Valid:    As Eq (25). Above 1, the contact breaks before it rolls.
     Accuracy: 1.5 ulp above x.
@@ -120,10 +110,6 @@ def yield_angle(*, yield_displacement: Length, reduced_radius: Length) -> Angle:
 
         δ_α = ξ/R, which is 2ξ/R1 for identical spheres
 
-    yield_displacement  [m]  > 0
-    reduced_radius      [m]  > 0
-
-    Returns:  [rad]; a float for floats, an array for arrays, which broadcast.
     Source:   Text above Eqs (26), (28) and (43).
     Valid:    ξ ≪ R.
     Accuracy: 0.5 ulp above R.
@@ -139,9 +125,6 @@ def mean_rolling_moment(*, yield_moment: Moment) -> Moment:
 
         ⟨M⟩ = M/2 = 2 P_c â^(3/2) ξ
 
-    yield_moment  [N m]  > 0
-
-    Returns:  [N m]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (43).
     Valid:    If the contact springs back to a symmetric one after each step; one that trails at yield gives twice this.
     Accuracy: Exact.
@@ -157,10 +140,6 @@ def mean_rolling_force(*, mean_rolling_moment: Moment, radius: Length) -> Force:
 
         ⟨Q⟩ = ⟨M⟩/R1 = 2 P_c â^(3/2) ξ/R1
 
-    mean_rolling_moment  [N m]  > 0
-    radius               [m]    > 0
-
-    Returns:  [N]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (44), whose R must be R1 to agree with Eq (26).
     Valid:    As Eq (43).
     Accuracy: 0.5 ulp above M.
@@ -169,3 +148,104 @@ def mean_rolling_force(*, mean_rolling_moment: Moment, radius: Length) -> Force:
     0.5
     """
     return mean_rolling_moment / radius
+
+
+# --- Models of the moment ---------------------------------------------------------------------------------------------
+
+
+def unloaded_moment(*, pull_off_force: Force, yield_displacement: Length) -> Moment:
+    """Return the moment of a contact without load, which the paper uses from Eq (26) on.
+
+        M = 4 P_c ξ
+
+    Source:   Eq (25) with â = 1.
+    Valid:    |P| ≪ P_c.
+    Accuracy: 0.5 ulp above P_c.
+
+    >>> unloaded_moment(pull_off_force=1.0, yield_displacement=0.5)
+    2.0
+    """
+    return 4 * pull_off_force * yield_displacement
+
+
+def half_circles_moment(
+    *,
+    yield_moment: Moment,
+    contact_modulus: Stress,
+    contact_radius_at_load: Length,
+    yield_displacement: Length,
+    reduced_radius: Length,
+) -> Moment:
+    """Return the moment of two half-circles of radius a + ξ and a − ξ at the same approach, not linearised.
+
+        M_half = M½(a − ξ) − M½(a + ξ) = 2ξE*a((a² + ξ²)/R − δ) = M + 2E*aξ³/R
+
+    Source:   Eqs (19) and (23); with Eqs (6) and (25), the last form, which does not cancel.
+    Valid:    ξ < a. It exceeds the exact moment at a fixed approach by E*aξ³/R.
+    Accuracy: 3 ulp above its parts.
+
+    >>> half_circles_moment(yield_moment=1.0, contact_modulus=1.0, contact_radius_at_load=2.0, yield_displacement=1.0,
+    ...                     reduced_radius=1.0)
+    5.0
+    """
+    cubic = contact_modulus * contact_radius_at_load * cube(yield_displacement) / reduced_radius
+    return yield_moment + 2 * cubic
+
+
+def fixed_approach_moment(
+    *,
+    yield_moment: Moment,
+    contact_modulus: Stress,
+    contact_radius_at_load: Length,
+    yield_displacement: Length,
+    reduced_radius: Length,
+) -> Moment:
+    """Return the exact moment of the shifted circle whose approach is held while it shifts.
+
+        M = 4P_c â^(3/2) ξ + E*aξ³/R = 4P_c â^(3/2) ξ [1 + (3/4)(ξ/a0)²/√â]
+
+    Source:   Hertz, flat punch and tilted flat punch on one circle; Eq (25) is the exact moment at a fixed load.
+    Valid:    ξ < a0/(3√â).
+    Accuracy: 3 ulp above its parts.
+
+    >>> fixed_approach_moment(yield_moment=1.0, contact_modulus=1.0, contact_radius_at_load=2.0, yield_displacement=1.0,
+    ...                       reduced_radius=1.0)
+    3.0
+    """
+    cubic = contact_modulus * contact_radius_at_load * cube(yield_displacement) / reduced_radius
+    return yield_moment + cubic
+
+
+# --- Chains of spheres ------------------------------------------------------------------------------------------------
+
+
+def r_min(*, radius: Length, radius2: Length, yield_displacement: Length) -> Length:
+    """Return the smallest radius of curvature to which a straight chain bends without rolling.
+
+        R_min = R1R2/ξ, which is R1²/ξ for identical spheres
+
+    radius2  [m]  > 0; infinite for a plane
+
+    Source:   Eq (28); spheres 1 and 2 alternate.
+    Valid:    A long chain, every contact bent to its yield angle.
+    Accuracy: 1.5 ulp.
+
+    >>> f"{r_min(radius=1e-7, radius2=1e-7, yield_displacement=2e-10):.4e}"
+    '5.0000e-05'
+    """
+    return radius * (radius2 / yield_displacement)
+
+
+def n_grav(*, yield_moment: Moment, mass: Mass, gravity: Acceleration, radius: Length) -> Number:
+    """Return the number of spheres 1 that hang level from a fixed body 2 before the first contact rolls.
+
+        N = √(M/(m1 g R1)) = √(9γRξ/(R1⁴ρg)), which is √(9γξ/(2R1³ρg)) for identical spheres
+
+    Source:   Eqs (29) and (30).
+    Valid:    A straight chain, all of one mass. Below 1, not even one sphere holds.
+    Accuracy: 3 ulp above M and m1.
+
+    >>> round(n_grav(yield_moment=9.42478e-18, mass=1.0891e-17, gravity=9.80665, radius=1e-7), 1)
+    939.4
+    """
+    return sqrt(yield_moment / radius / gravity) / sqrt(mass)  # n² may leave the doubles

@@ -24,15 +24,9 @@ def exact_pressure(
 
         p = p_H √(1 − X²/a²) + (p_B + (2E*ξ/πR)(X/a))/√(1 − X²/a²)
 
-    position_in_circle      [m]   −a to a
-    contact_radius_at_load  [m]   > 0
-    contact_modulus         [Pa]  > 0
-    reduced_radius          [m]   > 0
-    yield_displacement      [m]   > 0
-    hertz_pressure          [Pa]  > 0
-    boussinesq_pressure     [Pa]  any; negative in equilibrium
+    position_in_circle   [m]   −a to a
+    boussinesq_pressure  [Pa]  any; negative in equilibrium
 
-    Returns:  [Pa]; a float for floats, an array for arrays, which broadcast.
     Source:   Hertz, flat punch and tilted flat punch on one circle; Eq (64) in three dimensions.
     Valid:    |X| < a, ξ < a0/(3√â).
     Accuracy: 6 ulp of the largest term.
@@ -59,13 +53,9 @@ def half_circle_pressure(
 
         p = p_H √(1 − r²/𝒜²) + (E*δ/(π𝒜) − p_H/2)/√(1 − r²/𝒜²), p_H = 2𝒜E*/(πR)
 
-    distance            [m]   ≥ 0, below a
-    half_circle_radius  [m]   > 0
-    approach_at_load    [m]   any
-    contact_modulus     [Pa]  > 0
-    reduced_radius      [m]   > 0
+    distance          [m]  ≥ 0, below a
+    approach_at_load  [m]  any
 
-    Returns:  [Pa]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (15) and (16).
     Valid:    r < 𝒜, which is a + ξ behind the contact point and a − ξ ahead of it.
     Accuracy: 8 ulp of the largest term.
@@ -93,11 +83,6 @@ def unloaded_half_width(
 
         a = (32wR²/(πE′))^(1/3)
 
-    work_of_adhesion      [J/m²]  > 0
-    cylinder_radius       [m]     > 0
-    plane_strain_modulus  [Pa]    > 0
-
-    Returns:  [m]; a float for floats, an array for arrays, which broadcast.
     Source:   Griffith's criterion K²/(2E′) = w with the edge of Eq (56), C = 0; the paper leaves a free.
     Valid:    a ≪ R.
     Accuracy: 2 ulp.
@@ -113,11 +98,6 @@ def rolled_over_displacement(*, n_roll: Number, radius: Length, yield_displaceme
 
         2πR1 n_roll/ξ
 
-    n_roll              [1]  > 0
-    radius              [m]  > 0
-    yield_displacement  [m]  > 0
-
-    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Caption of Fig. 8.
     Valid:    As Eq (48).
     Accuracy: 2 ulp above n_roll.

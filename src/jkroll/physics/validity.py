@@ -13,12 +13,6 @@ def tabor_parameter(
 
         μ = (4Rγ²/(E*²z0³))^(1/3) = (Rw²/(E*²z0³))^(1/3)
 
-    work_of_adhesion  [J/m²]  > 0
-    reduced_radius    [m]     > 0
-    contact_modulus   [Pa]    > 0
-    atomic_spacing    [m]     > 0
-
-    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Tabor; text below Eq (1) on Muller, Yushenko and Derjaguin.
     Valid:    JKR above about 5, DMT below about 0.1, between them neither is exact.
     Accuracy: 2.5 ulp.
@@ -28,7 +22,7 @@ def tabor_parameter(
     >>> round(mu, 2)
     0.14
     """
-    return cbrt((work_of_adhesion / contact_modulus / atomic_spacing) ** 2 * (reduced_radius / atomic_spacing))
+    return cbrt((work_of_adhesion / contact_modulus) ** 2 * reduced_radius) / atomic_spacing
 
 
 def displacement_limit(*, contact_radius: Length, load_factor: Number) -> Length:
@@ -36,10 +30,6 @@ def displacement_limit(*, contact_radius: Length, load_factor: Number) -> Length
 
         a0/(3√â)
 
-    contact_radius  [m]  > 0
-    load_factor     [1]  > 0
-
-    Returns:  [m]; a float for floats, an array for arrays, which broadcast.
     Source:   Stress intensity at the edge of the exact shifted circle, ∝ 1 − 3(ξ/a0)√â cos φ.
     Valid:    Circular contact.
     Accuracy: 2 ulp above a0 and x.
@@ -55,10 +45,6 @@ def displacement_ratio(*, yield_displacement: Length, displacement_limit: Length
 
         3ξ√â/a0
 
-    yield_displacement  [m]  > 0
-    displacement_limit  [m]  > 0
-
-    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   As the limit.
     Valid:    Always.
     Accuracy: 0.5 ulp above the limit.
@@ -74,10 +60,6 @@ def contact_radius_in_spacings(*, contact_radius_at_load: Length, atomic_spacing
 
         a/z0
 
-    contact_radius_at_load  [m]  > 0
-    atomic_spacing          [m]  > 0
-
-    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Text below Eq (27): "as these sizes the theory of elasticity is not longer applicable".
     Valid:    Elasticity holds well above 1.
     Accuracy: 0.5 ulp above a.
@@ -93,11 +75,8 @@ def profile_error(*, contact_radius_at_load: Length, radius: Length, radius2: Le
 
         a²(R1⁻³ + R2⁻³)/(4(R1⁻¹ + R2⁻¹)) = a²(R1⁻² − R1⁻¹R2⁻¹ + R2⁻²)/4
 
-    contact_radius_at_load  [m]  > 0
-    radius                  [m]  > 0
-    radius2                 [m]  > 0; infinite for a plane
+    radius2  [m]  > 0; infinite for a plane
 
-    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   The next term of the profile of a sphere, r⁴/(8R1³).
     Valid:    To first order. It is 1 % at a = 0.2 R1 for identical spheres and on a plane.
     Accuracy: 6 ulp above a.
@@ -115,10 +94,6 @@ def displacement_over_contact_radius(*, yield_displacement: Length, contact_radi
 
         ξ/a
 
-    yield_displacement      [m]  > 0
-    contact_radius_at_load  [m]  > 0
-
-    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Fig. 4: the circle lags behind by ξ.
     Valid:    Always.
     Accuracy: 0.5 ulp above a.
@@ -134,10 +109,6 @@ def r_min_over_radius(*, r_min: Length, radius: Length) -> Number:
 
         R_min/R1
 
-    r_min   [m]  > 0
-    radius  [m]  > 0
-
-    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Eq (28).
     Valid:    A chain that bends takes R_min well above R1.
     Accuracy: 0.5 ulp above R_min.
@@ -153,11 +124,6 @@ def yield_energy(*, work_of_adhesion: SurfaceEnergy, yield_displacement: Length,
 
         M²/(2k) = 2P_c â^(3/2) ξ²/R = 3πw â^(3/2) ξ², which is 6πγξ² without load
 
-    work_of_adhesion    [J/m²]  > 0
-    yield_displacement  [m]     > 0
-    load_factor         [1]     > 0
-
-    Returns:  [J]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (25) and (39).
     Valid:    As Eq (25).
     Accuracy: 3 ulp.
@@ -173,10 +139,6 @@ def energy_over_yield(*, energy: Energy, yield_energy: Energy) -> Number:
 
         W0/(3πw â^(3/2) ξ²)
 
-    energy        [J]  > 0
-    yield_energy  [J]  > 0
-
-    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   As the yield energy.
     Valid:    Always.
     Accuracy: 0.5 ulp above W0 and the yield energy.
@@ -192,10 +154,6 @@ def energy_over_sticking(*, energy: Energy, sticking_energy: Energy) -> Number:
 
         W0/U_stick
 
-    energy           [J]  > 0
-    sticking_energy  [J]  > 0
-
-    Returns:  [1]; a float for floats, an array for arrays, which broadcast.
     Source:   Text below Eq (48).
     Valid:    Body 2 is fixed, so that W0 is the relative energy ½mv².
     Accuracy: 0.5 ulp above W0 and U_stick.

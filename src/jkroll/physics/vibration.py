@@ -8,6 +8,7 @@ from .dimensions import (
     Inertia,
     Length,
     Mass,
+    Moment,
     Number,
     RollingStiffness,
     Stiffness,
@@ -22,10 +23,8 @@ def vertical_frequency(*, stiffness: Stiffness, reduced_mass: Mass) -> Frequency
 
         f_z = (1/2π)√((dP/dδ)/m) = (1/2π)√((6/5)E*a0/m) without load
 
-    stiffness     [N/m]  ≥ 0
-    reduced_mass  [kg]   > 0
+    stiffness  [N/m]  ≥ 0
 
-    Returns:  [Hz]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (31)-(35), where a frequency is Ω and Eq (34) lost its sign; under a load with the stiffness there.
     Valid:    Free spheres, amplitudes well below δ0.
     Accuracy: 2 ulp above dP/dδ and m.
@@ -41,10 +40,6 @@ def rolling_frequency(*, rolling_stiffness: RollingStiffness, reduced_moment_of_
 
         f_roll = (1/2π)√(4P_c â^(3/2) R/I)
 
-    rolling_stiffness          [N m/rad]  > 0
-    reduced_moment_of_inertia  [kg m²]    > 0
-
-    Returns:  [Hz]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (37)-(40), of which the first three lost their sign in print.
     Valid:    Exact for identical spheres; unequal free spheres also move their centres (`rolling_frequency_no_slip`).
     Accuracy: 2 ulp above k and I.
@@ -60,11 +55,6 @@ def rolling_frequency_as_printed(*, work_of_adhesion: SurfaceEnergy, radius: Len
 
         f_roll(41) = (3/2π)√(γ/(5R1³ρ)), γ = w/2
 
-    work_of_adhesion  [J/m²]   > 0
-    radius            [m]      > 0
-    density           [kg/m³]  > 0
-
-    Returns:  [Hz]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (41) and (42). They are Eq (40) with k² = (5/2)R1² in place of (2/5)R1².
     Valid:    For comparison only.
     Accuracy: 3 ulp.
@@ -80,19 +70,14 @@ def rolling_frequency_no_slip(*, work_of_adhesion: SurfaceEnergy, load_factor: N
 
         f_free = (1/2π)√(4P_c â^(3/2)/(R m_eff)) = √(3w â^(3/2)/(2π m_eff))
 
-    work_of_adhesion  [J/m²]  > 0
-    load_factor       [1]     > 0
-    rolling_mass      [kg]    > 0
-
-    Returns:  [Hz]; a float for floats, an array for arrays, which broadcast.
     Source:   Eqs (25) and (37)-(39), with the motion of the centres that no slip demands.
     Valid:    Homogeneous spheres; body 2 may be a plane, which is held. Equal to Eq (40) for identical spheres.
-    Accuracy: 2 ulp above w, x and m_eff.
+    Accuracy: 2.5 ulp above w, x and m_eff.
 
     >>> round(rolling_frequency_no_slip(work_of_adhesion=2 * pi, load_factor=1.0, rolling_mass=3.0), 12)
     1.0
     """
-    return sqrt(3 * work_of_adhesion * load_factor / (2 * pi * rolling_mass))
+    return sqrt(3 / (2 * pi) * work_of_adhesion * load_factor) / sqrt(rolling_mass)
 
 
 def sliding_frequency(*, tangential_stiffness: Stiffness, reduced_mass: Mass) -> Frequency:
@@ -100,10 +85,6 @@ def sliding_frequency(*, tangential_stiffness: Stiffness, reduced_mass: Mass) ->
 
         f_slide = (1/2π)√(7k_s/(2m)), m the reduced mass
 
-    tangential_stiffness  [N/m]  > 0
-    reduced_mass          [kg]   > 0
-
-    Returns:  [Hz]; a float for floats, an array for arrays, which broadcast.
     Source:   A force k_s u at the contact moves the centres, 1/m, and turns the spheres, (5/2)/m.
     Valid:    Homogeneous spheres; small amplitudes.
     Accuracy: 2.5 ulp.
@@ -114,14 +95,26 @@ def sliding_frequency(*, tangential_stiffness: Stiffness, reduced_mass: Mass) ->
     return sqrt(3.5 * tangential_stiffness / reduced_mass) / (2 * pi)
 
 
+def twisting_frequency(*, twisting_stiffness: Moment, reduced_moment_of_inertia: Inertia) -> Frequency:
+    """Return the frequency at which two spheres twist to and fro about the line of centres.
+
+        f_twist = (1/2π)√(k_t/I)
+
+    Source:   A moment k_t φ at the contact turns the spheres, 1/I = 1/I1 + 1/I2; on a plane 1/I1.
+    Valid:    Homogeneous spheres; small amplitudes.
+    Accuracy: 2 ulp above k_t and I.
+
+    >>> round(twisting_frequency(twisting_stiffness=(2 * pi) ** 2, reduced_moment_of_inertia=1.0), 12)
+    1.0
+    """
+    return sqrt(twisting_stiffness / reduced_moment_of_inertia) / (2 * pi)
+
+
 def time_step(*, sliding_frequency: Frequency) -> Time:
     """Return a time step for simulations of many spheres.
 
         Δt = 1/(20 f_slide)
 
-    sliding_frequency  [Hz]  > 0
-
-    Returns:  [s]; a float for floats, an array for arrays, which broadcast.
     Source:   Verlet's method is stable up to 2/ω; the fastest mode of spheres with n contacts has ω ≤ √n 2πf_slide.
     Valid:    Stable up to 40 contacts a sphere.
     Accuracy: 1 ulp.

@@ -9,8 +9,7 @@ from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from ..quantities.formatting import engineering, pretty
-from ..quantities.nomenclature import NOMENCLATURE, header
-from ..quantities.quantity import Quantity
+from ..quantities.nomenclature import NOMENCLATURE, Quantity, header
 from ..quantities.units import convert, parse_unit
 
 # The axes of figures that are no quantities of a scene.

@@ -2,6 +2,8 @@
 
 import os
 from collections.abc import Sequence
+from itertools import groupby
+from operator import itemgetter
 from typing import NamedTuple, TextIO
 
 from ..text import columns, fitting, rows
@@ -19,7 +21,6 @@ _OF_CUBE: tuple[Colour, ...] = (
     (175, 215, 95), (215, 215, 95), (255, 215, 95), (255, 255, 95), (255, 255, 215),
 )  # fmt: skip
 RAMP = " .:-~=+*oO#%@"
-_CUBE = (0, 95, 135, 175, 215, 255)
 # Okabe and Ito's colours for the colour-blind, without those that are too light or too dark for some background.
 LINES: tuple[Colour, ...] = ((0, 114, 178), (213, 94, 0), (0, 158, 115), (204, 121, 167), (86, 180, 233), (230, 159, 0))
 SIGNS = "*o+x#%abcdefghijklmnpqrs"  # of curves
@@ -105,37 +106,25 @@ class Canvas:
         return "".join(text or sign for text, sign in zip(self._texts(row), self.signs[row], strict=True))
 
     def _coloured(self, row: int, colours: int) -> str:
-        pieces, before = [], ""
+        from rich.color import Color, ColorSystem
+        from rich.style import Style
+
+        def look(ink: Colour | None, paper: Colour | None) -> Style:
+            """Return the style of an ink on a paper, each the terminal's own if it is None."""
+            return Style.from_color(ink and Color.from_rgb(*ink), paper and Color.from_rgb(*paper))
+
+        cells = []
         for text, above, below in zip(self._texts(row), self.pixels[2 * row], self.pixels[2 * row + 1], strict=True):
             if text:
                 paper = above or below
-                character, code = text, _code(ink_on(paper) if paper else None, paper, colours)
+                cells.append((text, look(paper and ink_on(paper), paper)))
             elif above == below:
-                character, code = " ", _code(None, above, colours)
+                cells.append((" ", look(None, above)))
             else:
-                character, code = ("▀", _code(above, below, colours)) if above else ("▄", _code(below, None, colours))
-            pieces.append(("" if code == before else code) + character)
-            before = code
-        return "".join(pieces) + "\x1b[0m"
-
-
-def _code(ink: Colour | None, paper: Colour | None, colours: int) -> str:
-    """Return the escape sequence for an ink on a paper, each the terminal's own if it is None."""
-    return "\x1b[0" + _part(38, ink, colours) + _part(48, paper, colours) + "m"
-
-
-def _part(layer: int, colour: Colour | None, colours: int) -> str:
-    if colour is None:
-        return ""
-    if colours > 256:
-        return f";{layer};2;" + ";".join(map(str, colour))
-    return f";{layer};5;{_of_256(colour)}"
-
-
-def _of_256(colour: Colour) -> int:
-    """Return the number of the nearest colour in the cube of 6 by 6 by 6 among the 256 colours."""
-    red, green, blue = (min(range(6), key=lambda digit: abs(_CUBE[digit] - part)) for part in colour)
-    return 16 + 36 * red + 6 * green + blue
+                cells.append(("▀", look(above, below)) if above else ("▄", look(below, None)))
+        system = ColorSystem.TRUECOLOR if colours > 256 else ColorSystem.EIGHT_BIT
+        runs = groupby(cells, key=itemgetter(1))
+        return "".join(style.render("".join(text for text, _ in run), color_system=system) for style, run in runs)
 
 
 def stacked(labels: Sequence[tuple[int, str]], width: int) -> list[str]:

@@ -2,9 +2,9 @@
 
 from collections.abc import Collection, Mapping
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from ..answers.other_laws import equation_of
+from ..answers.results import equation_of
 from ..materials.library import Materials
 from ..physics.shifted import rolled_over_displacement
 from ..quantities.formatting import amount
@@ -13,8 +13,7 @@ from ..scene.scene import DEFAULTS, Scene
 from ..scene.wiring import depends_on
 from ..text import capitalized
 from .axes import Axis
-from .maps import Map, Mark, evaluate, label_of, material_marks
-from .regions import Bound, bounds, regions
+from .maps import Map, Mark, Region, bounds, evaluate, label_of, material_marks, regions
 
 
 class Figure(NamedTuple):
@@ -28,7 +27,7 @@ class Figure(NamedTuple):
     guide: tuple[float, str] | None = None  # a radius that the text speaks of
     point: tuple[float, float, str] | None = None  # (x, R1) that the text speaks of
     printed: str = ""
-    shaded: Bound | None = None
+    shades_no_rolling: bool = False  # where spheres roll by less than ξ
 
 
 RADII = Axis("radius", 5e-10, 1e-3)
@@ -83,13 +82,10 @@ FIGURES: Mapping[str, Figure] = MappingProxyType(
             Axis("modulus_over_energy", 1e9, 1e13, beside={"surface_energy": 1.0}),  # γ may be any
             {},
             "For W0 = P_cδ0; in general these are n_roll/(W0/P_cδ0). An energy balance gives 7/2 of Eq (49). Below 10 nm, spheres "
-            "with E*/γ above 3·10¹² m⁻¹ do not roll; below 100 nm a full turn takes E*/γ below 1.5·10⁹ m⁻¹. Gold has no modulus in Table 1.",
+            "with E*/γ above 3·10¹² m⁻¹ do not roll; below 100 nm a full turn takes E*/γ below 1.5·10⁹ m⁻¹.",
             has_log_labels=False,
             guide=(1e-8, "10 nm"),
-            shaded=Bound(
-                ("n_roll", "radius", "yield_displacement"), rolled_over_displacement, 1.0, True,
-                "2πR1 n_roll < ξ: it does not roll", "shaded",
-            ),
+            shades_no_rolling=True,
         ),
     }
 )  # fmt: skip
@@ -100,23 +96,34 @@ def figure(name: str, materials: Materials, size: tuple[int, int], *, as_printed
     declared = FIGURES[name]
     scene = Scene(declared.given)
     x, y = declared.x._replace(size=size[0]), RADII._replace(size=size[1])
+    values = evaluate(scene, declared.quantity, x, y)
     printed = evaluate(scene, declared.printed, x, y) if as_printed and declared.printed else None
-    shaded = regions(scene, (declared.shaded,), x, y) if declared.shaded else []
+    shaded = (_no_rolling(scene, values, x, y),) if declared.shades_no_rolling else ()
+    marks, others = material_marks(materials, x, y)
     points = (Mark(declared.point[2], *declared.point[:2]),) if declared.point else ()
     return Map(
         declared.quantity,
         scene,
         x,
         y,
-        evaluate(scene, declared.quantity, x, y),
-        (*shaded, *regions(scene, bounds(), x, y)),
-        (*material_marks(materials, x, y), *points),
+        values,
+        (*shaded, *regions(scene, bounds(), x, y, values)),
+        (*marks, *points),
         f"Fig. {name}: {label_of(declared.quantity, has_log_labels=declared.has_log_labels)}",
-        _caption(declared, as_printed=printed is not None),
+        (*_caption(declared, as_printed=printed is not None), *others),
         declared.has_log_labels,
         printed,
         (Mark(declared.guide[1], None, declared.guide[0]),) if declared.guide else (),
     )
+
+
+def _no_rolling(scene: Scene, turns: Any, x: Axis, y: Axis) -> Region:
+    """Return the region in which spheres roll by less than ξ, given their turns."""
+    import numpy
+
+    shift = scene.values["yield_displacement"]
+    rolled = rolled_over_displacement(n_roll=turns, radius=y.values()[:, None], yield_displacement=shift)
+    return Region("2πR1 n_roll < ξ: it does not roll", x, y, numpy.log10(rolled), "rolled_over_displacement")
 
 
 def _caption(declared: Figure, *, as_printed: bool) -> tuple[str, ...]:
@@ -128,7 +135,7 @@ def _caption(declared: Figure, *, as_printed: bool) -> tuple[str, ...]:
     if as_printed:
         shown += f" Dashed: Eq ({NOMENCLATURE[declared.printed].equation}) as printed."
     used = _assumed(scene, declared, {declared.quantity})
-    elsewhere = [text for text in _assumed(scene, declared, {bound.names[0] for bound in bounds()}) if text not in used]
+    elsewhere = [text for text in _assumed(scene, declared, {bound.name for bound in bounds()}) if text not in used]
     assumed = (f"{', '.join(used)}; " if used else "") + f"for hatches and μ also {', '.join(elsewhere)}."
     return shown, declared.remark, f"Assumed: {assumed}"
 

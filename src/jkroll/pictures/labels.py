@@ -11,10 +11,8 @@ from matplotlib.patheffects import withStroke  # type: ignore[import-not-found,u
 from matplotlib.transforms import Bbox  # type: ignore[import-not-found,unused-ignore]
 
 from .axes import Axis
-from .maps import Map, Mark
-from .mathtext import typeset
-from .page_axes import CONTOURS, OUTLINE, PRINTED
-from .panels import Panel
+from .maps import Map, Mark, Panel
+from .page_axes import CONTOURS, OUTLINE, PRINTED, typeset
 from .styles import SMALL, Style
 
 _STEP = 1.5  # between points of lines that are to be kept free, in points of the page

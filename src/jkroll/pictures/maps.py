@@ -1,19 +1,23 @@
-"""Maps as data: a quantity over two inputs, its contours, the regions and marks on it.
+"""Maps and curves as data: a quantity over two inputs, its contours, the regions and marks on it; panels of curves and points.
 
-Nothing is drawn here. Everything is computed by `solve`, on whole arrays.
+Nothing is drawn here. Everything is computed by `solve`, on whole arrays. In the regions of a map, the model has no meaning or
+is not exact.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from math import log10
+from math import ceil, floor, log10
 from typing import Any, NamedTuple
 
 from ..errors import NoResult
 from ..materials.library import Materials
-from ..quantities.nomenclature import NOMENCLATURE
-from ..scene.errors import MissingInput
+from ..quantities.laws import LAWS
+from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
+from ..scene.failures import MissingInput
+from ..scene.limits import LIMITS, Limit, limits_of
 from ..scene.scene import Scene
-from ..scene.solver import solve
+from ..scene.solver import values_of
 from .axes import Axis, contour_values, in_one_unit, round_values, with_units
+from .styles import BORDER, EVERYWHERE
 
 CHUNK = 500_000  # points between two reports of progress
 MAX_CONTOURS = 12
@@ -25,16 +29,13 @@ Progress = Callable[[float], None]
 
 
 class Region(NamedTuple):
-    """Part of a map: the points with a negative margin.
-
-    `kind` says how it is shown: "hatched", "shaded", "border" (a line around it) or "everywhere" (only mentioned).
-    """
+    """Part of a map: the points with a value and a negative margin. `look` is a key of `styles.LOOKS`."""
 
     text: str
     x: Axis
     y: Axis
     margin: Any
-    kind: str = "hatched"
+    look: str
 
 
 class Mark(NamedTuple):
@@ -160,6 +161,17 @@ def shifted(array: Any, step: tuple[int, int]) -> Any:
     return moved
 
 
+def sampled(values: Any, width: int, height: int) -> Any:
+    """Return the values nearest to the middles of so many columns and rows."""
+    import numpy
+
+    rows, columns = (
+        numpy.rint(numpy.linspace(0, size - 1, count)).astype(int)
+        for size, count in zip(values.shape, (height, width), strict=True)
+    )
+    return values[rows[:, None], columns[None, :]]
+
+
 def extent(values: Any) -> tuple[float, float]:
     """Return the least and the largest of the finite values."""
     import numpy
@@ -183,9 +195,7 @@ def is_wide(values: Any) -> bool:
 
 def solved(scene: Scene, names: Sequence[str], values: Mapping[str, Any]) -> dict[str, Any]:
     """Return quantities of a scene for further values, which are arrays that broadcast."""
-    described = {**scene.stated, **values}
-    model = scene.stated_model
-    return dict(solve(names, material=scene.material, material2=scene.material2, model=model, **described))
+    return values_of(scene.replace(**values), names)
 
 
 def coordinate(axis: Axis, scene: Scene) -> float | None:
@@ -223,20 +233,37 @@ def along(scene: Scene, quantity: str, x: Axis) -> Any:
     return numpy.broadcast_to(solved(scene, [quantity], x.inputs(values))[quantity], values.shape)
 
 
-def material_marks(materials: Materials, x: Axis, y: Axis) -> list[Mark]:
-    """Return a mark for each material that determines a place on an axis.
+def material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[tuple[Mark, ...], tuple[str, ...]]:
+    """Return a mark for each material that determines a place on an axis, and the sentence of a caption that names the others.
 
-    Materials with a state are left out: several of one substance would crowd the edge.
+    Materials with a state are not asked: several of one substance would crowd the edge.
     """
-    marks = []
+    marks, others = [], []
     for material in materials.materials.values():
         if material.state:
             continue
         scene = Scene({}, material)
         mark = Mark(material.name, coordinate(x, scene), coordinate(y, scene))
-        if mark.x is not None or mark.y is not None:
+        if mark.x is None and mark.y is None:
+            others.append(material.name + (_lacking(scene, x) or _lacking(scene, y)))
+        else:
             marks.append(mark)
-    return marks
+    return tuple(marks), (f"No place on these axes: {', '.join(others)}.",) if others else ()
+
+
+def _lacking(scene: Scene, axis: Axis) -> str:
+    """Return the properties that the material of a scene lacks for a place on an axis, in brackets; empty if it has them."""
+    try:
+        scene.plan(axis.name)
+    except MissingInput as error:
+        return lacking(error)
+    return ""
+
+
+def lacking(error: MissingInput) -> str:
+    """Return the missing properties of a material in brackets; empty if what is missing is none of them."""
+    properties = [NOMENCLATURE[name].sentence for name in error.missing if name in PROPERTIES]
+    return f" (no {' and no '.join(properties)})" if properties else ""
 
 
 def rows_of(drawn: Map) -> Iterable[list[float]]:
@@ -252,3 +279,161 @@ def label_of(quantity: str, *, has_log_labels: bool) -> str:
     unit = NOMENCLATURE[quantity].unit
     symbol = NOMENCLATURE[quantity].symbol
     return f"log {symbol}" + (f" [{unit}]" if unit != "1" else "") if has_log_labels else symbol
+
+
+# --- Regions ----------------------------------------------------------------------------------------------------------
+
+_SHOWN = ("contact_radius_in_spacings", "displacement_ratio", "tabor_parameter")  # limits that have a place on a map
+COARSE = 200  # points a side that are enough for the smooth border of a region
+
+
+class Bound(NamedTuple):
+    """A quantity that limits the model: the value that it must at least, or at most, have, and what holds beyond that."""
+
+    name: str
+    value: float
+    is_least: bool
+    beyond: str
+    line: str = ""  # what a line at the value stands for, where that is drawn instead of the region beyond it
+
+    def margin(self, scene: Scene, values: Mapping[str, Any]) -> Any:
+        """Return the distance of values from the bound in powers of ten, negative beyond it."""
+        import numpy
+
+        ratio = numpy.log10(solved(scene, [self.name], values)[self.name] / self.value)
+        return ratio if self.is_least else -ratio
+
+
+def bounds() -> tuple[Bound, ...]:
+    """Return the bounds of JKR: first those beyond which the model has no meaning, then the one from which it is exact."""
+    return _bounds_of_limits([limit for limit in LIMITS if limit.law in ("", "jkr")])
+
+
+def bounds_of(scene: Scene, quantity: str) -> list[Bound]:
+    """Return the bounds that concern a quantity of a scene."""
+    try:
+        return [*_bounds_of_limits(limits_of(scene, [quantity]))]
+    except MissingInput:
+        return []
+
+
+def _bounds_of_limits(limits: Iterable[Limit]) -> tuple[Bound, ...]:
+    """Return the bounds of limits: the outermost doubt of each, and the line from which a law of attraction is exact."""
+    by_name = {limit.name: limit for limit in limits}
+    shown = [by_name[name] for name in _SHOWN if name in by_name and by_name[name].doubts]
+    found = [_bound(limit) for limit in shown if limit.law in ("", "jkr")]
+    found += [_border(limit) for limit in shown if limit.law]
+    return tuple(found)
+
+
+def regions(scene: Scene, bounds: Iterable[Bound], x: Axis, y: Axis, values: Any) -> list[Region]:
+    """Return the regions in which bounds are broken, of a map with these values. A bound that lacks an input is left out.
+
+    What counts is where the map has values; a region that holds all of them is everywhere.
+    """
+    import numpy
+
+    x, y = (axis._replace(size=min(axis.size, COARSE)) for axis in (x, y))
+    here = {**x.inputs(x.values()[None, :]), **y.inputs(y.values()[:, None])}
+    known = numpy.isfinite(sampled(values, x.size, y.size))
+    found = []
+    for bound in bounds:
+        try:
+            margin = numpy.broadcast_to(bound.margin(scene, here), (y.size, x.size))
+        except (MissingInput, NoResult):
+            continue
+        if not (margin[known] < 0).any():
+            continue
+        if (margin[known] >= 0).any():
+            look = BORDER if bound.line else bound.name
+            found.append(Region(bound.line or bound.beyond, x, y, margin, look))
+        else:
+            found.append(Region(f"everywhere {bound.beyond}", x, y, margin, EVERYWHERE))
+    return found
+
+
+def margin_along(scene: Scene, bound: Bound, x: Axis) -> Any:
+    """Return the distance from a bound along one axis, negative beyond it."""
+    import numpy
+
+    values = x.values()
+    return numpy.broadcast_to(bound.margin(scene, x.inputs(values)), values.shape)
+
+
+def _bound(limit: Limit) -> Bound:
+    """Return the outermost doubt of a limit of the model as a bound."""
+    doubt = limit.doubts[-1]
+    is_least = limit.sign.startswith("<")
+    sign = "<" if is_least else ">"
+    beyond = f"{NOMENCLATURE[limit.name].symbol} {sign} {doubt.threshold:g}: {doubt.consequence}"
+    return Bound(limit.name, doubt.threshold, is_least, beyond)
+
+
+def _border(limit: Limit) -> Bound:
+    """Return the line beyond which the law of attraction is not exact, as a bound of the Tabor parameter."""
+    threshold, is_least = limit.doubts[0].threshold, limit.sign.startswith("<")
+    law = LAWS[limit.law].title
+    side, sign = ("larger", "<") if is_least else ("smaller", ">")
+    line = f"μ = {threshold:g}: {law} holds where it is {side}"
+    return Bound(limit.name, threshold, is_least, f"μ {sign} {threshold:g}, {law} is not exact", line)
+
+
+# --- Panels of curves -------------------------------------------------------------------------------------------------
+
+_FIRST, _LAST = -323, 308  # decades of the doubles
+
+
+class Curve(NamedTuple):
+    """A line through points. Curves that belong together share a colour."""
+
+    text: str
+    x: Any
+    y: Any
+    colour: int = 0
+    is_dashed: bool = False
+
+
+class Panel(NamedTuple):
+    """Curves over common axes."""
+
+    x: Axis
+    y: Axis
+    curves: tuple[Curve, ...]
+    points: tuple[Mark, ...] = ()
+    title: str = ""
+    is_true_to_scale: bool = False
+
+
+class Picture(NamedTuple):
+    """Panels beside each other, with a title and a caption."""
+
+    title: str
+    panels: tuple[Panel, ...]
+    caption: tuple[str, ...]
+
+
+def axis_around(name: str, values: Iterable[Any], *, is_log: bool | None = None, margin: float = 0.05) -> Axis:
+    """Return an axis that holds all finite values, with a margin; logarithmic where they are of different orders."""
+    import numpy
+
+    known = numpy.concatenate([numpy.ravel(one) for one in values])
+    low, high = extent(known)
+    if is_log if is_log is not None else is_wide(known):
+        return Axis(name, 10.0 ** max(floor(log10(low) + 0.01), _FIRST), 10.0 ** min(ceil(log10(high) - 0.01), _LAST))
+    room = (high - low) * margin if high > low else abs(high) * 0.05 or 1.0
+    return Axis(name, low - room, high + room, is_log=False)
+
+
+def clipped(curve: Curve, low: float, high: float) -> Curve:
+    """Return the parts of a curve between two values of y, up to where it crosses them, each with a nan behind it."""
+    import numpy
+
+    x, y = curve.x, curve.y
+    for end in (low, high):
+        before = numpy.flatnonzero((y[:-1] < end) != (y[1:] < end))
+        part = (end - y[before]) / (y[before + 1] - y[before])
+        x = numpy.insert(x, before + 1, x[before] + part * (x[before + 1] - x[before]))
+        y = numpy.insert(y, before + 1, end)
+    is_inside = (y >= low) & (y <= high)
+    kept = is_inside | numpy.concatenate([[False], is_inside[:-1]])
+    return curve._replace(x=numpy.where(is_inside, x, numpy.nan)[kept], y=numpy.where(is_inside, y, numpy.nan)[kept])

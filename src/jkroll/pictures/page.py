@@ -16,11 +16,9 @@ from matplotlib.patches import Patch  # type: ignore[import-not-found,unused-ign
 
 from .. import __version__
 from .labels import label_map, label_panel
-from .maps import Map
-from .mathtext import typeset, typeset_lines
-from .page_axes import draw_map, draw_panel, line_of
-from .panels import Panel, Picture
-from .styles import HATCHES, LABEL, LETTER, SHADE, SMALL, STYLES, TICK, Style
+from .maps import Map, Panel, Picture
+from .page_axes import draw_map, draw_panel, line_of, typeset, typeset_lines
+from .styles import EVERYWHERE, LABEL, LETTER, LOOKS, SMALL, STYLES, TICK, Style
 
 _ONE_PANEL, _MORE_PANELS = 120 / 25.4, 180 / 25.4  # default widths in inches
 _NARROWEST = 2.0  # width of a panel beside others
@@ -204,17 +202,17 @@ def _metadata(drawn: Map | Picture, kind: str) -> dict[str, Any]:
 def _keys_of_map(drawn: Map, style: Style, letters: int) -> list[Any]:
     """Return a key for each region, for the dashed contours, and for the part without a value."""
     keys: list[Any] = []
-    for place, region in enumerate(drawn.regions):
+    for region in drawn.regions:
         text = "\n".join(typeset_lines(region.text, letters))
-        if region.kind == "border":
-            keys.append(Line2D([], [], color=style.ink, linewidth=0.9, linestyle="dashdot", label=text))
-        elif region.kind == "everywhere":
+        look = LOOKS[region.look]
+        if region.look == EVERYWHERE:
             keys.append(Patch(label=text, facecolor="none", edgecolor="none"))
-        elif region.kind == "shaded":
-            keys.append(Patch(label=text, facecolor=style.ink, alpha=SHADE))
+        elif look.is_line:
+            keys.append(Line2D([], [], color=style.ink, linewidth=look.line[0], linestyle=look.line[1], label=text))
+        elif look.shade:
+            keys.append(Patch(label=text, facecolor=style.ink, alpha=look.shade))
         else:
-            hatch = HATCHES[place % len(HATCHES)]
-            keys.append(Patch(label=text, facecolor="none", hatch=hatch, edgecolor=style.hatch, linewidth=0.4))
+            keys.append(Patch(label=text, facecolor="none", hatch=look.hatch, edgecolor=style.hatch, linewidth=0.4))
     if drawn.printed is not None:
         keys.append(Line2D([], [], color=style.ink, linewidth=0.6, linestyle="dashed", label="as printed"))
     if drawn.has_gaps:

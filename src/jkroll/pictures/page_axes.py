@@ -1,12 +1,20 @@
-"""Draw maps and curves on a pair of matplotlib's axes. Both axes run from 0 to 1, so that contours of powers are straight."""
+"""Draw maps and curves on a pair of matplotlib's axes. Both axes run from 0 to 1, so that contours of powers are straight.
 
+Captions and labels are written once, in plain text ("P_c = 3πγR"), and drawn in a terminal as they are. On a page, the words of
+them that consist of symbols of the nomenclature are set in italics with subscripts and superscripts.
+"""
+
+import re
+from functools import cache
+from textwrap import wrap
 from typing import Any
 
+from ..quantities.nomenclature import NOMENCLATURE
 from .axes import Axis
-from .maps import NEIGHBOURS, Map, Mark, Mesh, Region, shifted
-from .mathtext import typeset, typeset_lines
-from .panels import Curve, Panel
-from .styles import BORDERS, DASHES, HATCHES, LABEL, LETTER, SHADE, SMALL, Style
+from .maps import NEIGHBOURS, Curve, Map, Mark, Panel, Region, shifted
+from .styles import DASHES, EVERYWHERE, LABEL, LETTER, LOOKS, SMALL, Style
+
+# --- Axes -------------------------------------------------------------------------------------------------------------
 
 CONTOURS, PRINTED, OUTLINE = "contours", "printed", "outline"  # the artists that `labels` looks for, by their gid
 
@@ -15,11 +23,7 @@ def draw_map(axes: Any, drawn: Map, inches: float, aspect: float, style: Style) 
     """Draw bands, contours, regions and what is marked on the edges; texts inside the map follow in `labels`."""
     import numpy
 
-    mesh = (
-        drawn.mesh()
-        if drawn.has_gaps
-        else Mesh(drawn.x.place(drawn.x.values()), drawn.y.place(drawn.y.values()), drawn.values)
-    )
+    mesh = drawn.mesh()
     scale = numpy.ma.log10 if drawn.is_log else numpy.ma.asarray
     heights = [float(scale(level.value)) for level in drawn.levels()]
     values = scale(numpy.ma.masked_invalid(mesh.values))
@@ -32,23 +36,15 @@ def draw_map(axes: Any, drawn: Map, inches: float, aspect: float, style: Style) 
         outline.set_gid(OUTLINE)
         edge = outline.get_paths()[0]
         _draw_edge(axes, edge, style)
-    if heights:
-        axes.contour(
-            mesh.x, mesh.y, values, levels=heights, colors=style.ink, linewidths=0.7, linestyles="solid"
-        ).set_gid(CONTOURS)
-        if drawn.printed is not None:
-            axes.contour(
-                mesh.x,
-                mesh.y,
-                scale(drawn.printed),
-                levels=heights,
-                colors=style.ink,
-                linewidths=0.6,
-                linestyles="dashed",
-            ).set_gid(PRINTED)
-    for place, region in enumerate(drawn.regions):
-        if region.kind != "everywhere":
-            _draw_region(axes, region, HATCHES[place % len(HATCHES)], style, edge)
+    contours = [(values, CONTOURS, 0.7, "solid")]
+    if drawn.printed is not None:
+        contours.append((scale(drawn.printed), PRINTED, 0.6, "dashed"))
+    for field, gid, width, dashes in contours if heights else ():
+        look = {"colors": style.ink, "linewidths": width, "linestyles": dashes}
+        axes.contour(mesh.x, mesh.y, field, levels=heights, **look).set_gid(gid)
+    for region in drawn.regions:
+        if region.look != EVERYWHERE:
+            _draw_region(axes, region, style, edge)
     for guide in drawn.guides:
         axes.axhline(drawn.y.place(guide.y), color=style.ink, linewidth=0.6, linestyle=(0, (1, 2)))
     for mark in (*drawn.guides, *drawn.marks):
@@ -84,15 +80,18 @@ def _draw_edge(axes: Any, outline: Any, style: Style) -> None:
         axes.plot(x, y, color=style.ink, linewidth=0.8, solid_capstyle="round")
 
 
-def _draw_region(axes: Any, region: Region, hatch: str, style: Style, edge: Any) -> None:
+def _draw_region(axes: Any, region: Region, style: Style, edge: Any) -> None:
     """Draw a region hatched or shaded, with its border, or the border alone; nothing beyond the edge of the map's values."""
     x, y = region.x.place(region.x.values()), region.y.place(region.y.values())
     margin = _grown(region.margin)
-    parts = [axes.contour(x, y, margin, levels=[0], colors=style.ink, **BORDERS[region.kind])]
-    if region.kind != "border":
-        is_shaded = region.kind == "shaded"
-        look = {"colors": [style.ink], "alpha": SHADE} if is_shaded else {"colors": "none", "hatches": [hatch]}
-        parts.append(axes.contourf(x, y, margin, levels=[float(margin.min()) - 1, 0], **look))
+    look = LOOKS[region.look]
+    width, dashes = look.line
+    parts = [axes.contour(x, y, margin, levels=[0], colors=style.ink, linewidths=width, linestyles=dashes)]
+    if not look.is_line:
+        fill = (
+            {"colors": "none", "hatches": [look.hatch]} if look.hatch else {"colors": [style.ink], "alpha": look.shade}
+        )
+        parts.append(axes.contourf(x, y, margin, levels=[float(margin.min()) - 1, 0], **fill))
     if edge is not None:
         for part in parts:
             part.set_clip_path(edge, axes.transData)
@@ -133,3 +132,120 @@ def _set_axes(axes: Any, x: Axis, y: Axis, inches: float, aspect: float) -> None
         side.set_label_text("\n".join(typeset_lines(axis.label(most), int(part * inches * 72 / (LETTER * LABEL)))))
     axes.tick_params(which="both", direction="in", top=False, right=False)
     axes.set(xlim=(0, 1), ylim=(0, 1))
+
+
+# --- Mathematics ------------------------------------------------------------------------------------------------------
+
+_ATOM = r"[A-Za-zΑ-Ωα-ω](?:_[A-Za-z]+|_[α-ω]|_?\d)?\*?"  # a letter with its subscript: P_c, R1, δ_α, E*
+_MORE_ATOMS = ("π", "C", "â", "p", "y")  # occur in texts, but are no quantities
+_SUPERSCRIPTS = "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
+_PLAIN_DIGITS = str.maketrans(_SUPERSCRIPTS, "-0123456789")
+_OPERATORS = frozenset("=<>+−-")
+_MARKUP = {"â": r"\hat{a}", "·": r"{\cdot}", "⟨": r"\langle ", "⟩": r"\rangle ", "−": "-", "π": r"\mathrm{π}"}
+_WORD = re.compile(r"(?P<before>[(\[]*)(?P<core>.*?)(?P<after>[.,:;)\]]*)")
+_NUMBER = re.compile(rf"[-−]?\d[\d.·e{_SUPERSCRIPTS}-]*")
+_FLOAT = re.compile(r"([-−]?[\d.]+)e([-+]\d+)")
+
+
+def typeset(text: str) -> str:
+    r"""Return a text with its symbols in mathtext and with true minus signs.
+
+    >>> typeset("P_c at R1²/ξ = -5 N")
+    '$P_{\\mathrm{c}}$ at $R_{1}^{2}/ξ$ = −5 N'
+    """
+    return " ".join(_typeset_words(text.split(" ")))
+
+
+def typeset_lines(text: str, width: int) -> list[str]:
+    """Return a text as lines of at most `width` characters, typeset.
+
+    Lines are broken before typesetting, because markup is longer than what it shows; none between a number and its unit,
+    or its symbol: "P = 0 N" stays together.
+    """
+    unbroken = re.sub(
+        r"(?<=\d) (?=[^\W\d])| (?=\[)| (?=[=<>] [-−\d])|(?<= [=<>]) (?=[-−\d])", "\N{NO-BREAK SPACE}", text
+    )
+    lines = [line.split() for line in wrap(unbroken, width, break_long_words=False, break_on_hyphens=False)]
+    words = iter(_typeset_words(text.split()))
+    return [" ".join(next(words) for _ in line) for line in lines]
+
+
+def _typeset_words(words: list[str]) -> list[str]:
+    """Return the words with those typeset that are symbols, formulas or numbers."""
+    typed = []
+    for number, word in enumerate(words):
+        before, core, after = _parts(word)
+        following = words[number + 1] if number + 1 < len(words) else "["
+        is_variable = len(core) == 1 and core.isalpha() and _is_variable(words[:number], after, following)
+        typed.append(before + _typeset_core(core, is_variable=is_variable) + after)
+    return typed
+
+
+def _parts(word: str) -> tuple[str, str, str]:
+    """Return the opening brackets, the middle and the punctuation of a word."""
+    match = _WORD.fullmatch(word)
+    if match is None:
+        return "", word, ""
+    before, core, after = match.groups()
+    is_open = after.startswith(")") and core.count("(") > core.count(")")
+    return (before, core + ")", after[1:]) if is_open else (before, core, after)
+
+
+def _is_variable(previous: list[str], after: str, following: str) -> bool:
+    """Return True if a single letter is a variable, not an article or a unit, by the words around it."""
+    is_unit = after.startswith("]") or any(_NUMBER.fullmatch(word) for word in previous[-2:])  # "5 m", "5 N m"
+    is_in_formula = following in _OPERATORS or not _OPERATORS.isdisjoint(previous[-1:])
+    return is_in_formula or (not is_unit and (bool(after) or following.startswith("[")))
+
+
+def _typeset_core(core: str, *, is_variable: bool) -> str:
+    """Return one word without its punctuation in mathtext if it is mathematics."""
+    if number := _FLOAT.fullmatch(core):
+        mantissa, exponent = number[1].replace("−", "-"), int(number[2])
+        return rf"${mantissa}{{\cdot}}10^{{{exponent}}}$"
+    tokens = _token().findall(core)
+    is_mathematics = is_variable or core in _symbols() or any(map(_is_mathematics, tokens))
+    if "".join(tokens) != core or not is_mathematics:
+        return re.sub(r"(?<![\w.])-(?=[\d.])", "−", core).replace("$", r"\$")
+    return f"${''.join(map(_markup, tokens))}$"
+
+
+@cache
+def _symbols() -> frozenset[str]:
+    """Return the symbols of quantities that are longer than a letter."""
+    return frozenset(entry.symbol for entry in NOMENCLATURE.values() if entry.unit and len(entry.symbol) > 1)
+
+
+@cache
+def _token() -> re.Pattern[str]:
+    """Return the pattern of a token of a formula: a power of ten, a number, a known symbol, an exponent or an operator."""
+    symbols = {atom for entry in NOMENCLATURE.values() if entry.unit for atom in re.findall(_ATOM, entry.symbol)} | {
+        *_MORE_ATOMS
+    }
+    known = "|".join(re.escape(symbol) for symbol in sorted(symbols, key=len, reverse=True))
+    return re.compile(rf"10[{_SUPERSCRIPTS}]+|\d+(?:\.\d+)?|{known}|[{_SUPERSCRIPTS}]+|\^\([^)]*\)|[-+−/·=<>()⟨⟩√]")
+
+
+def _is_mathematics(token: str) -> bool:
+    """Return True for a token that occurs only in mathematics: a Greek letter, a symbol with a subscript, a power of ten."""
+    is_symbol = token[0].isalpha() and (len(token) > 1 or not token.isascii())
+    is_power_of_ten = token.startswith("10") and token[-1] in _SUPERSCRIPTS
+    return is_symbol or is_power_of_ten or token == "⟨"
+
+
+def _markup(token: str) -> str:
+    """Return one token in mathtext."""
+    if token in _MARKUP:
+        return _MARKUP[token]
+    if token.startswith("^("):
+        return f"^{{{token[2:-1]}}}"
+    if token[-1] in _SUPERSCRIPTS:
+        plain = token.rstrip(_SUPERSCRIPTS)
+        return f"{plain}^{{{token[len(plain) :].translate(_PLAIN_DIGITS)}}}"
+    if not token[0].isalpha():
+        return token
+    star = "^{*}" if token.endswith("*") else ""
+    subscript = token[1:].strip("_*")
+    if len(subscript) > 1 or (subscript.isascii() and subscript.isalpha()):
+        subscript = rf"\mathrm{{{subscript}}}"
+    return token[0] + (f"_{{{subscript}}}" if subscript else "") + star

@@ -1,19 +1,43 @@
-"""Looks of a page: colours of paper, ink and bands, and sizes of letters."""
+"""Looks of regions, and of a page: colours of paper, ink and bands, and sizes of letters."""
 
-from typing import Any, NamedTuple
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import Literal, NamedTuple
 
 from .canvas import Colour, blended
 
 LABEL, TICK, SMALL = 8.0, 7.0, 6.5  # sizes of letters in points, whatever the width of the page
 LETTER = 0.54  # width of a letter over its size, on average
-SHADE = 0.25  # opacity of a shaded region
 DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)))
-HATCHES = ("xxxx", "////", "\\\\\\\\", "||||")
-BORDERS: dict[str, dict[str, Any]] = {
-    "hatched": {"linewidths": 0.5, "linestyles": "dotted"},
-    "shaded": {"linewidths": 0.5, "linestyles": "dotted"},
-    "border": {"linewidths": 0.9, "linestyles": "dashdot"},
-}
+
+
+class Look(NamedTuple):
+    """The way in which a region is shown: its sign in a terminal; on a page its hatch or shade, and the line around it."""
+
+    sign: str
+    hatch: str = ""
+    shade: float = 0.0  # opacity of the ink
+    line: tuple[float, Literal["dotted", "dashdot"]] = (0.5, "dotted")  # width and dashes
+
+    @property
+    def is_line(self) -> bool:
+        """True if only the line around the region is drawn."""
+        return not (self.hatch or self.shade)
+
+
+EVERYWHERE = "everywhere"  # the look of a region that is the whole map: it is mentioned, and nothing is drawn
+BORDER = "border"
+# A pattern belongs to one limit on every map. No two patterns together look like a third, and no sign is one of the bands'.
+LOOKS: Mapping[str, Look] = MappingProxyType(
+    {
+        "contact_radius_in_spacings": Look("x", hatch="...."),
+        "displacement_ratio": Look("/", hatch="////"),
+        "tabor_parameter": Look("|", hatch="||||"),
+        "rolled_over_displacement": Look("^", shade=0.25),
+        BORDER: Look("'", line=(0.9, "dashdot")),
+        EVERYWHERE: Look(" "),
+    }
+)
 
 
 class Style(NamedTuple):

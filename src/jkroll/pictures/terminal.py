@@ -1,18 +1,17 @@
 """Draw maps and curves in a terminal, to its width."""
 
+from collections.abc import Iterable
 from math import isnan
 from typing import Any, TextIO
 
 from ..text import say, wrapped
 from .axes import Axis
 from .canvas import LINES, RAMP, SIGNS, Canvas, Colour, Screen, screen_of, shade, stacked
-from .maps import Level, Map, Mark, Region, label_of
-from .panels import Curve, Panel, Picture
+from .maps import Curve, Level, Map, Mark, Panel, Picture, Region, label_of, sampled
+from .styles import EVERYWHERE, LOOKS
 
 MAX_ROWS = 24
 BAND_STEPS = len(RAMP) - 1  # contours between so many bands
-BORDER = "'"
-HATCHES = "x/\\|"
 
 
 def draw_map(drawn: Map, out: TextIO) -> None:
@@ -22,8 +21,7 @@ def draw_map(drawn: Map, out: TextIO) -> None:
     levels = drawn.bands(BAND_STEPS)
     canvas = Canvas(axis.width, axis.height)
     _paint(canvas, drawn, levels, screen)
-    _hatch(canvas, drawn)
-    legend = [f"{sign} {region.text}".strip() for sign, region in _signs(drawn)]
+    legend = [f"{LOOKS[region.look].sign} {region.text}".strip() for region in _hatch(canvas, drawn)]
     if drawn.has_gaps:
         legend.append("? no value" if not screen.colours else "blank: no value")
     for guide in drawn.guides:
@@ -38,16 +36,13 @@ def draw_map(drawn: Map, out: TextIO) -> None:
     if drawn.printed is not None:
         _label(canvas, drawn.printed, levels, "({})", 0.8)
         legend.append("( ) as printed")
-    for line in wrapped(drawn.title, screen.width):
-        say(line, out)
+    _say([drawn.title], screen, out)
     for line in stacked(above, axis.width):
         say(" " * axis.margin + line, out)
     axis.say(canvas, out)
     for line in _scale(drawn, levels, screen):
         say(line, out)
-    for text in (*legend, *drawn.caption):
-        for line in wrapped(text, screen.width):
-            say(line, out)
+    _say([*legend, *drawn.caption], screen, out)
 
 
 def draw_picture(drawn: Picture, out: TextIO) -> None:
@@ -68,7 +63,12 @@ def draw_picture(drawn: Picture, out: TextIO) -> None:
         if len(panel.curves) > 1:
             for number, curve in enumerate(panel.curves):
                 say(f"{_key(curve.colour, SIGNS[number % len(SIGNS)], screen)} {curve.text}", out)
-    for text in drawn.caption:
+    _say(drawn.caption, screen, out)
+
+
+def _say(texts: Iterable[str], screen: Screen, out: TextIO) -> None:
+    """Print texts in lines that fit the screen."""
+    for text in texts:
         for line in wrapped(text, screen.width):
             say(line, out)
 
@@ -120,8 +120,7 @@ class _Frame:
     def say(self, canvas: Canvas, out: TextIO) -> None:
         """Write the canvas with its axes."""
         texts = {canvas.height - 1 - _cell(self.y, tick.value, canvas.height): tick.text for tick in self.y_ticks}
-        for line in wrapped(self.y.label(), self.screen.width):
-            say(line, out)
+        _say([self.y.label()], self.screen, out)
         for row, line in enumerate(canvas.lines(self.screen)):
             say(f"{texts.get(row, ''):>{self.margin - 1}} {line}", out)
         below = [" "] * (self.screen.width + 1)
@@ -159,36 +158,32 @@ def _paint(canvas: Canvas, drawn: Map, levels: list[Level], screen: Screen) -> N
 
 def _sampled(values: Any, width: int, height: int) -> Any:
     """Return the values nearest to the middles of so many pixels, the highest row first."""
+    return sampled(values, width, height)[::-1]
+
+
+def _hatch(canvas: Canvas, drawn: Map) -> list[Region]:
+    """Hatch the regions; where they overlap, their signs alternate with each other and with the band. Return those to be seen."""
     import numpy
 
-    rows = numpy.rint(numpy.linspace(values.shape[0] - 1, 0, height)).astype(int)
-    columns = numpy.rint(numpy.linspace(0, values.shape[1] - 1, width)).astype(int)
-    return values[rows[:, None], columns[None, :]]
-
-
-def _hatch(canvas: Canvas, drawn: Map) -> None:
-    """Hatch the regions; where they overlap, their signs alternate with each other and with the band."""
     signs: list[list[str]] = [[""] * canvas.width for _ in range(canvas.height)]
-    for sign, region in _signs(drawn):
-        if region.kind == "everywhere":
-            continue
+    known = numpy.isfinite(_sampled(drawn.values, canvas.width, canvas.height))
+    seen = []
+    for region in drawn.regions:
+        look = LOOKS[region.look]
         inside = _sampled(region.margin, canvas.width, canvas.height) < 0
-        if region.kind == "border":
-            inside = _edge(inside)
-        for row, line in enumerate(inside.tolist()):
-            signs[row] = [here + sign if is_inside else here for here, is_inside in zip(signs[row], line, strict=True)]
+        marked = known & (_edge(inside) & ~_edge(known) if look.is_line else inside)
+        if region.look == EVERYWHERE or marked.any():
+            seen.append(region)
+        if region.look == EVERYWHERE:
+            continue
+        for row, line in enumerate(marked.tolist()):
+            signs[row] = [here + look.sign * is_here for here, is_here in zip(signs[row], line, strict=True)]
     for row, line in enumerate(signs):
         for column, here in enumerate(line):
             turn = (row + column) % (len(here) + 1)
             if turn:
                 canvas.hatch(column, row, here[turn - 1])
-
-
-def _signs(drawn: Map) -> list[tuple[str, Region]]:
-    """Return the regions, each with its sign."""
-    hatches = iter(HATCHES)
-    others = {"border": BORDER, "everywhere": " "}
-    return [(others.get(region.kind) or next(hatches), region) for region in drawn.regions]
+    return seen
 
 
 def _edge(is_above: Any) -> Any:

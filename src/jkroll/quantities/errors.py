@@ -1,10 +1,10 @@
 """Errors about the values of quantities."""
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 
 from ..errors import JkrollError
 from ..text import closest, quoted
-from .naming import with_symbol
+from .names import with_symbol
 from .nomenclature import NOMENCLATURE, OPTION_WORDS, word_for_infinity
 from .units import dimension_of, kind_of
 
@@ -57,6 +57,11 @@ OTHER_WORDS = {
     "diameter": "radius",
     "elastic_modulus": "youngs_modulus",
     "force": "pull_off_force",
+    "fragmentation_speed": "disruption_speed",
+    "fragmentation_velocity": "disruption_speed",
+    "friction": "yield_force",
+    "friction_force": "sliding_force",
+    "porosity": "filling_factor",
     "rolling_energy": "roll_energy",
     "rolling_force": "yield_force",
     "rolling_friction": "yield_force",
@@ -64,9 +69,12 @@ OTHER_WORDS = {
     "rolling_resistance": "yield_moment",
     "rolling_torque": "yield_moment",
     "spring_constant": "stiffness",
+    "static_friction": "sliding_force",
     "sticking_velocity": "sticking_speed",
     "surface_tension": "surface_energy",
     "torque": "yield_moment",
+    "torsion": "twisting_moment",
+    "torsional_stiffness": "twisting_stiffness",
     "velocity": "speed",
 }
 
@@ -89,12 +97,14 @@ def nearest(word: str, names: Collection[str] = NOMENCLATURE) -> str | None:
 class OutOfRange(JkrollError):
     """Error raised when a number given to the core lies outside the range of its quantity."""
 
-    def __init__(self, name: str, value: object, words: str) -> None:
-        super().__init__(name, value, words)
-        self.name, self.value, self.words = name, value, words
+    def __init__(self, name: str, value: object, words: str, place: Sequence[int] = ()) -> None:
+        """`place`: the index of the number in an array."""
+        super().__init__(name, value, words, tuple(place))
+        self.name, self.value, self.words, self.place = name, value, words, tuple(place)
 
     def __str__(self) -> str:
-        return f"{self.name}: {self.value!r} {self.words}"
+        where = f" at index {', '.join(map(str, self.place))}" if self.place else ""
+        return f"{self.name}: {self.value!r}{where} {self.words}"
 
 
 def expectation(name: str) -> str:

@@ -5,17 +5,31 @@ from math import floor, isinf, log10
 from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
 
+from ..errors import NoResult
+from ..text import spelled
 from .nomenclature import INFINITY, NOMENCLATURE, header, word_for_infinity
 from .units import Unit, convert
 
 if TYPE_CHECKING:
-    from .uncertain import Interval, Measured, Uncertain
+    from .values import Interval, Measured, Uncertain
 
 DIGITS = 6  # significant, of a rounded value
 _PLAIN = 10**DIGITS  # numbers below have no exponent for want of digits
 _SMALL = 1e-3  # numbers below have too many zeros to share a unit with others
 _PREFIXES = dict(zip(range(-21, 18, 3), ("z", "a", "f", "p", "n", "µ", "m", "", "k", "M", "G", "T", "P"), strict=True))
 _PREFIXABLE = ("m", "N", "J", "Pa", "Hz", "rad", "N m", "N/m", "J/m^2", "N m/rad")
+
+
+class OutOfUnit(NoResult):
+    """Error raised for a value that no double holds in the unit in which it is wanted."""
+
+    def __init__(self, name: str, unit: str) -> None:
+        super().__init__(name, unit)
+        self.name, self.unit = name, unit
+
+    def reason(self) -> str:
+        """Return the unit."""
+        return f"no value in {self.unit} that a double can hold"
 
 
 class Format(NamedTuple):
@@ -28,16 +42,22 @@ class Format(NamedTuple):
         """Return the unit in which a quantity is written for a program."""
         return self.units[name][0] if name in self.units else NOMENCLATURE[name].unit
 
+    def changes(self, name: str) -> bool:
+        """Return whether the numbers of a quantity are not written as they are in SI units."""
+        return name in self.units or self.digits is not None
+
     def number(self, name: str, value: float) -> float:
-        """Convert an SI value to the unit in which it is written."""
-        return convert(value, self.units[name][1]) if name in self.units else value
+        """Return the number that is written for an SI value: in its unit, with its digits. It is infinite or 0 if no double holds it."""
+        number = convert(value, self.units[name][1]) if name in self.units else value
+        return number + 0.0 if self.digits is None else float(f"{number + 0.0:.{self.digits}g}")
+
+    def holds(self, name: str, value: float) -> bool:
+        """Return whether a double holds a value in its unit."""
+        return not value or name not in self.units or 0 < abs(convert(value, self.units[name][1])) < INFINITY
 
     def text(self, name: str, value: float | str) -> str:
         """Return a value as text for a program."""
-        if isinstance(value, str):
-            return value
-        number = self.number(name, value)
-        return repr(number + 0.0) if self.digits is None else f"{number + 0.0:.{self.digits}g}"
+        return value if isinstance(value, str) else spelled(self.number(name, value))
 
     def header(self, name: str) -> str:
         """Return a column header: name and unit."""
@@ -55,7 +75,7 @@ class Format(NamedTuple):
             return self.in_unit(value, (unit, scale)), unit
         digits = self.digits or DIGITS
         if name in self.units:
-            return significant(self.number(name, value), digits), self.units[name][0]
+            return significant(convert(value, self.units[name][1]), digits), self.units[name][0]
         return engineering(value, NOMENCLATURE[name].unit, digits)
 
     def common_unit(self, name: str, values: "Sequence[float | Uncertain]") -> tuple[str, Unit] | None:
@@ -67,7 +87,8 @@ class Format(NamedTuple):
         sizes = sorted(abs(value) for value in middles if value and not isinf(value))
         if si in ("", "1") or not sizes:
             return None
-        scale, prefix = _prefix(float(f"{sizes[(len(sizes) - 1) // 2]:.{self.digits or DIGITS}g}"), si)
+        _, power = _power(sizes[(len(sizes) - 1) // 2], si, self.digits or DIGITS)
+        scale, prefix = _power_of_ten(power), _PREFIXES[power]
         is_short = convert(sizes[0], scale) >= _SMALL and convert(sizes[-1], scale) < _PLAIN
         return (prefix + si, scale) if is_short else None
 
@@ -86,20 +107,18 @@ def engineering(value: float, unit: str, digits: int = DIGITS) -> tuple[str, str
     >>> engineering(1.1780972e-08, "N")
     ('11.781', 'nN')
     """
-    rounded = float(f"{value:.{digits}g}")
-    scale, prefix = _prefix(rounded, unit)
-    number = convert(rounded, scale) if prefix else rounded
-    return significant(number, digits), prefix + ("" if unit == "1" else unit)
+    mantissa, power = _power(value, unit, digits)
+    return significant(float(mantissa), digits), _PREFIXES[power] + ("" if unit == "1" else unit)
 
 
-def _prefix(value: float, unit: str) -> tuple[Unit, str]:
-    """Return the prefix that suits a value in a unit, and its power of ten."""
-    exponent = 0
-    if unit in _PREFIXABLE and value != 0 and not isinf(value):
-        exponent = 3 * floor(log10(abs(value)) / 3 + 1e-12)
-    if exponent not in _PREFIXES:
-        exponent = 0
-    return _power_of_ten(exponent), _PREFIXES[exponent]
+def _power(value: float, unit: str, digits: int) -> tuple[str, int]:
+    """Return a value rounded to significant digits without the power of ten of the prefix that suits it, and that power."""
+    mantissa, has_exponent, text = f"{value:.{digits - 1}e}".partition("e")
+    exponent = int(text) if has_exponent else 0
+    power = 3 * (exponent // 3)
+    if unit not in _PREFIXABLE or power not in _PREFIXES or not value:
+        power = 0
+    return (f"{mantissa}e{exponent - power}" if has_exponent else mantissa), power
 
 
 def significant(value: float, digits: int) -> str:
@@ -118,7 +137,7 @@ def pretty(unit: str) -> str:
     >>> pretty("mJ/m^2"), pretty("m^-1")
     ('mJ/m²', 'm⁻¹')
     """
-    return unit.replace("^2", "²").replace("^3", "³").replace("^-1", "⁻¹")
+    return unit.replace("^2", "²").replace("^3", "³").replace("^-1", "⁻¹") if "^" in unit else unit
 
 
 def _power_of_ten(exponent: int) -> Unit:
@@ -133,7 +152,7 @@ def amount(name: str, value: "float | str | Uncertain", form: Format = AS_USUAL)
 
     >>> amount("yield_displacement", 2e-10)
     '200 pm'
-    >>> from .uncertain import parse_uncertain
+    >>> from .values import parse_uncertain
     >>> texts = ("25±5 mJ/m2", "25 +6/-4 mJ/m2", "20 to 30 mJ/m2")
     >>> [amount("surface_energy", parse_uncertain(text, "surface_energy")) for text in texts]
     ['25.0 ± 5.0 mJ/m²', '25.0 +6.0/-4.0 mJ/m²', '20 to 30 mJ/m²']

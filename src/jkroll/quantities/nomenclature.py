@@ -3,12 +3,143 @@
 Parsing, help, tables, CSV headers, JSON and error messages all read this table.
 """
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from types import MappingProxyType
+from typing import NamedTuple
 
-from .law_quantities import OF_MAUGIS
 from .laws import LAWS, routes_anywhere
-from .quantity import Quantity, Range
+
+
+class Quantity(NamedTuple):
+    """The meaning of a name, and the range of its values."""
+
+    symbol: str
+    unit: str  # SI; "1" for a number, "" for a text
+    sentence: str
+    equation: str = ""  # as the paper numbers it
+    range: str = ""  # a name in RANGES, of the values that a user may give
+    infinity: str = ""  # the word for an infinite value
+    option: str = ""  # of the command line
+    example: str = ""  # a value as a user types it
+    note: str = ""  # the reason why it is shown beside another quantity
+    definition: str = ""  # of one among several conventions: the factor, in units that are common to them
+    reference: str = ""  # of a convention: the paper or code where it stands
+    may_be_zero: bool = False  # a result of exactly 0 is its value, and no underflow
+    shown_with: Collection[str] = ()  # inputs; it is shown only where one of them was stated
+    hidden_with: Collection[str] = ()  # inputs; it is not shown where one of them was stated
+    of_identical: bool = False  # shown for identical spheres only
+    variant_of: str = ""  # the quantity that it is by another formula or on another way
+
+
+class Range(NamedTuple):
+    """An interval of values that a user may give, with the words for an error."""
+
+    low: float
+    high: float
+    low_allowed: bool
+    high_allowed: bool
+    words: str
+
+    def admits(self, value: float) -> bool:
+        """Return whether a number lies in the range; nan lies in none."""
+        above = value >= self.low if self.low_allowed else value > self.low
+        below = value <= self.high if self.high_allowed else value < self.high
+        return above and below
+
+
+# --- Quantities that Maugis' law alone has ----------------------------------------------------------------------------
+
+OF_MAUGIS: Mapping[str, Quantity] = {
+    "transition_parameter": Quantity("λ", "1", "Maugis' parameter of the transition between JKR and DMT"),
+    "cohesive_stress": Quantity("σ0", "Pa", "largest stress with which two surfaces attract"),
+    "edge_ratio": Quantity("v", "1", "contact radius over the span of the ring of attraction", range="positive"),
+    "edge_ratio_at_load": Quantity("v", "1", "edge ratio at the load", variant_of="edge_ratio"),
+    "edge_ratio_at_approach": Quantity(
+        "v", "1", "edge ratio at the approach", may_be_zero=True, variant_of="edge_ratio"
+    ),
+    "edge_ratio_at_pull_off": Quantity("v_c", "1", "edge ratio at pull-off"),
+    "edge_ratio_at_fold": Quantity("v_fold", "1", "edge ratio where fixed grips let go", may_be_zero=True),
+    "zone_span": Quantity("T", "m", "span of the ring of attraction"),
+    "zone_span_at_approach": Quantity(
+        "T", "m", "span of the ring of attraction at the approach", variant_of="zone_span"
+    ),
+    "zone_radius": Quantity("c", "m", "radius of the zone of attraction"),
+    "contact_displacement": Quantity("ξ_contact", "m", "displacement of the contact circle"),
+    "fold_approach_maugis": Quantity("δ_fold", "m", "least approach that fixed grips hold"),
+    "state_energy_maugis": Quantity("Φ", "J", "energy of the state"),
+}
+
+
+# --- Quantities of models of many grains ------------------------------------------------------------------------------
+
+_SPEED = "½(Nm1/2)v² = E"  # of two equal aggregates
+_WADA = "Wada et al. 2007"
+_E_ROLL = "E_roll is that of 90 degrees, 6π²γRξ"
+
+OF_DEM: Mapping[str, Quantity] = {
+    "cutoff": Quantity("D0", "m", "cutoff distance of van der Waals' forces", range="positive", option="--cutoff", example="0.165nm"),
+    # sliding and twisting
+    "shear_strength": Quantity("τ", "Pa", "shear strength of the contact (friction)", range="positive", option="--shear-strength", example="12MPa"),
+    "sliding_force": Quantity("F_slide", "N", "tangential force at which the contact slides (friction)"),
+    "sliding_displacement": Quantity("s_slide", "m", "elastic displacement at which the contact slides"),
+    "sliding_energy": Quantity("E_slide", "J", "elastic energy at which the contact slides"),
+    "peeling_force": Quantity("T_peel", "N", "tangential force at which the contact peels off", may_be_zero=True),
+    "peeling_radius": Quantity("a_peel", "m", "contact radius at which it peels off"),
+    "peeling_over_sliding": Quantity("T/F_slide", "1", "peeling force over the force to slide the contact as it peels", may_be_zero=True),
+    "twisting_stiffness": Quantity("k_t", "N m", "torsional stiffness at the load"),
+    "twisting_moment": Quantity("M_twist", "N m", "moment at which the contact twists (torsion)"),
+    "twisting_angle": Quantity("φ_twist", "rad", "angle of torsion at which the contact twists"),
+    "twisting_energy": Quantity("E_twist", "J", "elastic energy of torsion at which the contact twists"),
+    "twisting_frequency": Quantity("f_twist", "Hz", "frequency of twisting (torsion)"),
+    # aggregates
+    "monomers": Quantity("N", "1", "number of grains of an aggregate", range="positive", option="--monomers", example="1000"),
+    "contacts": Quantity("n_c", "1", "number of contacts of an aggregate", range="positive", option="--contacts", example="2500"),
+    "filling_factor": Quantity("φ", "1", "filling factor of an aggregate", range="loose", option="--filling-factor", example="0.1"),
+    "restructuring_energy": Quantity(
+        "E_restr", "J", "impact energy at which aggregates restructure", note=_E_ROLL,
+        definition="5E_roll(π/2)", of_identical=True, reference="Dominik & Tielens 1997",
+    ),
+    "restructuring_speed": Quantity(
+        "v_restr", "m/s", "impact speed at which aggregates restructure",
+        definition="√(4E_restr/(Nm1))", of_identical=True, reference=_SPEED,
+    ),
+    "restructuring_energy_ormel": Quantity(
+        "E_restr(1)", "J", "impact energy at which aggregates restructure", note=_E_ROLL,
+        definition="E_roll(π/2)", of_identical=True, reference="Ormel et al. 2007",
+    ),
+    "restructuring_speed_ormel": Quantity(
+        "v_restr(1)", "m/s", "impact speed at which aggregates restructure",
+        definition="√(4E_restr(1)/(Nm1))", of_identical=True, reference=_SPEED,
+    ),
+    "disruption_energy": Quantity(
+        "E_disr", "J", "impact energy of catastrophic fragmentation",
+        definition="10·2n_c U_grips", of_identical=True, reference=_WADA,
+    ),
+    "disruption_speed": Quantity(
+        "v_disr", "m/s", "impact speed of catastrophic fragmentation",
+        definition="√(4E_disr/(Nm1))", of_identical=True, reference=_SPEED,
+    ),
+    "disruption_energy_dust_simulation": Quantity(
+        "E_disr(1.8)", "J", "impact energy of catastrophic fragmentation",
+        definition="10·2n_c·1.8F_cδ_c", of_identical=True, reference=_WADA,
+    ),
+    "disruption_speed_dust_simulation": Quantity(
+        "v_disr(1.8)", "m/s", "impact speed of catastrophic fragmentation",
+        definition="√(4E_disr(1.8)/(Nm1))", of_identical=True, reference=_SPEED,
+    ),
+    "compressive_strength": Quantity(
+        "P_comp", "Pa", "compressive strength of an aggregate",
+        note="E_roll is that of 180 degrees, 6π²γR1ξ, twice as much",
+        definition="E_roll(π)/R1³ (1/φ − 1/0.74)⁻³", of_identical=True, reference="Phantom, porosity.f90",
+    ),
+    "tensile_strength": Quantity(
+        "P_tens", "Pa", "tensile strength of an aggregate",
+        definition="0.6φ^1.8 γ/R1", of_identical=True, reference="Tatsuuma et al. 2019",
+    ),
+}  # fmt: skip
+
+
+# --- All quantities ---------------------------------------------------------------------------------------------------
 
 INFINITY = float("inf")
 RANGES: Mapping[str, Range] = MappingProxyType(
@@ -16,6 +147,7 @@ RANGES: Mapping[str, Range] = MappingProxyType(
         "positive": Range(0.0, INFINITY, False, False, "must be positive"),
         "up to infinite": Range(0.0, INFINITY, False, True, "must be positive"),
         "poisson": Range(-1.0, 0.5, True, True, "must lie between -1 and 0.5"),
+        "loose": Range(0.0, 0.74, False, False, "must lie between 0 and 0.74, that of the closest packing"),
         "finite": Range(-INFINITY, INFINITY, False, False, "must be finite"),
     }
 )
@@ -33,6 +165,7 @@ _PER_SPHERE = {
     ),
     "poisson_ratio": Quantity("ν1", "1", "Poisson's ratio", range="poisson", option="--poisson", example="0.3"),
     "density": Quantity("ρ1", "kg/m^3", "mass density", range="positive", option="--density", example="1g/cm3"),
+    "hamaker": Quantity("A1", "J", "Hamaker constant", range="positive", option="--hamaker", example="6.5e-20J"),
     "mass": Quantity("m1", "kg", "mass of sphere 1", "41", range="up to infinite"),
     "moment_of_inertia": Quantity("I1", "kg m^2", "moment of inertia of sphere 1", "39", range="up to infinite"),
 }
@@ -78,14 +211,10 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "load": Quantity("P", "N", "load, tension negative", "5", range="finite", option="--load", example="-5nN", may_be_zero=True, shown_with=STATE),
         "gravity": Quantity("g", "m/s^2", "gravity", range="positive", option="--gravity", example="1.62m/s2"),
         "energy": Quantity("W0", "J", "impact energy of sphere 1", "48", range="positive", option="--energy", example="1e-18J"),
-        "energy_ratio": Quantity(
-            "W0/P_cδ0", "1", "W0 over P_cδ0", range="positive", option="--energy-ratio", example="1"
-        ),
+        "energy_ratio": Quantity("W0/P_cδ0", "1", "W0 over P_cδ0", range="positive", option="--energy-ratio", example="1"),
         "speed": Quantity("v", "m/s", "impact speed of sphere 1", range="positive", option="--speed", example="10cm/s"),
         # the pair
-        "work_of_adhesion": Quantity(
-            "w", "J/m^2", "work of adhesion, 2γ", "1", range="positive", option="--work-of-adhesion", example="50mJ/m2"
-        ),
+        "work_of_adhesion": Quantity("w", "J/m^2", "work of adhesion, 2γ", "1", range="positive", option="--work-of-adhesion", example="50mJ/m2"),
         "radius_ratio": Quantity("R1/R2", "1", "ratio of the radii", "1", may_be_zero=True),
         "reduced_radius": Quantity("R", "m", "reduced radius", "1", range="positive"),
         "contact_modulus": Quantity("E*", "Pa", "contact modulus", "2", range="positive"),
@@ -115,8 +244,6 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "load_margin_of_factor": Quantity("s", "1", "√(1 + P/P_c)", "5", may_be_zero=True, variant_of="load_margin"),
         "load_margin_at_approach": Quantity("s", "1", "√(1 + P/P_c) at the approach", "6", may_be_zero=True, variant_of="load_margin"),
         "load_factor_at_approach": Quantity("x", "1", "â^(3/2) at the approach", "6", variant_of="load_factor"),
-        "load_factor_at_load_unstable": Quantity("x", "1", "â^(3/2) on the unstable branch", "5", may_be_zero=True, variant_of="load_factor"),
-        "load_factor_at_approach_unstable": Quantity("x", "1", "â^(3/2) on the unstable branch at the approach", "6", may_be_zero=True, variant_of="load_factor"),
         "stiffness": Quantity("dP/dδ", "N/m", "normal stiffness at the load", "34", may_be_zero=True),
         "tangential_stiffness": Quantity("k_s", "N/m", "tangential stiffness at the load"),
         "hertz_pressure": Quantity("p_H", "Pa", "Hertz part of the pressure", "8"),
@@ -245,6 +372,7 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
             "v_stick(19.2)", "m/s", "largest relative speed that sticks",
             definition="√(2E_stick(19.2)/m)", reference="code pencil-code/pencil-code",
         ),
+        **OF_DEM,
         **OF_MAUGIS,
     }
 )  # fmt: skip

@@ -1,7 +1,6 @@
 """Unit names and their meanings, made from pint by tests/tools/make_unit_table.py: do not edit."""
 
 PINT_VERSION = "0.25.3"
-BASE_UNITS = ("kilogram", "meter", "second", "ampere", "kelvin", "mole", "candela", "radian")
 # fmt: off
 PREFIXES = {  # name: power of ten
     "y": -24,

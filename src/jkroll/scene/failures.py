@@ -1,58 +1,325 @@
-"""The numbers for which the physics gives a formula no result, with the error that says why."""
+"""Errors about a scene: inputs that are missing or exclude each other, and contacts that do not exist.
 
-from collections.abc import Mapping
-from typing import Any
+Below: the numbers for which the physics gives a formula no result, with the error that says why.
+"""
 
-from ..errors import NoResult
+from collections.abc import Callable, Mapping, Sequence
+from math import isinf
+from typing import Any, NamedTuple
+
+from ..errors import JkrollError, NoResult
 from ..physics.contact import pull_off_force_dmt
 from ..physics.jkr import FOLD_APPROACH
-from ..physics.maugis_states import fold_approach_maugis, pull_off_force_maugis
-from ..quantities.nomenclature import INFINITY
-from .errors import BeyondFold, BeyondPullOff, NoChain, NoUnstableState, NoVibration, TooMuchHysteresis
+from ..physics.maugis import fold_approach_maugis, pull_off_force_maugis
+from ..quantities.formatting import DIGITS, Format, amount
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from .wiring import parameters_of
 
-
-def failure_of(name: str, given: Mapping[str, Any]) -> NoResult | None:
-    """Return why a formula has no result for these numbers, if the physics forbids it."""
-    found: NoResult | None = None
-    match name:
-        case "load_margin":
-            found = _beyond_pull_off(given, given["pull_off_force"])
-        case "edge_ratio_at_load":
-            found = _beyond_pull_off(given, _evaluated(pull_off_force_maugis, given))
-        case "contact_radius_dmt" | "adhesive_force_dmt":
-            found = _beyond_pull_off(given, _evaluated(pull_off_force_dmt, given))
-        case "load_factor_at_approach" | "load_margin_at_approach":
-            found = _beyond_fold(given, FOLD_APPROACH * given["approach"])
-        case "edge_ratio_at_approach":
-            found = _beyond_fold(given, _evaluated(fold_approach_maugis, given))
-        case "contact_radius_dmt_at_approach":
-            found = _beyond_fold(given, 0.0)
-        case "load_factor_at_load_unstable" if given["load"] > 0:
-            found = NoUnstableState(name)
-        case "load_factor_at_approach_unstable" if given["approach_at_load"] > 0:
-            found = NoUnstableState(name)
-        case "load_factor_at_approach_unstable":
-            found = _beyond_fold(given, FOLD_APPROACH * given["approach"])
-        case "r_min" if given["radius2"] == INFINITY:
-            found = NoChain()
-        case "vertical_frequency" if given["stiffness"] < 0:
-            found = NoVibration()
-        case "yield_displacement_at_hysteresis" if given["adhesion_hysteresis"] > given["work_of_adhesion"]:
-            found = TooMuchHysteresis(given["adhesion_hysteresis"], given["work_of_adhesion"])
-    return found
+MAX_DIGITS = 17  # that tell two doubles apart
 
 
-def _beyond_pull_off(given: Mapping[str, Any], force: float) -> BeyondPullOff | None:
-    """Return the error of a tension larger than a pull-off force, if the load is one."""
-    return BeyondPullOff(given["load"], force) if given["load"] < -force else None
+class MissingInput(JkrollError):
+    """Error raised when a quantity cannot be computed from what was given."""
+
+    def __init__(self, wanted: str, missing: Sequence[str], instead: Sequence[str] = (), lacking: str = "") -> None:
+        super().__init__(wanted, tuple(missing), tuple(instead), lacking)
+        self.wanted, self.missing, self.instead, self.lacking = wanted, tuple(missing), tuple(instead), lacking
+
+    def __str__(self) -> str:
+        return f"{self.wanted} {self.reason()}"
+
+    def reason(self) -> str:
+        """Return why there is no value, without the name of the quantity."""
+        return f"needs {self.needs()}"
+
+    def reason_of_several(self) -> str:
+        """Return why several quantities have no value, without their names."""
+        return f"need {self.needs()}"
+
+    def needs(self) -> str:
+        """Return the missing inputs, the materials that do not have them, and how they are given."""
+        words = " and ".join(NOMENCLATURE[name].sentence for name in self.missing)
+        options = " ".join(_as_typed(name) for name in self.missing if NOMENCLATURE[name].option)
+        radii = [
+            f"a radius such as {NOMENCLATURE[name].example}" for name in self.missing if not NOMENCLATURE[name].option
+        ]
+        give = " and ".join([options, *radii] if options else radii)
+        instead = "".join(f" or {_as_typed(name)}" for name in self.instead)
+        return f"{words}{self.lacking and '; ' + self.lacking}; give {give}{instead}"
 
 
-def _beyond_fold(given: Mapping[str, Any], least: float) -> BeyondFold | None:
-    """Return the error of an approach at which fixed grips let go, if the approach is one."""
-    return BeyondFold(given["approach_at_load"], least) if given["approach_at_load"] <= least else None
+class NotInLaw(MissingInput):
+    """Error raised for a quantity that a law of attraction does not have."""
+
+    def __init__(self, wanted: str, lacking: Sequence[str], law: str) -> None:
+        JkrollError.__init__(self, wanted, tuple(lacking), law)
+        self.wanted, self.missing, self.instead, self.lacking = wanted, (), (), ""
+        self.absent, self.law = tuple(lacking), law
+
+    def __str__(self) -> str:
+        return f"{self.wanted}: {self.reason()}"
+
+    def reason(self) -> str:
+        """Return which quantity the law does not have: this one, or one that it follows from."""
+        return self._of_the_law() or super().reason()
+
+    def reason_of_several(self) -> str:
+        """Return the same for several quantities."""
+        return self._of_the_law() or super().reason_of_several()
+
+    def _of_the_law(self) -> str:
+        return f"not in {self.law}; give --model jkr" if self.absent == (self.wanted,) else ""
+
+    def needs(self) -> str:
+        """Return the quantity that the law does not have."""
+        words = " and ".join(NOMENCLATURE[name].sentence for name in self.absent)
+        return f"{words}, which {self.law} does not have; give --model jkr"
+
+
+def _as_typed(name: str) -> str:
+    return f"{NOMENCLATURE[name].option} {NOMENCLATURE[name].example}"
+
+
+def _told_apart(name: str, value: float, limit: float) -> tuple[str, str]:
+    """Return two values as results are shown, or with as many digits more as tell them apart."""
+    texts = amount(name, value), amount(name, limit)
+    digits = DIGITS
+    while texts[0] == texts[1] and digits < MAX_DIGITS:
+        digits += 1
+        form = Format(digits=digits)
+        texts = amount(name, value, form), amount(name, limit, form)
+    return texts
+
+
+class Contradiction(JkrollError):
+    """Error raised for inputs of which one follows from the other."""
+
+    def __init__(self, names: Sequence[str]) -> None:
+        super().__init__(tuple(names))
+        self.names = tuple(names)
+
+    def __str__(self) -> str:
+        return f"{' and '.join(self.names)} exclude each other: one follows from the other"
+
+
+class ShapeMismatch(JkrollError):
+    """Error raised for arrays that do not broadcast."""
+
+    def __init__(self, shapes: Sequence[tuple[str, tuple[int, ...]]]) -> None:
+        super().__init__(tuple(shapes))
+        self.shapes = tuple(shapes)
+
+    def __str__(self) -> str:
+        return "these arrays do not broadcast: " + ", ".join(f"{name} {shape}" for name, shape in self.shapes)
+
+
+class NoContact(NoResult):
+    """Base class of the errors of a contact that does not exist: nothing of the scene is to be trusted."""
+
+
+class BeyondPullOff(NoContact):
+    """Error raised at a tension larger than the pull-off force, where there is no contact."""
+
+    name = "load"
+
+    def __init__(self, load: float, least: float, by_maugis: float = 0.0) -> None:
+        super().__init__(load, least, by_maugis)
+        self.load, self.least, self.by_maugis = load, least, by_maugis
+
+    def reason(self) -> str:
+        """Return which loads this contact holds."""
+        load, held = _told_apart("load", self.load, self.least)
+        text = f"{load} is beyond pull-off; this contact holds down to {held}"
+        if not self.by_maugis:
+            return text
+        return f"{text}; by Maugis' law it holds down to {amount('load', self.by_maugis)} (--model maugis)"
+
+
+class BeyondFold(NoContact):
+    """Error raised at an approach at which even fixed grips have let go."""
+
+    name = "approach_at_load"
+
+    def __init__(self, approach: float, least: float) -> None:
+        super().__init__(approach, least)
+        self.approach, self.least = approach, least
+
+    def reason(self) -> str:
+        """Return which approaches this contact holds."""
+        approach, least = _told_apart("approach_at_load", self.approach, self.least)
+        return f"{approach} is beyond the fold; fixed grips hold this contact down to {least}"
+
+
+class TooMuchHysteresis(NoResult):
+    """Error raised for an adhesion hysteresis above the work of adhesion."""
+
+    name = "adhesion_hysteresis"
+
+    def __init__(self, hysteresis: float, work: float) -> None:
+        super().__init__(hysteresis, work)
+        self.hysteresis, self.work = hysteresis, work
+
+    def reason(self) -> str:
+        """Return how large the hysteresis may be."""
+        hysteresis, work = _told_apart("adhesion_hysteresis", self.hysteresis, self.work)
+        return f"{hysteresis} is above the work of adhesion, {work}, of which it is a part"
+
+
+class TwoRigidBodies(NoResult):
+    """Error raised where both bodies are rigid: JKR's contact has no area then."""
+
+    name = "contact_modulus"
+
+    def reason(self) -> str:
+        """Return what a contact area needs."""
+        return "both bodies are rigid; a contact area needs one that yields"
+
+
+class RestsOnSpacing(NoResult):
+    """Error raised for a quantity that the atomic spacing decides on, where it was not given."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__(name)
+        self.name = name
+
+    def reason(self) -> str:
+        """Return what decides."""
+        spacing = NOMENCLATURE["atomic_spacing"]
+        return f"rests on {spacing.symbol}; give {spacing.option} {spacing.example}"
+
+
+class NoChain(NoResult):
+    """Error raised for a chain that has a plane in it."""
+
+    name = "r_min"
+
+    def reason(self) -> str:
+        """Return what a chain needs."""
+        return "sphere 2 is a plane; a chain needs two spheres"
+
+
+class OfIdenticalSpheres(NoResult):
+    """Error raised where all that is asked for is known of identical spheres only, and sphere 2 differs."""
+
+    name = "sphere 2"
+
+    def reason(self) -> str:
+        """Return what is wrong with sphere 2."""
+        return "differs from sphere 1; this is known of identical spheres only"
+
+
+class NotHeld(NoResult):
+    """Error raised for what only spheres have that hold together by themselves, between pull-off and the fold."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__(name)
+        self.name = name
+
+    def reason(self) -> str:
+        """Return why the spheres do not hold together."""
+        return "beyond pull-off only fixed grips hold the contact; free spheres fly apart"
+
+
+class NoFiniteValue(NoResult):
+    """Error raised for a result outside the range of doubles, or without limit."""
+
+    def __init__(self, name: str, value: float) -> None:
+        super().__init__(name, value)
+        self.name, self.value = name, value
+
+    def reason(self) -> str:
+        """Return on which side of the range of doubles the result lies."""
+        return "no finite value for these inputs" if abs(self.value) > 1 else "no value that a double can hold"
+
+
+class InfiniteValue(NoResult):
+    """Error raised where a number is to be written and the value is infinite, such as the mass of a plane."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__(name)
+        self.name = name
+
+    def reason(self) -> str:
+        """Return what the value is."""
+        return "infinite"
+
+
+def written_outcome(name: str, outcome: Any) -> Any:
+    """Return the outcome of a quantity for a reader of numbers: an infinite value is an InfiniteValue."""
+    return InfiniteValue(name) if isinstance(outcome, float) and isinf(outcome) else outcome
+
+
+def reason_of(name: str, error: MissingInput | NoResult) -> str:
+    """Return why a quantity has no value, without its name."""
+    if isinstance(error, MissingInput) or error.name == name:
+        return error.reason()
+    return str(error)
+
+
+# --- Numbers for which the physics has no result ----------------------------------------------------------------------
+
+
+class Hold(NamedTuple):
+    """The hold of a contact: the input that ends it, the least value of that input, and the error beyond it."""
+
+    name: str
+    least: Any  # a number, or an array of numbers
+    error: type[BeyondPullOff] | type[BeyondFold]
+
+    def lets_go(self, value: Any) -> Any:
+        """Return whether there is no contact at a value, element by element for arrays."""
+        return value <= self.least if self.error is BeyondFold else value < self.least
+
+
+def _is_held_by_grips_alone(given: Mapping[str, Any]) -> bool:
+    """Return whether a state lies between pull-off and the fold, by its stiffness or by its distance from pull-off."""
+    return bool(given.get("stiffness", 0) < 0 or given.get("load_margin", 0) < 0)
 
 
 def _evaluated(formula: Any, given: Mapping[str, Any]) -> Any:
     """Return the result of a formula whose arguments are among those of another."""
     return formula(**{name: given[name] for name in parameters_of(formula)})
+
+
+def _of_approach(given: Mapping[str, Any]) -> Any:
+    return FOLD_APPROACH * given["approach"]
+
+
+# The formulas that have a result for a contact only: what it holds, from their arguments.
+_LEAST_LOAD: Mapping[str, Callable[[Mapping[str, Any]], Any]] = {
+    "load_margin": lambda given: -given["pull_off_force"],
+    "edge_ratio_at_load": lambda given: -_evaluated(pull_off_force_maugis, given),
+    "contact_radius_dmt": lambda given: -_evaluated(pull_off_force_dmt, given),
+    "adhesive_force_dmt": lambda given: -_evaluated(pull_off_force_dmt, given),
+}
+_LEAST_APPROACH: Mapping[str, Callable[[Mapping[str, Any]], Any]] = {
+    "load_factor_at_approach": _of_approach,
+    "load_margin_at_approach": _of_approach,
+    "edge_ratio_at_approach": lambda given: _evaluated(fold_approach_maugis, given),
+    "contact_radius_dmt_at_approach": lambda _: 0.0,
+}
+
+
+def hold_of(step: str, given: Mapping[str, Any]) -> Hold | None:
+    """Return how far a contact holds by a formula that has no result beyond, given its arguments; None for other formulas."""
+    if step in _LEAST_LOAD:
+        return Hold("load", _LEAST_LOAD[step](given), BeyondPullOff)
+    if step in _LEAST_APPROACH:
+        return Hold("approach_at_load", _LEAST_APPROACH[step](given), BeyondFold)
+    return None
+
+
+def failure_of(step: str, given: Mapping[str, Any]) -> NoResult | None:
+    """Return why a formula has no result for these numbers, if the physics forbids it."""
+    hold = hold_of(step, given)
+    if hold is not None and hold.lets_go(given[hold.name]):
+        return hold.error(given[hold.name], hold.least)
+    found: NoResult | None = None
+    match step:
+        case "r_min" if given["radius2"] == INFINITY:
+            found = NoChain()
+        case "vertical_frequency" | "peeling_force" | "peeling_radius" if _is_held_by_grips_alone(given):
+            found = NotHeld(step)
+        case "yield_displacement_at_hysteresis" if given["adhesion_hysteresis"] > given["work_of_adhesion"]:
+            found = TooMuchHysteresis(given["adhesion_hysteresis"], given["work_of_adhesion"])
+    return found

@@ -5,35 +5,202 @@ pieces, and each piece that brackets the measured value is bisected down to two 
 range is found, and nothing is extrapolated.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Generator, Mapping, Sequence
 from itertools import pairwise
-from math import inf, isnan, log10, nan
-from typing import NamedTuple
+from math import inf, isnan, log, log10, nan
+from typing import Any, NamedTuple, TypeVar
 
 from ..errors import JkrollError, NoResult
 from ..quantities.errors import nearest
 from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
 from ..text import quoted
-from .numerics import highest_between, logarithmic_slope
 from .scene import EXCLUSIVE, Scene
+
+# --- Functions of one variable ----------------------------------------------------------------------------------------
+
+_GOLDEN = 0.6180339887498949  # of an interval, the part that a step of the golden-section search keeps
+_SEARCHES = 45  # steps of it: they leave 4e-10 of an interval, and all digits of a value that is flat there
+_HALVINGS = 200  # more than lead from any interval to neighbouring doubles
+_JUMP = 1e-6  # part of the values around it that a change of sign may leave, if it is a crossing and no jump
+_STEP = 1e-6  # relative, of the differences that give a slope
+
+Found = TypeVar("Found")
+Search = Generator[float, Any, Found]  # yields a place, and is sent the value there, which is nan where there is none
+
+
+class Piece(NamedTuple):
+    """The places and values of a part of a scan."""
+
+    places: list[float]
+    values: list[float]
+
+
+def found_by(search: Search[Found], function: Callable[[float], float]) -> Found:
+    """Return what a search finds on a function."""
+    try:
+        place = next(search)
+        while True:
+            place = search.send(function(place))
+    except StopIteration as end:
+        return end.value  # type: ignore[no-any-return]
+
+
+def found_by_all(
+    searches: Mapping[int, Search[Found]], function: Callable[[list[int], list[float]], Sequence[float]]
+) -> dict[int, Found | NoResult]:
+    """Return what searches find, or the NoResult that ends one, by number. `function` takes numbers, and a place for each."""
+    found: dict[int, Found | NoResult] = {}
+    running = [*searches.items()]
+    values: Sequence[float | None] = [None] * len(running)  # none is sent to a search at its beginning
+    while running:
+        waiting, places = [], []
+        for one, value in zip(running, values, strict=True):
+            number, search = one
+            try:
+                places.append(search.send(value))
+            except StopIteration as end:
+                found[number] = end.value
+            except NoResult as error:
+                found[number] = error
+            else:
+                waiting.append(one)
+        running = waiting
+        values = function([number for number, _ in running], places) if running else []
+    return found
+
+
+# --- The places at which a function has a value -----------------------------------------------------------------------
+
+
+def pieces_of(places: Sequence[float], values: Sequence[float]) -> Search[list[Piece]]:
+    """Return the stretches of a scan on which there are values, each extended to its very ends."""
+    is_gap = [*map(isnan, values)]
+    cuts = [0, *(at for at, (before, after) in enumerate(pairwise(is_gap), 1) if before != after), len(values)]
+    pieces = []
+    for start, stop in pairwise(cuts):
+        if is_gap[start]:
+            continue
+        piece = Piece([*places[start:stop]], [*values[start:stop]])
+        if start > 0:
+            piece.places.insert(0, (yield from _end(places[start], places[start - 1])))
+            piece.values.insert(0, (yield piece.places[0]))
+        if stop < len(values):
+            piece.places.append((yield from _end(places[stop - 1], places[stop])))
+            piece.values.append((yield piece.places[-1]))
+        pieces.append(piece)
+    return pieces
+
+
+def _end(inside: float, outside: float) -> Search[float]:
+    """Return the last place with a value on the way from one that has a value to one that has none."""
+    for _ in range(_HALVINGS):
+        middle = (inside + outside) / 2
+        if middle in (inside, outside):
+            break
+        if isnan((yield middle)):
+            outside = middle
+        else:
+            inside = middle
+    return inside
+
+
+def with_turning_points(piece: Piece, level: float) -> Search[Piece]:
+    """Return a piece with the turning points at which a function may pass a level and come back."""
+    places, values = piece
+    turns: dict[float, float] = {}
+    for at, (before, value, after) in enumerate(zip(values, values[1:], values[2:], strict=False), 1):
+        if before < value > after and value <= level:
+            turn = yield from highest_between(places[at - 1], places[at + 1])
+        elif before > value < after and value > level:
+            turn = yield from highest_between(places[at - 1], places[at + 1], sign=-1.0)
+        else:
+            continue
+        turns[turn] = yield turn
+    if not turns:
+        return piece
+    points = sorted((dict(zip(places, values, strict=True)) | turns).items())
+    return Piece([place for place, _ in points], [value for _, value in points])
+
+
+def crossings(piece: Piece, level: float) -> Search[list[float]]:
+    """Return the places at which a function has a value, on a piece that is divided at its turning points."""
+    places, values = piece
+    found = [places[at] for at, value in enumerate(values) if value == level]
+    for at, (before, after) in enumerate(pairwise(values)):
+        if before < level < after or before > level > after:
+            place = yield from _bisected(places[at], places[at + 1], level, rises=before < level)
+            if abs((yield place) - level) <= _JUMP * max(abs(before - level), abs(after - level)):
+                found.append(place)
+    return found
+
+
+def _bisected(left: float, right: float, level: float, *, rises: bool) -> Search[float]:
+    """Return the double at which a function passes a level."""
+    for _ in range(_HALVINGS):
+        middle = (left + right) / 2
+        value = yield middle
+        if value == level or middle in (left, right):
+            return middle
+        if (value < level) == rises:
+            left = middle
+        else:
+            right = middle
+    return middle
+
+
+# --- Other methods ----------------------------------------------------------------------------------------------------
+
+
+def highest_between(left: float, right: float, *, sign: float = 1.0) -> Search[float]:
+    """Return where a function with one maximum between two points is highest, by golden-section search; with sign −1, lowest."""
+    for _ in range(_SEARCHES):
+        width = _GOLDEN * (right - left)
+        low, high = right - width, left + width
+        if sign * (yield low) > sign * (yield high):
+            right = high
+        else:
+            left = low
+    return (left + right) / 2
+
+
+def logarithmic_slope(outcome: Callable[[float], float], value: float) -> float:
+    """Return d ln(outcome)/d ln(value) by central differences, or one-sided ones where the outcomes end.
+
+    It is infinite where the outcome is zero, and nan where there is no outcome on either side.
+    """
+    points = []
+    for factor in (1 / (1 + _STEP), 1.0, 1 + _STEP):
+        try:
+            points.append((log(factor), outcome(value * factor)))
+        except JkrollError:
+            continue
+    if len(points) < 2:
+        return nan
+    (first, low), (last, high) = points[0], points[-1]
+    middle = outcome(value)
+    return (high - low) / (last - first) / middle if middle else inf
+
+
+# --- Inverse ----------------------------------------------------------------------------------------------------------
 
 # The inputs that can be inferred, with the sizes among which they are looked for. A load may have either sign.
 SIZES = {
     "surface_energy": (1e-6, 1e3),
     "work_of_adhesion": (1e-6, 1e3),
+    "hamaker": (1e-24, 1e-12),
     "yield_displacement": (1e-15, 1e-3),
     "adhesion_hysteresis": (1e-9, 1e3),
     "youngs_modulus": (1.0, 1e15),
+    "shear_strength": (1.0, 1e15),
     "radius": (1e-12, 1e3),
     "load": (1e-15, 1e3),
 }
 _PER_DECADE = 8  # points of the scan
-_HALVINGS = 200  # more than lead from any interval to neighbouring doubles
-_JUMP = 1e-6  # part of the values around it that a change of sign may leave, if it is a solution and no jump
-
-Excess = Callable[[float], float]
-Point = tuple[float, float]  # a value of the input, and by how much the quantity there exceeds the measured value
+_SCANNED = 1 << 14  # values of a quantity that are computed at once in a scan
+_TOGETHER = 1 << 11  # values that are inferred side by side
+_BISECTION = 60  # values that a bisection computes, from one point of the scan to the next
+_ROUNDING = 1e-12  # of a quantity: a spread over the scan as small as this comes from rounding, and not from the input
 
 
 class CannotInfer(JkrollError):
@@ -120,24 +287,92 @@ def solution(name: str, quantity: str, measured: float, scene: Scene) -> Solutio
     The scene has everything but this input; a value that a material has of it is replaced.
     Raises AlreadyGiven, CannotInfer, MissingInput, NoDependence, NoSolution or SeveralSolutions.
     """
-    _check(name, quantity, scene)
-    values = _solutions(name, quantity, measured, scene)
-    if len(values) > 1:
-        raise SeveralSolutions(name, quantity, measured, values)
-    found = with_input(scene, name, values[0])
-    return Solution(values[0], _condition(name, quantity, values[0], scene), found, float(found[quantity]))
+    check(name, quantity, scene)
+
+    def outcome(value: float) -> float:
+        """Return the quantity, nan where the physics has no result."""
+        try:
+            return float(with_input(scene, name, value)[quantity])
+        except NoResult:
+            return nan
+
+    places = _grid(name)
+    pieces = found_by(_pieces(name, quantity, places, [*map(outcome, places)]), outcome)
+    if not pieces:
+        raise failure(name, quantity, scene)
+    value = found_by(_value(name, quantity, measured, pieces), outcome)
+    found = with_input(scene, name, value)
+    return Solution(value, _condition(name, quantity, value, scene), found, float(found[quantity]))
 
 
-def with_input(scene: Scene, name: str, value: float) -> Scene:
-    """Return a scene with a value of an input, for both spheres if one material was named for both."""
+def solutions(name: str, quantity: str, measured: Any, scene: Scene) -> list[float | NoResult | None]:
+    """Return the same values for an array of measured ones and the elements of a scene, or why there is none.
+
+    It is None where the quantity has no value for any value of the input; `failure` says why. Raises the errors that no value could
+    mend.
+    """
+    check(name, quantity, scene)
+    found: list[float | NoResult | None] = []
+    for start in range(0, len(measured), _TOGETHER):
+        part = slice(start, start + _TOGETHER)
+        found += _side_by_side(name, quantity, measured[part], scene.elements(part))
+    return found
+
+
+def _side_by_side(name: str, quantity: str, measured: Any, scene: Scene) -> list[float | NoResult | None]:
+    """Return the values of an input, or why there is none, by searches that ask for the quantity together."""
+    import numpy
+
+    def outcomes(rows: list[int], values: Any) -> Any:
+        """Return the quantity in some rows, nan where the physics has no result. `values`: of the input, a row along the last axis."""
+        found = with_input(scene.elements(rows), name, numpy.array(values)).evaluate((quantity,))[quantity]
+        shape = (*numpy.shape(values)[:-1], len(rows))
+        return numpy.broadcast_to(nan if isinstance(found, NoResult) else found, shape)
+
+    def outcome(rows: list[int], values: list[float]) -> list[float]:
+        found: list[float] = outcomes(rows, values).tolist()
+        return found
+
+    places = _grid(name)
+    is_one = all(isinstance(value, float | int) for value in scene.given.values())  # scene for all measured values
+    rows = [0] if is_one else [*range(len(measured))]
+    step = _SCANNED // len(places)
+    parts = [rows[start : start + step] for start in range(0, len(rows), step)]
+    scans = [scan for part in parts for scan in outcomes(part, [[place] for place in places]).T.tolist()]
+    pieces = found_by_all({row: _pieces(name, quantity, places, scan) for row, scan in enumerate(scans)}, outcome)
+    found: list[float | NoResult | None] = [None] * len(measured)
+    searches = {}
+    for row, level in enumerate(measured.tolist()):
+        own = pieces[0 if is_one else row]
+        if isinstance(own, NoResult):
+            found[row] = own
+        elif own:
+            searches[row] = _value(name, quantity, level, own)
+    for row, value in found_by_all(searches, outcome).items():
+        found[row] = value
+    return found
+
+
+def with_input(scene: Scene, name: str, value: Any) -> Scene:
+    """Return a scene with a value of an input, or an array of them."""
+    return scene.replace(**dict.fromkeys(names_in(scene, name), value))
+
+
+def names_in(scene: Scene, name: str) -> tuple[str, ...]:
+    """Return the names of an input that is inferred: those of both spheres if one material was named for both."""
     is_shared = (
         scene.material2 is not None and scene.material is not None and scene.material2.name == scene.material.name
     )
-    names = (name, name + "2") if is_shared and name in PROPERTIES and name + "2" not in scene.stated else (name,)
-    return scene.replace(**dict.fromkeys(names, value))
+    return (name, name + "2") if is_shared and name in PROPERTIES and name + "2" not in scene.stated else (name,)
 
 
-def _check(name: str, quantity: str, scene: Scene) -> None:
+def used_beside(name: str, quantity: str, scene: Scene) -> list[str]:
+    """Return the inputs of a scene, besides the one that is inferred, on which the measured quantity depends."""
+    inferred = names_in(scene, name)
+    return [one for one in with_input(scene, name, SIZES[name][1]).inputs_of(quantity) if one not in inferred]
+
+
+def check(name: str, quantity: str, scene: Scene) -> None:
     """Raise the error of an input that cannot be inferred from this quantity, whatever its value is."""
     if name not in SIZES:
         raise CannotInfer(name)
@@ -149,33 +384,6 @@ def _check(name: str, quantity: str, scene: Scene) -> None:
         raise NoDependence(name, quantity)
 
 
-def _solutions(name: str, quantity: str, measured: float, scene: Scene) -> list[float]:
-    """Return all values of an input at which a quantity has its measured value, in rising order; NoSolution for none."""
-
-    def excess(value: float) -> float:
-        """Return the quantity less its measured value, nan where the physics has no result."""
-        try:
-            return float(with_input(scene, name, value)[quantity]) - measured
-        except NoResult:
-            return nan
-
-    points = [(value, excess(value)) for value in _grid(name)]
-    errors = [error for _, error in points if not isnan(error)]
-    if not errors:
-        raise _failure(name, quantity, scene)
-    if min(errors) == max(errors) == 0:
-        raise NoDependence(name, quantity)
-    pieces = [_with_turning_points(piece, excess) for piece in _pieces(points, excess)]
-    found = [value for piece in pieces for value in _zeros(piece, excess)]
-    if not found:
-        every = [(error, at) for piece in pieces for at, error in piece]
-        low, high = (float(with_input(scene, name, at)[quantity]) for _, at in (min(every), max(every)))
-        if low == high:
-            raise NoDependence(name, quantity)
-        raise NoSolution(name, quantity, measured, (low, high))
-    return sorted(set(found))
-
-
 def _grid(name: str) -> list[float]:
     """Return the values of an input that are scanned, in rising order."""
     least, most = SIZES[name]
@@ -184,79 +392,39 @@ def _grid(name: str) -> list[float]:
     return [*(-size for size in reversed(sizes)), 0.0, *sizes] if name == "load" else sizes
 
 
-def _failure(name: str, quantity: str, scene: Scene) -> JkrollError:
+def computed(name: str) -> int:
+    """Return how often a quantity is computed to infer an input."""
+    return len(_grid(name)) + _BISECTION
+
+
+def failure(name: str, quantity: str, scene: Scene) -> JkrollError:
     """Return the reason why a quantity has no value for any value of the input."""
     outcome = with_input(scene, name, SIZES[name][1]).evaluate((quantity,))[quantity]
     return outcome if isinstance(outcome, JkrollError) else NoDependence(name, quantity)
 
 
-def _pieces(points: Sequence[Point], excess: Excess) -> Iterator[list[Point]]:
-    """Iterate over the stretches of a scan on which there is a result, each extended to its very ends."""
-    piece: list[Point] = []
-    for (left, left_error), (right, right_error) in pairwise([(nan, nan), *points, (nan, nan)]):
-        if isnan(left_error) and not isnan(right_error):
-            piece = [] if isnan(left) else [_end(excess, right, left)]
-            piece.append((right, right_error))
-        elif isnan(right_error) and piece:
-            if not isnan(right):
-                piece.append(_end(excess, left, right))
-            yield piece
-            piece = []
-        elif piece:
-            piece.append((right, right_error))
+def _pieces(name: str, quantity: str, places: Sequence[float], scan: Sequence[float]) -> Search[list[Piece]]:
+    """Return the parts of a scan on which the quantity has values, unless these are all the same; NoDependence then."""
+    pieces = yield from pieces_of(places, scan)
+    values = [value for piece in pieces for value in piece.values]
+    if values and max(values) - min(values) <= _ROUNDING * max(map(abs, values)):
+        raise NoDependence(name, quantity)
+    return pieces
 
 
-def _end(excess: Excess, inside: float, outside: float) -> Point:
-    """Return the last point with a result on the way from a value that has one to a value that has none."""
-    for _ in range(_HALVINGS):
-        middle = (inside + outside) / 2
-        if middle in (inside, outside):
-            break
-        if isnan(excess(middle)):
-            outside = middle
-        else:
-            inside = middle
-    return inside, excess(inside)
-
-
-def _with_turning_points(piece: list[Point], excess: Excess) -> list[Point]:
-    """Return a piece with the turning points at which the quantity may pass its measured value and come back."""
-    turns = [
-        _turning_point(left[0], right[0], excess, middle[1])
-        for left, middle, right in zip(piece, piece[1:], piece[2:], strict=False)
-        if abs(middle[1]) < min(abs(left[1]), abs(right[1])) and (left[1] > 0) == (middle[1] > 0) == (right[1] > 0)
-    ]
-    return sorted({*piece, *turns})
-
-
-def _turning_point(left: float, right: float, excess: Excess, sign: float) -> Point:
-    """Return the point between two others at which a quantity comes closest to its measured value, or passes it farthest."""
-    at = highest_between(left, right, lambda value: -sign * excess(value))
-    return at, excess(at)
-
-
-def _zeros(piece: Sequence[Point], excess: Excess) -> Iterator[float]:
-    """Iterate over the values at which a quantity has its measured value, on a piece divided at its turning points."""
-    yield from (value for value, error in piece if error == 0)
-    for (left, left_error), (right, right_error) in pairwise(piece):
-        if left_error < 0 < right_error or right_error < 0 < left_error:
-            value = _bisected(left, right, excess, rises=left_error < 0)
-            if abs(excess(value)) <= _JUMP * max(abs(left_error), abs(right_error)):
-                yield value
-
-
-def _bisected(left: float, right: float, excess: Excess, *, rises: bool) -> float:
-    """Return the double at which a quantity passes its measured value."""
-    for _ in range(_HALVINGS):
-        middle = (left + right) / 2
-        error = excess(middle)
-        if error == 0 or middle in (left, right):
-            return middle
-        if (error < 0) == rises:
-            left = middle
-        else:
-            right = middle
-    return middle
+def _value(name: str, quantity: str, measured: float, pieces: Sequence[Piece]) -> Search[float]:
+    """Return the one value of an input at which a quantity has its measured value; raise NoSolution or SeveralSolutions."""
+    found: set[float] = set()
+    outcomes: list[float] = []
+    for piece in pieces:
+        divided = yield from with_turning_points(piece, measured)
+        outcomes += divided.values
+        found.update((yield from crossings(divided, measured)))
+    if not found:
+        raise NoSolution(name, quantity, measured, (min(outcomes), max(outcomes)))
+    if len(found) > 1:
+        raise SeveralSolutions(name, quantity, measured, sorted(found))
+    return found.pop()
 
 
 def _condition(name: str, quantity: str, value: float, scene: Scene) -> float:

@@ -5,8 +5,9 @@ from collections.abc import Collection, Iterator, Mapping
 from typing import Any, Literal, NamedTuple
 
 from ..errors import JkrollError
-from ..quantities.nomenclature import NOMENCLATURE, STATE
-from .errors import MissingInput, NotInLaw
+from ..quantities.laws import BETWEEN, LAWS
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE, STATE
+from .failures import MissingInput, NotInLaw
 from .scene import Scene
 
 
@@ -31,21 +32,26 @@ class Limit(NamedTuple):
     doubts: tuple[Doubt, ...]
     fine: str
     stated: frozenset[str] = frozenset()  # inputs; unless one of them was stated, the limit is not judged
+    law: str = ""  # of attraction; under another the limit is not judged
 
-    def is_beyond(self, value: Any, doubt: Doubt) -> Any:
-        """Return whether a number, or each element of an array, is in doubt; nan is not."""
-        return _COMPARISONS[self.sign](value, doubt.threshold)
+    def level(self, value: Any) -> Any:
+        """Return how many doubts a number, or each element of an array, meets: the last of them is the one to be told.
+
+        It is 0 where the limit holds, and for nan.
+        """
+        compare = _COMPARISONS[self.sign]
+        return sum(1 * compare(value, doubt.threshold) for doubt in self.doubts)
 
     def code(self, doubt: Doubt) -> str:
         """Return a short text for a doubt: "a/z0<3"."""
         return f"{NOMENCLATURE[self.name].symbol}{self.sign}{doubt.threshold:g}"
 
     def judge(self, value: float) -> "Verdict":
-        """Return what follows from a value."""
-        beyond = [doubt for doubt in self.doubts if self.is_beyond(value, doubt)]
-        if not beyond:
+        """Return what follows from a value, in words."""
+        level = self.level(value)
+        if not level:
             return Verdict(self.name, value, True, self.fine, "")
-        doubt = beyond[-1]
+        doubt = self.doubts[level - 1]
         return Verdict(self.name, value, False, f"{doubt.condition}: {doubt.consequence}", self.code(doubt))
 
 
@@ -82,6 +88,17 @@ LIMITS = (
             Doubt(0.1, "small", "DMT is closer than JKR"),
         ),
         "large: JKR holds",
+        law="jkr",
+    ),
+    *(
+        Limit(
+            "tabor_parameter", _ELASTICITY, ">",
+            (Doubt(law.tabor_below, f"above {law.tabor_below:g}", f"{LAWS[BETWEEN].title} is exact, --model {BETWEEN}"),)
+            if law.tabor_below < INFINITY else (),
+            law.fine,
+            law=law.name,
+        )
+        for law in LAWS.values() if not law.is_default
     ),
     Limit(
         "load_margin", frozenset({"load_factor"}), "<=",
@@ -103,6 +120,11 @@ LIMITS = (
         "yield_force_ratio", frozenset({"yield_force"}), ">=",
         (Doubt(1.0, "above 1", "the contact breaks before it rolls"),),
         "below 1: it rolls before it breaks",
+    ),
+    Limit(
+        "peeling_over_sliding", frozenset({"sliding_force"}), "<",
+        (Doubt(1.0, "below 1", "the contact peels off before it slides, if it is brittle"),),
+        "above 1: it slides before it peels off",
     ),
     Limit(
         "yield_angle", frozenset({"yield_angle", "r_min"}), ">",
@@ -153,8 +175,23 @@ LIMITS = (
     ),
 )  # fmt: skip
 
-LIMIT_NAMES = tuple(limit.name for limit in LIMITS)
-_CONSEQUENCES = {limit.code(doubt): doubt.consequence.partition(";")[0] for limit in LIMITS for doubt in limit.doubts}
+# A doubt is a bit until it is worded: one for each doubt of each limit, in their order, and a last one for limits that could not
+# be judged.
+_DOUBTS = tuple((limit, doubt) for limit in LIMITS for doubt in limit.doubts)
+_FIRST = {(limit.name, limit.law): place for place, (limit, doubt) in enumerate(_DOUBTS) if doubt is limit.doubts[0]}
+NOT_JUDGED = 1 << len(_DOUBTS)
+
+
+class Told(NamedTuple):
+    """A doubt in words that fit any scene: its code, what it means, and its limit."""
+
+    code: str
+    consequence: str
+    limit: str
+
+
+TOLD = tuple(Told(limit.code(doubt), doubt.consequence.partition(";")[0], limit.name) for limit, doubt in _DOUBTS)
+_CONSEQUENCES = {told.code: told.consequence for told in TOLD}
 
 
 def judged(scene: Scene, names: Collection[str]) -> Judgement:
@@ -171,18 +208,31 @@ def judged(scene: Scene, names: Collection[str]) -> Judgement:
     return Judgement(tuple(verdicts), missing)
 
 
-def doubts(scene: Scene, names: Collection[str]) -> dict[str, Any]:
-    """Return by the code of each doubt whether it concerns the scene, or which elements of its arrays."""
-    found: dict[str, Any] = {}
+def doubts(scene: Scene, names: Collection[str]) -> Any:
+    """Return the doubts about the answers to these names as bits: a whole number, or an array for a scene of arrays."""
+    found: Any = 0
     for limit, value in _touching(scene, names):
-        if isinstance(value, JkrollError):
-            continue
-        further: Any = False
-        for doubt in reversed(limit.doubts):
-            beyond = limit.is_beyond(value, doubt)
-            found[limit.code(doubt)] = beyond != further  # what is further out has its own code
-            further = beyond
+        if not isinstance(value, JkrollError):
+            found = found | (1 << limit.level(value) >> 1) << _FIRST.get((limit.name, limit.law), 0)
+        elif isinstance(value, MissingInput) and not isinstance(value, NotInLaw):
+            found = found | NOT_JUDGED
     return found
+
+
+def possible_doubts(scene: Scene, names: Collection[str]) -> int:
+    """Return the bits of all doubts that the answers to these names can have, whatever the numbers are."""
+    found = 0
+    for limit, value in _touching(scene, names):
+        if not isinstance(value, JkrollError):
+            found |= (1 << len(limit.doubts)) - 1 << _FIRST.get((limit.name, limit.law), 0)
+        elif isinstance(value, MissingInput) and not isinstance(value, NotInLaw):
+            found |= NOT_JUDGED
+    return found
+
+
+def told(bits: int) -> list[Told]:
+    """Return the doubts that bits stand for."""
+    return [told for place, told in enumerate(TOLD) if bits >> place & 1]
 
 
 def sentence(verdict: Verdict) -> str:
@@ -203,9 +253,13 @@ def against_limit(verdict: Verdict) -> str:
 
 def limits_of(scene: Scene, names: Collection[str]) -> list[Limit]:
     """Return the limits that concern the answers to these names; raise MissingInput if the scene does not allow one."""
-    used = {*names, *(parameter for step in scene.plan(*names).steps for parameter, _ in step.arguments)}
+    used = scene.plan(*names).taken.union(names)
     return [
-        limit for limit in LIMITS if limit.touches & used and (not limit.stated or limit.stated & scene.stated.keys())
+        limit
+        for limit in LIMITS
+        if limit.touches & used
+        and limit.law in ("", scene.law.name)
+        and (not limit.stated or limit.stated & scene.stated.keys())
     ]
 
 

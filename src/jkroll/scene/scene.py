@@ -1,27 +1,102 @@
 """From what is given to what is asked: a scene evaluates the formulas that its questions need, and says what is missing.
 
 The assumptions of a scene are stated here, once: sphere 2 is like sphere 1 in everything that is not said of it, and the
-names in DEFAULTS have values if nothing else is said.
+names in DEFAULTS have values if nothing else is said. A scene takes numbers in the range of their quantity, of magnitudes from
+which no formula leaves the doubles. It gives results that doubles hold with all digits, and zeros where the physics has them.
 """
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import reduce
 from operator import and_
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from ..errors import JkrollError
 from ..materials.library import Material
+from ..quantities.errors import OutOfRange, UnknownQuantity
 from ..quantities.laws import DEFAULT_LAW, Law, law_named
-from ..quantities.nomenclature import INFINITY, PROPERTIES, STATE
-from ..quantities.parsing import is_uncertain
-from .errors import Contradiction, MissingInput, NoFiniteValue, NotInLaw, TwoRigidBodies
-from .failures import failure_of
-from .inputs import is_ordinary
-from .results import SMALLEST, is_zero, with_nan
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, RANGES, STATE
+from ..quantities.values import Uncertain, is_uncertain
+from .failures import Contradiction, MissingInput, NoFiniteValue, NotInLaw, RestsOnSpacing, TwoRigidBodies, failure_of
 from .wiring import NO_PLAN, Missing, Plan, Step, in_order, plan
 
-if TYPE_CHECKING:
-    from ..quantities.uncertain import Uncertain
+# --- Numbers that a scene takes ---------------------------------------------------------------------------------------
+
+LEAST, MOST = 1e-60, 1e60  # of the size of an input in SI units, if it is neither 0 nor infinite
+MAGNITUDE = "must lie between 1e-60 and 1e60 in SI units"
+
+
+def check_range(name: str, value: Any) -> None:
+    """Raise OutOfRange for a number, or an array with an element, that a quantity cannot have."""
+    if name not in NOMENCLATURE:
+        raise UnknownQuantity(name)
+    limits = RANGES.get(NOMENCLATURE[name].range)
+    if isinstance(value, float | int):
+        if limits is not None and not limits.admits(value):
+            raise OutOfRange(name, value, limits.words)
+        if not _has_magnitude(name, value):
+            raise OutOfRange(name, value, MAGNITUDE)
+        return
+    refused = outside(name, value)
+    if refused.any():
+        place = [places[0].item() for places in refused.nonzero()]
+        first = value[tuple(place)].item()
+        raise OutOfRange(name, first, limits.words if limits and not limits.admits(first) else MAGNITUDE, place)
+
+
+def outside(name: str, values: Any) -> Any:
+    """Return which elements of an array a quantity cannot have."""
+    import numpy
+
+    if name in _SCALED and values.size and values.min() >= LEAST and values.max() <= MOST:
+        return numpy.zeros(values.shape, dtype=bool)
+    size = abs(values)
+    admitted = (name in _OF_ANY_SIZE) | (size >= LEAST) & (size <= MOST) | (size == 0) | (size == INFINITY)
+    limits = RANGES.get(NOMENCLATURE[name].range)
+    if limits is not None:
+        admitted &= values >= limits.low if limits.low_allowed else values > limits.low
+        admitted &= values <= limits.high if limits.high_allowed else values < limits.high
+    return ~admitted
+
+
+def _has_magnitude(name: str, value: float) -> bool:
+    return LEAST <= abs(value) <= MOST or value in (0, INFINITY) or name in _OF_ANY_SIZE
+
+
+_OF_ANY_SIZE = ("poisson_ratio", "poisson_ratio2")  # only 1 − ν² enters a formula
+# Any ordinary positive number is within their range.
+_SCALED = {name for name, one in NOMENCLATURE.items() if one.range not in RANGES or RANGES[one.range].high == INFINITY}
+
+
+# --- Numbers that a scene gives ---------------------------------------------------------------------------------------
+
+SMALLEST = 2.2250738585072014e-308  # of the doubles that have all their digits
+MAY_BE_INFINITE = frozenset(name for name, quantity in NOMENCLATURE.items() if quantity.range == "up to infinite")
+MAY_BE_ZERO = frozenset(name for name, quantity in NOMENCLATURE.items() if quantity.may_be_zero)
+
+
+def is_answer(name: str, value: float) -> bool:
+    """Return whether a double holds a result with all digits, or it is the zero that its quantity may be."""
+    return SMALLEST <= abs(value) < INFINITY or (value == 0 and name in MAY_BE_ZERO)
+
+
+def are_answers(name: str, values: Any) -> Any:
+    """Return which elements of an array doubles hold with all digits, or are the zero that the quantity may be."""
+    size = abs(values)
+    fine = (size >= SMALLEST) & ((size < INFINITY) | (name in MAY_BE_INFINITE))
+    return fine | (size == 0) if name in MAY_BE_ZERO else fine
+
+
+def with_nan(name: str, values: Any) -> Any:
+    """Return an array with nan in place of the elements that are no answer."""
+    import numpy
+
+    size = abs(values)
+    if size.size and size.min() >= SMALLEST and size.max() < INFINITY:
+        return values
+    return numpy.where(are_answers(name, values), values, numpy.nan)
+
+
+# --- Scenes -----------------------------------------------------------------------------------------------------------
 
 DEFAULTS = {
     "yield_displacement": 2e-10,
@@ -29,8 +104,13 @@ DEFAULTS = {
     "gravity": 9.80665,
     "energy_ratio": 1.0,
     "atomic_spacing": 4e-10,
+    "cutoff": 1.65e-10,
 }
-_SAYS = {"load": STATE, "yield_displacement": ("adhesion_hysteresis",)}  # what says the same as a default
+_SAYS = {
+    "load": STATE,
+    "yield_displacement": ("adhesion_hysteresis",),
+    "atomic_spacing": ("hamaker",),
+}  # what says the same as a default
 
 # The values of inputs from which more follows than from others: a plane, a rigid body, no load.
 FOLLOWS: Mapping[str, tuple[float, Mapping[str, float]]] = {
@@ -43,8 +123,8 @@ FOLLOWS: Mapping[str, tuple[float, Mapping[str, float]]] = {
 # Inputs of which one follows from the other.
 EXCLUSIVE = (
     ("energy", "energy_ratio", "speed"),
-    ("surface_energy", "work_of_adhesion"),
-    ("surface_energy2", "work_of_adhesion"),
+    ("surface_energy", "work_of_adhesion", "hamaker"),
+    ("surface_energy2", "work_of_adhesion", "hamaker"),
     ("load", "approach_at_load", "load_factor", "edge_ratio"),
     ("yield_displacement", "adhesion_hysteresis"),
     ("contact_modulus", "modulus_over_energy"),
@@ -52,7 +132,7 @@ EXCLUSIVE = (
 _MAY_CONTRADICT = frozenset(name for names in EXCLUSIVE for name in names)
 
 # What rests on a contact area, and has none where both bodies are rigid; everything else of JKR follows from these.
-_OF_JKR = ("contact_modulus", "pull_off_force", "load_factor", "rolling_frequency_as_printed")
+_ON_AREA = ("contact_modulus", "pull_off_force", "load_factor", "rolling_frequency_as_printed")
 
 
 class Scene:
@@ -78,33 +158,43 @@ class Scene:
         `model` is the law of attraction; None stands for the paper's, JKR. The scene computes with the middle of a value that
         has an uncertainty; `scene.uncertainty` computes with the rest.
         """
-        self.stated_model = model
         self.law = law_named(DEFAULT_LAW if model is None else model)
+        self.stated_model = None if model is None else self.law.name
         for names in () if _MAY_CONTRADICT.isdisjoint(given) else EXCLUSIVE:
             if len(both := [name for name in names if name in given]) > 1:
                 raise Contradiction(both)
+        if "cutoff" in given and "hamaker" not in given:
+            raise MissingInput("cutoff", ("hamaker",))
         self.material, self.material2 = material, material2
         self.uncertain: dict[str, Uncertain] = {name: one for name, one in given.items() if is_uncertain(one)}
         own = dict(material.properties) if material is not None else {}
         own2 = {name + "2": value for name, value in material2.properties.items()} if material2 is not None else {}
         self.stated = {**given, **{name: one.value for name, one in self.uncertain.items()}}
         self.given = {**own, **own2, **self.stated}
-        checked = [is_ordinary(name, value) for name, value in self.given.items()]
-        self._is_ordinary = all(checked)
+        for name, value in self.given.items():
+            check_range(name, value)
         self.values = _assumed(self.given)
         self._implied = _implied(self.given, self.law)
         for values in self._implied.values():
             self.values |= values
         self.values |= self.given
-        self._rigid = _both_rigid(self.given, own_material2=material2 is not None)
-        is_rigid = isinstance(self._rigid, bool) and self._rigid
-        self._failures: dict[str, JkrollError] = dict.fromkeys(_OF_JKR, TwoRigidBodies()) if is_rigid else {}
+        self._has_area = _has_area(self.given, own_material2=material2 is not None)
+        self._failures: dict[str, JkrollError] = {}
         self._plan = NO_PLAN
         self.known = frozenset(self.values)
 
     def replace(self, **values: Any) -> "Scene":
         """Return the scene in which some inputs have other values, of the same materials and without uncertainties."""
         return Scene({**self.stated, **values}, self.material, self.material2, model=self.stated_model)
+
+    def elements(self, places: Any) -> "Scene":
+        """Return the scene of some elements of its arrays, without uncertainties."""
+
+        def some(values: Mapping[str, Any]) -> dict[str, Any]:
+            return {name: value if isinstance(value, float | int) else value[places] for name, value in values.items()}
+
+        spheres = [one and one._replace(properties=some(one.properties)) for one in (self.material, self.material2)]
+        return Scene(some(self.stated), *spheres, model=self.stated_model)
 
     def under(self, model: str) -> "Scene":
         """Return the scene under another law of attraction, without uncertainties."""
@@ -116,7 +206,7 @@ class Scene:
         materials = (self.material, self.material2)
         return bool(self.uncertain) or any(one.uncertainties for one in materials if one is not None)
 
-    def uncertainty_of(self, name: str) -> "Uncertain | None":
+    def uncertainty_of(self, name: str) -> Uncertain | None:
         """Return the uncertainty of an input, whether it was stated or is that of a material; None if it has none."""
         for material, of_material in self.data_used([name]):
             if name in (of_material, of_material + "2") and of_material in material.uncertainties:
@@ -145,7 +235,7 @@ class Scene:
 
     def plan(self, *wanted: str) -> Plan:
         """Return the formulas that lead to the wanted quantities; raise MissingInput if the scene does not allow one."""
-        found = self._planned(wanted).part(wanted)
+        found = plan(wanted, self.known, self.material2 is not None, self.law.name)
         for name, missing in found.missing.items():
             raise self._missing_input(name, missing)
         return found
@@ -157,6 +247,25 @@ class Scene:
             self._plan = plan(names, self.known, self.material2 is not None, self.law.name)
         return self._plan
 
+    def missing(self, names: Sequence[str]) -> Collection[str]:
+        """Return those of some quantities to which the scene's inputs do not lead."""
+        return plan(tuple(names), self.known, self.material2 is not None, self.law.name).missing.keys()
+
+    def shows(self, name: str) -> Any:
+        """Return whether a quantity that was not asked for by name is shown, or for which elements of arrays."""
+        is_shown = self.shows_to_identical(name)
+        return self.is_identical if is_shown and NOMENCLATURE[name].of_identical else is_shown
+
+    def shows_to_identical(self, name: str) -> bool:
+        """Return whether a quantity that was not asked for by name would be shown for identical spheres."""
+        quantity, stated = NOMENCLATURE[name], self.stated.keys()
+        return (
+            name not in stated
+            and name not in self.law.omits
+            and not (quantity.shown_with and stated.isdisjoint(quantity.shown_with))
+            and stated.isdisjoint(quantity.hidden_with)
+        )
+
     def inputs_of(self, *wanted: str) -> tuple[str, ...]:
         """Return the inputs that the wanted quantities depend on, in the order of the nomenclature."""
         source_of = {
@@ -164,6 +273,23 @@ class Scene:
         }
         used = {source_of.get(name, name) for name in self.plan(*wanted).inputs}
         return in_order(used & (self.given.keys() | DEFAULTS.keys()))
+
+    def echo(self, used: Collection[str]) -> dict[str, Any]:
+        """Return the inputs that are used, as they were understood: the materials, the law and SI values by name."""
+        texts = {
+            "material": self.material and self.material.name,
+            "material2": self.material2 and self.material2.name,
+            "model": self.stated_model,
+        }
+        echoed: dict[str, Any] = {name: text for name, text in texts.items() if text is not None}
+        for name in NOMENCLATURE:
+            if name in used:
+                echoed[name] = self.values[name]
+            elif name == "radius2" and "radius" in used:
+                echoed[name] = self.values["radius"]
+            elif name == "energy" and "energy_ratio" in used:
+                echoed |= self.numbers("energy")
+        return echoed
 
     def _missing_input(self, name: str, missing: Missing) -> MissingInput:
         """Return the error of a quantity that needs more inputs, with the materials that should have had them."""
@@ -190,30 +316,18 @@ class Scene:
         has no answer is nan.
         """
         found = self._planned(names)
-        steps: Iterable[Step] = found.steps
-        if not self._is_ordinary:
-            from .watched import watched
+        if self.has_arrays:
+            import numpy
 
-            steps = [step._replace(formula=watched(step.formula)) for step in steps]
-        if self.has_rigid_elements:
-            steps = [self._without_rigid(step) if step.name in _OF_JKR else step for step in steps]
-        self._run(steps)
+            with numpy.errstate(all="ignore"):
+                self._run(found.steps)
+        else:
+            self._run(found.steps)
         return {name: self._outcome(name, found) for name in names}
 
     def numbers(self, *names: str) -> dict[str, Any]:
         """Return the values of quantities, without those that have none."""
         return {name: value for name, value in self.evaluate(names).items() if not isinstance(value, JkrollError)}
-
-    @property
-    def has_rigid_elements(self) -> bool:
-        """True if both bodies are rigid in some elements of the arrays that were given."""
-        return not isinstance(self._rigid, bool) and bool(self._rigid.any())
-
-    def _without_rigid(self, step: Step) -> Step:
-        """Return a step whose results are nan where both bodies are rigid."""
-        import numpy
-
-        return step._replace(formula=lambda **given: numpy.where(self._rigid, numpy.nan, step.formula(**given)))
 
     def _run(self, steps: Iterable[Step]) -> None:
         """Evaluate formulas one after the other, and note those that fail."""
@@ -222,17 +336,41 @@ class Scene:
             if name in values or name in failures:
                 continue
             try:
-                value = formula(**{parameter: values[source] for parameter, source in arguments})
+                given = {parameter: values[source] for parameter, source in arguments}
             except KeyError:  # an argument that failed
                 failures[name] = next(failures[source] for _, source in arguments if source in failures)
                 continue
+            if name in _ON_AREA and self._has_area is False:
+                failures[name] = TwoRigidBodies()
+                continue
+            try:
+                value = formula(**given)
             except (ArithmeticError, ValueError):
                 value = INFINITY
-            if isinstance(value, float) and not SMALLEST <= abs(value) < INFINITY and not is_zero(name, value):
-                given = {parameter: values[source] for parameter, source in arguments}
-                failures[name] = failure_of(name, given) or NoFiniteValue(name, value)
-            else:
+            if name in _ON_AREA and self.has_rigid_elements:
+                value = self._where_it_yields(value)
+            if not isinstance(value, float | int):
+                values[name] = with_nan(name, value)
+            elif is_answer(name, value):
                 values[name] = value
+            else:
+                failures[name] = failure_of(name, given) or NoFiniteValue(name, value)
+
+    @property
+    def has_arrays(self) -> bool:
+        """True if an input is an array."""
+        return not all(isinstance(value, float | int) for value in self.given.values())
+
+    @property
+    def has_rigid_elements(self) -> bool:
+        """True if both bodies are rigid in some elements of the arrays that were given."""
+        return not isinstance(self._has_area, bool) and not self._has_area.all()
+
+    def _where_it_yields(self, value: Any) -> Any:
+        """Return a value with nan where both bodies are rigid."""
+        import numpy
+
+        return numpy.where(self._has_area, value, numpy.nan)
 
     def _outcome(self, name: str, found: Plan) -> Any:
         """Return what became of a quantity once the steps of its plan were run."""
@@ -242,7 +380,22 @@ class Scene:
         if source in self._failures:
             return self._failures[source]
         value = self.values[source]
-        return value if isinstance(value, float | int) or source in self.known else with_nan(source, value)
+        return self._unless_open(name, value) if name in self.law.by_spacing else value
+
+    def _unless_open(self, name: str, value: Any) -> Any:
+        """Return a value, unless it rests on the atomic spacing and that was not given: an error then, or nan in arrays."""
+        rests = self.rests_on_spacing(name)
+        if isinstance(rests, bool):
+            return RestsOnSpacing(name) if rests else value
+        import numpy
+
+        return numpy.where(rests, numpy.nan, value)
+
+    def rests_on_spacing(self, name: str) -> Any:
+        """Return whether the atomic spacing decides on a quantity and was not given, or in which elements of arrays."""
+        if name not in self.law.by_spacing or not self.given.keys().isdisjoint(("atomic_spacing", "hamaker")):
+            return False
+        return self["transition_parameter"] < 1
 
 
 def _assumed(given: Mapping[str, Any]) -> dict[str, Any]:
@@ -250,15 +403,16 @@ def _assumed(given: Mapping[str, Any]) -> dict[str, Any]:
     return {name: value for name, value in DEFAULTS.items() if given.keys().isdisjoint(_SAYS.get(name, ()))}
 
 
-def _both_rigid(given: Mapping[str, Any], *, own_material2: bool) -> Any:
-    """Return whether both bodies were given as rigid, element by element for arrays."""
+def _has_area(given: Mapping[str, Any], *, own_material2: bool) -> Any:
+    """Return whether a body yields, so that a contact has an area, element by element for arrays."""
     if "contact_modulus" in given:
-        return False
+        return True
     modulus, ratio = given.get("youngs_modulus"), given.get("poisson_ratio")
     of_sphere_2 = (None, None) if own_material2 else (modulus, ratio)
     modulus2 = given.get("youngs_modulus2", of_sphere_2[0])
     ratio2 = given.get("poisson_ratio2", of_sphere_2[1])
-    return ((modulus == INFINITY) | (ratio == -1)) & ((modulus2 == INFINITY) | (ratio2 == -1))
+    yields = (modulus != INFINITY) & (ratio != -1) | (modulus2 != INFINITY) & (ratio2 != -1)
+    return yields if hasattr(yields, "shape") else bool(yields)
 
 
 def _implied(given: Mapping[str, Any], law: Law) -> dict[str, Mapping[str, float]]:

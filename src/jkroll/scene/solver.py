@@ -1,27 +1,26 @@
-"""The Python face of a scene: names and values in, values out."""
+"""The Python face of a scene: names and values in, values out; of the inverse problem; and of the formulas."""
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import wraps
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
 from ..errors import JkrollError
 from ..materials.library import Material, Materials, known_materials
+from ..physics import FORMULAS as PLAIN_FORMULAS
 from ..quantities.errors import QuantityError, UnknownQuantity
-from ..quantities.naming import named
+from ..quantities.names import named
 from ..quantities.nomenclature import NOMENCLATURE, canonical
-from ..quantities.parsing import is_uncertain
-from ..quantities.ranges import value_of
+from ..quantities.values import Uncertain, checked, is_uncertain, measured, value_of
 from ..text import MAX_QUOTED
-from .errors import Contradiction, ShapeMismatch
+from .failures import Contradiction, ShapeMismatch
 from .scene import Scene
 from .wiring import Plan
 
 if TYPE_CHECKING:
-    from ..quantities.uncertain import Uncertain
     from .uncertainty import Propagated
 
-_ELASTIC = {"youngs_modulus", "youngs_modulus2", "poisson_ratio", "poisson_ratio2"}
 Place = tuple[slice, ...]  # of a block in an array
 BLOCK = 16384  # elements evaluated at once: few enough that what lies between two formulas stays in the cache
 
@@ -38,6 +37,9 @@ def solve(
 ) -> Any:
     """Compute quantities of the nomenclature from whatever is known of the scene.
 
+    Bare numbers: what was assumed, which limits of the model do not hold, and what a material's source says of its values is left
+    out, and so is the uncertainty that a shipped material states. `jkroll.answer` has them, for one scene.
+
     Parameters
     ----------
     wanted
@@ -47,7 +49,7 @@ def solve(
         Materials, or their names or aliases; `material2` for sphere 2, which is otherwise like sphere 1. A property given
         by name overrides the material's.
     materials
-        Where materials are looked up: `Materials(["mine.toml"])` for some of your own besides the shipped ones.
+        Where materials are looked up: `Materials("mine.toml")` for some of your own besides the shipped ones.
     model
         The law of attraction: "jkr" (the paper's, the default), "maugis" or "dmt".
     **given
@@ -81,13 +83,8 @@ def solve(
     if any(map(is_uncertain, described.values())):
         found = _uncertain_answers(uncertain_scene(described, spheres, model), names)
         return found[names[0]] if isinstance(wanted, str) else found
-    arrays = {name: value for name, value in described.items() if not isinstance(value, float)}
-    shape = broadcast(arrays)
-    whole = Scene(described, *spheres, model=model)
-    if math.prod(shape) <= BLOCK or (_ELASTIC & arrays.keys() and whole.has_rigid_elements):
-        results = _answers(whole, names)
-    else:
-        results = _in_blocks(names, whole, shape)
+    broadcast({name: value for name, value in described.items() if not isinstance(value, float)})
+    results = values_of(Scene(described, *spheres, model=model), names)
     if registry is not None:
         results = {name: registry.Quantity(value, NOMENCLATURE[name].unit) for name, value in results.items()}
     return results[names[0]] if isinstance(wanted, str) else results
@@ -103,12 +100,26 @@ def _names(wanted: str | Iterable[str]) -> list[str]:
 
 
 def _material(argument: str, material: str | Material | None, materials: Materials | None) -> Material | None:
-    """Return the material of a name; a material, or None, as it is."""
-    if material is None or isinstance(material, Material):
-        return material
+    """Return the material of a name, or a material that was given, with its properties in SI units; None for None."""
+    if material is None:
+        return None
+    if isinstance(material, Material):
+        return material._replace(properties=_properties(argument, material))
     if not isinstance(material, str):
         raise QuantityError(argument, str(material)[:MAX_QUOTED], "is not the name of one material", 'write "quartz"')
     return (materials or known_materials())[material]
+
+
+def _properties(argument: str, material: Material) -> Mapping[str, float]:
+    """Return the properties of a material, which may have been made by hand."""
+    given = material.properties
+    if not isinstance(given, Mapping):
+        raise QuantityError(argument, str(given)[:MAX_QUOTED], "is not a mapping of properties", "write {name: value}")
+    properties, _ = in_si(given)
+    for name, value in properties.items():
+        if not isinstance(value, float):
+            raise QuantityError(name, str(value)[:MAX_QUOTED], "is not a single number")
+    return properties
 
 
 def materials_of(
@@ -117,7 +128,7 @@ def materials_of(
     """Return the materials of the two spheres."""
     if materials is not None and not isinstance(materials, Materials):
         raise QuantityError(
-            "materials", str(materials)[:MAX_QUOTED], "is not a Materials object", 'write Materials(["mine.toml"])'
+            "materials", str(materials)[:MAX_QUOTED], "is not a Materials object", 'write Materials("mine.toml")'
         )
     return _material("material", material, materials), _material("material2", material2, materials)
 
@@ -132,6 +143,15 @@ def broadcast(arrays: Mapping[str, Any]) -> tuple[int, ...]:
         return numpy.broadcast_shapes(*(value.shape for value in arrays.values()))
     except ValueError:
         raise ShapeMismatch([(name, value.shape) for name, value in arrays.items()]) from None
+
+
+def values_of(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
+    """Return the values of quantities, for large arrays a block of elements at a time; raise the error of the first that has none."""
+    arrays = {name: value for name, value in scene.stated.items() if not isinstance(value, float)}
+    shape = broadcast(arrays)
+    if math.prod(shape) <= BLOCK or scene.has_rigid_elements:  # of which a block may have none
+        return _answers(scene, names)
+    return _in_blocks(names, scene, shape)
 
 
 def _answers(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
@@ -161,7 +181,7 @@ def _uncertain_answers(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
     return {name: with_uncertainty(value, found.get(name)) for name, value in _answers(scene, names).items()}
 
 
-def with_uncertainty(value: float, found: "Propagated | JkrollError | None") -> "float | Uncertain":
+def with_uncertainty(value: float, found: "Propagated | JkrollError | None") -> float | Uncertain:
     """Return a value with its uncertainty, if it has one; raise the reason why there is none."""
     if isinstance(found, JkrollError):
         raise found
@@ -249,12 +269,8 @@ def _number(name: str, value: Any) -> Any:
     if isinstance(value, str):
         return value_of(value, name)
     if hasattr(value, "std_dev"):
-        from ..quantities.uncertain import measured
-
         return measured(value, name)
     if is_uncertain(value) and hasattr(value, "kind"):
-        from ..quantities.uncertain import checked
-
         return checked(value, name, str(value.value))
     if isinstance(value, list | tuple):
         value = [_number(name, item) for item in value]
@@ -284,3 +300,24 @@ def as_floats(name: str, value: Any) -> Any:
     except (ValueError, OverflowError):
         pass
     raise QuantityError(name, str(value)[:MAX_QUOTED], "is not a number")
+
+
+# --- Formulas ---------------------------------------------------------------------------------------------------------
+
+
+def _of_numbers(formula: Callable[..., Any]) -> Callable[..., Any]:
+    """Return a formula that converts its arguments to floats."""
+
+    @wraps(formula)
+    def call(**arguments: Any) -> Any:
+        return formula(
+            **{
+                name: value if isinstance(value, float) or hasattr(value, "m_as") else as_floats(name, value)
+                for name, value in arguments.items()
+            }
+        )
+
+    return call
+
+
+FORMULAS: Mapping[str, Callable[..., Any]] = {name: _of_numbers(formula) for name, formula in PLAIN_FORMULAS.items()}

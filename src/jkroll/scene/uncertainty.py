@@ -7,14 +7,13 @@ that a result may respond differently to either side, or have a turning point in
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from itertools import product
-from math import fsum, hypot
+from math import fsum, hypot, isfinite
 from typing import Any, NamedTuple
 
 from ..errors import JkrollError, NoResult
 from ..quantities.nomenclature import NOMENCLATURE
-from ..quantities.uncertain import Interval, Measured, Uncertain
-from .inverse import Solution, solution
-from .numerics import highest_between
+from ..quantities.values import Interval, Measured, Uncertain, is_uncertain
+from .inverse import Solution, found_by, highest_between, solution, solutions, used_beside
 from .scene import Scene
 
 MAX_RANGES = 8  # whose corners are computed, all together
@@ -24,7 +23,7 @@ NEAR = 1e-4  # of such a part, the distance from an end at which the quantity sh
 ROUNDING = 4e-15  # of a value: a change as small as this comes from rounding, and not from a source
 _ROUNDS = 10  # of a search along one range after the other
 
-Evaluate = Callable[[Mapping[str, float]], Mapping[str, Any]]  # from changed inputs to the outcome of each quantity
+Evaluate = Callable[[Mapping[str, Any]], Mapping[str, Any]]  # from changed inputs to the outcome of each quantity
 
 
 class MixedKinds(JkrollError):
@@ -78,7 +77,8 @@ def sources_of(scene: Scene, used: Collection[str], measured: Sequence[Source] =
     """Return the sources that enter quantities, given the inputs that these depend on, and measured values if any.
 
     A value that sphere 2 takes over from sphere 1 moves with it; so do both values of a material that is named twice. All
-    must be of one kind. It is that of the values that were stated; where none was, ± if some material has one.
+    must be of one kind. It is that of the values that were stated; where none was, ± if some material has one. Raises MixedKinds or
+    TooManyRanges.
     """
     stated = [*measured, *(source for source in _stated(scene) if not set(used).isdisjoint(source.names))]
     of_materials = [source for source in _of_materials(scene) if not set(used).isdisjoint(source.names)]
@@ -88,7 +88,10 @@ def sources_of(scene: Scene, used: Collection[str], measured: Sequence[Source] =
         raise MixedKinds(symbols[Measured], symbols[Interval])
     kind = Measured if Measured in kinds else Interval
     left_out = [source for source in of_materials if not isinstance(source.given, kind)]
-    return Sources([source for source in (*stated, *of_materials) if isinstance(source.given, kind)], left_out)
+    entering = [source for source in (*stated, *of_materials) if isinstance(source.given, kind)]
+    if kind is Interval and len(entering) > MAX_RANGES:
+        raise TooManyRanges(len(entering))
+    return Sources(entering, left_out)
 
 
 def _stated(scene: Scene) -> Iterator[Source]:
@@ -111,12 +114,12 @@ def _of_materials(scene: Scene) -> Iterable[Source]:
 def uncertainties(scene: Scene, names: Sequence[str]) -> tuple[dict[str, Propagated | JkrollError], Sources]:
     """Return the uncertainties of quantities of a scene, and their sources.
 
-    A quantity without a value, or one on which no source has an influence, is left out. An error is the reason why a
+    A quantity without a finite value, or one on which no source has an influence, is left out. An error is the reason why a
     quantity has no value at one end of a source.
     """
-    outcomes = scene.evaluate(names)
-    values = {name: value for name, value in outcomes.items() if not isinstance(value, JkrollError)}
-    sources = sources_of(scene, scene.inputs_of(*values) if values else ())
+    values = {name: value for name, value in scene.numbers(*names).items() if isfinite(value)}
+    missing = scene.missing(names)
+    sources = sources_of(scene, scene.inputs_of(*(name for name in names if name not in missing)))
 
     def evaluate(changed: Mapping[str, float]) -> Mapping[str, Any]:
         return scene.replace(**changed).evaluate([*values])
@@ -124,23 +127,32 @@ def uncertainties(scene: Scene, names: Sequence[str]) -> tuple[dict[str, Propaga
     return propagated(evaluate, values, sources.entering), sources
 
 
+def inferred_sources(name: str, quantity: str, measured: Any, scene: Scene) -> Sources:
+    """Return the sources of the uncertainty of an inferred input: the measured value, and the inputs of the scene."""
+    of_measured = [Source((quantity,), measured)] if is_uncertain(measured) else []
+    return sources_of(scene, used_beside(name, quantity, scene), of_measured)
+
+
 def inferred_uncertainty(
     name: str, quantity: str, measured: float | Uncertain, found: Solution, scene: Scene
 ) -> tuple[Propagated | JkrollError | None, Sources]:
-    """Return the uncertainty of an inferred input, and its sources: the measured value and the inputs of the scene."""
-    used = set(found.scene.inputs_of(quantity)) - {name, name + "2"}
-    of_measured = [] if isinstance(measured, float) else [Source((quantity,), measured)]
-    sources = sources_of(scene, used, of_measured)
+    """Return the uncertainty of an inferred input, and its sources."""
+    sources = inferred_sources(name, quantity, measured, scene)
 
     def evaluate(changed: Mapping[str, float]) -> Mapping[str, Any]:
-        at = changed.get(quantity, measured if isinstance(measured, float) else measured.value)
-        beside = scene.replace(**{each: value for each, value in changed.items() if each != quantity})
+        at, beside = changed_inputs(quantity, measured, scene, changed)
         try:
             return {name: solution(name, quantity, at, beside).value}
         except NoResult as error:
             return {name: error}
 
     return propagated(evaluate, {name: found.value}, sources.entering).get(name), sources
+
+
+def changed_inputs(quantity: str, measured: Any, scene: Scene, changed: Mapping[str, Any]) -> tuple[Any, Scene]:
+    """Return a measured value and a scene, of which some have changed."""
+    others = {each: value for each, value in changed.items() if each != quantity}
+    return changed.get(quantity, measured.value if is_uncertain(measured) else measured), scene.replace(**others)
 
 
 def propagated(
@@ -193,8 +205,6 @@ def _over_ranges(
     evaluate: Evaluate, values: Mapping[str, float], effective: Sequence[Source]
 ) -> Iterator[tuple[str, Propagated | JkrollError]]:
     """Iterate over the least and the largest value of each quantity over all ranges together."""
-    if len(effective) > MAX_RANGES:
-        raise TooManyRanges(len(effective))
 
     @cache
     def outcomes(place: Place) -> Mapping[str, Any]:
@@ -272,7 +282,7 @@ def _peak(height: Callable[[Place], float], place: Place, axis: int, ends: tuple
     inwards = samples[best] + NEAR * (left + right - 2 * samples[best])
     if best in (0, SAMPLES) and at(inwards) <= at(samples[best]):
         return _moved(place, axis, samples[best])
-    return _moved(place, axis, highest_between(left, right, at))
+    return _moved(place, axis, found_by(highest_between(left, right), at))
 
 
 def _samples(low: float, high: float) -> list[float]:
@@ -283,3 +293,133 @@ def _samples(low: float, high: float) -> list[float]:
 def _moved(place: Place, axis: int, value: float) -> Place:
     """Return a place with another value of one range."""
     return (*place[:axis], value, *place[axis + 1 :])
+
+
+# --- Elements of a scene of arrays ------------------------------------------------------------------------------------
+
+MOST_RANGES = 4  # that are moved together: their corners double with each
+
+
+class Uncertainties(NamedTuple):
+    """The uncertainty of a quantity, element by element."""
+
+    sides: Mapping[str, Any]  # minus and plus, or low and high; nan where there is none
+    is_open: Any  # where an end of a source has no value, or the extremes of a range need a search
+
+
+def uncertainties_of_elements(
+    scene: Scene, values: Mapping[str, Any], sources: Sequence[Source]
+) -> dict[str, Uncertainties]:
+    """Return the uncertainty of each quantity, from sources of one kind, as `uncertainty` does for numbers.
+
+    Raises TooManyRanges.
+    """
+    return propagated_elements(lambda changed: scene.replace(**changed).numbers(*values), values, sources)
+
+
+def inferred_uncertainty_elements(
+    name: str, quantity: str, measured: Any, values: Any, scene: Scene
+) -> Uncertainties | None:
+    """Return the uncertainty of the values of an inferred input, if it has a source. Raises TooManyRanges."""
+    import numpy
+
+    sources = inferred_sources(name, quantity, measured, scene).entering
+
+    def evaluate(changed: Mapping[str, Any]) -> Mapping[str, Any]:
+        at, beside = changed_inputs(quantity, measured, scene, changed)
+        found = solutions(name, quantity, numpy.broadcast_to(at, values.shape), beside)
+        return {name: numpy.array([one if isinstance(one, float) else numpy.nan for one in found])}
+
+    return propagated_elements(evaluate, {name: values}, sources)[name] if sources else None
+
+
+def propagated_elements(
+    evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Source]
+) -> dict[str, Uncertainties]:
+    """Return the uncertainties of values, from sources of one kind and a function that computes them from changed inputs."""
+    if isinstance(sources[0].given, Measured):
+        return _elements_in_quadrature(evaluate, values, sources)
+    if len(sources) > MOST_RANGES:
+        raise TooManyRanges(len(sources))
+    return _elements_over_ranges(evaluate, values, sources)
+
+
+def _elements_in_quadrature(
+    evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Source]
+) -> dict[str, Uncertainties]:
+    """Return standard uncertainties."""
+    import numpy
+
+    ends = [
+        [_outcome(evaluate, values, [source], [end]) for end in (source.given.low, source.given.high)]
+        for source in sources
+    ]
+    found: dict[str, Uncertainties] = {}
+    for name, value in values.items():
+        minus: Any = 0.0
+        plus: Any = 0.0
+        for pair in ends:
+            changes = numpy.broadcast_arrays(0.0, *(end[name] - value for end in pair))
+            minus = numpy.hypot(minus, numpy.min(changes, axis=0))
+            plus = numpy.hypot(plus, numpy.max(changes, axis=0))
+        alike = numpy.abs(plus - minus) <= ASYMMETRIC * numpy.maximum(plus, minus)
+        felt = numpy.maximum(minus, plus) > ROUNDING * numpy.abs(value)
+        middle = (minus + plus) / 2
+        sides = {"minus": numpy.where(alike, middle, minus), "plus": numpy.where(alike, middle, plus)}
+        found[name] = _where(felt, sides, numpy.isnan(minus + plus))
+    return found
+
+
+def _elements_over_ranges(
+    evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Source]
+) -> dict[str, Uncertainties]:
+    """Return the least and the largest value of each quantity over all ranges together: values at corners of the ranges.
+
+    An element is open where a step from a corner into the ranges leads further, as there is a turning point inside then.
+    """
+    import numpy
+
+    limits = [(source.given.low, source.given.high) for source in sources]
+    corners = [_outcome(evaluate, values, sources, corner) for corner in product(*limits)]
+    parts = [NEAR * (high - low) / SAMPLES for low, high in limits]
+    steps = [
+        _outcome(
+            evaluate, values, sources, [*corner[:axis], corner[axis] + (1 - 2 * side) * width, *corner[axis + 1 :]]
+        )
+        for corner, sides in zip(product(*limits), product((0, 1), repeat=len(limits)), strict=True)
+        for axis, (side, width) in enumerate(zip(sides, parts, strict=True))
+    ]
+    found: dict[str, Uncertainties] = {}
+    for name, value in values.items():
+        at_corners = numpy.stack(numpy.broadcast_arrays(value, *(one[name] for one in corners)))[1:]
+        beside = numpy.stack(numpy.broadcast_arrays(value, *(one[name] for one in steps)))[1:]
+        from_corner = numpy.repeat(at_corners, len(limits), axis=0)
+        low: Any = at_corners.min(axis=0)
+        high: Any = at_corners.max(axis=0)
+        is_felt = high - low > ROUNDING * numpy.abs(value)
+        low, high = numpy.where(is_felt, low, value), numpy.where(is_felt, high, value)
+        turns = ((beside > high) & (from_corner == high)) | ((beside < low) & (from_corner == low))
+        is_odd = turns.any(axis=0) | numpy.isnan(beside).any(axis=0)
+        low, high = numpy.minimum(low, value), numpy.maximum(high, value)
+        found[name] = _where(low < high, {"low": low, "high": high}, is_odd)
+    return found
+
+
+def _where(is_felt: Any, sides: Mapping[str, Any], is_open: Any) -> Uncertainties:
+    """Return the uncertainty of a quantity, whose sides are nan where no source has an influence, and where it is open."""
+    import numpy
+
+    known = is_felt & ~is_open
+    return Uncertainties({side: numpy.where(known, values, numpy.nan) for side, values in sides.items()}, is_open)
+
+
+def _outcome(
+    evaluate: Evaluate, names: Collection[str], sources: Sequence[Source], place: Sequence[Any]
+) -> dict[str, Any]:
+    """Return quantities where each source has a value, nan for those that have none."""
+    import numpy
+
+    changed: dict[str, Any] = {}
+    for source, value in zip(sources, place, strict=True):
+        changed |= source.at(value)
+    return {**dict.fromkeys(names, numpy.nan), **evaluate(changed)}

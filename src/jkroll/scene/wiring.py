@@ -15,6 +15,8 @@ from ..quantities.errors import UnknownQuantity
 from ..quantities.laws import DEFAULT_LAW, Routes, differs, routes, routes_anywhere
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
 
+OF_A_SOLID = frozenset({*PROPERTIES, "hamaker"})  # what another material of sphere 2 does not take over from sphere 1
+
 
 class Step(NamedTuple):
     """One formula to run: the name of its result, the formula, and the names of its arguments."""
@@ -39,23 +41,11 @@ class Plan(NamedTuple):
     inputs: tuple[str, ...]
     found: Mapping[str, str]  # wanted name → the name under which its value is known
     missing: Mapping[str, Missing]  # the wanted names to which no formulas lead
+    taken: frozenset[str] = frozenset()  # the parameters of all formulas
 
     def knows(self, names: Iterable[str]) -> bool:
         """Return whether the plan was made for these names, among others."""
         return all(name in self.found or name in self.missing for name in names)
-
-    def part(self, names: Iterable[str]) -> "Plan":
-        """Return what of the plan leads to some of its quantities."""
-        found = {name: self.found[name] for name in names if name in self.found}
-        used = set(found.values())
-        steps = []
-        for step in reversed(self.steps):
-            if step.name in used:
-                steps.append(step)
-                used.update(source for _, source in step.arguments)
-        inputs = tuple(name for name in self.inputs if name in used)
-        missing = {name: self.missing[name] for name in names if name in self.missing}
-        return Plan(tuple(reversed(steps)), inputs, found, missing)
 
 
 NO_PLAN = Plan((), (), {}, {})
@@ -80,7 +70,8 @@ def plan(wanted: tuple[str, ...], known: frozenset[str], own_material2: bool, mo
             found[name] = source
             steps = path.steps
             inputs |= path.inputs
-    return Plan(tuple(steps.values()), in_order(inputs), found, missing)
+    taken = frozenset(parameter for step in steps.values() for parameter, _ in step.arguments)
+    return Plan(tuple(steps.values()), in_order(inputs), found, missing, taken)
 
 
 class _Path:
@@ -129,7 +120,7 @@ class _Path:
             return name
         if name in self.by_law:
             return self.by_law[name]
-        is_property_of_2 = self.own_material2 and name.removesuffix("2") in PROPERTIES
+        is_property_of_2 = self.own_material2 and name.removesuffix("2") in OF_A_SOLID
         if name.endswith("2") and formula_of(name) is None and not is_property_of_2:
             return name.removesuffix("2")
         return name

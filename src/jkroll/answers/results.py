@@ -1,0 +1,156 @@
+"""A result, a note about an answer, and results under a law of attraction other than JKR."""
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from math import isfinite
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Literal, NamedTuple
+
+from ..errors import NoResult
+from ..quantities.formatting import Format, OutOfUnit, amount
+from ..quantities.laws import BETWEEN, DEFAULT_LAW, differs
+from ..quantities.nomenclature import NOMENCLATURE
+from ..scene.scene import Scene
+
+if TYPE_CHECKING:
+    from ..scene.uncertainty import Propagated
+else:
+    Propagated = object  # a quoted type would start Python's compiler, which costs a call a millisecond
+
+
+class OtherLaw(NamedTuple):
+    """The law of attraction other than JKR by which a quantity was computed, or by which it has no value."""
+
+    name: str
+    equation: str  # of the paper, or the source of the law; empty where there is no value
+    jkr: float | None  # the value of JKR, to stand beside it
+
+
+class NoValue(NoResult):
+    """Error raised for a result without a value, with the reason in words."""
+
+    def __init__(self, name: str, text: str) -> None:
+        super().__init__(name, text)
+        self.name, self.text = name, text
+
+    def reason(self) -> str:
+        """Return the reason."""
+        return self.text
+
+
+class Result(NamedTuple):
+    """A quantity in SI units, or the reason why it has no value.
+
+    `error` is the relative error of a model of the moment, `condition` the factor by which an inferred value multiplies the
+    relative error of a measured one.
+    """
+
+    name: str
+    value: float | None
+    reason: str = ""
+    error: float | None = None
+    condition: float | None = None
+    by_law: Mapping[str, float] = MappingProxyType({})  # of an inferred value: what it would be under the other laws
+    propagated: Propagated | None = None  # its uncertainty, if an input has one
+    law: OtherLaw | None = None
+
+    @property
+    def equation(self) -> str:
+        """The equation that gives the quantity, or the source of its law."""
+        return self.law.equation if self.law else NOMENCLATURE[self.name].equation
+
+    @property
+    def source(self) -> str:
+        """The equation as a text: "Eq 6", or the source of the law."""
+        return f"Eq {self.equation}" if self.equation.isdigit() else self.equation
+
+    def in_unit(self, form: Format) -> "Result":
+        """Return the result, without its value if no double holds it in its unit."""
+        beside = self.law.jkr if self.law else None
+        numbers = filter(None, (self.value, beside, *self.sides().values(), *self.by_law.values()))
+        if all(form.holds(self.name, number) for number in numbers):
+            return self
+        return Result(self.name, None, self.reason or OutOfUnit(self.name, form.unit(self.name)).reason())
+
+    def sides(self) -> dict[str, float]:
+        """Return the numbers of the uncertainty by name: minus and plus, or low and high; none if there is no uncertainty."""
+        return self.propagated.uncertainty.sides if self.propagated is not None else {}
+
+
+# Of notes, the most important first.
+Kind = Literal["material", "missing", "doubt", "result", "model", "assumption", "unchecked", "data"]
+
+
+class Note(NamedTuple):
+    """A sentence about an answer."""
+
+    kind: Kind
+    text: str
+    matter: str = ""  # the same for all scenes that have such a note; by default the text
+    brief: str = ""  # of a doubt: the number and the limit that it exceeds
+
+
+# --- Other laws of attraction -----------------------------------------------------------------------------------------
+
+
+def with_law(results: Sequence[Result], scene: Scene) -> list[Result]:
+    """Return the results of a law with its name and its source, and with the values of JKR beside them.
+
+    A result without a value is among them, without a source: the definition of JKR is not what it lacks.
+    """
+    numbers = scene.under(DEFAULT_LAW).numbers(*(result.name for result in results))
+    of_jkr = {name: number for name, number in numbers.items() if isfinite(number)}
+    sources = {
+        result.name: equation_of(scene, result.name) if result.value is not None else ""
+        for result in results
+        if result.value is None or uses_law(scene, result.name)
+    }
+    return [
+        result._replace(law=OtherLaw(scene.law.name, sources[result.name], of_jkr.get(result.name)))
+        if result.name in sources
+        else result
+        for result in results
+    ]
+
+
+def uses_law(scene: Scene, name: str) -> bool:
+    """Return whether a quantity of a scene rests on a formula that JKR does not have."""
+    plan = scene.plan(name)
+    routes = {route for key, route in scene.law.routes.items() if differs(key)}
+    return plan.found[name] in routes or any(source in routes for step in plan.steps for _, source in step.arguments)
+
+
+def equation_of(scene: Scene, name: str) -> str:
+    """Return the equation by which a law has a quantity: that of the paper, or the source of the law."""
+    return NOMENCLATURE[scene.plan(name).found[name]].equation or scene.law.source
+
+
+def over_spacing(name: str, scene: Scene) -> str:
+    """Return why a quantity that rests on the atomic spacing has no one value."""
+    ends = [scene.replace(atomic_spacing=scene["atomic_spacing"]), at_half_spacing(scene)]
+    texts = [f"{amount(name, end[name])} at z0 = {amount('atomic_spacing', end['atomic_spacing'])}" for end in ends]
+    return f"from {' to '.join(texts)}; give --z0"
+
+
+def at_half_spacing(scene: Scene) -> Scene:
+    """Return a scene whose atomic spacing is half as large."""
+    return scene.replace(atomic_spacing=scene["atomic_spacing"] / 2)
+
+
+def remarks(scene: Scene, names: Collection[str]) -> Iterator[Note]:
+    """Iterate over the notes on results under a law other than JKR, most of them on Maugis'."""
+    if "fold_energy" in names and not scene.law.is_default:
+        yield Note("result", "F_cδ_c and its multiples are those of JKR")
+    if scene.law.name != BETWEEN:
+        return
+    if "yield_moment" in names and "adhesion_hysteresis" not in scene.given:
+        jkr = scene.under(DEFAULT_LAW).numbers("yield_moment", "zone_radius")
+        own = scene.numbers("zone_radius", "yield_moment")
+        if len(jkr) == len(own) == 2:
+            moment = jkr["yield_moment"] * (own["zone_radius"] / jkr["zone_radius"])
+            text = (
+                f"M: {amount('yield_moment', moment)}, {moment / jkr['yield_moment']:.3g} times JKR's, at the adhesion "
+                "hysteresis that JKR has at this ξ; ξ is not the same number in every law"
+            )
+            yield Note("result", text, "M at equal hysteresis")
+    if "contact_radius_at_load" in names and scene["contact_radius_at_load"] == 0:
+        yield Note("result", "a: the spheres are bound without touching")

@@ -1,0 +1,165 @@
+"""A check: a claim of the paper beside what follows from its premises, and the verdict that the two numbers give.
+
+Integrals, derivatives and roots are found by plain arithmetic, so that a check needs no formula of the paper to test one.
+"""
+
+from collections.abc import Callable
+from functools import cache
+from math import cos, pi, sin, sqrt
+from typing import Literal, NamedTuple
+
+Verdict = Literal["holds", "sign", "misprint", "wrong", "approximate"]
+Terms = float | tuple[float, ...]  # one number, or several: the terms of a sum, the ends of a range, or cases
+
+ROUNDING = 1e-9  # relative difference that two routes to one number may have
+
+
+class Check(NamedTuple):
+    """A claim of the paper, evaluated at values where nothing is special, so that only equal formulas agree."""
+
+    equation: str  # numbers of equations, or the place in the prose
+    claim: str
+    expected: Verdict
+    reason: str
+    printed: Terms
+    follows: Terms
+    restated: Terms | None = None  # the printed claim where the paper states it again
+    within: float = ROUNDING  # relative difference admitted by the printed digits or the order of a series
+    hedge: float = 1.0  # factor admitted by an "about" or a "≈" of the paper
+
+    @property
+    def verdict(self) -> Verdict:
+        """The verdict that the numbers give."""
+        printed, follows = _terms(self.printed), _terms(self.follows)
+        if _agree(printed, follows, self.within):
+            return "holds"
+        if _agree(tuple(map(abs, printed)), tuple(map(abs, follows)), self.within):
+            return "sign"
+        if self.restated is not None and _agree(_terms(self.restated), follows, self.within):
+            return "misprint"
+        if all(1 <= self.hedge * one / other <= self.hedge**2 for one, other in zip(printed, follows, strict=True)):
+            return "approximate"
+        return "wrong"
+
+    def row(self) -> "Row":
+        """Return the outcome, with those of several numbers that differ most."""
+        pairs = zip(_terms(self.printed), _terms(self.follows), strict=True)
+        printed, follows = max(pairs, key=lambda pair: _difference(*pair))
+        difference = _difference(printed, follows)
+        return Row(self.equation, self.claim, printed, follows, difference, self.verdict, self.expected, self.reason)
+
+
+class Row(NamedTuple):
+    """The outcome of a check."""
+
+    equation: str
+    claim: str
+    printed: float
+    follows: float
+    difference: float  # relative to what follows
+    verdict: Verdict
+    expected: Verdict
+    reason: str
+
+
+def _terms(value: Terms) -> tuple[float, ...]:
+    return value if isinstance(value, tuple) else (value,)
+
+
+def _difference(printed: float, follows: float) -> float:
+    return abs(printed - follows) / abs(follows)
+
+
+def _agree(printed: tuple[float, ...], follows: tuple[float, ...], within: float) -> bool:
+    return all(_difference(one, other) <= within for one, other in zip(printed, follows, strict=True))
+
+
+# --- Integrals, derivatives and roots ---------------------------------------------------------------------------------
+
+Function = Callable[[float], float]
+
+_NODES = 40
+_DIRECTIONS = 24
+
+
+@cache
+def _gauss_legendre() -> tuple[tuple[float, float], ...]:
+    """Return the nodes and weights on −1 … 1: the roots of a Legendre polynomial, by Newton's method."""
+    rule = []
+    for place in range(_NODES):
+        node = cos(pi * (place + 0.75) / (_NODES + 0.5))
+        for _ in range(6):
+            before, value = 1.0, node
+            for degree in range(2, _NODES + 1):
+                before, value = value, ((2 * degree - 1) * node * value - (degree - 1) * before) / degree
+            slope = _NODES * (node * value - before) / (node * node - 1)
+            node -= value / slope
+        rule.append((node, 2 / ((1 - node * node) * slope * slope)))
+    return tuple(rule)
+
+
+def integral(function: Function, low: float, high: float) -> float:
+    """Return the integral of a smooth function."""
+    middle, half = (low + high) / 2, (high - low) / 2
+    return half * sum(weight * function(middle + half * node) for node, weight in _gauss_legendre())
+
+
+def to_rim(function: Function, a: float) -> float:
+    """Return the integral from 0 to a of a function with a factor √(a − s), or 1/√(a − s), if any."""
+    return integral(lambda angle: function(a * sin(angle)) * a * cos(angle), 0, pi / 2)
+
+
+def across(function: Function, a: float) -> float:
+    """Return the integral from −a to a of a function with such a factor at both ends, if any."""
+    return to_rim(lambda s: function(s) + function(-s), a)
+
+
+def over_disc(function: Callable[[float, float], float], a: float) -> float:
+    """Return the integral over a circle of a function of x and y with such a factor at the rim, if any."""
+    turn = 2 * pi / _DIRECTIONS
+    angles = [(place + 0.5) * turn for place in range(_DIRECTIONS)]
+    return to_rim(lambda r: turn * r * sum(function(r * cos(angle), r * sin(angle)) for angle in angles), a)
+
+
+def principal_value(function: Function, x: float, a: float) -> float:
+    """Return the Cauchy principal value of ∫ f(s)/(√(a² − s²)(x − s)) ds from −a to a, for a smooth f and |x| < a.
+
+    For a constant f it is 0. So f(x) is subtracted, and no singularity remains.
+    """
+    at_x = function(x)
+    nodes = [a * cos(pi * (place + 0.5) / _NODES) for place in range(_NODES)]
+    return pi / _NODES * sum((function(s) - at_x) / (x - s) for s in nodes)
+
+
+def slope(function: Callable[[complex], complex], x: float) -> float:
+    """Return the derivative by a complex step, in which nothing cancels."""
+    step = 1e-30
+    return function(complex(x, step)).imag / step
+
+
+def first_order(function: Function, step: float) -> float:
+    """Return the derivative at 0 of an odd function, to the third order of the step."""
+    return (8 * function(step) - function(2 * step)) / (6 * step)
+
+
+def root(function: Function, low: float, high: float) -> float:
+    """Return a root of a function that changes sign between two ends, by bisection."""
+    rising = function(high) > 0
+    for _ in range(60):
+        middle = (low + high) / 2
+        low, high = (low, middle) if (function(middle) > 0) == rising else (middle, high)
+    return (low + high) / 2
+
+
+def lowest(function: Function, low: float, high: float) -> float:
+    """Return the least value of a function with one minimum, by golden-section search."""
+    golden = (sqrt(5) - 1) / 2
+    for _ in range(50):
+        left, right = high - golden * (high - low), low + golden * (high - low)
+        low, high = (low, right) if function(left) < function(right) else (left, high)
+    return function((low + high) / 2)
+
+
+def nearest(value: float, low: float, high: float) -> float:
+    """Return the number of a range that is nearest to a value."""
+    return min(max(value, low), high)

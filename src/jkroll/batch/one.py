@@ -1,0 +1,134 @@
+"""A table in one file, or from a pipe, into another; columns of rows into a file."""
+
+import os
+from collections.abc import Iterable
+from contextlib import closing
+from dataclasses import replace
+from functools import lru_cache, partial
+from itertools import chain
+
+from ..answers.questions import quantities_named
+from ..output.records import lines
+from ..quantities.formatting import Format as Units
+from ..rows.columns import Columns, Wanted
+from ..rows.header import BadTable, choices, understood
+from ..rows.readings import Reading
+from ..rows.table import Fill, Table, say_reading, table_of
+from ..text import quoted
+from .delimited import Delimited
+from .errors import missing_extra
+from .formats import LINES, Format, compressor, format_of, stated
+from .lines import Converted, Tally
+from .ndjson import NdjsonConverter
+from .output import output_to, unnamed
+from .run import Convert, Work, run
+from .settings import Order, Part, Settings
+from .source import Input, blocks
+
+
+def convert(part: Part, order: Order) -> Tally:
+    """Convert a table of any format."""
+    settings = order.settings._replace(target=part.target)
+    form = input_format(part.path, settings)
+    compression = output_format(settings, form).compression
+    if form.kind == "parquet":
+        with missing_extra("parquet"):
+            from .parquet import convert as convert_parquet
+        return convert_parquet(part, order, table_with)
+    return _convert_lines(part.path, form, compression, replace(order, settings=settings))
+
+
+@lru_cache(maxsize=8)  # the tables of a run have the same options
+def _options(order: Order) -> tuple[Fill, dict[str, Reading]]:
+    return Fill.of(order.inputs, order.known), choices(order.settings.columns)
+
+
+def table_with(names: tuple[str, ...], rows: list[list[str]], order: Order) -> Table:
+    """Return the table with this header that the order asks for; `rows`: the cells of its first rows."""
+    settings = order.settings
+    fill, chosen = _options(order)
+    columns = understood(names, rows, chosen)
+    asked = quantities_named(settings.quantities)
+    table = table_of(columns, rows, fill, asked, doubt=settings.doubt, uncertainty=settings.uncertainty)
+    if not settings.quiet:
+        say_reading(columns, rows, fill, settings.quantities)
+    return table
+
+
+def _convert_lines(path: str, form: Format, compression: str, order: Order) -> Tally:
+    """Convert a table whose records are lines."""
+    settings = order.settings
+    compressor(form.compression)  # a missing library is named before anything is opened
+    with closing(Input(path)) as given:
+        given.check_output(settings.target)
+        dialect = LINES[form.kind]
+        texts = blocks(given.pieces(form.compression), dialect.cut)
+        first = next(texts, b"")
+        head, rows = dialect.head(first)
+        table = table_with(head.names, rows, order)
+        converter = dialect.converter(head, table, strict=settings.strict, excel_safe=settings.excel_safe)
+        start = compressor(compression)(converter.head) if converter.head else b""
+        return run(
+            Work(
+                Converted(start),
+                head.text.count(b"\n"),
+                filter(None, chain([first[len(head.text) :]], texts)),
+                partial(_make_convert, converter, compression),
+                given.size,
+                given.position,
+            ),
+            settings,
+        )
+
+
+def _make_convert(converter: Delimited | NdjsonConverter, compression: str) -> Convert:
+    compress = compressor(compression)
+
+    def convert(text: bytes) -> Converted:
+        converted = converter.convert(text)
+        return converted._replace(output=compress(converted.output))
+
+    return convert
+
+
+def input_format(path: str, settings: Settings) -> Format:
+    """Return the format of the input."""
+    if settings.format:
+        return stated(settings.format)
+    found = format_of(path if path != "-" else settings.target)
+    if found is not None:
+        return found
+    if path == "-":
+        return Format("csv")
+    if os.path.isdir(path):
+        raise BadTable(f"{quoted(path)} is a directory; name its tables, as in {quoted(os.path.join(path, '*.csv'))}")
+    raise BadTable(f"{quoted(path)}: its name says no format; give --format csv, tsv, ndjson or parquet")
+
+
+def output_format(settings: Settings, of_input: Format) -> Format:
+    """Return the format of the output: that of its name, else that of the input without compression."""
+    found = format_of(settings.target)
+    if found is None:
+        return unnamed(settings.target, of_input.kind, quiet=settings.quiet)
+    if found.kind != of_input.kind:
+        name = os.path.basename(settings.target).partition(".")[0]
+        raise BadTable(
+            f"-o: a table of {of_input.kind} stays one; write {quoted(f'{name}.{of_input.kind}')}, and convert it with another program"
+        )
+    return found
+
+
+def write_columns(
+    wanted: Wanted, blocks: Iterable[Columns], units: Units, target: str, *, doubt: bool, quiet: bool
+) -> None:
+    """Write columns to a file in the format that its name says. Raises BadRequest for one that is not for columns."""
+    form = format_of(target) or unnamed(target, "csv", quiet=quiet)
+    if form.kind == "parquet":
+        with missing_extra("parquet"):
+            from .parquet import write_columns as write_parquet
+        write_parquet(wanted, blocks, units, target, doubt=doubt)
+        return
+    compress = compressor(form.compression)
+    with output_to(target) as stream:
+        for text in lines(form.kind, wanted, blocks, units, doubt=doubt):
+            stream.write(compress(text))

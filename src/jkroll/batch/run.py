@@ -1,0 +1,129 @@
+"""The loop of all tables of lines: blocks of records through a converter into the output, in their order.
+
+This process reads, and says in which order is written. Where there are many blocks, others convert and write them; the output is the
+same for any number of them.
+"""
+
+import os
+import sys
+from collections.abc import Callable, Iterator
+from functools import partial
+from itertools import chain, islice
+from typing import BinaryIO, NamedTuple
+
+from ..rows.header import BadRow
+from ..text import say
+from .lines import Converted, Tally
+from .output import output_to
+from .progress import Bar
+from .settings import Settings
+
+ALONE = 4  # blocks that this process converts before it starts others
+
+Convert = Callable[[bytes], Converted]
+
+
+class Work(NamedTuple):
+    """A table to convert."""
+
+    head: Converted  # what the header becomes
+    head_lines: int  # of the header as read
+    blocks: Iterator[bytes]
+    make_convert: Callable[[], Convert]  # called in each process
+    size: int  # bytes of the input, or 0 if that is unknown
+    position: Callable[[], int]  # bytes read so far
+
+
+class Step(NamedTuple):
+    """A converted block: its size as written, its lines as read, and its counts."""
+
+    written: int = 0
+    lines: int = 0
+    tally: Tally = Tally()
+
+    @classmethod
+    def of(cls, read: bytes, converted: Converted) -> "Step":
+        """Return what a block adds."""
+        return cls(len(converted.output), read.count(b"\n"), converted.tally)
+
+    def plus(self, other: "Step") -> "Step":
+        """Return both together."""
+        return Step(self.written + other.written, self.lines + other.lines, self.tally.plus(*other.tally))
+
+
+Fetch = Callable[[int], bytes]  # returns a block, or nothing if it has written it at this place of the file
+
+
+def run(work: Work, settings: Settings) -> Tally:
+    """Write a table; return the counts of all of it."""
+    done = Step()
+    with output_to(settings.target) as output, Bar(work.size, quiet=settings.quiet) as bar:
+        try:
+            for step, fetch in _steps(work, settings.processes, _path(output)):
+                _write(output, fetch(done.written))
+                done = done.plus(step)
+                bar.show(work.position(), done.tally.rows)
+        except BadRow as error:
+            raise BadRow(done.lines + 1 + error.line, error.status) from None
+        except KeyboardInterrupt:
+            say(f"jkroll: interrupted after {done.tally.rows} rows", sys.stderr)
+            raise
+    return done.tally
+
+
+def _write(output: BinaryIO, text: bytes) -> None:
+    rest = memoryview(text)
+    while rest:
+        rest = rest[os.write(output.fileno(), rest) :]
+
+
+def _path(output: BinaryIO) -> str:
+    """Return the path of a file that processes can write into; an empty text for a stream."""
+    return output.name if isinstance(output.name, str) and os.path.isfile(output.name) else ""
+
+
+def _steps(work: Work, jobs: int, path: str) -> Iterator[tuple[Step, Fetch]]:
+    """Iterate over the header and the converted blocks in their order. `path`: of the file into which they go, or an empty text."""
+    yield Step(len(work.head.output), work.head_lines), lambda _: work.head.output
+    convert = work.make_convert()
+
+    def here(text: bytes) -> tuple[Step, Fetch]:
+        converted = convert(text)
+        return Step.of(text, converted), lambda _: converted.output
+
+    yield from map(here, islice(work.blocks, ALONE) if jobs > 1 else work.blocks)
+    first = next(work.blocks, None)
+    if first is None:
+        return
+    from .workers import are_ready, in_order, started  # with multiprocessing, which a small table does not pay for
+
+    blocks = chain([first], work.blocks)
+    with started(jobs, partial(_answering, work.make_convert, path)) as workers:
+        while not are_ready(workers) and (text := next(blocks, None)) is not None:
+            yield here(text)
+        for worker, step in in_order(workers, blocks):
+            yield step, worker.answer_to
+
+
+def _answering(make_convert: Callable[[], Convert], path: str) -> Callable[[bytes | int], Step | bytes]:
+    """Return what a process does: it converts a block, and puts it at a place of the file or hands it over when its turn comes.
+
+    To send a block to another process takes a third as long as to make it.
+    """
+    convert = make_convert()
+    output = b""
+
+    def answer(question: bytes | int) -> Step | bytes:
+        nonlocal output
+        if isinstance(question, bytes):
+            converted = convert(question)
+            output = converted.output
+            return Step.of(question, converted)
+        if not path:
+            return output
+        with open(path, "r+b") as file:
+            file.seek(question)
+            file.write(output)
+        return b""
+
+    return answer

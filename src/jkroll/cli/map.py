@@ -1,0 +1,265 @@
+"""Runners of `map`, `figure` and `contact --curve -o`: from words and option values to a drawing.
+
+From the words and options of `map` to a map or curves.
+"""
+
+import sys
+from collections.abc import Iterable, Sequence
+from math import isnan
+
+from ..answers.questions import quantity_named
+from ..errors import BadRequest, MissingExtra
+from ..output.records import text_output, whole_file
+from ..pictures.axes import Axis
+from ..pictures.curves import PANELS, PROFILES, curves_of_contact, figure_laws
+from ..pictures.figures import FIGURES, figure
+from ..pictures.maps import Map, Picture, rows_of
+from ..pictures.request import PlotRequest, curves_of, map_of, mark_at
+from ..pictures.styles import STYLES
+from ..quantities.errors import QuantityError
+from ..quantities.formatting import amount
+from ..quantities.laws import DEFAULT_LAW
+from ..quantities.nomenclature import NOMENCLATURE, header
+from ..quantities.units import BadUnit, dimension_of
+from ..quantities.values import between, error_about, parse_value
+from ..scene.scene import Scene
+from ..scene.wiring import depends_on
+from ..text import quoted, say_wrapped, spelled
+from .options import Call
+from .request import Request, curve_request, materials_of, request_of
+from .written import PICTURES, ending, format_name, no_picture
+
+ON_SCREEN = (241, 121)  # points of a map that is drawn in cells
+IN_FILE = (201, 201)
+OF_PAPER = (21, 21)  # its contours are of powers, straight on logarithmic axes: few points draw them exactly
+ALONG = 1001  # points of a curve
+FIGURE_NAMES = tuple(sorted({*FIGURES, *PROFILES, "laws"}))
+
+
+def _check(call: Call, numbers: str = "--data FILE") -> None:
+    """Raise BadRequest for a picture that cannot be drawn, before anything is computed.
+
+    `numbers` is the option that writes the numbers of the command instead of a picture.
+    """
+    if call.style not in (None, *STYLES):
+        raise BadRequest(f"--style: {quoted(call.style or '')} is not a style; there are {' and '.join(STYLES)}")
+    if call.panel not in (None, *PANELS):
+        raise BadRequest(f"--panel: {quoted(call.panel or '')} is not a panel; there are {', '.join(PANELS)}")
+    _inches(call.width)
+    if call.target is None:
+        looks = {
+            "--width": call.width,
+            "--style": call.style,
+            "--no-caption": call.uncaptioned,
+        }
+        if given := [flag for flag, value in looks.items() if value]:
+            raise BadRequest(f"{', '.join(given)}: for a file only; name one with -o")
+        return
+    if ending(call.target) not in PICTURES:
+        raise no_picture("-o", call.target, f"; {numbers} writes the numbers")
+    try:
+        from ..pictures import page  # noqa: F401
+    except ModuleNotFoundError as error:
+        raise MissingExtra(error.name or "", "plot") from None
+
+
+def _inches(width: str | None) -> float | None:
+    """Return the width of a page in inches, None if it was not given."""
+    if width is None:
+        return None
+    try:
+        metres = parse_value(width, dimension_of("m"))
+    except BadUnit as error:
+        raise error_about("--width", width, error, [dimension_of("m")], "expected a width such as 85mm") from None
+    if not 0.07 <= metres <= 1:
+        raise BadRequest(f"--width: {quoted(width)} is not between 70mm and 1m")
+    return metres / 0.0254
+
+
+def run_map(call: Call) -> int:
+    """Draw a quantity over one or two inputs; return the exit code."""
+    _check(call)
+    request = map_request(call)
+    drawn: Map | Picture
+    if request.y is None:
+        drawn, notes = curves_of(request, ALONG)
+    else:
+        drawn, notes = map_of(request, IN_FILE if call.target else ON_SCREEN, show_progress)
+    return _deliver(drawn, notes, call)
+
+
+def run_figure(call: Call) -> int:
+    """Draw a figure of the paper; return the exit code."""
+    _check(call)
+    if len(call.words) != 1 or call.words[0] not in FIGURE_NAMES:
+        given = f"{quoted(' '.join(call.words))} is not a figure with data" if call.words else "figure needs a name"
+        raise BadRequest(f"{given}; there are {', '.join(FIGURE_NAMES)}")
+    name = call.words[0]
+    materials = materials_of(call.materials)
+    if name in PROFILES:
+        if call.mark or call.as_printed:
+            raise BadRequest(f"figure {name} takes no {'--mark' if call.mark else '--as-printed'}")
+        return _deliver(PROFILES[name](materials), (), call)
+    if name == "laws":
+        if call.as_printed:
+            raise BadRequest("figure laws takes no --as-printed")
+        return _deliver(figure_laws(materials, marks_of(call.mark)), (), call)
+    size = OF_PAPER if call.target else ON_SCREEN
+    drawn = figure(name, materials, size, as_printed=call.as_printed)
+    if call.as_printed and drawn.printed is None:
+        raise BadRequest(f"figure {name} is as printed; --as-printed is for 6b")
+    marks = [mark_at(text, materials, drawn.scene, drawn.x, drawn.y) for text in marks_of(call.mark)]
+    return _deliver(drawn._replace(marks=(*drawn.marks, *marks)), (), call)
+
+
+def draw_contact(call: Call) -> int:
+    """Draw the curves of a contact; return the exit code."""
+    _check(call, "--csv > FILE")
+    flag = "-o" if call.target else "--panel"
+    if not call.curve:
+        raise BadRequest(f"{flag} draws the curve: add --curve")
+    if (kind := format_name(call)) not in ("table", "plain"):
+        raise BadRequest(f"{flag} and --{kind} exclude each other")
+    request, loads = curve_request(call)
+    if (count := request.count // len(request.models)) > 1:
+        raise BadRequest(f"{count} scenes are more than one picture of a contact")
+    drawn, notes = curves_of_contact([*request.scenes()], loads, call.panel)
+    return _deliver(drawn, notes, call)
+
+
+def _deliver(drawn: Map | Picture, notes: Iterable[str], call: Call) -> int:
+    """Draw into a file and print its caption, or draw on the screen; write the numbers where they are wanted."""
+    if call.data is not None:
+        _write_data(drawn, call.data)
+    if call.target is not None:
+        from ..pictures.page import draw
+
+        content = draw(
+            drawn,
+            ending(call.target),
+            _inches(call.width),
+            call.style or "paper",
+            has_caption=not call.uncaptioned,
+        )
+        with whole_file(call.target) as stream:
+            stream.write(content)
+        if call.data != "-" and not call.quiet:
+            for text in filter(None, (drawn.title, *drawn.caption)):
+                say_wrapped(text, sys.stdout)
+    elif call.data != "-":
+        from ..pictures.terminal import draw_map, draw_picture
+
+        if isinstance(drawn, Map):
+            draw_map(drawn, sys.stdout)
+        else:
+            draw_picture(drawn, sys.stdout)
+    sys.stdout.flush()
+    for note in () if call.quiet else notes:
+        say_wrapped(f"note: {note}", sys.stderr)
+    return 0
+
+
+def _write_data(drawn: Map | Picture, path: str) -> None:
+    """Write the numbers as CSV into a file, or to stdout for "-"."""
+    import csv
+
+    with text_output(path) as out:
+        csv.writer(out, lineterminator="\n").writerows(_table(drawn))
+
+
+def _table(drawn: Map | Picture) -> Iterable[Sequence[str]]:
+    """Iterate over the rows with a header. An empty line separates panels; a cell without a value is empty."""
+    if isinstance(drawn, Map):
+        yield [drawn.x.header(), drawn.y.header(), header(drawn.quantity)]
+        for row in rows_of(drawn):
+            yield [_cell(value) for value in row]
+        return
+    for number, panel in enumerate(drawn.panels):
+        if number > 0:
+            yield []
+        yield ["curve", panel.x.header(), panel.y.header()]
+        for curve in panel.curves:
+            for x, y in zip(curve.x.tolist(), curve.y.tolist(), strict=True):
+                yield [curve.text, _cell(x), _cell(y)]
+
+
+def _cell(value: float) -> str:
+    return "" if isnan(value) else spelled(value)
+
+
+def show_progress(part: float) -> None:
+    """Show the finished part of a long map on a terminal, and erase it at the end."""
+    if sys.stderr.isatty():
+        sys.stderr.write(f"\r{100 * part:3.0f} %\r" if part < 1 else "\r     \r")
+        sys.stderr.flush()
+
+
+# --- Map request ------------------------------------------------------------------------------------------------------
+
+MAX_CURVES = 24  # more cannot be told apart
+
+
+def axis_of(text: str, option: str) -> Axis:
+    """Return the axis of a text `NAME=FROM:TO`, optionally with `:COUNT` and `:lin` or `:log`.
+
+    >>> axis = axis_of("radius=1nm:1mm", "--x")
+    >>> axis.name, axis.low, axis.high, axis.is_log
+    ('radius', 1e-09, 0.001, True)
+    """
+    word, has_range, values = text.partition("=")
+    if not has_range:
+        raise BadRequest(f"{option}: write a quantity and its range, such as radius=1nm:1mm")
+    name = quantity_named(word)
+    first, colon, rest = values.partition(":")
+    last, *how = rest.split(":")
+    has_count = bool(how) and how[0] not in ("lin", "log")
+    count, scale = how[0] if has_count else "2", how[has_count:]
+    if not colon or len(scale) > 1 or "," in values:
+        raise QuantityError(name, values, "is not a range", "write FROM:TO, with :lin for equal steps")
+    spread = between(first, last, count, *scale, name=name, text=values)
+    if not spread.low < spread.high:
+        raise QuantityError(name, values, "does not rise")
+    return Axis(name, spread.low, spread.high, spread.is_log, spread.size if has_count else 0)
+
+
+def map_request(call: Call) -> PlotRequest:
+    """Return what a call asks for: a quantity, axes, scenes to draw, and marks."""
+    if not call.words:
+        raise BadRequest("map needs a quantity, such as pull_off_force")
+    quantity = quantity_named(call.words[0])
+    if call.x is None:
+        raise BadRequest("map needs an axis: --x radius=1nm:1mm")
+    x = axis_of(call.x, "--x")
+    y = axis_of(call.y, "--y") if call.y is not None else None
+    axes = [x, y] if y is not None else [x]
+    request = request_of(call._replace(words=call.words[1:]))
+    within = depends_on([quantity], [model or DEFAULT_LAW for model in request.models])
+    for axis in axes:
+        if axis.name in request.options:
+            raise BadRequest(f"{axis.name} is on an axis; it cannot have one value too")
+        if axis.name == quantity:
+            raise BadRequest(f"{quantity} is the quantity that is drawn; it cannot be an axis too")
+        if axis.name not in within:
+            raise BadRequest(f"{quantity} does not depend on {axis.name}")
+    if len({axis.name for axis in axes}) < len(axes):
+        raise BadRequest(f"both axes are {axes[0].name}")
+    if request.count > (1 if len(axes) > 1 else MAX_CURVES):
+        most = f"the {MAX_CURVES} curves that can be told apart; name fewer" if len(axes) == 1 else "one map"
+        raise BadRequest(f"{request.count} scenes are more than {most}")
+    scenes = tuple((_distinction(scene, request), scene) for scene in request.scenes())
+    return PlotRequest(quantity, x, y, scenes, marks_of(call.mark), request.materials)
+
+
+def _distinction(scene: Scene, request: Request) -> str:
+    """Return the materials of a scene, and those of its values of which several were given."""
+    parts = [one.name for one in (scene.material, scene.material2) if one is not None]
+    if len(request.models) > 1 and scene.stated_model is not None:
+        parts.append(scene.law.title)
+    several = [name for name, text in request.options.items() if "," in text or ":" in text]
+    parts += [f"{NOMENCLATURE[name].symbol} = {amount(name, scene.stated[name])}" for name in several]
+    return ", ".join(parts)
+
+
+def marks_of(text: str) -> tuple[str, ...]:
+    """Return the marks of a list."""
+    return tuple(filter(None, text.split(",")))

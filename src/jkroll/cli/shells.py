@@ -1,0 +1,249 @@
+"""The program as a typer application of every command and option: for shells that complete, `typer ... utils docs` and CliRunner.
+
+Typer reads a line only to complete it, as it then forgives mistakes. What is to be run goes, untouched, to our own reader.
+"""
+
+import os
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
+from typing import Any
+
+import typer
+from typer.core import TyperArgument, TyperCommand, TyperGroup, TyperOption
+
+from ..errors import BadRequest, JkrollError
+from ..output.manual import topics
+from ..quantities.laws import LAWS
+from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS
+from . import process
+from .commands import COMMANDS, Action, Words
+from .help import TITLE
+from .options import DEBUG, HELP, VERSION, Option
+
+
+def main() -> int:
+    """Answer a shell that completes, or teach it to; return the exit code."""
+    return process.main(read=_by_typer)
+
+
+def _by_typer(words: Sequence[str]) -> Action:
+    """Return the action that leaves the words, and what the shell says in the environment, to typer."""
+    is_bash = os.environ.get("_JKROLL_COMPLETE") == "complete_bash"
+    if is_bash and not ("COMP_WORDS" in os.environ and os.environ.get("COMP_CWORD", "").isdecimal()):
+        raise BadRequest("_JKROLL_COMPLETE=complete_bash is for bash: it sets COMP_WORDS, and COMP_CWORD to a number")
+    return partial(_exit_code, words)
+
+
+def _exit_code(words: Sequence[str]) -> int:
+    """Run the application, which ends the program, and return the exit code."""
+    try:
+        app(words, prog_name="jkroll")
+    except SystemExit as end:
+        return JkrollError.exit_code if end.code else 0
+    return 0
+
+
+# --- The application --------------------------------------------------------------------------------------------------
+
+
+class _Program(TyperGroup):
+    """The program: it hands the words of a call to our reader."""
+
+    def get_params(self, ctx: Any) -> list[Any]:
+        """Return the options before a command: ours, and those of typer for completion."""
+        return [*map(_option, (VERSION, DEBUG, HELP)), *super().get_params(ctx)]
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Run the words, unless a shell completes them or is taught to."""
+        if ctx.resilient_parsing or args in (["--install-completion"], ["--show-completion"]):
+            return super().parse_args(ctx, args)
+        raise typer.Exit(process.main(args))
+
+
+class _Command(TyperCommand):
+    """A command. Its options are made when they are looked at: those of all commands would take as long as the rest."""
+
+    def get_params(self, ctx: Any) -> list[Any]:  # noqa: ARG002
+        """Return the words and options."""
+        if not self.params:
+            command = COMMANDS[str(self.name)]
+            words = [_argument(command.words)] if command.words.most else []
+            self.params = [*words, *map(_option, (*command.options(), HELP))]
+        return self.params
+
+
+class _Option(TyperOption):
+    """An option whose values are also completed in the form --option=value."""
+
+    def shell_complete(self, ctx: Any, incomplete: str) -> list[Any]:
+        """Return the candidates; with the option before them for zsh and fish, which replace the whole word."""
+        items = super().shell_complete(ctx, incomplete)
+        flag, has_value, _ = os.environ.get("_TYPER_COMPLETE_ARGS", "").rpartition(" ")[2].partition("=")
+        if has_value and flag in self.opts:
+            for item in items:
+                item.value = f"{flag}={item.value}"
+        return items
+
+
+def _option(option: Option) -> TyperOption:
+    """Return an option as typer has it."""
+    is_flag = option.kind is bool
+    return _Option(
+        param_decls=[option.name, *option.flags],
+        is_flag=is_flag,
+        default=False if is_flag else None,
+        metavar=option.metavar or None,
+        help=option.sentence(),
+        hidden=option.hidden,
+        autocompletion=_safe(partial(_values, option.name)),
+    )
+
+
+def _argument(words: Words) -> TyperArgument:
+    """Return the words of a command as typer has them."""
+    return TyperArgument(
+        param_decls=["words"],
+        nargs=1 if words.most == 1 else -1,
+        metavar=words.metavar,
+        autocompletion=_safe(partial(_words, words.kinds)),
+    )
+
+
+def _nothing() -> None:
+    """Do nothing: our reader has run the command before typer would."""
+
+
+app = typer.Typer(cls=_Program, help=TITLE, add_help_option=False, rich_markup_mode=None)
+for _command in COMMANDS.values():
+    app.command(
+        _command.name, cls=_Command, help=_command.sentence, short_help=_command.sentence, add_help_option=False
+    )(_nothing)
+
+
+# --- Candidates -------------------------------------------------------------------------------------------------------
+
+Completer = Callable[[str], Iterable[str]]  # from a begun word to what it may become; typer drops what begins otherwise
+
+_UNITS = {
+    "m": ("nm", "um", "mm", "m", "angstrom"),
+    "N": ("nN", "uN", "mN", "N", "dyn"),
+    "J": ("J", "eV", "erg"),
+    "Pa": ("GPa", "MPa", "Pa"),
+    "J/m^2": ("mJ/m2", "J/m2", "erg/cm2", "mN/m"),
+    "kg/m^3": ("g/cm3", "kg/m3"),
+    "m/s": ("cm/s", "m/s", "km/s"),
+    "m/s^2": ("m/s2", "standard_gravity"),
+}
+
+
+def _safe(complete: Completer) -> Callable[[object, object, str], list[str]]:
+    """Return a completer as typer has it. It offers nothing that a shell could run: typer quotes too little for zsh."""
+    return lambda _context, _words, incomplete: [text for text in complete(incomplete) if _is_plain(text)]
+
+
+def _is_plain(candidate: str) -> bool:
+    """Return whether every shell reads a candidate as one word and runs nothing of it."""
+    return all(character.isalnum() or character in "_-−.+,@=:/" for character in candidate)
+
+
+def _words(kinds: Sequence[str], begun: str) -> Iterable[str]:
+    """Return the words of a command; those of all kinds once one is begun, as the first may stand already."""
+    return [text for kind in (kinds if begun else kinds[:1]) for text in _values(kind, begun)]
+
+
+def _values(name: str, begun: str) -> Iterable[str]:
+    """Return the values of an option, or the words of a kind; an input in each unit of its dimension."""
+    if name in _CANDIDATES:
+        return _CANDIDATES[name](begun)
+    return _amounts(name, begun) if name in NOMENCLATURE else ()
+
+
+def _amounts(name: str, begun: str) -> Iterable[str]:
+    """Return a begun number with each unit of an input; the example of the input if nothing is typed yet."""
+    number = begun[: len(begun) - len(begun.lstrip("0123456789.-+−"))]
+    units = _UNITS.get(NOMENCLATURE[name].unit, ()) if number else ()
+    return [number + unit for unit in units] if begun else [NOMENCLATURE[name].example]
+
+
+def _listed(names: Callable[[], Iterable[str]], begun: str) -> Iterable[str]:
+    """Return names that may follow in a list with commas."""
+    head, comma, _ = begun.rpartition(",")
+    return [head + comma + name for name in names()]
+
+
+def _materials(begun: str) -> Iterable[str]:
+    """Return materials, and aliases where no name fits; only the shipped ones while a user's file is broken."""
+    from ..materials.library import known_materials
+    from ..materials.places import materials_of_user
+
+    try:
+        materials = materials_of_user(None)
+    except JkrollError:  # which the call itself will report
+        materials = known_materials()
+    head, comma, word = begun.rpartition(",")
+    names = [name for name in (*materials.names, "all") if name.startswith(word)]
+    return [head + comma + name for name in names or materials.aliases if name.startswith(word)]
+
+
+def _marks(begun: str) -> Iterable[str]:
+    """Return materials, and radii after an @."""
+    head, at, radius = begun.rpartition("@")
+    if at:
+        return [f"{head}@{text}" for text in _amounts("radius", radius)]
+    return [f"{name}@" for name in _materials(begun) if name.rpartition(",")[2] != "all"]
+
+
+def _results() -> list[str]:
+    """Return the quantities that a formula gives, without variants and without what is only an input."""
+    return [
+        name
+        for name, quantity in NOMENCLATURE.items()
+        if quantity.unit and not quantity.variant_of and (quantity.equation or not quantity.range)
+    ]
+
+
+def _inputs() -> list[str]:
+    """Return the inputs that can be inferred, by their names and the words of their options."""
+    from ..scene.inverse import SIZES
+
+    return [*SIZES, *(word for word, name in OPTION_WORDS.items() if name in SIZES)]
+
+
+def _figures() -> Iterable[str]:
+    """Return the figures that can be drawn."""
+    from .map import FIGURE_NAMES
+
+    return FIGURE_NAMES
+
+
+def _programs() -> Iterable[str]:
+    """Return the programs that contacts are exported to."""
+    from .export import PROGRAMS
+
+    return PROGRAMS
+
+
+def _axes() -> list[str]:
+    """Return the quantities that an axis can have, each with the sign before its range."""
+    return [f"{name}=" for name, quantity in NOMENCLATURE.items() if quantity.range]
+
+
+# By the kind of a word, or the name of an option.
+_CANDIDATES: Mapping[str, Completer] = {
+    "FIGURE": lambda _: _figures(),
+    "INPUT": lambda _: _inputs(),
+    "MATERIAL": _materials,
+    "NAME": lambda _: NOMENCLATURE,
+    "PROGRAM": lambda _: _programs(),
+    "QUANTITY": lambda _: _results(),
+    "RADIUS": lambda begun: _amounts("radius", begun) if begun else (),
+    "TOPIC": lambda _: topics(),
+    "mark": _marks,
+    "material": _materials,
+    "material2": _materials,
+    "measured": lambda _: [f"{name}=" for name in _results()],
+    "model": partial(_listed, lambda: LAWS),
+    "quantities": partial(_listed, _results),
+    "x": lambda _: _axes(),
+    "y": lambda _: _axes(),
+}

@@ -1,0 +1,141 @@
+"""The Python face of an answer: what a command prints, as an object."""
+
+from collections.abc import Iterable, Mapping
+from functools import cached_property
+from typing import Any, NamedTuple
+
+from ..answers.answer import Answer
+from ..answers.questions import QUESTIONS, Question, quantities_named
+from ..materials.library import Material, Materials
+from ..quantities.errors import QuantityError
+from ..quantities.formatting import AS_USUAL, amount
+from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.values import Uncertain, is_uncertain
+from ..scene.scene import Scene
+from ..scene.solver import in_si, materials_of
+from .records import as_object
+
+
+class Value(NamedTuple):
+    """A result in SI units, with its unit and its error bar; a text of it is rounded, as on a terminal."""
+
+    name: str
+    value: float | None
+    unit: str
+    uncertain: Uncertain | None = None  # the value with its error bar, if an input has one
+    equation: str = ""
+    reason: str = ""  # why there is no value
+
+    def __str__(self) -> str:
+        if self.value is None:
+            return f"no value: {self.reason}"
+        return amount(self.name, self.value if self.uncertain is None else self.uncertain)
+
+
+class Answered:
+    """The answer to a question about one scene.
+
+    `values` are the results by name, `inputs` what was understood and assumed, `doubts` the limits of the model that do not hold, `notes`
+    the other sentences. `as_dict()` is the object of `--json`.
+    """
+
+    def __init__(self, found: Answer) -> None:
+        """Take an answer, and compute what is asked of it."""
+        self._found = found
+
+    @cached_property
+    def values(self) -> Mapping[str, Value]:
+        """The results by name, in SI units."""
+        return {
+            one.name: Value(
+                one.name,
+                one.value,
+                NOMENCLATURE[one.name].unit,
+                one.propagated.uncertainty if one.propagated is not None else None,
+                one.equation,
+                one.reason if one.value is None else "",
+            )
+            for one in self._found.results
+        }
+
+    @cached_property
+    def inputs(self) -> Mapping[str, float | str | Uncertain]:
+        """The inputs on which the results depend, in SI units, with their error bars."""
+        return {**self._found.inputs, **self._found.uncertain}
+
+    @cached_property
+    def doubts(self) -> tuple[str, ...]:
+        """A sentence for each limit of the model that does not hold."""
+        return tuple(note.text for note in self._found.doubts())
+
+    @cached_property
+    def notes(self) -> tuple[str, ...]:
+        """The other sentences: what was assumed, what the material's source says, what contradicts a result."""
+        return tuple(note.text for note in self._found.notes)
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the object that the command prints with `--json`."""
+        return as_object(self._found, AS_USUAL)
+
+    def __getitem__(self, name: str) -> Value:
+        return self.values[name]
+
+    def __str__(self) -> str:
+        values = [f"{name} = {value}" for name, value in self.values.items()]
+        doubts = [f"doubtful: {text}" for text in self.doubts]
+        return "\n".join([*values, *doubts, *self.notes])
+
+
+def answer(
+    wanted: str | Iterable[str],
+    /,
+    *,
+    material: str | Material | None = None,
+    material2: str | Material | None = None,
+    materials: Materials | None = None,
+    model: str | None = None,
+    **given: Any,
+) -> Answered:
+    """Answer a question about one scene, with all that is to be said of the numbers.
+
+    Parameters
+    ----------
+    wanted
+        A command, such as "pull-off" or "report", or names of quantities, as for `solve`.
+    material, material2, materials, model, **given
+        The scene, as `solve` takes it, but for arrays.
+
+    Returns
+    -------
+    An object with `values` by name, `inputs`, `doubts`, `notes` and `as_dict()`. All numbers are in SI units.
+
+    Raises
+    ------
+    MissingInput, UnknownMaterial, UnknownQuantity, QuantityError, OutOfRange
+        An input is wrong, or one is missing without which there is no result.
+    NoResult
+        There is no contact, or no result at all. A single result without a value has a reason instead.
+
+    >>> found = answer("pull-off", material="quartz", radius="100 nm")
+    >>> str(found["pull_off_force"]), found["pull_off_force"].unit
+    ('11.781 nN', 'N')
+    >>> found.doubts
+    ('μ = 0.136, Maugis–Dugdale has P_c +27 % (+20 % at z0 = 200 pm); --model maugis',)
+    """
+    described, _ = in_si(given)
+    for name, value in described.items():
+        if not (isinstance(value, float) or is_uncertain(value)):
+            raise QuantityError(name, "an array", "is more than one scene", "solve takes arrays")
+    found = Answer(_question(wanted), Scene(described, *materials_of(material, material2, materials), model=model))
+    if found.failure is not None and found.has_no_headline:
+        raise found.failure
+    return Answered(found)
+
+
+def _question(wanted: str | Iterable[str]) -> Question:
+    """Return the question of a command, or of quantities."""
+    if isinstance(wanted, str) and wanted in QUESTIONS:
+        return QUESTIONS[wanted]
+    named, offered = quantities_named(wanted if isinstance(wanted, str) else ",".join(wanted))
+    names = tuple(dict.fromkeys((*named, *offered)))
+    return Question(names, names, named=tuple(named))

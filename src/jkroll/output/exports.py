@@ -1,0 +1,208 @@
+"""The contact of two spheres, or of a sphere and a plane, as input of LAMMPS: `granular` with rolling resistance, in SI units.
+
+LAMMPS takes γ = w/2. Only E* of the elastic constants enters its normal force, so that they are written as E = 2E*, ν = 0,
+which also mixes as E* does. Its rolling friction is a spring F = k ξ with the cap μ|P + 2P_po|, and the torque FR; k does not depend
+on the load. The caps of sliding and twisting are such, too: a force, and a moment where μ is a length. A plane is a wall, whose coefficients mean the same. Comments are ASCII, as LAMMPS warns of other characters.
+
+The contact of two spheres as input of DustSimulation, whose thresholds are those of this program, and of LIGGGHTS.
+"""
+
+from collections.abc import Iterator
+from math import pi
+
+from ..errors import JkrollError
+from ..quantities.nomenclature import INFINITY, PROPERTIES, STATE
+from ..scene.failures import MissingInput, OfIdenticalSpheres
+from ..scene.scene import Scene
+
+NO_SLIP = 1e9  # a coefficient of friction with which nothing slips, where a law does not say at which force it does
+
+QUANTITIES = ("yield_moment", "pull_off_force", "rolling_stiffness", "tangential_stiffness", "time_step")
+THRESHOLDS = ("sliding_force", "twisting_stiffness", "twisting_moment")  # of JKR
+
+_REMARKS = (
+    "# Legend, SI units. {law}: 2E* [Pa], damping 0, Poisson's ratio 0, gamma per surface [J/m^2].",
+    "# tangential mindlin: 8G* [Pa], damping 0, coefficient of friction [1]{friction}.",
+    "# rolling sds: stiffness [N/m], damping 0, coefficient M/(R(P + 2P_c)) [1], M the moment at which it rolls.",
+    "# E = 2E*, nu = 0: only E* enters the normal force. The tangential constant is 8G*, Mindlin's for these solids.",
+    "# The time step is a twentieth of the period of sliding with rotation; it is stable up to 40 contacts a sphere.",
+    "# Damping is left out. No damping coeff_restitution here: with adhesion it gives nan (LAMMPS issue 4180).",
+)
+_REMARKS_ON = {
+    "jkr": (
+        "# twisting sds: stiffness [N m], damping 0, coefficient M_twist/(P + 2P_c) [m]. timestep in s.",
+        "# LAMMPS lets go at the pull-off force, 3 pi gamma R; jkroll's curve goes on to the fold, where fixed grips let go.",
+        "# LAMMPS has one stiffness of rolling and of twisting for all loads, and thresholds linear in P: jkroll's at the P above.",
+        "# It slides at pi a^2 tau and twists at (2/3) pi a^3 tau, tau = {shear_strength:.6g} Pa; a contact may peel before.",
+    ),
+    "dmt": (
+        "# P_c is 4 pi gamma R here. timestep in s.",
+        "# The force is (4/3) E* sqrt(R delta^3) - 4 pi gamma R while the spheres touch; jkroll's JKR has another contact radius.",
+        "# The rolling moment is 4 pi gamma R xi at any load; LAMMPS has a yield force linear in P, which is right at the P above.",
+        "# The contact does not slip: for the 1e9, write your coefficient of friction. Twisting is left out.",
+    ),
+}
+_STATE = STATE | {"load"}
+MODELS = tuple(_REMARKS_ON)
+
+
+def lammps_input(scene: Scene) -> Iterator[str]:
+    """Iterate over the lines of an input: coefficients of each pair of types or of a wall, a time step, and what they stand on."""
+    thresholds = (*THRESHOLDS, "shear_strength") if scene.law.is_default else ()
+    whole = scene.evaluate((*QUANTITIES, *thresholds, "contact_shear_modulus", "density", "density2"))
+    for value in whole.values():
+        if isinstance(value, JkrollError):
+            raise value
+    model = scene.law.name
+    work, lag, load = scene["work_of_adhesion"], scene["yield_displacement"], scene["load"]
+    suffixes: tuple[str, ...] = ("", "2")
+    if scene.values.get("radius2") == INFINITY:
+        bodies, place, suffixes = "a sphere and a plane", " at the wall, which is put at z = 0", ("",)
+        pairs = {"pair_coeff 1 1 {}": pair_of(scene, ""), "fix wall all wall/gran granular {} zplane 0 NULL": scene}
+    elif scene.is_identical:
+        bodies, place, suffixes = "two spheres", "", ("",)
+        pairs = {"pair_coeff 1 1 {}": scene}
+    else:
+        bodies, place = "two spheres", " for types 1 and 2"
+        pairs = {
+            "pair_coeff 1 1 {}": pair_of(scene, ""),
+            "pair_coeff 2 2 {}": pair_of(scene, "2"),
+            "pair_coeff 1 2 {}": scene,
+        }
+    yield f"# Contact of {bodies} by jkroll: {model.upper()}, gamma = w/2"
+    yield f"# w = {work:.12g} J/m^2, xi = {lag:.12g} m, P = {load:.12g} N{place}"
+    yield "# units si"
+    for sphere, suffix in enumerate(suffixes, 1):
+        radius = scene.values.get("radius" + suffix, scene.values["radius"])
+        yield f"# set type {sphere} diameter {2 * radius:.12g} density {scene['density' + suffix]:.12g}"
+    yield "pair_style granular"
+    steps = []
+    for command, pair in pairs.items():
+        try:
+            yield command.format(_coefficients(pair))
+            steps.append(pair["time_step"])
+        except MissingInput as error:
+            yield f"# {command.partition(' {')[0]} needs {error.needs()}"
+    yield f"timestep {min(steps):.12g}"
+    friction = " F_slide/(P + 2P_c)" if scene.law.is_default else ""
+    yield from (remark.format(law=model, friction=friction) for remark in _REMARKS)
+    yield from (remark.format(**whole) for remark in _REMARKS_ON[model])
+
+
+def pair_of(scene: Scene, suffix: str) -> Scene:
+    """Return the pair of two spheres like sphere 1, or like sphere 2, without load."""
+    stated = {name: value for name, value in scene.stated.items() if not name.endswith("2") and name not in _STATE}
+    own = {name.removesuffix("2"): value for name, value in scene.stated.items() if name.endswith("2")}
+    if scene.material2 is not None:
+        stated.pop("work_of_adhesion", None)  # of the two materials
+    if not suffix:
+        return Scene(stated, scene.material, model=scene.law.name)
+    if scene.material2 is not None:
+        stated = {name: value for name, value in stated.items() if name not in PROPERTIES}
+    return Scene({**stated, **own}, scene.material2 or scene.material, model=scene.law.name)
+
+
+def _coefficients(pair: Scene) -> str:
+    """Return the words and numbers that describe a contact in `pair_coeff` and `fix wall/gran`."""
+    radius, load = pair["reduced_radius"], pair["load"]
+    capped = load + 2 * pair["pull_off_force"]
+    slip = pair["sliding_force"] / capped if pair.law.is_default else NO_SLIP
+    numbers: dict[str, tuple[float, ...]] = {
+        pair.law.name: (2 * pair["contact_modulus"], 0, 0, pair["work_of_adhesion"] / 2),
+        "tangential mindlin": (8 * pair["contact_shear_modulus"], 0, slip),
+        "rolling sds": (pair["rolling_stiffness"] / radius**2, 0, pair["yield_moment"] / (radius * capped)),
+    }
+    if pair.law.is_default:
+        numbers["twisting sds"] = (pair["twisting_stiffness"], 0, pair["twisting_moment"] / capped)
+    return " ".join(" ".join((word, *(f"{number:.12g}" for number in values))) for word, values in numbers.items())
+
+
+# --- Dem inputs -------------------------------------------------------------------------------------------------------
+
+DUST_SIMULATION = ("pull_off_force", "contact_modulus", "density", "yield_displacement")
+LIGGGHTS = ("pull_off_force", "contact_modulus", "density")
+_DAMPING = ("1e-06", "1.25e-11")
+ABOUT_DUST_SIMULATION = (
+    "the lines are version, name, R1 [cm], density [g/cm³], γ per surface [mJ/m²], Poisson's ratio, Young's modulus [dyn/cm²], ξ [cm], damping "
+    "factor, viscous time [s], and the modifiers of rolling, sliding and twisting; "
+    f"damping factor {_DAMPING[0]} and viscous time {_DAMPING[1]} s are those of the code's own Silicate.mat; "
+    "rolling, sliding and twisting modifiers are 1"
+)
+
+
+class NotInProgram(JkrollError):
+    """Error raised for what another program cannot be told."""
+
+    def __init__(self, program: str, what: str) -> None:
+        super().__init__(program, what)
+        self.program, self.what = program, what
+
+    def __str__(self) -> str:
+        return f"export: {self.program} {self.what}"
+
+
+def dust_simulation_material(scene: Scene) -> Iterator[str]:
+    """Iterate over the lines of a material file of Lumajord/DustSimulation, in cgs units, with modifiers of 1."""
+    scene.plan(*DUST_SIMULATION)
+    _refuse_state(scene, "dust-simulation")
+    if not scene.is_identical:
+        raise OfIdenticalSpheres
+    if "shear_strength" in scene.given:
+        raise NotInProgram("dust-simulation", "has the shear strength G/4π², and takes no other")
+    if scene["poisson_ratio"] == 0:
+        raise NotInProgram("dust-simulation", "divides by Poisson's ratio, which is 0 here")
+    numbers = (
+        100 * scene["radius"],
+        scene["density"] / 1000,
+        1000 * scene["work_of_adhesion"] / 2,
+        scene["poisson_ratio"],
+        10 * scene["youngs_modulus"],
+        100 * scene["yield_displacement"],
+    )
+    yield "MATERIAL_FILE_VERSION_1_4"
+    yield scene.material.name if scene.material else "jkroll"
+    yield from (f"{number:.12g}" for number in numbers)
+    yield from (*_DAMPING, "1", "1", "1")
+
+
+def liggghts_input(scene: Scene) -> Iterator[str]:
+    """Iterate over the lines of an input of LIGGGHTS: Hertz' force less kA with the pull-off force of JKR."""
+    scene.plan(*LIGGGHTS)
+    _refuse_state(scene, "liggghts")
+    at_wall = scene.values.get("radius2") == INFINITY
+    suffixes = ("",) if scene.is_identical else ("", "2")
+    solids = [(scene["youngs_modulus" + suffix], scene["poisson_ratio" + suffix]) for suffix in suffixes]
+    if any(modulus == INFINITY for modulus, _ in solids):
+        raise NotInProgram("liggghts", "needs a finite Young's modulus of each body")
+    pairs = [scene]
+    if not scene.is_identical:
+        pairs = [pair_of(scene, ""), scene, scene, scene if at_wall else pair_of(scene, "2")]
+    yield f"# Contact by jkroll: Hertz less k A, with the pull-off force of JKR, {scene['pull_off_force']:.12g} N"
+    yield "# units si" + ("; type 2 is the wall" if at_wall else "")
+    yield "fix m1 all property/global youngsModulus peratomtype" + _words(modulus for modulus, _ in solids)
+    yield "fix m2 all property/global poissonsRatio peratomtype" + _words(ratio for _, ratio in solids)
+    densities = _words(map(_energy_density, pairs))
+    yield f"fix m3 all property/global cohesionEnergyDensity peratomtypepair {len(solids)}{densities}"
+    yield "pair_style gran model hertz tangential history cohesion sjkr2"
+    yield "pair_coeff * *"
+    yield "# m1: Pa, of each type; m2: 1; m3: k in J/m^3, of the types 1 1, or 1 1, 1 2, 2 1, 2 2. Lengths in m, forces in N."
+    yield "# coefficientRestitution and coefficientFriction are yours to give; there is no resistance to rolling or twisting."
+    yield "# k holds for these radii: it goes as R^(-1/3). With cohesion sjkr, two spheres take twice this k, and a wall this."
+    yield "# Only the pull-off is JKR's: without overlap there is no force; contact radius, stiffness and overlap are others."
+
+
+def _words(numbers: Iterator[float]) -> str:
+    return "".join(f" {number:.12g}" for number in numbers)
+
+
+def _energy_density(pair: Scene) -> float:
+    """Return k in J/m³: with A = cδ the least force is −(kc)³/(12E*²R); c is 4πR for two spheres and 2πR1 at a wall."""
+    modulus, radius, force = pair["contact_modulus"], pair["reduced_radius"], pair["pull_off_force"]
+    area = 2 * pi * radius * (1 if pair.values.get("radius2") == INFINITY else 2)
+    return float((12 * modulus**2 * radius * force) ** (1 / 3) / area)
+
+
+def _refuse_state(scene: Scene, program: str) -> None:
+    """Raise NotInProgram for a load or an approach: a file is for all of them."""
+    if not STATE.isdisjoint(scene.stated) or scene.values["load"]:
+        raise NotInProgram(program, "finds the load by itself; give none")

@@ -1,0 +1,167 @@
+"""The notes of a call as the lines below its results: of one answer a line for each kind, of many rows one for each matter."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import NamedTuple, get_args
+
+from ..answers.answer import Answer
+from ..answers.notes import few, notes_on_rows
+from ..answers.results import Kind
+from ..errors import JkrollError, NoResult
+from ..rows.columns import NO_END, ROW, UNCERTAINTY, Columns, Reasons, of_quantities
+from ..rows.sweep import Pair
+from ..scene.failures import MissingInput, reason_of
+from ..scene.limits import TOLD
+from ..scene.scene import Scene
+
+MAX_LINES = 3  # below a single answer
+MAX_DOUBTS = 2  # that are worded there; further ones are a number and its limit
+MAX_RANGES = 4  # of rows that are named
+_KINDS = get_args(Kind)
+
+
+def of_answer(answer: Answer) -> list[str]:
+    """Return the lines below one answer, by falling importance."""
+    every = [
+        note for note in (*answer.notes, *answer.doubts()) if note.kind != "material"
+    ]  # said when its file was read
+    lines = []
+    for kind in _KINDS:
+        notes = [note for note in every if note.kind == kind]
+        if notes:
+            worded = len(notes) if kind != "doubt" else MAX_DOUBTS
+            texts = [note.text for note in notes[:worded]]
+            more = [note.brief for note in notes[worded:]]
+            lines.append(_line(kind, [*texts, f"also {', '.join(more)}: jkroll guide models"] if more else texts))
+    return lines[:MAX_LINES]
+
+
+def every_line(answer: Answer) -> list[str]:
+    """Return a line for each note on an answer, by falling importance, for a file that is read without the answer."""
+    every = [note for note in (*answer.notes, *answer.doubts()) if note.kind != "material"]
+    return [_line(note.kind, [note.text]) for note in sorted(every, key=lambda note: _KINDS.index(note.kind))]
+
+
+class OfRows:
+    """The notes of rows, each with the rows that it is about, collected while the columns are written."""
+
+    def __init__(self) -> None:
+        """Begin with no rows."""
+        self._notes: dict[tuple[Kind, str], _Noted] = {}
+        self.count = 0
+        self.failed = 0
+        self.failure: JkrollError | None = None  # the first
+
+    def watch(self, blocks: Iterable[Columns]) -> Iterator[Columns]:
+        """Iterate over columns, and collect what is to be said of them."""
+        for columns in blocks:
+            worded: dict[int, list[tuple[str, str]]] = {}  # many rows share their reasons
+            for row, reasons in sorted(columns.reasons.items()):
+                if id(reasons) not in worded:
+                    worded[id(reasons)] = _about_reasons(reasons)
+                for matter, text in worded[id(reasons)]:
+                    self._add("missing", matter, text, self.count + row + 1)
+            bits = columns.doubts if isinstance(columns.doubts, list) else columns.doubts.tolist()
+            texts = {each: _about_doubts(each) for each in {*bits}}
+            for row, each in enumerate(bits):
+                for text in texts[each]:
+                    self._add("doubt", text, text, self.count + row + 1)
+            failed = columns.failed()
+            if failed and self.failure is None:
+                self.failure = columns.failure(failed[0])
+            self.failed += len(failed)
+            self.count += len(columns)
+            yield columns
+
+    def _add(self, kind: Kind, matter: str, text: str, row: int) -> None:
+        noted = self._notes.setdefault((kind, matter), _Noted(text, []))
+        if text != noted.text:
+            noted = self._notes[kind, matter] = noted._replace(differs=True)
+        runs = noted.runs
+        if runs and runs[-1][1] >= row - 1:
+            runs[-1][1] = row
+        elif len(runs) <= MAX_RANGES:
+            runs.append([row, row])
+
+    def lines(self, pairs: Sequence[Pair], kinds: Iterable[tuple[Scene, Sequence[str]]]) -> list[str]:
+        """Return the lines to print, by falling importance.
+
+        `pairs`: of materials, as the rows have them one after the other; `kinds`: a scene of each kind, with the quantities that it shows.
+        """
+        found = [(kind, noted.text + self._where(noted)) for (kind, _), noted in self._notes.items()]
+        of_pairs: dict[tuple[Kind, str], list[Pair]] = {}
+        for scene, names in kinds:
+            for note in notes_on_rows(scene, names):
+                of_pairs.setdefault((note.kind, note.text), []).append((scene.material, scene.material2))
+        size = self.count // len(pairs)
+        for (kind, text), own in of_pairs.items():
+            places = [place for place, pair in enumerate(pairs) if pair in own]
+            runs = [[place * size + 1, (place + 1) * size] for place in places]
+            found.append((kind, text + self._where(_Noted(text, _joined(runs)))))
+        return [_line(kind, [text]) for kind, text in sorted(found, key=lambda each: _KINDS.index(each[0]))]
+
+    def _where(self, noted: "_Noted") -> str:
+        """Return the rows that a note is about, those to which its numbers do not belong apart; nothing if it is about all."""
+        if not noted.differs:
+            return "" if noted.runs == [[1, self.count]] else f": {_rows(noted.runs)}"
+        (start, end), *others = noted.runs
+        return f": row {start}, likewise {_rows([[start + 1, end], *others] if start < end else others)}"
+
+
+class _Noted(NamedTuple):
+    """A note and its rows: the first and the last of each run of rows."""
+
+    text: str
+    runs: list[list[int]]
+    differs: bool = False  # whether other rows have other numbers in it
+
+
+def _joined(runs: list[list[int]]) -> list[list[int]]:
+    """Return runs of rows, those that follow each other as one."""
+    found: list[list[int]] = []
+    for first, last in runs:
+        if found and found[-1][1] == first - 1:
+            found[-1][1] = last
+        else:
+            found.append([first, last])
+    return found
+
+
+def _about_reasons(reasons: Reasons) -> list[tuple[str, str]]:
+    """Return the matter and a text for each reason why cells of a row are empty, with the symbols of their quantities."""
+    of_values, of_sides = of_quantities(reasons)
+    of_row = [(name, str(reasons[name])) for name in (ROW, UNCERTAINTY) if name in reasons]
+    return [*_about_quantities(of_values, ""), *_about_quantities(of_sides, NO_END), *of_row]
+
+
+def _about_quantities(reasons: Reasons, lead: str) -> list[tuple[str, str]]:
+    groups: dict[object, list[str]] = {}
+    for name, error in reasons.items():
+        lacked = error.missing if isinstance(error, MissingInput) else ()
+        groups.setdefault(lacked or _reason(name, error), []).append(name)
+    texts = []
+    for names in groups.values():
+        shortest = min(names, key=lambda name: len(str(reasons[name])))
+        error = reasons[shortest]
+        several = error.reason_of_several() if names[1:] and isinstance(error, MissingInput) else ""
+        texts.append((lead + " ".join(names), f"{few(names)}: {lead}{several or _reason(shortest, error)}"))
+    return texts
+
+
+def _reason(name: str, error: JkrollError) -> str:
+    return reason_of(name, error) if isinstance(error, MissingInput | NoResult) else str(error)
+
+
+def _about_doubts(bits: int) -> list[str]:
+    """Return the doubts of a row in words that fit any row."""
+    return [f"{told.code}, {told.consequence}" for place, told in enumerate(TOLD) if bits >> place & 1]
+
+
+def _rows(runs: list[list[int]]) -> str:
+    """Return runs of rows as text: "rows 2, 5-7"."""
+    named = [str(first) if first == last else f"{first}-{last}" for first, last in runs[:MAX_RANGES]]
+    more = " and more" if len(runs) > MAX_RANGES else ""
+    return f"row{'s' if len(runs) > 1 or runs[0][0] < runs[0][1] else ''} {', '.join(named)}{more}"
+
+
+def _line(kind: Kind, texts: list[str]) -> str:
+    return f"note: {'doubtful: ' if kind == 'doubt' else ''}{'; '.join(texts)}"

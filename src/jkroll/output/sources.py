@@ -1,0 +1,301 @@
+"""The sources of a number: `--explain` words its derivation from the docstrings of the formulas, `--cite` writes BibTeX."""
+
+import re
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from math import isfinite
+from typing import Any, TextIO
+
+from ..answers.answer import Answer
+from ..answers.results import Result
+from ..errors import JkrollError
+from ..quantities.formatting import Format, amount, in_words
+from ..quantities.laws import LAWS
+from ..quantities.nomenclature import NOMENCLATURE
+from ..scene.inverse import logarithmic_slope
+from ..scene.scene import Scene
+from ..scene.wiring import Step
+from ..text import say, say_wrapped
+
+_SECTIONS = ("Source", "Valid", "Accuracy")
+_INDENT = 12  # of the texts, and of those beside the values of inputs and steps
+_STEP_INDENT = 27
+_LARGEST_DENOMINATOR = 12  # of an exponent shown as a fraction
+
+
+class NoDocstrings(JkrollError):
+    """Error raised where Python runs without docstrings."""
+
+    def __str__(self) -> str:
+        return "--explain is worded from docstrings, which python -OO drops"
+
+
+def docstring_fields(formula: Any) -> dict[str, str]:
+    """Return the parts of a formula's docstring: "summary", "formula", "Source", "Valid" and "Accuracy".
+
+    >>> from jkroll.physics.rolling import r_min
+    >>> docstring_fields(r_min)["formula"]
+    'R_min = R1R2/ξ, which is R1²/ξ for identical spheres'
+    """
+    from inspect import cleandoc
+
+    text = cleandoc(formula.__doc__ or "").split(">>>")[0]
+    fields = {"summary": "", "formula": ""}
+    key = "summary"
+    for line in text.splitlines():
+        stripped = line.strip()
+        head, colon, rest = stripped.partition(":")
+        if colon and head in _SECTIONS:
+            key, stripped = head, rest.strip()
+        elif key == "summary" and line.startswith(" "):
+            key = "formula"
+        elif key == "formula" and not stripped:
+            key = "remark"
+        if stripped:
+            fields[key] = f"{fields.get(key, '')} {stripped}".strip()
+    return fields
+
+
+def write_explanation(answers: Iterable[Answer], out: TextIO, form: Format) -> None:
+    """Write for each result its formula, inputs, steps, value, source, validity, accuracy and power law."""
+    if not docstring_fields(power_law)["summary"]:
+        raise NoDocstrings
+    for number, (scene, result) in enumerate(
+        (answer.scene, result.in_unit(form)) for answer in answers for result in answer.results
+    ):
+        if number:
+            say("", out)
+        for line in _explanation(result, scene, form):
+            say_wrapped(line, out, _STEP_INDENT if line.startswith("    ") else _INDENT)
+
+
+def _explanation(result: Result, scene: Scene, form: Format) -> list[str]:
+    """Return the lines that explain one result."""
+    quantity = NOMENCLATURE[result.name]
+    title = f"{result.name} — {quantity.sentence}" + (f", {result.source}" if result.source else "")
+    if result.value is None:
+        return [title, f"  {result.reason}"]
+    steps = scene.plan(result.name).steps
+    if not steps:
+        return [title, *_found(result, form)]
+    fields = docstring_fields(steps[-1].formula)
+    lines = [title, f"  {fields['formula']}", "  given"]
+    lines += [_line(name, scene, form, _meaning(name, scene)) for name in scene.inputs_of(result.name)]
+    if len(steps) > 1:
+        lines.append("  steps")
+    lines += [_line(step.name, scene, form, _formula_of(step)) for step in steps[:-1]]
+    lines += _found(result, form)
+    lines += [f"  {key.lower():9} {fields[key]}" for key in _SECTIONS]
+    lines.append(f"  power law {power_law(scene, result.name)}")
+    if quantity.note:
+        lines.append(f"  note      {quantity.note}")
+    return lines
+
+
+def _found(result: Result, form: Format) -> list[str]:
+    """Return the lines with the value of a result, the shares of its uncertainty, and what is known of an inferred one."""
+    found = result.propagated
+    shown = result.value if found is None else found.uncertainty
+    assert shown is not None
+    lines = [f"  result    {NOMENCLATURE[result.name].symbol} = {amount(result.name, shown, form)}"]
+    if found is not None:
+        shares = ", ".join(f"{NOMENCLATURE[name].symbol} {share:.0%}" for name, share in found.shares.items())
+        lines.append(f"  shares    {shares}")
+    if result.condition is not None:
+        lines.append(
+            "  inferred  by bisection, so that the formula below gives the measured value; "
+            f"a relative error of that value enters times κ = {result.condition:.3g}"
+        )
+    if result.by_law:
+        others = ", ".join(f"{amount(result.name, value, form)} ({law})" for law, value in result.by_law.items())
+        lines.append(f"  by law    {others}")
+    return lines
+
+
+def _line(name: str, scene: Scene, form: Format, remark: str) -> str:
+    """Return a line with the symbol and value of an input or a step, and a remark beside it."""
+    shown = scene.uncertainty_of(name) or in_words(name, scene.values[name])
+    value = f"{NOMENCLATURE[name].symbol} = {amount(name, shown, form)}"
+    return f"    {value:22} {remark}"
+
+
+def _formula_of(step: Step) -> str:
+    """Return the formula of a step, with the indices of sphere 2 if it was evaluated for sphere 2."""
+    formula = docstring_fields(step.formula)["formula"]
+    is_of_sphere_2 = step.name.endswith("2") and step.name != step.formula.__name__
+    return re.sub(r"(?<=[^\W\d])1(?![0-9])", "2", formula) if is_of_sphere_2 else formula
+
+
+def _meaning(name: str, scene: Scene) -> str:
+    """Return the meaning of an input, with the material and file it comes from, or that it was assumed."""
+    sentence = NOMENCLATURE[name].sentence
+    of_sphere_2 = name.endswith("2")
+    for material, of_material in scene.data_used([name]):
+        if of_material == name.removesuffix("2") and (material is scene.material2 or not of_sphere_2):
+            return f"{sentence} ({material.name}, {material.title})"
+    return sentence if name in scene.given else f"{sentence} (assumed)"
+
+
+def power_law(scene: Scene, name: str) -> str:
+    """Return the exponents of a quantity in each of its inputs at this scene, by central differences."""
+    powers = [_power(scene, name, given) for given in scene.inputs_of(name)]
+    return " ".join(filter(None, powers)) or "none"
+
+
+def _power(scene: Scene, name: str, given: str) -> str:
+    """Return an input to the power with which a quantity depends on it, as text; empty if it does not."""
+    value, symbol = scene.values[given], NOMENCLATURE[given].symbol
+    if not isinstance(value, float) or not isfinite(value) or value == 0:
+        return ""
+    exponent = logarithmic_slope(lambda beside: scene.replace(**{given: beside})[name], value)
+    text = _fraction_or_number(exponent) if isfinite(exponent) else "?"
+    if text == "0":
+        return ""
+    if text == "1":
+        return symbol
+    return f"{symbol}^({text})" if "/" in text else f"{symbol}^{text}"
+
+
+def _fraction_or_number(exponent: float) -> str:
+    """Return an exponent as a simple fraction where it is one, else as three digits."""
+    from fractions import Fraction
+
+    fraction = Fraction(exponent).limit_denominator(_LARGEST_DENOMINATOR)
+    return str(fraction) if abs(exponent - fraction) < 1e-6 else f"{exponent:.3g}"
+
+
+# --- Citations --------------------------------------------------------------------------------------------------------
+
+PAPER = """@article{dominik-tielens-1995,
+  author  = {Dominik, C. and Tielens, A. G. G. M.},
+  title   = {Resistance to rolling in the adhesive contact of two elastic spheres},
+  journal = {Philosophical Magazine A},
+  volume  = {72},
+  number  = {3},
+  pages   = {783--803},
+  year    = {1995},
+  doi     = {10.1080/01418619508243800}%s
+}"""
+
+# The references of conventions, by how the nomenclature names them.
+_CONVENTIONS: Mapping[str, Mapping[str, str]] = {
+    "Thornton & Ning 1998": {
+        "key": "thornton-ning-1998",
+        "type": "article",
+        "author": "Thornton, C. and Ning, Z.",
+        "journal": "Powder Technology",
+        "volume": "99",
+        "pages": "154--162",
+        "year": "1998",
+        "doi": "10.1016/S0032-5910(98)00099-0",
+    },
+    "Paszun & Dominik 2008": {
+        "key": "paszun-dominik-2008",
+        "type": "article",
+        "author": "Paszun and Dominik",
+        "journal": "Astronomy & Astrophysics",
+        "volume": "484",
+        "pages": "859--868",
+        "year": "2008",
+        "doi": "10.1051/0004-6361:20079262",
+    },
+    "Wada et al. 2007": {
+        "key": "wada-2007",
+        "type": "article",
+        "author": "Wada and Tanaka and Suyama and Kimura and Yamamoto",
+        "journal": "The Astrophysical Journal",
+        "volume": "661",
+        "pages": "320",
+        "year": "2007",
+        "doi": "10.1086/514332",
+    },
+    "Dominik & Tielens 1997": {
+        "key": "dominik-tielens-1997",
+        "type": "article",
+        "author": "Dominik, C. and Tielens, A. G. G. M.",
+        "journal": "The Astrophysical Journal",
+        "volume": "480",
+        "pages": "647",
+        "year": "1997",
+        "doi": "10.1086/303996",
+    },
+    "Ormel et al. 2007": {
+        "key": "ormel-2007",
+        "type": "article",
+        "author": "Ormel, C. W. and Spaans, M. and Tielens, A. G. G. M.",
+        "title": "Dust coagulation in protoplanetary disks: porosity matters",
+        "journal": "Astronomy & Astrophysics",
+        "year": "2007",
+        "eprint": "astro-ph/0610030",
+    },
+    "Tatsuuma et al. 2019": {
+        "key": "tatsuuma-2019",
+        "type": "article",
+        "author": "Tatsuuma, M. and Kataoka, A. and Tanaka, H.",
+        "title": "Tensile Strength of Porous Dust Aggregates",
+        "journal": "The Astrophysical Journal",
+        "year": "2019",
+        "doi": "10.3847/1538-4357/ab09f7",
+    },
+    "Phantom": {"key": "phantom", "type": "misc", "url": "https://github.com/danieljprice/phantom"},
+    **{
+        repository: {
+            "key": repository.replace("/", "-").lower(),
+            "type": "misc",
+            "url": f"https://github.com/{repository}",
+        }
+        for repository in ("Lumajord/DustSimulation", "pencil-code/pencil-code", "StephaneMichoulier/Pamdeas")
+    },
+}
+
+
+def write_citations(answers: Iterable[Answer], out: TextIO) -> None:
+    """Write BibTeX entries of the paper, with the equations used, and of the material data used."""
+    equations: set[str] = set()
+    references: dict[str, Mapping[str, str]] = {}
+    failure: JkrollError | None = None
+    for answer in answers:
+        scene = answer.scene
+        failure = failure or answer.failure
+        known = [result.name for result in answer.results if result.value is not None]
+        equations |= {NOMENCLATURE[step.name].equation for name in known for step in scene.plan(name).steps}
+        laws = [LAWS[one.law.name].reference for one in answer.results if one.law and one.value is not None]
+        entries = [*laws, *material_references(scene, answer.inputs), *_of_conventions(known)]
+        references |= {str(entry["key"]): entry for entry in entries}
+    numbers = sorted(filter(None, equations), key=int)
+    if failure is not None and not numbers:
+        raise failure
+    say(PAPER % _equations(numbers), out)
+    for entry in references.values():
+        say(bibtex(entry), out)
+
+
+def _equations(numbers: Sequence[str]) -> str:
+    """Return the field of an entry that lists equations; none if there are none."""
+    if not numbers:
+        return ""
+    listed = ", ".join(f"({number})" for number in numbers)
+    return f",\n  note    = {{{'Eq.' if len(numbers) == 1 else 'Eqs.'} {listed}}}"
+
+
+def material_references(scene: Scene, inputs: Collection[str]) -> list[Mapping[str, str]]:
+    """Return the references of the materials whose data are among the inputs."""
+    return [entry for material, _ in scene.data_used(inputs) for entry in material.references]
+
+
+def _of_conventions(names: Iterable[str]) -> list[Mapping[str, str]]:
+    """Return the references that the nomenclature names for quantities by convention."""
+    return [entry for name in names for words, entry in _CONVENTIONS.items() if words in NOMENCLATURE[name].reference]
+
+
+def bibtex(entry: Mapping[str, str]) -> str:
+    """Return a BibTeX entry.
+
+    >>> print(bibtex({"key": "book", "type": "misc", "title": "A Book"}))
+    @misc{book,
+      title = {A Book}
+    }
+    """
+    fields = {name: text for name, text in entry.items() if name not in ("key", "type")}
+    width = max(map(len, fields), default=0)
+    lines = [f"  {name:{width}} = {{{text}}}" for name, text in fields.items()]
+    return f"@{entry.get('type', 'misc')}{{{entry['key']},\n" + ",\n".join(lines) + "\n}"

@@ -1,0 +1,200 @@
+"""Measurements beside what this program computes for them: the data, and the table of them, computed when it is shown.
+
+A row has only what was read in the source itself or in a text that cites it, and says which. What was not stated there, such as the
+shape of the other body, is said in the remark.
+"""
+
+from collections.abc import Iterator, Mapping
+from math import log
+from typing import NamedTuple
+
+from ..materials.library import known_materials
+from ..quantities.formatting import Format, amount, in_words, significant
+from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.values import value_of
+from ..scene.scene import DEFAULTS, Scene
+
+_OF_RATIOS = "yield_force_ratio"  # a quantity without a unit, as which ratios are read and printed
+_ROUNDED = Format(digits=3)
+_SAID = ("radius", "radius2", "surface_energy", "yield_displacement")  # of the inputs of a scene
+
+
+class Measurement(NamedTuple):
+    """A measured value, and the scene for which it is computed."""
+
+    solids: str
+    quantity: str
+    measured: str  # with ± or as a range where one is stated
+    material: str
+    given: Mapping[str, str]  # the other inputs
+    source: str
+    read: str  # "abstract": the authors' own; "second hand": in a text that cites them
+    remark: str
+    beside: str = ""  # another radius: measured and computed are the value at `radius` over the value there
+
+
+class Compared(NamedTuple):
+    """A measurement with both of its numbers."""
+
+    row: Measurement
+    measured: float
+    computed: float
+    scene: str  # for which it was computed, as understood
+
+    @property
+    def ratio(self) -> float:
+        """Measured over computed."""
+        return self.measured / self.computed
+
+
+_PLANE = {"radius2": "plane"}
+_BLUM = "Blum & Wurm 2000, Icarus 143, 138"
+_HEIM = "Heim, Blum, Preuss & Butt 1999, PRL 83, 3328"
+_GUNDLACH = "Gundlach et al. 2011, Icarus 214, 717"
+_SUMER = "Sümer & Sitti, Rolling and spinning friction characterization of fine particles"
+_MOUTINHO = "Quoted by Moutinho et al."
+_XI = "ξ: 2 Å is the paper's, and F_roll = 6πγξ whatever the radius"
+_GROWS = "ξ grows with the sphere; that of the source may come from a force or from a displacement"
+_SMOOTH = "γ: the theory of the source itself is within tens of per cent"
+
+MEASUREMENTS = (
+    Measurement(
+        "SiO2", "yield_force", "1.2 nN", "quartz", {"radius": "0.95 um"},
+        _BLUM, "abstract", _XI,
+    ),
+    Measurement(
+        "SiO2", "yield_force", "0.85±0.16 nN", "quartz", {"radius": "0.95 um"},
+        _HEIM, "second hand", _XI,
+    ),
+    Measurement(
+        "SiO2", "yield_force", "1.21±0.36 nN", "quartz", {"radius": "0.95 um"},
+        _GUNDLACH, "abstract", _XI + "; the radius is not in the abstract, 0.95 µm is taken",
+    ),
+    Measurement(
+        "SiO2", "yield_force_ratio", "0.01", "quartz", {"radius": "1 um"},
+        _HEIM, "abstract", "ξ: about 1/100 for radii of 0.5 to 2.5 µm means that ξ goes as the radius; 1 µm is taken",
+    ),
+    Measurement(
+        "water ice", "yield_force", "11.48±2.38 nN", "ice-warm", {"radius": "1.45 um"},
+        _GUNDLACH, "abstract", "ξ; no second witness, as γ of ice-warm was itself scaled with this force, from that of SiO2",
+    ),
+    Measurement(
+        "SiO2", "break_energy_dust_simulation", "1.3e-15 J", "quartz", {"radius": "0.95 um"},
+        _BLUM, "abstract", "γ: dry silica has about ten times the γ of quartz here, and the energy goes as γ^(5/3)",
+    ),
+    *(
+        Measurement(
+            "polystyrene on glass", "yield_displacement", measured, "polystyrene-glassy", {"radius": radius, **_PLANE},
+            _SUMER, "abstract", _GROWS,
+        )
+        for radius, measured in (("5 um", "42 nm"), ("10 um", "84 nm"), ("15 um", "128 nm"))
+    ),
+    Measurement(
+        "water ice, 175–200 K", "yield_displacement", "0.19 mm", "ice-cold", {"radius": "1.1 mm"},
+        "Musiolik & Wurm 2019, arXiv:1902.08503", "abstract",
+        "ξ grows with the sphere; whether 1.1 mm is the radius or the diameter is not said",
+    ),
+    Measurement(
+        "polystyrene on glass", "shear_strength", "9 to 15 MPa", "polystyrene-glassy", {"radius": "10 um", **_PLANE},
+        _SUMER, "abstract", "G/4π² is an order of magnitude; that of the softer solid counts",
+    ),
+    Measurement(
+        "water ice, below 210 K", "sticking_speed", "9.6 m/s", "ice-warm", {"radius": "1 um", **_PLANE},
+        "Gundlach & Blum 2015, ApJ 798, 34", "abstract",
+        "Losses that are not elastic, or γ; the grains are µm-sized and hit grown ice, 1 µm and a plane are taken",
+    ),
+    *(
+        Measurement(
+            "silica", "sticking_speed", measured, "quartz", {"radius": radius, **_PLANE},
+            "Comments in Lumajord/DustSimulation, which was fitted to it", "second hand",
+            "Plastic asperities (Paszun & Dominik 2008), or γ of dry silica, ten times larger (Kimura et al. 2015); a plane is taken",
+        )
+        for radius, measured in (("0.76 um", "1.06 m/s"), ("0.25 um", "1.90 m/s"))
+    ),
+    Measurement(
+        "silver on aluminium", "sticking_speed", "636", "iron", {"radius": "10 nm", **_PLANE},
+        "Arffman et al. 2015, J. Aerosol Sci. 86, 32", "abstract",
+        "14 m/s at 20 nm over 0.022 m/s at 1 µm, diameters presumably: the speed goes as R^−1.6, by an elastic contact of any "
+        "solids as R^(−5/6); plastic loss",
+        beside="500 nm",
+    ),
+    Measurement(
+        "polystyrene on polyurethane", "contact_radius", "1.68±0.06", "polystyrene-glassy", {"radius": "6 um", **_PLANE},
+        "J. Appl. Phys. 1989, doi 10.1063/1.344087", "abstract",
+        "For twice the radius: a goes as R^(0.75 ± 0.05), by JKR and DMT of any solids as R^(2/3)",
+        beside="3 um",
+    ),
+    *(
+        Measurement(
+            solids, "pull_off_force", measured, "quartz", {"radius": radius, **_PLANE},
+            _MOUTINHO, "second hand", f"{cause}; the sizes are diameters presumably",
+        )
+        for solids, radius, measured, cause in (
+            ("SiO2 on smooth glass, dry", "2.5 um", "314 nN", _SMOOTH),
+            ("SiO2 on smooth glass, dry", "10 um", "684 nN", _SMOOTH),
+            ("SiO2, rms roughness 8 nm", "10 um", "350 nN", "Roughness"),
+            ("SiO2, rms roughness 22 nm", "10 um", "120 nN", "Roughness"),
+            ("SiO2, rms roughness 321 nm", "10 um", "20 to 60 nN", "Roughness"),
+            ("SiO2, 67 % humidity", "10 um", "1.2 to 1.9 uN", "Water between the bodies: dry, it was half, so that the ratio is near 1 by chance"),
+        )
+    ),
+)  # fmt: skip
+
+
+def comparisons() -> list[Compared]:
+    """Return all measurements with both of their numbers, those that disagree most first."""
+    return sorted((_compared(row) for row in MEASUREMENTS), key=lambda each: -abs(log(each.ratio)))
+
+
+def measurements_table() -> str:
+    """Return the measurements as a table in Markdown, and below it the origin of each row."""
+    rows, origins = [], []
+    for place, each in enumerate(comparisons(), 1):
+        row = each.row
+        radius = amount("radius", value_of(row.given["radius"], "radius"))
+        symbol = NOMENCLATURE[row.quantity].symbol
+        unit_of = _OF_RATIOS if row.beside else row.quantity
+        cells = (
+            str(place),
+            row.solids,
+            radius,
+            f"{symbol}, ratio" if row.beside else symbol,
+            amount(unit_of, value_of(row.measured, unit_of)),
+            amount(unit_of, each.computed, _ROUNDED),
+            significant(each.ratio, 2),
+        )
+        rows.append(f"| {' | '.join(cells)} |")
+        origins.append(f"{place}. {row.source} ({row.read}). Computed for {each.scene}. {row.remark}.")
+    heads = "| row | solids | R1 | what | measured | computed | ratio |\n|---|---|---|---|---|---|---|"
+    return "\n".join([heads, *rows, "", *origins])
+
+
+def _compared(row: Measurement) -> Compared:
+    unit_of = _OF_RATIOS if row.beside else row.quantity
+    scene = _scene(row, row.given["radius"])
+    computed = scene[row.quantity]
+    told = ", ".join(_told(scene, row))
+    if row.beside:
+        computed /= _scene(row, row.beside)[row.quantity]
+        told += f", over that at R1 = {amount('radius', value_of(row.beside, 'radius'))}"
+    return Compared(row, _middle(row.measured, unit_of), computed, f"{told}, by {scene.law.name.upper()}")
+
+
+def _scene(row: Measurement, radius: str) -> Scene:
+    given = {**row.given, "radius": radius}
+    return Scene({name: value_of(text, name) for name, text in given.items()}, known_materials()[row.material])
+
+
+def _told(scene: Scene, row: Measurement) -> Iterator[str]:
+    """Iterate over the inputs that are said: the material, the radii, γ and ξ where they enter."""
+    for name, value in scene.echo({*row.given, row.quantity, *scene.inputs_of(row.quantity)}).items():
+        if name == "material":
+            yield value
+        elif name in _SAID:
+            assumed = " (assumed)" if name in DEFAULTS else ""
+            yield f"{NOMENCLATURE[name].symbol} = {amount(name, in_words(name, value))}{assumed}"
+
+
+def _middle(text: str, name: str) -> float:
+    found = value_of(text, name)
+    return found if isinstance(found, float) else found.value

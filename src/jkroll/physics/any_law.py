@@ -1,0 +1,222 @@
+"""Rolling under any law of attraction, from one force: F_a = P_H − P, Hertz' load at the contact radius less the load.
+
+The moment of a contact whose attraction lags behind by ξ is F_aξ to first order in ξ, whatever the law: 4P_c â^(3/2) ξ
+in JKR, which is Eq (25), and 2πwRξ in DMT at every load. Below: the parameter of the transition from JKR to DMT, the strength
+of attraction, and a fit of the pull-off force.
+"""
+
+from __future__ import annotations
+
+from .dimensions import Energy, Force, Frequency, Length, Mass, Moment, Number, RollingStiffness, Stress, SurfaceEnergy
+from .elementary import pi, sqrt, within
+
+
+def adhesive_force(*, pull_off_force: Force, load_factor: Number) -> Force:
+    """Return Hertz' load at the contact radius less the load, in JKR.
+
+        F_a = 4E*a³/(3R) − P = 4P_c â^(3/2)
+
+    Source:   Eq (5).
+    Valid:    As Eq (5).
+    Accuracy: 0.5 ulp above P_c and x.
+
+    >>> adhesive_force(pull_off_force=2.0, load_factor=0.5)
+    4.0
+    """
+    return 4 * pull_off_force * load_factor
+
+
+def unloaded_moment_of_radius(
+    *, contact_radius: Length, contact_modulus: Stress, reduced_radius: Length, yield_displacement: Length
+) -> Moment:
+    """Return the moment of a contact without load, from its radius.
+
+        M = 4E*a0³ξ/(3R)
+
+    Source:   As the moment; without load, F_a is Hertz' load.
+    Valid:    |P| ≪ P_c.
+    Accuracy: 4 ulp above a0.
+
+    >>> unloaded_moment_of_radius(contact_radius=1.0, contact_modulus=3.0, reduced_radius=1.0, yield_displacement=1.0)
+    4.0
+    """
+    a = contact_radius
+    return 4 / 3 * contact_modulus / reduced_radius * a * a * a * yield_displacement
+
+
+def yield_force_of_moment(*, yield_moment: Moment, radius: Length) -> Force:
+    """Return the force at the centre of sphere 1 that starts it rolling, from the moment.
+
+        Q = M/R1
+
+    Source:   Eq (10).
+    Valid:    As the moment.
+    Accuracy: 0.5 ulp above M.
+
+    >>> yield_force_of_moment(yield_moment=6.0, radius=3.0)
+    2.0
+    """
+    return yield_moment / radius
+
+
+def yield_force_ratio_of_forces(*, yield_force: Force, pull_off_force: Force) -> Number:
+    """Return the yield force over the pull-off force of the same law.
+
+        Q/P_c
+
+    Source:   As Eq (27).
+    Valid:    As the forces. Above 1, the contact breaks before it rolls.
+    Accuracy: 0.5 ulp above Q and P_c.
+
+    >>> yield_force_ratio_of_forces(yield_force=1.0, pull_off_force=4.0)
+    0.25
+    """
+    return yield_force / pull_off_force
+
+
+def rolling_frequency_no_slip_of_stiffness(
+    *, rolling_stiffness: RollingStiffness, reduced_radius: Length, rolling_mass: Mass
+) -> Frequency:
+    """Return the frequency at which two free spheres that do not slip roll back and forth over each other, from k.
+
+        f_free = (1/2π)√(k/(R² m_eff))
+
+    Source:   Eqs (37)-(39), with the motion of the centres that no slip demands.
+    Valid:    Homogeneous spheres; body 2 may be a plane, which is held.
+    Accuracy: 2.5 ulp above k and m_eff.
+
+    >>> k = (2 * pi) ** 2
+    >>> round(rolling_frequency_no_slip_of_stiffness(rolling_stiffness=k, reduced_radius=1.0, rolling_mass=1.0), 12)
+    1.0
+    """
+    return sqrt(rolling_stiffness / reduced_radius / rolling_mass / reduced_radius) / (2 * pi)
+
+
+def yield_energy_of_moment(*, yield_moment: Moment, yield_displacement: Length, reduced_radius: Length) -> Energy:
+    """Return the energy to roll a contact to its yield displacement, from the moment.
+
+        M²/(2k) = Mξ/(2R)
+
+    Source:   As the moment and its stiffness.
+    Valid:    As the moment.
+    Accuracy: 1.5 ulp above M.
+
+    >>> yield_energy_of_moment(yield_moment=2.0, yield_displacement=3.0, reduced_radius=1.0)
+    3.0
+    """
+    return yield_moment * yield_displacement / (2 * reduced_radius)
+
+
+# --- Hysteresis of adhesion -------------------------------------------------------------------------------------------
+
+
+def hysteresis_moment(*, zone_radius: Length, reduced_radius: Length, adhesion_hysteresis: SurfaceEnergy) -> Moment:
+    """Return the moment of steady rolling that the hysteresis of adhesion supplies.
+
+        M = 2cRΔw, c = a in JKR
+
+    adhesion_hysteresis  [J/m²]  ≥ 0
+
+    Source:   The zone of attraction sweeps an area 2c per unit of path; exact for any law and any ξ.
+    Valid:    Δw = w_open − w_close ≤ w.
+    Accuracy: 1.5 ulp above c.
+
+    >>> hysteresis_moment(zone_radius=2.0, reduced_radius=3.0, adhesion_hysteresis=0.5)
+    6.0
+    """
+    return 2 * zone_radius * reduced_radius * adhesion_hysteresis
+
+
+def yield_displacement_at_hysteresis(
+    *,
+    adhesion_hysteresis: SurfaceEnergy,
+    work_of_adhesion: SurfaceEnergy,
+    zone_radius: Length,
+    reduced_radius: Length,
+    adhesive_force: Force,
+) -> Length:
+    """Return the displacement at which the rolling moment is what a hysteresis of adhesion supplies.
+
+        ξ = 2cRΔw/F_a, which is aΔw/(3πwx) in JKR
+
+    adhesion_hysteresis  [J/m²]  ≥ 0
+
+    Source:   M = F_aξ and M = 2cRΔw.
+    Valid:    Δw ≤ w. Above, a float raises ValueError and an array holds NaN.
+    Accuracy: 2 ulp above c and F_a.
+
+    >>> yield_displacement_at_hysteresis(adhesion_hysteresis=0.5, work_of_adhesion=1.0, zone_radius=3.0,
+    ...                                  reduced_radius=2.0, adhesive_force=12.0)
+    0.5
+    """
+    supplied = within(adhesion_hysteresis <= work_of_adhesion, adhesion_hysteresis)
+    return 2 * zone_radius * reduced_radius * supplied / adhesive_force
+
+
+def hysteresis_ratio(
+    *, yield_moment: Moment, zone_radius: Length, reduced_radius: Length, work_of_adhesion: SurfaceEnergy
+) -> Number:
+    """Return the rolling moment over the largest that adhesion hysteresis supplies.
+
+        M/(2cRw)
+
+    Source:   M = 2cRΔw with Δw = w.
+    Valid:    Smooth surfaces; steady rolling.
+    Accuracy: 2.5 ulp above M and c.
+
+    >>> hysteresis_ratio(yield_moment=6.0, zone_radius=3.0, reduced_radius=2.0, work_of_adhesion=1.0)
+    0.5
+    """
+    return yield_moment / (2 * zone_radius * reduced_radius * work_of_adhesion)
+
+
+# --- From JKR to DMT --------------------------------------------------------------------------------------------------
+
+TRANSITION_OVER_TABOR = 1.1570116348507993  # (32/(9√3))·(9/(16π))^(1/3)
+
+
+def transition_parameter(*, tabor_parameter: Number) -> Number:
+    """Return Maugis' parameter of the transition between JKR (large) and DMT (small).
+
+        λ = 2σ0/(πwK²/R)^(1/3) = (32/(9√3))(9/16π)^(1/3) μ, with K = 4E*/3
+
+    Source:   Maugis 1992, for the peak stress of the 3-9 law.
+    Valid:    Always.
+    Accuracy: 1.5 ulp above μ.
+
+    >>> round(transition_parameter(tabor_parameter=1.0), 7)
+    1.1570116
+    """
+    return TRANSITION_OVER_TABOR * tabor_parameter
+
+
+def cohesive_stress(*, work_of_adhesion: SurfaceEnergy, atomic_spacing: Length) -> Stress:
+    """Return the largest stress with which two surfaces attract.
+
+        σ0 = 16w/(9√3 z0)
+
+    Source:   The peak of the 3-9 law that the Lennard-Jones potential gives for two half-spaces.
+    Valid:    Its range, w/σ0 = 0.974 z0, follows from it.
+    Accuracy: 2 ulp.
+
+    >>> round(cohesive_stress(work_of_adhesion=9.0, atomic_spacing=16.0), 7)
+    0.5773503
+    """
+    return 1.0264004785593346 * (work_of_adhesion / atomic_spacing)
+
+
+def pull_off_force_lennard_jones(
+    *, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, tabor_parameter: Number
+) -> Force:
+    """Return the force that separates two spheres that attract by the 3-9 law of the Lennard-Jones potential.
+
+        P_c = πwR(3/2 + ½/(1 + 1.95 μ^1.4))
+
+    Source:   Fit to numerical solutions of the elastic half-space; tests/tools/lennard_jones.py makes them.
+    Valid:    Within 0.3 % for 0.01 ≤ μ ≤ 2.
+    Accuracy: 3 ulp above μ, of the fit.
+
+    >>> round(pull_off_force_lennard_jones(work_of_adhesion=1 / pi, reduced_radius=1.0, tabor_parameter=1.0), 4)
+    1.6695
+    """
+    return pi * work_of_adhesion * reduced_radius * (1.5 + 0.5 / (1 + 1.95 * tabor_parameter**1.4))

@@ -1,0 +1,208 @@
+"""Resistance to sliding and twisting: stiffness, the threshold of one shear strength, and peeling before it."""
+
+from __future__ import annotations
+
+from .dimensions import Angle, Energy, Force, Length, Moment, Number, Stiffness, Stress, SurfaceEnergy
+from .elementary import cbrt, cube, pi, smaller_and_larger, sqrt, within
+
+
+def shear_strength(
+    *, youngs_modulus: Stress, poisson_ratio: Number, youngs_modulus2: Stress, poisson_ratio2: Number
+) -> Stress:
+    """Return the shear stress that a contact bears before it slides or twists, where none was measured.
+
+        τ = G/(4π²), G = E/(2(1 + ν)), of the softer solid
+
+    youngs_modulus   [Pa]  > 0; infinite for a rigid body
+    poisson_ratio    [1]   −1 to 1/2
+    youngs_modulus2  [Pa]  > 0; infinite for a rigid body
+    poisson_ratio2   [1]   −1 to 1/2
+
+    Source:   Lumajord/DustSimulation, whose thresholds of sliding and of twisting are both this strength; for unlike solids,
+              the softer one is a rule of this program.
+    Valid:    An order of magnitude: 9 to 15 MPa were measured for polystyrene on glass (Sümer & Sitti), where this is 29 MPa.
+    Accuracy: 3.5 ulp.
+
+    >>> quartz = {"youngs_modulus": 54e9, "poisson_ratio": 0.17, "youngs_modulus2": 54e9, "poisson_ratio2": 0.17}
+    >>> f"{shear_strength(**quartz) / 1e6:.1f} MPa"
+    '584.5 MPa'
+    """
+    compliances = (1 + poisson_ratio) / youngs_modulus, (1 + poisson_ratio2) / youngs_modulus2
+    return 1 / (8 * pi**2) / smaller_and_larger(*compliances)[1]
+
+
+def sliding_force(*, shear_strength: Stress, contact_radius_at_load: Length) -> Force:
+    """Return the tangential force at which a contact slides.
+
+        F_slide = πa²τ, which is Ga²/(4π) with the default τ
+
+    Source:   Lumajord/DustSimulation, without load.
+    Valid:    A contact that does not peel before, and that bears its shear strength everywhere.
+    Accuracy: 2 ulp above τ and a.
+
+    >>> round(sliding_force(shear_strength=2.0, contact_radius_at_load=3.0) / pi, 12)
+    18.0
+    """
+    return pi * shear_strength * contact_radius_at_load**2
+
+
+def sliding_displacement(*, sliding_force: Force, tangential_stiffness: Stiffness) -> Length:
+    """Return the elastic displacement of the centres along the contact when it begins to slide.
+
+        s = F_slide/k_s, which is (2 − ν)a/(16π) for identical solids with the default τ
+
+    Source:   Lumajord/DustSimulation.
+    Valid:    As the force: an order of magnitude.
+    Accuracy: 0.5 ulp above F_slide and k_s.
+
+    >>> sliding_displacement(sliding_force=6.0, tangential_stiffness=3.0)
+    2.0
+    """
+    return sliding_force / tangential_stiffness
+
+
+def sliding_energy(*, sliding_force: Force, sliding_displacement: Length) -> Energy:
+    """Return the elastic energy of a contact that begins to slide.
+
+        F_slide s/2
+
+    Source:   Work of a force that rises linearly.
+    Valid:    As the force.
+    Accuracy: 0.5 ulp above F_slide and s.
+
+    >>> sliding_energy(sliding_force=6.0, sliding_displacement=2.0)
+    6.0
+    """
+    return sliding_force * sliding_displacement / 2
+
+
+def twisting_stiffness(
+    *,
+    youngs_modulus: Stress,
+    poisson_ratio: Number,
+    youngs_modulus2: Stress,
+    poisson_ratio2: Number,
+    contact_radius_at_load: Length,
+) -> Moment:
+    """Return the torsional stiffness: the moment per angle about the line of centres, without slip.
+
+        k_t = (16/3)a³/(1/G1 + 1/G2), G = E/(2(1 + ν))
+
+    youngs_modulus   [Pa]  > 0; infinite for a rigid body
+    poisson_ratio    [1]   −1 to 1/2
+    youngs_modulus2  [Pa]  > 0; infinite for a rigid body
+    poisson_ratio2   [1]   −1 to 1/2
+
+    Source:   Reissner & Sagoci's (16/3)Ga³ of one half-space, two of them in series.
+    Valid:    Small angles: the contact circle sticks. Exact for unlike solids, too.
+    Accuracy: 4 ulp above a.
+
+    >>> solids = {"youngs_modulus": 2.0, "poisson_ratio": 0.0, "youngs_modulus2": 6.0, "poisson_ratio2": 0.5}
+    >>> round(twisting_stiffness(contact_radius_at_load=3.0, **solids), 12)
+    96.0
+    """
+    compliance = (1 + poisson_ratio) / youngs_modulus + (1 + poisson_ratio2) / youngs_modulus2
+    return 8 / 3 * cube(contact_radius_at_load) / compliance
+
+
+def twisting_moment(*, shear_strength: Stress, contact_radius_at_load: Length) -> Moment:
+    """Return the moment about the line of centres at which a contact twists.
+
+        M_twist = (2/3)πa³τ, which is Ga³/(6π) with the default τ
+
+    Source:   Lumajord/DustSimulation, without load.
+    Valid:    A contact that does not peel before. For nm-thick contacts of ice, larger torques were measured than scaled-down
+              models predict (arXiv:1311.1957).
+    Accuracy: 3.5 ulp above τ and a.
+
+    >>> round(twisting_moment(shear_strength=2.0, contact_radius_at_load=3.0) / pi, 12)
+    36.0
+    """
+    return 2 / 3 * pi * shear_strength * cube(contact_radius_at_load)
+
+
+def twisting_angle(*, twisting_moment: Moment, twisting_stiffness: Moment) -> Angle:
+    """Return the elastic angle of torsion when the contact begins to twist.
+
+        φ = M_twist/k_t, which is 1/(16π) for identical solids with the default τ
+
+    Source:   Lumajord/DustSimulation.
+    Valid:    As the moment: an order of magnitude.
+    Accuracy: 0.5 ulp above M_twist and k_t.
+
+    >>> twisting_angle(twisting_moment=6.0, twisting_stiffness=3.0)
+    2.0
+    """
+    return twisting_moment / twisting_stiffness
+
+
+def twisting_energy(*, twisting_moment: Moment, twisting_angle: Angle) -> Energy:
+    """Return the elastic energy of a contact that begins to twist.
+
+        M_twist φ/2
+
+    Source:   Work of a moment that rises linearly.
+    Valid:    As the moment.
+    Accuracy: 0.5 ulp above M_twist and φ.
+
+    >>> twisting_energy(twisting_moment=6.0, twisting_angle=2.0)
+    6.0
+    """
+    return twisting_moment * twisting_angle / 2
+
+
+def peeling_force(
+    *, pull_off_force: Force, load_margin: Number, contact_shear_modulus: Stress, contact_modulus: Stress
+) -> Force:
+    """Return the tangential force at which a contact that does not slide peels off, at a fixed normal load.
+
+        T = 4√(P_c(P + P_c)G*/E*) = 4P_c s√(G*/E*)
+
+    load_margin  [1]  ≥ 0
+
+    Source:   Griffith: the release rates T²/(32πG*a³) and (P_H − P)²/(8πE*a³), means over the edge, add up to w.
+    Valid:    JKR, P ≥ −P_c, and a work of adhesion that does not depend on the direction of loading: measured contacts shrink
+              much less under a tangential force. Beyond pull-off, a float raises ValueError and an array holds NaN.
+    Accuracy: 3 ulp above P_c, s, G* and E*.
+
+    >>> peeling_force(pull_off_force=2.0, load_margin=1.0, contact_shear_modulus=1.0, contact_modulus=4.0)
+    4.0
+    """
+    margin = within(load_margin >= 0, load_margin)
+    return 4 * pull_off_force * margin * sqrt(contact_shear_modulus / contact_modulus)
+
+
+def peeling_radius(
+    *, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact_modulus: Stress, load_margin: Number
+) -> Length:
+    """Return the radius to which a contact has shrunk when it peels off under a tangential force, at a fixed normal load.
+
+        a_T = (3R(P + 2P_c)/(4E*))^(1/3) = a0((1 + s²)/4)^(1/3)
+
+    load_margin  [1]  ≥ 0
+
+    Source:   As the force: the root of the sum of both release rates is double there.
+    Valid:    As the force.
+    Accuracy: 2.5 ulp above w, R, E* and s.
+
+    >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 9.0}
+    >>> round(peeling_radius(load_margin=1.0, **unit) ** 3, 12)
+    0.25
+    """
+    margin = within(load_margin >= 0, load_margin)
+    return cbrt(9 / 8 * pi * work_of_adhesion / contact_modulus * reduced_radius**2 * (1 + margin**2))
+
+
+def peeling_over_sliding(*, peeling_force: Force, shear_strength: Stress, peeling_radius: Length) -> Number:
+    """Return the peeling force over the force that slides the contact as it peels: below 1, it peels before it slides.
+
+        T/(πa_T²τ)
+
+    Source:   While T rises, the contact shrinks and T/(πa²τ) grows: it slides first if that reaches 1 before the contact peels.
+    Valid:    As the peeling force.
+    Accuracy: 2.5 ulp above T, τ and a_T.
+
+    >>> round(peeling_over_sliding(peeling_force=4.0, shear_strength=1 / pi, peeling_radius=1.0), 12)
+    4.0
+    """
+    return peeling_force / (pi * shear_strength * peeling_radius**2)

@@ -1,0 +1,223 @@
+"""Turn the request for a plot into a map or curves, with caption and notes."""
+
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from typing import Any, NamedTuple
+
+from ..answers.notes import about_data, about_idle, assumptions, symbol_of
+from ..answers.results import equation_of
+from ..errors import BadRequest, NoResult
+from ..materials.library import Materials
+from ..quantities.formatting import amount, in_words
+from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
+from ..quantities.values import parse_quantity
+from ..scene.failures import MissingInput, NotInLaw
+from ..scene.scene import Scene
+from ..text import capitalized, quoted
+from .axes import Axis, described
+from .maps import (
+    Bound,
+    Curve,
+    Map,
+    Mark,
+    Panel,
+    Picture,
+    Progress,
+    along,
+    axis_around,
+    bounds_of,
+    coordinate,
+    evaluate,
+    has_values,
+    lacking,
+    margin_along,
+    material_marks,
+    regions,
+)
+from .styles import EVERYWHERE
+
+MAX_POINTS = 25_000_000  # of a map
+MAX_ALONG = 1_000_000  # points of all curves together
+
+
+class PlotRequest(NamedTuple):
+    """A quantity to draw over one axis as curves, or over two as a map."""
+
+    quantity: str
+    x: Axis
+    y: Axis | None
+    scenes: tuple[tuple[str, Scene], ...]  # a curve each, with its label
+    marks: tuple[str, ...]
+    materials: Materials
+
+
+class NothingToDraw(NoResult):
+    """Error raised when a map or curves have no value at all."""
+
+    def __init__(self, quantity: str) -> None:
+        super().__init__(quantity)
+        self.quantity = quantity
+
+    def __str__(self) -> str:
+        return f"{self.quantity} has no value anywhere on these axes"
+
+
+def mark_at(text: str, materials: Materials, scene: Scene, x: Axis, y: Axis) -> Mark:
+    """Return the mark of `MATERIAL@RADIUS`, `MATERIAL` or `@RADIUS` on a map."""
+    name, _, radius = text.partition("@")
+    material = materials[name] if name else None
+    values = {"radius": parse_quantity(radius, "radius")} if radius else {}
+    there = Scene({**scene.stated, **values}, material or scene.material, scene.material2, model=scene.stated_model)
+    mark = Mark(text, coordinate(x, there), coordinate(y, there))
+    if mark.x is None and mark.y is None:
+        raise BadRequest(f"--mark {quoted(text)} is nowhere on {x.name} and {y.name} as they are drawn")
+    return mark
+
+
+def sized(axis: Axis, size: int) -> Axis:
+    """Return the axis with `size` values if it has no size of its own."""
+    return axis if axis.size else axis._replace(size=size)
+
+
+def map_of(
+    request: PlotRequest, size: tuple[int, int], progress: Progress | None = None
+) -> tuple[Map, tuple[str, ...]]:
+    """Return the map of a request, by default with `size` points across and up, and notes on it."""
+    assert request.y is not None
+    quantity, scene = request.quantity, request.scenes[0][1]
+    x, y = sized(request.x, size[0]), sized(request.y, size[1])
+    if x.size * y.size > MAX_POINTS:
+        raise BadRequest(f"{x.size} x {y.size} points are more than {MAX_POINTS}")
+    at_an_end = {**x.inputs(x.high), **y.inputs(y.high)}  # what a quantity needs is the same all along an axis
+    context = Context(quantity, scene, at_an_end)
+    values = evaluate(scene, quantity, x, y, progress)
+    if not has_values(values):
+        raise NothingToDraw(quantity)
+    marks = tuple(mark_at(text, request.materials, scene, x, y) for text in request.marks)
+    others: tuple[str, ...] = ()
+    if scene.material is None and {x.name, y.name} & {*PROPERTIES}:
+        of_materials, others = material_marks(request.materials, x, y)
+        marks = (*of_materials, *marks)
+    found = tuple(regions(scene, context.bounds, x, y, values))
+    caption = (_first_sentence(quantity, [context.scene]), *fixed_inputs(context.inputs), *others)
+    return Map(quantity, scene, x, y, values, found, marks, described(quantity, ""), caption), context.notes
+
+
+def curves_of(request: PlotRequest, size: int) -> tuple[Picture, tuple[str, ...]]:
+    """Return the curves of a request, by default of `size` points, and notes on them."""
+    x = sized(request.x, size)
+    if x.size * len(request.scenes) > MAX_ALONG:
+        raise BadRequest(f"{len(request.scenes)} x {x.size} points are more than {MAX_ALONG}")
+    contexts: list[Context] = []
+    curves: list[Curve] = []
+    missing: dict[str, MissingInput] = {}
+    for text, scene in request.scenes:
+        try:
+            context = Context(request.quantity, scene, x.inputs(x.high))
+        except MissingInput as error:
+            missing[text] = error
+            continue
+        curves.append(Curve(text, x.values(), along(scene, request.quantity, x), len(contexts)))
+        contexts.append(context)
+    if not curves:
+        raise next(iter(missing.values()))
+    if not any(has_values(curve.y) for curve in curves):
+        raise NothingToDraw(request.quantity)
+    y = axis_around(request.quantity, [curve.y for curve in curves])
+    points = [mark_at(text, request.materials, request.scenes[0][1], x, y) for text in request.marks]
+    shared = [text for text in contexts[0].inputs if all(text in context.inputs for context in contexts)]
+    doubts: dict[str, list[tuple[str, str]]] = {}
+    for context, curve in zip(contexts, curves, strict=True):
+        for doubt, where in context.doubts(x, curve.y):
+            doubts.setdefault(doubt, []).append((curve.text, where))
+    everywhere = [(curve.text, EVERYWHERE) for curve in curves]
+    caption = (
+        _first_sentence(request.quantity, [context.scene for context in contexts]),
+        *fixed_inputs(shared),
+        *((f"No curve: {'; '.join(text + lacking(error) for text, error in missing.items())}.",) if missing else ()),
+        *(
+            f"Everywhere {doubt}."
+            if places == everywhere
+            else f"{'; '.join(', '.join(filter(None, place)) for place in places)}: {doubt}."
+            for doubt, places in doubts.items()
+        ),
+    )
+    notes = [f"no curve: {error}" for error in missing.values()]
+    notes += dict.fromkeys(note for context in contexts for note in context.notes)
+    return Picture("", (Panel(x, y, tuple(curves), tuple(points)),), caption), tuple(notes)
+
+
+class Context:
+    """The inputs that are fixed all over a picture, the bounds of the model, and notes on the data.
+
+    Raises MissingInput if the quantity cannot be computed.
+    """
+
+    def __init__(self, quantity: str, scene: Scene, values: Mapping[str, float]) -> None:
+        """Describe a quantity of a scene; `values` holds one value of each axis."""
+        self.given = scene
+        self.scene = scene.replace(**values)
+        self.bounds: list[Bound] = []
+        notes = []
+        for bound in bounds_of(self.scene, quantity):
+            try:
+                self.scene.plan(bound.name)
+                self.bounds.append(bound)
+            except NotInLaw:
+                continue
+            except MissingInput as error:
+                notes.append(f"its limits are not shown: {NOMENCLATURE[error.wanted].symbol} {error.reason()}")
+        names = [quantity, *(bound.name for bound in self.bounds)]
+        inputs = self.scene.inputs_of(*names)
+        self.inputs = inputs_as_texts(self.scene, [name for name in inputs if name not in values])
+        note = NOMENCLATURE[quantity].note
+        idle = [note.text for note in about_idle(self.scene, inputs)]
+        data = notes_on(self.scene, inputs, names)
+        self.notes = tuple(
+            dict.fromkeys([*notes[:1], *idle, *data, *([f"{symbol_of(quantity)}: {note}"] if note else [])])
+        )
+
+    def doubts(self, x: Axis, y: Any) -> Iterable[tuple[str, str]]:
+        """Iterate over clauses on the model, which has no meaning or is not exact, each with the part of a curve where that is so."""
+        import numpy
+
+        has_value = numpy.isfinite(y)
+        for bound in self.bounds:
+            is_beyond = has_value & (margin_along(self.given, bound, x) < 0)
+            where = x.values()[is_beyond]
+            if (is_beyond == has_value).all():
+                yield bound.beyond, EVERYWHERE
+            elif where.size:
+                ends = (amount(x.name, float(f"{end:.2g}")) for end in (where[0], where[-1]))
+                yield bound.beyond, f"{NOMENCLATURE[x.name].symbol} = {' to '.join(ends)}"
+
+
+def inputs_as_texts(scene: Scene, names: Iterable[str]) -> tuple[str, ...]:
+    """Return the materials of a scene, and inputs with their values."""
+    materials = [scene.material.name] if scene.material is not None else []
+    if scene.material2 is not None:
+        materials.append(f"material2 = {scene.material2.name}")
+    values = ((name, in_words(name, scene.values[name])) for name in names)
+    return (*materials, *(f"{NOMENCLATURE[name].symbol} = {amount(name, value)}" for name, value in values))
+
+
+def notes_on(scene: Scene, inputs: Collection[str], names: Sequence[str]) -> list[str]:
+    """Return notes on the assumptions and the data from which quantities follow."""
+    return [note.text for note in (*assumptions(scene, inputs, [*names]), *about_data(scene, inputs))]
+
+
+def _first_sentence(quantity: str, scenes: Sequence[Scene]) -> str:
+    """Return the first sentence of a caption: the quantity, and its equation and the law that was named, if there is one."""
+    entry = NOMENCLATURE[quantity]
+    parts = [f"{capitalized(entry.sentence)} {entry.symbol}"]
+    equations = {equation_of(scene, quantity) for scene in scenes}
+    laws = {scene.law.title for scene in scenes if scene.stated_model is not None}
+    if len(equations) == 1 and (equation := equations.pop()):
+        parts.append(f"Eq ({equation})" if equation.isdigit() else equation)
+    if len(laws) == 1:
+        parts.append(f"under {laws.pop()}")
+    return ", ".join(parts) + "."
+
+
+def fixed_inputs(inputs: Sequence[str]) -> tuple[str, ...]:
+    """Return the sentence of a caption about fixed inputs, if there are any."""
+    return (f"Held: {', '.join(inputs)}.",) if inputs else ()

@@ -1,0 +1,496 @@
+"""Texts of users to SI numbers: a strict grammar and exact arithmetic.
+
+A text is one decimal number and a unit; nothing else is a quantity. A value is computed as a ratio of integers and rounded to
+a double once. A value may have an uncertainty, as in 25±5 mJ/m2, 25(5) mJ/m2, 25 mJ/m2 ± 20% and 20 to 30 mJ/m2. There are
+lists and ranges of values: "1nm,1um" and "1nm:1um:50".
+"""
+
+import re
+from collections.abc import Collection, Iterator, Mapping
+from math import isnan
+from typing import Any, Literal, NamedTuple, Self, TypeGuard
+
+from ..errors import BadRequest
+from ..text import quoted
+from .errors import BareNumber, QuantityError
+from .nomenclature import INFINITY, NOMENCLATURE, RANGES, word_for_infinity
+from .units import MAX_TEXT, BadUnit, Dimension, Unit, dimension_of, kind_of, normalized, parse_unit
+
+# --- Texts to numbers -------------------------------------------------------------------------------------------------
+
+_NUMBER = re.compile(r"([+-]?)([0-9]*)(?:\.([0-9]*))?(?:[eE]([+-]?[0-9]+))?")
+_MARKS = ("±", "(", "+-", "+−", "/-", "/−", " to ")  # /- as in +/- and in +6/-4
+
+
+class NoUnit(BadUnit):
+    """Error raised for a number without a unit where one is needed."""
+
+
+def parse_quantity(text: str, name: str) -> float:
+    """Read the value of a quantity of the nomenclature, in SI units, correctly rounded.
+
+    >>> parse_quantity("0.1 µm", "radius")
+    1e-07
+
+    Raises a `QuantityError` that names the quantity, quotes the text and shows the right form.
+    """
+    quantity = NOMENCLATURE[name]
+    word = word_for_infinity(name)
+    if word is not None and text.strip().lower() == word:
+        return INFINITY
+    try:
+        value = parse_value(text, dimension_of(quantity.unit))
+    except BadUnit as error:
+        raise error_about(name, text, error) from None
+    limits = RANGES.get(quantity.range)
+    if limits is not None and not limits.admits(value):
+        raise QuantityError(name, text, limits.words)
+    return value
+
+
+def unit_of(text: str, name: str) -> Unit:
+    """Read a unit for a quantity of the nomenclature. Raises a `QuantityError`; a unit of another dimension is not an error."""
+    try:
+        return parse_unit(text)
+    except BadUnit as error:
+        raise error_about(name, text, error) from None
+
+
+def parse_value(text: str, dimension: Dimension) -> float:
+    """Read a number with a unit of a dimension, in SI units, correctly rounded. Raises a `BadUnit`.
+
+    >>> parse_value("36 km/h", dimension_of("m/s"))
+    10.0
+    """
+    mantissa, exponent, unit_text = split_number(normalized(text))
+    return rounded(*ratio(mantissa, exponent, unit_in(unit_text, dimension)))
+
+
+def unit_in(text: str, dimension: Dimension) -> Unit:
+    """Read a unit of a dimension. Raises a `BadUnit`."""
+    if not text and any(dimension):
+        raise NoUnit("has no unit")
+    unit = parse_unit(text)
+    if unit.dimension != dimension:
+        raise BadUnit(f"is {kind_of(unit.dimension)}")
+    return unit
+
+
+def has_uncertainty(text: str) -> bool:
+    """Return whether a text may state an uncertainty or a range: `quantities.values` reads such texts.
+
+    >>> has_uncertainty("25±5 mJ/m2"), has_uncertainty("20 to 30 nm"), has_uncertainty("25 mJ/m2"), has_uncertainty("1e+3 nm")
+    (True, True, False, False)
+    """
+    return any(mark in text for mark in _MARKS)
+
+
+def is_uncertain(value: Any) -> "TypeGuard[Uncertain]":
+    """Return whether a value read from a text has an uncertainty, without an import of the types that have one."""
+    return isinstance(value, tuple)
+
+
+def error_about(
+    name: str, text: str, error: BadUnit, dimensions: Collection[Dimension] = (), expected: str = ""
+) -> QuantityError:
+    """Return the error that says what is wrong with the text of a quantity, or of an option that is none.
+
+    For an option, `dimensions` are those that its unit may have, and `expected` is the right form.
+    """
+    kind = BareNumber if isinstance(error, NoUnit) else QuantityError
+    remedy = error.remedy(dimensions or [dimension_of(NOMENCLATURE[name].unit)])
+    return kind(name, text[:MAX_TEXT], str(error), remedy or expected)
+
+
+def split_number(text: str) -> tuple[int, int, str]:
+    """Split a text into the number at its head, as an integer and a power of ten, and the unit after it."""
+    match = _NUMBER.match(text)
+    assert match is not None  # every part of the pattern is optional
+    sign, whole, fraction, exponent = match.groups()
+    rest = text[match.end() :]
+    digits = whole + (fraction or "")
+    if not digits:
+        raise BadUnit("does not begin with a number")
+    if rest.startswith(","):
+        raise BadUnit("has a comma: write a decimal point")
+    if has_uncertainty(rest):
+        raise BadUnit("has an uncertainty: give the value alone")
+    if exponent and len(exponent.lstrip("+-")) > 3:
+        raise BadUnit("has an exponent of more than 3 digits")
+    return int(sign + digits), int(exponent or 0) - len(fraction or ""), rest.removeprefix(" ")
+
+
+def ratio(mantissa: int, exponent: int, unit: Unit) -> tuple[int, int]:
+    """Return numerator and denominator of mantissa × 10^exponent × unit, in SI units."""
+    return mantissa * unit.numerator * 10 ** max(exponent, 0), unit.denominator * 10 ** max(-exponent, 0)
+
+
+def rounded(numerator: int, denominator: int) -> float:
+    """Return the double nearest to a ratio: one division of integers, which Python rounds correctly."""
+    try:
+        value = numerator / denominator
+    except OverflowError:
+        raise BadUnit("is too large for a double") from None
+    if numerator and not value:
+        raise BadUnit("is too small for a double")
+    return value
+
+
+# --- Values with an uncertainty ---------------------------------------------------------------------------------------
+
+
+class _Measured(NamedTuple):
+    value: float
+    minus: float
+    plus: float
+    kind: Literal["standard"] = "standard"
+
+
+class Measured(_Measured):
+    """A value in SI units with one standard uncertainty on each side; both are the same where one is given.
+
+    >>> Measured(0.025, 0.005)
+    Measured(value=0.025, minus=0.005, plus=0.005, kind='standard')
+    """
+
+    __slots__ = ()
+
+    def __new__(cls, value: float, minus: float | None = None, plus: float | None = None) -> Self:
+        """Raise BadRequest for what is no number, and for an uncertainty that is negative or missing."""
+        if minus is None and plus is None:
+            raise BadRequest("Measured: the uncertainty is missing; write Measured(0.025, 0.005)")
+        given = (value, plus if minus is None else minus, minus if plus is None else plus)
+        value, minus, plus = (_checked_number("Measured", each) for each in given)
+        if min(minus, plus) < 0:
+            raise BadRequest(f"Measured: {min(minus, plus)!r} is a negative uncertainty")
+        return super().__new__(cls, value, minus, plus)
+
+    def __getnewargs__(self) -> tuple[float, float, float]:
+        return self.value, self.minus, self.plus
+
+    @property
+    def low(self) -> float:
+        """The value less its uncertainty."""
+        return self.value - self.minus
+
+    @property
+    def high(self) -> float:
+        """The value plus its uncertainty."""
+        return self.value + self.plus
+
+    @property
+    def sides(self) -> dict[str, float]:
+        """The uncertainty on each side."""
+        return {"minus": self.minus, "plus": self.plus}
+
+    def as_object(self) -> dict[str, float | str]:
+        """Return the uncertainty as JSON states it."""
+        return {"kind": self.kind, **self.sides}
+
+
+class _Interval(NamedTuple):
+    value: float
+    low: float
+    high: float
+    kind: Literal["range"] = "range"
+
+
+class Interval(_Interval):
+    """A range in SI units of which any value is possible, and a value inside it.
+
+    >>> Interval(0.025, 0.02, 0.03).sides
+    {'low': 0.02, 'high': 0.03}
+    """
+
+    __slots__ = ()
+
+    def __new__(cls, value: float, low: float, high: float) -> Self:
+        """Raise BadRequest for what is no number, for ends in the wrong order, and for a value outside them."""
+        value, low, high = (_checked_number("Interval", each) for each in (value, low, high))
+        if not low <= value <= high:
+            raise BadRequest(f"Interval: {value!r} does not lie in the range from {low!r} to {high!r}")
+        return super().__new__(cls, value, low, high)
+
+    def __getnewargs__(self) -> tuple[float, float, float]:
+        return self.value, self.low, self.high
+
+    @property
+    def sides(self) -> dict[str, float]:
+        """Both ends."""
+        return {"low": self.low, "high": self.high}
+
+    def as_object(self) -> dict[str, float | str]:
+        """Return the range as JSON states it."""
+        return {"kind": self.kind, **self.sides}
+
+
+Uncertain = Measured | Interval
+
+
+def of_sides(value: float, sides: Mapping[str, float]) -> float | Uncertain:
+    """Return a value with the numbers of its uncertainty by side; nan stands for none."""
+    known = {side: number for side, number in sides.items() if not isnan(number)}
+    if not known:
+        return value
+    return (
+        Interval(value, known["low"], known["high"])
+        if "low" in known
+        else Measured(value, known["minus"], known["plus"])
+    )
+
+
+def _checked_number(owner: str, value: object) -> float:
+    """Return a number as a float; raise BadRequest for anything else."""
+    try:
+        if not isinstance(value, str | bytes) and not isnan(number := float(value)):  # type: ignore[arg-type]
+            return number
+    except (TypeError, ValueError, OverflowError):
+        pass
+    raise BadRequest(f"{owner}: {quoted(str(value))} is not a number in SI units; a text with a unit needs no {owner}")
+
+
+class UnclearUncertainty(BadUnit):
+    """Error raised for an uncertainty that can be read in two ways, or in none."""
+
+    def __init__(self, words: str, remedy: str) -> None:
+        super().__init__(words)
+        self._remedy = remedy
+
+    def remedy(self, dimensions: Collection[Dimension]) -> str:  # noqa: ARG002
+        """Return what to type instead."""
+        return self._remedy
+
+
+def parse_uncertain(text: str, name: str) -> float | Uncertain:
+    """Read the value of a quantity of the nomenclature, with its uncertainty if the text states one, in SI units.
+
+    >>> parse_uncertain("25±5 mJ/m2", "surface_energy")
+    Measured(value=0.025, minus=0.005, plus=0.005, kind='standard')
+    >>> parse_uncertain("20 to 30 nm", "radius")
+    Interval(value=2.5e-08, low=2e-08, high=3e-08, kind='range')
+
+    Raises a `QuantityError` that names the quantity, quotes the text and shows the right form.
+    """
+    try:
+        found = _read(normalized(text).replace("+/-", "±").replace("+-", "±"), dimension_of(NOMENCLATURE[name].unit))
+    except BadUnit as error:
+        raise error_about(name, text, error) from None
+    return parse_quantity(text, name) if found is None else checked(found, name, text)
+
+
+def measured(value: Any, name: str) -> float | Uncertain:
+    """Return the value of a number with `nominal_value` and `std_dev` in SI units, as the package `uncertainties` has them.
+
+    The magnitude of a `pint.Measurement` is such a number.
+    """
+    return checked(Measured(value.nominal_value, value.std_dev), name, str(value))
+
+
+def checked(found: Uncertain, name: str, text: str) -> float | Uncertain:
+    """Return a value with an uncertainty if the quantity can have it, and a value alone if the uncertainty is 0."""
+    limits = RANGES.get(NOMENCLATURE[name].range)
+    if limits is not None:
+        if not limits.admits(found.value):
+            raise QuantityError(name, text, limits.words)
+        is_positive = limits.low == 0
+        if isinstance(found, Measured) and is_positive and 2 * found.minus >= found.value:
+            raise QuantityError(name, text, "has an uncertainty of half the value or more", "give a range: FROM to TO")
+        if not (limits.admits(found.low) and limits.admits(found.high)):
+            raise QuantityError(name, text, f"{limits.words} at both ends")
+    if isinstance(found, Measured) and found.minus == found.plus == 0:
+        return found.value
+    return found
+
+
+_SIGNED_NUMBER = r"([+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?)"
+_UNIT = r" ?([^±()]*)"
+_POWER = r"(?:[eE]([+-]?[0-9]{1,3}))?"
+_IN_BRACKETS = re.compile(rf"\( ?{_SIGNED_NUMBER} ?± ?{_SIGNED_NUMBER} ?\){_POWER}{_UNIT}")  # (25±5)e-3 J/m2
+_LAST_DIGITS = re.compile(rf"([+-]?[0-9.]+)\(([0-9]+)\){_POWER}{_UNIT}")  # 25.0(50) mJ/m2
+_TWO_SIDES = re.compile(rf"{_SIGNED_NUMBER} ?\+ ?{_SIGNED_NUMBER} ?/ ?- ?{_SIGNED_NUMBER}{_UNIT}")  # 25 +6/-4 mJ/m2
+_PLUS_MINUS = re.compile(r"([^±()]+)±([^±()]+)")  # 25±5 mJ/m2, 25 mJ/m2 ± 5 mJ/m2, 25 mJ/m2 ± 20%
+
+
+def _read(text: str, dimension: Dimension) -> Uncertain | None:
+    """Read a text in one of the forms above, or a range; None for any other."""
+    if match := _IN_BRACKETS.fullmatch(text):
+        value, uncertainty, power, unit = match.groups()
+        return _symmetric(_decimal(value, power), _decimal(uncertainty, power), unit_in(unit, dimension))
+    if match := _LAST_DIGITS.fullmatch(text):
+        value, digits, power, unit = match.groups()
+        places = len(value.partition(".")[2])
+        nominal, uncertainty = _decimal(value, power), _decimal(f"{digits}e-{places}", power)
+        if 2 * int(digits) > abs(float(value)):
+            plain = f"{value}±{int(digits) / 10**places:.{places}f}"
+            raise UnclearUncertainty(f"can be read as {plain} or as {value}e{digits}", "write the one that is meant")
+        return _symmetric(nominal, uncertainty, unit_in(unit, dimension))
+    if match := _TWO_SIDES.fullmatch(text):
+        value, plus, minus, unit = match.groups()
+        return _measured(_decimal(value), _decimal(minus), _decimal(plus), unit_in(unit, dimension))
+    if match := _PLUS_MINUS.fullmatch(text):
+        return _plus_minus(match[1], match[2], dimension)
+    if " to " in text:
+        return _interval(text, dimension)
+    if has_uncertainty(text):
+        raise UnclearUncertainty("has an uncertainty in an unknown form", "write it as in 25±5 mJ/m2 or 20 to 30 mJ/m2")
+    return None
+
+
+def _plus_minus(left: str, right: str, dimension: Dimension) -> Measured:
+    """Read a value, with or without a unit, and its uncertainty with a unit or in percent of the value."""
+    value, unit_text = _split(left)
+    uncertainty, own_text = _split(right)
+    if own_text.startswith("%"):
+        if own_text != "%" or unit_text == "%":
+            raise UnclearUncertainty("has a % that can be read in two ways", "write 25 mJ/m2 ± 20%, or (17±1) %")
+        share = abs(value[0]) * uncertainty[0], value[1] + uncertainty[1] - 2
+        return _symmetric(value, share, unit_in(unit_text, dimension))
+    if unit_text and not own_text:
+        raise NoUnit("has an uncertainty without a unit")
+    own = unit_in(own_text, dimension)
+    return _symmetric(value, uncertainty, unit_in(unit_text, dimension) if unit_text else own, own)
+
+
+def _interval(text: str, dimension: Dimension) -> Interval:
+    """Read a range of which the first end may leave its unit to the second."""
+    left, _, right = text.partition(" to ")
+    first, first_unit = _split(left)
+    last, last_unit = _split(right)
+    unit = unit_in(last_unit, dimension)
+    low = ratio(*first, unit_in(first_unit, dimension) if first_unit else unit)
+    high = ratio(*last, unit)
+    middle = rounded(low[0] * high[1] + high[0] * low[1], 2 * low[1] * high[1])
+    ends = rounded(*low), rounded(*high)
+    if ends[0] >= ends[1]:
+        raise BadUnit("does not rise from its first end to its second")
+    return Interval(middle, *ends)
+
+
+_Decimal = tuple[int, int]  # an integer and a power of ten
+
+
+def _decimal(text: str, power: str | None = None) -> _Decimal:
+    """Read a number without a unit, times a power of ten."""
+    (mantissa, exponent), rest = _split(text)
+    if rest:
+        raise BadUnit("is not a number and a unit")
+    return mantissa, exponent + int(power or 0)
+
+
+def _split(text: str) -> tuple[_Decimal, str]:
+    """Split a text into the number at its head and the unit after it."""
+    mantissa, exponent, unit = split_number(text.strip(" "))
+    return (mantissa, exponent), unit
+
+
+def _symmetric(value: _Decimal, uncertainty: _Decimal, unit: Unit, own: Unit | None = None) -> Measured:
+    """Return a value with the same uncertainty on both sides."""
+    return _measured(value, uncertainty, uncertainty, unit, own)
+
+
+def _measured(value: _Decimal, minus: _Decimal, plus: _Decimal, unit: Unit, own: Unit | None = None) -> Measured:
+    """Return a value with an uncertainty on each side; `own` is the unit of both where it is not that of the value."""
+    if minus[0] < 0 or plus[0] < 0:
+        raise BadUnit("has a negative uncertainty")
+    below, above = (rounded(*ratio(*side, own or unit)) for side in (minus, plus))
+    return Measured(rounded(*ratio(*value, unit)), below, above)
+
+
+# --- Lists and ranges -------------------------------------------------------------------------------------------------
+
+MAX_VALUES = 1_000_000_000
+
+
+class Spread:
+    """A range of values, or a single value, which may be uncertain."""
+
+    uncertainty: Uncertain | None = None
+
+    def __init__(self, low: float, high: float, size: int = 1, *, is_log: bool = False) -> None:
+        """Take `size` values from `low` to `high`, in equal steps or in equal ratios."""
+        self.low, self.high, self.size, self.is_log = low, high, size, is_log
+
+    def __len__(self) -> int:
+        return self.size
+
+    def __iter__(self) -> Iterator[float | Uncertain]:
+        return iter([self.uncertainty]) if self.uncertainty is not None else map(self.value, range(self.size))
+
+    def value(self, place: int) -> float:
+        """Return the value at a place, rounded to 15 digits: the values between 1e-9 and 1e-6 are then 1e-8 and 1e-7 themselves."""
+        if place in (0, self.size - 1):
+            return self.high if place else self.low
+        part = place / (self.size - 1)
+        if not self.is_log:
+            value = self.low * (1 - part) + self.high * part
+        elif 0 < (ratio := self.high / self.low) < INFINITY:
+            value = self.low * ratio**part
+        else:
+            value = self.low ** (1 - part) * self.high**part
+        is_nothing = abs(value) < 1e-15 * max(abs(self.low), abs(self.high)) and not self.is_log
+        return 0.0 if is_nothing else float(f"{value:.15g}")
+
+
+def value_of(text: str, name: str) -> float | Uncertain:
+    """Read one value of a quantity of the nomenclature, with its uncertainty if the text states one, in SI units."""
+    if not has_uncertainty(text):
+        return parse_quantity(text, name)
+    return parse_uncertain(text, name)
+
+
+def spreads_of(text: str, name: str) -> list[Spread]:
+    """Read values separated by commas, and ranges `FROM:TO:COUNT`, with `:lin` or `:log` at the end or not.
+
+    >>> [*spreads_of("1nm:1um:4", "radius")[0]]
+    [1e-09, 1e-08, 1e-07, 1e-06]
+    """
+    spreads: list[Spread] = []
+    items = text.split(",")
+    for item in items:
+        try:
+            if ":" in item:
+                spreads.append(_range(item, name))
+            else:
+                spreads.append(_single(item, name))
+        except BareNumber:
+            if len(items) > 1:
+                reason = "has a comma where a number has a point, or a number without a unit"
+                raise QuantityError(name, text, reason) from None
+            raise
+    return spreads
+
+
+def _single(text: str, name: str) -> Spread:
+    """Read a value, with its uncertainty if it states one."""
+    found = value_of(text, name)
+    if isinstance(found, float):
+        return Spread(found, found)
+    spread = Spread(found.value, found.value)
+    spread.uncertainty = found
+    return spread
+
+
+def _range(text: str, name: str) -> Spread:
+    """Read a range."""
+    first, last, *rest = text.split(":")
+    if not 1 <= len(rest) <= 2:
+        raise QuantityError(name, text, "is not a range", "write FROM:TO:COUNT, with :lin for equal steps")
+    return between(first, last, *rest, name=name, text=text)
+
+
+def between(first: str, last: str, count: str, scale: str = "", *, name: str, text: str) -> Spread:
+    """Return the range between two values; an error quotes its text.
+
+    Without a scale, "lin" or "log", the steps are of equal ratios, or equal if an end is not positive.
+    """
+    if not (count.isascii() and count.isdigit()) or scale not in ("", "log", "lin"):
+        raise QuantityError(name, text, "is not a range", "write FROM:TO:COUNT, with :lin for equal steps")
+    if len(count) > 10 or not 2 <= (size := int(count)) <= MAX_VALUES:
+        raise QuantityError(name, text, f"needs a count from 2 to {MAX_VALUES}")
+    low, high = parse_quantity(first, name), parse_quantity(last, name)
+    is_positive = low > 0 and high > 0
+    if scale == "log" and not is_positive:
+        raise QuantityError(name, text, "has an end that is not positive", "leave :log out: the steps are equal then")
+    if max(abs(low), abs(high)) == INFINITY:
+        raise QuantityError(name, text, "has no end")
+    return Spread(low, high, size, is_log=is_positive and scale != "lin")

@@ -1,0 +1,218 @@
+"""Columns of texts as SI numbers and as materials.
+
+Numbers: orjson reads them all at once, with the power of ten of the unit in the number's own text.
+
+So each number is rounded once, as in a one-liner. A cell that is no plain number with a decimal unit is read by itself.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Hashable, Mapping, Sequence
+from functools import lru_cache
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+import numpy
+import orjson
+
+from ..materials.library import Material, Materials, UnclearMaterial, UnknownMaterial
+from ..quantities.errors import QuantityError
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE
+from ..quantities.units import dimension_of
+from ..quantities.values import Uncertain, has_uncertainty, unit_of
+from .header import Column, power_of_ten
+
+Floats = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.float64]]
+Mask = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.bool_]]
+
+PLAIN = b"0123456789.eE+-, "
+MAX_KEPT = 10_000  # texts whose meaning is remembered
+_NUMBER = rb"[-+]?(?:0|[1-9][0-9]{0,19})(?:\.[0-9]{1,20})?(?:[eE][-+]?[0-9]{1,2})?"
+_CELL = re.compile(rb"\s*(" + _NUMBER + rb")( ?[^\s0-9.,][^,]*)?\s*")
+_POWER = re.compile(rb"e([+-]?[0-9]{1,3}),")
+
+
+class Numbers(NamedTuple):
+    """A column: SI values, nan where there is none; the cells that are no numbers, and those that have uncertainties."""
+
+    values: Floats
+    odd: Sequence[int] = ()
+    uncertain: Mapping[int, Uncertain] = MappingProxyType({})
+
+
+class Kept(dict[Any, Any]):
+    """A memory of what texts mean."""
+
+    def __init__(self, meaning: Callable[[Any], Any]) -> None:
+        """`meaning`: returns what a text means."""
+        self.meaning = meaning
+
+    def __missing__(self, text: bytes | str) -> Any:
+        found = self.meaning(text)
+        if len(self) >= MAX_KEPT:
+            self.clear()
+        self[text] = found
+        return found
+
+
+class Reader:
+    """Reads a column, block after block."""
+
+    def __init__(self, column: Column) -> None:
+        """`column`: its name and unit."""
+        self.column = column
+        self._kept = Kept(self._value)
+
+    def numbers(self, cells: Sequence[bytes]) -> Numbers:
+        """Return the numbers of a block of cells."""
+        match = _CELL.fullmatch(next(filter(None, cells), b""))
+        values = self._together(cells, (match and match[2]) or b"")
+        return Numbers(values) if values is not None else self._of_many_kinds(cells)
+
+    def _together(self, cells: Sequence[bytes], unit: bytes) -> Floats | None:
+        """Return the numbers of cells that are plain numbers with the same unit behind them, or empty; else None."""
+        exponent = self.column.exponent if not unit else _exponent(unit, self.column.name)
+        if exponent is None:
+            return None
+        text = b",".join(cells) + b","
+        if unit:
+            unit += b","
+            if text.count(unit) + cells.count(b"") != len(cells):
+                return None
+            text = text.replace(unit, b",")
+        return plain_numbers(text, exponent, len(cells))
+
+    def _of_many_kinds(self, cells: Sequence[bytes]) -> Numbers:
+        """Return the numbers of cells of which some are no numbers, or have other units than others."""
+        values = numpy.full(len(cells), numpy.nan)
+        by_unit: dict[bytes, list[int]] = {}
+        others: list[int] = []
+        for place, cell in enumerate(cells):
+            if match := _CELL.fullmatch(cell):
+                by_unit.setdefault(match[2] or b"", []).append(place)
+            elif cell and not cell.isspace():
+                others.append(place)
+        for unit, places in by_unit.items():
+            found = self._together([cells[place] for place in places], unit)
+            if found is None:
+                others += places
+            else:
+                values[places] = found
+        odd: list[int] = []
+        uncertain: dict[int, Uncertain] = {}
+        for place in others:
+            try:
+                value = self._kept[cells[place]]
+            except (QuantityError, UnicodeDecodeError):
+                odd.append(place)
+                continue
+            if isinstance(value, float):
+                values[place] = value
+            else:
+                values[place], uncertain[place] = value.value, value
+        return Numbers(values, odd, uncertain)
+
+    def _value(self, cell: bytes) -> float | Uncertain:
+        return self.column.read(cell.decode())
+
+
+@lru_cache(maxsize=MAX_KEPT)
+def _exponent(unit_text: bytes, name: str) -> int | None:
+    """Return the power of ten of a unit of a quantity; None for any other text."""
+    try:
+        text = unit_text.decode().strip()
+        unit = None if has_uncertainty(text) else unit_of(text, name)
+    except (QuantityError, UnicodeDecodeError):
+        return None
+    return power_of_ten(unit) if unit and unit.dimension == dimension_of(NOMENCLATURE[name].unit) else None
+
+
+def plain_numbers(text: bytes, exponent: int, count: int) -> Floats | None:
+    """Return numbers, each with a comma behind it, times a power of ten; nan for an empty text.
+
+    Returns None if there is anything else before a comma, or not as many.
+
+    >>> plain_numbers(b"1,2.5,+1E2,5.0e-1,,", -9, 5)
+    array([1.0e-09, 2.5e-09, 1.0e-07, 5.0e-10,     nan])
+    """
+    if text.translate(None, PLAIN):
+        return None
+    text = b"," + text.replace(b"E", b"e")
+    if b"+" in text and b"+-" not in text:
+        text = text.replace(b",+", b",")
+    has_empty = b",," in text  # which is found faster than the same with a power of ten in it
+    suffix = b"e%d" % exponent if exponent else b""
+    if suffix:
+        for power in set(_POWER.findall(text)):  # a semicolon marks the end of what has its power already
+            text = text.replace(b"e" + power + b",", b"E%d;" % (int(power) + exponent))
+        text = text[:1] + text[1:].replace(b",", suffix + b",").replace(b";", b",")
+    empty = b"," + suffix + b","
+    while has_empty and empty in text:  # in a run of them, every other one is found
+        text = text.replace(empty, b",null,")
+    try:
+        found = orjson.loads(b"[" + text[1:-1] + b"]")
+    except orjson.JSONDecodeError:
+        return None
+    return numpy.array(found, dtype=float) if len(found) == count else None
+
+
+# --- Materials --------------------------------------------------------------------------------------------------------
+
+UNKNOWN = -1  # number of what is no material, and of its kind
+
+Codes = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.int64]]
+
+
+class Lookup:
+    """The materials of a column, numbered as they come: number 0 is that of an empty cell."""
+
+    def __init__(self, materials: Materials, otherwise: Material | None) -> None:
+        """`otherwise`: the material of a row whose cell is empty."""
+        self.materials = materials
+        self.known: list[Material | None] = [otherwise]
+        self._numbers: dict[Hashable, int] = {_kind(otherwise): 0}  # of the kinds of materials
+        self._kinds = [0]
+        self._codes = Kept(self._code)
+
+    def codes(self, cells: Sequence[bytes | str]) -> Codes:
+        """Return the numbers of the materials that cells name; UNKNOWN for an unknown name."""
+        return numpy.array([*map(self._codes.__getitem__, cells)], dtype=numpy.int64)
+
+    def _code(self, cell: bytes | str) -> int:
+        text = cell.decode(errors="replace") if isinstance(cell, bytes) else cell
+        try:
+            found = self.materials[text] if text.strip() else self.known[0]
+        except (UnknownMaterial, UnclearMaterial):
+            return UNKNOWN
+        if found not in self.known:
+            self.known.append(found)
+            self._kinds.append(self._numbers.setdefault(_kind(found), len(self._numbers)))
+        return self.known.index(found)
+
+    def kinds(self, codes: Codes) -> Codes:
+        """Return a number for each row, which is the same for materials that can be one scene's; UNKNOWN stays."""
+        return numpy.array([*self._kinds, UNKNOWN])[codes]
+
+    def together(self, codes: Codes) -> Material | None:
+        """Return the materials of rows of one kind as one whose properties are arrays; a special one as it is."""
+        first = self.known[int(codes[0])]
+        if first is None or _is_special(first):
+            return first
+        properties: Any = {
+            name: numpy.array([one.properties.get(name, numpy.nan) if one else numpy.nan for one in self.known])[codes]
+            for name in first.properties
+        }
+        return Material("", properties, (), {}, (), (), "", "")
+
+
+def _kind(material: Material | None) -> Hashable:
+    """Return what materials of one kind have in common: the names of their properties; a special one is a kind by itself."""
+    if material is None:
+        return None
+    return (material.path, material.name) if _is_special(material) else frozenset(material.properties)
+
+
+def _is_special(material: Material) -> bool:
+    """Return whether a material has uncertainties, or is rigid: more follows then than from a number."""
+    return bool(material.uncertainties) or INFINITY in material.properties.values()

@@ -1,0 +1,557 @@
+"""The columns of rows: values, uncertainties, doubts as bits, and the reasons of cells that are empty.
+
+`by_floats` is the definition of a row. `by_arrays` gives the same columns for many rows at once: where an array leaves a gap that
+no frequent reason explains, or an uncertainty needs a search, the row is computed again by floats.
+"""
+
+from collections.abc import Callable, Collection, Hashable, Iterable, Mapping, Sequence
+from functools import partial
+from math import isnan
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from ..errors import JkrollError
+from ..quantities.formatting import OutOfUnit
+from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.values import Uncertain, is_uncertain
+from ..scene.failures import (
+    MissingInput,
+    NoContact,
+    OfIdenticalSpheres,
+    RestsOnSpacing,
+    hold_of,
+    reason_of,
+    written_outcome,
+)
+from ..scene.limits import TOLD, doubts, possible_doubts
+from ..scene.scene import Scene
+from ..scene.wiring import Step, depends_on
+from ..text import first_of
+
+if TYPE_CHECKING:
+    from ..scene.uncertainty import Sources
+
+ROW = ""  # stands for the row as a whole, in place of the name of a column
+UNCERTAINTY = "±"  # stands for the columns of uncertainties that a table does not have
+SIDES = ("minus", "plus", "low", "high")  # of uncertainties: the two of a standard one, and the ends of a range
+_BESIDE = 15  # formulas that take as long as what else a row needs
+DOUBT = "doubt"  # the column of the limits of the model that a row exceeds, as codes
+STATUS = "status"  # the column of reasons
+MOST_NAMES = 3  # of quantities in a clause of a status
+NO_END = "no uncertainty, as there is no value at an end of an input: "  # the lead of its reason
+_NO_COLUMNS = "for which the table has no columns; --uncertainty adds them"
+
+Reasons = Mapping[str, JkrollError]  # why cells of a row are empty, by the names of their columns
+
+
+class BadCells(JkrollError):
+    """Error raised for cells that are no values of inputs, or no names of materials."""
+
+
+class LeftOut(JkrollError):
+    """The remark on a row whose materials have uncertainties for which the table has no columns. It is never raised."""
+
+
+def heads(name: str, head: str, sides: Iterable[str]) -> list[str]:
+    """Return the headers of a quantity and of the sides of its uncertainty.
+
+    >>> heads("radius", "radius [nm]", ["minus", "plus"])
+    ['radius [nm]', 'radius_minus [nm]', 'radius_plus [nm]']
+    """
+    return [head, *(head.replace(name, f"{name}_{side}", 1) for side in sides)]
+
+
+class Wanted:
+    """The quantities of rows, known from the plan and the names before anything is computed."""
+
+    def __init__(
+        self,
+        names: Iterable[str],
+        *,
+        named: Iterable[str] = (),
+        inputs: Iterable[str] = (),
+        sides: Mapping[str, Collection[str]] | None = None,
+        doubts: bool = True,
+    ) -> None:
+        """`named`: quantities that were asked for by name, and concern any row; `inputs`: that stand before them.
+
+        `sides`: of the uncertainties of quantities, those of SIDES that have columns; None where uncertainties are not wanted.
+        `doubts`: whether limits are judged.
+        """
+        self.names, self.named, self.inputs, self.doubts = tuple(names), frozenset(named), tuple(inputs), doubts
+        self.uncertainties = sides is not None
+        self.sides = {name: tuple(side for side in SIDES if side in own) for name, own in (sides or {}).items()}
+        self.keys = tuple(key for name in self.names for key in (name, *self.sides_of(name).values()))
+        self.places = {key: place for place, key in enumerate(self.keys)}
+        self.known_sides = frozenset(side for own in self.sides.values() for side in own)
+
+    def sides_of(self, name: str) -> dict[str, str]:
+        """Return the keys of the columns of a quantity's uncertainty, by the side: "radius_minus"."""
+        return {side: f"{name}_{side}" for side in self.sides.get(name, ())}
+
+    def work(self, scene: Any) -> int:
+        """Return how many formulas take as long as a row by itself."""
+        missing = scene.missing(self.names)
+        return _BESIDE + len(scene.plan(*(name for name in self.names if name not in missing)).steps)
+
+    def row(self, scene: Any) -> "Row":
+        """Return the row of a scene of numbers."""
+        return by_floats(self, scene)
+
+    def columns(self, scene: Any, size: int, one: Callable[[int], Any], kind: Callable[[int], Hashable]) -> "Columns":
+        """Return the columns of a scene of arrays, as `by_arrays` does."""
+        return by_arrays(self, scene, size, one, kind)
+
+
+class Row(NamedTuple):
+    """A row of columns."""
+
+    inputs: Mapping[str, Any]  # SI values, with their uncertainties, names of materials, the law
+    numbers: Sequence[float]  # as Wanted.keys has them; nan is a gap
+    doubts: int  # bits
+    reasons: Reasons
+
+
+class Columns:
+    """The columns of some rows: arrays where there are many rows, else lists. Writers index them and iterate."""
+
+    def __init__(self, wanted: Wanted, inputs: Mapping[str, Any], numbers: Any, doubts: Any, reasons: Any) -> None:
+        """`inputs`: columns by name; `numbers`: a column for each of Wanted.keys; `reasons`: by the place of a row."""
+        self.wanted, self.inputs, self.numbers, self.doubts = wanted, inputs, numbers, doubts
+        self.reasons: dict[int, Reasons] = reasons
+        self.lost = {row for row, own in reasons.items() if is_lost(own)}  # rows of which nothing is to be trusted
+
+    @classmethod
+    def of_rows(cls, wanted: Wanted, rows: Sequence[Row]) -> "Columns":
+        """Return the columns of rows that were computed one by one."""
+        return cls(
+            wanted,
+            {name: [row.inputs.get(name) for row in rows] for name in wanted.inputs},
+            [[row.numbers[place] for row in rows] for place in range(len(wanted.keys))],
+            [row.doubts for row in rows],
+            {place: row.reasons for place, row in enumerate(rows) if row.reasons},
+        )
+
+    def __len__(self) -> int:
+        """Return the number of rows."""
+        return len(self.doubts)
+
+    def column(self, key: str) -> Any:
+        """Return the numbers of a column."""
+        return self.numbers[self.wanted.places[key]]
+
+    def put(self, row: int, one: Row) -> None:
+        """Take a row that was computed by itself, in place of what arrays gave."""
+        self.numbers[:, row] = one.numbers
+        self.doubts[row] = one.doubts
+        self.reasons.pop(row, None)
+        self.lost.discard(row)
+        if one.reasons:
+            self.reasons[row] = one.reasons
+            if is_lost(one.reasons):
+                self.lost.add(row)
+        for name, column in self.inputs.items():
+            value = one.inputs.get(name)
+            column[row] = value.value if is_uncertain(value) and not isinstance(column, list) else value
+
+    def failed(self) -> list[int]:
+        """Return the rows that fail: those without a contact or without any value. One that no double holds in its unit is a value."""
+        of_names = [self.column(name) for name in self.wanted.names]
+        others = self.reasons.keys() - self.lost
+        empty = [row for row in others if all(isnan(column[row]) for column in of_names)]
+        return [*self.lost, *(row for row in empty if not _has_unwritten(self.reasons[row]))]
+
+    def failure(self, row: int) -> JkrollError:
+        """Return why a row fails: the lack of a contact, or else its first reason."""
+        reasons = self.reasons[row]
+        return no_contact(reasons) or next(iter(reasons.values()))
+
+    def status(self, row: int) -> str:
+        """Return why cells of a row are empty, in words."""
+        return worded(self.reasons[row]) if row in self.reasons else ""
+
+
+def doubts_in_words(bits: int, among: int) -> str:
+    """Return the codes of doubts, those of `among` alone."""
+    return " ".join(told.code for place, told in enumerate(TOLD) if bits >> place & among >> place & 1)
+
+
+# Limits that are doubts of a row; the law of adhesion is told about all rows together.
+OF_ROWS = sum(1 << place for place, told in enumerate(TOLD) if told.limit != "tabor_parameter")
+CODES = tuple(told.code for place, told in enumerate(TOLD) if OF_ROWS >> place & 1)
+
+
+# --- By floats --------------------------------------------------------------------------------------------------------
+
+
+def by_floats(wanted: Wanted, scene: Scene) -> Row:
+    """Return the row of a scene of numbers. Raises a JkrollError for uncertainties that do not go together."""
+    found = outcomes(scene, wanted.names, wanted.named)
+    reasons: dict[str, JkrollError] = {
+        name: outcome for name, outcome in found.items() if isinstance(outcome, JkrollError)
+    }
+    if not found:
+        reasons[ROW] = OfIdenticalSpheres()
+    values = {name: outcome for name, outcome in found.items() if name not in reasons}
+    numbers: dict[str, float] = dict(values)
+    inputs = scene.echo(inputs_used(scene, wanted.names, [*found])) if wanted.inputs else {}
+    if wanted.uncertainties and scene.is_uncertain:
+        of_sides, uncertain = _sides(wanted, scene, [*found])
+        inputs |= {name: one for name, one in uncertain.items() if name in inputs}
+        for name, outcome in of_sides.items():
+            if isinstance(outcome, JkrollError):
+                reasons[name] = outcome
+            else:
+                numbers[name] = outcome
+    return Row(
+        inputs,
+        [numbers.get(key, _NAN) for key in wanted.keys],
+        doubts(scene, [*values]) if wanted.doubts and values else 0,
+        reasons,
+    )
+
+
+_NAN = float("nan")
+
+
+def outcomes(scene: Scene, names: Sequence[str], named: Collection[str]) -> dict[str, Any]:
+    """Return the value of each quantity that concerns a scene of numbers, or the error that says why there is none.
+
+    `named`: quantities that were asked for by name, and concern any scene.
+    """
+    found = scene.evaluate([name for name in names if name in named or scene.shows(name)])
+    return {name: written_outcome(name, outcome) for name, outcome in found.items()}
+
+
+def inputs_used(scene: Scene, names: Sequence[str], shown: Sequence[str]) -> Collection[str]:
+    """Return the inputs on which quantities depend, as far as the scene allows them; `shown`: those that concern it."""
+    missing = scene.missing(shown)
+    if planned := [name for name in shown if name not in missing]:
+        return scene.inputs_of(*planned)
+    return depends_on(names) & scene.given.keys()
+
+
+def _sides(
+    wanted: Wanted, scene: Scene, names: list[str]
+) -> tuple[dict[str, float | JkrollError], dict[str, Uncertain]]:
+    """Return the columns of uncertainties, each a number or the reason why it has none, and the inputs that they come from."""
+    from ..scene.uncertainty import uncertainties
+
+    found, sources = uncertainties(scene, names)
+    if (remark := _left_out(wanted, scene, sources)) is not None:
+        return {UNCERTAINTY: remark}, {}
+    columns: dict[str, float | JkrollError] = {}
+    for name, one in found.items():
+        for side, key in wanted.sides_of(name).items():
+            if isinstance(one, JkrollError):
+                columns[key] = one
+            elif side in one.uncertainty.sides:
+                columns[key] = one.uncertainty.sides[side]
+    return columns, {name: source.given for source in sources.entering for name in source.names}
+
+
+def _left_out(wanted: Wanted, scene: Scene, sources: "Sources") -> LeftOut | None:
+    """Return the remark on uncertainties for which there are no columns, if there are some. Raises BadCells if a cell has one."""
+    if all(side in wanted.known_sides for source in sources.entering for side in source.given.sides):
+        return None
+    names = [name for source in sources.entering for name in source.names]
+    if stated := [name for name in names if name in scene.uncertain]:
+        raise BadCells(f"{stated[0]}: the cell has an uncertainty, {_NO_COLUMNS}")
+    materials = dict.fromkeys(material.name for material, _ in scene.data_used(names))
+    return LeftOut(f"{' and '.join(materials)}: uncertainties are left out, {_NO_COLUMNS}")
+
+
+# --- By arrays --------------------------------------------------------------------------------------------------------
+
+
+def by_arrays(
+    wanted: Wanted, scene: Scene, size: int, one: Callable[[int], Scene], kind: Callable[[int], Hashable]
+) -> Columns:
+    """Return the columns of a scene of arrays; `one` returns a row as a scene of numbers.
+
+    `kind` is the same for rows that lack inputs in the same words. Raises a JkrollError where each row is to be computed by itself.
+    """
+    import numpy
+
+    found = _Arrays(wanted, scene, size)
+    columns = found.columns
+    if found.lacking:
+        of_kinds: dict[Hashable, Reasons] = {}
+        concerned = numpy.array([numpy.broadcast_to(found.shown[name], size) for name in found.lacking])
+        for row, is_shown in enumerate(concerned.T.tolist()):
+            if (own := (kind(row), *is_shown)) not in of_kinds:
+                names = [name for name, is_one in zip(found.lacking, is_shown, strict=True) if is_one]
+                of_kinds[own] = one(row).evaluate(names)
+            if of_kinds[own]:
+                columns.reasons[row] = of_kinds[own]
+    again = found.explain()
+    if wanted.uncertainties and scene.is_uncertain:
+        again |= found.add_sides()
+    for row in numpy.flatnonzero(again).tolist():
+        put_one(columns, row, partial(one, row))
+    return columns
+
+
+def put_one(columns: Columns, row: int, scene: Callable[[], Any]) -> None:
+    """Compute a row by floats; if its scene cannot be made, that is why the row is empty."""
+    try:
+        found = columns.wanted.row(scene())
+    except JkrollError as error:
+        lose(columns, row, error)
+    else:
+        columns.put(row, found)
+
+
+def lose(columns: Columns, row: int, error: JkrollError) -> None:
+    """Empty a row, for one reason."""
+    columns.put(row, Row({}, [_NAN] * len(columns.wanted.keys), 0, {ROW: error}))
+
+
+class _Arrays:
+    """The quantities of a scene of arrays, and what is empty in them."""
+
+    def __init__(self, wanted: Wanted, scene: Scene, size: int) -> None:
+        import numpy
+
+        self.wanted, self.scene, self.size = wanted, scene, size
+        self.shown = shown = {name: name in wanted.named or scene.shows(name) for name in wanted.names}
+        found = scene.evaluate([name for name, is_shown in shown.items() if is_shown is not False])
+        outcomes = {name: written_outcome(name, outcome) for name, outcome in found.items()}
+        self.lacking = [name for name, outcome in outcomes.items() if isinstance(outcome, MissingInput)]
+        numbers = numpy.full((len(wanted.keys), size), numpy.nan)
+        self.gaps: dict[str, Any] = {}  # by the quantity: the rows that should have a value and have none
+        self.whole: dict[str, JkrollError] = {}  # quantities that have no value in any row, for one reason
+        for name, outcome in outcomes.items():
+            if name in self.lacking:
+                continue
+            is_shown = numpy.broadcast_to(shown[name], size)
+            if isinstance(outcome, JkrollError):
+                self.whole[name], self.gaps[name] = outcome, is_shown
+                continue
+            values = numbers[wanted.places[name]]
+            values[...] = outcome if shown[name] is True else numpy.where(is_shown, outcome, numpy.nan)
+            if isinstance(outcome, numpy.ndarray) and (fails := numpy.isnan(values) & is_shown).any():
+                self.gaps[name] = fails
+        self.known = [name for name in outcomes if name not in self.whole and name not in self.lacking]
+        inputs = self._inputs([*outcomes])
+        reasons: dict[int, Reasons] = {}
+        always = [name for name in outcomes if shown[name] is True]
+        if len(always) < len(outcomes) or not always:
+            unequal = numpy.broadcast_to(numpy.logical_not(scene.is_identical), size)
+            of_unequal = self._inputs(always)
+            inputs = {name: _either(unequal, of_unequal[name], column) for name, column in inputs.items()}
+            if not always:
+                reasons = {row: {ROW: OfIdenticalSpheres()} for row in numpy.flatnonzero(unequal).tolist()}
+        self.columns = Columns(wanted, inputs, numbers, self._doubts(numbers), reasons)
+
+    def _inputs(self, shown: Sequence[str]) -> dict[str, Any]:
+        """Return the columns of inputs for the quantities that are shown."""
+        names = self.wanted.inputs
+        inputs = self.scene.echo(inputs_used(self.scene, self.wanted.names, shown)) if names else {}
+        return {name: spread(inputs.get(name), self.size) for name in names}
+
+    def _doubts(self, numbers: Any) -> Any:
+        import numpy
+
+        bits = numpy.zeros(self.size, dtype=numpy.int64)
+        if self.wanted.doubts and self.known:
+            bits[...] = doubts(self.scene, self.known)
+            has_value = {name: ~numpy.isnan(numbers[self.wanted.places[name]]) for name in self.known}
+            if not all(rows.all() for rows in has_value.values()):
+                concerned = numpy.zeros_like(bits)
+                for name, rows in has_value.items():
+                    concerned |= numpy.where(rows, possible_doubts(self.scene, [name]), 0)
+                bits &= concerned
+        return bits
+
+    def explain(self) -> Any:
+        """Say why cells are empty where a frequent reason explains them, and return the other rows that have such cells."""
+        import numpy
+
+        again = numpy.zeros(self.size, dtype=bool)
+        if not self.gaps:
+            return again
+        causes = _Causes(self.scene, [*self.gaps], self.size)
+        of_names = numpy.array(
+            [numpy.where(fails, causes.of(name, self.whole.get(name)), NO_GAP) for name, fails in self.gaps.items()]
+        )
+        rows = numpy.flatnonzero(of_names.any(axis=0)).tolist()
+        of_marks: dict[bytes, dict[str, int]] = {}  # many rows have the same gaps for the same causes
+        for row, marks in zip(rows, map(bytes, numpy.ascontiguousarray(of_names[:, rows].T)), strict=True):
+            if marks not in of_marks:
+                own = zip(self.gaps, of_names[:, row].tolist(), strict=True)
+                of_marks[marks] = {name: cause for name, cause in own if cause != NO_GAP}
+            reasons = causes.reasons(of_marks[marks], row)
+            if reasons is None:
+                again[row] = True
+                continue
+            if lacking := self.columns.reasons.get(row, {}):
+                mixed = {**reasons, **lacking}
+                reasons = {name: mixed[name] for name in self.wanted.names if name in mixed}
+            self.columns.reasons[row] = reasons
+            if is_lost(reasons):
+                self.columns.lost.add(row)
+        return again
+
+    def add_sides(self) -> Any:
+        """Add the columns of uncertainties, and return the rows in which they need a search."""
+        import numpy
+
+        from ..scene import uncertainty
+
+        values = {name: self.columns.column(name) for name in self.known}
+        again = numpy.zeros(self.size, dtype=bool)
+        sources = uncertainty.sources_of(self.scene, self.scene.inputs_of(*self.known, *self.whole))
+        if (remark := _left_out(self.wanted, self.scene, sources)) is not None:
+            for row in range(self.size):
+                self.columns.reasons[row] = {**self.columns.reasons.get(row, {}), UNCERTAINTY: remark}
+        elif sources.entering:
+            for name, found in uncertainty.uncertainties_of_elements(self.scene, values, sources.entering).items():
+                for side, key in self.wanted.sides_of(name).items():
+                    if side in found.sides:
+                        self.columns.numbers[self.wanted.places[key]] = found.sides[side]
+                again |= found.is_open & ~numpy.isnan(values[name])
+        return again
+
+
+def _either(rows: Any, column: Any, otherwise: Any) -> Any:
+    """Return a column of an input in some rows, and another one elsewhere."""
+    import numpy
+
+    if isinstance(column, list) and isinstance(otherwise, list):
+        return [own if is_own else other for is_own, own, other in zip(rows.tolist(), column, otherwise, strict=True)]
+    return numpy.where(rows, numpy.asarray(column, dtype=float), numpy.asarray(otherwise, dtype=float))
+
+
+NO_GAP, UNKNOWN, RESTS, FIRST = range(4)  # why a value is missing; further numbers stand for errors
+
+
+class _Causes:
+    """Why quantities of a scene of arrays have no value: as in a scene of numbers, a formula hands on the first of its arguments' causes."""
+
+    def __init__(self, scene: Scene, names: Sequence[str], size: int) -> None:
+        """`names`: quantities that the scene has evaluated."""
+        import numpy
+
+        self.scene, self.size = scene, size
+        self.errors: list[Callable[[int], JkrollError]] = []  # of a row, by the number of the cause less FIRST
+        plan = scene.plan(*names)
+        self.sources, self.causes = plan.found, dict[str, Any]()  # by step, for each row
+        for step in plan.steps:
+            cause = numpy.zeros(size, dtype=numpy.int16)
+            for _, source in step.arguments:
+                if source in self.causes:
+                    cause = numpy.where(cause == NO_GAP, self.causes[source], cause)
+            fails = numpy.isnan(scene.values.get(step.name, numpy.nan)) & (cause == NO_GAP)
+            if fails.any():
+                cause[fails] = UNKNOWN
+                self._find(step, cause)
+            if cause.any():
+                self.causes[step.name] = cause
+
+    def _find(self, step: Step, cause: Any) -> None:
+        """Note the cause of a formula that fails by itself in some rows."""
+        values = self.scene.values
+        if step.name not in values:
+            error = self.scene.evaluate([step.name])[step.name]
+            self._note(cause, cause == UNKNOWN, lambda _: error)
+            return
+        given = {parameter: values[source] for parameter, source in step.arguments}
+        if (hold := hold_of(step.name, given)) is not None:
+            stated, least = (spread(value, self.size).tolist() for value in (given[hold.name], hold.least))
+            lets_go = hold.lets_go(given[hold.name]) & (cause == UNKNOWN)
+            self._note(cause, lets_go, lambda row: hold.error(stated[row], least[row]))
+
+    def _note(self, cause: Any, rows: Any, error: Callable[[int], JkrollError]) -> None:
+        cause[rows] = FIRST + len(self.errors)
+        self.errors.append(error)
+
+    def of(self, name: str, error: JkrollError | None) -> Any:
+        """Return the cause of a quantity in each row, if it has no value there. `error`: of one that has none in any row."""
+        import numpy
+
+        cause = self.causes.get(self.sources[name], numpy.zeros(self.size, dtype=numpy.int16))
+        if error is None:
+            otherwise = numpy.where(self.scene.rests_on_spacing(name), RESTS, UNKNOWN)
+            return numpy.where(cause == NO_GAP, otherwise, cause)
+        self._note(cause, cause == NO_GAP, lambda _: error)
+        return cause
+
+    def reasons(self, causes: Mapping[str, int], row: int) -> dict[str, JkrollError] | None:
+        """Return the errors of quantities in a row by their causes; None if one is unknown."""
+        numbers = {*causes.values()}
+        if UNKNOWN in numbers:
+            return None
+        errors = {number: self.errors[number - FIRST](row) for number in numbers if number != RESTS}
+        if len(numbers) == len(errors) == 1:
+            return dict.fromkeys(causes, *errors.values())
+        return {name: errors.get(number) or RestsOnSpacing(name) for name, number in causes.items()}
+
+
+def spread(value: Any, size: int) -> Any:
+    """Return a column of a value that is the same in all rows; a column as it is."""
+    import numpy
+
+    if isinstance(value, numpy.ndarray):
+        return numpy.broadcast_to(value, size).copy()
+    if isinstance(value, float | int):
+        return numpy.full(size, float(value))
+    return [value] * size
+
+
+def _has_unwritten(reasons: Reasons) -> bool:
+    """Return whether a row has a value that cannot be written in its unit."""
+    return any(isinstance(error, OutOfUnit) for error in reasons.values())
+
+
+# --- In words ---------------------------------------------------------------------------------------------------------
+
+
+def is_lost(reasons: Reasons) -> bool:
+    """Return whether nothing of a row is to be trusted."""
+    return ROW in reasons or no_contact(reasons) is not None
+
+
+def no_contact(reasons: Reasons) -> NoContact | None:
+    """Return why a row has no contact; None if it has one, though not at all ends of its uncertain inputs."""
+    errors = (error for name, error in reasons.items() if isinstance(error, NoContact) and name in NOMENCLATURE)
+    return next(errors, None)
+
+
+def worded(reasons: Reasons) -> str:
+    """Return why cells are empty: where there is no contact, that alone; a clause for all that lack an input, and one for each other reason."""
+    if ROW in reasons:
+        return str(reasons[ROW])
+    if (lack := no_contact(reasons)) is not None:
+        return str(lack)
+    of_values, of_sides = of_quantities(reasons)
+    clauses = [*_clauses(of_values), *_clauses(of_sides, NO_END)]
+    if UNCERTAINTY in reasons:
+        clauses.append(str(reasons[UNCERTAINTY]))
+    return "; ".join(clauses)
+
+
+def of_quantities(reasons: Reasons) -> tuple[Reasons, Reasons]:
+    """Return by the names of quantities why they have no values, and why values have no uncertainties."""
+    of_values = {name: error for name, error in reasons.items() if name in NOMENCLATURE}
+    sides = reasons.keys() - of_values.keys() - {ROW, UNCERTAINTY}
+    return of_values, {key.rpartition("_")[0]: error for key, error in reasons.items() if key in sides}
+
+
+def _clauses(errors: Mapping[str, JkrollError], lead: str = "") -> list[str]:
+    lacking = {name: one for name, one in errors.items() if isinstance(one, MissingInput) and one.missing}
+    joined = _joined([*lacking.values()])
+    reasons: dict[str, list[str]] = {}
+    for name, error in errors.items():
+        reason = joined if name in lacking else reason_of(name, error)  # type: ignore[arg-type]
+        reasons.setdefault(reason, []).append(name)
+    return [f"{first_of(names, MOST_NAMES)}: {lead}{reason}" for reason, names in reasons.items()]
+
+
+def _joined(errors: Sequence[MissingInput]) -> str:
+    """Return the reason of quantities that lack inputs, with all that some of them need."""
+    if len({error.missing for error in errors}) < 2:
+        return min((error.reason() for error in errors), key=len, default="")
+    missing = dict.fromkeys(name for error in errors for name in error.missing)
+    instead = [name for name in errors[0].instead if all(name in error.instead for error in errors)]
+    lacking = dict.fromkeys(filter(None, (text for error in errors for text in error.lacking.split(", "))))
+    return f"need some of {MissingInput('', [*missing], instead, ', '.join(lacking)).needs()}"

@@ -1,0 +1,236 @@
+"""The texts of a header: the input that each stands for, with its unit.
+
+A name, the word of an option or a symbol stands alone or with a unit behind it: `radius [nm]`, `R2 (nm)`, `Load/nN`, `E_GPa`,
+`radius in nm`. Of a symbol that several quantities have, the unit decides.
+"""
+
+import re
+from collections.abc import Iterator
+from functools import cache, lru_cache
+from typing import NamedTuple
+
+from ..quantities.errors import QuantityError
+from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS
+from ..quantities.units import dimension_of, similar_unit
+from ..quantities.values import split_number, unit_of
+from ..text import MAX_WORD, ascii_text, closest
+
+MATERIALS = ("material", "material2")
+INPUTS = ("radius", *(name for name, quantity in NOMENCLATURE.items() if quantity.option and quantity.unit))
+ALIKE = 0.85  # how similar a header is to the name of an input to be taken for a mistake
+_BRACKETS = re.compile(r"([^\[\]]*?)\s*\[([^\[\]]*)\]")
+_PARENTHESES = re.compile(r"([^()]*?)\s*\(([^()]*)\)?")
+_CUT = re.compile(r"\s*[,/]\s*|\s+in\s+|_")  # between a name and a unit that stands in no brackets
+_BLANKS = re.compile(r"[\s(_/,:\[]+|$")  # between a name and what may be a unit
+_PHRASES = {"young_modulus": "youngs_modulus", "poissons_ratio": "poisson_ratio"}
+_SYNONYMS = {"elastic_modulus": "youngs_modulus", "velocity": "speed", "surface_tension": "surface_energy"}
+_LENGTHS, _PRESSURES = "m", "Pa"
+_DIAMETER = (_LENGTHS, "a diameter? a radius is half of it")
+_CONTACT_MODULUS = (_PRESSURES, "the modulus of a contact? --young and --poisson are those of the materials")
+_UNCLEAR = {
+    "r": (_LENGTHS, "a radius, or a distance?"),
+    **dict.fromkeys(("d", "D", "diameter", "diam", "dia"), _DIAMETER),
+    **dict.fromkeys(("E*", "E_star", "E_r"), _CONTACT_MODULUS),
+}
+_NO_UNITS = ("in", "bar")  # behind an underscore they may mean inside and mean
+_RATIOS = ("poisson_ratio", "poisson_ratio2")  # the only ratios whose symbols have no other common meaning
+
+
+class Reading(NamedTuple):
+    """The meaning of a header: an input with the text of its unit; or, without a name, a column that passes through."""
+
+    name: str = ""
+    unit_text: str | None = None
+    is_symbol: bool = False  # without a unit: an input only if its cells have units
+    is_alike: bool = False  # passes through, but looks like a quantity
+    problem: str = ""  # why the header is refused
+    meant: str = ""  # the header that was probably meant
+
+
+@lru_cache(maxsize=1000)
+def reading_of(text: str) -> Reading:
+    """Return the meaning of a header.
+
+    >>> reading_of("R2 (nm)")[:2], reading_of("E [J]")[:2], reading_of("surface_energy_mJ_m2")[:2]
+    (('radius2', 'nm'), ('energy', 'J'), ('surface_energy', 'mJ/m2'))
+    """
+    text = text.strip()
+    if name := _named(text):
+        return Reading(name)
+    if text in _UNCLEAR:
+        return Reading(problem=_UNCLEAR[text][1])
+    if names := _symbols().get(_symbol(text)):
+        return Reading(names[0], is_symbol=names[0] not in _RATIOS)
+    return _with_unit(text) or _mistaken(text) or Reading(is_alike=_looks_like_a_quantity(text))
+
+
+def _with_unit(text: str) -> Reading | None:
+    """Return the meaning of a header that has a unit; None if it is no input."""
+    found = _BRACKETS.fullmatch(text) or _PARENTHESES.fullmatch(text)
+    if found is None:
+        return next(filter(None, (_behind(*cut) for cut in _cuts(text))), None)
+    word, unit_text = found[1].strip(), found[2].strip()
+    word = word.removesuffix(",").removesuffix("_").rstrip()
+    name = _named(word)
+    if name in MATERIALS or (name and (text.endswith("]") or fits(unit_text, name))):
+        return Reading(name, unit_text)
+    return None if name else _unclear(word, unit_text) or _of_symbol(word, unit_text)
+
+
+def _cuts(text: str) -> Iterator[tuple[str, str, str]]:
+    """Iterate over words, what stands between, and what may be units."""
+    for cut in _CUT.finditer(text, 0, MAX_WORD):
+        if rest := text[cut.end() :].strip():
+            yield text[: cut.start()].strip(), cut[0].strip(), rest
+
+
+def _behind(word: str, mark: str, rest: str) -> Reading | None:
+    """Return the meaning of a word with a unit behind a mark; None if it is no input."""
+    if mark == "_" and rest in _NO_UNITS:
+        return None
+    name = _named(word)
+    for unit_text in _spellings(rest) if mark == "_" else (rest,):
+        if name and fits(unit_text, name):
+            return Reading(name, unit_text)
+        is_index = mark == "_" and len(unit_text) == 1  # as in R_m
+        found = None if name or is_index else _unclear(word, unit_text) or _of_symbol(word, unit_text)
+        if found and (found.name or found.problem):
+            return found
+    return None
+
+
+def _spellings(rest: str) -> Iterator[str]:
+    """Iterate over the units that a text with underscores may spell: kg_m3, mJ_per_m2.
+
+    >>> [*_spellings("kg_m3")]
+    ['kg m3', 'kg/m3']
+    """
+    yield rest.replace("_per_", "/").replace("_", " ")
+    before, mark, after = rest.rpartition("_")
+    if mark and "per" not in before:
+        yield f"{before.replace('_', ' ')}/{after}"
+
+
+def _unclear(word: str, unit_text: str) -> Reading | None:
+    """Return the refusal of a word that may mean several quantities, if its unit is that of an input; else None."""
+    unit, problem = _UNCLEAR.get(word, _UNCLEAR.get(_plain(word) if len(word) > 1 else "", ("", "")))
+    return Reading(problem=problem) if unit and _has_dimension(unit_text, unit) else None
+
+
+def _of_symbol(word: str, unit_text: str) -> Reading | None:
+    """Return the meaning of a symbol with a unit, which decides on the quantity; None if the word is no symbol."""
+    names = _symbols().get(_symbol(word))
+    if names is None:
+        return None
+    return next((Reading(name, unit_text) for name in names if fits(unit_text, name)), Reading(is_alike=True))
+
+
+def _mistaken(text: str) -> Reading | None:
+    """Return the refusal of a header that was probably meant to be an input; None if it was not."""
+    for cut in _BLANKS.finditer(text, 0, MAX_WORD):  # no name of an input is as long
+        word = text[: cut.start()]
+        name = _named(word)
+        other = "" if name else _SYNONYMS.get(_plain(word), "")
+        meant = name or other
+        rest = text[cut.end() :].rstrip(")] ")
+        unit_text = next((one for one in _spellings(rest) if fits(one, meant)), "") if meant and rest else ""
+        if unit_text:
+            return Reading(meant=f"{meant} [{unit_text}]")
+        if meant and (other or cut.end() == len(text) or not {*cut[0]}.isdisjoint("([/")):
+            similar = similar_unit(rest, frozenset([dimension_of(NOMENCLATURE[meant].unit)])) if rest else None
+            is_same = similar is not None and similar.casefold() == rest.casefold()  # but for capitals, as in gpa
+            return Reading(meant=f"{meant} [{similar}]" if is_same else meant + example_unit(meant))
+        if _plain(word) in _UNCLEAR and len(word) > 1 and (cut.end() == len(text) or _has_dimension(rest, _LENGTHS)):
+            return Reading(problem=_UNCLEAR[_plain(word)][1])
+    brackets = _BRACKETS.fullmatch(text)
+    guess = _similar(_plain(brackets[1] if brackets else text))
+    unit = f" [{brackets[2]}]" if brackets else None
+    return Reading(meant=guess + (unit or example_unit(guess))) if guess else None
+
+
+def _similar(word: str) -> str | None:
+    """Return the input whose name resembles a word. A word with other letters or another length is not compared: that takes long."""
+    if len(word) > MAX_WORD:
+        return None
+    letters = {*word}
+    names = []
+    for name in (*INPUTS, *MATERIALS):
+        in_common = ALIKE * (len(word) + len(name)) / 2  # at least, for similar words
+        if in_common <= min(len(word), len(name)) and len(letters.difference(name)) <= len(word) - in_common:
+            names.append(name)
+    return closest(word, names, ALIKE) if names else None
+
+
+def _looks_like_a_quantity(text: str) -> bool:
+    """Return whether a header has something in brackets, is a name of the nomenclature, or has the word of an input in it."""
+    words = {*_plain(text[:MAX_WORD]).replace("(", "_").replace("[", "_").split("_")}
+    is_named = text in NOMENCLATURE or _symbol(text.partition("_")[0]) in _all_symbols()
+    return is_named or text.endswith((")", "]")) or not words.isdisjoint(_input_words())
+
+
+@cache
+def _all_symbols() -> frozenset[str]:
+    return frozenset({*_symbols(), *(_symbol(NOMENCLATURE[name].symbol) for name in INPUTS)})
+
+
+@cache
+def _input_words() -> frozenset[str]:
+    names = (*INPUTS, *MATERIALS, *OPTION_WORDS, *_SYNONYMS, "diameter", "force")
+    return frozenset(word for name in names for word in name.split("_") if word not in ("of", "ratio", "to"))
+
+
+def _named(word: str) -> str:
+    """Return the input for which a name or the word of an option stands, in any case; "" if there is none."""
+    return _names().get(_plain(word.lstrip("-")), "") if len(word) <= MAX_WORD else ""
+
+
+@cache
+def _names() -> dict[str, str]:
+    words = {name: name for name in (*INPUTS, *MATERIALS)}
+    words |= {word: name for word, name in OPTION_WORDS.items() if name in words} | _PHRASES
+    for word, name in [*words.items()]:
+        if f"{name}2" in words:
+            words |= {f"{word}1": name, f"{word}_1": name, f"{word}_2": f"{name}2", f"{word}2": f"{name}2"}
+    return words
+
+
+@cache
+def _symbols() -> dict[str, list[str]]:
+    """Return the inputs by their symbols, with Greek letters spelt out, and the index of sphere 1 or without it."""
+    found: dict[str, list[str]] = {}
+    for name in INPUTS:
+        symbol = _symbol(NOMENCLATURE[name].symbol)
+        if any(dimension_of(NOMENCLATURE[name].unit)) or name in _RATIOS:
+            for one in dict.fromkeys((symbol, re.sub(r"(\d)$", r"_\1", symbol), symbol.removesuffix("1"))):
+                found.setdefault(one, []).append(name)
+    found["E"].append("energy")
+    return found
+
+
+def _symbol(word: str) -> str:
+    """Return a symbol with Greek letters spelt out; one that is spelt with a capital, such as Rho, is the same."""
+    spelt = ascii_text(word).replace(" ", "") if len(word) <= MAX_WORD else word
+    return spelt.lower() if spelt.rstrip("_12") in ("Gamma", "Nu", "Rho", "Xi", "Tau", "Theta") else spelt
+
+
+def _plain(text: str) -> str:
+    return re.sub(r"[-\s]+", "_", text.strip().casefold().replace("'", "").replace("’", ""))
+
+
+def fits(unit_text: str, name: str) -> bool:
+    """Return whether a text is a unit of a quantity; - and 1 are those of a ratio."""
+    unit = NOMENCLATURE[name].unit
+    return bool(unit) and ((unit == "1" and unit_text in ("1", "-")) or _has_dimension(unit_text, unit))
+
+
+def _has_dimension(unit_text: str, unit: str) -> bool:
+    try:
+        return bool(unit_text) and unit_of(unit_text, "radius").dimension == dimension_of(unit)
+    except QuantityError:
+        return False
+
+
+def example_unit(name: str) -> str:
+    """Return a unit for the header of a quantity, if it needs one: that of its example."""
+    quantity = NOMENCLATURE[name]
+    return f" [{split_number(quantity.example)[2]}]" if any(dimension_of(quantity.unit or "1")) else ""

@@ -1,0 +1,229 @@
+"""The rows of lists and ranges: each pair of materials with all values of its inputs, and these with each law.
+
+Few rows are computed one by one, many as arrays: where they would take longer by themselves than numpy takes to be imported.
+"""
+
+from bisect import bisect
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from functools import cached_property, partial
+from itertools import accumulate, chain, product
+from math import prod
+from typing import TYPE_CHECKING, Any
+
+from ..materials.library import Material
+from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.values import Spread
+from ..scene.failures import OfIdenticalSpheres
+from ..scene.scene import FOLLOWS, Scene
+from .columns import Columns, Wanted, inputs_used
+
+if TYPE_CHECKING:
+    from .cells import Codes, Numbers
+    from .rows import Block
+
+BLOCK = 1 << 13  # rows computed together as arrays
+WORTH_ARRAYS = 30_000  # formulas, of all rows together, whose evaluation takes as long as to import numpy and orjson
+
+Pair = tuple[Material | None, Material | None]
+
+
+class Sweep:
+    """The rows of a call."""
+
+    def __init__(
+        self,
+        pairs: Sequence[Pair],
+        spreads: Mapping[str, Sequence[Spread]],
+        models: Sequence[str | None],
+        scene: Callable[..., Any] = Scene,
+    ) -> None:
+        """`spreads`: the lists and ranges of each input, by name. `scene`: makes a row of inputs, of materials and of a law."""
+        self.pairs, self.spreads, self.models, self.scene = pairs, spreads, models, scene
+
+    @cached_property
+    def starts(self) -> dict[str, list[int]]:
+        """The place of the first value of each list or range of an input, and the number of all of its values, by name."""
+        return {name: [*accumulate(map(len, spreads), initial=0)] for name, spreads in self.spreads.items()}
+
+    @property
+    def sizes(self) -> list[int]:
+        """The numbers of pairs, of the values of each input, and of laws; the rows are their combinations."""
+        return [len(self.pairs), *(starts[-1] for starts in self.starts.values()), len(self.models)]
+
+    def value(self, name: str, place: int) -> Any:
+        """Return the value of an input at a place of its lists and ranges, which stand behind each other."""
+        starts = self.starts[name]
+        at = bisect(starts, place) - 1
+        spread = self.spreads[name][at]
+        return spread.uncertainty or spread.value(place - starts[at])
+
+    def __len__(self) -> int:
+        """Return the number of rows."""
+        return prod(self.sizes)
+
+    def scenes(self) -> Iterator[Any]:
+        """Iterate over the rows as scenes of numbers."""
+        values = [[*chain.from_iterable(spreads)] for spreads in self.spreads.values()]
+        for pair in self.pairs:
+            for row in product(*values):
+                for model in self.models:
+                    yield self.scene(dict(zip(self.spreads, row, strict=True)), *pair, model=model)
+
+    # --- What is wanted -----------------------------------------------------------------------------------------------
+
+    @cached_property
+    def kinds(self) -> list[Any]:
+        """A scene for each pair of materials, each law and each kind of values: all rows of a kind have one plan."""
+        of_inputs = [_of_each_kind(name, spreads) for name, spreads in self.spreads.items()]
+        rows = [dict(zip(self.spreads, row, strict=True)) for row in product(*of_inputs)]
+        return [self.scene(row, *pair, model=model) for pair in self.pairs for row in rows for model in self.models]
+
+    def wanted(self, quantities: Sequence[str], named: Sequence[str]) -> Wanted:
+        """Return the columns of the rows: the inputs that enter some row, and the quantities that concern some.
+
+        Raises OfIdenticalSpheres where none does.
+        """
+        inputs: set[str] = set()
+        shown: set[str] = set(named)
+        sides: dict[str, set[str]] = {}
+        for scene in self.kinds:
+            own = self.shown(scene, quantities, named)
+            shown.update(own)
+            inputs.update(scene.echo(inputs_used(scene, quantities, own)))
+            if scene.is_uncertain:
+                for name, of_name in _sides(scene, own).items():
+                    sides.setdefault(name, set()).update(of_name)
+        if not shown:
+            raise OfIdenticalSpheres
+        return Wanted(
+            [name for name in quantities if name in shown],
+            named=named,
+            inputs=[name for name in NOMENCLATURE if name in inputs - shown],
+            sides=sides,
+        )
+
+    def shown(self, scene: Scene, quantities: Sequence[str], named: Collection[str]) -> list[str]:
+        """Return those of some quantities that were asked for by name, or that concern some row of a kind."""
+        return [name for name in quantities if name in named or self._shows(name, scene)]
+
+    def _shows(self, name: str, scene: Scene) -> bool:
+        """Return whether a quantity concerns some row of a kind."""
+        if NOMENCLATURE[name].of_identical and any(map(self._may_be_alike, self.spreads)):
+            return bool(scene.shows_to_identical(name))
+        return bool(scene.shows(name))
+
+    def _may_be_alike(self, name: str) -> bool:
+        """Return whether an input of sphere 2 has several values, among them one of sphere 1."""
+        own, first = (
+            {end for spread in self.spreads.get(one, ()) for end in (spread.low, spread.high)}
+            for one in (name, name.removesuffix("2"))
+        )
+        return name.endswith("2") and len(own) > 1 and not own.isdisjoint(first)
+
+    # --- Columns ------------------------------------------------------------------------------------------------------
+
+    def columns(self, wanted: Wanted, *, one_by_one: bool = False) -> Iterator[Columns]:
+        """Iterate over the columns of the rows, a block after the other; `one_by_one`: inputs have their uncertainties."""
+        if not one_by_one and self.is_worth_arrays(wanted):
+            yield from self._by_arrays(wanted)
+        else:
+            yield Columns.of_rows(wanted, [wanted.row(scene) for scene in self.scenes()])
+
+    def is_worth_arrays(self, wanted: Wanted) -> bool:
+        """Return whether the rows take longer one by one than numpy takes to be imported."""
+        return len(self) * wanted.work(self.kinds[0]) > WORTH_ARRAYS
+
+    def _by_arrays(self, wanted: Wanted) -> Iterator[Columns]:
+        import numpy
+
+        from .rows import evaluated
+
+        size = len(self)
+        cases = [(pair, model) for pair in self.pairs for model in self.models]
+        fixed = {name: self.value(name, 0) for name, starts in self.starts.items() if starts[-1] == 1}
+        for start in range(0, size, BLOCK):
+            rows = numpy.arange(start, min(start + BLOCK, size))
+            pairs, *places, laws = numpy.unravel_index(rows, self.sizes)
+            of_cases = pairs * len(self.models) + laws
+            inputs = dict(zip(self.spreads, places, strict=True))
+            numbers = {
+                name: _values(partial(self.value, name), own) for name, own in inputs.items() if name not in fixed
+            }
+            yield evaluated(wanted, _Rows(self, fixed, inputs, of_cases, cases).block(numbers))
+
+
+class _Rows:
+    """Some rows of a sweep."""
+
+    def __init__(
+        self,
+        sweep: Sweep,
+        fixed: Mapping[str, Any],
+        inputs: Mapping[str, "Codes"],
+        of_cases: "Codes",
+        cases: Sequence[tuple[Pair, str | None]],
+    ) -> None:
+        """`fixed`: inputs that are the same in all rows; `inputs`: the places of the rows in the lists of each input.
+
+        `of_cases`: their places in the cases, of materials and law.
+        """
+        self.sweep, self.fixed, self.inputs, self.of_cases, self.cases = sweep, fixed, inputs, of_cases, cases
+
+    def block(self, numbers: Mapping[str, "Numbers"]) -> "Block":
+        """Return the rows as a block."""
+        from .rows import Block
+
+        return Block(len(self.of_cases), numbers, [self.of_cases], self.scene, self.one, self.case)
+
+    def case(self, row: int) -> int:
+        """Return the place of a row's case."""
+        return int(self.of_cases[row])
+
+    def scene(self, given: Mapping[str, Any], rows: "Codes") -> Any:
+        """Return the scene of rows of one case."""
+        pair, model = self.cases[self.case(int(rows[0]))]
+        return self.sweep.scene({**self.fixed, **given}, *pair, model=model)
+
+    def one(self, row: int) -> Any:
+        """Return the scene of a row."""
+        given = {name: self.sweep.value(name, int(places[row])) for name, places in self.inputs.items()}
+        pair, model = self.cases[self.case(row)]
+        return self.sweep.scene(given, *pair, model=model)
+
+
+def _of_each_kind(name: str, spreads: Sequence[Spread]) -> list[Any]:
+    """Return a value of each kind that is among the values of an input: plain, one that more follows from, uncertain."""
+    special = FOLLOWS[name][0] if name in FOLLOWS else None
+    found: dict[object, Any] = {}
+    for spread in spreads:
+        kind = spread.uncertainty.kind if spread.uncertainty is not None else spread.low == special
+        found.setdefault(kind, spread.uncertainty or spread.low)
+    return [*found.values()]
+
+
+def _sides(scene: Scene, names: Sequence[str]) -> dict[str, set[str]]:
+    """Return by quantity the sides of the uncertainty that it can have."""
+    from ..scene.uncertainty import sources_of
+
+    missing = scene.missing(names)
+    inputs = {name: {*scene.inputs_of(name)} for name in names if name not in missing}
+    entering = sources_of(scene, set().union(*inputs.values())).entering
+    sides = {
+        name: {side for one in entering if own & {*one.names} for side in one.given.sides}
+        for name, own in inputs.items()
+    }
+    return {name: own for name, own in sides.items() if own}
+
+
+def _values(value: Callable[[int], Any], places: "Codes") -> "Numbers":
+    """Return the values at some places of an input's lists and ranges; `value` returns one."""
+    import numpy
+
+    from .cells import Numbers
+
+    wanted, back = numpy.unique(places, return_inverse=True)
+    found = [*map(value, wanted.tolist())]
+    uncertain = {place: one for place, one in enumerate(found) if not isinstance(one, float)}
+    values = numpy.array([one if isinstance(one, float) else one.value for one in found])
+    rows = {place: numpy.flatnonzero(back == place).tolist() for place in uncertain}
+    return Numbers(values[back], (), {row: one for place, one in uncertain.items() for row in rows[place]})

@@ -1,0 +1,224 @@
+"""The rows of a table: what its header, its first rows and the options ask for, and blocks of its cells as rows.
+
+No file is opened here: `batch` reads and writes.
+"""
+
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
+from functools import partial
+from typing import Any, NamedTuple
+
+import numpy
+
+from ..errors import BadRequest, JkrollError
+from ..materials.library import Material, Materials, UnclearMaterial
+from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, header
+from ..quantities.values import Uncertain, is_uncertain, value_of
+from ..scene.scene import EXCLUSIVE, Scene
+from ..scene.uncertainty import sources_of
+from ..text import quoted, say, say_wrapped
+from .cells import Codes, Lookup, Reader
+from .columns import DOUBT, SIDES, STATUS, BadCells, Wanted, heads
+from .header import BadTable, Header, check_first
+from .readings import MATERIALS
+from .rows import Block, groups
+
+_SOME = 0.25  # a value that any input can have
+Asked = tuple[Sequence[str], Sequence[str]]  # quantities by name, and those that may lack inputs
+
+
+class Fill(NamedTuple):
+    """The part of all rows that the command line gives: inputs and materials that fill what a row does not give, and the law."""
+
+    fixed: Mapping[str, float | Uncertain]
+    spheres: tuple[Material | None, Material | None]
+    model: str | None
+    known: Materials
+
+    @classmethod
+    def of(cls, inputs: Mapping[str, str], known: Materials) -> "Fill":
+        """Return what texts give by the names of inputs."""
+        material, material2 = (known[inputs[name]] if name in inputs else None for name in MATERIALS)
+        fixed = {name: value_of(text, name) for name, text in inputs.items() if name not in (*MATERIALS, "model")}
+        return cls(fixed, (material, material2), inputs.get("model"), known)
+
+    def scene(self, given: Mapping[str, Any], *spheres: Material | None) -> Scene:
+        """Return the scene of inputs and of the materials of both spheres. Raises an error of the scene."""
+        return Scene({**self.fixed, **given}, *spheres, model=self.model)
+
+
+class Table:
+    """The columns of a table that are inputs, and those that it gets."""
+
+    def __init__(self, columns: Header, fill: Fill, wanted: Wanted, *, doubt: bool) -> None:
+        """`doubt`: whether there is a column of doubts."""
+        self.inputs, self.materials_at, self.fill, self.wanted = columns.inputs, columns.materials, fill, wanted
+        self.chosen = columns.chosen
+        self.places = {column.name: column.place for column in self.inputs} | dict(self.materials_at)
+        self.numbers = [head for name in wanted.names for head in heads(name, header(name), wanted.sides_of(name))]
+        self.said = (
+            {"model": fill.model} if fill.model is not None else {}
+        )  # columns of text that are the same in all rows
+        self.remarks = (DOUBT, STATUS) if doubt else (STATUS,)  # columns of text after the results, empty in most rows
+        self.readers = [Reader(column) for column in self.inputs]
+        self.lookups = {
+            name: Lookup(fill.known, material) for name, material in zip(MATERIALS, fill.spheres, strict=True)
+        }
+
+    @property
+    def added(self) -> list[str]:
+        """The headers of all columns that the table gets."""
+        return [*self.said, *self.numbers, *self.remarks]
+
+    def block(self, size: int, cells: Mapping[str, Sequence[bytes]], odd: Mapping[int, str]) -> Block:
+        """Return rows of texts, by the name of the input. `odd`: records that are no rows, and why."""
+        numbers = {reader.column.name: reader.numbers(cells[reader.column.name]) for reader in self.readers}
+        codes = {name: self.lookups[name].codes(cells[name]) for name, _ in self.materials_at}
+        return self.block_of(size, numbers, codes, odd, lambda row, name: cells[name][row].decode("utf-8", "replace"))
+
+    def block_of(
+        self,
+        size: int,
+        numbers: Mapping[str, Any],
+        codes: Mapping[str, Codes],
+        odd: Mapping[int, str],
+        text: Callable[[int, str], str],
+    ) -> Block:
+        """Return rows of numbers and of materials by their codes; `text` is that of a row's cell for an input."""
+        own = [codes.get(name, numpy.zeros(size, dtype=numpy.int64)) for name in self.lookups]
+        lookups = [*self.lookups.values()]
+
+        def scene(given: Mapping[str, Any], rows: Codes) -> Scene:
+            spheres = (lookup.together(of_sphere[rows]) for lookup, of_sphere in zip(lookups, own, strict=True))
+            return self.fill.scene(given, *spheres)
+
+        kinds = [lookup.kinds(of_sphere) for lookup, of_sphere in zip(lookups, own, strict=True)]
+        return Block(
+            size,
+            numbers,
+            kinds,
+            scene,
+            lambda row: self.scene_of(partial(text, row)),
+            lambda row: tuple(int(of_sphere[row]) for of_sphere in own),
+            odd,
+        )
+
+    def scene_of(self, text_of: Callable[[str], str]) -> Scene:
+        """Return the scene of a row. `text_of` gives the cell of an input. Raises BadCells, or an error of the scene."""
+        found: dict[str, Any] = dict(zip(MATERIALS, self.fill.spheres, strict=True))
+        readers: dict[str, Callable[[str], Any]] = {column.name: column.read for column in self.inputs}
+        readers |= {name: self.fill.known.__getitem__ for name, _ in self.materials_at}
+        problems: list[str] = []
+        for name, read in readers.items():
+            text = text_of(name)
+            try:
+                if text.strip():
+                    found[name] = read(text)
+            except JkrollError as error:
+                problems.append(str(error))
+        if problems:
+            raise BadCells("; ".join(problems))
+        spheres = [found.pop(name) for name in MATERIALS]
+        return self.fill.scene(found, *spheres)
+
+
+def table_of(
+    columns: Header, rows: Sequence[Sequence[str]], fill: Fill, asked: Asked, *, doubt: bool, uncertainty: bool
+) -> Table:
+    """Return the table that a header, the cells of its first rows and the options ask for.
+
+    The first rows decide on the columns of uncertainties, unless `uncertainty` asks for all of them. Raises BadTable, or an error of
+    the options.
+    """
+    wanted = wanted_of(columns, fill, asked, doubts=doubt)
+    table = Table(columns, fill, wanted, doubt=doubt)
+    sides = {*SIDES} if uncertainty else _sides_of(table, rows)
+    if sides:
+        with_sides = Wanted(
+            wanted.names, named=wanted.named, sides=dict.fromkeys(wanted.names, sides), doubts=wanted.doubts
+        )
+        table = Table(columns, fill, with_sides, doubt=doubt)
+    taken = set(table.added)
+    for text in columns.texts:
+        if text.strip() in taken:
+            raise BadTable(f"header: there is a column {quoted(text)} already; rename it, or choose --quantities")
+    for column in columns.inputs:
+        check_first(column, [row[column.place] for row in rows])
+    return table
+
+
+def say_reading(columns: Header, rows: Sequence[Sequence[str]], fill: Fill, quantities: str) -> None:
+    """Say on stderr how the columns are read, which names of materials in the first rows are unclear, and what no column gives."""
+    say_wrapped(columns.reading(), sys.stderr)
+    for text in _unclear_materials(columns, rows, fill.known):
+        say(f"note: {text}", sys.stderr)
+    if "radius" not in {*columns.names, *fill.fixed} and not quantities:
+        say("note: no column and no option gives a radius; what needs one is left out", sys.stderr)
+
+
+def _unclear_materials(columns: Header, rows: Sequence[Sequence[str]], known: Materials) -> list[str]:
+    """Return the messages about names of materials in some rows that stand for several, each once."""
+    found: dict[str, None] = {}
+    for text in dict.fromkeys(row[place] for _, place in columns.materials for row in rows):
+        try:
+            known[text]
+        except UnclearMaterial as error:
+            found[str(error)] = None
+        except JkrollError:
+            continue
+    return [*found]
+
+
+def wanted_of(columns: Header, fill: Fill, asked: Asked, *, doubts: bool) -> Wanted:
+    """Return the quantities that columns and options allow, without uncertainties."""
+    scene = _as_known(columns, fill)
+    has_own_2 = any(name.endswith("2") for name in columns.names)
+    explicit, offered = asked
+    for name in explicit:
+        if name in columns.names or name in fill.fixed:
+            raise BadRequest(f"--quantities: {name} is an input here")
+        scene.plan(name)
+    missing = scene.missing(offered)
+    possible = [
+        name
+        for name in offered
+        if name not in columns.names
+        and scene.shows(name)
+        and not (NOMENCLATURE[name].of_identical and has_own_2)
+        and name not in missing
+    ]
+    names = tuple(dict.fromkeys((*explicit, *possible)))
+    if not names:
+        scene.plan(offered[0])
+        raise BadRequest("--quantities: these are known of identical spheres only, and the table describes sphere 2")
+    return Wanted(names, named=explicit, sides={}, doubts=doubts)
+
+
+def _as_known(columns: Header, fill: Fill) -> Scene:
+    """Return a scene in which every column has a value; of columns that exclude each other, the first."""
+    given: dict[str, float] = {}
+    for column in columns.inputs:
+        if not any(column.name in names and given.keys() & names for names in EXCLUSIVE):
+            given[column.name] = _SOME
+    some = Material("", dict.fromkeys(PROPERTIES, _SOME), (), {}, (), (), "", "")
+    named = dict(columns.materials)
+    return fill.scene(
+        given, *(some if name in named else one for name, one in zip(MATERIALS, fill.spheres, strict=True))
+    )
+
+
+def _sides_of(table: Table, rows: Sequence[Sequence[str]]) -> set[str]:
+    """Return the sides of the uncertainties that options have, or that enter results of some rows."""
+    found = {side for value in table.fill.fixed.values() if is_uncertain(value) for side in value.sides}
+    cells = {name: [row[place].encode() for row in rows] for name, place in table.places.items()}
+    block = table.block(len(rows), cells, {})
+    for places, given in groups(block):
+        with suppress(JkrollError):  # bad rows, which their status will explain
+            scene = block.scene(given, places)
+            if scene.is_uncertain:
+                missing = scene.missing(table.wanted.names)
+                planned = [name for name in table.wanted.names if name not in missing]
+                sources = sources_of(scene, scene.inputs_of(*planned))
+                found |= {side for source in sources.entering for side in source.given.sides}
+    return found

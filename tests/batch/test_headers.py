@@ -1,0 +1,227 @@
+"""The headers of tables as people write them: each is read rightly, refused with a remedy, or named as passing through."""
+
+from pathlib import Path
+from unittest.mock import patch
+
+import orjson
+import pytest
+
+from harness import Run
+from jkroll.errors import BadRequest
+from jkroll.rows.header import BadTable, Header, choices, understood
+
+# The cell below is a plain number, as files have it.
+READ = {
+    "radius [nm]": ("radius", 1e-9), "Radius [nm]": ("radius", 1e-9), "RADIUS (um)": ("radius", 1e-6),
+    "R (nm)": ("radius", 1e-9), "R1 (um)": ("radius", 1e-6), "R_1 [nm]": ("radius", 1e-9), "radius1 [nm]": ("radius", 1e-9),
+    "R_nm": ("radius", 1e-9), "radius_um": ("radius", 1e-6), "radius in nm": ("radius", 1e-9), "radius, nm": ("radius", 1e-9),
+    "radius/nm": ("radius", 1e-9), "R / µm": ("radius", 1e-6), "R2 (nm)": ("radius2", 1e-9), "radius_2 [nm]": ("radius2", 1e-9),
+    "R_2/um": ("radius2", 1e-6), "γ [mJ/m2]": ("surface_energy", 1e-3), "γ1 (mJ/m²)": ("surface_energy", 1e-3),
+    "gamma1 [mJ/m2]": ("surface_energy", 1e-3), "Gamma [mJ/m2]": ("surface_energy", 1e-3), "gamma_mJ_m2": ("surface_energy", 1e-3),
+    "surface_energy_mJ_m2": ("surface_energy", 1e-3), "surface energy (J/m^2)": ("surface_energy", 1.0),
+    "surface_energy_mJ_per_m2": ("surface_energy", 1e-3), "γ2 [mJ/m2]": ("surface_energy2", 1e-3), "gamma_2 [J/m2]": ("surface_energy2", 1.0),
+    "E [GPa]": ("youngs_modulus", 1e9), "E (MPa)": ("youngs_modulus", 1e6), "E_GPa": ("youngs_modulus", 1e9), "E1_GPa": ("youngs_modulus", 1e9),
+    "E_1 [GPa]": ("youngs_modulus", 1e9), "E2 [Pa]": ("youngs_modulus2", 1.0), "Young's modulus (GPa)": ("youngs_modulus", 1e9),
+    "Young's Modulus [MPa]": ("youngs_modulus", 1e6), "youngs modulus, GPa": ("youngs_modulus", 1e9),
+    "Young modulus in GPa": ("youngs_modulus", 1e9), "young_GPa": ("youngs_modulus", 1e9), "E [J]": ("energy", 1.0), "E (eV)": ("energy", 1.602176634e-19),
+    "nu": ("poisson_ratio", 1.0), "ν": ("poisson_ratio", 1.0), "Nu1": ("poisson_ratio", 1.0), "ν2": ("poisson_ratio2", 1.0),
+    "Poisson's ratio": ("poisson_ratio", 1.0), "Poisson ratio": ("poisson_ratio", 1.0), "poisson_ratio (-)": ("poisson_ratio", 1.0),
+    "v [m/s]": ("speed", 1.0), "v_cm_s": ("speed", 1e-2), "Speed (m/s)": ("speed", 1.0), "rho [kg/m3]": ("density", 1.0),
+    "ρ (kg/m³)": ("density", 1.0), "Rho (g/cm3)": ("density", 1e3), "density_kg_m3": ("density", 1.0), "density_g_cm3": ("density", 1e3),
+    "Density (kg/m^3)": ("density", 1.0), "xi [nm]": ("yield_displacement", 1e-9), "ξ (Å)": ("yield_displacement", 1e-10),
+    "w [mJ/m2]": ("work_of_adhesion", 1e-3), "Work of adhesion (mJ/m2)": ("work_of_adhesion", 1e-3), "P (nN)": ("load", 1e-9),
+    "P_nN": ("load", 1e-9), "Load/nN": ("load", 1e-9), "load (µN)": ("load", 1e-6), "A (zJ)": ("hamaker", 1e-21),
+    "hamaker_zJ": ("hamaker", 1e-21), "g [m/s2]": ("gravity", 1.0), "z0 (nm)": ("atomic_spacing", 1e-9), "δ [nm]": ("approach_at_load", 1e-9),
+}  # fmt: skip
+REFUSED = {
+    "r [nm]": "a radius, or a distance", "r": "a radius, or a distance", "E* [GPa]": "--young and --poisson", "E_r (GPa)": "--young and --poisson",
+    "d": "half of it", "D [nm]": "half of it", "diameter (nm)": "half of it", "diameter_um": "half of it", "Diameter": "half of it", "d_um": "half of it",
+    "elastic_modulus_gpa": "youngs_modulus [GPa]", "velocity (m/s)": "speed [m/s]", "young GPa": "youngs_modulus [GPa]", "radius_in": "radius [in]",
+    "radius": "100: nm?", "density": "100: kg/m^3?", "Radius": "100: nm?", "radius [kg]": "is a mass", "Energy (old)": "energy [J]", "radiuss [nm]": "radius [nm]",
+}  # fmt: skip
+PASSING = (
+    "R", "E", "v", "rho", "g", "N", "phi", "R [kOhm]", "E_bar", "R_m", "R_min", "v_c", "w", "load_micro_N", "load_case", "tip radius (nm)", "T [K]",
+    "Hamaker constant (zJ)", "gamma_err [mJ/m2]", "F (nN)", "P [MPa]", "pull_off_force [N]", "material_name", "d [s]", "equivalent diameter [um]", "v_m",
+)  # fmt: skip
+
+
+def test_there_are_enough_spellings() -> None:
+    assert len({*READ, *REFUSED, *PASSING}) == len(READ) + len(REFUSED) + len(PASSING) >= 80
+
+
+@pytest.mark.parametrize("text", READ)
+def test_a_spelling_is_read(text: str) -> None:
+    (column,) = understood([text], [["0.5"]]).inputs
+    name, unit = READ[text]
+    assert column.name == name
+    assert column.read("0.5") == pytest.approx(0.5 * unit, rel=1e-15)
+
+
+@pytest.mark.parametrize("text", REFUSED)
+def test_a_spelling_is_refused_with_a_remedy(run: Run, text: str) -> None:
+    Path("x.csv").write_text(f"name,{text}\na,100\n", encoding="utf-8")
+    ran = run("batch", "x.csv", "--material", "quartz", "-o", "out.csv")
+    assert (ran.code, REFUSED[text] in ran.err) == (2, True), ran.err
+
+
+@pytest.mark.parametrize("text", PASSING)
+def test_a_spelling_that_passes_stands_first_among_what_is_named(run: Run, text: str) -> None:
+    others = ",".join(f"x{place}" for place in range(20))
+    Path("x.csv").write_text(f"{others},{text},radius [um]\n{','.join('1' * 22)}\n", encoding="utf-8")
+    ran = run("batch", "x.csv", "--material", "quartz", "--quantities", "pull_off_force_dmt", "-o", "out.csv")
+    said = ran.err.splitlines()[0].replace('"', "")
+    assert said.startswith(f"read: radius [um]; passed through: 21 columns: {text}, x0, ")
+    assert "read:" not in run("batch x.csv --material quartz --quantities pull_off_force_dmt -o out.csv --quiet").err
+
+
+def test_a_symbol_without_a_unit_is_an_input_where_its_cells_have_units() -> None:
+    assert [column.name for column in understood(["R", "v"], [["", "2 nm"], ["100 nm", "1 m/s"]]).inputs] == ["radius"]
+    assert understood(["R"], [["2.5 kOhm"]]).inputs == ()
+
+
+# Forms of tables: headers, a row, and the inputs that they hold in SI units.
+TABLES = {
+    "name,R (nm),F (nN)\na,50,3\n": {"radius": 5e-8},
+    "Sample,Tip radius (nm),R (nm),Young's modulus (GPa)\na,20,50,2.5\n": {"radius": 5e-8, "youngs_modulus": 2.5e9},
+    "Index,Load/nN,R/um,T/K\n1,5,2,300\n": {"load": 5e-9, "radius": 2e-6},
+    "P (nN),R (um),E (GPa),nu\n1,2,70,0.2\n": {"load": 1e-9, "radius": 2e-6, "youngs_modulus": 7e10, "poisson_ratio": 0.2},
+    "point,load_nN,radius_nm\n1,5,100\n": {"load": 5e-9, "radius": 1e-7},
+    "id,R1 [um],R2 [um],w [mJ/m2]\n1,1,2,50\n": {"radius": 1e-6, "radius2": 2e-6, "work_of_adhesion": 0.05},
+    "id,radius_um,gamma_mJ_m2,comment\n1,3,25,x\n": {"radius": 3e-6, "surface_energy": 0.025},
+    "Probe,R [µm],γ [mJ/m²]\nA,2,30\n": {"radius": 2e-6, "surface_energy": 0.03},
+    "id,radius in um,speed in m/s\n1,1,0.5\n": {"radius": 1e-6, "speed": 0.5},
+    "name,density_kg_m3,E_GPa,nu\nAISI 1020 Steel,7870,200,0.29\n": {"density": 7870.0, "youngs_modulus": 2e11, "poisson_ratio": 0.29},
+    "Name,Density (g/cm3),Young's Modulus (GPa),Poisson's Ratio\nAl,2.7,69,0.33\n": {"density": 2700.0, "youngs_modulus": 6.9e10, "poisson_ratio": 0.33},
+    "grade,rho [kg/m3],E [MPa],ν [-]\nPA6,1140,2800,0.39\n": {"density": 1140.0, "youngs_modulus": 2.8e9, "poisson_ratio": 0.39},
+    "name,surface energy (mJ/m2),density (kg/m^3)\nPS,33,1050\n": {"surface_energy": 0.033, "density": 1050.0},
+    "mineral,gamma [J/m2],E [Pa]\nquartz,0.3,1e11\n": {"surface_energy": 0.3, "youngs_modulus": 1e11},
+    "polymer,surface_energy_mJ_per_m2\nPE,31\n": {"surface_energy": 0.031},
+    "metal,A (zJ),R (nm)\nAu,400,10\n": {"hamaker": 4e-19, "radius": 1e-8},
+    "run,v (cm/s),R (um)\n1,12,0.75\n": {"speed": 0.12, "radius": 7.5e-7},
+    "run,v_m_s,radius_um,gamma_J_m2\n1,0.1,1,0.02\n": {"speed": 0.1, "radius": 1e-6, "surface_energy": 0.02},
+    "id,type,radius [m],density [kg/m3],vx,vy,vz\n1,1,1e-6,2500,0,0,1\n": {"radius": 1e-6, "density": 2500.0},
+    "id,R [mm],rho [g/cm3],E [J]\n1,0.5,2,1e-15\n": {"radius": 5e-4, "density": 2000.0, "energy": 1e-15},
+    "E_1 [GPa],E_2 [GPa],nu_1,nu_2\n70,200,0.2,0.3\n": {"youngs_modulus": 7e10, "youngs_modulus2": 2e11, "poisson_ratio": 0.2, "poisson_ratio2": 0.3},
+    "gamma1 [mJ/m2],gamma2 [mJ/m2]\n25,30\n": {"surface_energy": 0.025, "surface_energy2": 0.03},
+    "x,y,R\n0,0,3 um\n": {"radius": 3e-6},
+    "site,R_nm,E_GPa,xi_nm\nA,100,54,0.2\n": {"radius": 1e-7, "youngs_modulus": 5.4e10, "yield_displacement": 2e-10},
+    "step,load [uN],delta [nm]\n1,2,3\n": {"load": 2e-6, "approach_at_load": 3e-9},
+    "Specimen,Radius (Å),Load (pN)\nC60,5,10\n": {"radius": 5e-10, "load": 1e-11},
+    "grain,RADIUS [UM]\n": {},  # refused: no such unit
+    "sieve,diameter (um),density (kg/m3)\n1,63,2650\n": {},
+    "case,E* (GPa),R (um)\n1,50,2\n": {},
+    "sensor,radius,R [kOhm]\n1,100,3\n": {},
+}  # fmt: skip
+
+
+def read(text: str, chosen: tuple[str, ...] = ()) -> tuple[Header, list[str]]:
+    head, *lines = [line.split(",") for line in text.splitlines()]
+    return understood(head, lines, choices(chosen)), lines[0] if lines else []
+
+
+@pytest.mark.parametrize("text", [text for text, inputs in TABLES.items() if inputs])
+def test_a_form_of_a_table_is_read_as_it_is(text: str) -> None:
+    header, cells = read(text)
+    assert {column.name: column.read(cells[column.place]) for column in header.inputs} == pytest.approx(TABLES[text])
+
+
+@pytest.mark.parametrize("text", [text for text, inputs in TABLES.items() if not inputs])
+def test_a_form_of_a_table_is_refused(run: Run, text: str) -> None:
+    Path("x.csv").write_text(text, encoding="utf-8")
+    ran = run("batch x.csv --material quartz -o out.csv")
+    assert (ran.code, ran.err.startswith("jkroll: header: ")) == (2, True)
+
+
+def test_thirty_forms() -> None:
+    assert len(TABLES) >= 30
+
+
+# --- Columns that are chosen ----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("end", ["csv", "ndjson", "parquet"])
+def test_a_chosen_column_outranks_what_its_header_says(run: Run, end: str) -> None:
+    row = {"tip (µm)": 2.0, "R (nm)": 100.0, "E": 70.0, "radius [nm]": 3.0}
+    columns = ["--column", "tip (µm)=radius2 [um]", "--column=R (nm)=radius [nm]", "--column", "radius [nm]=", "--column=E=young [GPa]"]  # fmt: skip
+    if end == "csv":
+        Path("x.csv").write_text(f"{','.join(row)}\n{','.join(map(str, row.values()))}\n", encoding="utf-8")
+    elif end == "ndjson":
+        Path("x.ndjson").write_bytes(orjson.dumps(row) + b"\n")
+    else:
+        pyarrow = pytest.importorskip("pyarrow")
+        pytest.importorskip("pyarrow.parquet").write_table(pyarrow.Table.from_pylist([row]), "x.parquet")
+    options = ["--material", "quartz", "--quantities", "contact_radius", "-o", f"out.{end}"]
+    ran = run("batch", f"x.{end}", *columns, *options)
+    assert ran.err.splitlines()[0] == (
+        'read: radius2 [um] from "tip (µm)", radius [nm] from "R (nm)", youngs_modulus [GPa] from E; passed through: radius [nm]'
+    )
+    wanted = run("contact quartz 100nm --radius2 2um --young 70GPa --quantities contact_radius --bare --quiet").out
+    written = pytest.importorskip("pyarrow.parquet").read_table("out.parquet").to_pylist() if end == "parquet" else []
+    text = str(written) if written else Path(f"out.{end}").read_text(encoding="utf-8")
+    assert ran.code == 0
+    assert f"{float(wanted):.5e}"[:6] in text.replace("e-0", "e-")
+
+
+def test_many_files_take_chosen_columns_and_resume(run: Run) -> None:
+    Path("in").mkdir()
+    for name in "ab":
+        Path(f"in/{name}.csv").write_text("size,material\n100,quartz\n", encoding="utf-8")
+    words = ["batch", "in/*.csv", "-o", "out/", "--column", "size=radius [nm]", "--quantities", "pull_off_force"]
+    assert run(*words).code == 0
+    assert run(*words, "--resume").err.startswith("note: all 2 files are done")
+    assert "other options" in run(*words, "--column", "material=", "--material", "gold", "--resume").err
+
+
+@pytest.mark.parametrize(
+    ("column", "problem"),
+    [
+        ("R", "is no choice"),
+        ("=radius [nm]", "is no choice"),
+        ("R=nonsense", "is no input"),
+        ("R=R", "is no input"),
+        ("R=radiuss [nm]", "did you mean radius [nm]?"),
+    ],
+)
+def test_a_bad_choice_is_refused(column: str, problem: str) -> None:
+    with pytest.raises(BadRequest, match=problem.replace("[", r"\[").replace("?", r"\?")):
+        choices([column])
+
+
+def test_a_choice_is_for_a_column_of_the_table_and_its_unit_must_fit() -> None:
+    with pytest.raises(BadTable, match="no column 'radius'; did you mean 'Radius'"):
+        understood(["Radius"], [], choices(["radius=radius [nm]"]))
+    with pytest.raises(BadTable, match="is a mass"):
+        understood(["size"], [], choices(["size=radius [kg]"]))
+    with pytest.raises(BadRequest, match="more than once"):
+        choices(["size=radius [nm]", "size="])
+
+
+@pytest.mark.parametrize("text", ["young GPa", "d [nm]", "elastic_modulus (GPa)"])
+def test_the_remedy_of_a_refusal_passes_the_column_through(text: str) -> None:
+    with pytest.raises(BadTable, match="--column"):
+        understood([text])
+    assert understood([text], [], choices([f"{text}="])).inputs == ()
+
+
+def test_a_symbol_in_a_later_object_is_a_surprise_only_with_a_unit(run: Run) -> None:
+    lines = ['{"radius [nm]": 100}', '{"radius [nm]": 100, "E": 3}', '{"radius [nm]": 100, "E": "3 GPa"}']
+    Path("x.ndjson").write_text("\n".join(lines), encoding="utf-8")
+    run("batch x.ndjson --material quartz --quantities pull_off_force -o out.ndjson")
+    status = [orjson.loads(line)["status"] for line in Path("out.ndjson").read_text(encoding="utf-8").splitlines()]
+    assert status == [None, None, "has 'E', which the first line has not"]
+
+
+@pytest.mark.parametrize("end", ["csv", "tsv"])
+def test_a_line_of_blanks_is_no_row(run: Run, end: str) -> None:
+    mark = "\t" if end == "tsv" else ","
+    lines = [f"radius [nm]{mark}material", f"100{mark}quartz", "   ", f"200{mark}quartz", "  "]
+    Path(f"x.{end}").write_text("\n".join(lines), encoding="utf-8")
+    assert run(f"batch x.{end} -o out.{end} --quantities pull_off_force").code == 0
+    Path("y.csv").write_text("radius [nm]\n100\n  \n200\n", encoding="utf-8")
+    assert run("batch y.csv --gamma 25mJ/m2 --quantities pull_off_force -o out.csv").code == 0
+    assert Path("out.csv").read_text(encoding="utf-8").splitlines()[2] == "  "
+
+
+def test_no_name_of_another_length_or_with_other_letters_is_compared() -> None:
+    with patch("difflib.get_close_matches", side_effect=AssertionError):
+        assert understood([f"xyz{number}" for number in range(5000)]).inputs == ()

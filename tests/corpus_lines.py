@@ -1,0 +1,168 @@
+"""The command lines of tests/corpus/command_lines.txt: how one is read, run and judged.
+
+A line has an exit code and what is typed, as `0 jkroll pull-off quartz 100nm`, beside the files of tests/input_files.py, on a
+terminal of 80 columns without colour. As in a shell, `| cat` makes standard output a pipe, `< FILE` is standard input,
+`NAME=VALUE` before the program is a variable of its environment, and a further command, which decides the exit code, follows
+`;`. Standard error is a file, because bars of progress depend on time. The lines below `# needs MODULE` need a library that not
+every installation has, up to the next line that begins with #.
+
+Of jkroll this imports `main` alone, so that it also runs the lines in another checkout.
+"""
+
+import json
+import os
+import shlex
+import shutil
+import tempfile
+from collections.abc import Iterator, Sequence
+from contextlib import chdir, contextmanager, redirect_stderr, redirect_stdout
+from importlib.util import find_spec
+from itertools import groupby
+from pathlib import Path
+from typing import NamedTuple, NoReturn
+from unittest import mock
+
+from harness import Stream
+from input_files import CONTENTS
+from jkroll.cli.process import main
+
+PATH = Path(__file__).parent / "corpus" / "command_lines.txt"
+_ENVIRONMENT = {"XDG_CONFIG_HOME": "/nonexistent", "COLUMNS": "80", "LINES": "24", "TERM": "dumb"}
+_FOREIGN = ("JKROLL_MATERIALS", "_JKROLL_COMPLETE", "FORCE_COLOR", "NO_COLOR", "COLORTERM")
+_UNFORESEEN = ("Traceback", "should have foreseen")
+
+
+class Line(NamedTuple):
+    """A line of the corpus."""
+
+    code: int
+    typed: str
+    library: str = ""  # that it needs
+
+    @property
+    def can_run(self) -> bool:
+        """True if the library that it needs is installed."""
+        return not self.library or find_spec(self.library) is not None
+
+
+class Outcome(NamedTuple):
+    """What a line did: exit code, streams, and files that are new or other than before."""
+
+    code: int
+    out: str
+    err: str
+    files: dict[str, bytes]
+
+
+class Command(NamedTuple):
+    """One command of a line."""
+
+    words: list[str]
+    variables: dict[str, str]
+    standard_input: str
+    is_piped: bool
+
+
+def lines() -> list[Line]:
+    """Return the corpus."""
+    found, library = [], ""
+    for text in PATH.read_text(encoding="utf-8").splitlines():
+        if text.startswith("#"):
+            library = text.removeprefix("# needs ") if text.startswith("# needs ") else ""
+        elif text:
+            code, _, typed = text.partition(" ")
+            found.append(Line(int(code), typed, library))
+    return found
+
+
+def spread(corpus: Sequence[Line], count: int) -> list[Line]:
+    """Return so many lines of a corpus, the same at every call, from its beginning to its end."""
+    return [corpus[place * len(corpus) // count] for place in range(min(count, len(corpus)))]
+
+
+def commands(typed: str) -> Iterator[Command]:
+    """Iterate over the commands of a line."""
+    for is_separator, group in groupby(shlex.split(typed), ";".__eq__):
+        if is_separator:
+            continue
+        words = [*group]
+        program = words.index("jkroll")
+        variables = dict(word.split("=", 1) for word in words[:program])
+        words = words[program + 1 :]
+        if is_piped := words[-2:] == ["|", "cat"]:
+            del words[-2:]
+        standard_input = os.devnull
+        if words[-2:-1] == ["<"]:
+            *words, _, standard_input = words
+        yield Command(words, variables, standard_input, is_piped)
+
+
+@contextmanager
+def among_input_files() -> Iterator[None]:
+    """Go into a new directory that holds the input files, where lines can be run."""
+    with tempfile.TemporaryDirectory() as directory, chdir(directory):
+        for name in CONTENTS:
+            _restore(name)
+        yield
+
+
+def _restore(name: str) -> None:
+    """Write an input file, always of the same time, which manifests of tables depend on."""
+    Path(name).write_bytes(CONTENTS[name])
+    os.utime(name, (0, 0))
+
+
+def run(line: Line) -> Outcome:
+    """Run a line in this process, and leave the directory as it was."""
+    code, out, err = 0, "", ""
+    with mock.patch.dict(os.environ, _ENVIRONMENT):
+        for name in _FOREIGN:
+            os.environ.pop(name, None)
+        for command in commands(line.typed):
+            code, new_out, new_err = _run(command)
+            out, err = out + new_out, err + new_err
+    found = {str(path): path.read_bytes() for path in sorted(Path().rglob("*")) if path.is_file()}
+    written = {name: content for name, content in found.items() if CONTENTS.get(name) != content}
+    for path in Path().iterdir():
+        if path.is_dir():
+            shutil.rmtree(path)
+        elif path.name not in CONTENTS:
+            path.unlink()
+        elif path.name in written:
+            _restore(path.name)
+    return Outcome(code, out, err, written)
+
+
+def _run(command: Command) -> tuple[int, str, str]:
+    """Run a command; return its exit code and streams."""
+    with (
+        tempfile.TemporaryFile() as out_file,  # a table goes past the stream, to its descriptor
+        open(command.standard_input, "rb") as standard_input,
+        mock.patch.dict(os.environ, command.variables),
+    ):
+        os.dup2(standard_input.fileno(), 0)
+        err = Stream()
+        with (
+            Stream(os.fdopen(os.dup(out_file.fileno()), "wb"), terminal=not command.is_piped) as out,
+            redirect_stdout(out),
+            redirect_stderr(err),
+        ):
+            code = main(command.words)
+        out_file.seek(0)
+        return code, out_file.read().decode(), err.text()
+
+
+def faults(line: Line, outcome: Outcome) -> list[str]:
+    """Return what is wrong with an outcome of a line: another exit code, a traceback, JSON that is not JSON."""
+    found = [f"exit code {outcome.code}: {outcome.err}"] if outcome.code != line.code else []
+    found += [outcome.err for text in _UNFORESEEN if text in outcome.err]
+    if "--json" in shlex.split(line.typed) and outcome.out:
+        try:
+            json.loads(outcome.out, parse_constant=_refuse)
+        except ValueError as error:
+            found.append(f"no JSON: {error}")
+    return found
+
+
+def _refuse(constant: str) -> NoReturn:
+    raise ValueError(f"{constant} is no number of JSON")

@@ -1,0 +1,280 @@
+"""The doors of the program: the ways in which the same rows are asked for, and what each of them answers."""
+
+import csv
+import json
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
+from typing import Any, NamedTuple
+from unittest.mock import patch
+
+import numpy as np
+
+import jkroll.batch.delimited
+import jkroll.batch.one
+import jkroll.rows.sweep
+from harness import Ran, Run
+from jkroll.cli.options import Call
+from jkroll.cli.question import question_of
+from jkroll.cli.reader import read
+from jkroll.cli.request import request_of
+from jkroll.errors import JkrollError
+from jkroll.quantities.nomenclature import INFINITY, NOMENCLATURE
+from jkroll.rows.columns import ROW, SIDES, Columns, Row, Wanted, by_floats
+from jkroll.rows.rows import Block, evaluated
+from jkroll.rows.table import table_of
+from jkroll.scene.limits import LIMITS, NOT_JUDGED
+from jkroll.scene.scene import Scene
+from jkroll.scene.uncertainty import sources_of
+from questions import Ask, Sheet
+
+ULP = 2.0**-52
+STATED = 60.0  # ulp by which two evaluations may differ, times 1 + κ: an energy of Maugis' law states 30
+SURE = 2.0  # ulp that need no κ
+STEP = 2.0**-45  # relative, of an input: so small that κ is found next to pull-off, too
+FILES = ("csv", "tsv", "ndjson", "parquet")
+
+Scenes = Sequence[Scene | None]  # of rows; None for a row that is no scene
+
+
+class Refused(Exception):
+    """Raised where a door has an error for all rows together, or for the only one."""
+
+
+class Rows(NamedTuple):
+    """What a door answers: for each row its values, without the gaps, its doubts as bits, and the reasons of gaps."""
+
+    keys: Sequence[str]  # of the columns
+    values: Sequence[Mapping[str, float]]
+    doubts: Sequence[int]
+    reasons: Sequence[Mapping[str, JkrollError]]
+
+
+def rows_of(every: Sequence[Columns]) -> Rows:
+    """Return the rows of columns."""
+    found = Rows(every[0].wanted.keys, [], [], [])
+    values, doubts, reasons = [], [], []
+    for columns in every:
+        numbers = {key: np.asarray(columns.column(key), dtype=float).tolist() for key in found.keys}
+        for row in range(len(columns)):
+            values.append({key: own[row] for key, own in numbers.items() if not math.isnan(own[row])})
+            doubts.append(int(columns.doubts[row]))
+            reasons.append(dict(columns.reasons.get(row, {})))
+    return Rows(found.keys, values, doubts, reasons)
+
+
+def side_of(key: str) -> str:
+    """Return the quantity of a column that has a side of its uncertainty; an empty text for other columns."""
+    name, _, side = key.rpartition("_")
+    return name if key not in NOMENCLATURE and side in SIDES else ""
+
+
+# --- Doors ------------------------------------------------------------------------------------------------------------
+
+
+@contextmanager
+def computed(*, by_arrays: bool) -> Iterator[None]:
+    """Have rows of lists computed by arrays, a few at a time, or by floats, however many they are."""
+    with ExitStack() as stack:
+        stack.enter_context(patch.object(jkroll.rows.sweep, "WORTH_ARRAYS", -1 if by_arrays else INFINITY))
+        stack.enter_context(patch.object(jkroll.rows.sweep, "BLOCK", 5))
+        yield
+
+
+def call_of(ask: Ask) -> Call:
+    """Return the call that the words of a question stand for."""
+    action: Any = read(ask.words())
+    call: Call = action.args[0]
+    return call
+
+
+def scenes_of(ask: Ask) -> list[Scene]:
+    """Return the scenes of a list."""
+    return [*request_of(call_of(ask)).scenes()]
+
+
+def of_list(ask: Ask, *, by_arrays: bool) -> Rows:
+    """Return the rows of a list."""
+    call = call_of(ask)
+    sweep, question = request_of(call).sweep, question_of(call)
+    with computed(by_arrays=by_arrays):
+        return rows_of([*sweep.columns(sweep.wanted(question.quantities, question.named))])
+
+
+def printed(run: Run, ask: Ask, form: str, *more: str, by_arrays: bool) -> tuple[Ran, list[dict[str, Any]]]:
+    """Return what a call said, and the cells that it wrote by their headers: in the form of an option, or of a file."""
+    path = Path(f"out.{form}")
+    path.unlink(missing_ok=True)
+    with computed(by_arrays=by_arrays):
+        ran = answered(run, *ask.words(*(["-o", str(path)] if form in FILES else [form]), *more))
+    if form == "parquet" and path.exists():
+        import pyarrow.parquet
+
+        return ran, pyarrow.parquet.read_table(path).to_pylist()
+    text = ran.out if form not in FILES else path.read_text(encoding="utf-8") if path.exists() else ""
+    if ran.code == 2 or not text:
+        raise Refused(ran.err)
+    if form == "--json":
+        found = strict_json(text)
+        return ran, found if isinstance(found, list) else [found]
+    if form == "ndjson":
+        return ran, [*map(strict_json, text.splitlines())]
+    return ran, [*csv.DictReader(text.splitlines(), delimiter="\t" if form == "tsv" else ",")]
+
+
+def answered(run: Run, *words: str) -> Ran:
+    """Run a command line that may fail, though not in a way that nobody foresaw."""
+    ran = run(*words)
+    assert "foreseen" not in ran.err, f"{words}: {ran.err}"
+    return ran
+
+
+def strict_json(text: str) -> Any:
+    """Return what a text of JSON says. Raises ValueError for numbers that JSON does not have."""
+
+    def refuse(name: str) -> float:
+        raise ValueError(f"{name} is not JSON")
+
+    return json.loads(text, parse_constant=refuse)
+
+
+class Converted(NamedTuple):
+    """The rows of a table: as they were computed and written, as floats define them, and their scenes."""
+
+    rows: Rows
+    cells: list[dict[str, str]]
+    by_floats: Rows
+    scenes: Scenes
+
+
+def of_table(run: Run, sheet: Sheet, *, sample: int = 200) -> Converted:
+    """Return the rows of a table whose first rows, so many of them, decide on its columns."""
+    Path("in.csv").write_text(sheet.text(), encoding="utf-8")
+    arrays: list[Columns] = []
+    floats: list[Columns] = []
+    scenes: list[Scene | None] = []
+
+    def observed(wanted: Wanted, block: Block) -> Columns:
+        arrays.append(evaluated(wanted, block))
+        rows = [_defined(wanted, block, place) for place in range(block.size)]
+        floats.append(Columns.of_rows(wanted, [row for row, _ in rows]))
+        scenes.extend(scene for _, scene in rows)
+        return arrays[-1]
+
+    def of_sample(columns: Any, rows: Any, *others: Any, **options: Any) -> Any:
+        return table_of(columns, rows[:sample], *others, **options)
+
+    with ExitStack() as stack:
+        stack.enter_context(patch.object(jkroll.batch.delimited, "evaluated", observed))
+        stack.enter_context(patch.object(jkroll.batch.one, "table_of", of_sample))
+        ran = answered(run, "batch", "in.csv", "-o", "out.csv", "--jobs", "1", *sheet.options)
+    if ran.code == 2:
+        raise Refused(ran.err)
+    with open("out.csv", encoding="utf-8", newline="") as file:
+        return Converted(rows_of(arrays), [*csv.DictReader(file)], rows_of(floats), scenes)
+
+
+def _defined(wanted: Wanted, block: Block, place: int) -> tuple[Row, Scene | None]:
+    """Return a row of a block by floats, and its scene."""
+    scene = None
+    try:
+        scene = block.one(place)
+        return by_floats(wanted, scene), scene
+    except JkrollError as error:
+        return Row({}, [math.nan] * len(wanted.keys), 0, {ROW: error}), scene
+
+
+# --- What may differ --------------------------------------------------------------------------------------------------
+
+
+def agree(scene: Scene, name: str, one: float, other: float) -> bool:
+    """Return whether two values of a quantity agree within its accuracy."""
+    off = abs(one - other) / ULP / (max(abs(one), abs(other)) or 1)
+    return off <= SURE or off <= STATED * (1 + _condition(scene, name, one))
+
+
+def _condition(scene: Scene, name: str, value: float) -> float:
+    """Return κ: how many times the relative errors of all inputs appear in a quantity, next to where it ends infinite."""
+    inputs = {source: scene.given[source] for source in scene.inputs_of(name) if source in scene.given}
+    return sum(_growth(scene, name, value, *one) for one in inputs.items() if one[1] and math.isfinite(one[1]))
+
+
+def _growth(scene: Scene, name: str, value: float, source: str, given: float) -> float:
+    changes = []
+    for factor in (1 + STEP, 1 - STEP):
+        try:
+            changes.append(abs(scene.replace(**{source: given * factor})[name] - value) / (abs(value) or 1) / STEP)
+        except JkrollError:
+            continue
+    return max(changes, default=math.inf)
+
+
+def sides_agree(scene: Scene, name: str, one: float | None, other: float | None) -> bool:
+    """Return whether two numbers of an uncertainty agree. None, for no influence, is as good as one that is only rounding."""
+    error = 4 * max((_error(each, name) for each in _ends(scene, name)), default=0.0)
+    value = scene.evaluate((name,))[name]
+    numbers = [number for number in (one, other) if number is not None]
+    if len(numbers) == 2:
+        return abs(numbers[0] - numbers[1]) <= error
+    return abs(numbers[0]) <= error or (isinstance(value, float) and abs(numbers[0] - value) <= error)
+
+
+def _error(scene: Scene, name: str) -> float:
+    value = scene.evaluate((name,))[name]
+    return abs(value) * STATED * ULP * (1 + _condition(scene, name, value)) if isinstance(value, float) else 0.0
+
+
+def _ends(scene: Scene, name: str) -> Iterator[Scene]:
+    """Iterate over the scene and those at the ends of the sources of uncertainty of a quantity."""
+    yield scene.replace()
+    for source in sources_of(scene, scene.inputs_of(name)).entering:
+        yield from (scene.replace(**source.at(end)) for end in (source.given.low, source.given.high))
+
+
+def bits_agree(scene: Scene, one: int, other: int) -> bool:
+    """Return whether doubts are the same, but for limits whose number is at a threshold within its accuracy."""
+    unlike = one ^ other
+    if unlike & NOT_JUDGED:
+        return False
+    place = 0
+    for limit in LIMITS:
+        if unlike >> place & (1 << len(limit.doubts)) - 1:
+            value = scene[limit.name]
+            if not any(agree(scene, limit.name, value, doubt.threshold) for doubt in limit.doubts):
+                return False
+        place += len(limit.doubts)
+    return True
+
+
+def differences(one: Rows, other: Rows, scenes: Scenes | None = None) -> Iterator[str]:
+    """Iterate over what differs between two doors in the columns that both have, exactly or, given the scenes, beyond accuracy."""
+    if len(one.values) != len(other.values):
+        yield f"{len(one.values)} and {len(other.values)} rows"
+        return
+    both = [key for key in one.keys if key in other.keys]
+    sides = [key for key in dict.fromkeys((*one.keys, *other.keys)) if key not in both and side_of(key) in both]
+    for row, (values, others) in enumerate(zip(one.values, other.values, strict=True)):
+        scene = scenes[row] if scenes is not None else None
+        for key in (*both, *sides):
+            if not _same(scene, key, values.get(key), others.get(key)):
+                yield f"row {row}: {key} = {values.get(key)!r} and {others.get(key)!r}"
+        bits, other_bits = one.doubts[row], other.doubts[row]
+        is_judged = {*one.keys} == {*other.keys} and bits != other_bits
+        if is_judged and not (scene is not None and bits_agree(scene, bits, other_bits)):
+            yield f"row {row}: doubts {bits:b} and {other_bits:b}"
+        reasons, other_reasons = (_in_words(each.reasons[row], {*one.keys} ^ {*other.keys}) for each in (one, other))
+        if reasons != other_reasons:
+            yield f"row {row}: {reasons} and {other_reasons}"
+
+
+def _same(scene: Scene | None, key: str, one: float | None, other: float | None) -> bool:
+    if one == other or scene is None:
+        return one == other
+    if side_of(key):
+        return sides_agree(scene, side_of(key), one, other)
+    return one is not None and other is not None and agree(scene, key, one, other)
+
+
+def _in_words(reasons: Mapping[str, JkrollError], but: set[str]) -> dict[str, str]:
+    return {key: f"{type(error).__name__}: {error}" for key, error in reasons.items() if key not in but}

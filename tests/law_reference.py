@@ -1,0 +1,191 @@
+"""What each formula of the laws of attraction should be, in the plainest form and in 120-digit arithmetic.
+
+The parameters are symbols, which `reference` translates. Those of Maugis' law rest on his own equations.
+"""
+
+# ruff: noqa: N803, N806  (the papers' symbols)
+
+from collections.abc import Callable, Mapping
+
+import maugis_reference as maugis
+from maugis_reference import Exact, cbrt, digits, mpf, pi, sqrt
+
+SYMBOLS = {
+    "F_a": "adhesive_force", "Q": "yield_force", "c": "zone_radius", "dw": "adhesion_hysteresis",
+    "mu": "tabor_parameter", "lambda_": "transition_parameter", "sigma0": "cohesive_stress",
+    "edge": "edge_ratio", "T": "zone_span",
+}  # fmt: skip
+
+
+def length_unit(w: Exact, R: Exact, E: Exact) -> Exact:
+    """Return (πwR²/K)^(1/3), of lengths along the surface."""
+    return cbrt(pi * w * R**2 / (4 * E / 3))
+
+
+def approach_unit(w: Exact, R: Exact, E: Exact) -> Exact:
+    return length_unit(w, R, E) ** 2 / R
+
+
+def energy_unit(w: Exact, R: Exact, E: Exact) -> Exact:
+    return pi * w * length_unit(w, R, E) ** 2
+
+
+def ratio(_a: Exact, t: Exact) -> Exact:
+    """Return v of a state; 0 without contact."""
+    return 1 / t
+
+
+def span(edge: Exact, lambda_: Exact) -> Exact:
+    """Return T of a contact."""
+    return maugis.radius_of(1 / edge, lambda_) / edge
+
+
+def angle(edge: Exact) -> Exact:
+    """Return θ = arctan(1/edge)."""
+    return digits.atan2(1, edge)
+
+
+def hertz(edge: Exact, T: Exact, R: Exact, E: Exact) -> Exact:
+    return 4 * E * (edge * T) ** 3 / (3 * R)
+
+
+def attraction(edge: Exact, T: Exact, sigma0: Exact) -> Exact:
+    """Return 2σ0(aT + c²θ)."""
+    return 2 * sigma0 * T**2 * (edge + (1 + edge**2) * angle(edge))
+
+
+def work(edge: Exact, T: Exact, R: Exact, E: Exact, sigma0: Exact) -> Exact:
+    """Return the w for which Maugis' first equation has a state: the equation in SI units."""
+    ring = edge + (1 - edge**2) * angle(edge)
+    both = angle(edge) - sqrt(1 + edge**2) + edge
+    return sigma0 * T**2 / (pi * R) * ring + 4 * sigma0**2 * T / (pi * E) * both
+
+
+def slope(edge: Exact, T: Exact, R: Exact, E: Exact, sigma0: Exact) -> Exact:
+    """Return dP/dδ at constant w; apart, of P = −πσ0c² and δ = c²/2R − 4σ0c/(πE) − w/σ0."""
+    if not edge:
+        return -2 * pi * sigma0 * T / (T / R - 4 * sigma0 / (pi * E))
+    step = mpf(10) ** (-digits.dps // 3)
+
+    def gradient(of_state: Callable[[Exact, Exact], Exact]) -> tuple[Exact, Exact]:
+        of_v = of_state(edge + edge * step, T) - of_state(edge - edge * step, T)
+        of_T = of_state(edge, T + T * step) - of_state(edge, T - T * step)
+        return of_v, of_T
+
+    load = gradient(lambda edge, T: hertz(edge, T, R, E) - attraction(edge, T, sigma0))
+    depth = gradient(lambda edge, T: (edge * T) ** 2 / R - 2 * sigma0 * T / E)
+    held = gradient(lambda edge, T: work(edge, T, R, E, sigma0))
+    return (load[0] * held[1] - load[1] * held[0]) / (depth[0] * held[1] - depth[1] * held[0])
+
+
+def state_energy(edge: Exact, T: Exact, w: Exact, R: Exact, E: Exact, lambda_: Exact) -> list[Exact]:
+    """Return the terms of the energy of a state."""
+    a, t = edge * T / length_unit(w, R, E), T / length_unit(w, R, E)
+    b = 8 * lambda_ / (3 * pi)
+    delta = a**2 - 4 * lambda_ * t / 3 if edge else t**2 / 2 - b * t - 2 / (pi * lambda_)
+    return [energy_unit(w, R, E) * each for each in maugis.energy_terms(a, t, delta, lambda_)]
+
+
+def well(lambda_: Exact) -> Exact:
+    return -maugis.contact_energy(*maugis.at_load(lambda_, mpf(0)), lambda_)
+
+
+def sticking(lambda_: Exact) -> Exact:
+    return maugis.fold_energy(lambda_) - maugis.energy_held_at(lambda_, -2 / (pi * lambda_))
+
+
+EQUATIONS: Mapping[str, Callable[..., Exact]] = {
+    "work_of_adhesion_of_hamaker": lambda A1, A2, D0: sqrt(A1 * A2) / (12 * pi * D0**2),
+    "atomic_spacing_of_cutoff": lambda D0: D0 * sqrt(mpf(3)) / 2,
+    # any law
+    "adhesive_force": lambda P_c, x: 4 * P_c * x,
+    "unloaded_moment_of_radius": lambda a0, E, R, xi: 4 * E * a0**3 * xi / (3 * R),
+    "yield_force_of_moment": lambda M, R1: M / R1,
+    "yield_force_ratio_of_forces": lambda Q, P_c: Q / P_c,
+    "rolling_frequency_no_slip_of_stiffness": lambda k, R, m_eff: sqrt(k / (R**2 * m_eff)) / (2 * pi),
+    "yield_energy_of_moment": lambda M, xi, R: M * xi / (2 * R),
+    "hysteresis_moment": lambda c, R, dw: 2 * c * R * dw,
+    "yield_displacement_at_hysteresis": lambda c, R, dw, F_a: 2 * c * R * dw / F_a,
+    "hysteresis_ratio": lambda M, c, R, w: M / (2 * c * R * w),
+    # DMT
+    "contact_radius_dmt": lambda P, w, R, E: cbrt(3 * R * (P + 2 * pi * w * R) / (4 * E)),
+    "contact_radius_dmt_at_approach": lambda delta, R: sqrt(R * delta),
+    "unloaded_radius_dmt": lambda w, R, E: cbrt(3 * pi * w * R**2 / (2 * E)),
+    "unloaded_approach_dmt": lambda w, R, E: cbrt(3 * pi * w * R**2 / (2 * E)) ** 2 / R,
+    "approach_dmt": lambda a, R: a**2 / R,
+    "load_dmt": lambda a, w, R, E: 4 * E * a**3 / (3 * R) - 2 * pi * w * R,
+    "stiffness_dmt": lambda a, E: 2 * E * a,
+    "adhesive_force_dmt": lambda w, R: 2 * pi * w * R,
+    # from JKR to DMT
+    "transition_parameter": lambda mu: 32 / (9 * sqrt(mpf(3))) * cbrt(9 / (16 * pi)) * mu,
+    "cohesive_stress": lambda w, z0: 16 * w / (9 * sqrt(mpf(3)) * z0),
+    "pull_off_force_lennard_jones": lambda w, R, mu: (
+        pi * w * R * (mpf("1.5") + mpf("0.5") / (1 + mpf("1.95") * mu ** mpf("1.4")))
+    ),
+    # Maugis' law: states
+    "edge_ratio_at_load": lambda P, w, R, lambda_: ratio(*maugis.at_load(lambda_, P / (pi * w * R))),
+    "edge_ratio_at_approach": lambda delta, w, R, E, lambda_: (
+        ratio(*maugis.held_at(lambda_, delta / approach_unit(w, R, E)))
+    ),
+    "zone_span": lambda edge, w, R, E, lambda_: span(edge, lambda_) * length_unit(w, R, E),
+    "zone_span_at_approach": lambda edge, delta, w, R, E, lambda_: (
+        length_unit(w, R, E) * (span(edge, lambda_) if edge else maugis.zone_apart(lambda_, delta / approach_unit(w, R, E)))
+    ),
+    "unloaded_radius_maugis": lambda w, R, E, lambda_: maugis.at_load(lambda_, mpf(0))[0] * length_unit(w, R, E),
+    "unloaded_approach_maugis": lambda w, R, E, lambda_: (
+        maugis.approach(*maugis.at_load(lambda_, mpf(0)), lambda_) * approach_unit(w, R, E)
+    ),
+    "edge_ratio_at_pull_off": lambda lambda_: ratio(*maugis.pull_off(lambda_)),
+    "pull_off_force_maugis": lambda w, R, lambda_: -maugis.load(*maugis.pull_off(lambda_), lambda_) * pi * w * R,
+    "edge_ratio_at_fold": lambda lambda_: ratio(*maugis.fold(lambda_)) if maugis.folds_in_contact(lambda_) else mpf(0),
+    "fold_approach_maugis": lambda w, R, E, lambda_: maugis.lowest_approach(lambda_) * approach_unit(w, R, E),
+    # Maugis' law: what a state has
+    "contact_radius_maugis": lambda edge, T: edge * T,
+    "zone_radius": lambda edge, T: T * sqrt(1 + edge**2),
+    "approach_maugis": lambda edge, T, R, E, sigma0: (edge * T) ** 2 / R - 2 * sigma0 * T / E,
+    "approach_maugis_at_load": lambda P, edge, T, R, E, sigma0: (
+        3 * P / (4 * E * edge * T) + sigma0 * T / (2 * E) * (3 * (edge + 1 / edge) * angle(edge) - 1)
+        if edge > 1
+        else (edge * T) ** 2 / R - 2 * sigma0 * T / E
+    ),
+    "load_maugis": lambda edge, T, R, E, sigma0: hertz(edge, T, R, E) - attraction(edge, T, sigma0),
+    "stiffness_maugis": slope,
+    "adhesive_force_maugis": attraction,
+    "contact_displacement": lambda T, R, E, sigma0, xi: xi / (1 + E * T / (sigma0 * R)),
+    # Maugis' law: energies
+    "state_energy_maugis": lambda edge, T, w, R, E, lambda_: sum(state_energy(edge, T, w, R, E, lambda_)),
+    "well_energy_maugis": lambda w, R, E, lambda_: well(lambda_) * energy_unit(w, R, E),
+    "pull_off_work_maugis": lambda w, R, E, lambda_: (
+        (maugis.fold_energy(lambda_) + well(lambda_)) * energy_unit(w, R, E)
+    ),
+    "pull_off_work_at_dead_load_maugis": lambda w, R, E, lambda_: (
+        (maugis.contact_energy(*maugis.pull_off(lambda_), lambda_) + well(lambda_)) * energy_unit(w, R, E)
+    ),
+    "sticking_energy_maugis": lambda w, R, E, lambda_: sticking(lambda_) * energy_unit(w, R, E),
+}  # fmt: skip
+
+# The larger of two terms that may cancel.
+TERMS: Mapping[str, Callable[..., Exact]] = {
+    "load_dmt": lambda a, w, R, E: max(4 * E * a**3 / (3 * R), 2 * pi * w * R),
+    "approach_maugis": lambda edge, T, R, E, sigma0: max((edge * T) ** 2 / R, 2 * sigma0 * T / E),
+    "approach_maugis_at_load": lambda P, edge, T, R, E, sigma0: (
+        max(3 * abs(P) / (4 * E * edge * T), sigma0 * T / (2 * E) * 3 * (edge + 1 / edge) * angle(edge))
+        if edge > 1
+        else max((edge * T) ** 2 / R, 2 * sigma0 * T / E)
+    ),
+    "load_maugis": lambda edge, T, R, E, sigma0: max(hertz(edge, T, R, E), attraction(edge, T, sigma0)),
+    "sticking_energy_maugis": lambda w, R, E, lambda_: (
+        (well(lambda_) if lambda_**3 > mpf(9) / 32 else sticking(lambda_)) * energy_unit(w, R, E)
+    ),
+    "state_energy_maugis": lambda edge, T, w, R, E, lambda_: max(map(abs, state_energy(edge, T, w, R, E, lambda_))),
+}
+
+# The parameters whose condition a formula states besides its number of ulp.
+CONDITIONED: Mapping[str, tuple[str, ...]] = {
+    "contact_radius_dmt": ("load",),
+    "edge_ratio_at_load": ("load", "transition_parameter"),
+    "edge_ratio_at_approach": ("approach_at_load", "transition_parameter"),
+    "zone_span_at_approach": ("approach_at_load", "transition_parameter"),
+    "stiffness_maugis": ("edge_ratio", "zone_span", "cohesive_stress"),
+    "edge_ratio_at_fold": ("transition_parameter",),
+}

@@ -1,0 +1,68 @@
+"""`jkroll.answer`: what a command prints, as an object."""
+
+import json
+import math
+from typing import Any
+
+import pytest
+
+import jkroll
+from harness import Run
+
+SCENES: list[tuple[str, str | list[str], dict[str, Any]]] = [
+    ("pull-off quartz 100nm", "pull-off", {"material": "quartz", "radius": 1e-7}),
+    ("report ice-warm 1um --radius2 plane", "report", {"material": "ice-warm", "radius": "1 um", "radius2": math.inf}),
+    (
+        "contact quartz 100nm --gamma 25±5mJ/m2 --load -1nN --model maugis",
+        "contact",
+        {"material": "quartz", "radius": "100nm", "gamma": "25±5mJ/m2", "load": -1e-9, "model": "maugis"},
+    ),
+    ("energies tholin 100nm --poisson 0.3", "energies", {"material": "tholin", "radius": 1e-7, "poisson": 0.3}),
+    (
+        "report iron 5nm --quantities P_c,yield_force",
+        ["P_c", "yield_force"],
+        {"material": "iron", "radius": 5e-9},
+    ),
+]
+
+
+@pytest.mark.parametrize(("words", "wanted", "scene"), SCENES, ids=lambda each: str(each)[:30])
+def test_as_dict_is_the_object_of_json(run: Run, words: str, wanted: str | list[str], scene: dict[str, Any]) -> None:
+    printed = json.loads(run(*words.split(), "--json").out)
+    found = jkroll.answer(wanted, **scene)
+    assert json.loads(json.dumps(found.as_dict())) == printed
+    assert {name: value.value for name, value in found.values.items()} == {
+        each["name"]: each["value"] for each in printed["results"]
+    }
+    assert [value.unit for value in found.values.values()] == [each["unit"] for each in printed["results"]]
+    assert [*found.notes] == printed["notes"]
+    unmet = [each for each in printed["validity"] if not each["holds"]]
+    assert len(found.doubts) == len(unmet)
+    assert all(each["text"] in text for each, text in zip(unmet, found.doubts, strict=True))
+
+
+def test_error_bars_and_units() -> None:
+    found = jkroll.answer("pull_off_force", radius="100 nm", gamma="25±5 mJ/m2")
+    value = found["pull_off_force"]
+    assert value.uncertain == jkroll.solve("pull_off_force", radius=1e-7, gamma="25±5 mJ/m2")
+    assert (str(value), value.unit) == ("11.8 ± 2.4 nN", "N")
+    assert found.inputs["surface_energy"] == jkroll.Measured(0.025, 0.005)
+    assert "pull_off_force = 11.8 ± 2.4 nN" in str(found)
+
+
+def test_a_result_without_a_value_has_a_reason() -> None:
+    found = jkroll.answer("report", gamma=0.025, radius=1e-7)
+    assert found["pull_off_force"].value is not None
+    assert found["contact_radius_at_load"].value is None
+    assert "Young's modulus" in str(found["contact_radius_at_load"])
+
+
+def test_what_has_no_answer_is_an_error() -> None:
+    with pytest.raises(jkroll.JkrollError, match="radius"):
+        jkroll.answer("pull-off", material="quartz")
+    with pytest.raises(jkroll.JkrollError, match="pull-off"):
+        jkroll.answer("contact", material="quartz", radius=1e-7, load=-1e-6)
+    with pytest.raises(jkroll.JkrollError, match="is more than one scene; solve takes arrays"):
+        jkroll.answer("pull-off", material="quartz", radius=[1e-7, 2e-7])
+    with pytest.raises(jkroll.JkrollError, match="pull-of"):
+        jkroll.answer("pull-of", material="quartz", radius=1e-7)

@@ -1,0 +1,82 @@
+"""Aggregates: energies as speeds, strengths in their limits, and the constants of public codes."""
+
+import math
+from typing import Any
+
+import pytest
+
+from jkroll import NOMENCLATURE, solve
+from jkroll.answers.questions import QUESTIONS
+from jkroll.quantities.errors import OutOfRange
+from jkroll.scene.failures import MissingInput
+from scenes import QUARTZ
+
+AGGREGATE: dict[str, Any] = {**QUARTZ, "monomers": 1000, "filling_factor": 0.1}
+KINDS = ["restructuring", "disruption"]
+SPEEDS = [name for name in QUESTIONS["aggregates"].quantities if "speed" in name]
+
+
+@pytest.mark.parametrize("name", SPEEDS)
+def test_two_aggregates_at_the_speed_have_the_energy(name: str) -> None:
+    """In the frame of their centre of mass each has half the speed."""
+    speed, energy, mass = solve([name, name.replace("speed", "energy"), "mass"], **AGGREGATE).values()
+    assert math.isclose(2 * (1000 * mass / 2 * (speed / 2) ** 2), energy, rel_tol=1e-14)
+
+
+def test_energies_are_those_of_one_contact_times_a_number() -> None:
+    """5 and 1 times 6π²γRξ, and 10 times all contacts of both, each 1.5426 or 1.8 F_cδ_c."""
+    names = [
+        "restructuring_energy",
+        "restructuring_energy_ormel",
+        "disruption_energy",
+        "disruption_energy_dust_simulation",
+    ]
+    unit = solve("fold_energy", **AGGREGATE)
+    five, one, exact, rule = (solve(names, contacts=1800, **AGGREGATE)[name] for name in names)
+    assert math.isclose(one, 6 * math.pi**2 * 0.025 * 5e-8 * 2e-10, rel_tol=1e-14)
+    assert math.isclose(five, 5 * one, rel_tol=1e-15)
+    assert math.isclose(exact, 10 * 2 * 1800 * 1.5426 * unit, rel_tol=3e-5)
+    assert math.isclose(rule, 10 * 2 * 1800 * 1.8 * unit, rel_tol=1e-14)
+
+
+def test_without_contacts_there_are_as_many_as_grains() -> None:
+    for name in ("disruption_energy", "disruption_speed_dust_simulation"):
+        assert solve(name, **AGGREGATE) == solve(name, contacts=1000, **AGGREGATE)
+    assert solve("disruption_energy", contacts=3, **QUARTZ) < solve("disruption_energy", monomers=4, **QUARTZ)
+    with pytest.raises(MissingInput, match=r"give --monomers 1000 or --contacts 2500"):
+        solve("disruption_energy", **QUARTZ)
+
+
+def test_compressive_strength_tends_to_the_cube_of_the_filling_factor() -> None:
+    """To E_roll φ³/r0³ for loose aggregates, and without limit at the closest packing."""
+    half_turn = solve("roll_energy_half_turn", **QUARTZ)
+    loose = solve("compressive_strength", filling_factor=1e-6, **QUARTZ)
+    assert math.isclose(loose, half_turn * 1e-18 / 1e-21, rel_tol=1e-5)
+    assert solve("compressive_strength", filling_factor=0.7399999, **QUARTZ) > 1e18 * loose
+    for phi in (0.0, 0.74, 0.8, 1.0):
+        with pytest.raises(OutOfRange, match=r"must lie between 0 and 0.74"):
+            solve("compressive_strength", filling_factor=phi, **QUARTZ)
+
+
+def test_strengths_as_phantom_codes_them() -> None:
+    """porosity.f90 has E_roll = 302.456 (γ⁵r0⁴/E²)^(1/3) and a packing of 0.74048 in place of 0.74."""
+    gamma, radius, modulus, phi = 0.2, 1e-6, 72e9, 0.1
+    eroll = 302.455974078 * (gamma**5 * radius**4 / modulus**2) ** (1 / 3)
+    pressure = eroll / ((1 / phi - 1 / 0.74048) * radius) ** 3
+    # Dominik & Tielens' E_roll of 90 degrees with 2γ for γ, E* = E/2 and ξ = δ_c
+    scene: dict[str, Any] = {"surface_energy": 2 * gamma, "radius": radius, "contact_modulus": modulus / 2}
+    fold, pull_off = solve(["fold_energy", "pull_off_force"], **scene).values()
+    quarter, half = solve(
+        ["roll_energy_quarter_turn", "roll_energy_half_turn"], yield_displacement=fold / pull_off, **scene
+    ).values()
+    assert math.isclose(quarter, eroll, rel_tol=1e-8)
+    own = solve("compressive_strength", yield_displacement=fold / pull_off, filling_factor=phi, **scene)
+    assert math.isclose(own / pressure, half / quarter, rel_tol=4e-4)
+    tension = solve("tensile_strength", surface_energy=gamma, radius=radius, filling_factor=phi)
+    assert math.isclose(tension, 0.6 * phi**1.8 * gamma / radius, rel_tol=1e-14)
+
+
+def test_every_row_has_a_definition_and_a_source() -> None:
+    for name in QUESTIONS["aggregates"].quantities:
+        assert NOMENCLATURE[name].definition, name
+        assert NOMENCLATURE[name].reference, name

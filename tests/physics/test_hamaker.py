@@ -1,0 +1,82 @@
+"""A Hamaker constant in place of a surface energy."""
+
+import math
+from functools import partial
+from random import Random
+from typing import Any
+
+import numpy as np
+import pytest
+
+from accuracy import check_accuracy
+from jkroll import solve
+from jkroll.physics import hamaker
+from jkroll.scene.failures import Contradiction, MissingInput
+from maugis_reference import digits, mpf, pi, sqrt
+from reference import ulp_error
+from scenes import QUARTZ, log_uniform
+
+ELASTIC: dict[str, Any] = {name: value for name, value in QUARTZ.items() if name != "surface_energy"}
+SILICA: dict[str, Any] = {**ELASTIC, "hamaker": 6.5e-20}
+EXACT = {
+    "work_of_adhesion_of_hamaker": lambda hamaker, hamaker2, cutoff: sqrt(hamaker * hamaker2) / (12 * pi * cutoff**2),
+    "atomic_spacing_of_cutoff": lambda cutoff: cutoff * sqrt(mpf(3)) / 2,
+}
+
+
+def test_silica() -> None:
+    """63.3 mJ/m² and 0.143 nm; at 0.4 nm it would be 10.8 mJ/m²."""
+    work, spacing = solve(["work_of_adhesion", "atomic_spacing"], **SILICA).values()
+    assert round(1e3 * work, 1) == 63.3
+    assert round(1e9 * spacing, 3) == 0.143
+    assert round(1e3 * solve("work_of_adhesion", cutoff=4e-10, **SILICA), 1) == 10.8
+
+
+def test_the_3_9_law_has_this_constant_this_work_and_this_spacing() -> None:
+    """σ(h) = (8w/3z0)[(z0/h)³ − (z0/h)⁹]: its integral is w, and far away it is A/(6πh³)."""
+    work, spacing = solve(["work_of_adhesion", "atomic_spacing"], **SILICA).values()
+    h = np.geomspace(spacing, 1e4 * spacing, 200_001)
+    traction = 8 * work / (3 * spacing) * ((spacing / h) ** 3 - (spacing / h) ** 9)
+    assert math.isclose(np.trapezoid(traction, h), work, rel_tol=1e-6)
+    assert math.isclose(traction[-1] * h[-1] ** 3 * 6 * math.pi, SILICA["hamaker"], rel_tol=1e-12)
+
+
+def test_everything_goes_on_with_them() -> None:
+    work, spacing = solve(["work_of_adhesion", "atomic_spacing"], **SILICA).values()
+    names = ["pull_off_force", "tabor_parameter", "sticking_energy"]
+    for model in ("jkr", "maugis"):
+        known = {**ELASTIC, "work_of_adhesion": work, "atomic_spacing": spacing}
+        assert solve(names, model=model, **SILICA) == solve(names, model=model, **known)
+    assert solve("tabor_parameter", atomic_spacing=4e-10, **SILICA) < solve("tabor_parameter", **SILICA)
+
+
+def test_two_solids() -> None:
+    """A12 = √(A1A2); another material does not have the constant of the first."""
+    both = solve("work_of_adhesion", hamaker2=4 * 6.5e-20, **SILICA)
+    assert math.isclose(both, 2 * solve("work_of_adhesion", **SILICA), rel_tol=1e-15)
+    with pytest.raises(MissingInput, match="Hamaker constant of sphere 2; give --hamaker2"):
+        solve("pull_off_force", material2="iron", **SILICA)
+    with pytest.raises(MissingInput, match="Hamaker constant; give --hamaker "):
+        solve("pull_off_force", hamaker2=1e-19, **QUARTZ)
+
+
+def test_it_excludes_a_surface_energy_but_not_that_of_a_material() -> None:
+    for name in ("surface_energy", "surface_energy2", "work_of_adhesion"):
+        with pytest.raises(Contradiction):
+            solve("pull_off_force", **{**SILICA, name: 0.1})
+    with pytest.raises(MissingInput, match="cutoff needs Hamaker constant; give --hamaker"):
+        solve("pull_off_force", cutoff=2e-10, **QUARTZ)
+    assert solve("work_of_adhesion", material="quartz", hamaker=6.5e-20) == solve("work_of_adhesion", **SILICA)
+
+
+@pytest.mark.parametrize("name", EXACT)
+def test_accuracy(name: str) -> None:
+    random = Random(937)
+    names = {"hamaker": (1e-30, 1e-10), "hamaker2": (1e-30, 1e-10), "cutoff": (1e-12, 1e-6)}
+    values = [{each: log_uniform(random, *ends) for each, ends in names.items()} for _ in range(500)]
+
+    def error(given: Any, value: float, exact: Any) -> float:
+        return ulp_error(value, exact(**{each: mpf(number) for each, number in given.items()}))
+
+    assert digits.dps >= 50
+    check_accuracy(getattr(hamaker, name), values, partial(error, exact=EXACT[name]))

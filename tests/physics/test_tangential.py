@@ -1,0 +1,203 @@
+"""Sliding, twisting and peeling: one strength for both thresholds, and Griffith's criterion by differences of energies."""
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+from jkroll import JkrollError, solve
+from jkroll.scene.failures import NotHeld, NotInLaw
+from scenes import OTHER, QUARTZ
+
+PAIR: dict[str, Any] = {**QUARTZ, **OTHER}
+SHEAR_MODULUS = 54e9 / (2 * 1.17)
+NEW = [
+    "shear_strength", "sliding_force", "sliding_displacement", "sliding_energy", "twisting_stiffness", "twisting_moment",
+    "twisting_angle", "twisting_energy", "twisting_frequency", "peeling_force", "peeling_radius", "peeling_over_sliding",
+]  # fmt: skip
+
+OF_ANY_LAW = ("twisting_stiffness", "twisting_frequency")  # by the radius of its contact
+
+
+# --- Thresholds ---------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("ratio", [-0.9, 0.0, 5.0])
+def test_thresholds_of_identical_spheres_are_those_of_dust_codes(ratio: float) -> None:
+    """Lumajord/DustSimulation has s = (2 − ν)a/16π, φ = 1/16π, F = Ga²/4π and M = Ga³/6π, at the contact radius under the load."""
+    load = ratio * solve("pull_off_force", **QUARTZ)
+    a, *found = solve(["contact_radius_at_load", *NEW[1:8]], load=load, **QUARTZ).values()
+    force, shift, slide_energy, stiffness, moment, angle, twist_energy = found
+    assert math.isclose(force, SHEAR_MODULUS * a**2 / (4 * math.pi), rel_tol=1e-14)
+    assert math.isclose(shift, 1.83 * a / (16 * math.pi), rel_tol=1e-14)
+    assert math.isclose(slide_energy, force * shift / 2, rel_tol=1e-14)
+    assert math.isclose(stiffness, 16 / 3 * SHEAR_MODULUS / 2 * a**3, rel_tol=1e-14)
+    assert math.isclose(moment, SHEAR_MODULUS * a**3 / (6 * math.pi), rel_tol=1e-14)
+    assert math.isclose(angle, 1 / (16 * math.pi), rel_tol=1e-14)
+    assert math.isclose(twist_energy, moment * angle / 2, rel_tol=1e-14)
+
+
+def test_a_measured_strength_takes_the_place_of_the_default() -> None:
+    """Forces and moments are proportional to it, energies to its square; stiffnesses do not depend on it."""
+    default = solve(NEW, **PAIR)
+    halved = solve(NEW[1:], shear_strength=default["shear_strength"] / 2, **PAIR)
+    powers = {**dict.fromkeys(NEW[1:], 0), **dict.fromkeys(("sliding_force", "sliding_displacement"), 1)}
+    powers |= dict.fromkeys(("twisting_moment", "twisting_angle"), 1)
+    powers |= {"sliding_energy": 2, "twisting_energy": 2, "peeling_over_sliding": -1}
+    for name, power in powers.items():
+        assert math.isclose(halved[name] / default[name], 0.5**power, rel_tol=1e-14), name
+
+
+def test_the_softer_solid_sets_the_strength() -> None:
+    assert math.isclose(solve("shear_strength", **PAIR), SHEAR_MODULUS / (4 * math.pi**2), rel_tol=1e-14)
+    rigid = {**QUARTZ, "youngs_modulus2": math.inf}
+    assert solve("shear_strength", **rigid) == solve("shear_strength", **QUARTZ)
+
+
+@pytest.mark.parametrize("name", NEW)
+def test_exchange_of_the_spheres_changes_nothing(name: str) -> None:
+    exchanged = {one.removesuffix("2") if one.endswith("2") else one + "2": value for one, value in PAIR.items()}
+    assert math.isclose(solve(name, **PAIR), solve(name, **exchanged), rel_tol=2e-15)
+
+
+@pytest.mark.parametrize("name", NEW)
+def test_a_plane_is_the_limit_of_a_large_sphere(name: str) -> None:
+    plane = solve(name, **{**PAIR, "radius2": math.inf})
+    assert math.isclose(solve(name, **{**PAIR, "radius2": 1e5}), plane, rel_tol=1e-11)
+
+
+# --- Stiffness of torsion, two ways -------------------------------------------------------------------------------------
+
+
+def test_torsional_stiffness_is_the_moment_of_the_tractions() -> None:
+    """Of Reissner & Sagoci's 4Gφr/(π√(a² − r²)) on either solid, with the angles of both in series."""
+    a, stiffness = solve(["contact_radius_at_load", "twisting_stiffness"], **PAIR).values()
+    edge = np.sin((np.arange(20_000) + 0.5) / 20_000 * math.pi / 2)  # r/a; dr cancels the square root
+    moment = np.mean(4 / math.pi * edge**3 * 2 * math.pi) * math.pi / 2 * a**3  # of a half-space with G = 1, φ = 1
+    shear, shear2 = (PAIR["youngs_modulus" + i] / (2 * (1 + PAIR["poisson_ratio" + i])) for i in ("", "2"))
+    assert math.isclose(stiffness, moment / (1 / shear + 1 / shear2), rel_tol=1e-8)
+
+
+@pytest.mark.parametrize("radius2", [1e-7, 3e-7, math.inf])
+def test_twisting_frequency_is_an_eigenvalue(radius2: float) -> None:
+    """Of two spheres that turn about the line of centres with the spring k_t (θ1 − θ2)²/2; a plane is held."""
+    scene = {**PAIR, "radius2": radius2}
+    names = ["twisting_stiffness", "moment_of_inertia", "moment_of_inertia2", "twisting_frequency"]
+    stiffness, *inertia, frequency = solve(names, **scene).values()
+    moving = [each for each in inertia if math.isfinite(each)]
+    direction = np.array([1.0, -1.0][: len(moving)])
+    matrix = stiffness * np.outer(direction, direction) / np.sqrt(np.outer(moving, moving))
+    highest = math.sqrt(float(np.linalg.eigvalsh(matrix)[-1])) / (2 * math.pi)
+    assert math.isclose(frequency, highest, rel_tol=1e-12)
+
+
+# --- Peeling: energies of the contact at a load and a tangential force, as functions of its radius -----------------------
+
+
+def energy(a: Any, load: float, force: Any, scene: dict[str, float]) -> Any:
+    """Return the energy of a contact of radius a under dead loads: elastic, of the two loads, and of its surface.
+
+    The elastic energy of an approach δ is that of a sphere pressed by a flat punch's part more or less:
+    E*(δ²a − 2δa³/(3R) + a⁵/(5R²)); its derivative is the load. The tangential spring is 8G*a.
+    """
+    radius, modulus, shear = scene["reduced_radius"], scene["contact_modulus"], scene["contact_shear_modulus"]
+    approach = load / (2 * modulus * a) + a**2 / (3 * radius)
+    elastic = modulus * (approach**2 * a - 2 / 3 * approach * a**3 / radius + a**5 / (5 * radius**2))
+    return elastic - load * approach - force**2 / (16 * shear * a) - scene["work_of_adhesion"] * math.pi * a**2
+
+
+def force_at(a: Any, load: float, scene: dict[str, float]) -> Any:
+    """Return the tangential force at which a contact of radius a is in equilibrium: ∂energy/∂a = 0, by differences."""
+    step = 1e-4 * a
+
+    def slope(force: float) -> Any:
+        near, far = (energy(a + h, load, force, scene) - energy(a - h, load, force, scene) for h in (step, 2 * step))
+        return (8 * near - far) / (12 * step)
+
+    unit = scene["pull_off_force"]
+    free = slope(0.0)
+    return unit * np.sqrt(-free / (slope(unit) - free))
+
+
+def largest(function: Callable[[Any], Any], low: float, high: float) -> tuple[float, float]:
+    """Return the place and the value of a maximum, by a parabola through the best of many points."""
+    x = np.linspace(low, high, 4001)
+    y = function(x)
+    best = int(np.nanargmax(y))
+    curve = np.polyfit(x[best - 20 : best + 21] - x[best], y[best - 20 : best + 21] / y[best], 2)
+    shift = -curve[1] / (2 * curve[0])
+    return float(x[best] + shift), float(y[best] * np.polyval(curve, shift))
+
+
+@pytest.mark.parametrize("scene", [QUARTZ, {**QUARTZ, **OTHER}, {**QUARTZ, "radius2": math.inf}])
+@pytest.mark.parametrize("ratio", [-0.9, -0.5, 0.0, 2.0])
+def test_the_contact_peels_where_no_radius_is_an_equilibrium(scene: dict[str, Any], ratio: float) -> None:
+    names = [
+        "reduced_radius", "contact_modulus", "contact_shear_modulus", "work_of_adhesion", "pull_off_force",
+        "contact_radius_at_load", "peeling_force", "peeling_radius",
+    ]  # fmt: skip
+    load = ratio * solve("pull_off_force", **scene)
+    found = solve(names, load=load, **scene)
+    a = found["contact_radius_at_load"]
+    with np.errstate(invalid="ignore"):  # no equilibrium at such a radius
+        at, force = largest(lambda radius: force_at(radius, load, found), 0.3 * a, a)
+    assert math.isclose(force, found["peeling_force"], rel_tol=1e-7)
+    assert math.isclose(at, found["peeling_radius"], rel_tol=1e-4)
+
+
+def test_numbers_of_quartz() -> None:
+    """1.905 P_c at any size, where the contact has shrunk to 2^(-1/3) of a0."""
+    for radius in (1e-9, 1e-7, 1e-5):
+        force, pull_off, at, a0 = solve(
+            ["peeling_force", "pull_off_force", "peeling_radius", "contact_radius"], **{**QUARTZ, "radius": radius}
+        ).values()
+        assert math.isclose(force / pull_off, 1.904840, rel_tol=1e-6)
+        assert math.isclose(at / a0, 0.5 ** (1 / 3), rel_tol=1e-14)
+
+
+@pytest.mark.parametrize(("radius", "slides"), [(1e-8, True), (1.7e-7, True), (1.9e-7, False), (1e-6, False)])
+def test_what_comes_first_is_decided_on_the_area_that_is_left(radius: float, slides: bool) -> None:
+    """The tangential force rises along the equilibria: it slides if πa²τ falls to it before its maximum."""
+    scene = {**QUARTZ, "radius": radius}
+    names = [
+        "reduced_radius", "contact_modulus", "contact_shear_modulus", "work_of_adhesion", "pull_off_force",
+        "contact_radius", "shear_strength", "peeling_over_sliding",
+    ]  # fmt: skip
+    found = solve(names, **scene)
+    a = np.linspace(1.0, 0.5 ** (1 / 3), 2001)[1:] * found["contact_radius"]
+    reached = force_at(a, 0.0, found) >= math.pi * a**2 * found["shear_strength"]
+    assert bool(reached.any()) is slides
+    assert (found["peeling_over_sliding"] > 1) is slides
+
+
+# --- Where there is none ------------------------------------------------------------------------------------------------
+
+
+def test_beyond_pull_off_nothing_peels_at_a_fixed_load() -> None:
+    force, approach = solve(["pull_off_force", "approach"], **QUARTZ).values()
+    assert solve("peeling_force", load=-force, **QUARTZ) == 0
+    for name in ("peeling_force", "peeling_radius"):
+        with pytest.raises(NotHeld):
+            solve(name, approach_at_load=-0.8 * approach, **QUARTZ)
+    beyond = solve("peeling_force", approach_at_load=np.array([-0.8, 0.5]) * approach, **QUARTZ)
+    assert np.isnan(beyond).tolist() == [True, False]
+
+
+@pytest.mark.parametrize("model", ["maugis", "dmt"])
+@pytest.mark.parametrize("name", [name for name in NEW if name not in ("shear_strength", *OF_ANY_LAW)])
+def test_other_laws_do_not_have_them(model: str, name: str) -> None:
+    with pytest.raises(NotInLaw, match="give --model jkr"):
+        solve(name, model=model, **QUARTZ)
+
+
+@pytest.mark.parametrize("model", ["jkr", "maugis", "dmt"])
+def test_torsional_stiffness_is_that_of_the_contact_radius(model: str) -> None:
+    a, stiffness = solve(["contact_radius_at_load", "twisting_stiffness"], model=model, **QUARTZ).values()
+    assert math.isclose(stiffness, 8 / 3 * SHEAR_MODULUS * a**3, rel_tol=1e-14)
+
+
+def test_two_rigid_bodies_have_no_strength() -> None:
+    with pytest.raises(JkrollError):
+        solve("sliding_force", **{**QUARTZ, "youngs_modulus": math.inf})

@@ -1,0 +1,236 @@
+"""Questions about rows at random, in texts: any command, law, materials, pair, state, energy and uncertainty."""
+
+import math
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from itertools import product
+from random import Random
+from typing import Any, NamedTuple
+
+from jkroll import solve
+from jkroll.answers.questions import QUESTIONS
+from jkroll.cli.commands import COMMANDS
+from jkroll.errors import JkrollError
+from jkroll.physics.jkr import FOLD_APPROACH
+from jkroll.quantities.laws import LAWS
+from jkroll.quantities.nomenclature import NOMENCLATURE, header
+from jkroll.quantities.values import has_uncertainty
+from jkroll.scene.wiring import formula_of
+from scenes import log_uniform
+
+MATERIALS = ["quartz", "iron", "gold", "PS", "graphite", "silica-dry", "silica-humid", "ice-warm", "ice-cold"]
+SPHERES = ("material", "material2")
+NAMES = [name for name in NOMENCLATURE if formula_of(name) is not None]
+LETS_GO = [-1.0, -1 + 1e-15, -1 - 1e-15, -1 + 1e-9, -1 - 1e-9, -1.001, -1.5, -8 / 9]  # loads next to pull-off, over it
+ODD_CELLS = ["abc", "-1 m", "0", "1e-9", "nan", "inf", "1e-9 kg", "1e90 m", "5±1", "3 to 4", "10%"]
+MOST_ROWS = 6
+
+
+class Ask(NamedTuple):
+    """A question about rows: what a command line says, or a table and its options."""
+
+    command: str
+    inputs: Mapping[str, Sequence[str]]  # the texts of the values of each input; materials are among them
+    quantities: str = ""  # of --quantities
+    model: str | None = None
+    options: Sequence[str] = ()  # inputs of one value that a table has from options, and not from columns
+
+    def words(self, *more: str) -> list[str]:
+        """Return the words of a command line."""
+        words = [self.command]
+        for name, texts in self.inputs.items():
+            words += [*([NOMENCLATURE[name].option] if name not in ("material", "radius") else []), ",".join(texts)]
+        return [*words, *self.law(), *(["--quantities", self.quantities] if self.quantities else []), *more]
+
+    def law(self) -> list[str]:
+        """Return the words that name the law."""
+        return ["--model", self.model] if self.model is not None else []
+
+    def rows(self) -> list[dict[str, str]]:
+        """Return the texts of each row by the names of inputs, in the order of the program."""
+        first = [name for name in SPHERES if name in self.inputs]
+        names = first + [name for name in NOMENCLATURE if name in self.inputs and name not in first]
+        return [dict(zip(names, row, strict=True)) for row in product(*(self.inputs[name] for name in names))]
+
+
+class Sheet(NamedTuple):
+    """A table, and the options with which it is read."""
+
+    columns: Sequence[str]
+    rows: Sequence[Mapping[str, str]]  # a cell that is not among them is empty
+    options: Sequence[str]
+
+    def text(self) -> str:
+        """Return the table as CSV."""
+        names = [*map(header, self.columns), "remark"]
+        cells = [[row.get(name, "") for name in self.columns] + ["x"] for row in self.rows]
+        return "".join(",".join(line) + "\n" for line in [names, *cells])
+
+
+def sheet_of(ask: Ask) -> Sheet:
+    """Return the table of the same rows."""
+    fixed = [word for name in ask.options for word in (NOMENCLATURE[name].option or f"--{name}", ask.inputs[name][0])]
+    columns = [name for name in ask.inputs if name not in ask.options]
+    return Sheet(columns, ask.rows(), [*fixed, *ask.law(), "--quantities", ask.quantities or ask.command])
+
+
+def mixed_sheet(random: Random, asks: Iterable[Ask]) -> Sheet:
+    """Return a table of the rows of several questions under one law, with some cells that are no values."""
+    rows = [dict(row) for ask in asks for row in ask.rows()]
+    random.shuffle(rows)
+    columns = [name for name in ("material", "material2", *NOMENCLATURE) if any(name in row for row in rows)]
+    columns = [*dict.fromkeys(columns)]
+    for row in rows:
+        if row and random.random() < 0.1:
+            row[random.choice([*row])] = random.choice(ODD_CELLS)
+    words = [*(["--uncertainty"] if random.random() < 0.2 else []), *(["--no-doubt"] if random.random() < 0.1 else [])]
+    first = next(iter(asks))
+    return Sheet(columns, rows, [*words, *first.law(), "--quantities", first.quantities or first.command])
+
+
+# --- At random --------------------------------------------------------------------------------------------------------
+
+
+def any_ask(random: Random, command: str = "", model: str | None = "") -> Ask:
+    """Return a random question, of a command and under a law if these are given."""
+    command = command or random.choice([*QUESTIONS, "contact", "moment", "report"])
+    taken = {option.name for option in COMMANDS[command].options()} | {"material", "radius"}
+    model = random.choice([None, None, *LAWS]) if model == "" else model
+    model = model if "model" in taken else None
+    found = _Values(random, model).inputs()
+    inputs = {name: texts for name, texts in found.items() if name in taken}
+    quantities = ""
+    if random.random() < 0.3:
+        names = [name for name in random.sample(NAMES, random.randint(1, 4)) if name not in inputs]
+        quantities = ",".join(names + random.choice([[], [], ["contact"]]))
+    options = [name for name, texts in inputs.items() if len(texts) == 1 and random.random() < 0.3]
+    return Ask(command, inputs, quantities, model, tuple(options))
+
+
+class _Values:
+    """Random values of inputs, as texts."""
+
+    def __init__(self, random: Random, model: str | None) -> None:
+        self.random, self.model = random, model
+        self.wider = random.choice([1.0] * 6 + [1e4, 1e4, 1e20])  # than the sizes of grains
+        self.kinds = random.choice([[], [], [], [], ["±"], ["±"], ["to"], ["±", "to"]])  # of uncertainties
+        self.part = random.choice([0.1, 0.2, 0.2, 0.5])  # of the values that have one
+        self.found: dict[str, tuple[str, ...]] = {}
+        self.count = 1
+
+    def inputs(self) -> dict[str, tuple[str, ...]]:
+        """Return the texts of the values of each input."""
+        often = 0.92
+        if self._is(0.6):
+            self._add("material", lambda: self.random.choice(MATERIALS))
+            often = 0.1
+        if self._is(0.96):
+            self._sizes("radius", 1e-9, 1e-4)
+        energy = "work_of_adhesion" if self._is(0.2) else "surface_energy"
+        for name, low, high in ((energy, 1e-3, 3.0), ("youngs_modulus", 1e8, 1e12), ("density", 1e2, 2e4)):
+            if self._is(often):
+                self._sizes(name, low, high)
+        if self._is(often):
+            self._add("poisson_ratio", self._ratio)
+        if self._is(0.5):
+            self._sphere_2(has_own_energy=energy == "surface_energy")
+        self._state()
+        self._others()
+        return self.found
+
+    def _sphere_2(self, *, has_own_energy: bool) -> None:
+        if self._is(0.3):
+            self._add("material2", lambda: self.random.choice(MATERIALS))
+        if self._is(0.8):
+            self._sizes("radius2", 1e-9, 1e-4, "plane")
+        if has_own_energy and self._is(0.15):
+            self._sizes("surface_energy2", 1e-3, 3.0)
+        if self._is(0.15):
+            self._sizes("youngs_modulus2", 1e8, 1e12, "rigid")
+        if self._is(0.15):
+            self._add("poisson_ratio2", self._ratio)
+        if self._is(0.15):
+            self._sizes("density2", 1e2, 2e4)
+        if self._is(0.1) and "youngs_modulus" in self.found:
+            self._add("youngs_modulus", lambda: "rigid", beside=self.found["youngs_modulus"])
+
+    def _state(self) -> None:
+        """Add loads or approaches, of which many are at the end of what the contact holds, or beyond."""
+        kind = self.random.choice(["", "", "load", "load", "approach_at_load"])
+        if not kind:
+            return
+        size, least = self._held(kind)
+
+        def text() -> str:
+            part = self.random.choice(
+                [
+                    self.random.choice(LETS_GO) * least,
+                    self.random.uniform(-2, 2),
+                    self.random.choice([0.0, log_uniform(self.random, 1e-9, 1e6)]),
+                    self.random.uniform(-1, 0) * least,
+                ]
+            )
+            return self._text(kind, part * size)
+
+        self._add(kind, text)
+
+    def _held(self, kind: str) -> tuple[float, float]:
+        """Return the size of loads or approaches of the first row, and how many of it the contact holds."""
+        texts: dict[str, Any] = {name: own[0] for name, own in self.found.items() if not has_uncertainty(own[0])}
+        name, fold = ("pull_off_force", "") if kind == "load" else ("approach", "fold_approach_maugis")
+        try:
+            size = solve(name, **texts, model=self.model)
+            if kind == "load" or self.model != "maugis":
+                return size, 1.0 if kind == "load" else 0.0 if self.model == "dmt" else -FOLD_APPROACH
+            return size, -solve(fold, **texts, model=self.model) / size
+        except JkrollError:
+            return (1e-8 if kind == "load" else 1e-10), 1.0
+
+    def _others(self) -> None:
+        for alternatives in (
+            [("yield_displacement", 1e-11, 1e-8), ("adhesion_hysteresis", 1e-4, 1.0)],
+            [("energy", 1e-20, 1e-10), ("energy_ratio", 1e-3, 1e3), ("speed", 1e-3, 1e3)],
+        ):
+            if self._is(0.4):
+                self._sizes(*self.random.choice(alternatives))
+        for name, low, high in (("gravity", 1e-2, 1e2), ("atomic_spacing", 1e-10, 1e-9), ("rolling_angle", 0.1, 3.0)):
+            if self._is(0.15):
+                self._sizes(name, low, high)
+
+    def _is(self, probability: float) -> bool:
+        return self.random.random() < probability
+
+    def _ratio(self) -> str:
+        return repr(self.random.choice([0.5, -1.0, 0.3, self.random.uniform(-0.9, 0.5)]))
+
+    def _sizes(self, name: str, low: float, high: float, special: str = "") -> None:
+        """Add values of any size, some of them with few digits, as those of sphere 1, or special."""
+        low, high = low / self.wider, high * self.wider
+        first = self.found.get(name.removesuffix("2"), ())
+
+        def text() -> str:
+            if name.endswith("2") and first and self._is(0.3):
+                return self.random.choice(first)
+            if special and self._is(0.3):
+                return special
+            value = log_uniform(self.random, low, high)
+            return self._text(name, self.random.choice([value, float(f"{value:.1g}")]))
+
+        self._add(name, text)
+
+    def _add(self, name: str, text: Callable[[], str], beside: Sequence[str] = ()) -> None:
+        """Add one value or some, as long as there are not too many rows."""
+        count = self.random.choice([1, 1, 1, 1, 2, 3])
+        self.found[name] = tuple(dict.fromkeys([*beside, *(text() for _ in range(count))]))
+        if self.count * len(self.found[name]) > MOST_ROWS:
+            self.found[name] = self.found[name][-1:]
+        self.count *= len(self.found[name])
+
+    def _text(self, name: str, value: float) -> str:
+        """Return a value as text, perhaps with an uncertainty."""
+        unit = f" {NOMENCLATURE[name].unit}".removesuffix(" 1")
+        if not self.kinds or not value or not math.isfinite(value) or not self._is(self.part):
+            return f"{value!r}{unit}"
+        if self.random.choice(self.kinds) == "±":
+            return f"{value!r}±{abs(value) * self.random.choice([0.01, 0.1, 0.4])!r}{unit}"
+        low, high = sorted(value * factor for factor in (self.random.uniform(0.3, 1), self.random.uniform(1, 3)))
+        return f"{low!r} to {high!r}{unit}"

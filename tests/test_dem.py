@@ -1,0 +1,116 @@
+"""What whoever simulates grains reads: the rows of `resistances` and `aggregates`, and the recipes of `guide dem`."""
+
+import json
+import math
+import re
+
+import pytest
+
+from harness import Run
+from jkroll import solve
+from jkroll.output.manual import page
+from scenes import QUARTZ
+
+ROWS = {
+    "rolling": ("rolling_stiffness", "yield_displacement", "yield_force", "yield_energy"),
+    "sliding": ("tangential_stiffness", "sliding_displacement", "sliding_force", "sliding_energy"),
+    "twisting": ("twisting_stiffness", "twisting_angle", "twisting_moment", "twisting_energy"),
+}
+PREFIXES = {"f": 1e-15, "a": 1e-18, "z": 1e-21, "p": 1e-12, "n": 1e-9, "µ": 1e-6, "m": 1e-3, "": 1.0}
+CELL = re.compile(r"([\d.]+) ([fazpnµm]?)(?:N m|N/m|N|J|m|rad)$")
+
+
+def number(cell: str) -> float:
+    """Return the SI number of a cell with a prefixed unit."""
+    found = CELL.match(cell)
+    assert found, cell
+    return float(found[1]) * PREFIXES[found[2]]
+
+
+@pytest.mark.parametrize("load", [0.0, 3e-9])
+def test_three_rows(run: Run, load: float) -> None:
+    lines = run(f"resistances quartz 100nm --load {load}N", terminal=True).out.splitlines()
+    shown = {
+        line.split()[0]: re.split(r"  +", line.strip())[1:]
+        for line in lines
+        if line.split()[:1] and line.split()[0] in ROWS
+    }
+    assert shown.keys() == ROWS.keys()
+    assert all(len(line) <= 80 for line in lines)
+    for row, names in ROWS.items():
+        exact = solve([*names], **QUARTZ, load=load)
+        assert [number(re.sub(" m/rad$", " m", cell)) for cell in shown[row]] == pytest.approx(
+            [*exact.values()], rel=1e-5
+        )
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ("quartz 100nm", "slides before it peels off"),
+        ("quartz 1um", "peels off before it slides"),
+        ("quartz 1um --shear-strength 10MPa", "slides before it peels off"),
+        ("quartz 100nm --xi 1nm", "pushed, it rolls before it slides"),
+    ],
+)
+def test_what_comes_first(run: Run, words: str, said: str) -> None:
+    assert said in run(f"resistances {words}").err
+
+
+def test_a_sweep_and_another_law(run: Run) -> None:
+    lines = run("resistances quartz,iron 100nm --bare --quantities sliding_force").out.splitlines()
+    assert [float(line) for line in lines] == [
+        solve("sliding_force", material=material, radius=1e-7) for material in ("quartz", "iron")
+    ]
+    ran = run("resistances quartz 100nm --model dmt --json")
+    results = {one["name"]: one["value"] for one in json.loads(ran.out)["results"]}
+    assert results["sliding_force"] is None
+    assert results["twisting_stiffness"] > 0
+
+
+def test_what_an_aggregate_lacks_is_said(run: Run) -> None:
+    ran = run("aggregates quartz 100nm")
+    assert ran.code == 0
+    assert "give --monomers 1000" in ran.err
+    assert "give --filling-factor 0.1" in ran.err
+    assert "n_c = N (--contacts)" in run("aggregates quartz 100nm --monomers 10").err
+    assert "--contacts" not in run("aggregates quartz 100nm --monomers 10 --contacts 12").err
+    for words, message in {
+        "--radius2 1um": "identical",
+        "--filling-factor 0.74": "filling_factor",
+        "--monomers 0": "monomers",
+    }.items():
+        refused = run(f"aggregates quartz 100nm --monomers 10 {words}")
+        assert refused.code, words
+        assert message in refused.err
+
+
+def test_sources_of_aggregates_are_cited(run: Run) -> None:
+    cited = run("aggregates quartz 100nm --monomers 10 --filling-factor 0.1 --cite").out
+    for key in ("dominik-tielens-1997", "ormel-2007", "wada-2007", "phantom", "tatsuuma-2019"):
+        assert f"{{{key},\n" in cited
+
+
+@pytest.mark.parametrize(
+    ("power", "step", "kept"),
+    [(0.0, -1 / 3, "pull_off_force"), (2 / 5, -2 / 5, "sticking_energy"), (1.0, -1 / 2, "tabor_parameter")],
+)
+def test_softer_grains(power: float, step: float, kept: str) -> None:
+    """The recipe of `guide dem`: γ q^power and ξ q^-power keep a quantity and the moment, and set the time step."""
+    q, xi = 0.01, 2e-10
+    names = [kept, "yield_moment", "sliding_frequency"]
+    before = solve(names, **QUARTZ, xi=xi)
+    softer = {**QUARTZ, "youngs_modulus": q * 54e9, "surface_energy": 0.025 * q**power}
+    after = solve(names, **softer, xi=xi * q**-power)
+    for name in (kept, "yield_moment"):
+        assert math.isclose(after[name], before[name], rel_tol=1e-12)
+    assert math.isclose(before["sliding_frequency"] / after["sliding_frequency"], q**step, rel_tol=1e-12)
+
+
+def test_mixing_of_lethe() -> None:
+    """Where w is 2√(γ1γ2), its manual has γ1 + γ2 − 2(√γ1 − √γ2)²."""
+    one, other = 0.02, 0.4
+    assert round(1e3 * (one + other - 2 * (math.sqrt(one) - math.sqrt(other)) ** 2)) == -62
+    assert round(1e3 * solve("work_of_adhesion", surface_energy=one, surface_energy2=other)) == 179
+    assert "−62 mJ/m²" in page("dem")
+    assert "179 mJ/m²" in page("dem")

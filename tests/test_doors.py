@@ -1,0 +1,419 @@
+"""The same rows by every door: the prompt, lists, files, tables and Python give the same answers.
+
+A row by floats is the definition of a row. What arrays compute may differ from it within the accuracy that is stated; all else is
+equal. Two additions of the prompt are known: the values at two atomic spacings of a quantity that rests on z0, and how far a
+contact would hold by Maugis' law.
+"""
+
+import math
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from random import Random
+from typing import Any
+
+import numpy as np
+import pytest
+
+from doors import (
+    Refused,
+    Rows,
+    agree,
+    answered,
+    call_of,
+    differences,
+    of_list,
+    of_table,
+    printed,
+    scenes_of,
+    side_of,
+)
+from harness import Run
+from jkroll import solve
+from jkroll.cli.question import question_of
+from jkroll.errors import JkrollError, NoResult
+from jkroll.quantities.nomenclature import NOMENCLATURE, header, word_for_infinity
+from jkroll.quantities.values import value_of
+from jkroll.rows.columns import DOUBT, OF_ROWS, ROW, STATUS, doubts_in_words
+from jkroll.scene.failures import InfiniteValue, MissingInput, OfIdenticalSpheres, RestsOnSpacing, reason_of
+from jkroll.scene.limits import NOT_JUDGED
+from questions import SPHERES, Ask, Sheet, any_ask, mixed_sheet, sheet_of
+
+FEW, MANY = 40, 1000
+UNITS = ["nm", "angstrom", "nN", "lbf", "eV", "GPa", "cm/s", "N ym12 Ym-12", "m ym12 Ym-12", "J ym12 Ym-12", "kHz"]
+
+Cells = Mapping[str, Any]
+Form = tuple[str, bool]  # of an output: an option or the ending of a file, and whether rows are computed by arrays
+FORMS: Sequence[Form] = (("--csv", True), ("csv", False), ("tsv", True), ("ndjson", False), ("parquet", True))
+
+
+def disagreements(run: Run, ask: Ask, unit: str = "", forms: Sequence[Form] = FORMS) -> Iterator[str]:
+    """Iterate over all in which the doors differ on a question; `unit`: that of results, if some have its dimension."""
+    try:
+        floats = of_list(ask, by_arrays=False)
+    except JkrollError as error:
+        yield from _in_refusals(run, ask, error)
+        return
+    yield from (f"arrays: {text}" for text in differences(floats, of_list(ask, by_arrays=True), scenes_of(ask)))
+    yield from (f"output: {text}" for text in _in_outputs(run, ask, floats, unit, forms))
+    yield from (f"table: {text}" for text in _in_table(run, ask, floats))
+    yield from (f"solve: {text}" for text in _in_solve(ask, floats))
+    yield from (f"arrays of solve: {text}" for text in _in_arrays_of_solve(ask, floats))
+
+
+def _in_refusals(run: Run, ask: Ask, error: JkrollError) -> Iterator[str]:
+    """Iterate over the doors that do not refuse what cannot be rows. A table does so row by row."""
+    for form in ("--json", "--csv", "ndjson"):
+        try:
+            printed(run, ask, form, by_arrays=True)
+            yield f"{form} does not refuse: {error}"
+        except Refused as other:
+            if str(error) not in str(other):
+                yield f"{form}: {error} and {other}"
+    try:
+        found = of_table(run, sheet_of(ask))
+    except Refused as other:
+        if not _lacks(str(other)):
+            yield f"table: {error} and {other}"
+        return
+    yield from differences(found.by_floats, found.rows, found.scenes)
+    if not any(isinstance(reasons.get(ROW), type(error)) for reasons in found.rows.reasons):
+        yield f"table: {error} and {found.rows.reasons}"
+
+
+def _lacks(text: str) -> bool:
+    """Return whether a table is refused since nothing leads to a quantity that was asked for by name, or it has a sphere 2."""
+    return " needs " in text or " not in " in text or "identical spheres only" in text
+
+
+# --- Tests ------------------------------------------------------------------------------------------------------------
+
+QUARTZ = {"material": ["quartz"], "radius": ["1e-7 m"]}
+PLAIN = {
+    "radius": ["1e-7 m"],
+    "surface_energy": ["0.025 J/m^2"],
+    "youngs_modulus": ["54e9 Pa"],
+    "poisson_ratio": ["0.17"],
+    "density": ["2600 kg/m^3"],
+}
+# What was found by random questions, as small as it shows.
+FOUND = {
+    "a row that is computed again, of an uncertain input": Ask(
+        "contact", {**QUARTZ, "radius": ["1e-7±1e-8 m", "1e-7 m"], "load": ["-1.17e-8 N"]}
+    ),
+    "kinds of rows, and one law without any value": Ask(
+        "n-grav",
+        {"material": ["ice-warm", "iron"], "radius": ["1e-7 m"], "adhesion_hysteresis": ["0.006 J/m^2"]},
+        model="dmt",
+    ),
+    "a headline that does not concern the scene": Ask("yield-force", QUARTZ, "yield_force,contact"),
+    "an infinite result of JKR, too": Ask("report", {**QUARTZ, "radius2": ["plane"]}, "mass2,pull_off_force", "dmt"),
+    "an infinite result": Ask("report", {**QUARTZ, "radius2": ["plane", "1 um"]}, "mass2,reduced_mass"),
+    "ranges beside standard uncertainties": Ask(
+        "contact", {**QUARTZ, "radius": ["1e-7 m", "1e-7±1e-8 m"], "load": ["-1e-9 to 1e-9 N"]}
+    ),
+    "more ranges than can be combined": Ask(
+        "report",
+        {
+            name: [
+                f"{texts[0].split()[0]} to {float(texts[0].split()[0]) * 1.1!r}{texts[0].partition(' ')[1]}{texts[0].partition(' ')[2]}"
+            ]
+            for name, texts in PLAIN.items()
+        }
+        | {
+            "yield_displacement": ["1e-10 to 2e-10 m"],
+            "gravity": ["9 to 10 m/s^2"],
+            "speed": ["1 to 2 m/s"],
+            "load": ["0 to 1e-9 N"],
+        },
+    ),
+    "a contact of no radius": Ask("contact", {**PLAIN, "approach_at_load": ["0 m", "1e-10 m"]}, model="dmt"),
+    "doubts of what rests on no contact": Ask(
+        "report", {**QUARTZ, "radius": ["1e-9 m", "1e-8 m"], "load": ["-1 N", "0 N"], "yield_displacement": ["1e-9 m"]}
+    ),
+    "two holds of one row": Ask(
+        "report",
+        {**QUARTZ, "radius": ["3e-11 m", "1e-12 m"], "load": ["-3.56e-10 N"]},
+        "zone_radius,reduced_moment_of_inertia,zone_span_at_approach",
+    ),
+    "a hold of all rows": Ask(
+        "contact", {**QUARTZ, "radius": ["1e-7 m", "2e-7 m"], "approach_at_load": ["-1e-10 m"]}, model="dmt"
+    ),
+    "a quantity of identical spheres that lacks an input": Ask(
+        "report",
+        {name: texts for name, texts in PLAIN.items() if name != "density"} | {"radius2": ["1e-7 m", "2e-7 m"]},
+    ),
+    "a result that is echoed as an input": Ask("n-roll", QUARTZ, "energy,n_roll"),
+    "an input that follows in some rows": Ask(
+        "n-roll", {**PLAIN, "youngs_modulus": ["rigid", "54e9 Pa"], "youngs_modulus2": ["rigid"]}
+    ),
+    "a zero of a quantity that has no value": Ask(
+        "report",
+        {"material": ["graphite"], "radius": ["1e-7 m", "1e-8 m"], "poisson_ratio": ["-1"]},
+        "edge_ratio_at_fold",
+        "dmt",
+    ),
+    "a state beyond the fold": Ask(
+        "moment",
+        {**QUARTZ, "radius": ["1e-7 m", "1e-6 m"], "approach_at_load": ["-1e-9 m"]},
+        "contact_displacement,zone_span",
+    ),
+    "nothing that concerns the scene": Ask("aggregates", {**QUARTZ, "radius2": ["1e-6 m", "2e-6 m"]}),
+    "nothing that concerns some rows": Ask("aggregates", {**QUARTZ, "radius2": ["1e-6 m", "1e-7 m"]}),
+    "inputs of a quantity that concerns some rows": Ask(
+        "frequencies", {**QUARTZ, "material": ["gold", "quartz"], "radius2": ["1e-7 m", "2e-7 m"], "load": ["1e-9 N"]}
+    ),
+    "two reasons that are not those of all rows": Ask(
+        "contact",
+        {**QUARTZ, "material": ["quartz", "gold"], "load": ["-1 N", "0 N"], "material2": ["graphite", "gold"]},
+    ),
+}
+
+
+@pytest.mark.parametrize("name", FOUND)
+def test_doors_agree_on_what_was_found(run: Run, name: str) -> None:
+    assert [*disagreements(run, FOUND[name])] == []
+
+
+def test_an_error_bar_that_no_double_holds_in_a_unit(run: Run) -> None:
+    assert [
+        *disagreements(run, Ask("moment", {"material": ["ice-warm"], "radius": ["1e-7 m", "1e-6 m"]}), UNITS[-1])
+    ] == []
+
+
+def test_doors_agree(run: Run) -> None:
+    check(run, seed=23, count=FEW)
+
+
+@pytest.mark.slow
+def test_doors_agree_on_fresh_questions(run: Run) -> None:
+    """The seed stands at the head of the run; with ACCURACY_SEED set to it, the same questions come again."""
+    check(run, seed=int(os.environ["ACCURACY_SEED"]), count=MANY)
+
+
+def check(run: Run, seed: int, count: int) -> None:
+    """Ask random questions at all doors, and those under one law in one table, too."""
+    for number in range(count):
+        random = Random(f"{seed} {number}")
+        ask = any_ask(random)
+        unit = random.choice(UNITS) if random.random() < 0.4 else ""
+        forms = random.sample(FORMS, 2)
+        assert [*disagreements(run, ask, unit, forms)] == [], (seed, number, ask, unit)
+        others = [any_ask(random, ask.command, ask.model) for _ in range(3)]
+        sheet = mixed_sheet(random, [ask, *others])
+        assert [*mixed_disagreements(run, sheet, random.choice([1, 200]))] == [], (seed, number, sheet)
+
+
+# --- What is written --------------------------------------------------------------------------------------------------
+
+
+def _in_outputs(run: Run, ask: Ask, floats: Rows, unit: str, forms: Sequence[Form]) -> Iterator[str]:
+    """Iterate over what differs between the outputs of a list."""
+    options = ["--to", unit] if unit else []
+    try:
+        ran, cells = printed(run, ask, "--csv", *options, by_arrays=False)
+    except Refused as refusal:
+        if "fits none of the results" in str(refusal):
+            yield from _in_outputs(run, ask, floats, "", forms)
+        elif len(floats.values) > 1 or not any(str(error) in str(refusal) for error in floats.reasons[0].values()):
+            yield f"csv: {refusal}"
+        return
+    yield from _in_cells(floats, cells, options)
+    if not options:
+        yield from (f"bare: {text}" for text in _in_bare(run, ask, floats))
+    for form, by_arrays in forms:
+        other, twins = printed(run, ask, form, *options, by_arrays=by_arrays)
+        if (other.code, other.err) != (ran.code, ran.err) and not by_arrays:
+            yield f"{form}: {ran.code}: {ran.err} and {other.code}: {other.err}"
+        for row, (line, twin) in enumerate(zip(cells, twins, strict=True)):
+            for head in line.keys() | twin.keys():
+                one, two = _read(line.get(head), head), _read(twin.get(head), head)
+                if one != two and not (
+                    by_arrays and (head == DOUBT or (isinstance(one, float) and isinstance(two, float)))
+                ):
+                    yield f"{form}: row {row}: {head}: {one!r} and {two!r}"
+    try:
+        other, objects = printed(run, ask, "--json", *options, by_arrays=False)
+    except Refused as refusal:
+        yield f"json: {refusal}"
+        return
+    if other.code != ran.code:
+        yield f"json: {ran.code} and {other.code}"
+    for row, one in enumerate(objects):
+        yield from (f"json: row {row}: {text}" for text in _in_object(floats, row, one, options))
+
+
+def _in_bare(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
+    """Iterate over the bare numbers that are not those of rows. Inputs, which are no columns of rows, are among them."""
+    names = question_of(call_of(ask)).headline
+    lines = answered(run, *ask.words("--bare")).out.splitlines()
+    for row, line in enumerate(lines):
+        for name, cell in zip(names, line.split("\t"), strict=True):
+            value = None if cell == "-" else float(cell)
+            if name in floats.keys and value != floats.values[row].get(name):
+                yield f"row {row}: {name} = {floats.values[row].get(name)!r} and {cell}"
+
+
+def _in_cells(floats: Rows, cells: Sequence[Cells], options: Sequence[str]) -> Iterator[str]:
+    """Iterate over the cells of results, doubts and states that are not those of rows. Cells in other units are compared elsewhere."""
+    for row, line in enumerate(cells):
+        for key in floats.keys if not options else ():
+            if _read(line[_head(key)], "") != floats.values[row].get(key):
+                yield f"csv: row {row}: {key} = {floats.values[row].get(key)!r} and {line[_head(key)]}"
+        if line[DOUBT] != doubts_in_words(floats.doubts[row], OF_ROWS):
+            yield f"csv: row {row}: {line[DOUBT]!r}"
+
+
+def _head(key: str) -> str:
+    """Return the header of a column of results."""
+    name = side_of(key) or key
+    return header(name).replace(name, key, 1)
+
+
+def _read(cell: Any, head: str) -> Any:
+    """Return a cell of any output: a number, a text or None; a word for an infinite input as the number that Parquet has."""
+    if cell in ("", None):
+        return None
+    if cell == word_for_infinity(head.partition(" ")[0]) if head.partition(" ")[0] in NOMENCLATURE else False:
+        return math.inf
+    try:
+        return float(cell)
+    except ValueError:
+        return cell
+
+
+def _in_object(floats: Rows, row: int, found: Mapping[str, Any], options: Sequence[str]) -> Iterator[str]:
+    """Iterate over what differs between a row and its object."""
+    values, reasons = floats.values[row], floats.reasons[row]
+    results = {each["name"]: each for each in found["results"]}
+    for key in floats.keys:
+        name, side = side_of(key), key.rpartition("_")[2]
+        entry = results.get(name or key, {})
+        number = entry.get("uncertainty", {}).get(side) if name else entry.get("value")
+        if number != values.get(key) and not options:
+            yield f"{key} = {values.get(key)!r} and {number!r}"
+        error = reasons.get(key)
+        if (
+            not name
+            and not isinstance(error, RestsOnSpacing)
+            and "that a double can hold" not in entry.get("reason", "")
+        ):
+            reason = reason_of(key, error) if isinstance(error, MissingInput | NoResult) else None
+            if reason != entry.get("reason"):
+                yield f"{key}: {reason} and {entry.get('reason')}"
+    codes = {verdict["code"] for verdict in found["validity"] if not verdict["holds"]}
+    if codes != {*doubts_in_words(floats.doubts[row], -1).split()}:
+        yield f"doubts {doubts_in_words(floats.doubts[row], -1)} and {codes}"
+    not_judged = any(note.startswith("not checked") for note in found["notes"])
+    if not_judged != bool(floats.doubts[row] & NOT_JUDGED):
+        yield f"{'not ' * not_judged}judged"
+
+
+# --- Tables -----------------------------------------------------------------------------------------------------------
+
+
+def _in_table(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
+    """Iterate over what differs between a list and a table of the same rows."""
+    try:
+        found = of_table(run, sheet_of(ask))
+    except Refused as refusal:
+        known = MissingInput | OfIdenticalSpheres
+        if not (
+            _lacks(str(refusal)) and any(isinstance(error, known) for each in floats.reasons for error in each.values())
+        ):
+            yield str(refusal)
+        return
+    yield from (f"by arrays: {text}" for text in differences(found.by_floats, found.rows, found.scenes))
+    yield from differences(floats, found.by_floats)
+    yield from _in_written(found.rows, found.cells)
+    for key in {*floats.keys} ^ {*found.rows.keys}:
+        lacks = all(isinstance(reasons.get(key), MissingInput) for reasons in floats.reasons)
+        if not (side_of(key) or NOMENCLATURE[key].of_identical or lacks or key in ask.inputs):
+            yield f"only one of the doors has {key}"
+
+
+def _in_written(rows: Rows, cells: Sequence[Cells]) -> Iterator[str]:
+    """Iterate over the cells of a table that are not what was computed."""
+    for row, line in enumerate(cells):
+        for key in rows.keys:
+            if _read(line[_head(key)], "") != rows.values[row].get(key):
+                yield f"row {row}: {key} = {rows.values[row].get(key)!r} and {line[_head(key)]}"
+        if line.get(DOUBT, "") != doubts_in_words(rows.doubts[row], OF_ROWS) and DOUBT in line:
+            yield f"row {row}: {line[DOUBT]!r}"
+        if bool(line[STATUS]) != bool(rows.reasons[row]):
+            yield f"row {row}: {line[STATUS]!r}"
+
+
+def mixed_disagreements(run: Run, sheet: Sheet, sample: int) -> Iterator[str]:
+    """Iterate over what differs between the rows of a table by arrays and by floats."""
+    try:
+        found = of_table(run, sheet, sample=sample)
+    except Refused:
+        return
+    yield from differences(found.by_floats, found.rows, found.scenes)
+    yield from _in_written(found.rows, found.cells)
+
+
+# --- Python -----------------------------------------------------------------------------------------------------------
+
+
+def _in_solve(ask: Ask, floats: Rows) -> Iterator[str]:
+    """Iterate over what differs between rows and calls with their values."""
+    for row, texts in enumerate(ask.rows()):
+        values, reasons = floats.values[row], floats.reasons[row]
+        given: dict[str, Any] = {
+            name: text if name in SPHERES else value_of(text, name) for name, text in texts.items()
+        }
+        names = [key for key in floats.keys if not side_of(key) and key in values]
+        if any(side_of(key) for key in reasons):
+            names = []  # some value has no uncertainty, which is an error here
+        for name, found in solve(names, model=ask.model, **given).items():
+            sides = found.sides if hasattr(found, "sides") else {}
+            if (found.value if sides else found) != values[name]:
+                yield f"row {row}: {name} = {values[name]!r} and {found!r}"
+            for side, number in sides.items() if not reasons else ():  # sources are those of all quantities together
+                if values.get(f"{name}_{side}") != number:
+                    yield f"row {row}: {name}_{side} = {values.get(f'{name}_{side}')!r} and {number!r}"
+        for name, error in reasons.items():
+            if name not in NOMENCLATURE or isinstance(error, InfiniteValue):
+                continue
+            try:
+                yield f"row {row}: {name}: {error} and {solve(name, model=ask.model, **given)}"
+            except JkrollError as other:
+                if str(error) != str(other):
+                    yield f"row {row}: {name}: {error} and {other}"
+
+
+def _in_arrays_of_solve(ask: Ask, floats: Rows) -> Iterator[str]:
+    """Iterate over what differs between rows and elements of arrays, which are nan where there is no value."""
+    groups: dict[tuple[str | None, ...], list[int]] = {}
+    rows, scenes = ask.rows(), scenes_of(ask)
+    for row, texts in enumerate(rows):
+        groups.setdefault(tuple(texts.get(name) for name in SPHERES), []).append(row)
+    for materials, places in groups.items():
+        arrays = {
+            name: np.array([getattr(one, "value", one) for one in (value_of(rows[row][name], name) for row in places)])
+            for name in rows[places[0]]
+            if name not in SPHERES
+        }
+        is_special = any(np.isin(values, [0.0, math.inf]).any() for values in arrays.values())
+        given: dict[str, Any] = {**dict(zip(SPHERES, materials, strict=True)), **arrays}
+        for name in (key for key in floats.keys if not side_of(key)):
+            try:
+                elements = np.broadcast_to(solve(name, model=ask.model, **given), len(places)).tolist()
+            except JkrollError as error:
+                if is_special and isinstance(error, MissingInput):
+                    continue  # a number from which more follows needs less
+                for row in places:
+                    expected = floats.values[row].get(name, floats.reasons[row].get(name))
+                    if expected is not None and str(expected) != str(error):
+                        yield f"row {row}: {name}: {expected} and {error}"
+                continue
+            for row, element in zip(places, elements, strict=True):
+                value, reason = floats.values[row].get(name), floats.reasons[row].get(name)
+                if value is None:
+                    if reason is not None and not (
+                        math.isinf(element) if isinstance(reason, InfiniteValue) else math.isnan(element)
+                    ):
+                        yield f"row {row}: {name}: {reason} and {element}"
+                elif not agree(scenes[row], name, value, element):
+                    yield f"row {row}: {name} = {value!r} and {element!r}"
