@@ -375,6 +375,13 @@ SYMBOLS = {
 }  # fmt: skip
 
 
+def _held(s: Exact) -> Exact:
+    """The distance from pull-off of a contact that holds by itself; others have no equation."""
+    if s < 0:
+        raise ValueError
+    return s
+
+
 def _shifted_pressure(X_c: Exact, a: Exact, E: Exact, R: Exact, xi: Exact, p_H: Exact, p_B: Exact) -> list[Exact]:
     """The pressures of Hertz, of a flat punch and of a tilted one."""
     depth = sqrt(1 - (X_c / a) ** 2)
@@ -472,8 +479,8 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "twisting_angle": lambda M_twist, k_t: M_twist / k_t,
     "twisting_energy": lambda M_twist, phi_twist: M_twist * phi_twist / 2,
     "twisting_frequency": lambda k_t, I: sqrt(k_t / I) / (2 * pi),  # noqa: E741
-    "peeling_force": lambda P_c, s, G, E: 4 * P_c * s * sqrt(G / E),
-    "peeling_radius": lambda w, R, E, s: cbrt(9 * pi * w * R**2 / (2 * E) * (1 + s**2) / 4),
+    "peeling_force": lambda P_c, s, G, E: 4 * P_c * _held(s) * sqrt(G / E),
+    "peeling_radius": lambda w, R, E, s: cbrt(9 * pi * w * R**2 / (2 * E) * (1 + _held(s) ** 2) / 4),
     "peeling_over_sliding": lambda T_peel, tau, a_peel: T_peel / (pi * a_peel**2 * tau),
     # aggregates
     "contacts": lambda n: n,

@@ -13,7 +13,7 @@ from ..quantities.laws import law_named
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import Spread, spreads_of
 from ..rows.sweep import Pair, Sweep
-from ..scene.scene import EXCLUSIVE, Scene
+from ..scene.scene import EXCLUSIVE, Scene, check_range
 from ..text import quoted, say_wrapped
 from .options import Call
 
@@ -63,8 +63,11 @@ class Request:
 
     @cached_property
     def spreads(self) -> dict[str, list[Spread]]:
-        """The values of each input, in the order of the nomenclature."""
+        """The values of each input, in the order of the nomenclature; raises OutOfRange for one that the input cannot have."""
         spreads = {name: spreads_of(text, name) for name, text in self.options.items()}
+        for name, own in spreads.items():
+            for end in (end for spread in own for end in (spread.low, spread.high)):
+                check_range(name, end)
         return {name: spreads[name] for name in NOMENCLATURE if name in spreads}
 
     @cached_property
