@@ -47,7 +47,7 @@ def test_an_installed_wheel_answers_from_an_empty_directory(tmp_path: Path) -> N
     shipped = (
         "import sys; from jkroll.cli.process import main; assert main(['pull-off', 'quartz', '100nm']) == 0; "
         "assert 'jkroll.materials.shipped' in sys.modules; assert 'tomllib' not in sys.modules; "
-        "import tomllib; from jkroll.materials import entries, shipped; file = open(entries.SHIPPED, 'rb'); "
+        "import tomllib; from jkroll.materials import library, shipped; file = open(library.SHIPPED, 'rb'); "
         "assert tomllib.load(file) == shipped.DATA"
     )
     subprocess.run([sys.executable, "-c", shipped], check=True, cwd=empty, env=environment, stdout=subprocess.DEVNULL)
