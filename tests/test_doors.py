@@ -38,6 +38,7 @@ from jkroll.quantities.values import value_of
 from jkroll.rows.columns import DOUBT, OF_ROWS, ROW, STATUS, doubts_in_words
 from jkroll.scene.failures import InfiniteValue, MissingInput, OfIdenticalSpheres, RestsOnSpacing, reason_of
 from jkroll.scene.limits import NOT_JUDGED
+from jkroll.scene.scene import Scene
 from questions import SPHERES, Ask, Sheet, any_ask, mixed_sheet, sheet_of
 
 FEW, MANY = 40, 1000
@@ -329,13 +330,16 @@ def _in_table(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
     yield from (f"by arrays: {text}" for text in differences(found.by_floats, found.rows, found.scenes))
     yield from differences(floats, found.by_floats)
     yield from _in_written(found.rows, found.cells)
-    for key in {*floats.keys} ^ {*found.rows.keys}:
+    for key in (key for key in {*floats.keys} ^ {*found.rows.keys} if not side_of(key)):
         lacks = all(isinstance(reasons.get(key), MissingInput) for reasons in floats.reasons)
-        of_plane = "radius" not in ask.inputs and "plane" in ask.inputs.get(
-            "radius2", ()
-        )  # a header says nothing of planes
-        if not (side_of(key) or NOMENCLATURE[key].of_identical or lacks or of_plane or key in ask.inputs):
+        of_values = all(key in _of_any_values(scene).missing([key]) for scene in scenes_of(ask))  # a header has none
+        if not (NOMENCLATURE[key].of_identical or lacks or of_values or key in ask.inputs):
             yield f"only one of the doors has {key}"
+
+
+def _of_any_values(scene: Scene) -> Scene:
+    """Return a scene with the same inputs, of which none has a value from which more follows: a plane, a rigid body, no load."""
+    return scene.replace(**dict.fromkeys(scene.stated, 0.25))
 
 
 def _in_written(rows: Rows, cells: Sequence[Cells]) -> Iterator[str]:
