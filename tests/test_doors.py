@@ -164,6 +164,11 @@ FOUND = {
         {**QUARTZ, "radius": ["1e-7 m", "1e-6 m"], "approach_at_load": ["-1e-9 m"]},
         "contact_displacement,zone_span",
     ),
+    "two rigid bodies beyond pull-off, among others": Ask(
+        "report",
+        {**PLAIN, "poisson_ratio": ["0.2", "-1"], "load": ["-1 N"], "adhesion_hysteresis": ["0.003 J/m^2"]},
+        model="dmt",
+    ),
     "nothing that concerns the scene": Ask("aggregates", {**QUARTZ, "radius2": ["1e-6 m", "2e-6 m"]}),
     "nothing that concerns some rows": Ask("aggregates", {**QUARTZ, "radius2": ["1e-6 m", "1e-7 m"]}),
     "inputs of a quantity that concerns some rows": Ask(

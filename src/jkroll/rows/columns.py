@@ -444,21 +444,21 @@ class _Causes:
             fails = numpy.isnan(scene.values.get(step.name, numpy.nan)) & (cause == NO_GAP)
             if fails.any():
                 cause[fails] = UNKNOWN
-                self._find(step, cause)
+                self._find(step, cause, fails)
             if cause.any():
                 self.causes[step.name] = cause
 
-    def _find(self, step: Step, cause: Any) -> None:
+    def _find(self, step: Step, cause: Any, fails: Any) -> None:
         """Note the cause of a formula that fails by itself in some rows."""
         values = self.scene.values
         if step.name not in values:
             error = self.scene.evaluate([step.name])[step.name]
-            self._note(cause, cause == UNKNOWN, lambda _: error)
+            self._note(cause, fails, lambda _: error)
             return
         given = {parameter: values[source] for parameter, source in step.arguments}
         if (hold := hold_of(step.name, given)) is not None:
             stated, least = (spread(value, self.size).tolist() for value in (given[hold.name], hold.least))
-            lets_go = hold.lets_go(given[hold.name]) & (cause == UNKNOWN)
+            lets_go = hold.lets_go(given[hold.name]) & fails
             self._note(cause, lets_go, lambda row: hold.error(stated[row], least[row]))
 
     def _note(self, cause: Any, rows: Any, error: Callable[[int], JkrollError]) -> None:
