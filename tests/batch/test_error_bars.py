@@ -96,7 +96,8 @@ def test_uncertain_materials(run: Run) -> None:
     rows += [{"radius [nm]": 100.0, "material": "ice-warm"}]
     words = "batch grains.csv -o out.csv --quantities pull_off_force"
     written(rows)
-    assert run(words).code == 0
+    ran = run(words)
+    assert (ran.code, "1 of 201 rows have error bars" in ran.err) == (0, True)
     assert found()[-1]["pull_off_force [N]"] == close(FORCE * 190 / 25)
     assert found()[-1]["status"] == (
         "ice-warm: uncertainties are left out, for which the table has no columns; --uncertainty adds them"

@@ -1,9 +1,11 @@
 """The headers of tables as people write them: each is read rightly, refused with a remedy, or named as passing through."""
 
+import csv
 from pathlib import Path
 from unittest.mock import patch
 
 import orjson
+import pyarrow.parquet
 import pytest
 
 from harness import Run
@@ -225,3 +227,92 @@ def test_a_line_of_blanks_is_no_row(run: Run, end: str) -> None:
 def test_no_name_of_another_length_or_with_other_letters_is_compared() -> None:
     with patch("difflib.get_close_matches", side_effect=AssertionError):
         assert understood([f"xyz{number}" for number in range(5000)]).inputs == ()
+
+
+# --- Uncertainties ----------------------------------------------------------------------------------------------------
+
+# The columns of a value with its uncertainty, and the cell that says the same.
+PARTS = {
+    ("gamma [mJ/m2]=25", "gamma_err [mJ/m2]=5"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "gamma_std=5"): "25±5 mJ/m2",
+    ("surface energy (mJ/m2)=25", "surface energy error (mJ/m2)=5"): "25±5 mJ/m2",
+    ("gamma_mJ_m2=25", "gamma_mJ_m2_sd=5"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "± gamma [J/m2]=0.005"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "gamma ± (%)=20"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "gamma_err_percent=20"): "25±5 mJ/m2",
+    ("gamma=25 mJ/m2", "gamma_err=5 mJ/m2"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "gamma_minus [mJ/m2]=4", "gamma_plus [mJ/m2]=6"): "25 +6/-4 mJ/m2",
+    ("gamma [mJ/m2]=25", "gamma_minus=-4", "gamma_plus=+6"): "25 +6/-4 mJ/m2",
+    ("gamma [mJ/m2]=25", "gamma_minus=", "gamma_plus=6"): "25 +6/-0 mJ/m2",
+    ("gamma_min [mJ/m2]=20", "gamma_max [mJ/m2]=30"): "20 to 30 mJ/m2",
+    ("gamma_lower (mJ/m2)=20", "gamma_upper (mJ/m2)=30"): "20 to 30 mJ/m2",
+    ("gamma_mJ_m2_low=20", "gamma_mJ_m2_high=30"): "20 to 30 mJ/m2",
+    ("gamma [mJ/m2]=25", "gamma_err [mJ/m2]="): "25 mJ/m2",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("ending", ["csv", "ndjson", "parquet"])
+@pytest.mark.parametrize("columns", PARTS)
+def test_columns_of_an_uncertainty_say_what_a_cell_does(run: Run, columns: tuple[str, ...], ending: str) -> None:
+    texts = dict(column.split("=") for column in columns)
+    results = []
+    for cells in (texts, {"gamma": PARTS[columns]}):
+        rows = [{**cells, "R (nm)": "100"}, {**dict.fromkeys(cells, ""), "R (nm)": "100"}]
+        results.append(converted(run, rows, ending)[len(cells) + 1 :])
+    assert results[0] == results[1]
+    assert any("pull_off_force_" in text for text in results[0]) == (PARTS[columns] != "25 mJ/m2")
+
+
+def converted(run: Run, rows: list[dict[str, str]], ending: str) -> list[str]:
+    """Return the columns that a table gets, as texts."""
+    path, out = Path(f"x.{ending}"), Path(f"out.{ending}")
+    if ending == "csv":
+        path.write_text(
+            "".join(",".join(line) + "\n" for line in [rows[0], *(row.values() for row in rows)]), encoding="utf-8"
+        )
+    elif ending == "ndjson":
+        path.write_bytes(b"".join(orjson.dumps(row) + b"\n" for row in rows))
+    else:
+        pyarrow.parquet.write_table(pyarrow.Table.from_pylist(rows), path)
+    ran = run("batch", str(path), "--quantities", "pull_off_force", "-o", str(out))
+    assert ran.code == 1, ran.err  # the second row has no value
+    if ending == "parquet":
+        found = pyarrow.parquet.read_table(out).to_pylist()
+    elif ending == "ndjson":
+        found = [orjson.loads(line) for line in out.read_text(encoding="utf-8").splitlines()]
+    else:
+        found = [*csv.DictReader(out.read_text(encoding="utf-8").splitlines())]
+    return [f"{name}: {[row[name] for row in found]}" for name in found[0]]
+
+
+@pytest.mark.parametrize(
+    ("header", "passing"),
+    [
+        ("radius [nm],gamma_err [mJ/m2]", "gamma_err [mJ/m2]"),
+        ("radius [nm],R_min [m]", "R_min [m]"),
+        ("radius [nm],R_min [m],R_max [m]", "R_min [m], R_max [m]"),
+        ("radius [nm],load_minus [nN]", "load_minus [nN]"),
+    ],
+)
+def test_half_an_uncertainty_passes_and_is_named(header: str, passing: str) -> None:
+    assert understood(header.split(",")).reading() == f"read: radius [nm]; passed through: {passing}"
+
+
+def test_an_uncertainty_says_where_it_is_read_from() -> None:
+    said = understood(
+        ["R (nm)", "R_err (nm)", "E_min [GPa]", "E_max [GPa]", "P [nN]", "P_plus [nN]", "P_minus [nN]"]
+    ).reading()
+    assert '''radius [nm] from "R (nm)" ± "R_err (nm)"''' in said
+    assert "youngs_modulus [GPa] from E_min [GPa] to E_max [GPa]" in said
+    assert "load [nN] from P [nN] − P_minus [nN] + P_plus [nN]" in said
+
+
+def test_an_uncertainty_in_another_unit_or_of_nothing_is_refused() -> None:
+    with pytest.raises(BadTable, match="must be that of the other column, nN"):
+        understood(["P [nN]", "P_plus [nN]", "P_minus [uN]"])
+    with pytest.raises(BadTable, match="is a length"):
+        understood(["P [nN]", "P_err [nm]"], chosen=choices(["P_err [nm]=load_err [nm]"]))
+    with pytest.raises(BadTable, match="no uncertainty of surface_energy"):
+        understood(["dG", "R (nm)"], chosen=choices(["dG=surface_energy_err [mJ/m2]"]))
+    header = understood(["gamma [mJ/m2]", "dG"], chosen=choices(["dG=surface_energy_err [mJ/m2]"]))
+    assert header.inputs[0].joined("25", "5") == "25±5"

@@ -87,7 +87,7 @@ def test_the_quick_way_is_taken() -> None:
         patch.object(Reader, "_of_many_kinds") as one_by_one,
     ):
         found = convert(text)
-    assert found.tally == (301, 1, 0)
+    assert found.tally[:3] == (301, 1, 0)
     assert b"radius: '-5 nm' must be positive; expected a length such as 100nm" in found.output.splitlines()[300]
     assert not one_by_one.called
     first, *others = found.output.splitlines()[:300]
@@ -154,5 +154,5 @@ def test_a_line_of_separators_takes_little_memory() -> None:
     found = converted("csv", "\n", line + b"\n", excel_safe=False)
     _, peak = tracemalloc.get_traced_memory()
     tracemalloc.stop()
-    assert found.tally == (1, 1, 0)
+    assert found.tally[:3] == (1, 1, 0)
     assert peak < 50 * len(line)

@@ -27,6 +27,9 @@ def run(path: str, settings: Settings, inputs: Mapping[str, str], known: Materia
         tally, code = convert(Part(path, settings.target), order), 0
     if tally.doubtful and not settings.quiet:
         say(f"note: {tally.doubtful} of {tally.rows} rows are doubtful; column {DOUBT} says why", sys.stderr)
+    if tally.without_error_bars and not settings.quiet:
+        some = f"{tally.without_error_bars} of {tally.rows} rows have"
+        say(f"note: {some} error bars that the first rows have not; --uncertainty adds their columns", sys.stderr)
     if tally.failed:
         say(f"jkroll: {tally.failed} of {tally.rows} rows failed; column {STATUS} says why", sys.stderr)
     return code or (ROWS_FAILED if tally.failed else 0)

@@ -12,8 +12,6 @@ from functools import cache
 from itertools import islice
 from typing import NamedTuple
 
-import numpy
-
 from ..output.records import numbers_in_lines
 from ..rows.columns import OF_ROWS, Columns, doubts_in_words
 from ..rows.header import BadTable, is_input
@@ -175,7 +173,7 @@ class Delimited:
             columns = evaluated(self.table.wanted, self.table.block(len(lines[part]), own, problems))
             failed = columns.failed()
             check_strictly(columns, failed, starts[part], strict=self.strict)
-            tally = tally.plus(len(columns), len(failed), int(numpy.count_nonzero(columns.doubts & OF_ROWS)))
+            tally = tally.plus(*Tally.of(columns, failed))
             if self.said:
                 lines[part] = [line + self.said for line in lines[part]]
             pieces += self._strips(lines[part], columns)

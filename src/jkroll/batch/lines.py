@@ -3,7 +3,9 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from ..rows.columns import Columns
+import numpy
+
+from ..rows.columns import OF_ROWS, Columns
 from ..rows.header import BadRow, BadTable
 
 BOM = b"\xef\xbb\xbf"
@@ -12,15 +14,22 @@ _UTF_16 = (b"\xff\xfe", b"\xfe\xff")
 
 
 class Tally(NamedTuple):
-    """The rows of a run, and those of them that failed or exceed a limit of the model."""
+    """The rows of a run, and those of them that failed, exceed a limit of the model, or have error bars that are not shown."""
 
     rows: int = 0
     failed: int = 0
     doubtful: int = 0
+    without_error_bars: int = 0
 
-    def plus(self, rows: int, failed: int, doubtful: int) -> "Tally":
+    @classmethod
+    def of(cls, columns: Columns, failed: Sequence[int]) -> "Tally":
+        """Return the counts of some rows."""
+        doubtful = int(numpy.count_nonzero(columns.doubts & OF_ROWS))
+        return cls(len(columns), len(failed), doubtful, columns.without_sides())
+
+    def plus(self, *others: int) -> "Tally":
         """Return the counts with those of some more rows."""
-        return Tally(self.rows + rows, self.failed + failed, self.doubtful + doubtful)
+        return Tally(*map(sum, zip(self, others, strict=True)))
 
 
 class Converted(NamedTuple):

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-import numpy
 import orjson
 
 from ..output.records import numbers_in_lines
@@ -71,7 +70,7 @@ class NdjsonConverter:
         check_strictly(columns, failed, places, strict=self.strict)
         for place, one, members in zip(places, objects, self._members(columns), strict=True):
             lines[place] = _beginning(lines[place], one) + members
-        tally = Tally(len(rows), len(failed), int(numpy.count_nonzero(columns.doubts & OF_ROWS)))
+        tally = Tally.of(columns, failed)
         return Converted(b"\n".join([*lines, b""]), tally)
 
     def _problem(self, one: Row | None) -> str:

@@ -93,7 +93,7 @@ class _File:
             *map(as_column, columns.numbers),
             *_remarks(columns, self.table.remarks),
         ]
-        tally = Tally(size, len(failed), int(numpy.count_nonzero(columns.doubts & OF_ROWS)))
+        tally = Tally.of(columns, failed)
         return pyarrow.RecordBatch.from_arrays(arrays, schema=self.schema), tally
 
     def _block(self, batch: Any) -> Block:
@@ -105,7 +105,7 @@ class _File:
             texts = [*map(_text, encoded.dictionary.to_pylist()), ""]
             rows = encoded.indices.cast(pyarrow.int64()).fill_null(len(texts) - 1)
             codes[name] = table.lookups[name].codes(texts)[rows.to_numpy()]
-        numbers = {reader.column.name: _numbers(batch.column(reader.column.place), reader) for reader in table.readers}
+        numbers = {reader.column.name: _numbers(batch, reader) for reader in table.readers}
         return table.block_of(
             batch.num_rows, numbers, codes, {}, lambda row, name: _text(batch.column(places[name])[row].as_py(), name)
         )
@@ -218,17 +218,21 @@ def _text(value: object, name: str = "") -> str:
     """Return a value as a cell of text, a float as its shortest, an infinite input as its word; an empty one for null or nan."""
     if isinstance(value, bytes):
         return value.decode(errors="replace")
-    if value == INFINITY and name:
+    if value == INFINITY and name in NOMENCLATURE:
         return word_for_infinity(name) or str(value)
     return "" if value is None or (isinstance(value, float) and isnan(value)) else str(value)
 
 
-def _numbers(array: Any, reader: Reader) -> Numbers:
-    """Return the SI values of a column: numbers in its unit, or texts as in CSV."""
-    kind, unit = array.type, reader.column.unit
-    is_text = not (pyarrow.types.is_floating(kind) or pyarrow.types.is_integer(kind))
-    if is_text or (unit is None and reader.column.exponent is None):
-        return reader.numbers([_text(value).encode() for value in array.to_pylist()])
+def _numbers(batch: Any, reader: Reader) -> Numbers:
+    """Return the SI values of an input: numbers in its unit, or texts as in CSV."""
+    column = reader.column
+    array, unit = batch.column(column.place), column.unit
+    is_text = not (pyarrow.types.is_floating(array.type) or pyarrow.types.is_integer(array.type))
+    if is_text or column.sides or (unit is None and column.exponent is None):
+        places = column.places.items()
+        return reader.numbers(
+            {name: [_text(cell).encode() for cell in batch.column(at).to_pylist()] for name, at in places}
+        )
     given = values = array.to_numpy(zero_copy_only=False).astype(float, copy=False)
     if unit is not None:
         with numpy.errstate(over="ignore"):

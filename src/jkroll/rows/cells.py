@@ -64,11 +64,20 @@ class Reader:
         self.column = column
         self._kept = Kept(self._value)
 
-    def numbers(self, cells: Sequence[bytes]) -> Numbers:
-        """Return the numbers of a block of cells."""
+    def numbers(self, columns: Mapping[str, Sequence[bytes]]) -> Numbers:
+        """Return the numbers of a block of cells, by the names of the columns."""
+        cells = self._cells(columns)
         match = _CELL.fullmatch(next(filter(None, cells), b""))
         values = self._together(cells, (match and match[2]) or b"")
         return Numbers(values) if values is not None else self._of_many_kinds(cells)
+
+    def _cells(self, columns: Mapping[str, Sequence[bytes]]) -> Sequence[bytes]:
+        """Return the cells of the values, each with its uncertainty."""
+        column = self.column
+        if not column.sides:
+            return columns[column.name]
+        rows = zip(*(columns[name] for name in column.places), strict=True)
+        return [column.joined(*(cell.decode("utf-8", "replace") for cell in row)).encode() for row in rows]
 
     def _together(self, cells: Sequence[bytes], unit: bytes) -> Floats | None:
         """Return the numbers of cells that are plain numbers with the same unit behind them, or empty; else None."""

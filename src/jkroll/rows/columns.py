@@ -47,6 +47,10 @@ class BadCells(JkrollError):
     """Error raised for cells that are no values of inputs, or no names of materials."""
 
 
+class NotShown(BadCells):
+    """Error raised for a cell that has an uncertainty for which the table has no columns."""
+
+
 class LeftOut(JkrollError):
     """The remark on a row whose materials have uncertainties for which the table has no columns. It is never raised."""
 
@@ -160,6 +164,13 @@ class Columns:
         empty = [row for row in others if all(isnan(column[row]) for column in of_names)]
         return [*self.lost, *(row for row in empty if not _has_unwritten(self.reasons[row]))]
 
+    def without_sides(self) -> int:
+        """Return the number of rows that have uncertainties for which there are no columns."""
+        return sum(
+            any(isinstance(error, NotShown | LeftOut) for error in reasons.values())
+            for reasons in self.reasons.values()
+        )
+
     def failure(self, row: int) -> JkrollError:
         """Return why a row fails: the lack of a contact, or else its first reason."""
         reasons = self.reasons[row]
@@ -250,12 +261,12 @@ def _sides(
 
 
 def _left_out(wanted: Wanted, scene: Scene, sources: "Sources") -> LeftOut | None:
-    """Return the remark on uncertainties for which there are no columns, if there are some. Raises BadCells if a cell has one."""
+    """Return the remark on uncertainties for which there are no columns, if there are some. Raises NotShown if a cell has one."""
     if all(side in wanted.known_sides for source in sources.entering for side in source.given.sides):
         return None
     names = [name for source in sources.entering for name in source.names]
     if stated := [name for name in names if name in scene.uncertain]:
-        raise BadCells(f"{stated[0]}: the cell has an uncertainty, {_NO_COLUMNS}")
+        raise NotShown(f"{stated[0]}: the cell has an uncertainty, {_NO_COLUMNS}")
     materials = dict.fromkeys(material.name for material, _ in scene.data_used(names))
     return LeftOut(f"{' and '.join(materials)}: uncertainties are left out, {_NO_COLUMNS}")
 

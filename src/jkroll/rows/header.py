@@ -1,7 +1,7 @@
 """The header of a table: the columns that are inputs, their units, and the columns that pass through."""
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from math import gcd, log10
 from types import MappingProxyType
 from typing import NamedTuple
@@ -16,6 +16,7 @@ from .readings import MATERIALS, Reading, reading_of
 
 _PER_CENT = re.compile(r"(.*?)((?:±|\+/?-)[^±]*%)?", re.DOTALL)  # 25±20 % of the value
 _EASY = re.compile(r"[\w*.-]+( \[[^\[\] ]*\])?")  # a header that needs no quotes in a sentence
+_PARTS = "values have a column of ± beside them, or two, of minus and plus; a range has low and high alone"
 _MOST_SAID = 8  # columns that pass through and are named
 
 
@@ -43,13 +44,51 @@ class BadRow(JkrollError):
         return f"line {self.line}: {self.status}"
 
 
+class Side(NamedTuple):
+    """The column of a part of an input's uncertainty."""
+
+    part: str  # as `Reading` has it
+    place: int
+    unit_text: str  # of the cells; an empty text where it is that of the values
+
+
 class Column(NamedTuple):
-    """The column of an input, with the unit of the cells that carry none."""
+    """The column of an input, with the unit of the cells that carry none, and the columns of its uncertainty.
+
+    A range has no column but those of its ends, of which the first is the low one.
+    """
 
     place: int
     name: str
     unit_text: str
     unit: Unit | None
+    sides: tuple[Side, ...] = ()
+
+    @property
+    def places(self) -> dict[str, int]:
+        """The places of the columns whose cells make a value."""
+        own = {} if self.is_range else {self.name: self.place}
+        return own | {f"{self.name}_{side.part}": side.place for side in self.sides}
+
+    @property
+    def is_range(self) -> bool:
+        """True if a value is known by its ends."""
+        return bool(self.sides) and self.sides[0].part == "low"
+
+    def joined(self, *cells: str) -> str:
+        """Return the cells of a value as one: 25 and 5 as 25±5."""
+        first, *others = (cell.strip() for cell in cells)
+        if not any(others) and not (self.is_range and first):
+            return first
+        if self.is_range:
+            return f"{first or '?'} to {others[0] or '?'}"
+        if len(others) > 1:
+            minus, plus = (cell.lstrip("+-") or "0" for cell in others)
+            return f"{first} +{plus}/-{minus}"
+        unit_text = self.sides[0].unit_text
+        if unit_text in ("", "%"):
+            return f"{first}±{others[0]}{unit_text}"
+        return f"{first} {self.unit_text}±{others[0]} {unit_text}"
 
     @property
     def exponent(self) -> int | None:
@@ -97,8 +136,9 @@ class Header(NamedTuple):
     def reading(self) -> str:
         """Return the sentence that says how the table is read. What looks like a quantity stands first among what passes through."""
         materials = [_from(name, "", self.texts[place]) for name, place in self.materials]
-        read = [*materials, *(_from(column.name, column.unit_text, self.texts[column.place]) for column in self.inputs)]
-        places = {place for _, place in self.materials} | {column.place for column in self.inputs}
+        read = [*materials, *map(self._reading_of, self.inputs)]
+        places = {place for _, place in self.materials}
+        places = places.union(*(column.places.values() for column in self.inputs))
         others = [text for place, text in enumerate(self.texts) if place not in places]
         sentence = f"read: {', '.join(read) or 'no input'}"
         if not others:
@@ -107,11 +147,24 @@ class Header(NamedTuple):
         count = f"{len(others)} columns: " if len(others) > _MOST_SAID else ""
         return f"{sentence}; passed through: {count}{first_of(passing, _MOST_SAID)}"
 
+    def _reading_of(self, column: Column) -> str:
+        """Return the name of an input with the headers that it is read from, if these are others."""
+        heads = {side.part: _easy(self.texts[side.place]) for side in column.sides}
+        if column.is_range:
+            return f"{_head(column.name, column.unit_text)} from {heads['low']} to {heads['high']}"
+        own = _from(column.name, column.unit_text, self.texts[column.place])
+        marks = {"both": "±", "minus": "−", "plus": "+"}
+        return " ".join([own, *(f"{marks[part]} {head}" for part, head in heads.items())])
+
 
 def _from(name: str, unit_text: str, text: str) -> str:
     """Return the name of an input with the header that it is read from, if that is another."""
-    head = f"{name} [{unit_text}]" if unit_text else name
+    head = _head(name, unit_text)
     return head if text.strip() in (head, name) else f"{head} from {_easy(text)}"
+
+
+def _head(name: str, unit_text: str) -> str:
+    return f"{name} [{unit_text}]" if unit_text else name
 
 
 def _easy(text: str) -> str:
@@ -145,6 +198,7 @@ def understood(
     """Return the columns of a header, given the cells of its first rows and what is chosen for some. Raises BadTable."""
     inputs: list[Column] = []
     materials: list[tuple[str, int]] = []
+    parts: dict[str, dict[str, int]] = {}  # the places of the parts of an input's uncertainty
     alike: list[str] = []
     seen: dict[str, str] = {}
     if lacking := [text for text in chosen if text not in {text.strip() for text in texts}]:
@@ -153,10 +207,10 @@ def understood(
         raise BadTable(f"--column: the table has no column {quoted(lacking[0])}{meant}")
     for place, text in enumerate(texts):
         reading = chosen.get(text.strip()) or reading_of(text)
-        if reading.is_symbol and not _have_units(reading.name, [row[place] for row in rows]):
+        if reading.is_symbol and not reading.part and not _have_units(reading.name, [row[place] for row in rows]):
             reading = Reading(is_alike=True)
         name, unit_text = reading.name, reading.unit_text
-        key = name or text
+        key = f"{name} {reading.part}" if name else text
         if key in seen:
             other = seen[key]
             both = f"two columns {quoted(text)}" if other == text else f"the columns {quoted(other)} and {quoted(text)}"
@@ -166,17 +220,65 @@ def understood(
             if unit_text is not None:
                 raise BadTable(f"header: {quoted(text)}: a material has no unit; write {name}")
             materials.append((name, place))
+        elif reading.part:
+            parts.setdefault(name, {})[reading.part] = place
         elif name:
             inputs.append(_column(place, name, unit_text, text))
-        elif reading.meant:
-            remedy = f"--column {_choice(text, reading.meant)}, or {_choice(text, '')} to pass it through"
-            raise BadTable(f"header: {quoted(text)} is no input; did you mean {reading.meant}? Write {remedy}")
-        elif reading.problem:
-            remedy = f"--column {_choice(text, 'INPUT [UNIT]')}, or {_choice(text, '')} to pass it through"
-            raise BadTable(f"header: {quoted(text)} is no input: {reading.problem} Write {remedy}")
+        elif reading.meant or reading.problem:
+            is_wrong = f"; did you mean {reading.meant}?" if reading.meant else f": {reading.problem}"
+            remedy = (
+                f"--column {_choice(text, reading.meant or 'INPUT [UNIT]')}, or {_choice(text, '')} to pass it through"
+            )
+            raise BadTable(f"header: {quoted(text)} is no input{is_wrong} Write {remedy}")
         elif reading.is_alike:
             alike.append(text)
-    return Header(tuple(texts), tuple(inputs), tuple(materials), tuple(alike), chosen)
+    others = [*alike, *_add_parts(parts, texts, inputs, chosen)]
+    return Header(tuple(texts), tuple(inputs), tuple(materials), tuple(others), chosen)
+
+
+def _add_parts(
+    parts: Mapping[str, Mapping[str, int]], texts: Sequence[str], inputs: list[Column], chosen: Mapping[str, Reading]
+) -> Iterator[str]:
+    """Add the columns of uncertainties to those of their inputs, and iterate over the texts of those that make none. Raises BadTable."""
+    for name, places in parts.items():
+        own = {part: texts[place] for part, place in places.items()}
+        if (found := _with_parts(name, places, own, inputs, chosen)) is not None:
+            inputs[:] = [*(column for column in inputs if column.name != name), found]
+        elif lost := [text for text in own.values() if text.strip() in chosen]:
+            raise BadTable(f"--column: {quoted(lost[0])} is no uncertainty of {name}: {_PARTS}")
+        else:
+            yield from own.values()
+
+
+def _with_parts(
+    name: str,
+    places: Mapping[str, int],
+    texts: Mapping[str, str],
+    inputs: Sequence[Column],
+    chosen: Mapping[str, Reading],
+) -> Column | None:
+    """Return the column of an input with those of its uncertainty; None if these make none. Raises BadTable."""
+    base = next((column for column in inputs if column.name == name), None)
+    kinds = ("both",) if "both" in places else ("minus", "plus") if base else ("low", "high")
+    if {*kinds} != places.keys() or (base is None and kinds == ("both",)):
+        return None
+    readings = {part: chosen.get(text.strip()) or reading_of(text) for part, text in texts.items()}
+    if base is None:
+        first = next(filter(None, (readings[part].unit_text for part in kinds)), None)
+        base = _column(places["low"], name, first, texts["low"])
+    sides: list[Side] = []
+    for part in kinds:
+        unit_text = readings[part].unit_text or base.unit_text
+        if unit_text == base.unit_text:
+            unit_text = ""
+        elif len(kinds) > 1:
+            raise BadTable(
+                f"header: {quoted(texts[part])}: its unit must be that of the other column, {base.unit_text}"
+            )
+        elif unit_text != "%":
+            _column(places[part], name, unit_text, texts[part])  # raises what is wrong with the unit
+        sides.append(Side(part, places[part], unit_text))
+    return base._replace(sides=tuple(sides))
 
 
 def _choice(text: str, meaning: str) -> str:

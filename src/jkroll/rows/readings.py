@@ -1,7 +1,8 @@
 """The texts of a header: the input that each stands for, with its unit.
 
 A name, the word of an option or a symbol stands alone or with a unit behind it: `radius [nm]`, `R2 (nm)`, `Load/nN`, `E_GPa`,
-`radius in nm`. Of a symbol that several quantities have, the unit decides.
+`radius in nm`. Of a symbol that several quantities have, the unit decides. One more word makes it a part of the input's uncertainty:
+`gamma_err [mJ/m2]`, `E_min (GPa)`.
 """
 
 import re
@@ -33,6 +34,17 @@ _UNCLEAR = {
     **dict.fromkeys(("E*", "E_star", "E_r"), _CONTACT_MODULUS),
 }
 _NO_UNITS = ("in", "bar")  # behind an underscore they may mean inside and mean
+_PARTS = {
+    **dict.fromkeys(("±", "+/-", "err", "error", "std", "stdev", "sd", "unc", "uncertainty"), "both"),
+    "minus": "minus",
+    "plus": "plus",
+    **dict.fromkeys(("min", "low", "lower"), "low"),
+    **dict.fromkeys(("max", "high", "upper"), "high"),
+}
+_PER_CENT = ("%", "percent", "pct")
+_OF_PART = re.compile(
+    rf"(.*?)(?:[\s_]*(±|\+/-)|[\s_]+({'|'.join(filter(str.isalpha, _PARTS))}))(?=$|[\s_,/(\[])(.*)", re.IGNORECASE
+)
 _RATIOS = ("poisson_ratio", "poisson_ratio2")  # the only ratios whose symbols have no other common meaning
 
 
@@ -41,6 +53,7 @@ class Reading(NamedTuple):
 
     name: str = ""
     unit_text: str | None = None
+    part: str = ""  # of the input's uncertainty: "both" sides, "minus", "plus", or the "low" or "high" end of a range
     is_symbol: bool = False  # without a unit: an input only if its cells have units
     is_alike: bool = False  # passes through, but looks like a quantity
     problem: str = ""  # why the header is refused
@@ -61,7 +74,7 @@ def reading_of(text: str) -> Reading:
         return Reading(problem=_UNCLEAR[text][1])
     if names := _symbols().get(_symbol(text)):
         return Reading(names[0], is_symbol=names[0] not in _RATIOS)
-    return _with_unit(text) or _mistaken(text) or Reading(is_alike=_looks_like_a_quantity(text))
+    return _with_unit(text) or _part(text) or _mistaken(text) or Reading(is_alike=_looks_like_a_quantity(text))
 
 
 def _with_unit(text: str) -> Reading | None:
@@ -75,6 +88,19 @@ def _with_unit(text: str) -> Reading | None:
     if name in MATERIALS or (name and (text.endswith("]") or fits(unit_text, name))):
         return Reading(name, unit_text)
     return None if name else _unclear(word, unit_text) or _of_symbol(word, unit_text)
+
+
+def _part(text: str) -> Reading | None:
+    """Return the meaning of a header that has a part of an input's uncertainty; None if it has none."""
+    found = _OF_PART.fullmatch(text, 0, MAX_WORD)
+    if found is None:
+        return None
+    word, rest = found[1], found[4]
+    is_share = rest.strip(" _,/()[]").lower() in _PER_CENT
+    reading = reading_of(word)._replace(unit_text="%", is_symbol=False) if is_share else reading_of(word + rest)
+    if reading.part or not reading.name or reading.name in MATERIALS:
+        return None
+    return reading._replace(part=_PARTS[(found[2] or found[3]).lower()])
 
 
 def _cuts(text: str) -> Iterator[tuple[str, str, str]]:

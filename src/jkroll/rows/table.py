@@ -55,7 +55,9 @@ class Table:
         """`doubt`: whether there is a column of doubts."""
         self.inputs, self.materials_at, self.fill, self.wanted = columns.inputs, columns.materials, fill, wanted
         self.chosen = columns.chosen
-        self.places = {column.name: column.place for column in self.inputs} | dict(self.materials_at)
+        self.places = dict(self.materials_at)  # of the columns that are read
+        for column in self.inputs:
+            self.places |= column.places
         self.numbers = [head for name in wanted.names for head in heads(name, header(name), wanted.sides_of(name))]
         self.said = (
             {"model": fill.model} if fill.model is not None else {}
@@ -72,8 +74,8 @@ class Table:
         return [*self.said, *self.numbers, *self.remarks]
 
     def block(self, size: int, cells: Mapping[str, Sequence[bytes]], odd: Mapping[int, str]) -> Block:
-        """Return rows of texts, by the name of the input. `odd`: records that are no rows, and why."""
-        numbers = {reader.column.name: reader.numbers(cells[reader.column.name]) for reader in self.readers}
+        """Return rows of texts, by the names of the columns. `odd`: records that are no rows, and why."""
+        numbers = {reader.column.name: reader.numbers(cells) for reader in self.readers}
         codes = {name: self.lookups[name].codes(cells[name]) for name, _ in self.materials_at}
         return self.block_of(size, numbers, codes, odd, lambda row, name: cells[name][row].decode("utf-8", "replace"))
 
@@ -85,7 +87,7 @@ class Table:
         odd: Mapping[int, str],
         text: Callable[[int, str], str],
     ) -> Block:
-        """Return rows of numbers and of materials by their codes; `text` is that of a row's cell for an input."""
+        """Return rows of numbers and of materials by their codes; `text` is that of a row's cell in a column."""
         own = [codes.get(name, numpy.zeros(size, dtype=numpy.int64)) for name in self.lookups]
         lookups = [*self.lookups.values()]
 
@@ -105,16 +107,16 @@ class Table:
         )
 
     def scene_of(self, text_of: Callable[[str], str]) -> Scene:
-        """Return the scene of a row. `text_of` gives the cell of an input. Raises BadCells, or an error of the scene."""
+        """Return the scene of a row. `text_of` gives the cell of a column. Raises BadCells, or an error of the scene."""
         found: dict[str, Any] = dict(zip(MATERIALS, self.fill.spheres, strict=True))
+        texts = {column.name: column.joined(*map(text_of, column.places)) for column in self.inputs}
+        texts |= {name: text_of(name) for name, _ in self.materials_at}
         readers: dict[str, Callable[[str], Any]] = {column.name: column.read for column in self.inputs}
-        readers |= {name: self.fill.known.__getitem__ for name, _ in self.materials_at}
         problems: list[str] = []
-        for name, read in readers.items():
-            text = text_of(name)
+        for name, text in texts.items():
             try:
                 if text.strip():
-                    found[name] = read(text)
+                    found[name] = readers.get(name, self.fill.known.__getitem__)(text)
             except JkrollError as error:
                 problems.append(str(error))
         if problems:
