@@ -214,7 +214,7 @@ def approach_maugis_at_load(
         contact_modulus=contact_modulus,
         cohesive_stress=cohesive_stress,
     )
-    return where(edge_ratio > 1, of_narrow, of_wide + 0 * load)  # without a load there is no approach
+    return where(edge_ratio > 1, of_narrow, of_wide)
 
 
 def load_maugis(

@@ -180,6 +180,7 @@ class Scene:
         self.values |= self.given
         self._has_area = _has_area(self.given, own_material2=material2 is not None)
         self._failures: dict[str, JkrollError] = {}
+        self._gaps: set[str] = set()  # quantities of which some elements are no answer
         self._plan = NO_PLAN
         self.known = frozenset(self.values)
 
@@ -350,11 +351,22 @@ class Scene:
             if name in _ON_AREA and self.has_rigid_elements:
                 value = self._where_it_yields(value)
             if not isinstance(value, float | int):
-                values[name] = with_nan(name, value)
+                values[name] = self._with_gaps(name, value, [source for _, source in arguments])
             elif is_answer(name, value):
                 values[name] = value
             else:
                 failures[name] = failure_of(name, given) or NoFiniteValue(name, value)
+
+    def _with_gaps(self, name: str, value: Any, sources: Sequence[str]) -> Any:
+        """Return an array with nan in place of the elements that are no answer, or whose formula has an argument that is none."""
+        found = with_nan(name, value)
+        for source in self._gaps.intersection(sources):  # which the formula may not have used
+            import numpy
+
+            found = numpy.where(numpy.isnan(self.values[source]), numpy.nan, found)
+        if found is not value:
+            self._gaps.add(name)
+        return found
 
     @property
     def has_arrays(self) -> bool:
