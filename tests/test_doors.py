@@ -171,6 +171,9 @@ FOUND = {
     ),
     "nothing that concerns the scene": Ask("aggregates", {**QUARTZ, "radius2": ["1e-6 m", "2e-6 m"]}),
     "nothing that concerns some rows": Ask("aggregates", {**QUARTZ, "radius2": ["1e-6 m", "1e-7 m"]}),
+    "a quantity that concerns one row, by the radius of sphere 1": Ask(
+        "frequencies", {**QUARTZ, "radius": ["3e-9 m", "4e-9 m"], "radius2": ["4e-9 m"], "load": ["-1 N"]}
+    ),
     "inputs of a quantity that concerns some rows": Ask(
         "frequencies", {**QUARTZ, "material": ["gold", "quartz"], "radius2": ["1e-7 m", "2e-7 m"], "load": ["1e-9 N"]}
     ),

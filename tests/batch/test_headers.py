@@ -316,3 +316,41 @@ def test_an_uncertainty_in_another_unit_or_of_nothing_is_refused() -> None:
         understood(["dG", "R (nm)"], chosen=choices(["dG=surface_energy_err [mJ/m2]"]))
     header = understood(["gamma [mJ/m2]", "dG"], chosen=choices(["dG=surface_energy_err [mJ/m2]"]))
     assert header.inputs[0].joined("25", "5") == "25±5"
+
+
+# --- Materials --------------------------------------------------------------------------------------------------------
+
+
+def test_a_name_that_is_no_material_is_a_label_where_the_row_has_all(run: Run) -> None:
+    """No other material stands in for it: neither that of an option, nor, for sphere 2, that of sphere 1."""
+    lines = [
+        "Material,E_GPa,nu,R (um),gamma [mJ/m2]",
+        "AISI 1020,200,0.29,1,50",
+        "quartz,,,1,",
+        "SiO2,70,0.17,1,25",
+        "PTFE,,0.4,1,20",
+    ]
+    Path("x.csv").write_text("\n".join([*lines, ""]), encoding="utf-8")
+    ran = run("batch x.csv --material quartz --quantities contact_radius -o out.csv")
+    assert ran.code == 1
+    assert "material: 'AISI 1020', 'PTFE' are not known; rows that need them fail" in ran.err.replace("\n  ", " ")
+    assert "'SiO2' is quartz" in ran.err
+    found = [*csv.DictReader(Path("out.csv").read_text(encoding="utf-8").splitlines())]
+    quartz = run("contact quartz 1um --bare --quantities contact_radius --quiet").out.strip()
+    steel = run("contact 1um --young 200GPa --poisson 0.29 --gamma 50mJ/m2 --bare --quantities contact_radius --quiet")
+    assert [row["contact_radius [m]"] for row in found][:2] == [steel.out.strip(), quartz]
+    assert found[2]["contact_radius [m]"] != ""
+    assert "material: 'PTFE' is not known" in found[3]["status"]
+
+    Path("x.csv").write_text("material,material2,R (um)\nquartz,PTFE,1\n", encoding="utf-8")
+    ran = run("batch x.csv --quantities contact_radius -o out.csv")
+    assert (ran.code, "of sphere 2; give --gamma2 25mJ/m2" in ran.err) == (2, True), ran.err
+
+
+def test_a_column_of_labels_asks_for_what_the_others_allow(run: Run) -> None:
+    Path("x.csv").write_text("material,R (um),gamma [mJ/m2]\nA,1,25\nB,2,25\n", encoding="utf-8")
+    assert run("batch x.csv -o out.csv").code == 0
+    head, first, _ = Path("out.csv").read_text(encoding="utf-8").splitlines()
+    assert "pull_off_force [N]" in head
+    assert "contact_radius" not in head
+    assert first.startswith("A,1,25,1.178097245096172")

@@ -168,7 +168,7 @@ def plain_numbers(text: bytes, exponent: int, count: int) -> Floats | None:
 
 # --- Materials --------------------------------------------------------------------------------------------------------
 
-UNKNOWN = -1  # number of what is no material, and of its kind
+LABEL = Material("", {}, (), {}, (), (), "", "")  # what a name that is no material's stands for: nothing is known of it
 
 Codes = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.int64]]
 
@@ -185,7 +185,7 @@ class Lookup:
         self._codes = Kept(self._code)
 
     def codes(self, cells: Sequence[bytes | str]) -> Codes:
-        """Return the numbers of the materials that cells name; UNKNOWN for an unknown name."""
+        """Return the numbers of the materials that cells name."""
         return numpy.array([*map(self._codes.__getitem__, cells)], dtype=numpy.int64)
 
     def _code(self, cell: bytes | str) -> int:
@@ -193,26 +193,26 @@ class Lookup:
         try:
             found = self.materials[text] if text.strip() else self.known[0]
         except (UnknownMaterial, UnclearMaterial):
-            return UNKNOWN
+            found = LABEL
         if found not in self.known:
             self.known.append(found)
             self._kinds.append(self._numbers.setdefault(_kind(found), len(self._numbers)))
         return self.known.index(found)
 
     def kinds(self, codes: Codes) -> Codes:
-        """Return a number for each row, which is the same for materials that can be one scene's; UNKNOWN stays."""
-        return numpy.array([*self._kinds, UNKNOWN])[codes]
+        """Return a number for each row, which is the same for materials that can be one scene's."""
+        return numpy.array(self._kinds)[codes]
 
     def together(self, codes: Codes) -> Material | None:
         """Return the materials of rows of one kind as one whose properties are arrays; a special one as it is."""
         first = self.known[int(codes[0])]
-        if first is None or _is_special(first):
+        if first is None or not first.properties or _is_special(first):
             return first
         properties: Any = {
             name: numpy.array([one.properties.get(name, numpy.nan) if one else numpy.nan for one in self.known])[codes]
             for name in first.properties
         }
-        return Material("", properties, (), {}, (), (), "", "")
+        return LABEL._replace(properties=properties)
 
 
 def _kind(material: Material | None) -> Hashable:

@@ -113,12 +113,12 @@ class Sweep:
         return bool(scene.shows(name))
 
     def _may_be_alike(self, name: str) -> bool:
-        """Return whether an input of sphere 2 has several values, among them one of sphere 1."""
+        """Return whether an input of sphere 2 has a value of sphere 1, and one of them has several."""
         own, first = (
             {end for spread in self.spreads.get(one, ()) for end in (spread.low, spread.high)}
             for one in (name, name.removesuffix("2"))
         )
-        return name.endswith("2") and len(own) > 1 and not own.isdisjoint(first)
+        return name.endswith("2") and len(own) + len(first) > 2 and not own.isdisjoint(first)
 
     # --- Columns ------------------------------------------------------------------------------------------------------
 

@@ -4,7 +4,7 @@ No file is opened here: `batch` reads and writes.
 """
 
 import sys
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
 from typing import Any, NamedTuple
@@ -12,18 +12,19 @@ from typing import Any, NamedTuple
 import numpy
 
 from ..errors import BadRequest, JkrollError
-from ..materials.library import Material, Materials, UnclearMaterial
+from ..materials.library import Material, Materials, UnclearMaterial, UnknownMaterial
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, header
 from ..quantities.values import Uncertain, is_uncertain, value_of
 from ..scene.scene import EXCLUSIVE, Scene
 from ..scene.uncertainty import sources_of
-from ..text import quoted, say, say_wrapped
-from .cells import Codes, Lookup, Reader
+from ..text import first_of, quoted, say, say_wrapped
+from .cells import LABEL, Codes, Lookup, Reader
 from .columns import DOUBT, SIDES, STATUS, BadCells, Wanted, heads
 from .header import BadTable, Header, check_first
 from .readings import MATERIALS
 from .rows import Block, groups
 
+_MOST_LABELS = 3  # that are named
 _SOME = 0.25  # a value that any input can have
 Asked = tuple[Sequence[str], Sequence[str]]  # quantities by name, and those that may lack inputs
 
@@ -92,8 +93,11 @@ class Table:
         lookups = [*self.lookups.values()]
 
         def scene(given: Mapping[str, Any], rows: Codes) -> Scene:
-            spheres = (lookup.together(of_sphere[rows]) for lookup, of_sphere in zip(lookups, own, strict=True))
-            return self.fill.scene(given, *spheres)
+            spheres = [lookup.together(of_sphere[rows]) for lookup, of_sphere in zip(lookups, own, strict=True)]
+            found = self.fill.scene(given, *spheres)
+            if LABEL in spheres and found.missing(self.wanted.names):
+                raise BadCells  # each row by itself says which name is no material's
+            return found
 
         kinds = [lookup.kinds(of_sphere) for lookup, of_sphere in zip(lookups, own, strict=True)]
         return Block(
@@ -113,15 +117,21 @@ class Table:
         texts |= {name: text_of(name) for name, _ in self.materials_at}
         readers: dict[str, Callable[[str], Any]] = {column.name: column.read for column in self.inputs}
         problems: list[str] = []
+        labels: list[str] = []
         for name, text in texts.items():
             try:
                 if text.strip():
                     found[name] = readers.get(name, self.fill.known.__getitem__)(text)
+            except (UnknownMaterial, UnclearMaterial) as error:
+                found[name] = LABEL
+                labels.append(str(error))
             except JkrollError as error:
                 problems.append(str(error))
-        if problems:
-            raise BadCells("; ".join(problems))
         spheres = [found.pop(name) for name in MATERIALS]
+        if not problems and labels and not (scene := self.fill.scene(found, *spheres)).missing(self.wanted.names):
+            return scene
+        if problems or labels:
+            raise BadCells("; ".join([*labels, *problems]))
         return self.fill.scene(found, *spheres)
 
 
@@ -133,7 +143,7 @@ def table_of(
     The first rows decide on the columns of uncertainties, unless `uncertainty` asks for all of them. Raises BadTable, or an error of
     the options.
     """
-    wanted = wanted_of(columns, fill, asked, doubts=doubt)
+    wanted = wanted_of(columns, rows, fill, asked, doubts=doubt)
     table = Table(columns, fill, wanted, doubt=doubt)
     sides = {*SIDES} if uncertainty else _sides_of(table, rows)
     if sides:
@@ -153,28 +163,41 @@ def table_of(
 def say_reading(columns: Header, rows: Sequence[Sequence[str]], fill: Fill, quantities: str) -> None:
     """Say on stderr how the columns are read, which names of materials in the first rows are unclear, and what no column gives."""
     say_wrapped(columns.reading(), sys.stderr)
-    for text in _unclear_materials(columns, rows, fill.known):
-        say(f"note: {text}", sys.stderr)
+    labels = _labels(columns, rows, fill.known)
+    if unknown := [quoted(text) for text, message in labels.items() if not message]:
+        fails = (
+            "is not known; a row that needs it fails"
+            if len(unknown) == 1
+            else "are not known; rows that need them fail"
+        )
+        say_wrapped(f"note: material: {first_of(unknown, _MOST_LABELS)} {fails}", sys.stderr)
+    for message in filter(None, labels.values()):
+        say_wrapped(f"note: {message}", sys.stderr)
     if "radius" not in {*columns.names, *fill.fixed} and not quantities:
         say("note: no column and no option gives a radius; what needs one is left out", sys.stderr)
 
 
-def _unclear_materials(columns: Header, rows: Sequence[Sequence[str]], known: Materials) -> list[str]:
-    """Return the messages about names of materials in some rows that stand for several, each once."""
-    found: dict[str, None] = {}
-    for text in dict.fromkeys(row[place] for _, place in columns.materials for row in rows):
+def _labels(columns: Header, rows: Sequence[Sequence[str]], known: Materials) -> dict[str, str]:
+    """Return the names in some rows that are no material's; with the message, if one stands for several."""
+    found: dict[str, str] = {}
+    for text in dict.fromkeys(row[place] for _, place in columns.materials for row in rows if row[place].strip()):
         try:
             known[text]
         except UnclearMaterial as error:
-            found[str(error)] = None
+            found[text] = str(error)
+        except UnknownMaterial:
+            found[text] = ""
         except JkrollError:
             continue
-    return [*found]
+    return found
 
 
-def wanted_of(columns: Header, fill: Fill, asked: Asked, *, doubts: bool) -> Wanted:
-    """Return the quantities that columns and options allow, without uncertainties."""
-    scene = _as_known(columns, fill)
+def wanted_of(columns: Header, rows: Sequence[Sequence[str]], fill: Fill, asked: Asked, *, doubts: bool) -> Wanted:
+    """Return the quantities that columns and options allow, without uncertainties; `rows`: the cells of the first rows."""
+    unknown = _labels(columns, rows, fill.known)
+    cells = {name: {row[place] for row in rows if row[place].strip()} for name, place in columns.materials}
+    labels = [name for name, own in cells.items() if own and own <= unknown.keys()]
+    scene = _as_known(columns, fill, labels)
     has_own_2 = any(name.endswith("2") for name in columns.names)
     explicit, offered = asked
     for name in explicit:
@@ -197,17 +220,15 @@ def wanted_of(columns: Header, fill: Fill, asked: Asked, *, doubts: bool) -> Wan
     return Wanted(names, named=explicit, sides={}, doubts=doubts)
 
 
-def _as_known(columns: Header, fill: Fill) -> Scene:
-    """Return a scene in which every column has a value; of columns that exclude each other, the first."""
+def _as_known(columns: Header, fill: Fill, labels: Collection[str]) -> Scene:
+    """Return a scene in which every column has a value, but for those of labels; of columns that exclude each other, the first."""
     given: dict[str, float] = {}
     for column in columns.inputs:
         if not any(column.name in names and given.keys() & names for names in EXCLUSIVE):
             given[column.name] = _SOME
-    some = Material("", dict.fromkeys(PROPERTIES, _SOME), (), {}, (), (), "", "")
-    named = dict(columns.materials)
-    return fill.scene(
-        given, *(some if name in named else one for name, one in zip(MATERIALS, fill.spheres, strict=True))
-    )
+    some = LABEL._replace(properties=dict.fromkeys(PROPERTIES, _SOME))
+    named = {name: LABEL if name in labels else some for name, _ in columns.materials}
+    return fill.scene(given, *(named.get(name, one) for name, one in zip(MATERIALS, fill.spheres, strict=True)))
 
 
 def _sides_of(table: Table, rows: Sequence[Sequence[str]]) -> set[str]:

@@ -298,7 +298,9 @@ class Scene:
             return NotInLaw(name, missing.lacking, self.law.title)
         materials = {True: self.material2 or self.material, False: self.material}
         without = [materials[each.endswith("2")] for each in missing.names if each.removesuffix("2") in PROPERTIES]
-        lacking = dict.fromkeys(f"{material.name} has none in {material.title}" for material in without if material)
+        lacking = dict.fromkeys(
+            f"{material.name} has none in {material.title}" for material in without if material and material.name
+        )
         return MissingInput(name, missing.names, missing.instead, ", ".join(lacking))
 
     # --- Values -------------------------------------------------------------------------------------------------------
