@@ -5,9 +5,11 @@ from collections.abc import Mapping
 
 from ..errors import ROWS_FAILED, BadRequest
 from ..materials.library import Materials
+from ..quantities.formatting import amount
 from ..rows.columns import DOUBT, STATUS
-from ..text import say
+from ..text import say, say_wrapped
 from .errors import missing_extra
+from .lines import Tally
 from .many import Runner, by_processes, is_many
 from .many import convert as convert_many
 from .one import convert
@@ -25,6 +27,8 @@ def run(path: str, settings: Settings, inputs: Mapping[str, str], known: Materia
             flag = "--resume" if settings.resume else "--dask"
             raise BadRequest(f"{flag} is for many files: name them as in 'grains/*.csv', with -o DIRECTORY/")
         tally, code = convert(Part(path, settings.target), order), 0
+    if tally.inferred and not settings.quiet:
+        say_wrapped(_summary(settings.infer, tally), sys.stderr)
     if tally.doubtful and not settings.quiet:
         say(f"note: {tally.doubtful} of {tally.rows} rows are doubtful; column {DOUBT} says why", sys.stderr)
     if tally.without_error_bars and not settings.quiet:
@@ -33,6 +37,20 @@ def run(path: str, settings: Settings, inputs: Mapping[str, str], known: Materia
     if tally.failed:
         say(f"jkroll: {tally.failed} of {tally.rows} rows failed; column {STATUS} says why", sys.stderr)
     return code or (ROWS_FAILED if tally.failed else 0)
+
+
+def _summary(name: str, tally: Tally) -> str:
+    """Return the sentence on the values of an input that was sought: how many, where the middle half lies, mean and scatter."""
+    import numpy
+
+    values = numpy.concatenate(tally.inferred)
+    found = values[~numpy.isnan(values)]
+    sentence = f"note: {name}: {len(found)} of {tally.rows} rows"
+    if len(found) < 2:
+        return sentence
+    low, median, high = numpy.quantile(found, [0.25, 0.5, 0.75]).tolist()
+    middle = f"median {amount(name, median)}, quartiles {amount(name, low)} and {amount(name, high)}"
+    return f"{sentence}; {middle}; mean {amount(name, float(found.mean()))}, scatter {amount(name, float(found.std(ddof=1)))}"
 
 
 def _runner(settings: Settings) -> Runner:

@@ -173,7 +173,7 @@ class Delimited:
             columns = evaluated(self.table.wanted, self.table.block(len(lines[part]), own, problems))
             failed = columns.failed()
             check_strictly(columns, failed, starts[part], strict=self.strict)
-            tally = tally.plus(*Tally.of(columns, failed))
+            tally = tally.plus(Tally.of(columns, failed))
             if self.said:
                 lines[part] = [line + self.said for line in lines[part]]
             pieces += self._strips(lines[part], columns)

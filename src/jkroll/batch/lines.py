@@ -1,12 +1,15 @@
 """The parts that formats whose records are lines have in common."""
 
 from collections.abc import Sequence
+from operator import add
 from typing import NamedTuple
 
 import numpy
 
+from ..rows.cells import Floats
 from ..rows.columns import OF_ROWS, Columns
 from ..rows.header import BadRow, BadTable
+from ..rows.inferred import Sought
 
 BOM = b"\xef\xbb\xbf"
 _COMPRESSED = {b"\x1f\x8b": "gz", b"\x28\xb5\x2f\xfd": "zst"}  # by the first bytes
@@ -20,16 +23,23 @@ class Tally(NamedTuple):
     failed: int = 0
     doubtful: int = 0
     without_error_bars: int = 0
+    inferred: tuple[Floats, ...] = ()  # the values of an input that was sought, in parts
 
     @classmethod
     def of(cls, columns: Columns, failed: Sequence[int]) -> "Tally":
         """Return the counts of some rows."""
         doubtful = int(numpy.count_nonzero(columns.doubts & OF_ROWS))
-        return cls(len(columns), len(failed), doubtful, columns.without_sides())
+        wanted = columns.wanted
+        inferred = (numpy.asarray(columns.column(wanted.name)).copy(),) if isinstance(wanted, Sought) else ()
+        return cls(len(columns), len(failed), doubtful, columns.without_sides(), inferred)
 
-    def plus(self, *others: int) -> "Tally":
+    def plus(self, other: "Tally") -> "Tally":
         """Return the counts with those of some more rows."""
-        return Tally(*map(sum, zip(self, others, strict=True)))
+        return Tally(*map(add, self, other))
+
+    def counts(self) -> dict[str, int]:
+        """Return the numbers of rows by name."""
+        return {name: count for name, count in self._asdict().items() if name != "inferred"}
 
 
 class Converted(NamedTuple):

@@ -114,12 +114,15 @@ def convert(path: str, order: Order, run: Runner) -> tuple[Tally, int]:
         part: done.get(part.path, {"input": part.path, "output": os.path.basename(part.target)}) for part in kept
     }
     code = 0
+    tally = Tally()
+    for part in kept:
+        tally = tally.plus(Tally(**{name: entries[part].get(name, 0) for name in Tally().counts()}))
     for part, outcome in run(each, left, settings.processes):
         entries[part] = _entry(part, outcome)
+        tally = tally.plus(outcome.tally)
         code = max(code, outcome.exit_code)
     files = [entries[part] for part in parts]
-    tally = Tally(*(sum(entry.get(name, 0) for entry in files) for name in Tally._fields))
-    _write(manifest, {**about, "begun": begun, **tally._asdict(), "files": files})
+    _write(manifest, {**about, "begun": begun, **tally.counts(), "files": files})
     _say_failures(manifest, files)
     return tally, code
 
@@ -167,7 +170,7 @@ def _read(manifest: str) -> dict[str, Any]:
 
 
 def _entry(part: Part, outcome: Done) -> Entry:
-    entry: Entry = {"input": part.path, "output": os.path.basename(part.target), **outcome.tally._asdict()}
+    entry: Entry = {"input": part.path, "output": os.path.basename(part.target), **outcome.tally.counts()}
     return entry | ({"problem": outcome.problem} if outcome.problem else {})
 
 

@@ -11,9 +11,9 @@ from ..answers.questions import quantities_named
 from ..output.records import lines
 from ..quantities.formatting import Format as Units
 from ..rows.columns import Columns, Wanted
-from ..rows.header import BadTable, choices, understood
-from ..rows.readings import Reading
-from ..rows.table import Fill, Table, say_reading, table_of
+from ..rows.header import BadTable, chosen, understood
+from ..rows.readings import example_unit
+from ..rows.table import Fill, Inverse, Table, say_reading, table_of
 from ..text import quoted
 from .delimited import Delimited
 from .errors import missing_extra
@@ -39,16 +39,20 @@ def convert(part: Part, order: Order) -> Tally:
 
 
 @lru_cache(maxsize=8)  # the tables of a run have the same options
-def _options(order: Order) -> tuple[Fill, dict[str, Reading]]:
-    return Fill.of(order.inputs, order.known), choices(order.settings.columns)
+def _fill(order: Order) -> Fill:
+    settings = order.settings
+    return Fill.of(order.inputs, order.known, Inverse(settings.infer, settings.measured) if settings.infer else None)
 
 
 def table_with(names: tuple[str, ...], rows: list[list[str]], order: Order) -> Table:
     """Return the table with this header that the order asks for; `rows`: the cells of its first rows."""
     settings = order.settings
-    fill, chosen = _options(order)
-    columns = understood(names, rows, chosen)
-    asked = quantities_named(settings.quantities)
+    fill = _fill(order)
+    columns = understood(names, rows, chosen(names, settings.columns, settings.measured))
+    if settings.measured and settings.measured not in columns.names:
+        advice = f"--column 'HEADER={settings.measured}{example_unit(settings.measured)}'"
+        raise BadTable(f"header: no column has the measured {settings.measured}; name it by {advice}")
+    asked = ([], []) if settings.infer else quantities_named(settings.quantities)
     table = table_of(columns, rows, fill, asked, doubt=settings.doubt, uncertainty=settings.uncertainty)
     if not settings.quiet:
         say_reading(columns, rows, fill, settings.quantities)

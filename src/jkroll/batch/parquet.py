@@ -19,7 +19,8 @@ from ..quantities.formatting import Format as Units
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, word_for_infinity
 from ..rows.cells import Floats, Numbers, Reader
 from ..rows.columns import DOUBT, OF_ROWS, STATUS, Columns, Wanted, doubts_in_words
-from ..rows.header import BadTable, choices, is_input
+from ..rows.header import BadTable, chosen, is_input
+from ..rows.readings import Reading
 from ..rows.rows import Block, evaluated
 from ..rows.table import Table
 from ..text import quoted, shown
@@ -65,7 +66,9 @@ class _File:
     def __init__(self, given: Input, order: Order, table_with: TableWith) -> None:
         self.given, self.strict = given, order.settings.strict
         self.file = file = pyarrow.parquet.ParquetFile(given.file, buffer_size=BUFFER, pre_buffer=False)
-        self.table = table = table_with(tuple(file.schema_arrow.names), _first_rows(file, order), order)
+        names = tuple(file.schema_arrow.names)
+        meanings = chosen(names, order.settings.columns, order.settings.measured)
+        self.table = table = table_with(names, _first_rows(file, meanings), order)
         texts = {*table.said, *table.remarks}
         fields = [pyarrow.field(name, pyarrow.string() if name in texts else pyarrow.float64()) for name in table.added]
         self.schema = pyarrow.schema([*file.schema_arrow, *fields], metadata=file.schema_arrow.metadata)
@@ -159,7 +162,7 @@ def _write(target: str, schema: Any, rows: Iterator[Rows], bar: Bar) -> Tally:
             table = pyarrow.Table.from_batches([batch for batch, _ in group])
             writer.write_table(table, table.num_rows)
             for _, own in group:
-                tally = tally.plus(*own)
+                tally = tally.plus(own)
             bar.show(tally.rows, tally.rows)
     return tally
 
@@ -193,11 +196,10 @@ def as_column(values: Floats) -> Any:
     return pyarrow.array(values, mask=missing if missing.any() else None)
 
 
-def _first_rows(file: Any, order: Order) -> list[list[str]]:
+def _first_rows(file: Any, meanings: Mapping[str, Reading]) -> list[list[str]]:
     """Return the first rows as cells of text, those of the inputs alone. Raises BadTable for an input of another type."""
     schema = file.schema_arrow
-    chosen = choices(order.settings.columns)
-    inputs = [field for field in schema if is_input(field.name, chosen)]
+    inputs = [field for field in schema if is_input(field.name, meanings)]
     for field in inputs:
         if not _is_cell(field.type):
             raise BadTable(f"header: column {field.name} holds {field.type}: neither numbers nor texts")

@@ -48,7 +48,7 @@ class Step(NamedTuple):
 
     def plus(self, other: "Step") -> "Step":
         """Return both together."""
-        return Step(self.written + other.written, self.lines + other.lines, self.tally.plus(*other.tally))
+        return Step(self.written + other.written, self.lines + other.lines, self.tally.plus(other.tally))
 
 
 Fetch = Callable[[int], bytes]  # returns a block, or nothing if it has written it at this place of the file

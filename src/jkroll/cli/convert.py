@@ -1,8 +1,11 @@
 """Runner of `batch`."""
 
+from ..answers.questions import quantity_named
 from ..batch.command import run
 from ..batch.settings import Settings
 from ..errors import BadRequest
+from ..quantities.names import named
+from ..scene.inverse import SIZES, CannotInfer
 from .options import Call
 from .request import materials_of
 
@@ -11,6 +14,7 @@ def run_batch(call: Call) -> int:
     """Convert a table of scenes; return the exit code."""
     if not call.words:
         raise BadRequest("batch needs a table, such as grains.csv, or - for standard input")
+    infer, measured = _inverse(call)
     settings = Settings(
         target=call.target or "-",
         format=call.format,
@@ -25,5 +29,23 @@ def run_batch(call: Call) -> int:
         materials=call.materials,
         quiet=call.quiet,
         columns=call.columns,
+        infer=infer,
+        measured=measured,
     )
     return run(call.words[0], settings, call.inputs, materials_of(call.materials))
+
+
+def _inverse(call: Call) -> tuple[str, str]:
+    """Return the names of the input that is sought and of the quantity that was measured; empty texts if none is."""
+    if not call.infer and call.measured is None:
+        return "", ""
+    if not call.infer or call.measured is None or "=" in call.measured:
+        raise BadRequest(
+            "--infer INPUT and --measured QUANTITY go together, as in --infer gamma --measured pull_off_force"
+        )
+    if call.quantities:
+        raise BadRequest("--infer and --quantities exclude each other")
+    name = named(call.infer)
+    if name not in SIZES:
+        raise CannotInfer(call.infer)
+    return name, quantity_named(call.measured)

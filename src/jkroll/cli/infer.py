@@ -20,6 +20,7 @@ from .question import check_count, exit_code, unless_failed, write_answers, writ
 from .request import request_of
 from .written import format_name, format_of
 
+TABLES = (".csv", ".tsv", ".ndjson", ".parquet", ".gz", ".zst")
 MAX_ANSWERS = 10_000  # that are explained one by one
 
 
@@ -30,6 +31,9 @@ def run_infer(call: Call) -> int:
     name = named(call.words[0])
     if name not in SIZES:
         raise CannotInfer(call.words[0])
+    if tables := [word for word in call.words[1:] if word.endswith(TABLES)]:
+        line = f"jkroll batch {tables[0]} --infer {call.words[0]} --measured {(call.measured or 'QUANTITY').partition('=')[0]}"
+        raise BadRequest(f"infer reads no tables; write {line}")
     quantity, measured = _measured(call.measured)
     kind = format_name(call)
     form = format_of(call, [name])

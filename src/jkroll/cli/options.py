@@ -91,6 +91,7 @@ class Call(NamedTuple):
     format: str = ""
     quantities: str = ""
     columns: tuple[str, ...] = ()
+    infer: str = ""
     strict: bool = False
     no_doubt: bool = False
     uncertainty: bool = False
@@ -169,6 +170,8 @@ TABLE = (
         "Read a column as an input, or, with nothing behind =, as none",
         repeats=True,
     ),
+    Option("infer", "--infer", str, "INPUT", "Find this input of each row from the measured quantity of --measured"),
+    Option("measured", "--measured", str, "QUANTITY", "The quantity whose measured values a column has, for --infer"),
     Option("strict", "--strict", bool, "", "Stop at the first row that fails"),
     Option("resume", "--resume", bool, "", "Convert what is left of many tables"),
     NO_DOUBT,

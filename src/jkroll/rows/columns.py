@@ -92,6 +92,24 @@ class Wanted:
         """Return the keys of the columns of a quantity's uncertainty, by the side: "radius_minus"."""
         return {side: f"{name}_{side}" for side in self.sides.get(name, ())}
 
+    def with_sides(self, sides: Collection[str]) -> "Wanted":
+        """Return the same quantities with columns for some sides of their uncertainties."""
+        of_each = dict.fromkeys(self.names, sides)
+        return Wanted(self.names, named=self.named, inputs=self.inputs, sides=of_each, doubts=self.doubts)
+
+    def sides_in(self, scene: Any) -> set[str]:
+        """Return the sides of the uncertainties that enter the quantities of a scene."""
+        from ..scene.uncertainty import sources_of
+
+        missing = scene.missing(self.names)
+        planned = [name for name in self.names if name not in missing]
+        sources = sources_of(scene, scene.inputs_of(*planned)) if scene.is_uncertain else None
+        return {side for source in sources.entering for side in source.given.sides} if sources else set()
+
+    def lacks(self, scene: Any) -> bool:
+        """Return whether a scene lacks inputs of some quantity."""
+        return bool(scene.missing(self.names))
+
     def work(self, scene: Any) -> int:
         """Return how many formulas take as long as a row by itself."""
         missing = scene.missing(self.names)
@@ -248,7 +266,7 @@ def _sides(
     from ..scene.uncertainty import uncertainties
 
     found, sources = uncertainties(scene, names)
-    if (remark := _left_out(wanted, scene, sources)) is not None:
+    if (remark := left_out(wanted, scene, sources)) is not None:
         return {UNCERTAINTY: remark}, {}
     columns: dict[str, float | JkrollError] = {}
     for name, one in found.items():
@@ -260,13 +278,16 @@ def _sides(
     return columns, {name: source.given for source in sources.entering for name in source.names}
 
 
-def _left_out(wanted: Wanted, scene: Scene, sources: "Sources") -> LeftOut | None:
-    """Return the remark on uncertainties for which there are no columns, if there are some. Raises NotShown if a cell has one."""
+def left_out(wanted: Wanted, scene: Scene, sources: "Sources", stated: Sequence[str] = ()) -> LeftOut | None:
+    """Return the remark on uncertainties for which there are no columns, if there are some. Raises NotShown if a cell has one.
+
+    `stated`: what has an uncertainty in a cell, beside the inputs of the scene.
+    """
     if all(side in wanted.known_sides for source in sources.entering for side in source.given.sides):
         return None
     names = [name for source in sources.entering for name in source.names]
-    if stated := [name for name in names if name in scene.uncertain]:
-        raise NotShown(f"{stated[0]}: the cell has an uncertainty, {_NO_COLUMNS}")
+    if in_cells := [name for name in names if name in scene.uncertain or name in stated]:
+        raise NotShown(f"{in_cells[0]}: the cell has an uncertainty, {_NO_COLUMNS}")
     materials = dict.fromkeys(material.name for material, _ in scene.data_used(names))
     return LeftOut(f"{' and '.join(materials)}: uncertainties are left out, {_NO_COLUMNS}")
 
@@ -412,7 +433,7 @@ class _Arrays:
         values = {name: self.columns.column(name) for name in self.known}
         again = numpy.zeros(self.size, dtype=bool)
         sources = uncertainty.sources_of(self.scene, self.scene.inputs_of(*self.known, *self.whole))
-        if (remark := _left_out(self.wanted, self.scene, sources)) is not None:
+        if (remark := left_out(self.wanted, self.scene, sources)) is not None:
             for row in range(self.size):
                 self.columns.reasons[row] = {**self.columns.reasons.get(row, {}), UNCERTAINTY: remark}
         elif sources.entering:

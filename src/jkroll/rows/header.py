@@ -12,7 +12,7 @@ from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.units import Unit, dimension_of, kind_of
 from ..quantities.values import Uncertain, parse_quantity, split_number, unit_of, value_of
 from ..text import MAX_WORD, closest, first_of, quoted, shown
-from .readings import MATERIALS, Reading, reading_of
+from .readings import MATERIALS, Reading, measured_reading, reading_of
 
 _PER_CENT = re.compile(r"(.*?)((?:±|\+/?-)[^±]*%)?", re.DOTALL)  # 25±20 % of the value
 _EASY = re.compile(r"[\w*.-]+( \[[^\[\] ]*\])?")  # a header that needs no quotes in a sentence
@@ -171,14 +171,24 @@ def _easy(text: str) -> str:
     return shown(text) if _EASY.fullmatch(text) else f'"{shown(text)}"'
 
 
-def choices(texts: Iterable[str]) -> dict[str, Reading]:
-    """Return what the values of `--column` say of headers: 'R2 (nm)=radius2 [nm]', or 'T (K)=' for no input. Raises BadRequest."""
+def chosen(names: Iterable[str], texts: Iterable[str], measured: str = "") -> dict[str, Reading]:
+    """Return the meaning of columns that options say: of those that `--column` names, and of those of a measured quantity."""
+    of_measured = {name.strip(): measured_reading(name, measured) for name in names} if measured else {}
+    found = {name: reading for name, reading in of_measured.items() if reading is not None}
+    return found | choices(texts, measured)
+
+
+def choices(texts: Iterable[str], measured: str = "") -> dict[str, Reading]:
+    """Return what the values of `--column` say of headers: 'R2 (nm)=radius2 [nm]', or 'T (K)=' for no input. Raises BadRequest.
+
+    `measured`: a quantity that columns have besides inputs.
+    """
     found: dict[str, Reading] = {}
     for text in texts:
         head, is_pair, meaning = text.rpartition("=")
         if not is_pair or not head.strip():
             raise BadRequest(f"--column: {quoted(text)} is no choice; write HEADER=INPUT, as in 'R2 (nm)=radius2 [nm]'")
-        reading = reading_of(meaning)
+        reading = (measured and measured_reading(meaning, measured)) or reading_of(meaning)
         if meaning.strip() and (not reading.name or reading.is_symbol):
             meant = (
                 f"; did you mean {reading.meant}?"
@@ -340,8 +350,10 @@ def check_first(column: Column, texts: Sequence[str]) -> None:
 
 
 def _likely_unit(name: str, cell: str) -> str:
-    """Return the SI unit of a quantity or that of its example, in which a number is nearer to the example."""
+    """Return the SI unit of a quantity or that of its example, if it has one, in which a number is nearer to the example."""
     quantity = NOMENCLATURE[name]
+    if not quantity.example:
+        return quantity.unit
     example = parse_quantity(quantity.example, name)
     units = (split_number(quantity.example)[2], quantity.unit)
     return min(units, key=lambda unit: _distance(f"{cell} {unit}", name, example))

@@ -13,7 +13,7 @@ from ..scene.failures import MissingInput
 from ..scene.inverse import SIZES, check, computed, failure, names_in, solution, solutions, with_input
 from ..scene.limits import doubts
 from ..scene.scene import Scene
-from .columns import Columns, Row, Wanted, inputs_used, put_one, spread
+from .columns import UNCERTAINTY, Columns, LeftOut, NotShown, Row, Wanted, inputs_used, left_out, put_one, spread
 
 if TYPE_CHECKING:
     from ..scene.uncertainty import Source
@@ -46,11 +46,30 @@ class Sought(Wanted):
     """An input that is inferred from a measured quantity."""
 
     def __init__(
-        self, name: str, quantity: str, *, inputs: Iterable[str] = (), sides: Collection[str] = (), doubts: bool = True
+        self,
+        name: str,
+        quantity: str,
+        *,
+        inputs: Iterable[str] = (),
+        sides: Collection[str] | None = None,
+        doubts: bool = True,
     ) -> None:
-        """`sides`: of the uncertainty, those that have columns."""
-        super().__init__([name], named=[name], inputs=inputs, sides={name: sides}, doubts=doubts)
+        """`sides`: of the uncertainty, those that have columns; None where it is not wanted."""
+        of_name = None if sides is None else {name: sides}
+        super().__init__([name], named=[name], inputs=inputs, sides=of_name, doubts=doubts)
         self.name, self.quantity = name, quantity
+
+    def with_sides(self, sides: Collection[str]) -> "Sought":
+        """Return the same input with columns for some sides of its uncertainty."""
+        return Sought(self.name, self.quantity, inputs=self.inputs, sides=sides, doubts=self.doubts)
+
+    def sides_in(self, scene: Observed) -> set[str]:
+        """Return the sides of the uncertainties that enter the input."""
+        return {side for source in self._sources(scene) for side in source.given.sides}
+
+    def lacks(self, scene: Observed) -> bool:
+        """Return whether a scene lacks an input without which the quantity has no value."""
+        return bool(with_input(scene.scene, self.name, SIZES[self.name][1]).missing([self.quantity]))
 
     @classmethod
     def of(cls, name: str, quantity: str, kinds: Iterable[Observed]) -> "Sought":
@@ -64,7 +83,7 @@ class Sought(Wanted):
             errors.append(None)
             try:
                 check(name, quantity, one.scene)
-                sides.update(side for source in plain._sources(one) for side in source.given.sides)
+                sides |= plain.sides_in(one)
             except MissingInput as error:
                 errors[-1] = error
             except NoResult:
@@ -90,7 +109,9 @@ class Sought(Wanted):
             return Row(self._echo(scene) | self._uncertain(scene), gaps, 0, {self.name: error})
         numbers = {self.name: found.value}
         reasons: dict[str, JkrollError] = {}
-        if self.known_sides and scene.is_uncertain:
+        if (remark := self._left_out(scene)) is not None:
+            reasons = {UNCERTAINTY: remark}
+        elif self.known_sides and scene.is_uncertain:
             from ..scene.uncertainty import inferred_uncertainty
 
             one, _ = inferred_uncertainty(self.name, self.quantity, scene.measured, found, scene.scene)
@@ -116,6 +137,8 @@ class Sought(Wanted):
         """Return the columns of arrays of measured values; `one` returns a row by itself."""
         import numpy
 
+        if self._left_out(scene) is not None:
+            raise NotShown  # each row by itself says what it leaves out
         found = solutions(self.name, self.quantity, numpy.broadcast_to(scene.value, size), scene.scene)
         values = numpy.array([each if isinstance(each, float) else nan for each in found])
         failed = numpy.isnan(values)
@@ -153,6 +176,15 @@ class Sought(Wanted):
                 columns.column(key)[...] = found.sides[side]
         for row in numpy.flatnonzero(found.is_open & ~numpy.isnan(values)).tolist():
             put_one(columns, row, partial(one, row))
+
+    def _left_out(self, scene: Observed) -> LeftOut | None:
+        """Return the remark on uncertainties for which there are no columns, if there are some. Raises NotShown if a cell has one."""
+        if not self.uncertainties or self.sides_in(scene) <= self.known_sides:
+            return None
+        from ..scene.uncertainty import inferred_sources
+
+        sources = inferred_sources(self.name, self.quantity, scene.measured, scene.scene)
+        return left_out(self, scene.scene, sources, stated=[self.quantity] if is_uncertain(scene.measured) else [])
 
     def _echo(self, scene: Observed, value: Any = None) -> dict[str, Any]:
         """Return the inputs of a row as they were understood, among them the measured value; `value`: of the input that is inferred."""

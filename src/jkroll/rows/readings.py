@@ -77,6 +77,28 @@ def reading_of(text: str) -> Reading:
     return _with_unit(text) or _part(text) or _mistaken(text) or Reading(is_alike=_looks_like_a_quantity(text))
 
 
+def measured_reading(text: str, quantity: str) -> Reading | None:
+    """Return the meaning of a header as that of a measured quantity, or of a part of its uncertainty; None if it is another.
+
+    >>> measured_reading("P_c (nN)", "pull_off_force")[:2], measured_reading("pull_off_force_err [nN]", "pull_off_force")[:3]
+    (('pull_off_force', 'nN'), ('pull_off_force', 'nN', 'both'))
+    """
+    text = text.strip()
+    if _is_quantity(text, quantity):
+        return Reading(quantity)
+    found = _BRACKETS.fullmatch(text) or _PARENTHESES.fullmatch(text)
+    for word, unit_text in [(found[1], found[2])] if found else [(word, rest) for word, _, rest in _cuts(text)]:
+        if _is_quantity(word.strip(), quantity) and (found or fits(unit_text, quantity)):
+            return Reading(quantity, unit_text.strip())
+    part = _OF_PART.fullmatch(text, 0, MAX_WORD)
+    reading = measured_reading(part[1] + part[4], quantity) if part else None
+    return reading._replace(part=_PARTS[(part[2] or part[3]).lower()]) if part and reading else None
+
+
+def _is_quantity(word: str, quantity: str) -> bool:
+    return _plain(word) == quantity or _symbol(word) == _symbol(NOMENCLATURE[quantity].symbol)
+
+
 def _with_unit(text: str) -> Reading | None:
     """Return the meaning of a header that has a unit; None if it is no input."""
     found = _BRACKETS.fullmatch(text) or _PARENTHESES.fullmatch(text)
@@ -257,6 +279,10 @@ def _has_dimension(unit_text: str, unit: str) -> bool:
 
 
 def example_unit(name: str) -> str:
-    """Return a unit for the header of a quantity, if it needs one: that of its example."""
+    """Return a unit for the header of a quantity, if it needs one: that of its example, or of SI."""
     quantity = NOMENCLATURE[name]
-    return f" [{split_number(quantity.example)[2]}]" if any(dimension_of(quantity.unit or "1")) else ""
+    return (
+        f" [{split_number(quantity.example)[2] if quantity.example else quantity.unit}]"
+        if any(dimension_of(quantity.unit or "1"))
+        else ""
+    )

@@ -15,18 +15,26 @@ from ..errors import BadRequest, JkrollError
 from ..materials.library import Material, Materials, UnclearMaterial, UnknownMaterial
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, header
 from ..quantities.values import Uncertain, is_uncertain, value_of
+from ..scene.inverse import check
 from ..scene.scene import EXCLUSIVE, Scene
-from ..scene.uncertainty import sources_of
 from ..text import first_of, quoted, say, say_wrapped
 from .cells import LABEL, Codes, Lookup, Reader
 from .columns import DOUBT, SIDES, STATUS, BadCells, Wanted, heads
 from .header import BadTable, Header, check_first
+from .inferred import Sought, observed
 from .readings import MATERIALS
 from .rows import Block, groups
 
 _MOST_LABELS = 3  # that are named
 _SOME = 0.25  # a value that any input can have
 Asked = tuple[Sequence[str], Sequence[str]]  # quantities by name, and those that may lack inputs
+
+
+class Inverse(NamedTuple):
+    """What `--infer` and `--measured` say: the input that is sought, and the quantity whose measured value a row has."""
+
+    name: str
+    quantity: str
 
 
 class Fill(NamedTuple):
@@ -36,17 +44,23 @@ class Fill(NamedTuple):
     spheres: tuple[Material | None, Material | None]
     model: str | None
     known: Materials
+    inverse: Inverse | None = None
 
     @classmethod
-    def of(cls, inputs: Mapping[str, str], known: Materials) -> "Fill":
+    def of(cls, inputs: Mapping[str, str], known: Materials, inverse: Inverse | None = None) -> "Fill":
         """Return what texts give by the names of inputs."""
         material, material2 = (known[inputs[name]] if name in inputs else None for name in MATERIALS)
         fixed = {name: value_of(text, name) for name, text in inputs.items() if name not in (*MATERIALS, "model")}
-        return cls(fixed, (material, material2), inputs.get("model"), known)
+        return cls(fixed, (material, material2), inputs.get("model"), known, inverse)
 
-    def scene(self, given: Mapping[str, Any], *spheres: Material | None) -> Scene:
-        """Return the scene of inputs and of the materials of both spheres. Raises an error of the scene."""
-        return Scene({**self.fixed, **given}, *spheres, model=self.model)
+    def scene(self, given: Mapping[str, Any], *spheres: Material | None) -> Any:
+        """Return the scene of inputs and of the materials of both spheres, or one that was measured. Raises an error of the scene."""
+        given = {**self.fixed, **given}
+        if self.inverse is None:
+            return Scene(given, *spheres, model=self.model)
+        if self.inverse.quantity not in given:
+            raise BadCells(f"{self.inverse.quantity}: the row has no measured value")
+        return observed(self.inverse.quantity, given, *spheres, model=self.model)
 
 
 class Table:
@@ -92,10 +106,10 @@ class Table:
         own = [codes.get(name, numpy.zeros(size, dtype=numpy.int64)) for name in self.lookups]
         lookups = [*self.lookups.values()]
 
-        def scene(given: Mapping[str, Any], rows: Codes) -> Scene:
+        def scene(given: Mapping[str, Any], rows: Codes) -> Any:
             spheres = [lookup.together(of_sphere[rows]) for lookup, of_sphere in zip(lookups, own, strict=True)]
             found = self.fill.scene(given, *spheres)
-            if LABEL in spheres and found.missing(self.wanted.names):
+            if LABEL in spheres and self.wanted.lacks(found):
                 raise BadCells  # each row by itself says which name is no material's
             return found
 
@@ -110,7 +124,7 @@ class Table:
             odd,
         )
 
-    def scene_of(self, text_of: Callable[[str], str]) -> Scene:
+    def scene_of(self, text_of: Callable[[str], str]) -> Any:
         """Return the scene of a row. `text_of` gives the cell of a column. Raises BadCells, or an error of the scene."""
         found: dict[str, Any] = dict(zip(MATERIALS, self.fill.spheres, strict=True))
         texts = {column.name: column.joined(*map(text_of, column.places)) for column in self.inputs}
@@ -128,7 +142,7 @@ class Table:
             except JkrollError as error:
                 problems.append(str(error))
         spheres = [found.pop(name) for name in MATERIALS]
-        if not problems and labels and not (scene := self.fill.scene(found, *spheres)).missing(self.wanted.names):
+        if not problems and labels and not self.wanted.lacks(scene := self.fill.scene(found, *spheres)):
             return scene
         if problems or labels:
             raise BadCells("; ".join([*labels, *problems]))
@@ -147,10 +161,7 @@ def table_of(
     table = Table(columns, fill, wanted, doubt=doubt)
     sides = {*SIDES} if uncertainty else _sides_of(table, rows)
     if sides:
-        with_sides = Wanted(
-            wanted.names, named=wanted.named, sides=dict.fromkeys(wanted.names, sides), doubts=wanted.doubts
-        )
-        table = Table(columns, fill, with_sides, doubt=doubt)
+        table = Table(columns, fill, wanted.with_sides(sides), doubt=doubt)
     taken = set(table.added)
     for text in columns.texts:
         if text.strip() in taken:
@@ -198,6 +209,9 @@ def wanted_of(columns: Header, rows: Sequence[Sequence[str]], fill: Fill, asked:
     cells = {name: {row[place] for row in rows if row[place].strip()} for name, place in columns.materials}
     labels = [name for name, own in cells.items() if own and own <= unknown.keys()]
     scene = _as_known(columns, fill, labels)
+    if fill.inverse is not None:
+        check(*fill.inverse, scene.scene)
+        return Sought(*fill.inverse, sides=(), doubts=doubts)
     has_own_2 = any(name.endswith("2") for name in columns.names)
     explicit, offered = asked
     for name in explicit:
@@ -220,7 +234,7 @@ def wanted_of(columns: Header, rows: Sequence[Sequence[str]], fill: Fill, asked:
     return Wanted(names, named=explicit, sides={}, doubts=doubts)
 
 
-def _as_known(columns: Header, fill: Fill, labels: Collection[str]) -> Scene:
+def _as_known(columns: Header, fill: Fill, labels: Collection[str]) -> Any:
     """Return a scene in which every column has a value, but for those of labels; of columns that exclude each other, the first."""
     given: dict[str, float] = {}
     for column in columns.inputs:
@@ -239,9 +253,5 @@ def _sides_of(table: Table, rows: Sequence[Sequence[str]]) -> set[str]:
     for places, given in groups(block):
         with suppress(JkrollError):  # bad rows, which their status will explain
             scene = block.scene(given, places)
-            if scene.is_uncertain:
-                missing = scene.missing(table.wanted.names)
-                planned = [name for name in table.wanted.names if name not in missing]
-                sources = sources_of(scene, scene.inputs_of(*planned))
-                found |= {side for source in sources.entering for side in source.given.sides}
+            found |= table.wanted.sides_in(scene)
     return found

@@ -1,0 +1,147 @@
+"""`batch --infer`: an input for each row of measured values, as `infer` finds it."""
+
+import csv
+import math
+from pathlib import Path
+from random import Random
+
+import numpy as np
+import orjson
+import pyarrow.parquet
+import pytest
+
+from harness import Run
+from jkroll import infer
+
+HEAD = ["probe", "R (um)", "P_c (nN)", "P_c_err (nN)"]
+WORDS = "--infer gamma --measured pull_off_force --radius2 plane --material quartz"
+
+
+def table(rows: list[list[str]], ending: str = "csv") -> str:
+    """Write a table, and return its name."""
+    name = f"forces.{ending}"
+    if ending == "csv":
+        Path(name).write_text("".join(",".join(row) + "\n" for row in [HEAD, *rows]), encoding="utf-8")
+    elif ending == "ndjson":
+        Path(name).write_bytes(b"".join(orjson.dumps(dict(zip(HEAD, row, strict=True))) + b"\n" for row in rows))
+    else:
+        pyarrow.parquet.write_table(
+            pyarrow.Table.from_pylist([dict(zip(HEAD, row, strict=True)) for row in rows]), name
+        )
+    return name
+
+
+def results(name: str) -> list[dict[str, str]]:
+    """Return the rows of a file as texts; an empty one for null."""
+    path = Path(name)
+    if name.endswith("csv"):
+        return [*csv.DictReader(path.read_text(encoding="utf-8").splitlines())]
+    if name.endswith("ndjson"):
+        found = [orjson.loads(line) for line in path.read_text(encoding="utf-8").splitlines()]
+    else:
+        found = pyarrow.parquet.read_table(path).to_pylist()
+    return [{key: "" if value is None else str(value) for key, value in row.items()} for row in found]
+
+
+@pytest.mark.parametrize("ending", ["csv", "ndjson", "parquet"])
+def test_each_row_has_what_infer_finds(run: Run, ending: str) -> None:
+    random = Random(5)
+    sizes = [(f"{random.uniform(0.5, 5):.3g}", f"{random.uniform(50, 900):.3g}") for _ in range(20)]
+    rows = [["x", radius, force, "10" if place % 2 else ""] for place, (radius, force) in enumerate(sizes)]
+    assert run(f"batch {table(rows, ending)} -o out.{ending} {WORDS}").code == 0
+    for place, ((radius, force), row) in enumerate(zip(sizes, results(f"out.{ending}"), strict=True)):
+        bar = "±10" if place % 2 else ""
+        ran = run(
+            "infer",
+            "gamma",
+            "quartz",
+            f"{radius}um",
+            "--radius2",
+            "plane",
+            "--measured",
+            f"pull_off_force={force}{bar}nN",
+            "--csv",
+        )
+        (line,) = csv.DictReader(ran.out.splitlines())
+        for side in ("", "_minus", "_plus"):
+            expected = line.get(f"surface_energy{side} [J/m^2]", "")
+            found = row[f"surface_energy{side} [J/m^2]"]
+            assert (found == "") == (expected == "")
+            assert math.isclose(float(found or 0), float(expected or 0), rel_tol=1e-13)
+
+
+def test_a_row_says_why_it_has_no_value(run: Run) -> None:
+    rows = [
+        ["a", "2", "300", ""],
+        ["b", "", "300", ""],
+        ["c", "2", "", ""],
+        ["d", "2", "-3", ""],
+        ["e", "2", "250", ""],
+    ]
+    ran = run(f"batch {table(rows)} -o out.csv {WORDS}")
+    assert ran.code == 1
+    first, *bad, last = results("out.csv")
+    assert [row["surface_energy [J/m^2]"] for row in bad] == ["", "", ""]
+    assert [row["status"] for row in bad] == [
+        "surface_energy: needs radius of sphere 1; give a radius such as 100nm",
+        "pull_off_force: the row has no measured value",
+        "pull_off_force: '-3 nN' must be positive; expected a force",
+    ]
+    low, high = float(last["surface_energy [J/m^2]"]), float(first["surface_energy [J/m^2]"])
+    assert "2 of 5 rows; median 14.5892 mJ/m²" in ran.err.replace("\n  ", " ")
+    assert (low + high) / 2 == pytest.approx(14.5892e-3, rel=1e-5)
+
+
+@pytest.mark.parametrize("model", ["jkr", "maugis", "dmt"])
+def test_many_rows_are_what_infer_makes_of_arrays(run: Run, model: str) -> None:
+    random = Random(model)
+    forces = [f"{random.uniform(50, 900):.4g}" for _ in range(300)]
+    assert (
+        run(f"batch {table([['x', '2', force, ''] for force in forces])} -o out.csv {WORDS} --model {model}").code == 0
+    )
+    expected = infer(
+        "gamma", measured={"pull_off_force": np.array([float(f"{force}e-9") for force in forces])},
+        radius="2 um", radius2="plane", material="quartz", model=model,
+    )  # fmt: skip
+    found = [float(row["surface_energy [J/m^2]"]) for row in results("out.csv")]
+    np.testing.assert_allclose(found, expected, rtol=1e-12)
+
+
+def test_the_column_may_be_named_and_files_be_many(run: Run) -> None:
+    Path("runs").mkdir()
+    for name, force in (("a", 200), ("b", 300), ("c", 400)):
+        Path(f"runs/{name}.csv").write_text(f"R (um),F [nN]\n2,{force}\n", encoding="utf-8")
+    assert "no column has the measured pull_off_force" in run(f"batch runs/a.csv -o out.csv {WORDS}").err.replace(
+        "\n  ", " "
+    )
+    ran = run("batch", "runs/*.csv", "-o", "out/", *WORDS.split(), "--column", "F [nN]=pull_off_force [nN]")
+    assert (ran.code, "surface_energy: 3 of 3 rows; median 15.9155 mJ/m²" in ran.err) == (0, True), ran.err
+    assert "inferred" not in orjson.loads(Path("out/manifest.json").read_bytes())
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ("--infer gamma", "--infer INPUT and --measured QUANTITY go together"),
+        ("--measured pull_off_force", "--infer INPUT and --measured QUANTITY go together"),
+        ("--infer gamma --measured pull_off_force=3nN", "--infer INPUT and --measured QUANTITY go together"),
+        ("--infer gamma --measured pull_off_force --quantities r_min", "exclude each other"),
+        ("--infer sigma --measured pull_off_force", "sigma"),
+        ("--infer gamma --measured pull_of_force", "pull_off_force"),
+        ("--infer gamma --measured pull_off_force --gamma 25mJ/m2", "surface_energy"),
+        ("--infer density --measured pull_off_force", "density"),
+        ("--infer gamma --measured contact_radius", "no column has the measured contact_radius"),
+    ],
+)
+def test_what_cannot_be_inferred_is_refused(run: Run, words: str, message: str) -> None:
+    name = table([["a", "2", "300", ""]])
+    ran = run(f"batch {name} -o out.csv --radius2 plane {words}")
+    assert (ran.code, message in ran.err.replace("\n  ", " ")) == (2, True), ran.err
+    assert not Path("out.csv").exists()
+
+
+def test_infer_says_how_a_table_is_read(run: Run) -> None:
+    ran = run("infer gamma forces.csv --measured pull_off_force=1nN")
+    assert (ran.code, ran.err.replace("\n  ", " ")) == (
+        2, "jkroll: infer reads no tables; write jkroll batch forces.csv --infer gamma --measured pull_off_force\n"
+    )  # fmt: skip
