@@ -15,6 +15,7 @@ from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import Interval, Measured, Uncertain, is_uncertain
 from .inverse import Solution, found_by, highest_between, solution, solutions, used_beside
 from .scene import Scene
+from .wiring import in_order
 
 MAX_RANGES = 8  # whose corners are computed, all together
 ASYMMETRIC = 0.1  # relative difference of the two sides from which on they are given one by one
@@ -95,9 +96,9 @@ def sources_of(scene: Scene, used: Collection[str], measured: Sequence[Source] =
 
 
 def _stated(scene: Scene) -> Iterator[Source]:
-    for name, given in scene.uncertain.items():
+    for name in in_order(scene.uncertain):  # the order is the same for an option, a column and a list
         takes_over = name == "radius" and "radius2" not in scene.given
-        yield Source(("radius", "radius2") if takes_over else (name,), given)
+        yield Source(("radius", "radius2") if takes_over else (name,), scene.uncertain[name])
 
 
 def _of_materials(scene: Scene) -> Iterable[Source]:
