@@ -192,12 +192,16 @@ def _defined(wanted: Wanted, block: Block, place: int) -> tuple[Row, Scene | Non
 
 def agree(scene: Scene, name: str, one: float, other: float) -> bool:
     """Return whether two values of a quantity agree within its accuracy."""
-    if NOMENCLATURE[name].unit == "N" and abs(one - other) <= STATED * ULP * scene.numbers("pull_off_force").get(
-        "pull_off_force", 0.0
-    ):
-        return True  # a force of which only rounding is left
+    if abs(one - other) <= _rounding(scene, name):
+        return True
     off = abs(one - other) / ULP / (max(abs(one), abs(other)) or 1)
     return off <= SURE or off <= STATED * (1 + _condition(scene, name, one))
+
+
+def _rounding(scene: Scene, name: str) -> float:
+    """Return how much of a load or an approach is left where its terms cancel."""
+    whole = {"N": "pull_off_force", "m": "approach"}.get(NOMENCLATURE[name].unit, "")
+    return STATED * ULP * float(scene.numbers(whole).get(whole, 0.0)) if whole else 0.0
 
 
 def _condition(scene: Scene, name: str, value: float) -> float:
@@ -218,7 +222,7 @@ def _growth(scene: Scene, name: str, value: float, source: str, given: float) ->
 
 def sides_agree(scene: Scene, name: str, one: float | None, other: float | None) -> bool:
     """Return whether two numbers of an uncertainty agree. None, for no influence, is as good as one that is only rounding."""
-    error = 4 * max((_error(each, name) for each in _ends(scene, name)), default=0.0)
+    error = 4 * max((_error(each, name) for each in _ends(scene, name)), default=0.0) + _rounding(scene, name)
     value = scene.evaluate((name,))[name]
     numbers = [number for number in (one, other) if number is not None]
     if len(numbers) == 2:
