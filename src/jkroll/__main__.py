@@ -4,9 +4,14 @@ import gc
 import os
 import sys
 
+TYPE_CHECKING = False  # the module typing is for those who read types
+if TYPE_CHECKING:
+    from types import FrameType
+
 INTERRUPTED = 130
 CANNOT_WRITE = 1
 PATIENCE = 5  # seconds until an interrupt ends all: now and then a library drops what is raised in the midst of it
+PAUSE = 0.01  # seconds until an interrupt that came in an import is tried again
 SELDOM = 50_000  # new objects until the next search for cycles: what imports make is no garbage
 
 
@@ -18,10 +23,17 @@ def run() -> None:
     try:
         import signal
 
-        def unwind(*_: object) -> None:
-            """Raise KeyboardInterrupt once, so that files are put away; the next interrupt, or an alarm, exits at once."""
+        def unwind(_number: int, frame: "FrameType | None") -> None:
+            """Raise KeyboardInterrupt once, so that files are put away; the next interrupt, or an alarm, exits at once.
+
+            It waits for the end of an import: a library that is interrupted in the midst of its own may crash.
+            """
             signal.signal(signal.SIGINT, _end)
             if hasattr(signal, "alarm"):  # not on Windows
+                if _is_importing(frame):
+                    signal.signal(signal.SIGALRM, unwind)
+                    signal.setitimer(signal.ITIMER_REAL, PAUSE)
+                    return
                 signal.signal(signal.SIGALRM, _end)
                 signal.alarm(PATIENCE)
             raise KeyboardInterrupt
@@ -45,6 +57,12 @@ def run() -> None:
         code = INTERRUPTED
     # Everything is written. An orderly shutdown of the interpreter would take a tenth of a call, and could be interrupted.
     os._exit(code)
+
+
+def _is_importing(frame: "FrameType | None") -> bool:
+    while frame is not None and frame.f_code.co_filename != "<frozen importlib._bootstrap>":
+        frame = frame.f_back
+    return frame is not None
 
 
 def _end(*_: object) -> None:

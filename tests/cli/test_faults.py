@@ -207,6 +207,17 @@ def interrupt(what: str, times: int, longest: float) -> None:
         assert code in (130, -signal.SIGINT) or errors
 
 
+def test_an_interrupt_waits_for_the_end_of_an_import(tmp_path: Path) -> None:
+    """A library that was interrupted in the midst of its import crashed now and then."""
+    (tmp_path / "slow.py").write_text(
+        "import os, signal\nos.kill(os.getpid(), signal.SIGINT)\nwhole = sum(range(1000))\nprint('whole', flush=True)\n"
+    )
+    program = "import time, jkroll.cli.process as process\nprocess.main = lambda: (__import__('slow'), time.sleep(20))\nfrom jkroll.__main__ import run\nrun()"
+    environment = {**os.environ, "PYTHONPATH": str(tmp_path)}
+    ran = subprocess.run([sys.executable, "-c", program], capture_output=True, check=False, env=environment, timeout=15)
+    assert (ran.returncode, ran.stdout, ran.stderr) == (130, b"whole\n", b"")
+
+
 @pytest.mark.parametrize("what", BUSY)
 def test_an_interrupt_at_any_moment_is_130_and_silent(what: str) -> None:
     interrupt(what, times=2, longest=0.15)
