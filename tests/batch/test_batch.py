@@ -334,7 +334,7 @@ def test_other_separators_and_line_ends_are_named(run: Run) -> None:
     assert run("batch", table(GRAINS.replace("\n", "\r")), "-o", "out.csv").err == (
         "jkroll: the lines end in carriage returns alone; save the table with line feeds\n"
     )
-    message = "has semicolons between its columns; write commas, with decimal points"
+    message = "has semicolons between its columns; write --delimiter semicolon"
     for header in ("material;radius [nm];a,b", '"material";"radius [nm]"'):
         ran = run("batch", table(f"{header}\nquartz;100,5\n"), "-o", "out.csv")
         assert (ran.code, message in ran.err) == (2, True)
@@ -388,7 +388,7 @@ HEADERS = {
     "young GPa": mistaken("young GPa", "youngs_modulus [GPa]"),
     "youngs_moduls": mistaken("youngs_moduls", "youngs_modulus [GPa]"),
     "material [m]": "header: 'material [m]': a material has no unit; write material",
-    "material;radius": "header: 'material;radius' has semicolons between its columns; write commas, with decimal points",
+    "material;radius": "header: 'material;radius' has semicolons between its columns; write --delimiter semicolon",
     "material\tradius": "header: 'material\\tradius' has tabs between its columns; write --format tsv".replace(
         "\\t", "?"
     ),

@@ -354,3 +354,59 @@ def test_a_column_of_labels_asks_for_what_the_others_allow(run: Run) -> None:
     assert "pull_off_force [N]" in head
     assert "contact_radius" not in head
     assert first.startswith("A,1,25,1.178097245096172")
+
+
+# --- What divides columns ---------------------------------------------------------------------------------------------
+
+PLAIN = ["name,R (um),gamma [mJ/m2],E [GPa],nu", "a,1.5,25.0,54,0.17", "b,2,3e1,70.5,0.2", "c,x,25,70,0.2"]
+DIVIDED = [
+    ("semicolon", ";", "csv"),
+    ("bar", "|", "csv"),
+    ("tab", "\t", "tsv"),
+    ("comma", ",", "csv"),
+    ("blank", "  ", "tsv"),
+]
+
+
+@pytest.mark.parametrize(
+    ("word", "mark", "ending", "point"),
+    [(*one, point) for one in DIVIDED for point in ".," if (one[0], point) != ("comma", ",")],
+)
+def test_columns_are_divided_by_what_is_said(run: Run, word: str, mark: str, ending: str, point: str) -> None:
+    head, *rows = PLAIN
+    if word == "blank":
+        head = "name,R_um,gamma_mJ_m2,E_GPa,nu"
+    text = [head.replace(",", mark), *(row.replace(",", mark).replace(".", point) for row in rows)]
+    Path("x.txt").write_text("\n".join([*text, ""]), encoding="utf-8")
+    Path("plain.csv").write_text("\n".join([*PLAIN, ""]), encoding="utf-8")
+    words = "--quantities pull_off_force,contact_radius --quiet"
+    assert run(f"batch plain.csv -o plain.out.csv {words}").code == 1
+    assert run(f"batch x.txt --delimiter {word} -o out.{ending} {words}").code == 1
+    expected = [line.split(",")[5:7] for line in Path("plain.out.csv").read_text(encoding="utf-8").splitlines()[1:]]
+    divider = "\t" if word == "blank" else mark
+    found = [line.split(divider) for line in Path(f"out.{ending}").read_text(encoding="utf-8").splitlines()[1:]]
+    assert [[cell.replace(point, ".") for cell in row[5:7]] for row in found] == expected
+    assert [row[:5] for row in found] == [row.split(mark) for row in text[1:]]
+    assert point in found[0][5]
+
+
+@pytest.mark.parametrize(
+    ("text", "remedy"),
+    [
+        ("radius [nm];gamma [mJ/m2]\n1;2\n", "--delimiter semicolon"),
+        ("radius_nm gamma_mJ_m2\n1 2\n", "--delimiter blank"),
+        ("radius [nm]|gamma [mJ/m2]\n1|2\n", "--delimiter bar"),
+    ],
+)
+def test_what_divides_columns_is_named_where_it_is_not_the_comma(run: Run, text: str, remedy: str) -> None:
+    Path("x.csv").write_text(text, encoding="utf-8")
+    ran = run("batch x.csv -o out.csv")
+    assert (ran.code, remedy in ran.err) == (2, True), ran.err
+    out = "out.tsv" if "blank" in remedy else "out.csv"
+    assert run(f"batch x.csv {remedy} --quantities pull_off_force -o {out}").code == 0
+
+
+def test_blanks_in_quotes_are_refused(run: Run) -> None:
+    Path("x.txt").write_text('name radius_nm\n"a b" 1\n', encoding="utf-8")
+    ran = run("batch x.txt --delimiter blank --material quartz")
+    assert (ran.code, "has no quotes" in ran.err) == (2, True)

@@ -7,24 +7,28 @@ or too few, spoils its own line only.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cache
-from itertools import islice
+from itertools import chain, islice
 from typing import NamedTuple
 
 from ..output.records import numbers_in_lines
 from ..rows.columns import OF_ROWS, Columns, doubts_in_words
 from ..rows.header import BadTable, is_input
+from ..rows.readings import MATERIALS
 from ..rows.rows import evaluated
 from ..rows.table import Table
 from ..text import quoted
 from .lines import BOM, Converted, Head, Tally, check_encoding, check_strictly
 
 _MISTAKEN = (
-    (";", "semicolons", "commas, with decimal points"),
+    (";", "semicolons", "--delimiter semicolon"),
     ("\t", "tabs", "--format tsv"),
     (",", "commas", "--format csv"),
+    ("|", "bars", "--delimiter bar"),
+    (" ", "blanks", "--delimiter blank"),
 )
+_DECIMAL_COMMA = re.compile(rb"\s*[-+]?\d*,\d+(?:[eE][-+]?\d+)?(?: ?[^\d,.]+)?\s*")
 MAX_NUMBERS = 200_000  # that are computed together: more do not stay in the cache
 STRIP = 128  # rows written at once: their text stays in the cache
 _NUMBER = rb"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
@@ -51,6 +55,10 @@ class Dialect:
         self._simple = rb'(?:[^"]*+"(?<![^%b\n]")[^"\r\n%b]*+"(?![^\r\n%b]))*+[^"]*+' % (mark, mark, mark)
         number = rb'%b"?(?:%b|\r?$)' % (_NUMBER, mark)
         self._formula = rb'(?m)(^|%b)("?)(?=[=+\-@\t\r])(?!%b|%b|\r?$)' % (mark, mark, number)
+
+    def prepared(self, text: bytes) -> bytes:
+        """Return whole records as they are read."""
+        return text
 
     def cut(self, text: bytes) -> int:
         """Return the number of bytes of whole records at the beginning of a text."""
@@ -113,17 +121,20 @@ class Dialect:
         if blank or not line.strip():
             raise BadTable("header: is empty")
         rows = [cells for _, line, cells, _ in islice(self.records(body[size:]), 200) if line]
-        sample = [
-            [cell.decode("utf-8", "replace") for cell in unquoted(cells)] for cells in rows if len(cells) == len(names)
-        ]
-        return Head(text[: len(text) - len(body) + size], tuple(names)), sample
+        whole = [unquoted(cells) for cells in rows if len(cells) == len(names)]
+        has_commas = self.separator != b"," and any(map(_DECIMAL_COMMA.fullmatch, chain.from_iterable(whole)))
+        first_rows = with_points(whole) if has_commas else whole
+        sample = [[cell.decode("utf-8", "replace") for cell in row] for row in first_rows]
+        return Head(text[: len(text) - len(body) + size], tuple(names), has_commas), sample
 
     def _check_separator(self, names: Sequence[str], line: str) -> None:
         """Refuse a header that only another separator makes a header of."""
         is_bare = len(names) == 1 and '"' not in line
         for mark, kind, advice in _MISTAKEN:
-            others = line.replace('"', "").split(mark)
+            others = line.replace('"', "").split(None if mark == " " else mark)
             is_other = mark != self.separator.decode() and len(others) > 1 and (is_bare or any(map(is_input, others)))
+            if mark == " ":  # which a single header may have
+                is_other = is_bare and sum(map(is_input, others)) > 1
             if is_other and not any(map(is_input, names)):
                 raise BadTable(f"header: {quoted(line.strip())} has {kind} between its columns; write {advice}")
 
@@ -132,7 +143,25 @@ class Dialect:
         return Delimited(self, head, table, strict=strict, excel_safe=excel_safe)
 
 
+class Blanks(Dialect):
+    """The rules of a table whose columns are divided by any number of blanks: it is read, and written, with a tab in place of them."""
+
+    def prepared(self, text: bytes) -> bytes:
+        """Return lines with tabs. A header may begin with #. Raises BadTable for quotes, whose blanks would divide a cell."""
+        if b'"' in text:
+            raise BadTable("a table with blanks between its columns has no quotes; write tabs, and --format tsv")
+        text = re.sub(rb"(?m)^[ \t]+|[ \t]+(?=\r?$)", b"", text.removeprefix(b"#"))
+        return re.sub(rb"[ \t]+", b"\t", text)
+
+
 DIALECTS = {"csv": Dialect("csv", b","), "tsv": Dialect("tsv", b"\t")}
+DELIMITED = {
+    "comma": DIALECTS["csv"],
+    "semicolon": Dialect("csv", b";"),
+    "bar": Dialect("csv", b"|"),
+    "tab": DIALECTS["tsv"],
+    "blank": Blanks("tsv", b"\t"),
+}
 
 
 class Rows(NamedTuple):
@@ -159,11 +188,16 @@ class Delimited:
         self.head = bom + (dialect.safe(line) if excel_safe else line)
         self.said = b"".join(dialect.separator + text.encode() for text in table.said.values())
         self.places = table.places
+        self.has_commas = head.has_decimal_commas
         self.together = max(1, MAX_NUMBERS // len(table.numbers))  # rows
 
     def convert(self, text: bytes) -> Converted:
         """Return whole records with the results behind each."""
+        text = self.dialect.prepared(text)
         lines, cells, odd, starts, rest = self._quickly(text) or self._carefully(text)
+        if self.has_commas:
+            names = [name for name in cells if name not in MATERIALS]
+            cells = {**cells, **dict(zip(names, with_points([cells[name] for name in names]), strict=True))}
         pieces: list[bytes] = []
         tally = Tally()
         for start in range(0, len(lines), self.together):
@@ -241,6 +275,8 @@ class Delimited:
         for start in range(0, len(lines), STRIP):
             part = slice(start, start + STRIP)
             rows = numbers_in_lines(columns.numbers[:, part], separator, b"", no_remark)
+            if self.has_commas:
+                rows = [row.replace(b".", b",") for row in rows]
             if any(ends := remarks[part]):
                 rows = [row[:cut] + end if end else row for row, end in zip(rows, ends, strict=True)]
             pieces = [b""] * (2 * len(rows))
@@ -264,6 +300,11 @@ class Delimited:
             status = self.dialect.joined([columns.status(row).encode()])
             remarks[row] = doubts(int(columns.doubts[row])) + separator + status + self.line_end
         return remarks
+
+
+def with_points(rows: Iterable[Sequence[bytes]]) -> list[list[bytes]]:
+    """Return cells with decimal points in place of commas."""
+    return [[cell.replace(b",", b".") for cell in row] for row in rows]
 
 
 def unquoted(cells: list[bytes]) -> list[bytes]:

@@ -8,7 +8,7 @@ from typing import BinaryIO, NamedTuple
 
 from ..rows.header import BadTable
 from ..text import quoted
-from .delimited import DIALECTS, Dialect
+from .delimited import DELIMITED, DIALECTS, Dialect
 from .errors import missing_extra
 from .ndjson import Ndjson
 
@@ -46,6 +46,13 @@ def stated(text: str) -> Format:
             f"--format: {quoted(text)} is none of {', '.join(dict.fromkeys(KINDS.values()))}, or these with .gz or .zst"
         )
     return found
+
+
+def with_delimiter(word: str, found: Format | None) -> Format:
+    """Return the format that `--delimiter` asks for, compressed as the name of the file says."""
+    if word not in DELIMITED:
+        raise BadTable(f"--delimiter: {quoted(word)} is none of {', '.join(DELIMITED)}")
+    return Format(DELIMITED[word].name, found.compression if found else "")
 
 
 def compressor(compression: str) -> Callable[[bytes], bytes]:

@@ -54,6 +54,7 @@ class Head(NamedTuple):
 
     text: bytes  # the header line; empty where the format has none
     names: tuple[str, ...]
+    has_decimal_commas: bool = False
 
 
 def check_encoding(text: bytes, name: str) -> None:

@@ -24,6 +24,10 @@ class Ndjson:
         """Return the number of bytes of whole lines."""
         return text.rfind(b"\n") + 1
 
+    def prepared(self, text: bytes) -> bytes:
+        """Return whole lines as they are read."""
+        return text
+
     def head(self, text: bytes) -> tuple[Head, list[list[str]]]:
         """Return the names in the first object, and the values of the first objects. No line is a header."""
         check_encoding(text, "ndjson")

@@ -15,9 +15,9 @@ from ..rows.header import BadTable, chosen, understood
 from ..rows.readings import example_unit
 from ..rows.table import Fill, Inverse, Table, say_reading, table_of
 from ..text import quoted
-from .delimited import Delimited
+from .delimited import DELIMITED, Delimited
 from .errors import missing_extra
-from .formats import LINES, Format, compressor, format_of, stated
+from .formats import LINES, Format, compressor, format_of, stated, with_delimiter
 from .lines import Converted, Tally
 from .ndjson import NdjsonConverter
 from .output import output_to, unnamed
@@ -65,9 +65,9 @@ def _convert_lines(path: str, form: Format, compression: str, order: Order) -> T
     compressor(form.compression)  # a missing library is named before anything is opened
     with closing(Input(path)) as given:
         given.check_output(settings.target)
-        dialect = LINES[form.kind]
+        dialect = DELIMITED[settings.delimiter] if settings.delimiter else LINES[form.kind]
         texts = blocks(given.pieces(form.compression), dialect.cut)
-        first = next(texts, b"")
+        first = dialect.prepared(next(texts, b""))
         head, rows = dialect.head(first)
         table = table_with(head.names, rows, order)
         converter = dialect.converter(head, table, strict=settings.strict, excel_safe=settings.excel_safe)
@@ -100,13 +100,17 @@ def input_format(path: str, settings: Settings) -> Format:
     if settings.format:
         return stated(settings.format)
     found = format_of(path if path != "-" else settings.target)
+    if settings.delimiter:
+        return with_delimiter(settings.delimiter, found)
     if found is not None:
         return found
     if path == "-":
         return Format("csv")
     if os.path.isdir(path):
         raise BadTable(f"{quoted(path)} is a directory; name its tables, as in {quoted(os.path.join(path, '*.csv'))}")
-    raise BadTable(f"{quoted(path)}: its name says no format; give --format csv, tsv, ndjson or parquet")
+    raise BadTable(
+        f"{quoted(path)}: its name says no format; give --format csv, tsv, ndjson or parquet, or --delimiter blank"
+    )
 
 
 def output_format(settings: Settings, of_input: Format) -> Format:

@@ -15,6 +15,7 @@ class Settings(NamedTuple):
 
     target: str = "-"
     format: str = ""
+    delimiter: str = ""
     quantities: str = ""
     strict: bool = False
     resume: bool = False  # of many files: whether those that are done stay

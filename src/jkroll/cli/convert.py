@@ -14,10 +14,13 @@ def run_batch(call: Call) -> int:
     """Convert a table of scenes; return the exit code."""
     if not call.words:
         raise BadRequest("batch needs a table, such as grains.csv, or - for standard input")
+    if call.format and call.delimiter:
+        raise BadRequest("--format and --delimiter exclude each other")
     infer, measured = _inverse(call)
     settings = Settings(
         target=call.target or "-",
         format=call.format,
+        delimiter=call.delimiter,
         quantities=call.quantities,
         strict=call.strict,
         doubt=not call.no_doubt,

@@ -89,6 +89,7 @@ class Call(NamedTuple):
     as_printed: bool = False
     # of tables
     format: str = ""
+    delimiter: str = ""
     quantities: str = ""
     columns: tuple[str, ...] = ()
     infer: str = ""
@@ -161,6 +162,7 @@ _DEFAULT = "Default for rows that give none; likewise each input below"
 TABLE = (
     Option("target", "--output", str, "OUT", "Output file (written atomically)", short="-o"),
     Option("format", "--format", str, "FORMAT", "csv, tsv, ndjson or parquet, if no name says so; with .gz, .zst"),
+    Option("delimiter", "--delimiter", str, "WORD", "What divides columns: comma, semicolon, bar, tab or blank"),
     Option("quantities", "--quantities", str, "NAMES", "Quantities to compute, separated by commas; default all"),
     Option(
         "columns",
