@@ -24,6 +24,7 @@ class Tally(NamedTuple):
     doubtful: int = 0
     without_error_bars: int = 0
     inferred: tuple[Floats, ...] = ()  # the values of an input that was sought, in parts
+    readings: tuple[str, ...] = ()  # how each table was read
 
     @classmethod
     def of(cls, columns: Columns, failed: Sequence[int]) -> "Tally":
@@ -39,7 +40,7 @@ class Tally(NamedTuple):
 
     def counts(self) -> dict[str, int]:
         """Return the numbers of rows by name."""
-        return {name: count for name, count in self._asdict().items() if name != "inferred"}
+        return {name: count for name, count in self._asdict().items() if isinstance(count, int)}
 
 
 class Converted(NamedTuple):

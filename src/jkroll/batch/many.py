@@ -8,6 +8,7 @@ import glob
 import json
 import os
 import sys
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from functools import partial
@@ -17,12 +18,13 @@ from .. import __version__
 from ..errors import BadRequest, JkrollError, MissingExtra
 from ..output.records import whole_file
 from ..rows.header import BadTable
-from ..text import quoted, say
+from ..text import quoted, say, say_wrapped
 from .lines import Tally
 from .one import convert as convert_one
 from .settings import Order, Part, Settings
 
 MANIFEST = "manifest.json"
+MOST_READINGS = 3  # ways in which tables are read that are said on stderr
 MOST_SAID = 20  # files whose failure is said on stderr; the manifest has them all
 FEW, LITTLE = 8, 1 << 20  # number and bytes of files up to which this process converts them all itself
 
@@ -123,6 +125,9 @@ def convert(path: str, order: Order, run: Runner) -> tuple[Tally, int]:
         code = max(code, outcome.exit_code)
     files = [entries[part] for part in parts]
     _write(manifest, {**about, "begun": begun, **tally.counts(), "files": files})
+    if not settings.quiet:
+        for reading, count in Counter(tally.readings).most_common(MOST_READINGS):
+            say_wrapped(reading if count == len(parts) else f"{reading}: {count} of {len(parts)} files", sys.stderr)
     _say_failures(manifest, files)
     return tally, code
 

@@ -72,7 +72,7 @@ def _convert_lines(path: str, form: Format, compression: str, order: Order) -> T
         table = table_with(head.names, rows, order)
         converter = dialect.converter(head, table, strict=settings.strict, excel_safe=settings.excel_safe)
         start = compressor(compression)(converter.head) if converter.head else b""
-        return run(
+        tally = run(
             Work(
                 Converted(start),
                 head.text.count(b"\n"),
@@ -83,6 +83,7 @@ def _convert_lines(path: str, form: Format, compression: str, order: Order) -> T
             ),
             settings,
         )
+        return tally._replace(readings=(table.reading,))
 
 
 def _make_convert(converter: Delimited | NdjsonConverter, compression: str) -> Convert:

@@ -47,7 +47,8 @@ def convert(part: Part, order: Order, table_with: TableWith) -> Tally:
         with _readable(part.path):
             table = _File(given, order, table_with)
         with Bar(table.size, quiet=order.settings.quiet) as bar:
-            return _write(part.target, table.schema, table.rows(), bar)
+            tally = _write(part.target, table.schema, table.rows(), bar)
+    return tally._replace(readings=(table.table.reading,))
 
 
 @contextmanager
