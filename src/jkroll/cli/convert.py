@@ -17,24 +17,9 @@ def run_batch(call: Call) -> int:
     if call.format and call.delimiter:
         raise BadRequest("--format and --delimiter exclude each other")
     infer, measured = _inverse(call)
-    settings = Settings(
-        target=call.target or "-",
-        format=call.format,
-        delimiter=call.delimiter,
-        quantities=call.quantities,
-        strict=call.strict,
-        doubt=not call.no_doubt,
-        uncertainty=call.uncertainty,
-        resume=call.resume,
-        jobs=call.jobs,
-        excel_safe=call.excel_safe,
-        dask=call.dask,
-        materials=call.materials,
-        quiet=call.quiet,
-        columns=call.columns,
-        infer=infer,
-        measured=measured,
-    )
+    same = {name: getattr(call, name) for name in Settings._fields if name in Call._fields}  # of the same name and value
+    own = {"target": call.target or "-", "doubt": not call.no_doubt, "infer": infer, "measured": measured}
+    settings = Settings(**{**same, **own})
     return run(call.words[0], settings, call.inputs, materials_of(call.materials))
 
 
