@@ -17,7 +17,7 @@ def run_batch(call: Call) -> int:
     if call.format and call.delimiter:
         raise BadRequest("--format and --delimiter exclude each other")
     infer, measured = _inverse(call)
-    same = {name: getattr(call, name) for name in Settings._fields if name in Call._fields}  # of the same name and value
+    same = {name: getattr(call, name) for name in Settings._fields if name in Call._fields}
     own = {"target": call.target or "-", "doubt": not call.no_doubt, "infer": infer, "measured": measured}
     settings = Settings(**{**same, **own})
     return run(call.words[0], settings, call.inputs, materials_of(call.materials))
