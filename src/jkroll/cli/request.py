@@ -7,8 +7,7 @@ from itertools import product
 from typing import TYPE_CHECKING
 
 from ..errors import BadRequest
-from ..materials.library import Material, Materials, known_materials
-from ..materials.places import materials_of_user
+from ..materials.library import Material, Materials, known_materials, materials_of_user
 from ..quantities.laws import law_named
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import Spread, spreads_of

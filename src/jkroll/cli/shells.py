@@ -173,8 +173,7 @@ def _listed(names: Callable[[], Iterable[str]], begun: str) -> Iterable[str]:
 
 def _materials(begun: str) -> Iterable[str]:
     """Return materials, and aliases where no name fits; only the shipped ones while a user's file is broken."""
-    from ..materials.library import known_materials
-    from ..materials.places import materials_of_user
+    from ..materials.library import known_materials, materials_of_user
 
     try:
         materials = materials_of_user(None)
