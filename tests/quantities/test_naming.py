@@ -7,8 +7,7 @@ import pytest
 import jkroll
 from harness import Run
 from jkroll.quantities.errors import UnknownQuantity
-from jkroll.quantities.names import named, with_symbol
-from jkroll.quantities.nomenclature import NOMENCLATURE
+from jkroll.quantities.nomenclature import NOMENCLATURE, named, with_symbol
 from jkroll.text import ascii_text
 
 WITH_SYMBOL = [name for name, quantity in NOMENCLATURE.items() if quantity.symbol and not quantity.variant_of]

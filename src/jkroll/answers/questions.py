@@ -5,8 +5,7 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from ..quantities.errors import UnknownQuantity
-from ..quantities.names import named
-from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.nomenclature import NOMENCLATURE, named
 
 
 class Grid(NamedTuple):

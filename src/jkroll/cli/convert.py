@@ -4,7 +4,7 @@ from ..answers.questions import quantity_named
 from ..batch.command import run
 from ..batch.settings import Settings
 from ..errors import BadRequest
-from ..quantities.names import named
+from ..quantities.nomenclature import named
 from ..scene.inverse import SIZES, CannotInfer
 from .options import Call
 from .request import materials_of

@@ -9,7 +9,7 @@ from ..errors import BadRequest
 from ..output import notes as note_lines
 from ..output.records import in_units
 from ..quantities.formatting import Format
-from ..quantities.names import named
+from ..quantities.nomenclature import named
 from ..quantities.values import Spread, spreads_of
 from ..rows.inferred import Sought, observed
 from ..rows.sweep import Sweep

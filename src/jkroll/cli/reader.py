@@ -11,8 +11,7 @@ from functools import partial
 
 from ..errors import BadRequest, JkrollError
 from ..quantities.errors import OTHER_WORDS
-from ..quantities.names import named
-from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.nomenclature import NOMENCLATURE, named
 from ..text import closest, quoted, say, shown
 from .commands import COMMANDS, Action, Command, flags_of
 from .options import HELP, Option

@@ -14,8 +14,7 @@ from typing import Any, NamedTuple
 
 from ..errors import BadRequest, JkrollError
 from ..quantities.errors import QuantityError
-from ..quantities.names import named
-from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
+from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, named
 from ..quantities.values import Uncertain, value_of
 from ..text import closest, first_of, quoted, shown
 

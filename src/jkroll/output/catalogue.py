@@ -8,8 +8,7 @@ from ..answers.questions import QUESTIONS
 from ..materials.library import Material
 from ..quantities.errors import OTHER_WORDS, UnknownQuantity
 from ..quantities.formatting import AS_USUAL, amount, pretty
-from ..quantities.names import named, with_symbol
-from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, RANGES, header
+from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, RANGES, header, named, with_symbol
 from ..rows.columns import heads
 from ..scene.wiring import depends_on, formula_of, parameters_of, suffix_of
 from ..text import first_of, json_text, say, say_wrapped

@@ -4,8 +4,7 @@ from collections.abc import Collection, Sequence
 
 from ..errors import JkrollError
 from ..text import closest, quoted
-from .names import with_symbol
-from .nomenclature import NOMENCLATURE, OPTION_WORDS, word_for_infinity
+from .nomenclature import NOMENCLATURE, OPTION_WORDS, with_symbol, word_for_infinity
 from .units import dimension_of, kind_of
 
 

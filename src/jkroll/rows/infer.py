@@ -8,7 +8,7 @@ from typing import Any
 from ..errors import NoResult
 from ..materials.library import Material, Materials
 from ..quantities.errors import QuantityError
-from ..quantities.names import named
+from ..quantities.nomenclature import named
 from ..quantities.values import is_uncertain
 from ..scene.inverse import SIZES, CannotInfer, solution
 from ..scene.scene import Scene, check_range

@@ -10,8 +10,7 @@ from ..errors import JkrollError
 from ..materials.library import Material, Materials, known_materials
 from ..physics import FORMULAS as PLAIN_FORMULAS
 from ..quantities.errors import QuantityError, UnknownQuantity
-from ..quantities.names import named
-from ..quantities.nomenclature import NOMENCLATURE, canonical
+from ..quantities.nomenclature import NOMENCLATURE, canonical, named
 from ..quantities.values import Uncertain, checked, is_uncertain, measured, value_of
 from ..text import MAX_QUOTED
 from .failures import Contradiction, ShapeMismatch
