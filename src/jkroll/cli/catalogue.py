@@ -6,8 +6,8 @@ from ..output.catalogue import quantities_found, write_materials, write_quantiti
 from ..output.manual import write_page, write_topics
 from ..text import say_wrapped
 from .options import Call
+from .question import format_name
 from .request import materials_of
-from .written import format_name
 
 
 def run_materials(call: Call) -> int:

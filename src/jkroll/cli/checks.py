@@ -4,7 +4,7 @@ import sys
 
 from ..errors import MissingExtra
 from .options import Call
-from .written import PICTURES, ending, format_name, no_picture
+from .question import PICTURES, ending, format_name, no_picture
 
 
 def run_verify(call: Call) -> int:

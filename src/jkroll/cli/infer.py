@@ -16,9 +16,8 @@ from ..rows.sweep import Sweep
 from ..scene.inverse import SIZES, AlreadyGiven, CannotInfer, with_input
 from ..text import say_wrapped
 from .options import Call
-from .question import check_count, exit_code, unless_failed, write_answers, write_columns
+from .question import check_count, exit_code, format_name, format_of, unless_failed, write_answers, write_columns
 from .request import request_of
-from .written import format_name, format_of
 
 TABLES = (".csv", ".tsv", ".ndjson", ".parquet", ".gz", ".zst")
 MAX_ANSWERS = 10_000  # that are explained one by one

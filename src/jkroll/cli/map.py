@@ -26,8 +26,8 @@ from ..scene.scene import Scene
 from ..scene.wiring import depends_on
 from ..text import quoted, say_wrapped, spelled
 from .options import Call
+from .question import PICTURES, ending, format_name, no_picture
 from .request import Request, curve_request, materials_of, request_of
-from .written import PICTURES, ending, format_name, no_picture
 
 ON_SCREEN = (241, 121)  # points of a map that is drawn in cells
 IN_FILE = (201, 201)
