@@ -22,7 +22,6 @@ from . import (
     maugis,
     maugis_energies,
     pair,
-    pressure,
     rolling,
     tangential,
     validity,
@@ -43,7 +42,6 @@ def _formulas(*modules: Any) -> dict[str, Callable[..., Any]]:
 PAPER_FORMULAS: Mapping[str, Callable[..., Any]] = _formulas(
     pair,
     contact,
-    pressure,
     jkr,
     rolling,
     vibration,

@@ -5,9 +5,9 @@ The centre of the circle, X = 0, lags by ξ behind the contact point, x = X − 
 
 from __future__ import annotations
 
+from .contact import boussinesq_pressure_at_approach, pressure
 from .dimensions import Length, Number, Stress, SurfaceEnergy
 from .elementary import cbrt, pi, sqrt
-from .pressure import boussinesq_pressure_at_approach, pressure
 
 
 def exact_pressure(

@@ -12,9 +12,9 @@ from ..answers.curve import EQUILIBRIUM, MAX_LOAD, NAMED, PULL_OFF, Loads, state
 from ..answers.notes import MOMENTS
 from ..materials.library import Materials
 from ..physics.any_law import pull_off_force_lennard_jones, transition_parameter
+from ..physics.contact import pressure
 from ..physics.cylinder import asymmetric_pressure, contact_point_moment, half_strips_moment, symmetric_pressure
 from ..physics.maugis import pull_off_force_maugis
-from ..physics.pressure import pressure
 from ..physics.shifted import exact_pressure, half_circle_pressure, unloaded_half_width
 from ..quantities.formatting import amount
 from ..quantities.laws import DEFAULT_LAW
