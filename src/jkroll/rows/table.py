@@ -31,7 +31,7 @@ Asked = tuple[Sequence[str], Sequence[str]]  # quantities by name, and those tha
 
 
 class Inverse(NamedTuple):
-    """What `--infer` and `--measured` say: the input that is sought, and the quantity whose measured value a row has."""
+    """The meaning of `--infer` and `--measured`: the input that is sought, and the quantity whose measured value a row has."""
 
     name: str
     quantity: str
