@@ -11,7 +11,7 @@ import maugis_reference as maugis
 from maugis_reference import Exact, cbrt, digits, mpf, pi, sqrt
 
 SYMBOLS = {
-    "F_a": "adhesive_force", "Q": "yield_force", "c": "zone_radius", "dw": "adhesion_hysteresis",
+    "F_a": "adhesive_force", "Q": "yield_force", "c": "zone_radius", "dw": "adhesion_hysteresis", "part": "hysteresis_fraction",
     "mu": "tabor_parameter", "lambda_": "transition_parameter", "sigma0": "cohesive_stress",
     "edge": "edge_ratio", "T": "zone_span",
 }  # fmt: skip
@@ -105,6 +105,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "rolling_frequency_no_slip_of_stiffness": lambda k, R, m_eff: sqrt(k / (R**2 * m_eff)) / (2 * pi),
     "yield_energy_of_moment": lambda M, xi, R: M * xi / (2 * R),
     "hysteresis_moment": lambda c, R, dw: 2 * c * R * dw,
+    "adhesion_hysteresis_of_fraction": lambda part, w: part * w,
     "yield_displacement_at_hysteresis": lambda c, R, dw, F_a: 2 * c * R * dw / F_a,
     "hysteresis_ratio": lambda M, c, R, w: M / (2 * c * R * w),
     # DMT

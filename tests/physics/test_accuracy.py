@@ -202,6 +202,7 @@ def _law_values(random: Random) -> Iterator[tuple[str, Any]]:
         yield name, unit * log_uniform(random, 1e-3, 1e3)
     for name, low, high in (("hamaker", 1e-24, 1e-15), ("hamaker2", 1e-24, 1e-15), ("cutoff", 1e-11, 1e-8)):
         yield name, log_uniform(random, low, high)
+    yield "hysteresis_fraction", log_uniform(random, 1e-6, 1)
     yield "work_of_adhesion", work
     yield "reduced_radius", radius
     yield "contact_modulus", modulus

@@ -172,9 +172,9 @@ def test_the_default_energy_is_said_to_be_beyond_sticking(run: Run) -> None:
     ratio = jkroll.solve("energy_over_sticking", material="quartz", radius=1e-7, model="maugis")
     assert f"W0 = P_cδ0 of JKR is {ratio:.3g} U_stick" in run("n-roll quartz 100nm --model maugis").err
     of_dmt = run("n-roll quartz 100nm --model dmt").err
-    assert "W0 = P_cδ0 of JKR\n" in of_dmt
+    assert "W0 = P_cδ0 of JKR" in of_dmt
     assert "U_stick" not in of_dmt  # which has none
-    assert "F_cδ_c and its multiples are those of JKR" in run("energies quartz 100nm --model dmt").err
+    assert "F_cδ_c and its multiples are those of JKR" in run("energies quartz 100nm --model dmt --explain").out
 
 
 def test_dmt_answers_where_both_bodies_are_rigid(run: Run) -> None:

@@ -17,6 +17,7 @@ from ..scene.failures import BeyondPullOff, MissingInput, NoContact, OfIdentical
 from ..scene.limits import Judgement, Verdict, against_limit, judged, of_any_scene, sentence
 from ..scene.scene import Scene
 from ..scene.wiring import depends_on
+from .displacement import XI, Worth, about_displacement, worth
 from .notes import (
     about_data,
     about_idle,
@@ -203,6 +204,11 @@ class Answer:
         return differences(self.scene, [name for name in self._known if name in compared])
 
     @cached_property
+    def worth(self) -> Worth | None:
+        """What the assumed displacement is worth for these results."""
+        return worth(self.scene, self._known) if XI in self.inputs else None
+
+    @cached_property
     def _judgement(self) -> Judgement:
         return judged(self.scene, self._known)
 
@@ -231,9 +237,11 @@ class Answer:
         found, sources = self._uncertainties
         lacking = [name for name, error in self.errors.items() if isinstance(error, MissingInput)]
         lacking += [name for names in self._judgement.missing.values() for name in names]
+        displaced = [] if self.worth is None else [about_displacement(self.worth, self.question.headline)]
         entering_any = {*self.inputs, *of_limits, *depends_on(lacking, [scene.law.name])}
         return (
-            *assumptions(scene, entering, planned),
+            *displaced,
+            *assumptions(scene, entering, planned, [note.matter for note in displaced if note.kind == "displacement"]),
             *about_idle(scene, entering_any),
             *about_data(scene, self.inputs),
             *about_results([*self.results], scene),

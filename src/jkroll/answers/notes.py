@@ -3,13 +3,14 @@
 from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from ..errors import JkrollError
-from ..quantities.formatting import amount
+from ..quantities.formatting import amount, significant
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.failures import MissingInput
 from ..scene.limits import IMPACT, Judgement, judged, limits_of
 from ..scene.scene import DEFAULTS, Scene
 from ..scene.wiring import depends_on
 from ..text import first_of
+from .displacement import IN_ITS_PLACE, XI, about_displacement_of_rows
 from .results import Note, Result, remarks
 
 MAX_NAMES = 3  # of quantities in a note
@@ -29,8 +30,10 @@ def notes_on_rows(scene: Scene, names: Sequence[str]) -> list[Note]:
     spacing = {"atomic_spacing"}.intersection(of_limits)  # which enters no answer
     inputs = {*scene.inputs_of(*planned), *spacing}
     entering = {*of_limits, *depends_on(scene.missing(every), [scene.law.name])}
+    displaced = [about_displacement_of_rows(scene)] if XI in inputs and XI not in scene.given else []
     return [
-        *assumptions(scene, inputs, planned),
+        *displaced,
+        *assumptions(scene, inputs, planned, [XI] if displaced else []),
         *about_idle(scene, entering),
         *about_conventions(scene, planned),
         *about_limits(judged(scene, planned)),
@@ -43,12 +46,12 @@ def _planned(scene: Scene, names: Sequence[str]) -> list[str]:
     return [name for name in names if name not in missing]
 
 
-def assumptions(scene: Scene, inputs: Collection[str], names: list[str]) -> list[Note]:
-    """Return notes on the inputs that were assumed, with the options that set them."""
+def assumptions(scene: Scene, inputs: Collection[str], names: list[str], without: Collection[str] = ()) -> list[Note]:
+    """Return notes on the inputs that were assumed, with the options that set them, but for those of which another note says it."""
     assumed = [
         f"{NOMENCLATURE[name].symbol} = {amount(name, DEFAULTS[name])} ({NOMENCLATURE[name].option})"
         for name in DEFAULTS
-        if name in inputs and name not in scene.given
+        if name in inputs and name not in scene.given and name not in without
     ]
     steps = {step.name for name in names for step in scene.plan(name).steps}
     notes = [Note("assumption", f"assumed {', '.join(assumed)}")] if assumed else []
@@ -121,8 +124,22 @@ def about_results(results: list[Result], scene: Scene) -> list[Note]:
     if {"yield_force", "sliding_force", "peeling_force", "twisting_moment"} <= {*names}:
         notes.append(_first_to_yield(scene))
     notes += remarks(scene, names)
+    notes += _about_hysteresis(scene, names)
     errors = ", ".join(f"{symbol_of(result.name)} by {100 * result.error:.2g} %" for result in known if result.error)
     return [*notes, Note("model", f"off the exact moment of this contact: {errors}")] if errors else notes
+
+
+def _about_hysteresis(scene: Scene, names: Collection[str]) -> list[Note]:
+    """Return a note on the part of the work of adhesion that a displacement stands for, or on the displacement for which a part stands."""
+    if not any(name != XI and XI in depends_on([name], [scene.law.name]) for name in names):
+        return []
+    if scene.given.keys().isdisjoint(IN_ITS_PLACE[1:]):
+        ratio = scene.numbers("hysteresis_ratio").get("hysteresis_ratio", 1.0)
+        text = f"this ξ stands for an adhesion hysteresis of {significant(100 * ratio, 2)} % of w" if ratio < 1 else ""
+    else:
+        found = scene.numbers(XI) if XI not in names else {}
+        text = "".join(f"this Δw stands for ξ = {amount(XI, value)}" for value in found.values())
+    return [Note("model", text, "ξ and Δw")] if text else []
 
 
 def about_conventions(scene: Scene, names: Sequence[str]) -> list[Note]:

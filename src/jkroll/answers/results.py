@@ -77,7 +77,7 @@ class Result(NamedTuple):
 
 
 # Of notes, the most important first.
-Kind = Literal["material", "missing", "doubt", "result", "model", "assumption", "unchecked", "data"]
+Kind = Literal["material", "missing", "displacement", "doubt", "result", "model", "assumption", "unchecked", "data"]
 
 
 class Note(NamedTuple):
@@ -142,7 +142,7 @@ def remarks(scene: Scene, names: Collection[str]) -> Iterator[Note]:
         yield Note("result", "F_cδ_c and its multiples are those of JKR")
     if scene.law.name != BETWEEN:
         return
-    if "yield_moment" in names and "adhesion_hysteresis" not in scene.given:
+    if "yield_moment" in names and scene.given.keys().isdisjoint(("adhesion_hysteresis", "hysteresis_fraction")):
         jkr = scene.under(DEFAULT_LAW).numbers("yield_moment", "zone_radius")
         own = scene.numbers("zone_radius", "yield_moment")
         if len(jkr) == len(own) == 2:

@@ -48,6 +48,8 @@ class Request:
         self.models = [law_named(name).name for name in models.split(",")] if models is not None else [None]
         if len(set(self.models)) < len(self.models):
             raise BadRequest(f"--model: {quoted(models or '')} names a law more than once")
+        if _is_part(self.options.get("adhesion_hysteresis", "")):
+            self.options["hysteresis_fraction"] = self.options.pop("adhesion_hysteresis")
         if radii:
             self.options["radius"] = ",".join(radii)
         for alternatives in EXCLUSIVE:
@@ -121,6 +123,11 @@ def curve_request(call: Call) -> "tuple[Request, Loads | None]":
     if "approach_at_load" in inputs:
         raise BadRequest("--curve goes through all approaches; it takes none")
     return request_of(call._replace(inputs=inputs)), loads_of(loads) if loads is not None else None
+
+
+def _is_part(text: str) -> bool:
+    """Return whether an adhesion hysteresis is given as a part of the work of adhesion: 40%, and not 5mJ/m2 ± 20%."""
+    return text.rstrip().endswith("%") and "m" not in text.partition("±")[0]
 
 
 def _is_material(word: str) -> bool:

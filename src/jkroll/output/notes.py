@@ -32,7 +32,9 @@ def of_answer(answer: Answer) -> list[str]:
             texts = [note.text for note in notes[:worded]]
             more = [note.brief for note in notes[worded:]]
             lines.append(_line(kind, [*texts, f"also {', '.join(more)}: jkroll guide models"] if more else texts))
-    return lines[:MAX_LINES]
+    if not (dropped := len(lines) - MAX_LINES) > 0:
+        return lines
+    return [*lines[: MAX_LINES - 1], f"{lines[MAX_LINES - 1]}; {dropped} more: --explain"]
 
 
 def every_line(answer: Answer) -> list[str]:

@@ -13,6 +13,7 @@ from math import isnan
 from typing import Any, BinaryIO, NamedTuple, TextIO
 
 from ..answers.answer import Answer, Difference
+from ..answers.displacement import Worth
 from ..answers.results import Result
 from ..quantities.formatting import Format, OutOfUnit
 from ..quantities.laws import BETWEEN
@@ -303,6 +304,7 @@ def as_object(answer: Answer, form: Format) -> dict[str, Any]:
         **({"uncertainties": _of_inputs(answer)} if answer.uncertain else {}),
         "results": [_result_object(result.in_unit(form), form) for result in answer.results],
         **({"laws": {BETWEEN: _differences_object(answer.laws)}} if answer.laws else {}),
+        **({"displacement": _worth_object(answer.worth)} if answer.worth is not None else {}),
         "validity": [_verdict_object(verdict) for verdict in answer.validity],
         "notes": [note.text for note in answer.notes],
         "version": __version__,
@@ -352,6 +354,15 @@ def _differences_object(found: Sequence[Difference]) -> dict[str, dict[str, floa
             "over_jkr_at_half_spacing": each.ratio_at_half_spacing,
         }
         for each in found
+    }
+
+
+def _worth_object(found: Worth) -> dict[str, Any]:
+    """Return what the assumed displacement is worth: the measured one where it was measured and here, and the factors of results."""
+    return {
+        "at_pair": [*found.at_pair],
+        "here": None if found.here is None else [*found.here],
+        "over_assumed": {name: [*ends] for name, ends in found.factors.items()},
     }
 
 

@@ -15,6 +15,7 @@ from ..scene.inverse import logarithmic_slope
 from ..scene.scene import Scene
 from ..scene.wiring import Step
 from ..text import say, say_wrapped
+from .notes import every_line
 
 _SECTIONS = ("Source", "Valid", "Accuracy")
 _INDENT = 12  # of the texts, and of those beside the values of inputs and steps
@@ -59,13 +60,16 @@ def write_explanation(answers: Iterable[Answer], out: TextIO, form: Format) -> N
     """Write for each result its formula, inputs, steps, value, source, validity, accuracy and power law."""
     if not docstring_fields(power_law)["summary"]:
         raise NoDocstrings
-    for number, (scene, result) in enumerate(
-        (answer.scene, result.in_unit(form)) for answer in answers for result in answer.results
-    ):
-        if number:
-            say("", out)
-        for line in _explanation(result, scene, form):
-            say_wrapped(line, out, _STEP_INDENT if line.startswith("    ") else _INDENT)
+    is_first = True
+    for answer in answers:
+        for result in answer.results:
+            if not is_first:
+                say("", out)
+            is_first = False
+            for line in _explanation(result.in_unit(form), answer.scene, form):
+                say_wrapped(line, out, _STEP_INDENT if line.startswith("    ") else _INDENT)
+        for line in every_line(answer):
+            say_wrapped(line, out)
 
 
 def _explanation(result: Result, scene: Scene, form: Format) -> list[str]:

@@ -61,6 +61,10 @@ _GIVEN: Mapping[str, Routes] = {
     "speed": {"energy": "kinetic_energy"},
     "modulus_over_energy": {"contact_modulus": "contact_modulus_of_ratio"},
     "adhesion_hysteresis": {"yield_displacement": "yield_displacement_at_hysteresis"},
+    "hysteresis_fraction": {
+        "adhesion_hysteresis": "adhesion_hysteresis_of_fraction",
+        "yield_displacement": "yield_displacement_at_hysteresis",
+    },
     "hamaker": {"work_of_adhesion": "work_of_adhesion_of_hamaker", "atomic_spacing": "atomic_spacing_of_cutoff"},
     "hamaker2": {"work_of_adhesion": "work_of_adhesion_of_hamaker"},
 }

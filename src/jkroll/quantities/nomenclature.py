@@ -149,6 +149,7 @@ RANGES: Mapping[str, Range] = MappingProxyType(
         "up to infinite": Range(0.0, INFINITY, False, True, "must be positive"),
         "poisson": Range(-1.0, 0.5, True, True, "must lie between -1 and 0.5"),
         "loose": Range(0.0, 0.74, False, False, "must lie between 0 and 0.74, that of the closest packing"),
+        "part": Range(0.0, 1.0, False, True, "must lie between 0 and 1, which is 100%"),
         "finite": Range(-INFINITY, INFINITY, False, False, "must be finite"),
     }
 )
@@ -208,7 +209,7 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "state": Quantity("state", "", "state of the contact on its force curve"),
         "material2": Quantity("", "", "material of sphere 2", option="--material2", example="iron"),
         **_BOTH_SPHERES,
-        "yield_displacement": Quantity("ξ", "m", "yield displacement", range="positive", option="--xi", example="2angstrom", shown_with=["adhesion_hysteresis"]),
+        "yield_displacement": Quantity("ξ", "m", "yield displacement", range="positive", option="--xi", example="2angstrom", shown_with=["adhesion_hysteresis", "hysteresis_fraction"]),
         "load": Quantity("P", "N", "load, tension negative", "5", range="finite", option="--load", example="-5nN", may_be_zero=True, shown_with=STATE),
         "gravity": Quantity("g", "m/s^2", "gravity", range="positive", option="--gravity", example="1.62m/s2"),
         "energy": Quantity("W0", "J", "impact energy of sphere 1", "48", range="positive", option="--energy", example="1e-18J"),
@@ -283,6 +284,10 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "adhesion_hysteresis": Quantity(
             "Δw", "J/m^2", "work of adhesion as it opens less that as it closes", range="positive",
             option="--adhesion-hysteresis", example="5mJ/m2"
+        ),
+        "hysteresis_fraction": Quantity(
+            "Δw/w", "1", "adhesion hysteresis as a part of the work of adhesion", range="part",
+            option="--hysteresis-fraction", example="40%"
         ),
         "adhesive_force": Quantity("F_a", "N", "Hertz' load at the contact radius less the load", "25"),
         "hysteresis_moment": Quantity("M_hyst", "N m", "moment that adhesion hysteresis supplies"),

@@ -108,7 +108,7 @@ DEFAULTS = {
 }
 _SAYS = {
     "load": STATE,
-    "yield_displacement": ("adhesion_hysteresis",),
+    "yield_displacement": ("adhesion_hysteresis", "hysteresis_fraction"),
     "atomic_spacing": ("hamaker",),
 }  # what says the same as a default
 
@@ -126,7 +126,7 @@ EXCLUSIVE = (
     ("surface_energy", "work_of_adhesion", "hamaker"),
     ("surface_energy2", "work_of_adhesion", "hamaker"),
     ("load", "approach_at_load", "load_factor", "edge_ratio"),
-    ("yield_displacement", "adhesion_hysteresis"),
+    ("yield_displacement", "adhesion_hysteresis", "hysteresis_fraction"),
     ("contact_modulus", "modulus_over_energy"),
 )
 _MAY_CONTRADICT = frozenset(name for names in EXCLUSIVE for name in names)
