@@ -113,7 +113,7 @@ def test_a_definition_of_jkr_stands_beside_values_of_jkr_alone(
 
 def test_many_doubts_are_a_number_and_its_limit(run: Run) -> None:
     first = run("report quartz 0.3nm").err.splitlines()[0]
-    assert "ξ/ξ_max = 7.23, above 1: the leading edge would interpenetrate" in first
+    assert "ξ/ξ_max = 7.23, above 1: the shifted circle is impossible" in first
     worded, _, more = first.partition("; also ")
     assert worded.count(": ") == 3  # "note: doubtful: ", and one doubt beside that of the law
     assert more.endswith(": jkroll guide models")

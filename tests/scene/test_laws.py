@@ -1,5 +1,6 @@
 """Laws of attraction through the whole graph: Maugis' against his equations in 120 digits, and its limits JKR and DMT."""
 
+import json
 import math
 import random
 from itertools import pairwise
@@ -11,8 +12,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import maugis_reference as reference
+from harness import Run
 from jkroll import FORMULAS, NOMENCLATURE, JkrollError, solve
-from jkroll.answers.answer import answer
+from jkroll.answers.answer import answer, differences
 from jkroll.answers.curve import STATES_OF_LAW, curve
 from jkroll.answers.questions import QUESTIONS
 from jkroll.materials.library import known_materials
@@ -308,10 +310,47 @@ def test_a_curve_rises_in_its_approach_and_has_its_largest_tension_at_pull_off(m
 def test_beside_a_headline_of_jkr_stands_what_maugis_says() -> None:
     found = answer(QUESTIONS["yield-force"], Scene({"radius": 1e-7}, known_materials()["quartz"]))
     (verdict,) = [each for each in found.validity if each.name == "tabor_parameter"]
-    assert verdict.text == "Maugis–Dugdale has Q −57 % (−49 % at z0 = 200 pm) at this ξ; --model maugis"
+    assert (
+        verdict.text
+        == "by Maugis–Dugdale Q is 57 % smaller at equal ξ and 81 % larger at equal hysteresis; --model maugis"
+    )
     (difference,) = found.laws
     assert math.isclose(difference.value, solve("yield_force", model="maugis", **QUARTZ))
     assert math.isclose(difference.ratio, difference.value / solve("yield_force", **QUARTZ))
+
+
+@pytest.mark.parametrize(
+    ("material", "radius", "at_displacement", "at_hysteresis"),
+    [
+        ("quartz", 1e-8, 0.38, 2.47),
+        ("quartz", 1e-7, 0.43, 1.81),
+        ("quartz", 1e-6, 0.52, 1.39),
+        ("iron", 1e-7, 0.82, 1.06),
+    ],
+)
+def test_rolling_has_two_readings(material: str, radius: float, at_displacement: float, at_hysteresis: float) -> None:
+    scene = Scene({"radius": radius}, known_materials()[material])
+    (force, displaced) = (differences(scene, [name])[0] for name in ("yield_moment", "n_roll"))
+    assert force.readings == pytest.approx((at_displacement, at_hysteresis), abs=0.005)
+    assert displaced.readings == pytest.approx([1 / ratio for ratio in force.readings or ()])
+    assert force.size == max(abs(math.log(ratio)) for ratio in force.readings or ())
+    fraction = scene["hysteresis_ratio"]
+    if fraction < 1:  # the same scene by its hysteresis has the same readings
+        (again,) = differences(scene.replace(hysteresis_fraction=fraction), ["yield_moment"])
+        assert again.readings == pytest.approx(force.readings)
+        assert again.ratio == pytest.approx(at_hysteresis, abs=0.005)
+
+
+def test_for_energies_below_a_jump_no_correction_is_named(run: Run) -> None:
+    energies = run("energies quartz 100nm --explain").out
+    assert "for its energies Maugis–Dugdale is no correction" in energies
+    assert "a 3–9 contact makes and breaks without a jump" in energies
+    assert "times as large" not in energies
+    of_json = json.loads(run("energies quartz 100nm --json").out)["validity"]
+    assert [one["holds"] for one in of_json if one.get("verdict") == "has_jump"] == [False]
+    of_ice = json.loads(run("energies ice-warm 1um --json").out)["validity"]
+    assert [one["holds"] for one in of_ice if one.get("verdict") == "has_jump"] == [True]
+    assert not any("verdict" in one for one in json.loads(run("pull-off quartz 100nm --json").out)["validity"])
 
 
 def test_a_result_of_another_law_says_so() -> None:

@@ -14,10 +14,10 @@ from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..rows.columns import Row, Wanted, inputs_used, outcomes
 from ..scene.failures import BeyondPullOff, MissingInput, NoContact, OfIdenticalSpheres, RestsOnSpacing, reason_of
-from ..scene.limits import Judgement, Verdict, against_limit, judged, of_any_scene, sentence
+from ..scene.limits import JUMP, Judgement, Verdict, against_limit, judged, of_any_scene, sentence
 from ..scene.scene import Scene
 from ..scene.wiring import depends_on
-from .displacement import XI, Worth, about_displacement, worth
+from .displacement import IN_ITS_PLACE, XI, Worth, about_displacement, worth
 from .notes import (
     about_data,
     about_idle,
@@ -38,6 +38,11 @@ if TYPE_CHECKING:
 
 _SHOWN = 2  # differences in the sentence
 _NO_CHANGE = 0.005  # relative change that is no per cent
+# Energies of the well and the jumps: below the Tabor parameter of a jump Maugis' law is no correction for them, as it is for forces.
+_OF_WELL = (
+    "well_energy", "pull_off_work", "pull_off_work_at_dead_load", "sticking_energy", "sticking_speed", "disruption_energy",
+    "disruption_speed",
+)  # fmt: skip
 _MATTERS = 0.05  # relative change with the atomic spacing that is shown
 
 
@@ -48,6 +53,12 @@ class Difference(NamedTuple):
     value: float
     ratio: float
     ratio_at_half_spacing: float
+    readings: tuple[float, float] | None = None  # of a rolling quantity: the ratio at equal ξ, and at equal hysteresis
+
+    @property
+    def size(self) -> float:
+        """The size of the difference, by the larger reading, as the logarithm of a factor."""
+        return max(abs(log(ratio)) for ratio in (self.readings or (self.ratio,)))
 
 
 def differences(scene: Scene, names: Sequence[str]) -> tuple[Difference, ...]:
@@ -59,20 +70,51 @@ def differences(scene: Scene, names: Sequence[str]) -> tuple[Difference, ...]:
     values = scene.numbers(*wanted)
     at_spacing = between.numbers(*wanted)
     at_half = at_half_spacing(between).numbers(*wanted)
+    readings = _readings(scene, between, wanted)
     found = [
-        Difference(name, at_spacing[name], at_spacing[name] / value, at_half[name] / value)
+        Difference(name, at_spacing[name], at_spacing[name] / value, at_half[name] / value, readings.get(name))
         for name, value in values.items()
         if value and at_spacing.get(name) and at_half.get(name) and at_spacing[name] / value > 0
     ]
-    return tuple(sorted(found, key=lambda each: -abs(log(each.ratio))))
+    return tuple(sorted(found, key=lambda each: -each.size))
+
+
+def _readings(scene: Scene, between: Scene, names: Sequence[str]) -> dict[str, tuple[float, float]]:
+    """Return by rolling quantity the ratio of another law to JKR at equal ξ, and at equal hysteresis of adhesion."""
+    rolling = [name for name in names if XI in depends_on([name], [between.law.name])]
+    if not rolling:
+        return {}
+    needed = (XI, "adhesive_force", "zone_radius")
+    of_jkr, other = scene.numbers(*needed), between.numbers(*needed[1:])
+    if len(of_jkr) < len(needed) or len(other) < len(needed) - 1:
+        return {}
+    forces, radii = (of_jkr[name] / other[name] for name in needed[1:])
+    stated = {name: value for name, value in between.stated.items() if name not in IN_ITS_PLACE}
+    values = scene.numbers(*rolling)
+    at_displacement, at_hysteresis = (
+        Scene({**stated, XI: own}, scene.material, scene.material2, model=between.law.name).numbers(*rolling)
+        for own in (of_jkr[XI], of_jkr[XI] * forces / radii)
+    )
+    return {
+        name: (at_displacement[name] / value, at_hysteresis[name] / value)
+        for name, value in values.items()
+        if value and at_displacement.get(name) and at_hysteresis.get(name)
+    }
 
 
 def with_differences(verdict: Verdict, found: Sequence[Difference], scene: Scene) -> Verdict:
     """Return a verdict with what Maugis' law says in place of a doubt about JKR."""
     if verdict.holds or not scene.law.is_default:
         return verdict
-    if verdict.name == "tabor_parameter" and found:
-        return verdict._replace(text=_sentence(found, scene))
+    if verdict.name == "tabor_parameter" and not verdict.verdict:
+        lead = f"{scene.law.title} is inexact here (Tabor parameter μ = {verdict.value:.3g})"
+        corrected = [each for each in found if not (verdict.value < JUMP and each.name in _OF_WELL)]
+        if corrected:
+            text = _sentence(corrected, scene)
+            return verdict._replace(text=text, sentence=f"{lead}: {text}")
+        if found:
+            text = f"for its energies {LAWS[BETWEEN].title} is no correction"
+            return verdict._replace(text=text, sentence=f"{lead}; {text}")
     if verdict.name == "hysteresis_ratio":
         between = scene.under(BETWEEN).numbers("zone_radius").get("zone_radius")
         if between is not None:
@@ -82,24 +124,30 @@ def with_differences(verdict: Verdict, found: Sequence[Difference], scene: Scene
 
 
 def _sentence(found: Sequence[Difference], scene: Scene) -> str:
-    """Return the largest differences: "Maugis–Dugdale has P_c +27 %, M −57 % at this ξ; --model maugis"."""
+    """Return the largest differences: "by Maugis–Dugdale P_c is 27 % larger"; of rolling quantities both readings."""
     half = amount("atomic_spacing", scene["atomic_spacing"] / 2)
     parts = []
-    shown = [*found[:1], *(each for each in found[1:_SHOWN] if abs(each.ratio - 1) >= _NO_CHANGE)]
-    for each in shown:
+    rest = [] if found[0].readings else found[1:_SHOWN]
+    for each in [*found[:1], *(each for each in rest if each.size >= _NO_CHANGE)]:
+        symbol = NOMENCLATURE[each.name].symbol
+        if each.readings:
+            at_displacement, at_hysteresis = map(_change, each.readings)
+            parts.append(f"{symbol} is {at_displacement} at equal ξ and {at_hysteresis} at equal hysteresis")
+            continue
         matters = abs(each.ratio_at_half_spacing / each.ratio - 1) > _MATTERS
-        at_half = f" ({_change(each.ratio_at_half_spacing)} at z0 = {half})" if matters else ""
-        parts.append(f"{NOMENCLATURE[each.name].symbol} {_change(each.ratio)}{at_half}")
-    at_displacement = any("yield_displacement" in depends_on([each.name]) for each in shown)
-    suffix = " at this ξ" if at_displacement and "yield_displacement" in scene.values else ""
-    return f"{LAWS[BETWEEN].title} has {', '.join(parts)}{suffix}; --model {BETWEEN}"
+        at_half = f" ({_change(each.ratio_at_half_spacing, each.ratio)} at z0 = {half})" if matters else ""
+        parts.append(f"{symbol} is {_change(each.ratio)}{at_half}")
+    return f"by {LAWS[BETWEEN].title} {', '.join(parts)}; --model {BETWEEN}"
 
 
-def _change(ratio: float) -> str:
-    """Return a ratio as a change in per cent, or as a factor where it is large."""
+def _change(ratio: float, beside: float = 0.0) -> str:
+    """Return a ratio in words: "27 % larger", "3.2 times as large"; without the words beside a ratio that has the same."""
     if abs(ratio - 1) < _NO_CHANGE:
         return "within 0.5 %"
-    return f"{100 * (ratio - 1):+.0f} %".replace("-", "−") if 0.1 < ratio < 10 else f"×{ratio:.2g}"
+    if not 0.1 < ratio < 10:
+        return f"{ratio:.2g} times as large"
+    text = f"{100 * abs(ratio - 1):.0f} %"
+    return text if beside and (ratio > 1) == (beside > 1) else f"{text} {'larger' if ratio > 1 else 'smaller'}"
 
 
 def with_force_by_maugis(error: BeyondPullOff, scene: Scene) -> BeyondPullOff:
@@ -220,7 +268,7 @@ class Answer:
     def doubts(self) -> list[Note]:
         """Return a note for each limit of the model that does not hold."""
         return [
-            Note("doubt", sentence(one), of_any_scene(one), against_limit(one))
+            Note("doubt", sentence(one), of_any_scene(one), against_limit(one), bool(one.sentence))
             for one in self.validity
             if not one.holds
         ]

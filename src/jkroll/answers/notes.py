@@ -15,6 +15,10 @@ from .results import Note, Result, remarks
 
 MAX_NAMES = 3  # of quantities in a note
 CUTOFFS = (4e-10, 1.65e-10)  # the spacing of solids, and the convention: w at the one that was not given
+_STICKING = (
+    "v_stick is elastic theory's; measured ones are higher: plastic asperities (Paszun & Dominik 2008), or a γ ten times larger "
+    "in vacuum (Kimura et al. 2015)"
+)
 _ELASTIC = ("youngs_modulus", "poisson_ratio")
 # The models of the rolling moment.
 MOMENTS = ("yield_moment", "unloaded_moment", "half_circles_moment", "fixed_approach_moment")
@@ -123,6 +127,8 @@ def about_results(results: list[Result], scene: Scene) -> list[Note]:
         notes.insert(0, Note("result", f"N and n_c are of each of two equal aggregates{as_many}"))
     if {"yield_force", "sliding_force", "peeling_force", "twisting_moment"} <= {*names}:
         notes.append(_first_to_yield(scene))
+    if "sticking_speed" in names:
+        notes.insert(0, Note("result", _STICKING))
     notes += remarks(scene, names)
     notes += _about_hysteresis(scene, names)
     errors = ", ".join(f"{symbol_of(result.name)} by {100 * result.error:.2g} %" for result in known if result.error)

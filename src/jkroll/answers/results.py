@@ -87,6 +87,7 @@ class Note(NamedTuple):
     text: str
     matter: str = ""  # the same for all scenes that have such a note; by default the text
     brief: str = ""  # of a doubt: the number and the limit that it exceeds
+    is_sentence: bool = False  # a doubt that says by itself what is doubtful
 
 
 # --- Other laws of attraction -----------------------------------------------------------------------------------------

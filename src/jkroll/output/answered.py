@@ -82,7 +82,7 @@ class Answered:
 
     def __str__(self) -> str:
         values = [f"{name} = {value}" for name, value in self.values.items()]
-        doubts = [f"doubtful: {text}" for text in self.doubts]
+        doubts = [note.text if note.is_sentence else f"doubtful: {note.text}" for note in self._found.doubts()]
         return "\n".join([*values, *doubts, *self.notes])
 
 
@@ -120,7 +120,7 @@ def answer(
     >>> str(found["pull_off_force"]), found["pull_off_force"].unit
     ('11.781 nN', 'N')
     >>> found.doubts
-    ('μ = 0.136, Maugis–Dugdale has P_c +27 % (+20 % at z0 = 200 pm); --model maugis',)
+    ('JKR is inexact here (Tabor parameter μ = 0.136): by Maugis–Dugdale P_c is 27 % larger (20 % at z0 = 200 pm); --model maugis',)
     """
     described, _ = in_si(given)
     for name, value in described.items():

@@ -14,33 +14,53 @@ from ..scene.limits import TOLD
 from ..scene.scene import Scene
 
 MAX_LINES = 3  # below a single answer
+MAX_LENGTH = 140  # of a line with more than one note, two lines of a terminal
 MAX_DOUBTS = 2  # that are worded there; further ones are a number and its limit
 MAX_RANGES = 4  # of rows that are named
 _KINDS = get_args(Kind)
 
 
 def of_answer(answer: Answer) -> list[str]:
-    """Return the lines below one answer, by falling importance."""
+    """Return the lines below one answer, by falling importance; the last says how many notes are left out."""
     every = [
         note for note in (*answer.notes, *answer.doubts()) if note.kind != "material"
     ]  # said when its file was read
-    lines = []
+    lines: list[str] = []
+    said = 0
     for kind in _KINDS:
         notes = [note for note in every if note.kind == kind]
-        if notes:
-            worded = len(notes) if kind != "doubt" else MAX_DOUBTS
-            texts = [note.text for note in notes[:worded]]
-            more = [note.brief for note in notes[worded:]]
-            lines.append(_line(kind, [*texts, f"also {', '.join(more)}: jkroll guide models"] if more else texts))
-    if not (dropped := len(lines) - MAX_LINES) > 0:
-        return lines
-    return [*lines[: MAX_LINES - 1], f"{lines[MAX_LINES - 1]}; {dropped} more: --explain"]
+        if not notes or len(lines) == MAX_LINES:
+            continue
+        every_text = [note.text for note in notes]
+        worded = (
+            every_text if kind == "missing" else every_text[:MAX_DOUBTS] if kind == "doubt" else _fitting(every_text)
+        )
+        briefly = [note.brief for note in notes[len(worded) :] if note.brief]
+        said += len(worded) + len(briefly)
+        texts = [*worded, f"also {', '.join(briefly)}: jkroll guide models"] if briefly else worded
+        lines.append(_line(kind, texts, is_sentence=notes[0].is_sentence))
+    if said < len(every):
+        lines[-1] += f"; {len(every) - said} more: --explain"
+    return lines
+
+
+def _fitting(texts: list[str]) -> list[str]:
+    """Return the first of some texts, and those behind it that fit into the same line."""
+    found = texts[:1]
+    for text in texts[1:]:
+        if len("; ".join([*found, text])) > MAX_LENGTH:
+            break
+        found.append(text)
+    return found
 
 
 def every_line(answer: Answer) -> list[str]:
     """Return a line for each note on an answer, by falling importance, for a file that is read without the answer."""
     every = [note for note in (*answer.notes, *answer.doubts()) if note.kind != "material"]
-    return [_line(note.kind, [note.text]) for note in sorted(every, key=lambda note: _KINDS.index(note.kind))]
+    return [
+        _line(note.kind, [note.text], is_sentence=note.is_sentence)
+        for note in sorted(every, key=lambda note: _KINDS.index(note.kind))
+    ]
 
 
 class OfRows:
@@ -165,5 +185,5 @@ def _rows(runs: list[list[int]]) -> str:
     return f"row{'s' if len(runs) > 1 or runs[0][0] < runs[0][1] else ''} {', '.join(named)}{more}"
 
 
-def _line(kind: Kind, texts: list[str]) -> str:
-    return f"note: {'doubtful: ' if kind == 'doubt' else ''}{'; '.join(texts)}"
+def _line(kind: Kind, texts: list[str], *, is_sentence: bool = False) -> str:
+    return f"note: {'doubtful: ' if kind == 'doubt' and not is_sentence else ''}{'; '.join(texts)}"

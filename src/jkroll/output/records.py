@@ -346,12 +346,16 @@ def _result_object(result: Result, form: Format) -> dict[str, Any]:
     return entry
 
 
+_READINGS = ("over_jkr_at_equal_displacement", "over_jkr_at_equal_hysteresis")
+
+
 def _differences_object(found: Sequence[Difference]) -> dict[str, dict[str, float]]:
     return {
         each.name: {
             "value": each.value,
             "over_jkr": each.ratio,
             "over_jkr_at_half_spacing": each.ratio_at_half_spacing,
+            **(dict(zip(_READINGS, each.readings, strict=True)) if each.readings else {}),
         }
         for each in found
     }
@@ -374,4 +378,5 @@ def _verdict_object(verdict: Verdict) -> dict[str, Any]:
         "holds": verdict.holds,
         "text": verdict.text,
         "code": verdict.code or None,
+        **({"verdict": verdict.verdict} if verdict.verdict else {}),
     }

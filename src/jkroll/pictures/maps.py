@@ -319,7 +319,7 @@ def bounds_of(scene: Scene, quantity: str) -> list[Bound]:
 
 def _bounds_of_limits(limits: Iterable[Limit]) -> tuple[Bound, ...]:
     """Return the bounds of limits: the outermost doubt of each, and the line from which a law of attraction is exact."""
-    by_name = {limit.name: limit for limit in limits}
+    by_name = {limit.name: limit for limit in limits if not limit.verdict}
     shown = [by_name[name] for name in _SHOWN if name in by_name and by_name[name].doubts]
     found = [_bound(limit) for limit in shown if limit.law in ("", "jkr")]
     found += [_border(limit) for limit in shown if limit.law]

@@ -33,6 +33,7 @@ class Limit(NamedTuple):
     fine: str
     stated: frozenset[str] = frozenset()  # inputs; unless one of them was stated, the limit is not judged
     law: str = ""  # of attraction; under another the limit is not judged
+    verdict: str = ""  # the name of what follows, if it is not that of the number
 
     def level(self, value: Any) -> Any:
         """Return how many doubts a number, or each element of an array, meets: the last of them is the one to be told.
@@ -50,9 +51,11 @@ class Limit(NamedTuple):
         """Return what follows from a value, in words."""
         level = self.level(value)
         if not level:
-            return Verdict(self.name, value, True, self.fine, "")
+            return Verdict(self.name, value, True, self.fine, "", self.verdict)
         doubt = self.doubts[level - 1]
-        return Verdict(self.name, value, False, f"{doubt.condition}: {doubt.consequence}", self.code(doubt))
+        return Verdict(
+            self.name, value, False, f"{doubt.condition}: {doubt.consequence}", self.code(doubt), self.verdict
+        )
 
 
 class Verdict(NamedTuple):
@@ -63,6 +66,8 @@ class Verdict(NamedTuple):
     holds: bool
     text: str
     code: str  # of the doubt; empty where the limit holds
+    verdict: str = ""  # the name of what follows, if it is not that of the number
+    sentence: str = ""  # that says all of it, in place of the number and the text
 
 
 class Judgement(NamedTuple):
@@ -76,6 +81,8 @@ _COMPARISONS = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": ope
 _ELASTICITY = frozenset({"work_of_adhesion"})
 _DISPLACEMENT = frozenset({"yield_displacement"})
 _MOMENT = frozenset({"yield_moment", "yield_force"})
+_STICKING = frozenset({"sticking_energy", "sticking_speed"})
+JUMP = 0.7  # Tabor parameter below which no jump was found of a contact of Lennard-Jones' 3-9 law at fixed grips
 _TURNS = frozenset({"n_roll", "n_roll_energy_balance", "n_roll_after_impact"})
 IMPACT = frozenset({"energy", "energy_ratio", "speed"})
 
@@ -108,7 +115,7 @@ LIMITS = (
     ),
     Limit(
         "displacement_ratio", _DISPLACEMENT, ">=",
-        (Doubt(1.0, "above 1", "the leading edge would interpenetrate, and rolling has no meaning"),),
+        (Doubt(1.0, "above 1", "the shifted circle is impossible; the moment holds all the same while M/2cRw < 1"),),
         "below 1: the shifted contact is possible",
     ),
     Limit(
@@ -157,11 +164,21 @@ LIMITS = (
         (
             Doubt(
                 1.0, "above 1",
-                "more than adhesion hysteresis at the pull-off work supplies to a smooth elastic contact; "
-                "viscous, plastic or capillary loss could",
+                "the moment exceeds what adhesion hysteresis can supply (2cRw); viscous, plastic or capillary loss could",
             ),
         ),
         "below 1: adhesion hysteresis can supply it",
+    ),
+    Limit(
+        "tabor_parameter", _STICKING, "<",
+        (
+            Doubt(
+                JUMP, f"below {JUMP:g}",
+                "a 3–9 contact makes and breaks without a jump, and adhesion alone loses nothing; μ goes as 1/z0 (--z0)",
+            ),
+        ),
+        "contacts jump together and apart",
+        verdict="has_jump",
     ),
     Limit(
         "contact_radius_in_spacings", _ELASTICITY, "<",
@@ -237,7 +254,7 @@ def told(bits: int) -> list[Told]:
 
 def sentence(verdict: Verdict) -> str:
     """Return a verdict with its number: "μ = 0.14, between DMT and JKR: neither is exact"."""
-    return f"{NOMENCLATURE[verdict.name].symbol} = {verdict.value:.3g}, {verdict.text}"
+    return verdict.sentence or f"{NOMENCLATURE[verdict.name].symbol} = {verdict.value:.3g}, {verdict.text}"
 
 
 def of_any_scene(verdict: Verdict) -> str:
