@@ -253,7 +253,7 @@ class Answer:
 
     @cached_property
     def worth(self) -> Worth | None:
-        """What the assumed displacement is worth for these results."""
+        """The worth of the assumed displacement for these results."""
         return worth(self.scene, self._known) if XI in self.inputs else None
 
     @cached_property

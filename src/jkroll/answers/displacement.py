@@ -1,4 +1,4 @@
-"""What the assumed yield displacement is worth: how far results would follow the rolling forces that were measured."""
+"""The worth of the assumed yield displacement: how far results would follow the rolling forces that were measured."""
 
 from collections.abc import Collection, Mapping, Sequence
 from math import log
