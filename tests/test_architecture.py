@@ -6,12 +6,14 @@ import re
 from functools import cache
 from pathlib import Path
 
+import mypy.api
 import pytest
 
 import jkroll
 from jkroll.physics import FORMULAS
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.scene.scene import DEFAULTS
+from tools.make_stub import STUB, stub
 
 SOURCE = Path(jkroll.__file__).parent
 MODULES = sorted(SOURCE.rglob("*.py"))
@@ -139,3 +141,35 @@ def test_the_top_level_holds_what_it_may() -> None:
     root = Path(__file__).parents[1]
     allowed = {"pyproject.toml", "src", "tests", "materials.toml", "README.md", "LICENSE"}
     assert {path.name for path in root.iterdir() if not path.name.startswith(".")} <= allowed
+
+
+# --- Types ------------------------------------------------------------------------------------------------------------
+
+USER = """
+import jkroll
+
+force: float = jkroll.pull_off_force(work_of_adhesion=0.05, reduced_radius=5e-8)
+both: dict[str, object] = jkroll.solve(["r_min", "n_grav"], material="quartz", radius=1e-7)
+one: float = jkroll.solve("r_min", radius=1e-7)
+jkroll.pull_of_force
+jkroll.pull_off_force(work_of_adhesion=0.05)
+jkroll.solve(["r_min"], radius=1e-7).r_min
+"""
+
+
+def test_the_stub_is_up_to_date() -> None:
+    assert STUB.read_text(encoding="utf-8") == stub(), "run tests/tools/make_stub.py"
+
+
+def test_a_type_checker_knows_all_formulas(tmp_path: Path) -> None:
+    (tmp_path / "user.py").write_text(USER, encoding="utf-8")
+    out, _, _ = mypy.api.run(
+        [str(tmp_path / "user.py"), "--config-file=", "--follow-imports=silent", f"--cache-dir={tmp_path}"]
+    )
+    wrong = [line.partition("error: ")[2] for line in out.splitlines() if "error: " in line]
+    assert [re.sub(r"[\"'].*", "", text).strip() for text in wrong] == [
+        "Module has no attribute",
+        "Missing named argument",
+        "",
+    ], out
+    assert [int(line.split(":")[1]) for line in out.splitlines() if "error: " in line] == [7, 8, 9]

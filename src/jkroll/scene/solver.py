@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import wraps
 from itertools import product
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, overload
 
 from ..errors import JkrollError
 from ..materials.library import Material, Materials, known_materials
@@ -24,6 +24,28 @@ Place = tuple[slice, ...]  # of a block in an array
 BLOCK = 16384  # elements evaluated at once: few enough that what lies between two formulas stays in the cache
 
 
+@overload
+def solve(
+    wanted: str,
+    /,
+    *,
+    material: str | Material | None = None,
+    material2: str | Material | None = None,
+    materials: Materials | None = None,
+    model: str | None = None,
+    **given: Any,
+) -> Any: ...
+@overload
+def solve(
+    wanted: Iterable[str],
+    /,
+    *,
+    material: str | Material | None = None,
+    material2: str | Material | None = None,
+    materials: Materials | None = None,
+    model: str | None = None,
+    **given: Any,
+) -> dict[str, Any]: ...
 def solve(
     wanted: str | Iterable[str],
     /,
