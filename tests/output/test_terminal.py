@@ -182,3 +182,15 @@ def test_a_list_with_long_names_fits_and_nothing_of_it_is_cut(run: Run, monkeypa
     lines = run("quantities stif", terminal=True).out.splitlines()
     assert max(map(len, lines)) <= 80
     assert "variantofrolling_frequency_no_slip" in "".join(line[58:].replace(" ", "") for line in lines)
+
+
+def test_what_is_against_the_data_comes_first_and_roughness_from_a_micrometre_on(run: Run) -> None:
+    of_ice = run("pull-off ice-cold 0.1um").err.splitlines()
+    assert of_ice[0].startswith("note: ice-cold: surface energy per surface: in conflict with µm grains")
+    assert of_ice[-1].endswith("1 more: --explain")
+    of_table_1 = run("pull-off quartz 100nm --explain").out.splitlines()
+    assert of_table_1[-1] == "note: quartz: surface energy per surface: measured for micron-sized particles"
+    smooth = "on smooth glass measured forces are within a factor of three"
+    shown = [smooth in run(f"pull-off quartz {radius}").err for radius in ("0.99um", "1um", "20um")]
+    assert shown == [False, True, True]
+    assert smooth not in run("r-min 20um").err

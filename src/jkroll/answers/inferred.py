@@ -94,7 +94,7 @@ class Inferred(Answer):
         found, sources = self._uncertainties
         return (
             *_notes(self.name, self.quantity, self.solution, self._by_law, self.given),
-            *self.forward.notes,
+            *(note for note in self.forward.notes if note.kind != "roughness"),
             *(about_uncertainties(found, sources) if sources is not None else ()),
         )
 

@@ -15,6 +15,11 @@ from .results import Note, Result, remarks
 
 MAX_NAMES = 3  # of quantities in a note
 CUTOFFS = (4e-10, 1.65e-10)  # the spacing of solids, and the convention: w at the one that was not given
+ROUGH = 1e-6  # radius from which most spheres are rough
+_ROUGHNESS = (
+    "smooth spheres: on smooth glass measured forces are within a factor of three of this, those of rough spheres and of grains in "
+    "air one to two orders below"
+)
 _STICKING = (
     "v_stick is elastic theory's; measured ones are higher: plastic asperities (Paszun & Dominik 2008), or a γ ten times larger "
     "in vacuum (Kimura et al. 2015)"
@@ -102,7 +107,12 @@ def about_data(scene: Scene, inputs: Collection[str]) -> list[Note]:
     used = scene.data_used(inputs)
     shadows = [Note("material", f"{material.name}: {text}") for material, _ in used for text in material.remarks]
     remarks = [
-        Note("data", f"{material.name}: {NOMENCLATURE[name].sentence}: {material.notes[name]}")
+        Note(
+            "caveat"
+            if name in material.origins
+            else "data",  # a property whose origin is stated says what is against it
+            f"{material.name}: {NOMENCLATURE[name].sentence}: {material.notes[name]}",
+        )
         for material, name in used
         if name in material.notes
     ]
@@ -127,6 +137,8 @@ def about_results(results: list[Result], scene: Scene) -> list[Note]:
         notes.insert(0, Note("result", f"N and n_c are of each of two equal aggregates{as_many}"))
     if {"yield_force", "sliding_force", "peeling_force", "twisting_moment"} <= {*names}:
         notes.append(_first_to_yield(scene))
+    if "pull_off_force" in names and scene.values.get("radius", 0.0) >= ROUGH:
+        notes.append(Note("roughness", _ROUGHNESS))
     if "sticking_speed" in names:
         notes.insert(0, Note("result", _STICKING))
     notes += remarks(scene, names)

@@ -77,7 +77,19 @@ class Result(NamedTuple):
 
 
 # Of notes, the most important first.
-Kind = Literal["material", "missing", "displacement", "doubt", "result", "model", "assumption", "unchecked", "data"]
+Kind = Literal[
+    "material",
+    "missing",
+    "caveat",
+    "displacement",
+    "doubt",
+    "roughness",
+    "result",
+    "model",
+    "assumption",
+    "unchecked",
+    "data",
+]
 
 
 class Note(NamedTuple):
