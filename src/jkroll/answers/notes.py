@@ -64,7 +64,7 @@ def assumptions(scene: Scene, inputs: Collection[str], names: list[str], without
     ]
     steps = {step.name for name in names for step in scene.plan(name).steps}
     notes = [Note("assumption", f"assumed {', '.join(assumed)}")] if assumed else []
-    if "hamaker" in inputs:
+    if "hamaker" in inputs and not scene.missing(["work_of_adhesion"]):
         notes.append(_about_hamaker(scene))
     if (
         "work_of_adhesion" in steps
