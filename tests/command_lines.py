@@ -26,7 +26,7 @@ AXES = (
     ("gamma", "1mJ/m2:1J/m2"), ("surface_energy", "1mJ/m2:1J/m2"), ("young", "1GPa:1TPa"), ("load", "-1nN:1nN"), ("load", "0N:10nN"),
     ("xi", "1angstrom:1nm"), ("density", "1g/cm3:9g/cm3"),
 )  # fmt: skip
-SIZES = (":9", ":9", ":9:lin", ":20", ":20:lin", ":lin:20", ":1", ":2", ":-3", ":1e3", ":log", ":9999999")
+SIZES = (":9", ":9", ":9:lin", ":20", ":20:lin", ":lin:20", ":1", ":2", ":-3", ":1e3", ":log", ":999999")
 QUANTITIES = [name for name, quantity in NOMENCLATURE.items() if quantity.equation]
 VALUES = {
     "materials": FILES,
@@ -44,7 +44,7 @@ WEIGHTS |= {"materials": 50, "batch": 12, "map": 16, "figure": 1, "verify": 0.3,
 HOSTILE = (
     "", " ", "-", "--", "---", "=", "-=", "--=", "-h", "--help", "--version", "--debug", "-V", "--install-completion=x",
     "nan", "inf", "-inf", "1e9999nm", "1e-9999nm", "1e400m", "5e-324m", "0", "-0nm", "1,2,3", ",", ",,", ":", "::", "1nm:", "1nm:1um",
-    "1nm:1um:1", "1nm:1um:3", "1nm:1um:3:lin", "1nm:1um:3:sin", "1nm:1um:-3", "1nm:1um:9999999", "1nm:1um:1e3", "1um:1nm:2",
+    "1nm:1um:1", "1nm:1um:3", "1nm:1um:3:lin", "1nm:1um:3:sin", "1nm:1um:-3", "1nm:1um:999999", "1nm:1um:1e3", "1um:1nm:2",
     "5,5 nm", "5.00(1) nm", "5±1 nm", "5 nm = 6 nm", "$5 nm", "[5] nm", "10**10**10", "5 m/m m", "5 °C", "20 degC", "5 dB",
     "−5nm", "5 µm", "5 μm", "5 Å", "5\u00a0nm", "5 m²", "5 m⁻", "١ nm", "५nm", "nm", "m" * 30, "5 " + "m " * 20, "9" * 100 + "m",
     "x" * 3000, "\x1b[31m", "\u202e", "\r", "\n", "a\nb", "\t", "\0", "\ud800", "\udcff", "é", "𝒜", "ﬁ", "İ", "ß", "{}", "%s", "%n",
