@@ -35,9 +35,9 @@ from jkroll.cli.question import question_of
 from jkroll.errors import JkrollError, NoResult
 from jkroll.quantities.nomenclature import NOMENCLATURE, header, word_for_infinity
 from jkroll.quantities.values import value_of
-from jkroll.rows.columns import DOUBT, OF_ROWS, ROW, STATUS, doubts_in_words
+from jkroll.rows.columns import DOUBT, ROW, STATUS
 from jkroll.scene.failures import InfiniteValue, MissingInput, OfIdenticalSpheres, RestsOnSpacing, reason_of
-from jkroll.scene.limits import NOT_JUDGED
+from jkroll.scene.limits import NOT_JUDGED, codes
 from jkroll.scene.scene import Scene
 from questions import SPHERES, Ask, Sheet, any_ask, mixed_sheet, sheet_of
 
@@ -272,7 +272,7 @@ def _in_cells(floats: Rows, cells: Sequence[Cells], options: Sequence[str]) -> I
         for key in floats.keys if not options else ():
             if _read(line[_head(key)], "") != floats.values[row].get(key):
                 yield f"csv: row {row}: {key} = {floats.values[row].get(key)!r} and {line[_head(key)]}"
-        if line[DOUBT] != doubts_in_words(floats.doubts[row], OF_ROWS):
+        if line[DOUBT] != " ".join(codes(floats.doubts[row])):
             yield f"csv: row {row}: {line[DOUBT]!r}"
 
 
@@ -313,9 +313,9 @@ def _in_object(floats: Rows, row: int, found: Mapping[str, Any], options: Sequen
             reason = reason_of(key, error) if isinstance(error, MissingInput | NoResult) else None
             if reason != entry.get("reason"):
                 yield f"{key}: {reason} and {entry.get('reason')}"
-    codes = {verdict["code"] for verdict in found["validity"] if not verdict["holds"]}
-    if codes != {*doubts_in_words(floats.doubts[row], -1).split()}:
-        yield f"doubts {doubts_in_words(floats.doubts[row], -1)} and {codes}"
+    in_words = {verdict["code"] for verdict in found["validity"] if not verdict["holds"]}
+    if in_words != {*codes(floats.doubts[row] & ~NOT_JUDGED)}:
+        yield f"doubts {codes(floats.doubts[row])} and {in_words}"
     not_judged = any(note.startswith("not checked") for note in found["notes"])
     if not_judged != bool(floats.doubts[row] & NOT_JUDGED):
         yield f"{'not ' * not_judged}judged"
@@ -356,7 +356,7 @@ def _in_written(rows: Rows, cells: Sequence[Cells]) -> Iterator[str]:
         for key in rows.keys:
             if _read(line[_head(key)], "") != rows.values[row].get(key):
                 yield f"row {row}: {key} = {rows.values[row].get(key)!r} and {line[_head(key)]}"
-        if line.get(DOUBT, "") != doubts_in_words(rows.doubts[row], OF_ROWS) and DOUBT in line:
+        if line.get(DOUBT, "") != " ".join(codes(rows.doubts[row])) and DOUBT in line:
             yield f"row {row}: {line[DOUBT]!r}"
         if bool(line[STATUS]) != bool(rows.reasons[row]):
             yield f"row {row}: {line[STATUS]!r}"

@@ -129,9 +129,9 @@ def test_many_doubts_are_a_number_and_its_limit(run: Run) -> None:
 
 
 def test_every_law_has_its_own_doubt(run: Run) -> None:
-    notes = run("pull-off quartz 100nm,1um --model jkr,dmt").err.splitlines()
-    assert "note: doubtful: μ<5, neither JKR nor DMT is exact, --model maugis holds: rows 1, 3" in notes
-    assert "note: doubtful: μ>0.01, Maugis–Dugdale is exact, --model maugis: rows 2, 4" in notes
+    notes = run("pull-off quartz 100nm,100um --model jkr,dmt").err.splitlines()
+    assert "note: doubtful: law>25%, Maugis–Dugdale differs by more than 25 %, --model maugis: rows 1, 4" in notes
+    assert "note: doubtful: law>5%, Maugis–Dugdale differs by more than 5 %, --model maugis: row 3" in notes
 
 
 @pytest.mark.parametrize("topic", ["dem", "energies", "tables"])

@@ -158,7 +158,7 @@ def test_a_caption_has_the_inputs_of_what_is_drawn(run: Run, options: str, held:
 def test_a_hatch_belongs_to_one_limit_and_shows_beneath_any_other() -> None:
     """No stroke of a hatch is also one of another, so that no two of them together look like a third."""
     hatch_of: dict[str, set[str]] = {}
-    for name in ("3a", "8"):
+    for name in ("3b", "8"):
         _, page = in_a_column(name)
         (legend,) = page.legends
         keys = {str(patch.get_label()): patch.get_hatch() for patch in legend.get_patches() if patch.get_hatch()}

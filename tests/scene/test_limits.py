@@ -11,6 +11,7 @@ from harness import Run
 from jkroll import NOMENCLATURE, solve
 from jkroll.answers.questions import QUESTIONS
 from jkroll.errors import NoResult
+from jkroll.materials.library import known_materials
 from jkroll.scene.failures import TwoRigidBodies
 from jkroll.scene.limits import LIMITS, Doubt, Limit, doubts, judged, told
 from jkroll.scene.scene import Scene
@@ -35,11 +36,11 @@ THRESHOLDS = [(limit, doubt) for limit in LIMITS for doubt in limit.doubts if np
 def test_either_side_of_a_threshold(limit: Limit, doubt: Doubt) -> None:
     below, above = (float(np.nextafter(doubt.threshold, end)) for end in (-np.inf, np.inf))
     beyond, before = (below, above) if limit.sign.startswith("<") else (above, below)
-    verdict = limit.judge(beyond)
+    verdict = limit.judge(beyond, beyond)
     assert (verdict.holds, verdict.code) == (False, limit.code(doubt))
     assert doubt.consequence in verdict.text
-    assert limit.judge(before).code != limit.code(doubt)
-    assert (limit.judge(doubt.threshold).code == limit.code(doubt)) == limit.sign.endswith("=")
+    assert limit.judge(before, before).code != limit.code(doubt)
+    assert (limit.judge(doubt.threshold, doubt.threshold).code == limit.code(doubt)) == limit.sign.endswith("=")
     expected = {below: below == beyond, doubt.threshold: limit.sign.endswith("="), above: above == beyond}
     place = limit.doubts.index(doubt)
     assert (limit.level(np.array([*expected, np.nan])) > place).tolist() == [*expected.values(), False]
@@ -56,7 +57,7 @@ def test_every_limit_touches_what_a_command_shows() -> None:
 def test_codes_are_short_and_differ() -> None:
     codes = [limit.code(doubt) for limit, doubt in THRESHOLDS]
     assert len({*codes}) == len(codes)
-    assert {"μ<5", "μ<0.1", "a/z0<3", "e_h>0.01", "s<=0", "W0/U_stick>1"} <= {*codes}
+    assert {"law>5%", "law>25%", "law>×2", "μ<0.7", "a/z0<3", "e_h>0.01", "s<=0", "W0/U_stick>1"} <= {*codes}
 
 
 @pytest.mark.parametrize(
@@ -228,3 +229,33 @@ def test_a_report_and_a_table_of_a_plane_end_alike(run: Run, tmp_path: Any) -> N
     path.write_text("material,radius,radius2\nquartz,100nm,plane\n")
     assert run("report quartz 100nm --radius2 plane").code == 0
     assert run("batch", str(path), "-o", str(tmp_path / "out.csv")).code == 0
+
+
+# --- The law of adhesion ----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("name", "given", "code"),
+    [
+        ("pull_off_force", {"material": "iron", "radius": 1e-7}, "law>5%"),  # 3.7 % by Maugis, 8.7 % by Lennard-Jones
+        ("pull_off_force", {"material": "quartz", "radius": 1e-7}, "law>25%"),
+        ("pull_off_force", {"material": "quartz", "radius": 1e-7, "model": "dmt"}, ""),
+        ("pull_off_force", {"material": "quartz", "radius": 1e-4, "model": "dmt"}, "law>25%"),
+        ("pull_off_force", {"material": "quartz", "radius": 1e-7, "model": "maugis"}, ""),
+        ("yield_force", {"material": "quartz", "radius": 1e-7}, "law>×2"),  # 57 % smaller at equal ξ
+        ("r_min", {"material": "quartz", "radius": 1e-7}, ""),  # which no law of adhesion enters
+        ("n_grav", {"material": "polystyrene", "radius": 1e-4}, ""),
+    ],
+)
+def test_the_law_of_adhesion_is_judged_by_its_effect(name: str, given: dict[str, Any], code: str) -> None:
+    model = given.pop("model", "jkr")
+    scene = Scene({"radius": given["radius"]}, known_materials()[given["material"]], model=model)
+    assert {one for one in codes_of(doubts(scene, [name])) if one.startswith("law")} == ({code} if code else set())
+
+
+def test_a_contact_that_only_one_law_has_is_doubtful() -> None:
+    """DMT holds a load that Maugis' law does not; where neither holds it, there is no answer to doubt."""
+    force = solve("pull_off_force", **QUARTZ, model="dmt")
+    held = {**QUARTZ, "radius": 1e-4, "load": -0.9 * 1e3 * force}
+    scene = Scene(held, model="dmt")
+    assert "law>×2" in codes_of(doubts(scene, ["approach_at_load"]))

@@ -1,6 +1,6 @@
 """The answer of a command for one scene: its results, the inputs as understood, limits and notes.
 
-Where JKR is in doubt, its results stand beside those of Maugis' law, which holds there.
+Where the law of attraction is in doubt, its results stand beside those of Maugis' law, which holds there.
 """
 
 from collections.abc import Collection, Mapping, Sequence
@@ -13,11 +13,12 @@ from ..quantities.formatting import amount, in_words
 from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..rows.columns import Row, Wanted, inputs_used, outcomes
+from ..scene.effects import XI, Effect, between_of
 from ..scene.failures import BeyondPullOff, MissingInput, NoContact, OfIdenticalSpheres, RestsOnSpacing, reason_of
-from ..scene.limits import JUMP, Judgement, Verdict, against_limit, judged, of_any_scene, sentence
+from ..scene.limits import JUMP, LEAST_EFFECT, Judgement, Verdict, against_limit, judged, of_any_scene, sentence
 from ..scene.scene import Scene
 from ..scene.wiring import depends_on
-from .displacement import IN_ITS_PLACE, XI, Worth, about_displacement, worth
+from .displacement import Worth, about_displacement, worth
 from .notes import (
     about_data,
     about_idle,
@@ -30,7 +31,7 @@ from .notes import (
     symbol_of,
 )
 from .questions import Question
-from .results import Note, NoValue, Result, at_half_spacing, over_spacing, uses_law, with_law
+from .results import Note, NoValue, Result, at_half_spacing, over_spacing, with_law
 
 if TYPE_CHECKING:
     from ..quantities.values import Uncertain
@@ -44,67 +45,40 @@ _OF_WELL = (
     "disruption_speed",
 )  # fmt: skip
 _MATTERS = 0.05  # relative change with the atomic spacing that is shown
+_BESIDE = 0.02  # relative difference of Lennard-Jones' law from Maugis' that is shown
 
 
 class Difference(NamedTuple):
-    """A quantity under Maugis' law, over that of JKR, with the assumed atomic spacing and with half of it."""
+    """A quantity under Maugis' law, over that of the law in use, with the assumed atomic spacing and with half of it."""
 
     name: str
     value: float
-    ratio: float
     ratio_at_half_spacing: float
-    readings: tuple[float, float] | None = None  # of a rolling quantity: the ratio at equal ξ, and at equal hysteresis
+    effect: Effect
 
     @property
     def size(self) -> float:
         """The size of the difference, by the larger reading, as the logarithm of a factor."""
-        return max(abs(log(ratio)) for ratio in (self.readings or (self.ratio,)))
+        return log(self.effect.factor)
 
 
-def differences(scene: Scene, names: Sequence[str]) -> tuple[Difference, ...]:
-    """Return how quantities of a JKR scene differ under Maugis' law, the largest difference first."""
-    if not scene.law.is_default:
+def differences(scene: Scene, found: Mapping[str, Effect]) -> tuple[Difference, ...]:
+    """Return how quantities of a scene differ under Maugis' law, the largest difference first."""
+    if not found:
         return ()
-    between = scene.under(BETWEEN).replace(atomic_spacing=scene["atomic_spacing"])
-    wanted = [name for name in between.numbers(*names) if uses_law(between, name)]
-    values = scene.numbers(*wanted)
-    at_spacing = between.numbers(*wanted)
-    at_half = at_half_spacing(between).numbers(*wanted)
-    readings = _readings(scene, between, wanted)
-    found = [
-        Difference(name, at_spacing[name], at_spacing[name] / value, at_half[name] / value, readings.get(name))
-        for name, value in values.items()
-        if value and at_spacing.get(name) and at_half.get(name) and at_spacing[name] / value > 0
+    between = between_of(scene)
+    at_spacing, at_half = between.numbers(*found), at_half_spacing(between).numbers(*found)
+    differ = [
+        Difference(name, at_spacing[name], at_half[name] / scene[name], effect)
+        for name, effect in found.items()
+        if effect.ratio > 0 and scene[name] and at_half.get(name)
     ]
-    return tuple(sorted(found, key=lambda each: -each.size))
-
-
-def _readings(scene: Scene, between: Scene, names: Sequence[str]) -> dict[str, tuple[float, float]]:
-    """Return by rolling quantity the ratio of another law to JKR at equal ξ, and at equal hysteresis of adhesion."""
-    rolling = [name for name in names if XI in depends_on([name], [between.law.name])]
-    if not rolling:
-        return {}
-    needed = (XI, "adhesive_force", "zone_radius")
-    of_jkr, other = scene.numbers(*needed), between.numbers(*needed[1:])
-    if len(of_jkr) < len(needed) or len(other) < len(needed) - 1:
-        return {}
-    forces, radii = (of_jkr[name] / other[name] for name in needed[1:])
-    stated = {name: value for name, value in between.stated.items() if name not in IN_ITS_PLACE}
-    values = scene.numbers(*rolling)
-    at_displacement, at_hysteresis = (
-        Scene({**stated, XI: own}, scene.material, scene.material2, model=between.law.name).numbers(*rolling)
-        for own in (of_jkr[XI], of_jkr[XI] * forces / radii)
-    )
-    return {
-        name: (at_displacement[name] / value, at_hysteresis[name] / value)
-        for name, value in values.items()
-        if value and at_displacement.get(name) and at_hysteresis.get(name)
-    }
+    return tuple(sorted(differ, key=lambda each: -each.size))
 
 
 def with_differences(verdict: Verdict, found: Sequence[Difference], scene: Scene) -> Verdict:
-    """Return a verdict with what Maugis' law says in place of a doubt about JKR."""
-    if verdict.holds or not scene.law.is_default:
+    """Return a verdict with what Maugis' law says in place of a doubt about the law in use."""
+    if verdict.holds:
         return verdict
     if verdict.name == "tabor_parameter" and not verdict.verdict:
         lead = f"{scene.law.title} is inexact here (Tabor parameter μ = {verdict.value:.3g})"
@@ -115,7 +89,7 @@ def with_differences(verdict: Verdict, found: Sequence[Difference], scene: Scene
         if found:
             text = f"for its energies {LAWS[BETWEEN].title} is no correction"
             return verdict._replace(text=text, sentence=f"{lead}; {text}")
-    if verdict.name == "hysteresis_ratio":
+    if verdict.name == "hysteresis_ratio" and scene.law.is_default:
         between = scene.under(BETWEEN).numbers("zone_radius").get("zone_radius")
         if between is not None:
             ratio = verdict.value * (scene["zone_radius"] / between)
@@ -125,18 +99,21 @@ def with_differences(verdict: Verdict, found: Sequence[Difference], scene: Scene
 
 def _sentence(found: Sequence[Difference], scene: Scene) -> str:
     """Return the largest differences: "by Maugis–Dugdale P_c is 27 % larger"; of rolling quantities both readings."""
-    half = amount("atomic_spacing", scene["atomic_spacing"] / 2)
+    spacing = amount("atomic_spacing", scene["atomic_spacing"] / 2)
     parts = []
-    rest = [] if found[0].readings else found[1:_SHOWN]
-    for each in [*found[:1], *(each for each in rest if each.size >= _NO_CHANGE)]:
-        symbol = NOMENCLATURE[each.name].symbol
-        if each.readings:
-            at_displacement, at_hysteresis = map(_change, each.readings)
+    rest = [] if found[0].effect.readings else found[1:_SHOWN]
+    for name, _, at_half, effect in [*found[:1], *(each for each in rest if each.size >= _NO_CHANGE)]:
+        symbol = NOMENCLATURE[name].symbol
+        if effect.readings:
+            at_displacement, at_hysteresis = map(_change, effect.readings)
             parts.append(f"{symbol} is {at_displacement} at equal ξ and {at_hysteresis} at equal hysteresis")
             continue
-        matters = abs(each.ratio_at_half_spacing / each.ratio - 1) > _MATTERS
-        at_half = f" ({_change(each.ratio_at_half_spacing, each.ratio)} at z0 = {half})" if matters else ""
-        parts.append(f"{symbol} is {_change(each.ratio)}{at_half}")
+        matters = abs(at_half / effect.ratio - 1) > _MATTERS
+        beside = [f"{_change(at_half, effect.ratio)} at z0 = {spacing}"] if matters else []
+        if effect.lennard_jones is not None and abs(effect.lennard_jones / effect.ratio - 1) > _BESIDE:
+            beside.append(f"{_change(effect.lennard_jones, effect.ratio)} by Lennard-Jones")
+        in_brackets = f" ({', '.join(beside)})" if beside else ""
+        parts.append(f"{symbol} is {_change(effect.ratio)}{in_brackets}")
     return f"by {LAWS[BETWEEN].title} {', '.join(parts)}; --model {BETWEEN}"
 
 
@@ -247,9 +224,10 @@ class Answer:
 
     @cached_property
     def laws(self) -> tuple[Difference, ...]:
-        """The differences of Maugis' law from JKR."""
+        """The differences of Maugis' law from the law in use, of what the command is named after."""
         compared = (*self.question.headline, *self.question.compared)
-        return differences(self.scene, [name for name in self._known if name in compared])
+        found = self._judgement.effects
+        return differences(self.scene, {name: effect for name, effect in found.items() if name in compared})
 
     @cached_property
     def worth(self) -> Worth | None:
@@ -263,7 +241,13 @@ class Answer:
     @cached_property
     def validity(self) -> tuple[Verdict, ...]:
         """The limits of the model, with what follows from them for these results."""
-        return tuple(with_differences(each, self.laws, self.scene) for each in self._judgement.verdicts)
+        verdicts = self._judgement.verdicts
+        if all(verdict.holds for verdict in verdicts):
+            return verdicts
+        found = self.laws
+        if not any(each.effect.factor > LEAST_EFFECT for each in found):
+            found = differences(self.scene, self._judgement.effects)
+        return tuple(with_differences(each, found, self.scene) for each in verdicts)
 
     def doubts(self) -> list[Note]:
         """Return a note for each limit of the model that does not hold."""

@@ -6,13 +6,12 @@ from typing import NamedTuple
 
 from ..quantities.formatting import amount, significant
 from ..quantities.nomenclature import NOMENCLATURE
+from ..scene.effects import IN_ITS_PLACE, XI
 from ..scene.scene import DEFAULTS, Scene
 from ..scene.wiring import depends_on
 from ..text import first_of
 from .results import Note
 
-XI = "yield_displacement"
-IN_ITS_PLACE = (XI, "adhesion_hysteresis", "hysteresis_fraction")
 # Rolling forces on pairs of SiO2 spheres (Heim et al. 1999, Blum & Wurm 2000, Gundlach et al. 2011), and the pairs.
 FORCES = (0.85e-9, 1.21e-9)
 SOLID = "SiO2"

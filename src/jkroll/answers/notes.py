@@ -5,12 +5,13 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from ..errors import JkrollError
 from ..quantities.formatting import amount, significant
 from ..quantities.nomenclature import NOMENCLATURE
+from ..scene.effects import IN_ITS_PLACE, XI
 from ..scene.failures import MissingInput
 from ..scene.limits import IMPACT, Judgement, judged, limits_of
 from ..scene.scene import DEFAULTS, Scene
 from ..scene.wiring import depends_on
 from ..text import first_of
-from .displacement import IN_ITS_PLACE, XI, about_displacement_of_rows
+from .displacement import about_displacement_of_rows
 from .results import Note, Result, remarks
 
 MAX_NAMES = 3  # of quantities in a note

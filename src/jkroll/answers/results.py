@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from ..errors import NoResult
 from ..quantities.formatting import Format, OutOfUnit, amount
-from ..quantities.laws import BETWEEN, DEFAULT_LAW, differs
+from ..quantities.laws import BETWEEN, DEFAULT_LAW
 from ..quantities.nomenclature import NOMENCLATURE
+from ..scene.effects import uses_law
 from ..scene.scene import Scene
 
 if TYPE_CHECKING:
@@ -123,13 +124,6 @@ def with_law(results: Sequence[Result], scene: Scene) -> list[Result]:
         else result
         for result in results
     ]
-
-
-def uses_law(scene: Scene, name: str) -> bool:
-    """Return whether a quantity of a scene rests on a formula that JKR does not have."""
-    plan = scene.plan(name)
-    routes = {route for key, route in scene.law.routes.items() if differs(key)}
-    return plan.found[name] in routes or any(source in routes for step in plan.steps for _, source in step.arguments)
 
 
 def equation_of(scene: Scene, name: str) -> str:

@@ -15,6 +15,8 @@ from .many import convert as convert_many
 from .one import convert
 from .settings import Order, Part, Settings
 
+MAX_CODES = 4  # of doubts that are named at the end
+
 
 def run(path: str, settings: Settings, inputs: Mapping[str, str], known: Materials) -> int:
     """Convert a table, or several; return the exit code."""
@@ -30,7 +32,12 @@ def run(path: str, settings: Settings, inputs: Mapping[str, str], known: Materia
     if tally.inferred and not settings.quiet:
         say_wrapped(_summary(settings.infer, tally), sys.stderr)
     if tally.doubtful and not settings.quiet:
-        say(f"note: {tally.doubtful} of {tally.rows} rows are doubtful; column {DOUBT} says why", sys.stderr)
+        counted = ", ".join(f"{code} in {count}" for code, count in [*tally.counts()["codes"].items()][:MAX_CODES])
+        more = " and more" if len(tally.codes) > MAX_CODES else ""
+        say_wrapped(
+            f"note: {tally.doubtful} of {tally.rows} rows are doubtful ({counted}{more}); column {DOUBT} says why",
+            sys.stderr,
+        )
     if tally.without_error_bars and not settings.quiet:
         some = f"{tally.without_error_bars} of {tally.rows} rows have"
         say(f"note: {some} error bars that the first rows have not; --uncertainty adds their columns", sys.stderr)

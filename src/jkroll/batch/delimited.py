@@ -13,11 +13,12 @@ from itertools import chain, islice
 from typing import NamedTuple
 
 from ..output.records import numbers_in_lines
-from ..rows.columns import OF_ROWS, Columns, doubts_in_words
+from ..rows.columns import Columns
 from ..rows.header import BadTable, is_input
 from ..rows.readings import MATERIALS
 from ..rows.rows import evaluated
 from ..rows.table import Table
+from ..scene.limits import codes
 from ..text import quoted
 from .lines import BOM, Converted, Head, Tally, check_encoding, check_strictly
 
@@ -289,13 +290,13 @@ class Delimited:
 
         @cache  # many rows have the same doubts
         def doubts(bits: int) -> bytes:
-            return separator + doubts_in_words(bits, OF_ROWS).encode() if has_doubts else b""
+            return separator + " ".join(codes(bits)).encode() if has_doubts else b""
 
         @cache
         def remark(bits: int) -> bytes:
             return doubts(bits) + separator + self.line_end if bits and has_doubts else b""
 
-        remarks = [*map(remark, (columns.doubts & OF_ROWS).tolist())]
+        remarks = [*map(remark, columns.doubts.tolist())]
         for row in columns.reasons:
             status = self.dialect.joined([columns.status(row).encode()])
             remarks[row] = doubts(int(columns.doubts[row])) + separator + status + self.line_end

@@ -1,19 +1,23 @@
 """The parts that formats whose records are lines have in common."""
 
+from collections import Counter
 from collections.abc import Sequence
 from operator import add
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy
 
 from ..rows.cells import Floats
-from ..rows.columns import OF_ROWS, Columns
+from ..rows.columns import Columns
 from ..rows.header import BadRow, BadTable
 from ..rows.inferred import Sought
+from ..scene.limits import NOT_JUDGED, codes
 
 BOM = b"\xef\xbb\xbf"
 _COMPRESSED = {b"\x1f\x8b": "gz", b"\x28\xb5\x2f\xfd": "zst"}  # by the first bytes
 _UTF_16 = (b"\xff\xfe", b"\xfe\xff")
+
+_NONE: Counter[str] = Counter()
 
 
 class Tally(NamedTuple):
@@ -23,24 +27,35 @@ class Tally(NamedTuple):
     failed: int = 0
     doubtful: int = 0
     without_error_bars: int = 0
+    codes: Counter[str] = _NONE  # of doubts, by their rows
     inferred: tuple[Floats, ...] = ()  # the values of an input that was sought, in parts
     readings: tuple[str, ...] = ()  # how each table was read
 
     @classmethod
     def of(cls, columns: Columns, failed: Sequence[int]) -> "Tally":
         """Return the counts of some rows."""
-        doubtful = int(numpy.count_nonzero(columns.doubts & OF_ROWS))
+        doubts = numpy.asarray(columns.doubts) & ~NOT_JUDGED
+        doubtful, of_codes = int(numpy.count_nonzero(doubts)), _rows_of_codes(doubts)
         wanted = columns.wanted
         inferred = (numpy.asarray(columns.column(wanted.name)).copy(),) if isinstance(wanted, Sought) else ()
-        return cls(len(columns), len(failed), doubtful, columns.without_sides(), inferred)
+        return cls(len(columns), len(failed), doubtful, columns.without_sides(), of_codes, inferred)
 
     def plus(self, other: "Tally") -> "Tally":
         """Return the counts with those of some more rows."""
         return Tally(*map(add, self, other))
 
-    def counts(self) -> dict[str, int]:
-        """Return the numbers of rows by name."""
-        return {name: count for name, count in self._asdict().items() if isinstance(count, int)}
+    def counts(self) -> dict[str, Any]:
+        """Return the numbers of rows by name, the most frequent codes first."""
+        of_codes = Counter(dict(sorted(self.codes.items(), key=lambda each: (-each[1], each[0]))))
+        counts = self._replace(codes=of_codes)._asdict()
+        return {name: count for name, count in counts.items() if isinstance(count, int | Counter)}
+
+
+def _rows_of_codes(bits: Any) -> Counter[str]:
+    """Return in how many rows each code of a doubt stands."""
+    every = int(numpy.bitwise_or.reduce(bits))
+    each = (1 << place for place in range(every.bit_length()) if every >> place & 1)
+    return Counter({code: int(numpy.count_nonzero(bits & bit)) for bit in each for code in codes(bit)})
 
 
 class Converted(NamedTuple):

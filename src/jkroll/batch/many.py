@@ -118,7 +118,8 @@ def convert(path: str, order: Order, run: Runner) -> tuple[Tally, int]:
     code = 0
     tally = Tally()
     for part in kept:
-        tally = tally.plus(Tally(**{name: entries[part].get(name, 0) for name in Tally().counts()}))
+        counts = {name: type(none)(entries[part].get(name, none)) for name, none in Tally().counts().items()}
+        tally = tally.plus(Tally(**counts))
     for part, outcome in run(each, left, settings.processes):
         entries[part] = _entry(part, outcome)
         tally = tally.plus(outcome.tally)

@@ -8,10 +8,11 @@ from typing import Any
 import orjson
 
 from ..output.records import numbers_in_lines
-from ..rows.columns import OF_ROWS, Columns, doubts_in_words
+from ..rows.columns import Columns
 from ..rows.header import BadTable, holds_input
 from ..rows.rows import evaluated
 from ..rows.table import Table
+from ..scene.limits import codes
 from .lines import BOM, Converted, Head, Tally, check_encoding, check_strictly
 
 Row = dict[str, Any]
@@ -95,7 +96,7 @@ class NdjsonConverter:
         """Iterate over the members that the rows get, each with the end of the object."""
         numbers = numbers_in_lines(columns.numbers, b",", b"null")
         for row, (line, bits) in enumerate(zip(numbers, columns.doubts.tolist(), strict=True)):
-            texts = [doubts_in_words(bits, OF_ROWS), columns.status(row)][-len(self.table.remarks) :]
+            texts = [" ".join(codes(bits)), columns.status(row)][-len(self.table.remarks) :]
             cells = line[1:-1].split(b",") + [orjson.dumps(text or None) for text in texts]
             yield self.said + b",".join(map(bytes.__add__, self.names, cells)) + b"}"
 

@@ -18,11 +18,12 @@ from ..output.records import middles, names_of_columns
 from ..quantities.formatting import Format as Units
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, word_for_infinity
 from ..rows.cells import Floats, Numbers, Reader
-from ..rows.columns import DOUBT, OF_ROWS, STATUS, Columns, Wanted, doubts_in_words
+from ..rows.columns import DOUBT, STATUS, Columns, Wanted
 from ..rows.header import BadTable, chosen, is_input
 from ..rows.readings import Reading
 from ..rows.rows import Block, evaluated
 from ..rows.table import Table
+from ..scene.limits import codes
 from ..text import quoted, shown
 from .lines import Tally, check_strictly
 from .output import output_to
@@ -147,7 +148,7 @@ def _changed(key: str, columns: Columns, units: Units) -> Floats:
 def _remarks(columns: Columns, names: Iterable[str]) -> Iterator[Any]:
     """Iterate over the columns of doubts and of status, as far as they are wanted."""
     of_rows: Mapping[str, Any] = {
-        DOUBT: lambda row: doubts_in_words(int(columns.doubts[row]), OF_ROWS) or None,
+        DOUBT: lambda row: " ".join(codes(int(columns.doubts[row]))) or None,
         STATUS: lambda row: columns.status(row) or None,
     }
     for name in names:

@@ -19,8 +19,8 @@ from ..quantities.formatting import Format, OutOfUnit
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import NOMENCLATURE, header, word_for_infinity
 from ..quantities.values import is_uncertain
-from ..rows.columns import DOUBT, OF_ROWS, STATUS, Columns, Wanted, doubts_in_words, heads
-from ..scene.limits import Verdict
+from ..rows.columns import DOUBT, STATUS, Columns, Wanted, heads
+from ..scene.limits import Verdict, codes
 from ..text import fitting, json_text, say, spelled
 
 Cell = str | float | None
@@ -110,7 +110,7 @@ def lines(kind: str, wanted: Wanted, blocks: Iterable[Columns], form: Format, *,
     for columns in blocks:
         cells = [*_inputs(columns, style), *_results(columns, form, style)]
         if DOUBT in remarks:
-            cells.append([_cell(doubts_in_words(bits, OF_ROWS), style) for bits in _listed(columns.doubts)])
+            cells.append([_cell(" ".join(codes(bits)), style) for bits in _listed(columns.doubts)])
         if STATUS in remarks:
             cells.append([_cell(columns.status(row), style) for row in range(len(columns))])
         if style.is_json:
@@ -303,7 +303,9 @@ def as_object(answer: Answer, form: Format) -> dict[str, Any]:
         "inputs": dict(answer.inputs),
         **({"uncertainties": _of_inputs(answer)} if answer.uncertain else {}),
         "results": [_result_object(result.in_unit(form), form) for result in answer.results],
-        **({"laws": {BETWEEN: _differences_object(answer.laws)}} if answer.laws else {}),
+        **(
+            {"laws": {BETWEEN: _differences_object(answer.laws)}} if answer.laws and answer.scene.law.is_default else {}
+        ),
         **({"displacement": _worth_object(answer.worth)} if answer.worth is not None else {}),
         "validity": [_verdict_object(verdict) for verdict in answer.validity],
         "notes": [note.text for note in answer.notes],
@@ -353,9 +355,9 @@ def _differences_object(found: Sequence[Difference]) -> dict[str, dict[str, floa
     return {
         each.name: {
             "value": each.value,
-            "over_jkr": each.ratio,
+            "over_jkr": each.effect.ratio,
             "over_jkr_at_half_spacing": each.ratio_at_half_spacing,
-            **(dict(zip(_READINGS, each.readings, strict=True)) if each.readings else {}),
+            **(dict(zip(_READINGS, each.effect.readings, strict=True)) if each.effect.readings else {}),
         }
         for each in found
     }

@@ -107,7 +107,7 @@ def figure(name: str, materials: Materials, size: tuple[int, int], *, as_printed
         x,
         y,
         values,
-        (*shaded, *regions(scene, bounds(), x, y, values)),
+        (*shaded, *regions(scene, bounds(declared.quantity), x, y, values)),
         (*marks, *points),
         f"Fig. {name}: {label_of(declared.quantity, has_log_labels=declared.has_log_labels)}",
         (*_caption(declared, as_printed=printed is not None), *others),
@@ -135,7 +135,11 @@ def _caption(declared: Figure, *, as_printed: bool) -> tuple[str, ...]:
     if as_printed:
         shown += f" Dashed: Eq ({NOMENCLATURE[declared.printed].equation}) as printed."
     used = _assumed(scene, declared, {declared.quantity})
-    elsewhere = [text for text in _assumed(scene, declared, {bound.name for bound in bounds()}) if text not in used]
+    elsewhere = [
+        text
+        for text in _assumed(scene, declared, {bound.name for bound in bounds(declared.quantity)})
+        if text not in used
+    ]
     assumed = (f"{', '.join(used)}; " if used else "") + f"for hatches and μ also {', '.join(elsewhere)}."
     return shown, declared.remark, f"Assumed: {assumed}"
 

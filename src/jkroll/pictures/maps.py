@@ -10,12 +10,14 @@ from typing import Any, NamedTuple
 
 from ..errors import NoResult
 from ..materials.library import Materials
-from ..quantities.laws import LAWS
+from ..quantities.laws import DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
+from ..scene.effects import effects, largest
 from ..scene.failures import MissingInput
 from ..scene.limits import LIMITS, Limit, limits_of
 from ..scene.scene import Scene
 from ..scene.solver import values_of
+from ..scene.wiring import has_law
 from .axes import Axis, contour_values, in_one_unit, round_values, with_units
 from .styles import BORDER, EVERYWHERE
 
@@ -23,6 +25,7 @@ CHUNK = 500_000  # points between two reports of progress
 MAX_CONTOURS = 12
 NEIGHBOURS = ((0, 1), (0, -1), (1, 0), (-1, 0))  # steps of rows and columns
 _WIDE = 30.0  # ratio of the ends from which contours are logarithmic
+_FARTHEST = 1e3  # factor between laws that has a place on a map
 _HALVINGS = 40  # of an interval that holds an edge: its place is known to 1e-12 of a cell
 
 Progress = Callable[[float], None]
@@ -295,35 +298,41 @@ class Bound(NamedTuple):
     is_least: bool
     beyond: str
     line: str = ""  # what a line at the value stands for, where that is drawn instead of the region beyond it
+    effect_on: str = ""  # a quantity, where the number is the factor by which that is off under the law of attraction
 
     def margin(self, scene: Scene, values: Mapping[str, Any]) -> Any:
         """Return the distance of values from the bound in powers of ten, negative beyond it."""
         import numpy
 
+        if self.effect_on:
+            factor = largest(effects(scene.replace(**values), [self.effect_on]))
+            return numpy.log10(self.value / numpy.minimum(factor, _FARTHEST))
         ratio = numpy.log10(solved(scene, [self.name], values)[self.name] / self.value)
         return ratio if self.is_least else -ratio
 
 
-def bounds() -> tuple[Bound, ...]:
-    """Return the bounds of JKR: first those beyond which the model has no meaning, then the one from which it is exact."""
-    return _bounds_of_limits([limit for limit in LIMITS if limit.law in ("", "jkr")])
+def bounds(quantity: str) -> tuple[Bound, ...]:
+    """Return the bounds of JKR: first those beyond which the model has no meaning, then those of the law for a quantity."""
+    return _bounds_of_limits([limit for limit in LIMITS if DEFAULT_LAW in (limit.laws or LAWS)], quantity, DEFAULT_LAW)
 
 
 def bounds_of(scene: Scene, quantity: str) -> list[Bound]:
     """Return the bounds that concern a quantity of a scene."""
     try:
-        return [*_bounds_of_limits(limits_of(scene, [quantity]))]
+        return [*_bounds_of_limits(limits_of(scene, [quantity]), quantity, scene.law.name)]
     except MissingInput:
         return []
 
 
-def _bounds_of_limits(limits: Iterable[Limit]) -> tuple[Bound, ...]:
-    """Return the bounds of limits: the outermost doubt of each, and the line from which a law of attraction is exact."""
+def _bounds_of_limits(limits: Iterable[Limit], quantity: str, law: str) -> tuple[Bound, ...]:
+    """Return the bounds of limits: the outermost doubt of each, and the line up to which a law of attraction is good."""
     by_name = {limit.name: limit for limit in limits if not limit.verdict}
     shown = [by_name[name] for name in _SHOWN if name in by_name and by_name[name].doubts]
-    found = [_bound(limit) for limit in shown if limit.law in ("", "jkr")]
-    found += [_border(limit) for limit in shown if limit.law]
-    return tuple(found)
+    of_law = [limit for limit in shown if limit.by_effect and has_law(quantity)]
+    return (
+        *(_bound(limit) for limit in shown if not limit.by_effect),
+        *(_of_effect(limit, place, quantity, law) for limit in of_law for place in (-1, 0)),
+    )
 
 
 def regions(scene: Scene, bounds: Iterable[Bound], x: Axis, y: Axis, values: Any) -> list[Region]:
@@ -369,13 +378,13 @@ def _bound(limit: Limit) -> Bound:
     return Bound(limit.name, doubt.threshold, is_least, beyond)
 
 
-def _border(limit: Limit) -> Bound:
-    """Return the line beyond which the law of attraction is not exact, as a bound of the Tabor parameter."""
-    threshold, is_least = limit.doubts[0].threshold, limit.sign.startswith("<")
-    law = LAWS[limit.law].title
-    side, sign = ("larger", "<") if is_least else ("smaller", ">")
-    line = f"μ = {threshold:g}: {law} holds where it is {side}"
-    return Bound(limit.name, threshold, is_least, f"μ {sign} {threshold:g}, {law} is not exact", line)
+def _of_effect(limit: Limit, place: int, quantity: str, law: str) -> Bound:
+    """Return a doubt about the law of attraction as a bound of its effect on a quantity: the first as a line, the last as a region."""
+    doubt = limit.doubts[place]
+    beyond = f"{LAWS[law].title} is {doubt.condition}"
+    side = "smaller" if law == DEFAULT_LAW else "larger"
+    line = "" if place else f"{beyond} where μ is {side} than on this line"
+    return Bound(limit.name, doubt.threshold, False, beyond, line, quantity)
 
 
 # --- Panels of curves -------------------------------------------------------------------------------------------------

@@ -12,7 +12,6 @@ routes.
 
 from collections.abc import Collection, Mapping
 from functools import cache
-from math import inf
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -31,8 +30,6 @@ class Law(NamedTuple):
     reference: Mapping[str, str]  # the same as BibTeX has it
     routes: Routes
     given: Mapping[str, Routes]
-    tabor_below: float = 0.0  # Tabor parameter below which it holds; the limits of the model judge the default law
-    fine: str = ""  # what is said of it there
     omits: frozenset[str] = frozenset()  # quantities that are not shown under it
     by_spacing: frozenset[str] = frozenset()  # quantities that the atomic spacing decides while λ is below 1
 
@@ -153,8 +150,6 @@ _MAUGIS = Law(
         "edge_ratio": {"load": "load_maugis"},
         "approach_at_load": {**_MAUGIS_AT_APPROACH, "load": "load_maugis"},
     },
-    tabor_below=inf,
-    fine="Maugis–Dugdale covers all from DMT to JKR",
     omits=frozenset({"rolling_frequency_as_printed"}),
     by_spacing=frozenset({"sticking_energy", "sticking_speed"}),
 )
@@ -195,8 +190,6 @@ _DMT = Law(
         **_GIVEN,
         "approach_at_load": {"load": "load_dmt", "contact_radius_at_load": "contact_radius_dmt_at_approach"},
     },
-    tabor_below=0.01,  # its pull-off force is 0.1 % too large there, and its approach 10 %
-    fine="small: DMT is close",
     omits=frozenset({"rolling_frequency_as_printed", "pull_off_force_lennard_jones", "pull_off_force_dmt"}),
 )
 

@@ -22,7 +22,7 @@ from ..scene.failures import (
     reason_of,
     written_outcome,
 )
-from ..scene.limits import TOLD, doubts, possible_doubts
+from ..scene.limits import doubts, possible_doubts
 from ..scene.scene import Scene
 from ..scene.wiring import Step, depends_on
 from ..text import first_of
@@ -197,16 +197,6 @@ class Columns:
     def status(self, row: int) -> str:
         """Return why cells of a row are empty, in words."""
         return worded(self.reasons[row]) if row in self.reasons else ""
-
-
-def doubts_in_words(bits: int, among: int) -> str:
-    """Return the codes of doubts, those of `among` alone."""
-    return " ".join(told.code for place, told in enumerate(TOLD) if bits >> place & among >> place & 1)
-
-
-# Limits that are doubts of a row; the law of adhesion is told about all rows together.
-OF_ROWS = sum(1 << place for place, told in enumerate(TOLD) if told.limit != "tabor_parameter")
-CODES = tuple(told.code for place, told in enumerate(TOLD) if OF_ROWS >> place & 1)
 
 
 # --- By floats --------------------------------------------------------------------------------------------------------

@@ -5,8 +5,10 @@ from collections.abc import Collection, Iterator, Mapping
 from typing import Any, Literal, NamedTuple
 
 from ..errors import JkrollError
+from ..physics.elementary import where
 from ..quantities.laws import BETWEEN, LAWS
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE, STATE
+from ..quantities.nomenclature import NOMENCLATURE, STATE
+from .effects import Effect, effects, largest
 from .failures import MissingInput, NotInLaw
 from .scene import Scene
 
@@ -23,7 +25,7 @@ class Limit(NamedTuple):
     """A number that limits the model, the quantities whose use it touches, and the words for either side.
 
     A value is in doubt where it is, for example, "<" a threshold. Several doubts of one number stand in the order in
-    which a value meets them.
+    which a value meets them. The law of adhesion is judged by its effect on the answers, beside which the number is told.
     """
 
     name: str
@@ -32,8 +34,9 @@ class Limit(NamedTuple):
     doubts: tuple[Doubt, ...]
     fine: str
     stated: frozenset[str] = frozenset()  # inputs; unless one of them was stated, the limit is not judged
-    law: str = ""  # of attraction; under another the limit is not judged
+    laws: tuple[str, ...] = ()  # of attraction, under which alone the limit is judged
     verdict: str = ""  # the name of what follows, if it is not that of the number
+    by_effect: bool = False  # judged by the factor between answers under the law in use and under the one that holds
 
     def level(self, value: Any) -> Any:
         """Return how many doubts a number, or each element of an array, meets: the last of them is the one to be told.
@@ -44,12 +47,14 @@ class Limit(NamedTuple):
         return sum(1 * compare(value, doubt.threshold) for doubt in self.doubts)
 
     def code(self, doubt: Doubt) -> str:
-        """Return a short text for a doubt: "a/z0<3"."""
+        """Return a short text for a doubt: "a/z0<3", "law>5%"."""
+        if self.by_effect:
+            return f"law>{100 * (doubt.threshold - 1):.0f}%" if doubt.threshold < 2 else f"law>×{doubt.threshold:g}"
         return f"{NOMENCLATURE[self.name].symbol}{self.sign}{doubt.threshold:g}"
 
-    def judge(self, value: float) -> "Verdict":
-        """Return what follows from a value, in words."""
-        level = self.level(value)
+    def judge(self, value: float, factor: float) -> "Verdict":
+        """Return what follows from a value, in words; `factor`: between answers under the two laws."""
+        level = self.level(factor if self.by_effect else value)
         if not level:
             return Verdict(self.name, value, True, self.fine, "", self.verdict)
         doubt = self.doubts[level - 1]
@@ -71,12 +76,14 @@ class Verdict(NamedTuple):
 
 
 class Judgement(NamedTuple):
-    """The verdicts of one scene, and the limits that could not be judged, by the inputs that they need."""
+    """The verdicts of one scene, the limits that could not be judged, by the inputs that they need, and the effects of the law."""
 
     verdicts: tuple[Verdict, ...]
     missing: Mapping[str, list[str]]
+    effects: Mapping[str, Effect]
 
 
+_NAN = float("nan")
 _COMPARISONS = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
 _ELASTICITY = frozenset({"work_of_adhesion"})
 _DISPLACEMENT = frozenset({"yield_displacement"})
@@ -86,27 +93,22 @@ JUMP = 0.7  # Tabor parameter below which no jump was found of a contact of Lenn
 _TURNS = frozenset({"n_roll", "n_roll_energy_balance", "n_roll_after_impact"})
 IMPACT = frozenset({"energy", "energy_ratio", "speed"})
 
+_EFFECTS = {1.05: "5 %", 1.25: "25 %", 2.0: "a factor of 2"}  # of the law of attraction, as factors
+LEAST_EFFECT = min(_EFFECTS)
+
 # The law of attraction; then what takes the meaning of an answer away; then what makes it inexact.
 LIMITS = (
     Limit(
-        "tabor_parameter", _ELASTICITY, "<",
-        (
-            Doubt(5.0, "between DMT (below 0.1) and JKR (above 5)", "neither JKR nor DMT is exact, --model maugis holds"),
-            Doubt(0.1, "small", "DMT is closer than JKR"),
+        "tabor_parameter", _ELASTICITY, ">",
+        tuple(
+            Doubt(factor, f"off by more than {text}", f"{LAWS[BETWEEN].title} differs by more than {text}, --model {BETWEEN}")
+            for factor, text in _EFFECTS.items()
         ),
-        "large: JKR holds",
-        law="jkr",
+        f"within {_EFFECTS[LEAST_EFFECT]} of {LAWS[BETWEEN].title}",
+        laws=tuple(law for law in LAWS if law != BETWEEN),
+        by_effect=True,
     ),
-    *(
-        Limit(
-            "tabor_parameter", _ELASTICITY, ">",
-            (Doubt(law.tabor_below, f"above {law.tabor_below:g}", f"{LAWS[BETWEEN].title} is exact, --model {BETWEEN}"),)
-            if law.tabor_below < INFINITY else (),
-            law.fine,
-            law=law.name,
-        )
-        for law in LAWS.values() if not law.is_default
-    ),
+    Limit("tabor_parameter", _ELASTICITY, ">", (), f"{LAWS[BETWEEN].title} covers all from DMT to JKR", laws=(BETWEEN,)),
     Limit(
         "load_margin", frozenset({"load_factor"}), "<=",
         (Doubt(0.0, "at or beyond pull-off", "only fixed grips hold this state"),),
@@ -195,7 +197,7 @@ LIMITS = (
 # A doubt is a bit until it is worded: one for each doubt of each limit, in their order, and a last one for limits that could not
 # be judged.
 _DOUBTS = tuple((limit, doubt) for limit in LIMITS for doubt in limit.doubts)
-_FIRST = {(limit.name, limit.law): place for place, (limit, doubt) in enumerate(_DOUBTS) if doubt is limit.doubts[0]}
+_FIRST = {(limit.name, limit.laws): place for place, (limit, doubt) in enumerate(_DOUBTS) if doubt is limit.doubts[0]}
 NOT_JUDGED = 1 << len(_DOUBTS)
 
 
@@ -215,14 +217,16 @@ def judged(scene: Scene, names: Collection[str]) -> Judgement:
     """Return what limits the answers to these names, as far as the scene allows to judge it."""
     verdicts: list[Verdict] = []
     missing: dict[str, list[str]] = {}
+    of_law: Mapping[str, Effect] = {}
     for limit, value in _touching(scene, names):
         if isinstance(value, NotInLaw):
             continue
         if isinstance(value, MissingInput):
             missing.setdefault(value.needs(), []).append(limit.name)
         elif not isinstance(value, JkrollError):
-            verdicts.append(limit.judge(value))
-    return Judgement(tuple(verdicts), missing)
+            of_law = effects(scene, names) if limit.by_effect else of_law
+            verdicts.append(limit.judge(value, largest(of_law)))
+    return Judgement(tuple(verdicts), missing, of_law)
 
 
 def doubts(scene: Scene, names: Collection[str]) -> Any:
@@ -230,10 +234,16 @@ def doubts(scene: Scene, names: Collection[str]) -> Any:
     found: Any = 0
     for limit, value in _touching(scene, names):
         if not isinstance(value, JkrollError):
-            found = found | (1 << limit.level(value) >> 1) << _FIRST.get((limit.name, limit.law), 0)
+            level = limit.level(_effect_where(value, scene, names) if limit.by_effect else value)
+            found = found | (1 << level >> 1) << _FIRST.get((limit.name, limit.laws), 0)
         elif isinstance(value, MissingInput) and not isinstance(value, NotInLaw):
             found = found | NOT_JUDGED
     return found
+
+
+def _effect_where(number: Any, scene: Scene, names: Collection[str]) -> Any:
+    """Return the largest effect of the law where there is a number beside which it is told, and nan elsewhere."""
+    return where(number == number, largest(effects(scene, names)), _NAN)  # noqa: PLR0124
 
 
 def possible_doubts(scene: Scene, names: Collection[str]) -> int:
@@ -241,7 +251,7 @@ def possible_doubts(scene: Scene, names: Collection[str]) -> int:
     found = 0
     for limit, value in _touching(scene, names):
         if not isinstance(value, JkrollError):
-            found |= (1 << len(limit.doubts)) - 1 << _FIRST.get((limit.name, limit.law), 0)
+            found |= (1 << len(limit.doubts)) - 1 << _FIRST.get((limit.name, limit.laws), 0)
         elif isinstance(value, MissingInput) and not isinstance(value, NotInLaw):
             found |= NOT_JUDGED
     return found
@@ -250,6 +260,11 @@ def possible_doubts(scene: Scene, names: Collection[str]) -> int:
 def told(bits: int) -> list[Told]:
     """Return the doubts that bits stand for."""
     return [told for place, told in enumerate(TOLD) if bits >> place & 1]
+
+
+def codes(bits: int) -> list[str]:
+    """Return the codes of the doubts that bits stand for, and "?" if there are limits that could not be judged."""
+    return [*(told.code for told in told(bits)), *(["?"] if bits & NOT_JUDGED else [])]
 
 
 def sentence(verdict: Verdict) -> str:
@@ -275,7 +290,7 @@ def limits_of(scene: Scene, names: Collection[str]) -> list[Limit]:
         limit
         for limit in LIMITS
         if limit.touches & used
-        and limit.law in ("", scene.law.name)
+        and (not limit.laws or scene.law.name in limit.laws)
         and (not limit.stated or limit.stated & scene.stated.keys())
     ]
 

@@ -1,0 +1,109 @@
+"""How far answers under a law of attraction are from those under the law that holds between JKR and DMT."""
+
+from collections.abc import Collection, Mapping
+from functools import reduce
+from typing import Any, NamedTuple
+
+from ..errors import JkrollError
+from ..physics.elementary import smaller_and_larger, where
+from ..quantities.laws import BETWEEN, DEFAULT_LAW, routes
+from ..quantities.nomenclature import INFINITY
+from .scene import DEFAULTS, LEAST, MOST, Scene
+from .wiring import depends_on
+
+XI = "yield_displacement"
+IN_ITS_PLACE = (XI, "adhesion_hysteresis", "hysteresis_fraction")
+
+
+class Effect(NamedTuple):
+    """An answer under the law that holds, over that under the law in use: numbers, or arrays. It is 0 where only the latter has one."""
+
+    ratio: Any  # with equal inputs
+    readings: tuple[Any, Any] | None = (
+        None  # of a rolling quantity: at equal displacement, and at equal hysteresis of adhesion
+    )
+    lennard_jones: Any = None  # of a pull-off force: the same for the fit of Lennard-Jones' law
+
+    @property
+    def factor(self) -> Any:
+        """How far the answers are apart by the farthest of these, as a factor of at least 1."""
+        further = self.readings or () if self.lennard_jones is None else (self.lennard_jones,)
+        return reduce(_larger, map(_apart, (self.ratio, *further)))
+
+
+def _apart(ratio: Any) -> Any:
+    """Return a ratio or its inverse, whichever is larger; infinite where the answers differ in sign."""
+    is_positive = ratio > 0
+    positive = where(is_positive, ratio, 1.0)
+    return where(is_positive, _larger(positive, 1 / positive), INFINITY)
+
+
+def largest(found: Mapping[str, Effect]) -> Any:
+    """Return the largest factor of some effects; 1 if there are none."""
+    return reduce(_larger, (effect.factor for effect in found.values()), 1.0)
+
+
+def _larger(value: Any, other: Any) -> Any:
+    return smaller_and_larger(value, other)[1]
+
+
+def effects(scene: Scene, names: Collection[str]) -> dict[str, Effect]:
+    """Return by quantity how far its value is from that under Maugis' law, for those that rest on the law of attraction."""
+    if scene.law.name == BETWEEN:
+        return {}
+    between = between_of(scene)
+    missing = between.missing([*names])
+    own = scene.numbers(*(name for name in names if name not in missing and uses_law(between, name)))
+    theirs = between.evaluate([*own])
+    rolling = [name for name in own if XI in depends_on([name], [BETWEEN])]
+    beside, is_at_displacement = _other_reading(scene, between) if rolling else (None, True)
+    at_other = beside.evaluate(rolling) if beside is not None else {}
+    found = {}
+    for name, value in own.items():
+        ratio = _ratio(theirs[name], value)
+        readings = None
+        if name in at_other:
+            other = _ratio(at_other[name], value)
+            readings = (ratio, other) if is_at_displacement else (other, ratio)
+        found[name] = Effect(ratio, readings)
+    if "pull_off_force" in found:
+        fit = scene.evaluate(["pull_off_force_lennard_jones"])["pull_off_force_lennard_jones"]
+        found["pull_off_force"] = found["pull_off_force"]._replace(lennard_jones=_ratio(fit, own["pull_off_force"]))
+    return found
+
+
+def between_of(scene: Scene) -> Scene:
+    """Return a scene under the law that holds, with the atomic spacing that was given or is assumed."""
+    return scene.under(BETWEEN).replace(atomic_spacing=scene["atomic_spacing"])
+
+
+def _other_reading(scene: Scene, between: Scene) -> tuple[Scene | None, bool]:
+    """Return a scene between the laws with the other of equal displacement and equal hysteresis, and whether it has the latter."""
+    needed = ("adhesive_force", "zone_radius")
+    own, theirs = scene.numbers(XI, *needed), between.numbers(*needed)
+    if len(own) <= len(needed) or len(theirs) < len(needed):
+        return None, True
+    is_at_displacement = scene.given.keys().isdisjoint(IN_ITS_PLACE[1:])
+    displacement = own[XI]
+    if is_at_displacement:
+        forces, radii = (own[name] / theirs[name] for name in needed)
+        equal = displacement * forces / radii
+        displacement = where((equal >= LEAST) & (equal <= MOST), equal, DEFAULTS[XI])  # any where there is no contact
+    stated = {name: value for name, value in between.stated.items() if name not in IN_ITS_PLACE}
+    return Scene({**stated, XI: displacement}, scene.material, scene.material2, model=BETWEEN), is_at_displacement
+
+
+def _ratio(theirs: Any, own: Any) -> Any:
+    """Return the ratio of two answers: 0 where only the second exists, 1 where that has none or is nought."""
+    has_own = (own == own) & (own != 0)  # noqa: PLR0124  nan is a gap
+    if isinstance(theirs, JkrollError):
+        return where(has_own, 0.0, 1.0)
+    ratio = theirs / where(has_own, own, 1.0)
+    return where(has_own, where(ratio == ratio, ratio, 0.0), 1.0)  # noqa: PLR0124
+
+
+def uses_law(scene: Scene, name: str) -> bool:
+    """Return whether a quantity of a scene rests on a formula that JKR does not have."""
+    plan, of_jkr = scene.plan(name), routes(DEFAULT_LAW, scene.known)
+    own = {route for key, route in routes(scene.law.name, scene.known).items() if route != of_jkr.get(key, key)}
+    return plan.found[name] in own or any(source in own for step in plan.steps for _, source in step.arguments)
