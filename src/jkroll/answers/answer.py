@@ -20,11 +20,13 @@ from ..scene.scene import Scene
 from ..scene.wiring import depends_on
 from .displacement import Worth, about_displacement, worth
 from .notes import (
+    about_assumed,
     about_data,
     about_idle,
     about_limits,
     about_missing,
     about_results,
+    assumed,
     assumptions,
     few,
     model_error,
@@ -258,6 +260,12 @@ class Answer:
         ]
 
     @cached_property
+    def assumed(self) -> list[str]:
+        """The names of inputs that were assumed, with the atomic spacing if it enters a limit."""
+        of_limits = self.scene.inputs_of(*(verdict.name for verdict in self.validity))
+        return assumed(self.scene, {*self.inputs, *{"atomic_spacing"}.intersection(of_limits)})
+
+    @cached_property
     def notes(self) -> tuple[Note, ...]:
         """The sentences about the answer, but for doubts."""
         scene, planned = (
@@ -265,15 +273,16 @@ class Answer:
             [name for name in self.shown if not isinstance(self.errors.get(name), MissingInput)],
         )
         of_limits = scene.inputs_of(*(verdict.name for verdict in self.validity))
-        entering = {*self.inputs, "atomic_spacing"} if "atomic_spacing" in of_limits else {*self.inputs}
         found, sources = self._uncertainties
         lacking = [name for name, error in self.errors.items() if isinstance(error, MissingInput)]
         lacking += [name for names in self._judgement.missing.values() for name in names]
         displaced = [] if self.worth is None else [about_displacement(self.worth, self.question.headline)]
+        is_told = any(note.kind == "displacement" for note in displaced)
         entering_any = {*self.inputs, *of_limits, *depends_on(lacking, [scene.law.name])}
         return (
             *displaced,
-            *assumptions(scene, entering, planned, [note.matter for note in displaced if note.kind == "displacement"]),
+            *about_assumed([name for name in self.assumed if not (name == XI and is_told)]),
+            *assumptions(scene, self.inputs, planned),
             *about_idle(scene, entering_any),
             *about_data(scene, self.inputs),
             *about_results([*self.results], scene),

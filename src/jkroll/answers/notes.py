@@ -43,7 +43,8 @@ def notes_on_rows(scene: Scene, names: Sequence[str]) -> list[Note]:
     displaced = [about_displacement_of_rows(scene)] if XI in inputs and XI not in scene.given else []
     return [
         *displaced,
-        *assumptions(scene, inputs, planned, [XI] if displaced else []),
+        *about_assumed([name for name in assumed(scene, inputs) if not (name == XI and displaced)]),
+        *assumptions(scene, inputs, planned),
         *about_idle(scene, entering),
         *about_conventions(scene, planned),
         *about_limits(judged(scene, planned)),
@@ -56,15 +57,26 @@ def _planned(scene: Scene, names: Sequence[str]) -> list[str]:
     return [name for name in names if name not in missing]
 
 
-def assumptions(scene: Scene, inputs: Collection[str], names: list[str], without: Collection[str] = ()) -> list[Note]:
-    """Return notes on the inputs that were assumed, with the options that set them, but for those of which another note says it."""
-    assumed = [
-        f"{NOMENCLATURE[name].symbol} = {amount(name, DEFAULTS[name])} ({NOMENCLATURE[name].option})"
-        for name in DEFAULTS
-        if name in inputs and name not in scene.given and name not in without
-    ]
+def assumed(scene: Scene, inputs: Collection[str]) -> list[str]:
+    """Return the names of those inputs that were assumed."""
+    return [name for name in DEFAULTS if name in inputs and name not in scene.given]
+
+
+def parts_of_assumed(names: Collection[str]) -> list[str]:
+    """Return the parts of an enumeration of inputs that were assumed, with the options that set them."""
+    texts = [f"{symbol_of(name)} = {amount(name, DEFAULTS[name])} ({NOMENCLATURE[name].option})" for name in names]
+    return [*(f"assumed {text}" for text in texts[:1]), *texts[1:]]
+
+
+def about_assumed(names: Collection[str]) -> list[Note]:
+    """Return a note on inputs that were assumed."""
+    return [Note("assumed", ", ".join(parts_of_assumed(names)))] if names else []
+
+
+def assumptions(scene: Scene, inputs: Collection[str], names: list[str]) -> list[Note]:
+    """Return notes on what was assumed about the bodies."""
     steps = {step.name for name in names for step in scene.plan(name).steps}
-    notes = [Note("assumption", f"assumed {', '.join(assumed)}")] if assumed else []
+    notes = []
     if "hamaker" in inputs and not scene.missing(["work_of_adhesion"]):
         notes.append(_about_hamaker(scene))
     if (

@@ -87,6 +87,7 @@ Kind = Literal[
     "roughness",
     "result",
     "model",
+    "assumed",
     "assumption",
     "unchecked",
     "data",

@@ -191,7 +191,7 @@ def write_answers(answers: Iterable[Answer], count: int, kind: str, form: Format
         else:
             write_plain(only, out, form)
         out.flush()
-        for line in () if quiet else note_lines.of_answer(only):
+        for line in () if quiet else note_lines.of_answer(only, has_head=kind == "table"):
             say_wrapped(line, sys.stderr)
     out.flush()
     return _failed(len(failures), count, failures[0] if failures else None)

@@ -20,11 +20,13 @@ MAX_RANGES = 4  # of rows that are named
 _KINDS = get_args(Kind)
 
 
-def of_answer(answer: Answer) -> list[str]:
-    """Return the lines below one answer, by falling importance; the last says how many notes are left out."""
-    every = [
-        note for note in (*answer.notes, *answer.doubts()) if note.kind != "material"
-    ]  # said when its file was read
+def of_answer(answer: Answer, *, has_head: bool = False) -> list[str]:
+    """Return the lines below one answer, by falling importance; the last says how many notes are left out.
+
+    `has_head`: whether its inputs stand above it, with those that were assumed.
+    """
+    said_elsewhere = ("material", "assumed") if has_head else ("material",)  # when its file was read, and above
+    every = [note for note in (*answer.notes, *answer.doubts()) if note.kind not in said_elsewhere]
     lines: list[str] = []
     said = 0
     for kind in _KINDS:

@@ -6,10 +6,11 @@ from typing import TYPE_CHECKING, Any, TextIO
 
 from rich import box
 from rich.console import Console
-from rich.table import Table
+from rich.table import Column, Table
 from rich.text import Text
 
 from ..answers.answer import Answer
+from ..answers.notes import parts_of_assumed, symbol_of
 from ..answers.questions import Grid
 from ..answers.results import Result
 from ..quantities.formatting import Format, amount, in_words, pretty
@@ -23,18 +24,18 @@ if TYPE_CHECKING:
 _HEADS = ("quantity", "symbol", "value", "unit", "Eq", "definition", "reference", "JKR")
 _JKR = 7  # the place of JKR's value, shown beside that of another law
 # The columns of a scene's table, for narrower and narrower terminals: of results, and of results by convention.
-_COLUMNS: Sequence[tuple[int, ...]] = ((0, 1, 2, 3, 4), (1, 2, 3, 4), (1, 2, 3))
-_COLUMNS_BY_CONVENTION: Sequence[tuple[int, ...]] = ((0, 1, 2, 3, 5, 6), (1, 2, 3, 5, 6), (1, 2, 3, 5), (1, 2, 3))
+_COLUMNS: Sequence[tuple[int, ...]] = ((0, 1, 2, 3, 4), (0, 1, 2, 3), (1, 2, 3))
+_COLUMNS_BY_CONVENTION: Sequence[tuple[int, ...]] = ((0, 1, 2, 3, 5, 6), (0, 1, 2, 3, 5), (0, 1, 2, 3), (1, 2, 3))
+_TEXTS = ("quantity", "definition", "reference")  # which may be broken into lines, the last columns first
 MAX_ACROSS = 20  # scenes that are tried as columns
-MIN_WRAPPED = 18  # characters of a column of texts on a narrow terminal
+MIN_WRAPPED = 16  # characters of a column of texts on a narrow terminal
 BETWEEN = 3  # two columns
-MIN_REFERENCE = 14  # of a column of references, broken into lines beside the other columns
 
 
 def scene_table(answer: Answer, out: TextIO, form: Format) -> None:
     """Write the inputs of one scene, and its results below each other, or in a grid if all of them are JKR's and it fits."""
     results = [result.in_unit(form) for result in answer.results]
-    say(_inputs({**answer.inputs, **answer.uncertain}, form), out)
+    say(_inputs({**answer.inputs, **answer.uncertain}, form, assumed=answer.assumed), out)
     grid = answer.question.grid
     if (
         grid
@@ -51,10 +52,10 @@ def scene_table(answer: Answer, out: TextIO, form: Format) -> None:
     right = {"value", "Eq", "JKR"}
     for chosen in columns_of:
         heads, cells = [_HEADS[i] for i in chosen], [[row[i] for i in chosen] for row in rows]
-        if _print(_table(heads, cells, out, right, styles), out):
-            return
-        if _HEADS[chosen[-1]] == "reference" and _print_wrapped(heads, cells, out, right, styles, MIN_REFERENCE):
-            return
+        texts = [head for head in reversed(heads) if head in _TEXTS]
+        for count in range(len(texts) + 1):
+            if _print(_table(heads, cells, out, right, styles, texts[:count]), out):
+                return
     for row in rows:
         say(" ".join(cell for cell in row[1:4] if cell), out)
 
@@ -191,14 +192,15 @@ def column(name: str, values: "Sequence[float | str | Uncertain | None]", form: 
     return [head, *("—" if value is None else amount(name, value, form) for value in values)]
 
 
-def _inputs(inputs: "Mapping[str, float | str | Uncertain]", form: Format, start: str = "") -> str:
-    """Return the inputs as understood, broken into lines between two of them."""
-    width = columns()
+def _inputs(
+    inputs: "Mapping[str, float | str | Uncertain]", form: Format, start: str = "", assumed: Sequence[str] = ()
+) -> str:
+    """Return the inputs as understood, those that were assumed last, broken into lines between two of them."""
+    texts = {name: amount(name, value, form) for name, value in inputs.items() if name not in assumed}
+    parts = [text if name == "material" else f"{symbol_of(name)} = {text}" for name, text in texts.items()]
     lines = [start]
-    for name, value in inputs.items():
-        text = amount(name, value, form)
-        part = text if name == "material" else f"{NOMENCLATURE[name].symbol or name} = {text}"
-        if lines[-1] and len(lines[-1]) + len(part) + 2 >= width:
+    for part in [*parts, *parts_of_assumed(assumed)]:
+        if lines[-1] and len(lines[-1]) + len(part) + 2 >= columns():
             lines[-1] += ","
             lines.append("")
         lines[-1] += f", {part}" if lines[-1] else part
@@ -215,7 +217,7 @@ def write_rows(heads: Sequence[str], rows: Sequence[Sequence[str]], out: TextIO)
 
 def write_wrapped(heads: Sequence[str], rows: Sequence[Sequence[str]], out: TextIO) -> None:
     """Write a table of texts whose last column is broken into lines, within a word that is longer than the column."""
-    _print_wrapped(heads, rows, out, (), (), MIN_WRAPPED, anyway=True)
+    _print(_table(heads, rows, out, wrapped=heads[-1:]), out, anyway=True)
 
 
 def _console(out: TextIO) -> Console:
@@ -228,46 +230,38 @@ def _table(
     out: TextIO,
     right: Collection[str] = (),
     styles: Sequence[str] = (),
+    wrapped: Collection[str] = (),
 ) -> Table:
-    """Return a table of texts, with a style for each row if any, and the columns named in `right` set to the right."""
+    """Return a table of texts, with a style for each row if any.
+
+    The columns named in `right` are set to the right, and those in `wrapped` broken into lines, within a word that is too long.
+    """
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
     for head in heads:
-        table.add_column(Text(fitting(head, out)), justify="right" if head in right else "left", no_wrap=True)
+        table.add_column(
+            Text(fitting(head, out)),
+            justify="right" if head in right else "left",
+            no_wrap=head not in wrapped,
+            overflow="fold" if head in wrapped else "ellipsis",
+        )
     for row, style in zip(rows, styles or [""] * len(rows), strict=True):
         table.add_row(*(Text(fitting(cell, out), style) for cell in row))
     return table
 
 
-def _print_wrapped(
-    heads: Sequence[str],
-    rows: Sequence[Sequence[str]],
-    out: TextIO,
-    right: Collection[str],
-    styles: Sequence[str],
-    least: int,
-    *,
-    anyway: bool = False,
-) -> bool:
-    """Print a table whose last column is broken into lines if it has `least` characters, or anyway; return whether it was printed."""
-    table = _table(heads, rows, out, right, styles)
-    last = table.columns[-1]
-    last.no_wrap, last.overflow = False, "fold"
-    console = _console(out)
-    others = _table(heads[:-1], [row[:-1] for row in rows], out)
-    width = console.measure(others, options=console.options.update(width=10_000)).maximum + BETWEEN + least
-    if width > console.width and not anyway:
-        return False
-    console.width = max(console.width, width)
-    console.print(table)
-    return True
-
-
 def _print(table: Table, out: TextIO, *, anyway: bool = False) -> bool:
     """Print a table if the terminal is wide enough for it, or anyway, and return whether it was printed."""
     console = _console(out)
-    width = console.measure(table, options=console.options.update(width=10_000)).maximum
+    width = sum(_least_width(column, console) for column in table.columns) + BETWEEN * (len(table.columns) - 1)
     if width > console.width and not anyway:
         return False
     console.width = max(width, console.width)
     console.print(table)
     return True
+
+
+def _least_width(column: Column, console: Console) -> int:
+    """Return the width of the longest cell of a column, or as much of it as a column has at least that is broken into lines."""
+    cells = (column.header, *column.cells)
+    width = max(console.measure(cell, options=console.options.update(width=10_000)).maximum for cell in cells)
+    return width if column.no_wrap else min(width, MIN_WRAPPED)

@@ -87,8 +87,11 @@ def _other_reading(scene: Scene, between: Scene) -> tuple[Scene | None, bool]:
     displacement = own[XI]
     if is_at_displacement:
         forces, radii = (own[name] / theirs[name] for name in needed)
-        equal = displacement * forces / radii
-        displacement = where((equal >= LEAST) & (equal <= MOST), equal, DEFAULTS[XI])  # any where there is no contact
+        displacement = displacement * forces / radii
+    is_known = (displacement >= LEAST) & (displacement <= MOST)
+    displacement = where(
+        is_known, displacement, own[XI] if is_at_displacement else DEFAULTS[XI]
+    )  # where there is no contact
     stated = {name: value for name, value in between.stated.items() if name not in IN_ITS_PLACE}
     return Scene({**stated, XI: displacement}, scene.material, scene.material2, model=BETWEEN), is_at_displacement
 
