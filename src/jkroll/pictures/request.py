@@ -10,7 +10,7 @@ from ..materials.library import Materials
 from ..quantities.formatting import amount, in_words
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
 from ..quantities.values import parse_quantity
-from ..scene.failures import MissingInput, NotInLaw
+from ..scene.failures import MissingInput, NotInLaw, reason_of
 from ..scene.scene import Scene
 from ..text import capitalized, quoted
 from .axes import Axis, described
@@ -53,12 +53,16 @@ class PlotRequest(NamedTuple):
 class NothingToDraw(NoResult):
     """Error raised when a map or curves have no value at all."""
 
-    def __init__(self, quantity: str) -> None:
-        super().__init__(quantity)
-        self.quantity = quantity
+    def __init__(self, quantity: str, outcome: Any = None) -> None:
+        """`outcome`: that of a scene on these axes, perhaps the reason."""
+        super().__init__(quantity, outcome)
+        self.quantity, self.outcome = quantity, outcome
 
     def __str__(self) -> str:
-        return f"{self.quantity} has no value anywhere on these axes"
+        reason = (
+            f": {reason_of(self.quantity, self.outcome)}" if isinstance(self.outcome, NoResult | MissingInput) else ""
+        )
+        return f"{self.quantity} has no value anywhere on these axes{reason}"
 
 
 def mark_at(text: str, materials: Materials, scene: Scene, x: Axis, y: Axis) -> Mark:
@@ -91,7 +95,7 @@ def map_of(
     context = Context(quantity, scene, at_an_end)
     values = evaluate(scene, quantity, x, y, progress)
     if not has_values(values):
-        raise NothingToDraw(quantity)
+        raise NothingToDraw(quantity, context.scene.evaluate([quantity])[quantity])
     marks = tuple(mark_at(text, request.materials, scene, x, y) for text in request.marks)
     others: tuple[str, ...] = ()
     if scene.material is None and {x.name, y.name} & {*PROPERTIES}:
@@ -121,7 +125,7 @@ def curves_of(request: PlotRequest, size: int) -> tuple[Picture, tuple[str, ...]
     if not curves:
         raise next(iter(missing.values()))
     if not any(has_values(curve.y) for curve in curves):
-        raise NothingToDraw(request.quantity)
+        raise NothingToDraw(request.quantity, contexts[0].scene.evaluate([request.quantity])[request.quantity])
     y = axis_around(request.quantity, [curve.y for curve in curves])
     points = [mark_at(text, request.materials, request.scenes[0][1], x, y) for text in request.marks]
     shared = [text for text in contexts[0].inputs if all(text in context.inputs for context in contexts)]

@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from .values import Interval, Measured, Uncertain
 
 DIGITS = 6  # significant, of a rounded value
+DIGITS_OF_NARROW = 3  # of a range that is narrower than 1 %
+_NARROW = 0.01
 _PLAIN = 10**DIGITS  # numbers below have no exponent for want of digits
 _SMALL = 1e-3  # numbers below have too many zeros to share a unit with others
 _PREFIXES = dict(zip(range(-21, 18, 3), ("z", "a", "f", "p", "n", "µ", "m", "", "k", "M", "G", "T", "P"), strict=True))
@@ -164,9 +166,11 @@ def amount(name: str, value: "float | str | Uncertain", form: Format = AS_USUAL)
 def _range(found: "Interval", scale: Unit, digits: int | None) -> str:
     """Return a range, whose ends are rounded to two digits of the distance between them unless there is a number of digits.
 
-    Both ends have as many decimals as the one that needs more.
+    Both ends have as many decimals as the one that needs more. A narrow range is a number, with the digits that it has.
     """
     low, high = convert(found.low, scale), convert(found.high, scale)
+    if high - low < _NARROW * abs(low + high) / 2:
+        return significant((low + high) / 2, digits or DIGITS_OF_NARROW)
     place = _second_digit(high - low)
     texts = []
     for end in (low, high):
