@@ -279,7 +279,33 @@ def test_the_curves_of_a_contact(run: Run, tmp_path: Path) -> None:
     shown = SVG_TEXT.findall((tmp_path / "contact.svg").read_text(encoding="utf-8"))
     assert {"fold", "pull-off", "jump-in", "stable", "unstable", "fixed grips"} <= {*shown}
     models = (typeset(symbol) for symbol in ("M:", "M_0:", "M_half:", "M_δ:"))
-    assert all(any(text.startswith(model) for text in shown) for model in models)
+    assert all(any(model in text for text in shown) for model in models)
+
+
+def test_curves_that_coincide_are_drawn_once() -> None:
+    """Without load the moment M is M_0."""
+    picture, _ = curves_of_contact([Scene({"radius": 1e-7}, known_materials()["quartz"])], None, "moment")
+    texts = [curve.text for curve in picture.panels[0].curves]
+    assert [len(re.findall(r"M\w*:", text)) for text in texts] == [2, 1, 1]
+
+
+def test_a_colour_has_one_meaning_over_the_panels_of_a_contact() -> None:
+    """The contact without load is on the stable branch, and at pull-off it comes to the fixed grips."""
+    picture, _ = curves_of_contact([Scene({"radius": 1e-7}, known_materials()["quartz"])], None, None)
+    force, pressure, moment = ({curve.text: curve.colour for curve in panel.curves} for panel in picture.panels)
+    assert pressure == {"P = 0": force["stable"], "pull-off": force["fixed grips"]}
+    assert not {*moment.values()} & {*force.values()}
+
+
+@pytest.mark.parametrize(
+    ("name", "cited"), [("3a", ("−10",)), ("3b", ("0",)), ("3c", ("−4",)), ("3d", ("0", "3")), ("6a", ("9",))]
+)
+def test_a_contour_that_a_caption_cites_has_a_horizontal_label(name: str, cited: tuple[str, ...]) -> None:
+    _, page = in_a_column(name)
+    texts = {text.get_text(): text.get_rotation() for text in page.axes[0].texts}
+    assert {*cited} <= texts.keys()
+    contours = {level for level in texts if re.fullmatch(r"−?\d+", level)}
+    assert {texts[level] for level in contours} == {0.0}
 
 
 def test_the_curves_of_several_laws_are_over_one_another(run: Run, tmp_path: Path) -> None:
@@ -415,7 +441,7 @@ def test_the_absence_of_the_extra_is_one_line(tmp_path: Path) -> None:
     )
     shown = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, cwd=tmp_path)
     assert shown.returncode == 0
-    assert "log P_c [N]" in shown.stdout
+    assert "log₁₀ (P_c / N)" in shown.stdout
     refused = subprocess.run(
         [sys.executable, "-c", code, "-o", "figure.svg"], capture_output=True, text=True, check=False, cwd=tmp_path
     )

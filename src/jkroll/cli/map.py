@@ -105,7 +105,7 @@ def run_figure(call: Call) -> int:
             raise BadRequest("figure laws takes no --as-printed")
         return _deliver(figure_laws(materials, marks_of(call.mark)), (), call)
     size = OF_PAPER if call.target else ON_SCREEN
-    drawn = figure(name, materials, size, as_printed=call.as_printed)
+    drawn = figure(name, materials, size, as_printed=call.as_printed, is_plain=call.plain)
     if call.as_printed and drawn.printed is None:
         raise BadRequest(f"figure {name} is as printed; --as-printed is for 6b")
     marks = [mark_at(text, materials, drawn.scene, drawn.x, drawn.y) for text in marks_of(call.mark)]
@@ -247,7 +247,7 @@ def map_request(call: Call) -> PlotRequest:
         most = f"the {MAX_CURVES} curves that can be told apart; name fewer" if len(axes) == 1 else "one map"
         raise BadRequest(f"{request.count} scenes are more than {most}")
     scenes = tuple((_distinction(scene, request), scene) for scene in request.scenes())
-    return PlotRequest(quantity, x, y, scenes, marks_of(call.mark), request.materials)
+    return PlotRequest(quantity, x, y, scenes, marks_of(call.mark), request.materials, call.plain)
 
 
 def _distinction(scene: Scene, request: Request) -> str:

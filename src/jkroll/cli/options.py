@@ -87,6 +87,7 @@ class Call(NamedTuple):
     uncaptioned: bool = False
     panel: str | None = None
     as_printed: bool = False
+    plain: bool = False
     # of tables
     format: str = ""
     delimiter: str = ""
@@ -143,10 +144,11 @@ MODEL_OF_EXPORT = Option("model", "--model", str, "dmt", "Law of attraction, jkr
 _AXIS = "NAME=FROM:TO, with :lin for a linear axis"
 AXES = (Option("x", "--x", str, "AXIS", _AXIS), Option("y", "--y", str, "AXIS", _AXIS))
 AS_PRINTED = Option("as_printed", "--as-printed", bool, "", "Add Eq (41) as printed to 6b, dashed")
+_OMITTED = "Omit title and caption; the limits of the model"
 STYLE = (
     Option("width", "--width", str, "85mm", "Width of the drawing"),
     Option("style", "--style", str, "dark", "Colours, paper or dark"),
-    Option("uncaptioned", "--no-caption", bool, "", "Omit the caption"),
+    Option("uncaptioned", "--no-caption", bool, "", _OMITTED),
 )
 PANEL = Option("panel", "--panel", str, "force", "One panel only: force, pressure or moment")
 PICTURE = (
@@ -154,6 +156,7 @@ PICTURE = (
     Option("data", "--data", str, "FILE", "Write the numbers as CSV; - is standard output"),
     Option("target", "-o", str, "FILE", "Draw a .svg, .pdf or .png file (plot extra)"),
     *STYLE,
+    Option("plain", "--plain", bool, "", _OMITTED),
     MATERIALS,
     QUIET,
 )

@@ -19,7 +19,7 @@ _OF_FIGURES: Mapping[str, Quantity] = {
     "pressure_across": Quantity("p", "Pa", "pressure, tension negative"),
 }
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-_FEW_DECADES = 2e4  # so long an axis has room for small ticks
+_FEW_DECADES = 1e8  # so long an axis has room for small ticks in each decade
 _STEPS = (1, 2, 5)  # of a decade that has few ticks
 
 
@@ -76,11 +76,12 @@ class Axis(NamedTuple):
         return [Tick(value, text) for value, text in zip(values, texts, strict=True)]
 
     def small_ticks(self) -> list[float]:
-        """Return the values of the unlabelled ticks: 2 to 9 of each decade of a short logarithmic axis."""
-        if not self.is_log or self.high / self.low > _FEW_DECADES:
+        """Return the values of the unlabelled ticks of a logarithmic axis: 2 to 9 of each decade, or the decades of a long one."""
+        if not self.is_log:
             return []
         decades = range(floor(log10(self.low)), ceil(log10(self.high)))
-        values = (float(f"{digit}e{decade}") for decade in decades for digit in range(2, 10))
+        digits = range(2, 10) if self.high / self.low < _FEW_DECADES else (1,)
+        values = (float(f"{digit}e{decade}") for decade in decades for digit in digits)
         return [value for value in values if self.low <= value <= self.high]
 
     def label(self, most: int = 8) -> str:

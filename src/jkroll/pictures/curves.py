@@ -3,7 +3,7 @@
 Figs. 2 and 9 show the shifted contact; another figure, the pull-off force by each law against the parameter of the transition.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import groupby, pairwise
 from math import inf, pi
 from typing import Any
@@ -26,9 +26,11 @@ from .maps import Curve, Mark, Panel, Picture, axis_around, clipped, has_values,
 from .request import fixed_inputs, inputs_as_texts, mark_at, notes_on
 
 POINTS = 401
+_SAME = 1e-9  # relative difference of curves that coincide
 STATE = ("contact_radius_at_load", "hertz_pressure", "boussinesq_pressure")
 _FORCE = ("approach_at_load", "load")
 _NO_LOAD = "P = 0"
+_BRANCHES = ("stable", "fixed grips", "unstable", "without contact")  # of force curves, each with its own colour
 
 
 def _force(scenes: Sequence[Scene], loads: Loads | None) -> Panel:
@@ -75,8 +77,8 @@ def _branches(names: Sequence[str], x: Any, y: Any) -> tuple[list[Curve], list[M
     firsts = [(name, next(places)) for name, places in groupby(between, key=names.__getitem__)]
     ends = pairwise([0, *(first - 1 for _, first in firsts[1:]), len(names) - 1])
     curves = [
-        Curve(name, x[start : end + 1], y[start : end + 1], number)
-        for number, ((name, _), (start, end)) in enumerate(zip(firsts, ends, strict=True))
+        Curve(name, x[start : end + 1], y[start : end + 1], _BRANCHES.index(name))
+        for (name, _), (start, end) in zip(firsts, ends, strict=True)
     ]
     points = [
         Mark(_NO_LOAD if names[place] == NAMED[EQUILIBRIUM] else names[place], float(x[place]), float(y[place]))
@@ -89,10 +91,10 @@ def _pressure(scenes: Sequence[Scene], _: Loads | None) -> Panel:
     """Return the pressure across the contact, which JKR alone has, without load and at pull-off."""
     (scene,) = scenes
     curves = []
-    for number, (text, factor) in enumerate(((_NO_LOAD, EQUILIBRIUM), ("pull-off", PULL_OFF))):
+    for text, factor, branch in ((_NO_LOAD, EQUILIBRIUM, "stable"), ("pull-off", PULL_OFF, "fixed grips")):
         state = solved(scene, STATE, {"load_factor": factor})
         x = across(-state["contact_radius_at_load"], state["contact_radius_at_load"])
-        curves.append(Curve(text, x, pressure(distance=abs(x), **state), number))
+        curves.append(Curve(text, x, pressure(distance=abs(x), **state), _BRANCHES.index(branch)))
     law = f", {scene.law.title}" if scene.stated_model is not None else ""
     return pressure_panel(curves, state["hertz_pressure"], f"pressure, Eq (12){law}")
 
@@ -113,10 +115,12 @@ def _moment(scenes: Sequence[Scene], _: Loads | None) -> Panel:
     else:
         lines = [(scene.law.title, scene, "yield_moment") for scene in scenes]
     shifts = numpy.linspace(0, limit, POINTS)
-    curves = [
-        Curve(text, shifts[1:], solved(scene, (name,), {"yield_displacement": shifts[1:]})[name], number)
-        for number, (text, scene, name) in enumerate(lines)
-    ]
+    first = 3 if len(scenes) == 1 else 0  # a colour that no branch of the force curve beside it has
+    found = once(
+        Curve(text, shifts[1:], solved(scene, (name,), {"yield_displacement": shifts[1:]})[name])
+        for text, scene, name in lines
+    )
+    curves = [curve._replace(colour=number) for number, curve in enumerate(found, first)]
     x = Axis("yield_displacement", 0.0, limit, is_log=False)
     y = axis_around("yield_moment", [shifts[:1], *(curve.y for curve in curves)], is_log=False, margin=0.0)
     return Panel(x, y, tuple(curves), tuple(points), _titled("moment, up to ξ_max", "moment without load", scenes))
@@ -176,6 +180,21 @@ def curves_of_contact(
     shown = ("Both branches of the force curve; pressure; moment without load.",) if is_whole else ()
     caption = (*shown, *fixed_inputs([*held]))
     return Picture("", tuple(panels), caption), (*(f"no curve: {error}" for error in missing), *notes)
+
+
+def once(curves: Iterable[Curve]) -> list[Curve]:
+    """Return curves, of those that coincide the first with the texts of all."""
+    import numpy
+
+    found: list[Curve] = []
+    for curve in curves:
+        for place, other in enumerate(found):
+            if numpy.allclose(curve.y, other.y, rtol=_SAME, atol=0):
+                found[place] = other._replace(text=f"{other.text}; {curve.text}")
+                break
+        else:
+            found.append(curve)
+    return found
 
 
 def across(first: float, last: float) -> Any:

@@ -13,7 +13,7 @@ from ..scene.scene import DEFAULTS, Scene
 from ..scene.wiring import depends_on
 from ..text import capitalized
 from .axes import Axis
-from .maps import Map, Mark, Region, bounds, evaluate, label_of, material_marks, regions
+from .maps import Bound, Map, Mark, Region, bounds, evaluate, label_of, material_marks, regions
 
 
 class Figure(NamedTuple):
@@ -91,14 +91,17 @@ FIGURES: Mapping[str, Figure] = MappingProxyType(
 )  # fmt: skip
 
 
-def figure(name: str, materials: Materials, size: tuple[int, int], *, as_printed: bool = False) -> Map:
-    """Return a map of the paper with `size` points across and up."""
+def figure(
+    name: str, materials: Materials, size: tuple[int, int], *, as_printed: bool = False, is_plain: bool = False
+) -> Map:
+    """Return a map of the paper with `size` points across and up. `is_plain`: without the limits of the model."""
     declared = FIGURES[name]
     scene = Scene(declared.given)
     x, y = declared.x._replace(size=size[0]), RADII._replace(size=size[1])
     values = evaluate(scene, declared.quantity, x, y)
     printed = evaluate(scene, declared.printed, x, y) if as_printed and declared.printed else None
-    shaded = (_no_rolling(scene, values, x, y),) if declared.shades_no_rolling else ()
+    limits = () if is_plain else bounds(declared.quantity)
+    shaded = (_no_rolling(scene, values, x, y),) if declared.shades_no_rolling and limits else ()
     marks, others = material_marks(materials, x, y)
     points = (Mark(declared.point[2], *declared.point[:2]),) if declared.point else ()
     return Map(
@@ -107,10 +110,10 @@ def figure(name: str, materials: Materials, size: tuple[int, int], *, as_printed
         x,
         y,
         values,
-        (*shaded, *regions(scene, bounds(declared.quantity), x, y, values)),
+        (*shaded, *regions(scene, limits, x, y, values)),
         (*marks, *points),
         f"Fig. {name}: {label_of(declared.quantity, has_log_labels=declared.has_log_labels)}",
-        (*_caption(declared, as_printed=printed is not None), *others),
+        (*_caption(declared, limits, as_printed=printed is not None), *others),
         declared.has_log_labels,
         printed,
         (Mark(declared.guide[1], None, declared.guide[0]),) if declared.guide else (),
@@ -126,7 +129,7 @@ def _no_rolling(scene: Scene, turns: Any, x: Axis, y: Axis) -> Region:
     return Region("2πR1 n_roll < ξ: it does not roll", x, y, numpy.log10(rolled), "rolled_over_displacement")
 
 
-def _caption(declared: Figure, *, as_printed: bool) -> tuple[str, ...]:
+def _caption(declared: Figure, limits: Collection[Bound], *, as_printed: bool) -> tuple[str, ...]:
     """Return the caption: the quantity and its equation, the remark, and the assumptions."""
     quantity = NOMENCLATURE[declared.quantity]
     at_a_corner = {RADII.name: RADII.high, **declared.x.inputs(declared.x.low)}
@@ -135,13 +138,11 @@ def _caption(declared: Figure, *, as_printed: bool) -> tuple[str, ...]:
     if as_printed:
         shown += f" Dashed: Eq ({NOMENCLATURE[declared.printed].equation}) as printed."
     used = _assumed(scene, declared, {declared.quantity})
-    elsewhere = [
-        text
-        for text in _assumed(scene, declared, {bound.name for bound in bounds(declared.quantity)})
-        if text not in used
-    ]
-    assumed = (f"{', '.join(used)}; " if used else "") + f"for hatches and μ also {', '.join(elsewhere)}."
-    return shown, declared.remark, f"Assumed: {assumed}"
+    of_limits = _assumed(scene, declared, {bound.name for bound in limits}) if limits else []
+    elsewhere = [text for text in of_limits if text not in used]
+    parts = [", ".join(used), f"for hatches and μ also {', '.join(elsewhere)}" if elsewhere else ""]
+    assumed = "; ".join(filter(None, parts))
+    return shown, declared.remark, *([f"Assumed: {assumed}."] if assumed else [])
 
 
 def _assumed(scene: Scene, declared: Figure, names: Collection[str]) -> list[str]:

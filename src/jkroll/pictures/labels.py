@@ -4,12 +4,14 @@ The places of everything else must be final: what is free is measured in pixels.
 """
 
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 from math import cos, sin
 from typing import Any
 
 from matplotlib.patheffects import withStroke  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.transforms import Bbox  # type: ignore[import-not-found,unused-ignore]
 
+from ..quantities.nomenclature import INFINITY
 from .axes import Axis
 from .maps import Map, Mark, Panel
 from .page_axes import CONTOURS, OUTLINE, PRINTED, typeset
@@ -17,6 +19,7 @@ from .styles import SMALL, Style
 
 _STEP = 1.5  # between points of lines that are to be kept free, in points of the page
 _PADDING = 1.5
+_SPACING = 3  # between a contour and its label
 # Directions from a point to its text, in the order of preference.
 _DIRECTIONS = ((1, 1), (1, -1), (-1, 1), (-1, -1), (1, 0), (-1, 0), (0, 1), (0, -1))
 _REACH = (4.0, 8.0, 14.0, 20.0)  # from a point to its text, in points of the page
@@ -33,6 +36,18 @@ def label_map(axes: Any, drawn: Map, style: Style) -> None:
     _label_points(axes, drawn.x, drawn.y, drawn.marks, lines, boxes, style)
 
 
+def thin_out(axes: Any) -> None:
+    """Leave out every second text of the ticks across, and again, until they do not touch."""
+    labels = [label for label in axes.get_xticklabels() if label.get_text()]
+    while len(labels) > 2 and any(
+        first.get_window_extent().padded(_PADDING * axes.figure.dpi / 72).overlaps(second.get_window_extent())
+        for first, second in pairwise(labels)
+    ):
+        for label in labels[1::2]:
+            label.set_visible(False)
+        labels = labels[::2]
+
+
 def label_panel(axes: Any, panel: Panel, style: Style) -> None:
     """Write the texts of marked points into a drawn panel."""
     lines = _lines_of(axes)
@@ -46,7 +61,7 @@ def _draw_points(axes: Any, x: Axis, y: Axis, marks: Sequence[Mark], style: Styl
     boxes = []
     for _, at in _points(x, y, marks):
         axes.plot(*at, "o", zorder=4, markersize=3.5, color=style.ink, markeredgecolor=style.paper, markeredgewidth=0.6)
-        boxes.append(_bounds(axes.transData.transform(at), 0.0, (radius, radius)))
+        boxes.append(_bounds(axes.transData.transform(at), (radius, radius)))
     return boxes
 
 
@@ -144,7 +159,10 @@ def _label_contours(
     boxes: list[Any],
     style: Style,
 ) -> None:
-    """Break each contour at the free place nearest to the middle and write its label into the gap, or else beside it."""
+    """Break each contour where its label covers least, nearest to the middle, and write it into the gap, or else beside the contour.
+
+    Labels are horizontal: along a contour that falls, a minus sign would look like a piece of it.
+    """
     import numpy
 
     scale = axes.figure.dpi / 72
@@ -158,34 +176,39 @@ def _label_contours(
         found = [place for vertices in segments for place in _places(vertices, width, scale)]
         found.sort(key=lambda place: float(numpy.hypot(*(place[0] - centre))))
         half = width / 2 + 2 * _PADDING * scale, height / 2 + _PADDING * scale
-        for place, angle in found:
-            if _is_free(axes, place, angle, half, lines, own, boxes):
-                places.append(axes.transData.inverted().transform(place))
-                boxes.append(_bounds(place, angle, half))
-                break
+        covered = [_covered(axes, place, half, lines, own, boxes) for place, _ in found]
+        if covered and (least := min(covered)) < INFINITY:
+            place, _ = found[covered.index(least)]
+            places.append(axes.transData.inverted().transform(place))
+            boxes.append(_bounds(place, half))
         else:
             _label_beside(axes, texts[float(level)], found, half, lines, boxes)
     if places:
-        axes.clabel(contours, fmt=texts, manual=places, fontsize=SMALL, inline_spacing=2, colors=style.ink)
+        for text in axes.clabel(
+            contours, fmt=texts, manual=places, fontsize=SMALL, inline_spacing=_SPACING, colors=style.ink
+        ):
+            text.set_rotation(0)
 
 
 def _label_beside(
     axes: Any, text: str, found: Sequence[tuple[Any, float]], half: tuple[float, float], lines: Any, boxes: list[Any]
 ) -> None:
-    """Write a label along a contour, on the side and at the place where there is room, if any."""
+    """Write a label beside a contour, on the side and at the place where it covers least, if there is room."""
     import numpy
 
     outlines = [one.get_paths()[0] for one in axes.collections if one.get_gid() == OUTLINE]
+    best: tuple[float, Any] = INFINITY, None
     for line, angle in found:
-        for side in (1, -1):
-            place = line + side * (half[1] + 1) * numpy.array([-numpy.sin(angle), numpy.cos(angle)])
+        across = numpy.array([-sin(angle), cos(angle)])
+        reach = abs(across) @ half + 1
+        for place in (line + reach * across, line - reach * across):
             at = axes.transData.inverted().transform(place)
             is_outside = outlines and not outlines[0].contains_point(at)
-            if not is_outside and _is_free(axes, place, angle, half, lines, lines[:0], boxes):
-                upright = (numpy.degrees(angle) + 90) % 180 - 90
-                axes.text(*at, text, rotation=upright, ha="center", va="center", fontsize=SMALL)
-                boxes.append(_bounds(place, angle, half))
-                return
+            covered = INFINITY if is_outside else _covered(axes, place, half, lines, lines[:0], boxes)
+            best = min(best, (covered, place), key=lambda each: each[0])
+    if best[0] < INFINITY:
+        boxes.append(_bounds(best[1], half))
+        axes.text(*axes.transData.inverted().transform(best[1]), text, ha="center", va="center", fontsize=SMALL)
 
 
 def _size(axes: Any, text: str) -> tuple[float, float]:
@@ -212,28 +235,16 @@ def _places(vertices: Any, width: float, scale: float) -> list[tuple[Any, float]
     return found
 
 
-def _is_free(
-    axes: Any, place: Any, angle: float, half: tuple[float, float], lines: Any, own: Any, boxes: Sequence[Any]
-) -> bool:
-    """Return True if a turned box lies within the axes and covers no other line and no other text."""
-    import numpy
-
-    bounds, frame = _bounds(place, angle, half), axes.get_window_extent()
-    if bounds.x0 < frame.x0 or bounds.x1 > frame.x1 or bounds.y0 < frame.y0 or bounds.y1 > frame.y1:
-        return False
-    if any(bounds.overlaps(box) for box in boxes):
-        return False
-    turn = numpy.array([[numpy.cos(angle), -numpy.sin(angle)], [numpy.sin(angle), numpy.cos(angle)]])
-
-    def covered(points: Any) -> int:
-        along, across = abs((points - place) @ turn).T
-        return int(((along < half[0]) & (across < half[1])).sum())
-
-    return covered(lines) <= covered(own)
+def _covered(axes: Any, place: Any, half: tuple[float, float], lines: Any, own: Any, boxes: Sequence[Any]) -> float:
+    """Return how much a box covers of other lines than its own; infinite if it leaves the axes or covers another text."""
+    bounds, frame = _bounds(place, half), axes.get_window_extent()
+    is_outside = bounds.x0 < frame.x0 or bounds.x1 > frame.x1 or bounds.y0 < frame.y0 or bounds.y1 > frame.y1
+    if is_outside or any(bounds.overlaps(box) for box in boxes):
+        return INFINITY
+    inside, of_own = (int((abs(points - place) < half).all(axis=1).sum()) for points in (lines, own))
+    return inside - of_own
 
 
-def _bounds(place: Any, angle: float, half: tuple[float, float]) -> Any:
-    """Return the upright box around a turned one."""
-    width = abs(half[0] * cos(angle)) + abs(half[1] * sin(angle))
-    height = abs(half[0] * sin(angle)) + abs(half[1] * cos(angle))
-    return Bbox.from_extents(place[0] - width, place[1] - height, place[0] + width, place[1] + height)
+def _bounds(place: Any, half: tuple[float, float]) -> Any:
+    """Return the box around a place."""
+    return Bbox.from_extents(place[0] - half[0], place[1] - half[1], place[0] + half[0], place[1] + half[1])

@@ -278,10 +278,12 @@ def rows_of(drawn: Map) -> Iterable[list[float]]:
 
 
 def label_of(quantity: str, *, has_log_labels: bool) -> str:
-    """Return the heading of contour labels: "log P_c [N]"."""
+    """Return the heading of contour labels: "log₁₀ (P_c / N)"."""
     unit = NOMENCLATURE[quantity].unit
     symbol = NOMENCLATURE[quantity].symbol
-    return f"log {symbol}" + (f" [{unit}]" if unit != "1" else "") if has_log_labels else symbol
+    if not has_log_labels:
+        return symbol
+    return f"log₁₀ {symbol}" if unit == "1" else f"log₁₀ ({symbol} / {unit})"
 
 
 # --- Regions ----------------------------------------------------------------------------------------------------------

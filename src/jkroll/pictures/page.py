@@ -15,7 +15,7 @@ from matplotlib.lines import Line2D  # type: ignore[import-not-found,unused-igno
 from matplotlib.patches import Patch  # type: ignore[import-not-found,unused-ignore]
 
 from .. import __version__
-from .labels import label_map, label_panel
+from .labels import label_map, label_panel, thin_out
 from .maps import Map, Panel, Picture
 from .page_axes import draw_map, draw_panel, line_of, typeset, typeset_lines
 from .styles import EVERYWHERE, LABEL, LETTER, LOOKS, SMALL, STYLES, TICK, Style
@@ -65,11 +65,13 @@ def figure_of(drawn: Map | Picture, inches: float | None, style: Style, *, has_c
         blocks = [_map_block(figure, drawn, inches, style)]
     else:
         blocks = _panel_blocks(figure, drawn.panels, inches / columns, columns, style)
-    title = figure.text(0.5, 1, typeset(drawn.title), fontsize=LABEL, ha="center", va="top")
+    title = figure.text(0.5, 1, typeset(drawn.title) if has_caption else "", fontsize=LABEL, ha="center", va="top")
     lines = [line for text in (drawn.caption if has_caption else ()) for line in typeset_lines(text, _letters(inches))]
     caption = figure.text(0.015, 0, "\n".join(lines), fontsize=SMALL, linespacing=1.3, ha="left", va="bottom")
     rows = [blocks[start : start + columns] for start in range(0, panels, columns)]
     _arrange(figure, inches, title, rows, caption)
+    for block in blocks:
+        thin_out(block.axes)
     if isinstance(drawn, Map):
         label_map(blocks[0].axes, drawn, style)
     else:

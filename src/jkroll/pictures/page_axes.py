@@ -193,7 +193,8 @@ def _parts(word: str) -> tuple[str, str, str]:
 
 def _is_variable(previous: list[str], after: str, following: str) -> bool:
     """Return True if a single letter is a variable, not an article or a unit, by the words around it."""
-    is_unit = after.startswith("]") or any(_NUMBER.fullmatch(word) for word in previous[-2:])  # "5 m", "5 N m"
+    is_unit = after.startswith("]") or previous[-1:] == ["/"]  # "Q [N]", "(Q / N)"
+    is_unit = is_unit or any(_NUMBER.fullmatch(word) for word in previous[-2:])  # "5 m", "5 N m"
     is_in_formula = following in _OPERATORS or not _OPERATORS.isdisjoint(previous[-1:])
     return is_in_formula or (not is_unit and (bool(after) or following.startswith("[")))
 

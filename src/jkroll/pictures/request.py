@@ -48,6 +48,7 @@ class PlotRequest(NamedTuple):
     scenes: tuple[tuple[str, Scene], ...]  # a curve each, with its label
     marks: tuple[str, ...]
     materials: Materials
+    is_plain: bool = False  # without the limits of the model
 
 
 class NothingToDraw(NoResult):
@@ -92,7 +93,7 @@ def map_of(
     if x.size * y.size > MAX_POINTS:
         raise BadRequest(f"{x.size} x {y.size} points are more than {MAX_POINTS}")
     at_an_end = {**x.inputs(x.high), **y.inputs(y.high)}  # what a quantity needs is the same all along an axis
-    context = Context(quantity, scene, at_an_end)
+    context = Context(quantity, scene, at_an_end, is_plain=request.is_plain)
     values = evaluate(scene, quantity, x, y, progress)
     if not has_values(values):
         raise NothingToDraw(quantity, context.scene.evaluate([quantity])[quantity])
@@ -116,7 +117,7 @@ def curves_of(request: PlotRequest, size: int) -> tuple[Picture, tuple[str, ...]
     missing: dict[str, MissingInput] = {}
     for text, scene in request.scenes:
         try:
-            context = Context(request.quantity, scene, x.inputs(x.high))
+            context = Context(request.quantity, scene, x.inputs(x.high), is_plain=request.is_plain)
         except MissingInput as error:
             missing[text] = error
             continue
@@ -156,13 +157,13 @@ class Context:
     Raises MissingInput if the quantity cannot be computed.
     """
 
-    def __init__(self, quantity: str, scene: Scene, values: Mapping[str, float]) -> None:
-        """Describe a quantity of a scene; `values` holds one value of each axis."""
+    def __init__(self, quantity: str, scene: Scene, values: Mapping[str, float], *, is_plain: bool = False) -> None:
+        """Describe a quantity of a scene; `values` holds one value of each axis. `is_plain`: without bounds."""
         self.given = scene
         self.scene = scene.replace(**values)
         self.bounds: list[Bound] = []
         notes = []
-        for bound in bounds_of(self.scene, quantity):
+        for bound in () if is_plain else bounds_of(self.scene, quantity):
             try:
                 self.scene.plan(bound.name)
                 self.bounds.append(bound)
