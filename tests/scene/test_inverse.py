@@ -78,6 +78,19 @@ def test_two_solutions_between_two_points_of_the_scan_are_found() -> None:
     assert 1 < high / low < 1.1
 
 
+def test_a_solution_at_a_value_of_the_scan_hides_no_other() -> None:
+    """δ is least at a radius that grows with the load: here 3 % above 1 µm, which is scanned."""
+    quartz = known_materials()["quartz"]
+    radii = numpy.geomspace(4e-7, 7e-7, 10001)
+    least = radii[Scene({"load": 5e-8, "radius": radii}, quartz)["approach_at_load"].argmin()]
+    scene = Scene({"load": 5e-8 * 1.03e-6 / least}, quartz)
+    with pytest.raises(SeveralSolutions) as caught:
+        solution("radius", "approach_at_load", scene.replace(radius=1e-6)["approach_at_load"], scene)
+    low, high = caught.value.values
+    assert low == pytest.approx(1e-6, rel=1e-9)
+    assert 1.05 < high / low < 1.08
+
+
 @pytest.mark.parametrize("measured", ["31.4159pN", f"{2 * math.pi * 0.025 * 2e-10!r}N", "1e50N"])
 def test_rounding_is_no_dependence(run: Run, measured: str) -> None:
     """In DMT, 2πγξ is computed from a pull-off force and a radius, whose digits do not all cancel."""

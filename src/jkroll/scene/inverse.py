@@ -112,7 +112,7 @@ def with_turning_points(piece: Piece, level: float) -> Search[Piece]:
     for at, (before, value, after) in enumerate(zip(values, values[1:], values[2:], strict=False), 1):
         if before < value > after and value <= level:
             turn = yield from highest_between(places[at - 1], places[at + 1])
-        elif before > value < after and value > level:
+        elif before > value < after and value >= level:
             turn = yield from highest_between(places[at - 1], places[at + 1], sign=-1.0)
         else:
             continue
@@ -196,11 +196,11 @@ SIZES = {
     "radius": (1e-12, 1e3),
     "load": (1e-15, 1e3),
 }
-_PER_DECADE = 8  # points of the scan
+PER_DECADE = 8  # points of the scan
 _SCANNED = 1 << 14  # values of a quantity that are computed at once in a scan
 _TOGETHER = 1 << 11  # values that are inferred side by side
 _BISECTION = 60  # values that a bisection computes, from one point of the scan to the next
-_ROUNDING = 1e-12  # of a quantity: a spread over the scan as small as this comes from rounding, and not from the input
+ROUNDING = 1e-12  # of a quantity: a spread over the scan as small as this comes from rounding, and not from the input
 
 
 class CannotInfer(JkrollError):
@@ -296,7 +296,7 @@ def solution(name: str, quantity: str, measured: float, scene: Scene) -> Solutio
         except NoResult:
             return nan
 
-    places = _grid(name)
+    places = grid(name)
     pieces = found_by(_pieces(name, quantity, places, [*map(outcome, places)]), outcome)
     if not pieces:
         raise failure(name, quantity, scene)
@@ -333,7 +333,7 @@ def _side_by_side(name: str, quantity: str, measured: Any, scene: Scene) -> list
         found: list[float] = outcomes(rows, values).tolist()
         return found
 
-    places = _grid(name)
+    places = grid(name)
     is_one = all(isinstance(value, float | int) for value in scene.given.values())  # scene for all measured values
     rows = [0] if is_one else [*range(len(measured))]
     step = _SCANNED // len(places)
@@ -376,25 +376,30 @@ def check(name: str, quantity: str, scene: Scene) -> None:
     """Raise the error of an input that cannot be inferred from this quantity, whatever its value is."""
     if name not in SIZES:
         raise CannotInfer(name)
-    followed = {one for names in EXCLUSIVE if name in names for one in names} | {name, quantity}
-    for stated in scene.stated:
-        if stated in followed:
-            raise AlreadyGiven(quantity if stated == quantity else name, stated)
+    check_given(name, quantity, scene)
     if name == quantity or name not in with_input(scene, name, SIZES[name][1]).inputs_of(quantity):
         raise NoDependence(name, quantity)
 
 
-def _grid(name: str) -> list[float]:
+def check_given(name: str, quantity: str, scene: Scene) -> None:
+    """Raise AlreadyGiven if a scene has an input that is to be inferred, or the measured quantity, or what these follow from."""
+    followed = {one for names in EXCLUSIVE if name in names for one in names} | {name, quantity}
+    for stated in scene.stated:
+        if stated in followed:
+            raise AlreadyGiven(quantity if stated == quantity else name, stated)
+
+
+def grid(name: str) -> list[float]:
     """Return the values of an input that are scanned, in rising order."""
     least, most = SIZES[name]
-    count = round(log10(most / least) * _PER_DECADE)
-    sizes = [least * 10 ** (step / _PER_DECADE) for step in range(count)] + [most]
+    count = round(log10(most / least) * PER_DECADE)
+    sizes = [least * 10 ** (step / PER_DECADE) for step in range(count)] + [most]
     return [*(-size for size in reversed(sizes)), 0.0, *sizes] if name == "load" else sizes
 
 
 def computed(name: str) -> int:
     """Return how often a quantity is computed to infer an input."""
-    return len(_grid(name)) + _BISECTION
+    return len(grid(name)) + _BISECTION
 
 
 def failure(name: str, quantity: str, scene: Scene) -> JkrollError:
@@ -407,24 +412,36 @@ def _pieces(name: str, quantity: str, places: Sequence[float], scan: Sequence[fl
     """Return the parts of a scan on which the quantity has values, unless these are all the same; NoDependence then."""
     pieces = yield from pieces_of(places, scan)
     values = [value for piece in pieces for value in piece.values]
-    if values and max(values) - min(values) <= _ROUNDING * max(map(abs, values)):
+    if values and max(values) - min(values) <= ROUNDING * max(map(abs, values)):
         raise NoDependence(name, quantity)
     return pieces
 
 
 def _value(name: str, quantity: str, measured: float, pieces: Sequence[Piece]) -> Search[float]:
     """Return the one value of an input at which a quantity has its measured value; raise NoSolution or SeveralSolutions."""
+    found, outcomes = yield from _all_values(measured, pieces)
+    if not found:
+        raise NoSolution(name, quantity, measured, (min(outcomes), max(outcomes)))
+    if len(found) > 1:
+        raise SeveralSolutions(name, quantity, measured, found)
+    return found[0]
+
+
+def _all_values(measured: float, pieces: Sequence[Piece]) -> Search[tuple[list[float], list[float]]]:
+    """Return the places at which a quantity has its measured value, in rising order, and the values that it has on all pieces."""
     found: set[float] = set()
     outcomes: list[float] = []
     for piece in pieces:
         divided = yield from with_turning_points(piece, measured)
         outcomes += divided.values
         found.update((yield from crossings(divided, measured)))
-    if not found:
-        raise NoSolution(name, quantity, measured, (min(outcomes), max(outcomes)))
-    if len(found) > 1:
-        raise SeveralSolutions(name, quantity, measured, sorted(found))
-    return found.pop()
+    return sorted(found), outcomes
+
+
+def roots(name: str, quantity: str, measured: float, scan: Sequence[float]) -> Search[tuple[list[float], list[float]]]:
+    """Return all values of an input at which a quantity has its measured value, and what the quantity can be. `scan`: on the grid."""
+    pieces = yield from _pieces(name, quantity, grid(name), scan)
+    return (yield from _all_values(measured, pieces))
 
 
 def _condition(name: str, quantity: str, value: float, scene: Scene) -> float:

@@ -1,0 +1,477 @@
+"""The inverse problem of two unknowns: the values of two inputs at which two quantities have their measured values.
+
+The second input is scanned. At each of its values all values of the first input are looked for that give the first quantity, as for one
+unknown. So the pairs that give this quantity lie on branches, and the second quantity is a function of the second input on each. Its
+crossings are found as for one unknown, too, and improved by Newton's method in the logarithms of all four.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import cached_property
+from itertools import permutations, product
+from math import exp, hypot, inf, isclose, isnan, nan, sqrt
+from typing import Any, NamedTuple
+
+from ..errors import JkrollError, NoResult
+from ..quantities.formatting import amount
+from ..quantities.nomenclature import NOMENCLATURE
+from .failures import Contradiction
+from .inverse import (
+    PER_DECADE,
+    ROUNDING,
+    SIZES,
+    CannotInfer,
+    NoDependence,
+    check_given,
+    crossings,
+    failure,
+    found_by,
+    found_by_all,
+    grid,
+    names_in,
+    pieces_of,
+    roots,
+    with_turning_points,
+)
+from .scene import EXCLUSIVE, Scene
+
+MAX_CONDITION = 1e8  # beyond which rounding leaves the differences that the condition number is made of too few digits
+_STEP = 1e-6  # relative, of these differences
+_ROUNDS = 40  # of Newton's method
+_HALVINGS = 8  # of a step that leads further away
+_LONGEST = 1.0  # of a step, in logarithms
+_NEAR = 1e-10  # of the measured values: a pair that is as near as this is a solution
+_SAME = 1e-9  # relative difference of two pairs that were found on two branches and are one
+_LEFT_OPEN = 1e-4  # an exponent as small as this is none
+
+Values = Mapping[str, float]  # by name
+
+
+# --- Errors -----------------------------------------------------------------------------------------------------------
+
+
+class Unseparated(NoResult):
+    """Error raised where two quantities do not separate two inputs."""
+
+    def __init__(self, names: Sequence[str], quantities: Sequence[str], condition: float, remark: str) -> None:
+        """`condition`: of both together; `remark`: what is left open."""
+        super().__init__(tuple(names), tuple(quantities), condition, remark)
+        self.name, self.names, self.quantities = ",".join(names), tuple(names), tuple(quantities)
+        self.condition, self.remark = condition, remark
+
+    def reason(self) -> str:
+        """Return what does not separate what."""
+        size = f"κ = {self.condition:.2g} is above {MAX_CONDITION:.0e}" if self.condition < inf else "κ is infinite"
+        return f"{_and(self.quantities)} do not separate {_and(self.names)}: {self.remark} ({size})"
+
+
+class NoPair(NoResult):
+    """Error raised where no values of two inputs give the measured values."""
+
+    def __init__(self, names: Sequence[str], measured: Values, quantity: str, span: tuple[float, float]) -> None:
+        """`measured`: as far as the search came; `span`: of the quantity at which it ended."""
+        super().__init__(tuple(names), dict(measured), quantity, span)
+        self.name, self.names, self.measured, self.quantity, self.span = (
+            ",".join(names),
+            names,
+            measured,
+            quantity,
+            span,
+        )
+
+    def reason(self) -> str:
+        """Return the values that the quantity can have."""
+        low, high = (amount(self.quantity, value) for value in self.span)
+        others = {name: value for name, value in self.measured.items() if name != self.quantity}
+        lies = f"where {_equal(others)}, {self.quantity} lies" if others else "it lies"
+        return f"no pair of values gives {_equal(self.measured)}; {lies} between {low} and {high} for {scan_in_words(self.names)}"
+
+
+class SeveralPairs(NoResult):
+    """Error raised where several pairs of values of two inputs give the measured values."""
+
+    def __init__(self, names: Sequence[str], measured: Values, pairs: Sequence[Values]) -> None:
+        super().__init__(tuple(names), dict(measured), tuple(pairs))
+        self.name, self.names, self.measured, self.pairs = ",".join(names), tuple(names), measured, tuple(pairs)
+
+    def reason(self) -> str:
+        """Return all pairs."""
+        found = ", ".join(f"({', '.join(amount(*item) for item in pair.items())})" for pair in self.pairs)
+        return f"the pairs {found} all give {_equal(self.measured)}"
+
+
+def scan_in_words(names: Iterable[str]) -> str:
+    """Return the values of inputs among which solutions are looked for."""
+    spans = []
+    for name in names:
+        least, most = (amount(name, size) for size in SIZES[name])
+        sign = " of either sign" if name == "load" else ""
+        spans.append(f"{NOMENCLATURE[name].symbol} = {least} to {most}{sign}")
+    return f"{_and(spans)}, {PER_DECADE} values a decade"
+
+
+def _and(words: Iterable[str]) -> str:
+    return " and ".join(words)
+
+
+def _equal(values: Values) -> str:
+    return _and(f"{name} = {amount(name, value)}" for name, value in values.items())
+
+
+# --- Problems ---------------------------------------------------------------------------------------------------------
+
+
+class Pair(NamedTuple):
+    """The values of two inputs, and what proves them."""
+
+    values: Values
+    condition: float  # of the logarithms of the measured values as functions of those of the inputs
+    growths: Values  # by input, the largest factor by which relative errors of the measured values enter it
+    scene: Scene  # with these values in it
+    forward: Values  # the measured quantities in this scene
+
+
+class Problem:
+    """Two inputs of a scene that lacks them, and the measured values of two quantities."""
+
+    def __init__(self, names: Sequence[str], measured: Values, scene: Scene) -> None:
+        """Take what is sought and measured. Raises the errors that no values could mend."""
+        self.names, self.measured, self.scene = tuple(names), measured, scene
+        check_two(names, tuple(measured), scene)
+
+    def outcomes(self, values: Mapping[str, Any], quantities: Iterable[str] | None = None) -> dict[str, float]:
+        """Return quantities, by default all that were measured, where the inputs have some values; nan where there is no result."""
+        wanted = tuple(self.measured if quantities is None else quantities)
+        found = with_inputs(self.scene, values).evaluate(wanted)
+        for value in found.values():
+            if isinstance(value, JkrollError) and not isinstance(value, NoResult):
+                raise value
+        return {name: nan if isinstance(value, NoResult) else value for name, value in found.items()}
+
+    def solution(self) -> Pair:
+        """Return the one pair. Raises NoPair, SeveralPairs or Unseparated, or the reason why a quantity has no value anywhere."""
+        branches = self._branches()
+        found: list[_Place] = []
+        for values in branches.crossings():
+            place = _improved(_Place(self, values))
+            if not any(place.is_same(other) for other in found):
+                found.append(place)
+        if not found:
+            raise branches.failure()
+        pairs = [place.pair() for place in found]
+        if len(pairs) > 1:
+            raise SeveralPairs(self.names, self.measured, [pair.values for pair in pairs])
+        return pairs[0]
+
+    def _branches(self) -> "_Branches":
+        """Return the branches on which to look, along which the first quantity depends on the first input."""
+        orders = _orders(self.names, tuple(self.measured), self.scene)
+        for order in orders:
+            branches = _Branches(self, order)
+            if not branches.is_idle:
+                return branches
+        first, quantity = orders[0][:2]
+        remark = f"{quantity} does not depend on {NOMENCLATURE[first].symbol} here"
+        raise Unseparated(self.names, tuple(self.measured), inf, remark)
+
+    def near(self, values: Values) -> Pair:
+        """Return the pair to which Newton's method leads from some values, or else that of the whole scan."""
+        place = _improved(_Place(self, values))
+        return place.pair() if place.distance <= _NEAR else self.solution()
+
+
+def with_inputs(scene: Scene, values: Mapping[str, Any]) -> Scene:
+    """Return a scene with values of inputs, or arrays of them."""
+    return scene.replace(**{each: value for name, value in values.items() for each in names_in(scene, name)})
+
+
+def largest(names: Iterable[str]) -> dict[str, float]:
+    """Return the largest values of inputs, which stand for those that are not known yet."""
+    return {name: SIZES[name][1] for name in names}
+
+
+def used_beside_two(names: Sequence[str], quantities: Sequence[str], scene: Scene) -> list[str]:
+    """Return the inputs of a scene, besides those that are inferred, on which the measured quantities depend."""
+    inferred = {each for name in names for each in names_in(scene, name)}
+    return [one for one in with_inputs(scene, largest(names)).inputs_of(*quantities) if one not in inferred]
+
+
+def check_two(names: Sequence[str], quantities: Sequence[str], scene: Scene) -> None:
+    """Raise the error of inputs that cannot be inferred from these quantities, whatever their values are."""
+    for name in names:
+        if name not in SIZES:
+            raise CannotInfer(name)
+    if any({*names} <= {*exclusive} for exclusive in EXCLUSIVE):
+        raise Contradiction(names)
+    for name, quantity in product(names, quantities):
+        check_given(name, quantity, scene)
+    _orders(names, quantities, scene)
+
+
+def _orders(names: Sequence[str], quantities: Sequence[str], scene: Scene) -> list[tuple[str, str, str, str]]:
+    """Return in which order inputs can be found: one from a quantity, then the other from the other quantity.
+
+    The best stand first: there the first quantity does not depend on the second input. Raises Unseparated if there is none.
+    """
+    filled = with_inputs(scene, largest(names))
+    depends = {quantity: [name for name in names if name in filled.inputs_of(quantity)] for quantity in quantities}
+    for quantity, own in depends.items():
+        if not own:
+            raise Unseparated(names, quantities, inf, f"{quantity} depends on neither")
+    for name in names:
+        if not any(name in own for own in depends.values()):
+            raise Unseparated(names, quantities, inf, f"they leave {NOMENCLATURE[name].symbol} open")
+    found = [
+        (name, quantity, other, beside)
+        for name, other in permutations(names)
+        for quantity, beside in permutations(quantities)
+        if name in depends[quantity] and other in depends[beside]
+    ]
+    return sorted(found, key=lambda order: order[2] in depends[order[1]])
+
+
+# --- Branches ---------------------------------------------------------------------------------------------------------
+
+
+class _Branches:
+    """The pairs of values that give a first quantity. On them, a second quantity depends on the second input alone."""
+
+    def __init__(self, problem: Problem, order: tuple[str, str, str, str]) -> None:
+        """Look for the first input at all values of the second one that are scanned."""
+        self.problem = problem
+        self.first, self.quantity, self.second, self.beside = order
+        filled = with_inputs(problem.scene, largest(problem.names))
+        self.is_straight = self.second not in filled.inputs_of(self.quantity)  # the first input is the same everywhere
+        self.places = grid(self.second)
+        self.spans: list[float] = []  # ends of what the first quantity can be
+        self.heights: list[float] = []  # what the second quantity is on the branches
+        self.middles: list[dict[str, float]] = []  # a pair on each branch
+        self.roots: dict[float, list[float]] = {}  # of the first input, by the second one
+        self.is_idle = False  # whether the first quantity has values, and is the same for all of the first input
+        self._scan(self.places[:1] if self.is_straight else self.places)
+
+    def _scan(self, places: Sequence[float]) -> None:
+        """Look for the first input at values of the second one, side by side."""
+        import numpy
+
+        def outcomes(rows: Sequence[int], values: Any) -> Any:
+            given = {self.first: numpy.array(values), self.second: numpy.array([places[row] for row in rows])}
+            found = self.problem.outcomes(given, [self.quantity])[self.quantity]
+            return numpy.broadcast_to(found, (*numpy.shape(values)[:-1], len(rows)))
+
+        scans = outcomes(range(len(places)), [[place] for place in grid(self.first)]).T.tolist()
+        level = self.problem.measured[self.quantity]
+        searches = {row: roots(self.first, self.quantity, level, scan) for row, scan in enumerate(scans)}
+        for row, found in found_by_all(searches, lambda rows, values: outcomes(rows, values).tolist()).items():
+            self._put(places[row], found)
+        self.is_idle = self.is_idle and not self.spans
+
+    def _put(self, second: float, found: tuple[list[float], list[float]] | NoResult) -> None:
+        """Keep the values of the first input at a value of the second one; none where the first quantity does not depend on it."""
+        if isinstance(found, NoResult):
+            self.is_idle = True
+            found = [], []
+        self.roots[second], spans = found
+        self.spans += [min(spans), max(spans)] if spans else []
+
+    def at(self, second: float) -> list[float]:
+        """Return the values of the first input at a value of the second one."""
+        if self.is_straight:
+            return self.roots[self.places[0]]
+        if second not in self.roots:
+
+            def outcome(first: float) -> float:
+                values = {self.first: first, self.second: second}
+                return self.problem.outcomes(values, [self.quantity])[self.quantity]
+
+            level = self.problem.measured[self.quantity]
+            search = roots(self.first, self.quantity, level, [*map(outcome, grid(self.first))])
+            try:
+                self._put(second, found_by(search, outcome))
+            except NoDependence as error:
+                self._put(second, error)
+        return self.roots[second]
+
+    def crossings(self) -> Iterator[dict[str, float]]:
+        """Iterate over the pairs on all branches at which the second quantity has its measured value.
+
+        A branch is the first, second and so on of so many roots; where their number changes, branches end and others begin.
+        """
+        for count in sorted({len(self.at(place)) for place in self.places}):
+            for number in range(count):
+                yield from self._crossings_on(count, number)
+
+    def _crossings_on(self, count: int, number: int) -> Iterator[dict[str, float]]:
+        """Iterate over the pairs on a branch."""
+
+        def height(second: float) -> float:
+            found = self.at(second)
+            if len(found) != count:
+                return nan
+            values = {self.first: found[number], self.second: second}
+            return float(self.problem.outcomes(values, [self.beside])[self.beside])
+
+        level = self.problem.measured[self.beside]
+        for piece in found_by(pieces_of(self.places, [*map(height, self.places)]), height):
+            middle = piece.places[len(piece.places) // 2]
+            self.middles.append({self.first: self.at(middle)[number], self.second: middle})
+            self.heights += piece.values
+            if _is_flat(piece.values, ROUNDING):
+                continue
+            divided = found_by(with_turning_points(piece, level), height)
+            self.heights += divided.values
+            for second in found_by(crossings(divided, level), height):
+                yield {self.first: self.at(second)[number], self.second: second}
+
+    def failure(self) -> JkrollError:
+        """Return the reason why there is no solution on the branches."""
+        names, measured = self.problem.names, self.problem.measured
+        if not self.spans:
+            return failure(self.first, self.quantity, with_inputs(self.problem.scene, largest([self.second])))
+        reached = {self.quantity: measured[self.quantity]}
+        if not self.heights:
+            return NoPair(names, reached, self.quantity, (min(self.spans), max(self.spans)))
+        if _is_flat(self.heights, 1 / MAX_CONDITION):
+            held = f"{_equal({self.beside: self.heights[0]})} wherever {_equal(reached)}"
+            direction = _Place(self.problem, self.middles[0]).left_open()
+            return Unseparated(names, tuple(measured), inf, f"{held}; {direction}")
+        return NoPair(names, measured, self.beside, (min(self.heights), max(self.heights)))
+
+
+def _is_flat(values: Sequence[float], part: float) -> bool:
+    """Return whether values differ by no more than a part of them."""
+    return max(values) - min(values) <= part * max(map(abs, values))
+
+
+# --- Newton's method --------------------------------------------------------------------------------------------------
+
+
+class _Place:
+    """Values of the two inputs, the quantities there, and how these change.
+
+    Inputs and quantities count in logarithms. A load counts in parts of its size, or of the pull-off force where that is larger, and a quantity
+    that was measured to be zero in parts of what the inputs change it.
+    """
+
+    def __init__(self, problem: Problem, values: Values) -> None:
+        self.problem, self.values = problem, {name: values[name] for name in problem.names}
+        self.forward = problem.outcomes(self.values)
+
+    @cached_property
+    def unit(self) -> float:
+        """The load that counts as a change by one."""
+        force = with_inputs(self.problem.scene, self.values).numbers("pull_off_force")
+        return float(max(abs(self.values["load"]), *force.values()))
+
+    def moved(self, steps: Values) -> "_Place":
+        """Return the place that is some steps away."""
+        moved = {
+            name: value + self.unit * steps.get(name, 0.0) if name == "load" else value * exp(steps.get(name, 0.0))
+            for name, value in self.values.items()
+        }
+        return _Place(self.problem, moved)
+
+    @cached_property
+    def slopes(self) -> list[list[float]]:
+        """The derivatives of the quantities, a row for each, by central differences, or one-sided ones at an end."""
+        columns = []
+        for name in self.values:
+            sides = [(step, self.moved({name: step}).forward) for step in (-_STEP, _STEP)]
+            column = []
+            for quantity, here in self.forward.items():
+                known = [(step, one[quantity]) for step, one in sides if not isnan(one[quantity])]
+                (first, low), (last, high) = (
+                    known if len(known) == 2 else [*known, (0.0, here)] if known else [(0, nan), (1, nan)]
+                )
+                column.append((high - low) / (last - first))
+            columns.append(column)
+        return [[*row] for row in zip(*columns, strict=True)]
+
+    @cached_property
+    def sizes(self) -> list[float]:
+        """What counts as a change of each quantity by one."""
+        return [
+            abs(measured) or max(map(abs, row)) or 1.0
+            for measured, row in zip(self.problem.measured.values(), self.slopes, strict=True)
+        ]
+
+    @cached_property
+    def matrix(self) -> list[list[float]]:
+        """The matrix of Jacobi, in logarithms."""
+        return [[slope / size for slope in row] for row, size in zip(self.slopes, self.sizes, strict=True)]
+
+    @cached_property
+    def differences(self) -> list[float]:
+        """The measured values less the quantities here."""
+        forward = zip(self.problem.measured.items(), self.sizes, strict=True)
+        return [(measured - self.forward[name]) / size for (name, measured), size in forward]
+
+    @cached_property
+    def distance(self) -> float:
+        """The size of the differences, infinite where there is no result."""
+        size = hypot(*self.differences)
+        return inf if isnan(size) else size
+
+    def is_same(self, other: "_Place") -> bool:
+        """Return whether another place was found twice."""
+        return all(isclose(value, other.values[name], rel_tol=_SAME) for name, value in self.values.items())
+
+    def step(self) -> dict[str, float]:
+        """Return the step of Newton's method, of a limited length; none where the matrix has no inverse."""
+        ((a, b), (c, d)), (first, second) = self.matrix, self.differences
+        determinant = a * d - b * c
+        if not determinant or isnan(determinant):
+            return dict.fromkeys(self.values, 0.0)
+        steps = (d * first - b * second) / determinant, (a * second - c * first) / determinant
+        part = min(1.0, _LONGEST / (hypot(*steps) or 1.0))
+        return {name: part * step for name, step in zip(self.values, steps, strict=True)}
+
+    def pair(self) -> Pair:
+        """Return the pair with its condition number. Raises Unseparated if that is too large."""
+        (a, b), (c, d) = self.matrix
+        determinant, squares = abs(a * d - b * c), a * a + b * b + c * c + d * d
+        largest = (squares + sqrt(max(squares * squares - 4 * determinant * determinant, 0.0))) / 2
+        condition = largest / determinant if determinant > 0 else inf
+        if not condition <= MAX_CONDITION:
+            raise Unseparated([*self.values], [*self.forward], condition, self.left_open())
+        growths = (hypot(b, d) / determinant, hypot(a, c) / determinant)
+        return Pair(
+            self.values,
+            _rounded(condition),
+            {name: _rounded(growth * self._part(name)) for name, growth in zip(self.values, growths, strict=True)},
+            with_inputs(self.problem.scene, self.values),
+            self.forward,
+        )
+
+    def _part(self, name: str) -> float:
+        """Return what a change by one is of an input itself."""
+        return (self.unit / abs(self.values[name]) if self.values[name] else inf) if name == "load" else 1.0
+
+    def left_open(self) -> str:
+        """Return the direction in which both quantities stay as they are, to the first order."""
+        row = max(self.matrix, key=lambda row: hypot(*row))
+        (small, least), (large, most) = sorted(
+            zip(self.values, (-row[1], row[0]), strict=True), key=lambda one: abs(one[1])
+        )
+        symbols = {name: NOMENCLATURE[name].symbol for name in (small, large)}
+        if abs(least) <= _LEFT_OPEN * abs(most) or not most:
+            return f"they leave {symbols[large]} open"
+        return f"both stay as they are along {symbols[small]} ∝ {symbols[large]}^{least / most:.3g}"
+
+
+def _rounded(number: float) -> float:
+    return float(f"{number:.6g}")
+
+
+def _improved(place: _Place) -> _Place:
+    """Return the place to which Newton's method leads, as near to the measured values as rounding allows."""
+    for _ in range(_ROUNDS):
+        step = place.step()
+        for _ in range(_HALVINGS):
+            nearer = place.moved(step)
+            if nearer.distance < place.distance:
+                break
+            step = {name: part / 2 for name, part in step.items()}
+        else:
+            return place
+        place = nearer
+    return place

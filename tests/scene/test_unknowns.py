@@ -1,0 +1,226 @@
+"""Two unknowns from two quantities: pairs come back, all that the scan finds are named, and what is not separated is refused."""
+
+# ruff: noqa: N803, N806  (the papers' symbols)
+
+import math
+from collections.abc import Callable
+from random import Random
+from typing import Any
+
+import numpy
+import pytest
+
+import maugis_reference as maugis
+from jkroll.errors import JkrollError
+from jkroll.quantities.formatting import amount
+from jkroll.scene.failures import Contradiction, MissingInput
+from jkroll.scene.inverse import AlreadyGiven, CannotInfer
+from jkroll.scene.scene import Scene
+from jkroll.scene.unknowns import NoPair, Pair, Problem, SeveralPairs, Unseparated
+from scenes import log_uniform
+
+PLANE = {"radius": 2e-6, "radius2": math.inf, "poisson_ratio": 0.17}
+NAMES = ("surface_energy", "youngs_modulus")
+MEASURED = {"pull_off_force": 3e-7, "stiffness": 1e3}
+
+
+def found(names: tuple[str, ...], measured: dict[str, float], given: dict[str, Any], model: str | None = None) -> Pair:
+    return Problem(names, measured, Scene(given, model=model)).solution()
+
+
+# --- By hand ----------------------------------------------------------------------------------------------------------
+
+
+def test_an_example_by_hand() -> None:
+    """P_c = 3πγR, dP/dδ = 6/5 E*a0 and a0³ = 9πγR²/E* on a plane."""
+    pair = found(NAMES, MEASURED, PLANE)
+    gamma = 3e-7 / (3 * math.pi * 2e-6)
+    modulus = (1e3 / 1.2) ** 1.5 / math.sqrt(9 * math.pi * gamma * 2e-6**2)
+    assert pair.values["surface_energy"] == pytest.approx(gamma, rel=1e-14)
+    assert pair.values["youngs_modulus"] == pytest.approx(2 * (1 - 0.17**2) * modulus, rel=1e-13)
+    assert pair.forward == pytest.approx(MEASURED, rel=1e-14)
+
+
+def test_the_condition_of_power_laws_is_that_of_the_matrix_of_exponents() -> None:
+    """P_c goes as γ, and dP/dδ as γ^(1/3)E^(2/3), so that E goes as K^(3/2)P_c^(-1/2)."""
+    pair = found(NAMES, MEASURED, PLANE)
+    assert pair.condition == pytest.approx(numpy.linalg.cond(numpy.array([[1, 0], [1 / 3, 2 / 3]])), rel=1e-5)
+    assert pair.growths == pytest.approx({"surface_energy": 1.0, "youngs_modulus": math.hypot(1.5, 0.5)}, rel=1e-5)
+
+
+def test_the_order_of_names_and_quantities_does_not_matter() -> None:
+    backwards = dict(reversed(MEASURED.items()))
+    pairs = [found(names, measured, PLANE) for names in (NAMES, NAMES[::-1]) for measured in (MEASURED, backwards)]
+    assert [[*pair.values] for pair in pairs] == [[*NAMES]] * 2 + [[*NAMES[::-1]]] * 2
+    for pair in pairs:
+        assert pair.values == pytest.approx(pairs[0].values, rel=1e-13)
+
+
+# --- Against other arithmetic -----------------------------------------------------------------------------------------
+
+digits = maugis.digits
+
+
+def exact_jkr(w: Any, R: Any, E: Any) -> dict[str, Any]:
+    """Return the pull-off force, the contact radius and the stiffness without load, from P(a) and δ(a) of JKR."""
+    a = digits.cbrt(9 * digits.pi * w * R**2 / (2 * E))
+    load = digits.diff(lambda a: 4 * E * a**3 / (3 * R) - digits.sqrt(8 * digits.pi * w * E * a**3), a)
+    approach = digits.diff(lambda a: a**2 / R - digits.sqrt(2 * digits.pi * w * a / E), a)
+    return {"pull_off_force": 3 * digits.pi * w * R / 2, "contact_radius": a, "stiffness": load / approach}
+
+
+def exact_dmt(w: Any, R: Any, E: Any) -> dict[str, Any]:
+    """Return the same of DMT."""
+    a = digits.cbrt(3 * digits.pi * w * R**2 / (2 * E))
+    return {"pull_off_force": 2 * digits.pi * w * R, "contact_radius": a, "stiffness": 2 * E * a}
+
+
+def exact_maugis(w: Any, R: Any, E: Any) -> dict[str, Any]:
+    """Return the same of Maugis' law for z0 = 4 Å, from his two equations."""
+    K, peak = 4 * E / 3, 16 * w / (9 * digits.sqrt(3) * digits.mpf("4e-10"))
+    length = digits.cbrt(digits.pi * w * R**2 / K)
+    transition = 2 * peak * digits.cbrt(R / (digits.pi * w * K**2))
+    radius, span = maugis.at_load(transition, digits.mpf(0))
+    slope = maugis.stiffness(span, transition) * digits.pi * w * R**2 / length**2
+    force = -maugis.load(*maugis.pull_off(transition), transition) * digits.pi * w * R
+    return {"pull_off_force": force, "contact_radius": radius * length, "stiffness": slope}
+
+
+EXACT: dict[str, Callable[[Any, Any, Any], dict[str, Any]]] = {
+    "jkr": exact_jkr, "dmt": exact_dmt, "maugis": exact_maugis
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("law", EXACT)
+@pytest.mark.parametrize("quantities", [("pull_off_force", "stiffness"), ("contact_radius", "stiffness")])
+def test_pairs_come_back_from_exact_values(law: str, quantities: tuple[str, str]) -> None:
+    """With 120 digits, and nothing of the program."""
+    random = Random(f"{law} {quantities}")
+    for _ in range(2):
+        gamma, modulus, radius = (log_uniform(random, *span) for span in ((1e-3, 1), (1e6, 1e12), (1e-8, 1e-4)))
+        reduced = digits.mpf(modulus) / (2 * (1 - digits.mpf(0.2) ** 2))
+        exact = EXACT[law](2 * digits.mpf(gamma), digits.mpf(radius), reduced)
+        given = {"radius": radius, "radius2": math.inf, "poisson_ratio": 0.2, "atomic_spacing": 4e-10}
+        pair = found(NAMES, {name: float(exact[name]) for name in quantities}, given, law)
+        for name, value in zip(NAMES, (gamma, modulus), strict=True):
+            assert pair.values[name] == pytest.approx(value, rel=1e-13 * pair.condition), name
+
+
+# --- Random pairs -----------------------------------------------------------------------------------------------------
+
+SPANS = {
+    "surface_energy": (1e-3, 1.0), "youngs_modulus": (1e6, 1e12), "radius": (1e-8, 1e-3), "yield_displacement": (1e-11, 1e-8)
+}  # fmt: skip
+QUANTITIES = (
+    "pull_off_force", "contact_radius", "contact_radius_at_load", "approach", "approach_at_load", "stiffness", "hertz_pressure",
+    "tangential_stiffness", "sliding_force", "yield_force", "yield_moment", "vertical_frequency", "rolling_frequency",
+    "tabor_parameter", "well_energy", "sticking_energy",
+)  # fmt: skip
+
+
+def comes_back(random: Random) -> str:
+    """Return what became of two unknowns of a random scene. Fails where they do not come back and are not refused."""
+    given = {name: log_uniform(random, *span) for name, span in SPANS.items()}
+    given |= {"radius2": math.inf, "poisson_ratio": 0.2, "density": 2e3, "shear_strength": 1e7, "atomic_spacing": 4e-10}
+    law = random.choice([*EXACT])
+    given["load"] = random.uniform(-0.8, 3) * Scene(given, model=law)["pull_off_force"]
+    names = tuple(random.sample([*SPANS, "load"], 2))
+    measured = Scene(given, model=law).numbers(*random.sample(QUANTITIES, 2))
+    if len(measured) < 2:
+        return "not in this law"
+    try:
+        pair = found(names, measured, {name: value for name, value in given.items() if name not in names}, law)
+    except Unseparated:
+        return "unseparated"
+    except SeveralPairs as error:
+        assert any(pair == pytest.approx({name: given[name] for name in names}, rel=1e-7) for pair in error.pairs)
+        return "several"
+    for name in names:
+        assert pair.values[name] == pytest.approx(given[name], rel=1e-9 * pair.condition), (law, names, measured)
+    return "back"
+
+
+@pytest.mark.parametrize(
+    ("count", "seed"),
+    [(24, "fast"), pytest.param(300, "slow", marks=pytest.mark.slow)],
+)
+def test_random_pairs_come_back_or_are_refused(count: int, seed: str) -> None:
+    random = Random(seed)
+    results = [comes_back(random) for _ in range(count)]
+    assert results.count("back") > count / 3
+
+
+# --- Refusals ---------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("names", "measured", "given", "error", "words"),
+    [
+        (
+            ("surface_energy", "radius"),
+            {"pull_off_force": 3e-7, "pull_off_force_dmt": 4e-7},
+            {"radius2": math.inf},
+            Unseparated,
+            "pull_off_force_dmt = 400 nN wherever pull_off_force = 300 nN; both stay as they are along γ1 ∝ R1^-1 (κ is infinite)",
+        ),
+        (NAMES, {"pull_off_force": 3e-7, "pull_off_force_dmt": 4e-7}, PLANE, Unseparated, "they leave E1 open (κ is infinite)"),
+        (NAMES, {"pull_off_force": 3e-7, "r_min": 1e-5}, PLANE, Unseparated, "r_min depends on neither (κ is infinite)"),
+        (
+            NAMES,
+            {"pull_off_force": 3e-7, "stiffness": 1e12},
+            PLANE,
+            NoPair,
+            "lies between 93.7726 µN/m and 937.726 kN/m for γ1 = 1 µJ/m² to 1 kJ/m² and E1 = 1 Pa to 1 PPa, 8 values a decade",
+        ),
+        (
+            NAMES,
+            {"stiffness": 1e3, "pull_off_force": 3.0},
+            PLANE,
+            NoPair,
+            "no pair of values gives pull_off_force = 3 N; it lies between 18.8496 pN and 18.8496 mN",
+        ),
+        (NAMES, MEASURED, {"radius": 2e-6}, MissingInput, "stiffness needs Poisson's ratio"),
+        (NAMES, MEASURED, {**PLANE, "surface_energy": 1.0}, AlreadyGiven, "surface_energy is given and asked for"),
+        (NAMES, MEASURED, {**PLANE, "work_of_adhesion": 1.0}, AlreadyGiven, "one follows from the other"),
+        (NAMES, MEASURED, {**PLANE, "stiffness": 1.0}, AlreadyGiven, "stiffness is given and asked for"),
+        (("surface_energy", "work_of_adhesion"), MEASURED, PLANE, Contradiction, "one follows from the other"),
+        (("surface_energy", "gravity"), MEASURED, PLANE, CannotInfer, "'gravity' cannot be inferred"),
+    ],
+)  # fmt: skip
+def test_refusals(
+    names: tuple[str, ...], measured: dict[str, float], given: dict[str, float], error: type[JkrollError], words: str
+) -> None:
+    with pytest.raises(error) as caught:
+        found(names, measured, given)
+    assert words in str(caught.value)
+
+
+def test_what_is_barely_separated_is_refused() -> None:
+    """P_c over 2πwR goes to 3/4 for soft spheres under Maugis' law, and with that the only difference of two forces."""
+    given = {"radius2": math.inf, "poisson_ratio": 0.2, "youngs_modulus": 1e6, "atomic_spacing": 4e-10}
+    names, condition = ("surface_energy", "radius"), 1e6
+    for radius in (1e-8, 1e-7, 1e-6):
+        full = Scene({**given, "radius": radius, "surface_energy": 0.05}, model="maugis")
+        pair = found(names, full.numbers("pull_off_force", "pull_off_force_dmt"), given, "maugis")
+        assert pair.condition > 2 * condition
+        assert pair.values["radius"] == pytest.approx(radius, rel=1e-15 * pair.condition)
+        condition = pair.condition
+    full = Scene({**given, "radius": 1e-5, "surface_energy": 0.05}, model="maugis")
+    with pytest.raises(Unseparated, match=r"both stay as they are along γ1 ∝ R1\^-1 \(κ = .* is above 1e\+08\)"):
+        found(names, full.numbers("pull_off_force", "pull_off_force_dmt"), given, "maugis")
+
+
+@pytest.mark.parametrize("radius", [1.1e-6, 1e-6], ids=["between two values of the scan", "at a value of the scan"])
+def test_all_pairs_are_named(radius: float) -> None:
+    given = {"radius2": math.inf, "poisson_ratio": 0.2, "youngs_modulus": 1e9, "density": 2e3, "load": 1e-7}
+    names = ("surface_energy", "radius")
+    full = Scene({**given, "surface_energy": 0.01, "radius": radius}, model="dmt")
+    measured = full.numbers("rolling_frequency", "hertz_pressure")
+    with pytest.raises(SeveralPairs) as caught:
+        found(names, measured, given, "dmt")
+    first, second = caught.value.pairs
+    assert first["radius"] != pytest.approx(second["radius"], rel=0.01)
+    for pair in (first, second):
+        assert Scene({**given, **pair}, model="dmt").numbers(*measured) == pytest.approx(measured, rel=1e-13)
+    words = f"surface_energy,radius: the pairs ({amount('surface_energy', first['surface_energy'])}, {amount('radius', first['radius'])}), ("
+    assert str(caught.value).startswith(words)
