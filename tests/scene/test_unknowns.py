@@ -2,6 +2,8 @@
 
 # ruff: noqa: N803, N806  (the papers' symbols)
 
+import csv
+import json
 import math
 from collections.abc import Callable
 from random import Random
@@ -11,7 +13,8 @@ import numpy
 import pytest
 
 import maugis_reference as maugis
-from jkroll.errors import JkrollError
+from harness import Run
+from jkroll import Interval, JkrollError, Measured, infer
 from jkroll.quantities.formatting import amount
 from jkroll.scene.failures import Contradiction, MissingInput
 from jkroll.scene.inverse import AlreadyGiven, CannotInfer
@@ -19,7 +22,7 @@ from jkroll.scene.scene import Scene
 from jkroll.scene.unknowns import NoPair, Pair, Problem, SeveralPairs, Unseparated
 from scenes import log_uniform
 
-PLANE = {"radius": 2e-6, "radius2": math.inf, "poisson_ratio": 0.17}
+PLANE: dict[str, Any] = {"radius": 2e-6, "radius2": math.inf, "poisson_ratio": 0.17}
 NAMES = ("surface_energy", "youngs_modulus")
 MEASURED = {"pull_off_force": 3e-7, "stiffness": 1e3}
 
@@ -161,7 +164,7 @@ def test_random_pairs_come_back_or_are_refused(count: int, seed: str) -> None:
             {"pull_off_force": 3e-7, "pull_off_force_dmt": 4e-7},
             {"radius2": math.inf},
             Unseparated,
-            "pull_off_force_dmt = 400 nN wherever pull_off_force = 300 nN; both stay as they are along γ1 ∝ R1^-1 (κ is infinite)",
+            "and pull_off_force_dmt do not separate them: pull_off_force_dmt = 400 nN wherever pull_off_force = 300 nN; both stay",
         ),
         (NAMES, {"pull_off_force": 3e-7, "pull_off_force_dmt": 4e-7}, PLANE, Unseparated, "they leave E1 open (κ is infinite)"),
         (NAMES, {"pull_off_force": 3e-7, "r_min": 1e-5}, PLANE, Unseparated, "r_min depends on neither (κ is infinite)"),
@@ -224,3 +227,130 @@ def test_all_pairs_are_named(radius: float) -> None:
         assert Scene({**given, **pair}, model="dmt").numbers(*measured) == pytest.approx(measured, rel=1e-13)
     words = f"surface_energy,radius: the pairs ({amount('surface_energy', first['surface_energy'])}, {amount('radius', first['radius'])}), ("
     assert str(caught.value).startswith(words)
+
+
+# --- Error bars -------------------------------------------------------------------------------------------------------
+
+
+def test_error_bars_of_both_measurements_enter() -> None:
+    """γ goes as P_c, and E as K^(3/2)P_c^(-1/2)."""
+    measured = {"pull_off_force": Measured(3e-7, 3e-9), "stiffness": Measured(1e3, 20.0)}
+    both = infer(["gamma", "young"], measured=measured, **PLANE)
+    parts = [both[name].plus / both[name].value for name in NAMES]
+    assert parts == pytest.approx([0.01, math.hypot(0.005, 0.03)], rel=1e-3)
+    given = {**PLANE, "radius": Measured(2e-6, 2e-8)}  # γ goes as 1/R, and E as 1/√R
+    both = infer(["gamma", "young"], measured=MEASURED, **given)
+    parts = [both[name].plus / both[name].value for name in NAMES]
+    assert parts == pytest.approx([0.01, 0.005], rel=1e-3)
+
+
+def test_ranges_of_both_measurements_enter() -> None:
+    measured = {"pull_off_force": Interval(3e-7, 2.8e-7, 3.2e-7), "stiffness": Interval(1e3, 900.0, 1100.0)}
+    both = infer(["gamma", "young"], measured=measured, **PLANE)
+    ends = [(both[name].low / both[name].value, both[name].high / both[name].value) for name in NAMES]
+    assert ends[0] == pytest.approx((14 / 15, 16 / 15), rel=1e-12)
+    assert ends[1] == pytest.approx((0.9**1.5 * (16 / 15) ** -0.5, 1.1**1.5 * (14 / 15) ** -0.5), rel=1e-12)
+
+
+# --- Python and the command -------------------------------------------------------------------------------------------
+
+WORDS = "infer gamma,young quartz 2um --radius2 plane"
+COMMAND = f"{WORDS} --measured pull_off_force=300nN --measured stiffness=1kN/m"
+
+
+def test_arrays_broadcast_and_hold_nan_where_there_is_no_pair() -> None:
+    measured = {"pull_off_force": [[3e-7], [4e-7]], "stiffness": [1e3, 1e12]}
+    both = infer(["gamma", "young"], measured=measured, **PLANE)
+    alone = infer(["gamma", "young"], measured={"pull_off_force": 4e-7, "stiffness": 1e3}, **PLANE)
+    for name in NAMES:
+        assert both[name].shape == (2, 2)
+        assert both[name][1, 0] == alone[name]
+        assert numpy.isnan(both[name][:, 1]).all()
+    assert both.condition[1, 0] == alone.condition
+    assert numpy.isnan(both.condition[:, 1]).all()
+
+
+@pytest.mark.parametrize(
+    ("wanted", "measured", "words"),
+    [
+        (["gamma", "young", "radius"], MEASURED, "cannot be inferred: one input can, or two"),
+        (["gamma", "surface_energy"], MEASURED, "cannot be inferred: one input can, or two"),
+        (["gamma", "gravity"], MEASURED, "'gravity' cannot be inferred"),
+        (["gamma", "young"], {"stiffness": 1e3}, "is not two quantities and their values"),
+        ("gamma", MEASURED, "is not one quantity and its value"),
+        (["gamma", "young"], {"P_c": 3e-7, "pull_off_force": 3e-7}, "P_c and pull_off_force exclude each other"),
+        (["gamma", "young"], {"P_c": "300±20 nN", "stiffness": [1e3]}, "stands beside an uncertain value"),
+    ],
+)
+def test_wrong_arguments_are_refused_in_words(wanted: Any, measured: dict[str, Any], words: str) -> None:
+    with pytest.raises(JkrollError, match=words):
+        infer(wanted, measured=measured, **PLANE)
+
+
+def test_the_command(run: Run) -> None:
+    pair = infer(["gamma", "young"], measured=MEASURED, material="quartz", radius=2e-6, radius2="plane")
+    gamma, modulus = pair["surface_energy"], pair["youngs_modulus"]
+    assert run(COMMAND).out == f"surface_energy {gamma!r} J/m^2\nyoungs_modulus {modulus!r} Pa\n"
+    assert run(f"{COMMAND} --bare").out == f"{gamma!r}\t{modulus!r}\n"
+    found = json.loads(run(f"{COMMAND} --json").out)
+    assert found["condition"] == pair.condition
+    assert [(one["name"], one["value"]) for one in found["results"]] == [*pair.items()]
+    assert found["inputs"].items() >= MEASURED.items()
+    assert "surface_energy" not in found["inputs"]
+    assert "scanned: γ1 = 1 µJ/m² to 1 kJ/m² and E1 = 1 Pa to 1 PPa, 8 values a decade" in found["notes"]
+    for result in found["results"]:
+        for law, value in result["by_law"].items():
+            other = infer(
+                ["gamma", "young"], measured=MEASURED, radius=2e-6, radius2="plane", model=law, material="quartz"
+            )
+            assert value == other[result["name"]]
+
+
+def test_rows_of_laws_and_lists(run: Run) -> None:
+    ran = run(f"{WORDS} --measured pull_off_force=300±20nN,3N --measured stiffness=1kN/m --model jkr,dmt --csv")
+    rows = [*csv.DictReader(ran.out.splitlines())]
+    assert [row["model"] for row in rows] == ["jkr", "dmt"] * 2
+    for row in rows[:2]:
+        measured = {"pull_off_force": "300±20 nN", "stiffness": 1e3}
+        both = infer(
+            ["gamma", "young"], measured=measured, material="quartz", radius=2e-6, radius2="plane", model=row["model"]
+        )
+        assert float(row["youngs_modulus [Pa]"]) == both["youngs_modulus"].value
+        assert float(row["youngs_modulus_plus [Pa]"]) == both["youngs_modulus"].plus
+    for row in rows[2:]:
+        assert row["surface_energy [J/m^2]"] == row["youngs_modulus [Pa]"] == ""
+        assert row["status"].startswith("surface_energy,youngs_modulus: no pair of values gives pull_off_force = 3 N")
+    assert (ran.code, ran.err.splitlines()[-1]) == (1, "jkroll: 2 of 4 rows failed")
+
+
+def test_the_explanation_derives_both_measured_quantities(run: Run) -> None:
+    found = run(f"{COMMAND} --explain").out.split("\n\n")
+    assert [part.partition(" ")[0] for part in found] == [*NAMES, *MEASURED]
+    assert "  result    P_c = 300 nN\n" in found[2]
+    assert "  result    dP/dδ = 1 kN/m\n" in found[3]
+    assert "their relative errors enter times 1.58 at most" in found[1]
+
+
+@pytest.mark.parametrize(
+    ("words", "code", "message"),
+    [
+        ("infer gamma,young,radius quartz --measured P_c=3nN", 2, "infer finds one input or two, not 3"),
+        ("infer gamma,gamma quartz --measured P_c=3nN", 2, "'gamma,gamma' names one input twice"),
+        ("infer gamma,yung quartz --measured P_c=3nN", 2, "'yung' cannot be inferred; did you mean youngs_modulus?"),
+        (f"{WORDS}", 2, "infer needs what was measured: --measured pull_off_force=300nN --measured stiffness=1kN/m"),
+        (f"{WORDS} --measured P_c=3nN", 2, "two inputs need two measured quantities, and 1 is given: "),
+        (f"{WORDS} --measured P_c=3nN --measured P_c=4nN", 2, "--measured: pull_off_force is given twice"),
+        (f"{COMMAND} --young 1GPa", 2, "youngs_modulus is given and asked for"),
+        (COMMAND.replace(",young", ""), 2, "an input needs one measured quantity, and 2 are given: "),
+        (COMMAND.replace("quartz", "grains.csv"), 2, "infer reads no tables, and batch infers one input"),
+        (COMMAND.replace("300nN", "1nN:1uN:1001"), 2, "1001 scenes are more than 1000, in which two inputs are looked for"),
+        (COMMAND.replace("1kN", "1TN"), 1, "surface_energy,youngs_modulus: no pair of values gives "),
+        ("batch grains.csv --infer gamma,young --measured P_c", 2, "batch infers one input"),
+        ("batch grains.csv --infer gamma --measured P_c --measured stiffness", 2, "batch infers one input"),
+    ],
+)  # fmt: skip
+def test_one_line_says_what_is_wrong(run: Run, words: str, code: int, message: str) -> None:
+    ran = run(words)
+    assert (ran.code, ran.out) == (code, "")
+    assert ran.err.startswith(f"jkroll: {message}")
+    assert ran.err.count("\n") == 1

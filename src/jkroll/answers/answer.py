@@ -143,6 +143,8 @@ def with_force_by_maugis(error: BeyondPullOff, scene: Scene) -> BeyondPullOff:
 class Answer:
     """The results of a command for one scene. Each part is computed when something shows it."""
 
+    condition: float | None = None  # of two inferred inputs together
+
     def __init__(self, question: Question, scene: Scene) -> None:
         """Compute the quantities of a question as far as the scene allows."""
         self.question, self.scene = question, scene

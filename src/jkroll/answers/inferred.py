@@ -1,6 +1,6 @@
-"""The answer of `infer`: the value of an input that a measured quantity implies, with what it rests on."""
+"""The answers of `infer`: the value of an input that a measured quantity implies, or of two by two, with what they rest on."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from copy import copy
 from functools import cached_property
 from math import isfinite
@@ -14,6 +14,7 @@ from ..scene.failures import MissingInput, reason_of
 from ..scene.inverse import SIZES, Solution, solution, used_beside, with_input
 from ..scene.limits import Verdict
 from ..scene.scene import Scene
+from ..scene.unknowns import Pair, Problem, largest, scan_in_words, used_beside_two, with_inputs
 from .answer import Answer, Difference, about_uncertainties
 from .questions import Question
 from .results import Note, Result
@@ -93,7 +94,7 @@ class Inferred(Answer):
             return ()
         found, sources = self._uncertainties
         return (
-            *_notes(self.name, self.quantity, self.solution, self._by_law, self.given),
+            *_notes(self.name, self.quantity, self.solution, self._by_law),
             *(note for note in self.forward.notes if note.kind != "roughness"),
             *(about_uncertainties(found, sources) if sources is not None else ()),
         )
@@ -127,16 +128,8 @@ def _by_other_laws(name: str, quantity: str, value: float, scene: Scene) -> dict
     return values
 
 
-def _notes(name: str, quantity: str, found: Solution, by_law: Mapping[str, float], scene: Scene) -> list[Note]:
+def _notes(name: str, quantity: str, found: Solution, by_law: Mapping[str, float]) -> list[Note]:
     """Return what of the materials is not used, how errors grow, and the proof of the value."""
-    used = found.scene.data_used(found.scene.inputs_of(quantity))
-    materials = {one.name: one for one in (scene.material, scene.material2) if one is not None}
-    unused = [
-        f"{NOMENCLATURE[each].symbol.rstrip('1')} of {material.name} is not used"
-        for material in materials.values()
-        for each in _REPLACED.get(name, (name,))
-        if each in material.properties and all(one.name != material.name or other != each for one, other in used)
-    ]
     symbol, of_measured = NOMENCLATURE[name].symbol, NOMENCLATURE[quantity].symbol
     proof = (
         f"{symbol} = {amount(name, found.value)} gives {of_measured} = {amount(quantity, found.forward)}; "
@@ -145,4 +138,138 @@ def _notes(name: str, quantity: str, found: Solution, by_law: Mapping[str, float
     if by_law:
         others = ", ".join(f"{amount(name, value)} under {LAWS[law].title}" for law, value in by_law.items())
         proof += f"; {others}"
-    return [*(Note("result", text) for text in unused), Note("model", proof)]
+    return [*_unused(name, [quantity], found.scene), Note("model", proof)]
+
+
+def _unused(name: str, quantities: Sequence[str], found: Scene) -> list[Note]:
+    """Return a note on each property of a material in whose place an inferred value stands. `found`: the scene with that value."""
+    used = found.data_used(found.inputs_of(*quantities))
+    materials = {one.name: one for one in (found.material, found.material2) if one is not None}
+    return [
+        Note("result", f"{NOMENCLATURE[each].symbol.rstrip('1')} of {material.name} is not used")
+        for material in materials.values()
+        for each in _REPLACED.get(name, (name,))
+        if each in material.properties and all(one.name != material.name or other != each for one, other in used)
+    ]
+
+
+# --- Two inputs -------------------------------------------------------------------------------------------------------
+
+
+class InferredPair(Answer):
+    """The answer that two inputs have the values at which two quantities of a scene have their measured values."""
+
+    def __init__(self, names: Sequence[str], measured: "Mapping[str, float | Uncertain]", scene: Scene) -> None:
+        """Look for the values. Raises the errors of `Problem` other than NoResult."""
+        self.names, self.measured_values = tuple(names), measured
+        self.middles = {name: one if isinstance(one, float) else one.value for name, one in measured.items()}
+        self.given = scene
+        self.question = Question(self.names, self.names)
+        self.pair: Pair | None = None
+        self.no_solution: NoResult | None = None
+        try:
+            self.pair = Problem(self.names, self.middles, scene).solution()
+            self.condition = self.pair.condition
+        except NoResult as error:
+            self.no_solution = error
+        self.scene = self.pair.scene if self.pair is not None else with_inputs(scene, largest(self.names))
+        self.forward = Answer(Question((*measured,), (*measured,), named=(*measured,)), self.scene)
+
+    @cached_property
+    def inputs(self) -> Mapping[str, float | str]:
+        """The inputs without those that are asked for, and with the measured values."""
+        known = self.scene.echo(used_beside_two(self.names, [*self.middles], self.given))
+        return {name: in_words(name, value) for name, value in known.items()} | self.middles
+
+    @cached_property
+    def results(self) -> tuple[Result, ...]:
+        """The inferred values, with their uncertainties."""
+        if self.pair is None:
+            assert self.no_solution is not None
+            reason = reason_of(",".join(self.names), self.no_solution)
+            return tuple(Result(name, None, reason) for name in self.names)
+        found, _ = self._uncertainties
+        return tuple(
+            Result(
+                name,
+                value,
+                growth=growth if isfinite(growth := self.pair.growths[name]) else None,
+                by_law={law: values[name] for law, values in self._pairs_by_law.items()},
+                propagated=one if isinstance(one := found.get(name), tuple) else None,
+            )
+            for name, value in self.pair.values.items()
+        )
+
+    @cached_property
+    def _uncertainties(self) -> "tuple[Mapping[str, Propagated | JkrollError], Sources | None]":
+        is_certain = (
+            all(isinstance(one, float) for one in self.measured_values.values()) and not self.given.is_uncertain
+        )
+        if self.pair is None or is_certain:
+            return {}, None
+        from ..scene.uncertainty import uncertainties_of_two
+
+        return uncertainties_of_two(self.measured_values, self.pair, self.given)
+
+    @cached_property
+    def _pairs_by_law(self) -> dict[str, Mapping[str, float]]:
+        """The values under each other law of attraction that has the quantities by other formulas."""
+        quantities = [*self.middles]
+        own = self.scene.plan(*quantities).steps
+        found: dict[str, Mapping[str, float]] = {}
+        for law in LAWS:
+            other = self.given.under(law)
+            try:
+                if with_inputs(other, largest(self.names)).plan(*quantities).steps != own:
+                    found[law] = Problem(self.names, self.middles, other).solution().values
+            except (MissingInput, NoResult):
+                continue
+        return found
+
+    @cached_property
+    def laws(self) -> tuple[Difference, ...]:
+        """None: the values under each law stand beside the results."""
+        return ()
+
+    @cached_property
+    def validity(self) -> tuple[Verdict, ...]:
+        """The limits of the model for the measured quantities."""
+        return self.forward.validity if self.pair is not None else ()
+
+    @cached_property
+    def notes(self) -> tuple[Note, ...]:
+        """The proof of the values, and what the measured quantities rest on."""
+        if self.pair is None:
+            return ()
+        found, sources = self._uncertainties
+        unused = [note for name in self.names for note in _unused(name, [*self.middles], self.scene)]
+        return (
+            *unused,
+            *self._proofs(self.pair),
+            *(note for note in self.forward.notes if note.kind != "roughness"),
+            *(about_uncertainties(found, sources) if sources is not None else ()),
+        )
+
+    def _proofs(self, pair: Pair) -> list[Note]:
+        """Return the proof of the values, what they are under other laws, and where they were looked for."""
+        texts = [f"{_equal(pair.values)} give {_equal(pair.forward)}; κ = {pair.condition:.3g}"]
+        texts += [f"{_equal(values)} under {LAWS[law].title}" for law, values in self._pairs_by_law.items()]
+        return [Note("model", text) for text in (*texts, f"scanned: {scan_in_words(self.names)}")]
+
+    @cached_property
+    def failure(self) -> JkrollError | None:
+        """The reason why there are no values."""
+        return self.no_solution
+
+    @cached_property
+    def explained(self) -> Answer:
+        """The measured quantities computed with the inferred values, beside these: what `--explain` derives."""
+        if self.pair is None:
+            return self
+        explained = copy(self)
+        explained.results = (*self.results, *self.forward.results)
+        return explained
+
+
+def _equal(values: Mapping[str, float]) -> str:
+    return " and ".join(f"{NOMENCLATURE[name].symbol} = {amount(name, value)}" for name, value in values.items())

@@ -42,7 +42,7 @@ class Result(NamedTuple):
     """A quantity in SI units, or the reason why it has no value.
 
     `error` is the relative error of a model of the moment, `condition` the factor by which an inferred value multiplies the
-    relative error of a measured one.
+    relative error of a measured one, `growth` the largest factor by which those of two measured values enter it.
     """
 
     name: str
@@ -50,6 +50,7 @@ class Result(NamedTuple):
     reason: str = ""
     error: float | None = None
     condition: float | None = None
+    growth: float | None = None
     by_law: Mapping[str, float] = MappingProxyType({})  # of an inferred value: what it would be under the other laws
     propagated: Propagated | None = None  # its uncertainty, if an input has one
     law: OtherLaw | None = None

@@ -25,9 +25,11 @@ def run_batch(call: Call) -> int:
 
 def _inverse(call: Call) -> tuple[str, str]:
     """Return the names of the input that is sought and of the quantity that was measured; empty texts if none is."""
-    if not call.infer and call.measured is None:
+    if not call.infer and not call.measured:
         return "", ""
-    if not call.infer or call.measured is None or "=" in call.measured:
+    if "," in call.infer or len(call.measured) > 1:
+        raise BadRequest("batch infers one input; jkroll infer finds two, for lists and ranges too")
+    if not call.infer or not call.measured or "=" in call.measured[0]:
         raise BadRequest(
             "--infer INPUT and --measured QUANTITY go together, as in --infer gamma --measured pull_off_force"
         )
@@ -36,4 +38,4 @@ def _inverse(call: Call) -> tuple[str, str]:
     name = named(call.infer)
     if name not in SIZES:
         raise CannotInfer(call.infer)
-    return name, quantity_named(call.measured)
+    return name, quantity_named(call.measured[0])

@@ -1,83 +1,151 @@
-"""Runner of `infer`: from a measured value back to an input."""
+"""Runner of `infer`: from measured values back to one input or two."""
 
 import sys
-from functools import partial
+from collections.abc import Mapping, Sequence
+from typing import Any
 
-from ..answers.inferred import Inferred
+from ..answers.inferred import Inferred, InferredPair
 from ..answers.questions import quantity_named
 from ..errors import BadRequest
+from ..materials.library import Material
 from ..output import notes as note_lines
 from ..output.records import in_units
 from ..quantities.formatting import Format
 from ..quantities.nomenclature import named
 from ..quantities.values import Spread, spreads_of
-from ..rows.inferred import Sought, observed
+from ..rows.columns import Wanted
+from ..rows.inferred import Observed, ObservedPair, Sought, SoughtPair, observed, observed_pair
 from ..rows.sweep import Sweep
-from ..scene.inverse import SIZES, AlreadyGiven, CannotInfer, with_input
-from ..text import say_wrapped
+from ..scene.inverse import SIZES, AlreadyGiven, CannotInfer
+from ..scene.unknowns import largest, with_inputs
+from ..text import quoted, say_wrapped
 from .options import Call
 from .question import check_count, exit_code, format_name, format_of, unless_failed, write_answers, write_columns
 from .request import request_of
 
 TABLES = (".csv", ".tsv", ".ndjson", ".parquet", ".gz", ".zst")
 MAX_ANSWERS = 10_000  # that are explained one by one
+MAX_PAIRS = 1_000  # scenes in which two inputs are looked for, which takes up to seconds in each
+
+
+class _Inverse:
+    """What is sought of the rows of a sweep: an input by a measured quantity, or two by two."""
+
+    def __init__(self, names: Sequence[str], quantities: Sequence[str]) -> None:
+        self.names, self.quantities = names, quantities
+        self.is_pair = len(names) > 1
+
+    def row(self, given: Mapping[str, Any], *spheres: Material | None, model: str | None) -> Observed | ObservedPair:
+        """Return a row of inputs among which are the measured values."""
+        if self.is_pair:
+            return observed_pair(self.quantities, given, *spheres, model=model)
+        return observed(self.quantities[0], given, *spheres, model=model)
+
+    def answer(self, row: Any) -> Inferred | InferredPair:
+        """Return the answer for a row."""
+        if self.is_pair:
+            return InferredPair(self.names, row.measured, row.scene)
+        return Inferred(self.names[0], self.quantities[0], row.measured, row.scene)
+
+    def wanted(self, sweep: Sweep) -> Wanted:
+        """Return the columns of the rows."""
+        if self.is_pair:
+            return SoughtPair.of(self.names, self.quantities, sweep.kinds)
+        return Sought.of(self.names[0], self.quantities[0], sweep.kinds)
+
+    def numbers(self, *, doubts: bool) -> Wanted:
+        """Return the columns of the values alone."""
+        if self.is_pair:
+            return SoughtPair(self.names, self.quantities, doubts=doubts)
+        return Sought(self.names[0], self.quantities[0], doubts=doubts)
 
 
 def run_infer(call: Call) -> int:
-    """Find an input for every scene and measured value; return the exit code."""
+    """Find inputs for every scene and measured value; return the exit code."""
     if not call.words:
         raise BadRequest(f"infer needs an input: one of {', '.join(SIZES)}")
-    name = named(call.words[0])
-    if name not in SIZES:
-        raise CannotInfer(call.words[0])
+    names = _names(call.words[0])
     if tables := [word for word in call.words[1:] if word.endswith(TABLES)]:
-        line = f"jkroll batch {tables[0]} --infer {call.words[0]} --measured {(call.measured or 'QUANTITY').partition('=')[0]}"
+        if len(names) > 1:
+            raise BadRequest(
+                "infer reads no tables, and batch infers one input; lists and ranges have commas and colons"
+            )
+        quantity = (call.measured[0] if call.measured else "QUANTITY").partition("=")[0]
+        line = f"jkroll batch {tables[0]} --infer {call.words[0]} --measured {quantity}"
         raise BadRequest(f"infer reads no tables; write {line}")
-    quantity, measured = _measured(call.measured)
+    measured = _measured(call.measured, names)
     kind = format_name(call)
-    form = format_of(call, [name])
+    form = format_of(call, names)
     request = request_of(call._replace(words=call.words[1:]))
-    if quantity in request.spreads:
-        raise AlreadyGiven(quantity, quantity)
-    sweep = Sweep(request.pairs, {**request.spreads, quantity: measured}, request.models, partial(observed, quantity))
+    for quantity in measured:
+        if quantity in request.spreads:
+            raise AlreadyGiven(quantity, quantity)
+    inverse = _Inverse(names, [*measured])
+    sweep = Sweep(request.pairs, {**request.spreads, **measured}, request.models, inverse.row)
+    if inverse.is_pair and len(sweep) > MAX_PAIRS:
+        raise BadRequest(f"{len(sweep)} scenes are more than {MAX_PAIRS}, in which two inputs are looked for")
     is_one = len(sweep) == 1 and kind in ("plain", "table")
     if is_one or kind in ("json", "explain", "cite"):
         check_count(len(sweep), kind, MAX_ANSWERS)
-        answers = (Inferred(name, quantity, row.measured, row.scene) for row in sweep.scenes())
+        answers = map(inverse.answer, sweep.scenes())
         shown = (one.explained for one in answers) if kind in ("explain", "cite") else answers
         return write_answers(shown, len(sweep), kind, form, sys.stdout, quiet=call.quiet)
-    return _write_rows(name, quantity, sweep, kind, form, call)
+    return _write_rows(inverse, sweep, kind, form, call)
 
 
-def _write_rows(name: str, quantity: str, sweep: Sweep, kind: str, form: Format, call: Call) -> int:
+def _write_rows(inverse: _Inverse, sweep: Sweep, kind: str, form: Format, call: Call) -> int:
     """Write a row for each scene and measured value; return the exit code."""
-    wanted = Sought.of(name, quantity, sweep.kinds)
+    wanted = inverse.wanted(sweep)
     if kind == "bare":
-        wanted = Sought(name, quantity, doubts=not call.quiet)
-    blocks = sweep.columns(wanted)
+        wanted = inverse.numbers(doubts=not call.quiet)
+    blocks = sweep.columns(wanted, one_by_one=inverse.is_pair)
     if len(sweep) == 1:
-        blocks = iter([unless_failed(next(blocks), [name])])
+        blocks = iter([unless_failed(next(blocks), inverse.names)])
     notes = note_lines.OfRows()
     write_columns(wanted, notes.watch(in_units(columns, form) for columns in blocks), kind, form, call)
     if call.quiet:
         found = []
     elif len(sweep) == 1:
-        (row,) = sweep.scenes()
-        found = note_lines.of_answer(Inferred(name, quantity, row.measured, row.scene))
+        found = note_lines.of_answer(inverse.answer(next(sweep.scenes())))
     else:
-        kinds = [(with_input(row.scene, name, SIZES[name][1]), [quantity]) for row in sweep.kinds]
+        kinds = [(with_inputs(row.scene, largest(inverse.names)), inverse.quantities) for row in sweep.kinds]
         found = notes.lines(sweep.pairs, kinds)
     for line in found:
         say_wrapped(line, sys.stderr)
     return exit_code(notes, len(sweep))
 
 
-def _measured(text: str | None) -> tuple[str, list[Spread]]:
-    """Read the measured quantity and its values."""
-    if text is None:
-        raise BadRequest("infer needs what was measured: --measured pull_off_force=300nN")
-    word, has_value, value = text.partition("=")
-    if not has_value:
-        raise BadRequest("--measured: write a quantity and its value, such as pull_off_force=300nN")
-    quantity = quantity_named(word)
-    return quantity, spreads_of(value, quantity)
+def _names(text: str) -> list[str]:
+    """Read the inputs that are sought."""
+    words = text.split(",")
+    names = [named(word) for word in words]
+    for word, name in zip(words, names, strict=True):
+        if name not in SIZES:
+            raise CannotInfer(word)
+    if len(names) > 2:
+        raise BadRequest(f"infer finds one input or two, not {len(names)}")
+    if len(set(names)) < len(names):
+        raise BadRequest(f"{quoted(text)} names one input twice")
+    return names
+
+
+def _measured(texts: Sequence[str], names: Sequence[str]) -> dict[str, list[Spread]]:
+    """Read the measured quantities and their values: as many as inputs are sought."""
+    example = "--measured pull_off_force=300nN" + " --measured stiffness=1kN/m" * (len(names) - 1)
+    if not texts:
+        raise BadRequest(f"infer needs what was measured: {example}")
+    measured: dict[str, list[Spread]] = {}
+    for text in texts:
+        word, has_value, value = text.partition("=")
+        if not has_value:
+            raise BadRequest("--measured: write a quantity and its value, such as pull_off_force=300nN")
+        quantity = quantity_named(word)
+        if quantity in measured:
+            raise BadRequest(f"--measured: {quantity} is given twice; several values have commas")
+        measured[quantity] = spreads_of(value, quantity)
+    if len(measured) != len(names):
+        wanted = (
+            "an input needs one measured quantity" if len(names) == 1 else "two inputs need two measured quantities"
+        )
+        raise BadRequest(f"{wanted}, and {len(measured)} {'is' if len(measured) == 1 else 'are'} given: {example}")
+    return measured

@@ -73,7 +73,7 @@ class Call(NamedTuple):
     csv: bool = False
     explain: bool = False
     cite: bool = False
-    measured: str | None = None
+    measured: tuple[str, ...] = ()
     target: str | None = None
     resume: bool = False
     curve: bool = False
@@ -129,7 +129,14 @@ OUTPUT = (
     MATERIALS,
     QUIET,
 )
-MEASURED = Option("measured", "--measured", str, "QUANTITY=VALUE", "Measured quantity; an error bar as in 300±20nN")
+MEASURED = Option(
+    "measured",
+    "--measured",
+    str,
+    "QUANTITY=VALUE",
+    "Measured quantity, an error bar as in 300±20nN; twice for two inputs",
+    repeats=True,
+)
 CURVE = Option("curve", "--curve", bool, "", "Whole force curve; with -o as a picture")
 MARKED = Option(
     "yield_displacement", "--xi", str, "2angstrom", "Displacement that the panel of moments marks", hidden=True
@@ -176,7 +183,14 @@ TABLE = (
         repeats=True,
     ),
     Option("infer", "--infer", str, "INPUT", "Find this input of each row from the measured quantity of --measured"),
-    Option("measured", "--measured", str, "QUANTITY", "The quantity whose measured values a column has, for --infer"),
+    Option(
+        "measured",
+        "--measured",
+        str,
+        "QUANTITY",
+        "The quantity whose measured values a column has, for --infer",
+        repeats=True,
+    ),
     Option("strict", "--strict", bool, "", "Stop at the first row that fails"),
     Option("resume", "--resume", bool, "", "Convert what is left of many tables"),
     NO_DOUBT,

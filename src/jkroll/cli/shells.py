@@ -230,7 +230,7 @@ def _axes() -> list[str]:
 # By the kind of a word, or the name of an option.
 _CANDIDATES: Mapping[str, Completer] = {
     "FIGURE": lambda _: _figures(),
-    "INPUT": lambda _: _inputs(),
+    "INPUT": partial(_listed, _inputs),
     "MATERIAL": _materials,
     "NAME": lambda _: NOMENCLATURE,
     "PROGRAM": lambda _: _programs(),

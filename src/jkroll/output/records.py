@@ -303,6 +303,7 @@ def as_object(answer: Answer, form: Format) -> dict[str, Any]:
         "inputs": dict(answer.inputs),
         **({"uncertainties": _of_inputs(answer)} if answer.uncertain else {}),
         "results": [_result_object(result.in_unit(form), form) for result in answer.results],
+        **({"condition": answer.condition} if answer.condition is not None else {}),
         **(
             {"laws": {BETWEEN: _differences_object(answer.laws)}} if answer.laws and answer.scene.law.is_default else {}
         ),
@@ -339,6 +340,8 @@ def _result_object(result: Result, form: Format) -> dict[str, Any]:
         entry["shares"] = dict(result.propagated.shares)
     if result.condition is not None:
         entry["condition"] = result.condition
+    if result.growth is not None:
+        entry["growth"] = result.growth
     if result.by_law:
         entry["by_law"] = {law: form.number(result.name, value) for law, value in result.by_law.items()}
     if result.value is None:

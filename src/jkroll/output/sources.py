@@ -109,6 +109,11 @@ def _found(result: Result, form: Format) -> list[str]:
             "  inferred  by bisection, so that the formula below gives the measured value; "
             f"a relative error of that value enters times κ = {result.condition:.3g}"
         )
+    if result.growth is not None:
+        lines.append(
+            "  inferred  with the other input, so that the formulas below give both measured values; "
+            f"their relative errors enter times {result.growth:.3g} at most"
+        )
     if result.by_law:
         others = ", ".join(f"{amount(result.name, value, form)} ({law})" for law, value in result.by_law.items())
         lines.append(f"  by law    {others}")

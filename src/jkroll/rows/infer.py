@@ -1,24 +1,36 @@
 """The Python face of the inverse problem."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from itertools import chain
 from math import prod
-from typing import Any
+from typing import Any, overload
 
 from ..errors import NoResult
 from ..materials.library import Material, Materials
 from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import named
 from ..quantities.values import is_uncertain
+from ..scene.failures import Contradiction
 from ..scene.inverse import SIZES, CannotInfer, solution
 from ..scene.scene import Scene, check_range
-from ..scene.solver import broadcast, in_si, materials_of, uncertain_scene, with_uncertainty
+from ..scene.solver import broadcast, in_si, materials_of, refuse_arrays, uncertain_scene, with_uncertainty
+from ..scene.unknowns import Problem
 from ..text import MAX_QUOTED
-from .inferred import Observed, Sought, observed
+from .inferred import Observed, Sought, observed, observed_pair
 
 _BLOCK = 1 << 13  # values that are inferred at once
 
 
+class InferredValues(dict[str, Any]):
+    """The values of two inputs by name, and the condition number of both together."""
+
+    def __init__(self, values: Mapping[str, Any], condition: Any) -> None:
+        super().__init__(values)
+        self.condition = condition
+
+
+@overload
 def infer(
     wanted: str,
     /,
@@ -29,50 +41,85 @@ def infer(
     materials: Materials | None = None,
     model: str | None = None,
     **given: Any,
+) -> Any: ...
+@overload
+def infer(
+    wanted: Sequence[str],
+    /,
+    *,
+    measured: Mapping[str, Any],
+    material: str | Material | None = None,
+    material2: str | Material | None = None,
+    materials: Materials | None = None,
+    model: str | None = None,
+    **given: Any,
+) -> InferredValues: ...
+def infer(
+    wanted: str | Sequence[str],
+    /,
+    *,
+    measured: Mapping[str, Any],
+    material: str | Material | None = None,
+    material2: str | Material | None = None,
+    materials: Materials | None = None,
+    model: str | None = None,
+    **given: Any,
 ) -> Any:
-    """Return the value of an input at which a quantity has its measured value.
+    """Return the value of an input at which a quantity has its measured value, or those of two inputs by two quantities.
 
     Parameters
     ----------
     wanted
-        An input: surface_energy, work_of_adhesion, yield_displacement, adhesion_hysteresis, youngs_modulus, radius or
-        load, or the word of its option.
+        An input: surface_energy, work_of_adhesion, hamaker, yield_displacement, adhesion_hysteresis, youngs_modulus,
+        shear_strength, radius or load, or the word of its option. A list of two for both.
     measured
-        One quantity of the nomenclature with its value, which is a number, a list, a text and so on as for `solve`.
+        One quantity of the nomenclature with its value, which is a number, a list, a text and so on as for `solve`. For two
+        inputs, two quantities.
     material, material2, materials, model, **given
-        The rest of the scene, as `solve` takes it. A value that a material has of the input is not used.
+        The rest of the scene, as `solve` takes it. Values that a material has of the inputs are not used.
 
     Returns
     -------
-    A float in SI units; an array if a value was one; `Measured` or `Interval` if a given or measured value is uncertain.
+    A float in SI units; an array if a value was one; `Measured` or `Interval` if a given or measured value is uncertain. For
+    two inputs, a dict of these by name. Its attribute `condition` is the condition number of the logarithms of the measured
+    quantities as functions of those of the inputs.
 
     Raises
     ------
     AlreadyGiven, CannotInfer, MissingInput, QuantityError, UnknownMaterial, UnknownQuantity
         An input is wrong, or one is missing.
-    NoDependence, NoSolution, SeveralSolutions
-        No value gives the measured one, or several do. Arrays hold nan there instead.
+    NoDependence, NoSolution, SeveralSolutions; of two inputs NoPair, SeveralPairs, Unseparated
+        No value gives the measured one, or several do; or the condition number is above 1e8. Arrays hold nan there instead.
 
     >>> round(infer("gamma", measured={"pull_off_force": "300 nN"}, radius="2 um", radius2="plane"), 6)
     0.015915
+    >>> measured = {"pull_off_force": "300 nN", "stiffness": "1 kN/m"}
+    >>> both = infer(["gamma", "young"], measured=measured, material="quartz", radius="2 um", radius2="plane")
+    >>> round(both["surface_energy"], 6), f"{both['youngs_modulus']:.4g}", round(both.condition, 2)
+    (0.015915, '3.482e+10', 1.77)
     """
-    name = named(str(wanted))
-    if name not in SIZES:
-        raise CannotInfer(str(wanted))
-    if not isinstance(measured, Mapping) or len(measured) != 1:
+    names = _names(wanted)
+    if not isinstance(measured, Mapping) or len(measured) != len(names):
+        few = len(names) == 1
         raise QuantityError(
             "measured",
             str(measured)[:MAX_QUOTED],
-            "is not one quantity and its value",
-            'write {"pull_off_force": "300 nN"}',
+            "is not one quantity and its value" if few else "is not two quantities and their values",
+            'write {"pull_off_force": "300 nN"}'
+            if few
+            else 'write {"pull_off_force": "300 nN", "stiffness": "1 kN/m"}',
         )
-    ((word, value),) = measured.items()
-    known, _ = in_si({named(str(word)): value})
-    ((quantity, at),) = known.items()
+    known, _ = in_si({named(str(word)): value for word, value in measured.items()})
+    if len(known) < len(measured):
+        raise Contradiction([*map(str, measured)])
     described, _ = in_si(given)
-    for each, value in {quantity: at, **described}.items():
+    for each, value in {**known, **described}.items():
         check_range(each, value.value if is_uncertain(value) else value)
     spheres = materials_of(material, material2, materials)
+    if len(names) > 1:
+        return _pair(names, known, described, spheres, model)
+    (name,) = names
+    ((quantity, at),) = known.items()
     if any(map(is_uncertain, (at, *described.values()))):
         return _uncertain(name, quantity, at, uncertain_scene(described, spheres, model))
     if all(isinstance(each, float) for each in (at, *described.values())):
@@ -84,6 +131,19 @@ def infer(
     return _each(Sought(name, quantity, doubts=False), {quantity: at, **described}, row)
 
 
+def _names(wanted: str | Sequence[str]) -> list[str]:
+    """Return the names of one input, or of two."""
+    words = [*map(str, wanted)] if isinstance(wanted, list | tuple) else [str(wanted)]
+    names = [*map(named, words)]
+    if isinstance(wanted, list | tuple) and len({*names}) != 2:
+        remedy = 'write "gamma" or ["gamma", "young"]'
+        raise QuantityError("wanted", str(wanted)[:MAX_QUOTED], "cannot be inferred: one input can, or two", remedy)
+    for word, name in zip(words, names, strict=True):
+        if name not in SIZES:
+            raise CannotInfer(word)
+    return names
+
+
 def _uncertain(name: str, quantity: str, at: Any, scene: Scene) -> Any:
     """Return an inferred value with its uncertainty."""
     from ..scene.uncertainty import inferred_uncertainty
@@ -91,6 +151,42 @@ def _uncertain(name: str, quantity: str, at: Any, scene: Scene) -> Any:
     found = solution(name, quantity, at.value if is_uncertain(at) else at, scene)
     uncertainty, _ = inferred_uncertainty(name, quantity, at, found, scene)
     return with_uncertainty(found.value, uncertainty)
+
+
+def _pair(
+    names: Sequence[str],
+    measured: Mapping[str, Any],
+    described: Mapping[str, Any],
+    spheres: tuple[Material | None, Material | None],
+    model: str | None,
+) -> InferredValues:
+    """Return the values of two inputs, of arrays element by element."""
+    given = {**described, **measured}
+    if any(map(is_uncertain, given.values())):
+        from ..scene.uncertainty import uncertainties_of_two
+
+        refuse_arrays(given)
+        row = observed_pair([*measured], given, *spheres, model=model)
+        pair = Problem(names, row.values, row.scene).solution()
+        found, _ = uncertainties_of_two(row.measured, pair, row.scene)
+        values = {name: with_uncertainty(value, found.get(name)) for name, value in pair.values.items()}
+        return InferredValues(values, pair.condition)
+    arrays = {name: value for name, value in given.items() if not isinstance(value, float)}
+    if not arrays:
+        pair = Problem(names, measured, Scene(described, *spheres, model=model)).solution()
+        return InferredValues(pair.values, pair.condition)
+    import numpy
+
+    shape = broadcast(arrays)
+    flat = {name: numpy.broadcast_to(value, shape).ravel().tolist() for name, value in arrays.items()}
+    columns = numpy.full((len(names) + 1, prod(shape)), numpy.nan)
+    for place, own in enumerate(zip(*flat.values(), strict=True)):
+        row = observed_pair([*measured], {**given, **dict(zip(flat, own, strict=True))}, *spheres, model=model)
+        with suppress(NoResult):
+            pair = Problem(names, row.values, row.scene).solution()
+            columns[:, place] = *pair.values.values(), pair.condition
+    *found_values, condition = (column.reshape(shape) for column in columns)
+    return InferredValues(dict(zip(names, found_values, strict=True)), condition)
 
 
 def _each(wanted: Sought, given: Mapping[str, Any], row: Callable[[Mapping[str, Any]], Observed]) -> Any:

@@ -1,4 +1,4 @@
-"""Rows of the inverse problem: the value of an input at which each scene has its measured value of a quantity."""
+"""Rows of the inverse problem: the value of an input at which each scene has its measured value of a quantity, or of two inputs."""
 
 from collections.abc import Callable, Collection, Hashable, Iterable, Mapping, Sequence
 from functools import partial
@@ -13,7 +13,8 @@ from ..scene.failures import MissingInput
 from ..scene.inverse import SIZES, check, computed, failure, names_in, solution, solutions, with_input
 from ..scene.limits import doubts
 from ..scene.scene import Scene
-from .columns import UNCERTAINTY, Columns, LeftOut, NotShown, Row, Wanted, inputs_used, left_out, put_one, spread
+from ..scene.unknowns import Problem, check_two, largest, with_inputs
+from .columns import ROW, UNCERTAINTY, Columns, LeftOut, NotShown, Row, Wanted, inputs_used, left_out, put_one, spread
 
 if TYPE_CHECKING:
     from ..scene.uncertainty import Source
@@ -205,6 +206,117 @@ class Sought(Wanted):
         from ..scene.uncertainty import inferred_sources
 
         return inferred_sources(self.name, self.quantity, scene.measured, scene.scene).entering
+
+
+# --- Two inputs -------------------------------------------------------------------------------------------------------
+
+
+class ObservedPair(NamedTuple):
+    """A scene that lacks two inputs, and the measured values of two of its quantities."""
+
+    scene: Scene
+    measured: Mapping[str, Any]
+
+    @property
+    def values(self) -> dict[str, float]:
+        """The measured values without their uncertainties."""
+        return {name: one.value if is_uncertain(one) else one for name, one in self.measured.items()}
+
+    @property
+    def is_uncertain(self) -> bool:
+        """True if a measured value, or something in the scene, has an uncertainty."""
+        return any(map(is_uncertain, self.measured.values())) or self.scene.is_uncertain
+
+
+def observed_pair(
+    quantities: Sequence[str], given: Mapping[str, Any], *spheres: Material | None, model: str | None
+) -> ObservedPair:
+    """Return a row of inputs among which are the measured values of two quantities."""
+    others = {name: value for name, value in given.items() if name not in quantities}
+    return ObservedPair(Scene(others, *spheres, model=model), {name: given[name] for name in quantities})
+
+
+class SoughtPair(Wanted):
+    """Two inputs that are inferred from two measured quantities. Rows are computed one by one."""
+
+    def __init__(
+        self,
+        names: Sequence[str],
+        quantities: Sequence[str],
+        *,
+        inputs: Iterable[str] = (),
+        sides: Collection[str] | None = None,
+        doubts: bool = True,
+    ) -> None:
+        """`sides`: of the uncertainties, those that have columns; None where they are not wanted."""
+        of_names = None if sides is None else dict.fromkeys(names, sides)
+        super().__init__(names, named=names, inputs=inputs, sides=of_names, doubts=doubts)
+        self.quantities = tuple(quantities)
+
+    @classmethod
+    def of(cls, names: Sequence[str], quantities: Sequence[str], kinds: Iterable[ObservedPair]) -> "SoughtPair":
+        """Return what is wanted of rows of some kinds. Raises the error of the inputs, or MissingInput if no kind allows to infer them."""
+        plain = cls(names, quantities)
+        inputs: set[str] = set()
+        sides: set[str] = set()
+        errors: list[MissingInput | None] = []
+        for one in kinds:
+            errors.append(None)
+            try:
+                check_two(names, quantities, one.scene)
+                inputs |= plain._echo(one).keys()
+                sides |= {side for source in plain._sources(one) for side in source.given.sides}
+            except MissingInput as error:
+                errors[-1] = error
+            except NoResult:
+                continue
+        if errors[0] is not None and all(errors):
+            raise errors[0]
+        return cls(names, quantities, inputs=[each for each in NOMENCLATURE if each in inputs], sides=sides)
+
+    def row(self, scene: ObservedPair) -> Row:
+        """Return the row of measured numbers."""
+        gaps = [nan] * len(self.keys)
+        try:
+            found = Problem(self.names, scene.values, scene.scene).solution()
+        except MissingInput as error:
+            return Row(self._echo(scene), gaps, 0, dict.fromkeys(self.names, error))
+        except NoResult as error:
+            return Row(self._echo(scene) | self._uncertain(scene), gaps, 0, {ROW: error})
+        numbers = dict(found.values)
+        reasons: dict[str, JkrollError] = {}
+        if self.known_sides and scene.is_uncertain:
+            from ..scene.uncertainty import uncertainties_of_two
+
+            for name, one in uncertainties_of_two(scene.measured, found, scene.scene)[0].items():
+                if isinstance(one, JkrollError):
+                    reasons |= dict.fromkeys(self.sides_of(name).values(), one)
+                else:
+                    numbers |= {f"{name}_{side}": number for side, number in one.uncertainty.sides.items()}
+        bits = doubts(found.scene, self.quantities) if self.doubts else 0
+        return Row(
+            self._echo(scene) | self._uncertain(scene), [numbers.get(key, nan) for key in self.keys], bits, reasons
+        )
+
+    def _echo(self, scene: ObservedPair) -> dict[str, Any]:
+        """Return the inputs of a row as they were understood, among them the measured values."""
+        inferred = {each for name in self.names for each in names_in(scene.scene, name)}
+        filled = with_inputs(scene.scene, largest(self.names))
+        used = [name for name in inputs_used(filled, self.quantities, self.quantities) if name not in inferred]
+        return {**filled.echo(used), **scene.values}
+
+    def _uncertain(self, scene: ObservedPair) -> dict[str, Any]:
+        """Return the inputs, and the measured values, from which the uncertainty comes."""
+        return (
+            {name: source.given for source in self._sources(scene) for name in source.names} if self.known_sides else {}
+        )
+
+    def _sources(self, scene: ObservedPair) -> "Sequence[Source]":
+        if not scene.is_uncertain:
+            return ()
+        from ..scene.uncertainty import sources_of_two
+
+        return sources_of_two(self.names, scene.measured, scene.scene).entering
 
 
 def _column(value: Any, size: int) -> Any:

@@ -187,11 +187,16 @@ def _answers(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
 def uncertain_scene(
     described: Mapping[str, Any], spheres: tuple[Material | None, Material | None], model: str | None
 ) -> Scene:
-    """Return a scene of which some values are uncertain; arrays have no uncertainty."""
+    """Return a scene of which some values are uncertain."""
+    refuse_arrays(described)
+    return Scene(described, *spheres, model=model)
+
+
+def refuse_arrays(described: Mapping[str, Any]) -> None:
+    """Raise QuantityError for an array beside an uncertain value: arrays have no uncertainty."""
     for name, value in described.items():
         if not (isinstance(value, float) or is_uncertain(value)):
             raise QuantityError(name, "an array", "stands beside an uncertain value, which takes single values")
-    return Scene(described, *spheres, model=model)
 
 
 def _uncertain_answers(scene: Scene, names: Sequence[str]) -> dict[str, Any]:

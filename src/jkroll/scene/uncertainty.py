@@ -15,6 +15,7 @@ from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import Interval, Measured, Uncertain, is_uncertain
 from .inverse import Solution, found_by, highest_between, solution, solutions, used_beside
 from .scene import Scene
+from .unknowns import Pair, Problem, used_beside_two
 from .wiring import in_order
 
 MAX_RANGES = 8  # whose corners are computed, all together
@@ -154,6 +155,30 @@ def changed_inputs(quantity: str, measured: Any, scene: Scene, changed: Mapping[
     """Return a measured value and a scene, of which some have changed."""
     others = {each: value for each, value in changed.items() if each != quantity}
     return changed.get(quantity, measured.value if is_uncertain(measured) else measured), scene.replace(**others)
+
+
+def sources_of_two(names: Sequence[str], measured: Mapping[str, Any], scene: Scene) -> Sources:
+    """Return the sources of the uncertainty of two inferred inputs: the measured values, and the inputs of the scene."""
+    of_measured = [Source((quantity,), one) for quantity, one in measured.items() if is_uncertain(one)]
+    return sources_of(scene, used_beside_two(names, tuple(measured), scene), of_measured)
+
+
+def uncertainties_of_two(
+    measured: Mapping[str, float | Uncertain], found: Pair, scene: Scene
+) -> tuple[dict[str, Propagated | JkrollError], Sources]:
+    """Return the uncertainties of two inferred inputs, and their sources. Newton's method follows the pair to the ends of each."""
+    sources = sources_of_two([*found.values], measured, scene)
+    middles = {name: one if isinstance(one, float) else one.value for name, one in measured.items()}
+
+    def evaluate(changed: Mapping[str, float]) -> Mapping[str, Any]:
+        at = {name: changed.get(name, value) for name, value in middles.items()}
+        beside = scene.replace(**{name: value for name, value in changed.items() if name not in at})
+        try:
+            return Problem([*found.values], at, beside).near(found.values).values
+        except NoResult as error:
+            return dict.fromkeys(found.values, error)
+
+    return propagated(evaluate, found.values, sources.entering), sources
 
 
 def propagated(

@@ -61,7 +61,7 @@ class Unseparated(NoResult):
     def reason(self) -> str:
         """Return what does not separate what."""
         size = f"κ = {self.condition:.2g} is above {MAX_CONDITION:.0e}" if self.condition < inf else "κ is infinite"
-        return f"{_and(self.quantities)} do not separate {_and(self.names)}: {self.remark} ({size})"
+        return f"{_and(self.quantities)} do not separate them: {self.remark} ({size})"
 
 
 class NoPair(NoResult):
