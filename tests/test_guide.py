@@ -3,6 +3,8 @@
 import doctest
 import io
 import re
+import shutil
+from pathlib import Path
 
 import pytest
 
@@ -11,6 +13,7 @@ from jkroll.cli.commands import COMMANDS
 from jkroll.output.manual import page, topics
 from transcripts import commands, copied, exit_code, transcript, transcripts, with_file
 
+FORCE_CURVE = Path(__file__).parent / "data" / "force_curve.csv"
 PAGES = {topic: page(topic) for topic in topics()}
 
 
@@ -29,6 +32,7 @@ def test_a_command_in_the_text_works(command: str) -> None:
 
 
 def test_python_examples() -> None:
+    shutil.copy(FORCE_CURVE, "curve.csv")
     examples = "\n".join(re.findall(r"```python\n(.*?)```", "\n".join(PAGES.values()), re.DOTALL))
     test = doctest.DocTestParser().get_doctest(examples, {}, "guide", "guide", 0)
     output = io.StringIO()

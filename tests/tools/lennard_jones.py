@@ -1,6 +1,9 @@
 """Make the table of the pull-off force of an elastic sphere that attracts by the 3-9 law, and hold the fit against it.
 
     python tests/tools/lennard_jones.py [μ ...]
+    python tests/tools/lennard_jones.py curve > tests/data/force_curve.csv
+
+The second makes a force curve as it is measured, with noise and an unknown zero of the approach.
 
 The gap is h/z0 = H = ρ²/2 − D + μ^(3/2) u(ρ), with ρ = r/√(Rz0) and a traction (8/3)(H^-3 − H^-9) w/z0 on an elastic
 half-space. Traction is constant on rings, whose displacement is the difference of that of two discs (elliptic integrals).
@@ -10,6 +13,7 @@ Above μ = 2 the gap at the centre no longer falls along the whole curve, so tha
 """
 
 import sys
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import numpy
@@ -46,8 +50,8 @@ def disc(r: Any, radius: Any) -> Any:
     return 4 / numpy.pi * numpy.where(inside, radius * second, r * (second - (1 - k * k) * first))
 
 
-def pull_off(tabor: float, rings: int) -> float:
-    """Return the pull-off force over πwR with a number of rings."""
+def states(tabor: float, rings: int, gaps: Iterable[float]) -> Iterator[tuple[float, float]]:
+    """Iterate over the approach over z0 and the tension over πwR at gaps at the centre, the first of them at rest."""
     if tabor > 2:
         raise ValueError("the curve cannot be followed by the gap at the centre above μ = 2")
     scale = max(1.0, tabor**0.5)
@@ -70,8 +74,7 @@ def pull_off(tabor: float, rings: int) -> float:
 
     count = len(middle)
     h, d = middle**2 / 2 + 3.0, -3.0
-    tensions = []
-    for gap in numpy.concatenate([numpy.linspace(3, 1.2, 60), numpy.linspace(1.19, 0.9, 200)]):
+    for gap in gaps:
         h, d = h - (h[0] - gap), d + (h[0] - gap)
         for _ in range(60):
             pull, slope = traction(h)
@@ -84,16 +87,47 @@ def pull_off(tabor: float, rings: int) -> float:
                 break
         else:
             raise ArithmeticError(f"no solution at a gap of {gap}")
-        tensions.append(load(h, d))
-        if tensions[-1] < max(tensions) - 1e-4:
+        yield float(d), load(h, d)
+
+
+def pull_off(tabor: float, rings: int) -> float:
+    """Return the pull-off force over πwR with a number of rings."""
+    tensions: list[float] = []
+    for _, tension in states(tabor, rings, [*numpy.linspace(3, 1.2, 60), *numpy.linspace(1.19, 0.9, 200)]):
+        tensions.append(tension)
+        if tension < max(tensions) - 1e-4:
             break
     best = int(numpy.argmax(tensions))
     below, top, above = tensions[best - 1 : best + 2]
     return top - (above - below) ** 2 / (8 * (above - 2 * top + below))
 
 
+# --- A force curve ----------------------------------------------------------------------------------------------------
+
+GAMMA, RADIUS, YOUNGS_MODULUS, POISSON_RATIO = 0.025, 1e-6, 6e9, 0.3  # of a sphere on a rigid plane of its own γ
+SPACING = 4e-10  # z0
+ZERO, NOISE = 12.3e-9, 3e-9  # of the approach, in m, and of the force, in N
+
+
+def force_curve(rings: int = 300) -> Iterator[tuple[float, float]]:
+    """Iterate over approach and force as the sphere is withdrawn, until it jumps off at the largest tension of a soft spring."""
+    modulus, w = YOUNGS_MODULUS / (1 - POISSON_RATIO**2), 2 * GAMMA
+    tabor = float(numpy.cbrt(RADIUS * w**2 / (modulus**2 * SPACING**3)))
+    gaps = [*numpy.linspace(3, 1.2, 19), *numpy.linspace(1.19, 1.02, 35), *numpy.linspace(1.019, 0.94, 80)]
+    found = [*states(tabor, rings, gaps)]
+    best = max(range(len(found)), key=lambda place: found[place][1])
+    random = numpy.random.default_rng(1995)
+    for approach, tension in reversed(found[best:]):
+        yield SPACING * approach + ZERO, -numpy.pi * w * RADIUS * tension + NOISE * random.standard_normal()
+
+
 def main() -> None:
     """Print a row for each μ: the pull-off force with two numbers of rings, extrapolated, in the table and by the fit."""
+    if sys.argv[1:] == ["curve"]:
+        print("approach [m],force [N]")
+        for approach, force in force_curve():
+            print(f"{approach:.4e},{force:.3e}")
+        return
     for tabor in map(float, sys.argv[1:] or TABLE):
         coarse, fine = pull_off(tabor, 300), pull_off(tabor, 600)
         value = fine + (fine - coarse) / 3
