@@ -78,6 +78,15 @@ def test_two_solutions_between_two_points_of_the_scan_are_found() -> None:
     assert 1 < high / low < 1.1
 
 
+def test_a_load_that_changes_the_last_digits_alone_is_no_jump() -> None:
+    """Between two doubles of the quantity, where the scan is as fine as rounding."""
+    scene = Scene({**QUARTZ, **PLANE})
+    radius = scene.replace(load=2e-15)["contact_radius_at_load"]
+    for steps in range(-20, 21):
+        found = solution("load", "contact_radius_at_load", radius + steps * math.ulp(radius), scene)
+        assert found.forward == pytest.approx(radius, rel=1e-14)
+
+
 def test_a_solution_at_a_value_of_the_scan_hides_no_other() -> None:
     """δ is least at a radius that grows with the load: here 3 % above 1 µm, which is scanned."""
     quartz = known_materials()["quartz"]

@@ -134,7 +134,7 @@ MEASURED = Option(
     "--measured",
     str,
     "QUANTITY=VALUE",
-    "Measured quantity, an error bar as in 300±20nN; twice for two inputs",
+    "Measured quantity, twice for two inputs; an error bar as in 300±20nN",
     repeats=True,
 )
 CURVE = Option("curve", "--curve", bool, "", "Whole force curve; with -o as a picture")

@@ -23,6 +23,7 @@ _GOLDEN = 0.6180339887498949  # of an interval, the part that a step of the gold
 _SEARCHES = 45  # steps of it: they leave 4e-10 of an interval, and all digits of a value that is flat there
 _HALVINGS = 200  # more than lead from any interval to neighbouring doubles
 _JUMP = 1e-6  # part of the values around it that a change of sign may leave, if it is a crossing and no jump
+_DIGITS = 1e-14  # of a value: a difference as small as this comes from rounding, and is no jump
 _STEP = 1e-6  # relative, of the differences that give a slope
 
 Found = TypeVar("Found")
@@ -130,7 +131,8 @@ def crossings(piece: Piece, level: float) -> Search[list[float]]:
     for at, (before, after) in enumerate(pairwise(values)):
         if before < level < after or before > level > after:
             place = yield from _bisected(places[at], places[at + 1], level, rises=before < level)
-            if abs((yield place) - level) <= _JUMP * max(abs(before - level), abs(after - level)):
+            leaves = max(_JUMP * max(abs(before - level), abs(after - level)), _DIGITS * abs(level))
+            if abs((yield place) - level) <= leaves:
                 found.append(place)
     return found
 
@@ -200,7 +202,7 @@ PER_DECADE = 8  # points of the scan
 _SCANNED = 1 << 14  # values of a quantity that are computed at once in a scan
 _TOGETHER = 1 << 11  # values that are inferred side by side
 _BISECTION = 60  # values that a bisection computes, from one point of the scan to the next
-ROUNDING = 1e-12  # of a quantity: a spread over the scan as small as this comes from rounding, and not from the input
+_ROUNDING = 1e-12  # of a quantity: a spread over the scan as small as this comes from rounding, and not from the input
 
 
 class CannotInfer(JkrollError):
@@ -412,7 +414,7 @@ def _pieces(name: str, quantity: str, places: Sequence[float], scan: Sequence[fl
     """Return the parts of a scan on which the quantity has values, unless these are all the same; NoDependence then."""
     pieces = yield from pieces_of(places, scan)
     values = [value for piece in pieces for value in piece.values]
-    if values and max(values) - min(values) <= ROUNDING * max(map(abs, values)):
+    if values and max(values) - min(values) <= _ROUNDING * max(map(abs, values)):
         raise NoDependence(name, quantity)
     return pieces
 

@@ -17,7 +17,6 @@ from ..quantities.nomenclature import NOMENCLATURE
 from .failures import Contradiction
 from .inverse import (
     PER_DECADE,
-    ROUNDING,
     SIZES,
     CannotInfer,
     NoDependence,
@@ -150,17 +149,17 @@ class Problem:
     def solution(self) -> Pair:
         """Return the one pair. Raises NoPair, SeveralPairs or Unseparated, or the reason why a quantity has no value anywhere."""
         branches = self._branches()
-        found: list[_Place] = []
+        found: list[Pair] = []
         for values in branches.crossings():
             place = _improved(_Place(self, values))
-            if not any(place.is_same(other) for other in found):
-                found.append(place)
+            if not any(place.is_at(pair.values) for pair in found):
+                found.append(place.pair())
         if not found:
             raise branches.failure()
-        pairs = [place.pair() for place in found]
-        if len(pairs) > 1:
-            raise SeveralPairs(self.names, self.measured, [pair.values for pair in pairs])
-        return pairs[0]
+        if len(found) > 1:
+            pairs = sorted((pair.values for pair in found), key=lambda values: [*values.values()])
+            raise SeveralPairs(self.names, self.measured, pairs)
+        return found[0]
 
     def _branches(self) -> "_Branches":
         """Return the branches on which to look, along which the first quantity depends on the first input."""
@@ -244,7 +243,9 @@ class _Branches:
         self.places = grid(self.second)
         self.spans: list[float] = []  # ends of what the first quantity can be
         self.heights: list[float] = []  # what the second quantity is on the branches
-        self.middles: list[dict[str, float]] = []  # a pair on each branch
+        self.flat: list[
+            tuple[dict[str, float], float]
+        ] = []  # on branches along which it is the same: a pair, and its value
         self.roots: dict[float, list[float]] = {}  # of the first input, by the second one
         self.is_idle = False  # whether the first quantity has values, and is the same for all of the first input
         self._scan(self.places[:1] if self.is_straight else self.places)
@@ -312,11 +313,12 @@ class _Branches:
 
         level = self.problem.measured[self.beside]
         for piece in found_by(pieces_of(self.places, [*map(height, self.places)]), height):
-            middle = piece.places[len(piece.places) // 2]
-            self.middles.append({self.first: self.at(middle)[number], self.second: middle})
-            self.heights += piece.values
-            if _is_flat(piece.values, ROUNDING):
+            if _is_flat(piece.values):
+                middle = piece.places[len(piece.places) // 2]
+                self.flat.append(({self.first: self.at(middle)[number], self.second: middle}, piece.values[0]))
                 continue
+            for second in found_by(crossings(piece, level), height):  # what is badly separated has many turning points
+                yield {self.first: self.at(second)[number], self.second: second}
             divided = found_by(with_turning_points(piece, level), height)
             self.heights += divided.values
             for second in found_by(crossings(divided, level), height):
@@ -328,18 +330,19 @@ class _Branches:
         if not self.spans:
             return failure(self.first, self.quantity, with_inputs(self.problem.scene, largest([self.second])))
         reached = {self.quantity: measured[self.quantity]}
-        if not self.heights:
+        if not (self.heights or self.flat):
             return NoPair(names, reached, self.quantity, (min(self.spans), max(self.spans)))
-        if _is_flat(self.heights, 1 / MAX_CONDITION):
-            held = f"{_equal({self.beside: self.heights[0]})} wherever {_equal(reached)}"
-            direction = _Place(self.problem, self.middles[0]).left_open()
-            return Unseparated(names, tuple(measured), inf, f"{held}; {direction}")
+        for pair, height in self.flat:
+            if not self.heights or _is_flat([height, measured[self.beside]]):
+                held = f"{_equal({self.beside: height})} wherever {_equal(reached)}"
+                direction = _Place(self.problem, pair).left_open()
+                return Unseparated(names, tuple(measured), inf, f"{held}; {direction}")
         return NoPair(names, measured, self.beside, (min(self.heights), max(self.heights)))
 
 
-def _is_flat(values: Sequence[float], part: float) -> bool:
-    """Return whether values differ by no more than a part of them."""
-    return max(values) - min(values) <= part * max(map(abs, values))
+def _is_flat(values: Sequence[float]) -> bool:
+    """Return whether values differ so little that the condition number would be too large."""
+    return max(values) - min(values) <= max(map(abs, values)) / MAX_CONDITION
 
 
 # --- Newton's method --------------------------------------------------------------------------------------------------
@@ -411,9 +414,9 @@ class _Place:
         size = hypot(*self.differences)
         return inf if isnan(size) else size
 
-    def is_same(self, other: "_Place") -> bool:
-        """Return whether another place was found twice."""
-        return all(isclose(value, other.values[name], rel_tol=_SAME) for name, value in self.values.items())
+    def is_at(self, values: Values) -> bool:
+        """Return whether this is the place of some values, which was found twice then."""
+        return all(isclose(value, values[name], rel_tol=_SAME) for name, value in self.values.items())
 
     def step(self) -> dict[str, float]:
         """Return the step of Newton's method, of a limited length; none where the matrix has no inverse."""
@@ -449,9 +452,9 @@ class _Place:
     def left_open(self) -> str:
         """Return the direction in which both quantities stay as they are, to the first order."""
         row = max(self.matrix, key=lambda row: hypot(*row))
-        (small, least), (large, most) = sorted(
-            zip(self.values, (-row[1], row[0]), strict=True), key=lambda one: abs(one[1])
-        )
+        parts = {name: self._part(name) if self.values[name] else 1.0 for name in self.values}
+        changes = [part * change for part, change in zip(parts.values(), (-row[1], row[0]), strict=True)]
+        (small, least), (large, most) = sorted(zip(parts, changes, strict=True), key=lambda one: abs(one[1]))
         symbols = {name: NOMENCLATURE[name].symbol for name in (small, large)}
         if abs(least) <= _LEFT_OPEN * abs(most) or not most:
             return f"they leave {symbols[large]} open"
