@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from .rows.infer import infer
     from .scene.solver import FORMULAS, solve
 
-__version__ = "0.1.0"
+__version__ = "0.3.0"
 __all__ = [
     "FORMULAS",
     "NOMENCLATURE",

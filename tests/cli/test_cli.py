@@ -5,6 +5,7 @@ import io
 import json
 import math
 import os
+import re
 import shlex
 import subprocess
 import sys
@@ -325,6 +326,23 @@ def test_what_rests_on_no_equation_of_the_paper_cites_none(run: Run) -> None:
     words = "report 100nm --young 10GPa --poisson 0.3 --cite --quantities"
     assert run(f"{words} contact_radius,approach --gamma 25mJ/m2").out.endswith("(2), (3)}\n}\n")
     assert run(f"{words} contact_shear_modulus").out.endswith("  doi     = {10.1080/01418619508243800}\n}\n")
+
+
+def test_the_program_is_cited_as_its_licence_has_it(run: Run) -> None:
+    licence = (Path(__file__).parents[2] / "LICENSE").read_text(encoding="utf-8")
+    title, _, rights = licence.split("\n")[:3]
+    year, holder = rights.removeprefix("Copyright (c) ").split(" ", 1)
+    words = "pull-off quartz,iron 100nm --cite"
+    assert run(words).out.count("@misc{jkroll,") == 1
+    entry = run(words).out.partition("\n}\n")[0]
+    fields = {name: text.rstrip(",") for name, text in re.findall(r"^  (\w+) += \{(.*)\}", entry, re.MULTILINE)}
+    assert fields.pop("title")
+    assert fields == {
+        "author": f"{{{holder}}}",
+        "year": year,
+        "howpublished": f"Computer program, version {__version__}",
+        "note": title.replace("License", "licence"),
+    }
 
 
 @pytest.mark.parametrize("name", QUESTIONS)

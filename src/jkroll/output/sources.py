@@ -5,6 +5,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from math import isfinite
 from typing import Any, TextIO
 
+from .. import __version__
 from ..answers.answer import Answer
 from ..answers.results import Result
 from ..errors import JkrollError
@@ -185,6 +186,17 @@ PAPER = """@article{dominik-tielens-1995,
   doi     = {10.1080/01418619508243800}%s
 }"""
 
+# This program: author and year are those of its LICENSE.
+PROGRAM: Mapping[str, str] = {
+    "key": "jkroll",
+    "type": "misc",
+    "author": "{The jkroll developers}",
+    "title": "jkroll: adhesive contact of two elastic spheres",
+    "howpublished": f"Computer program, version {__version__}",
+    "year": "2026",
+    "note": "MIT licence",
+}
+
 # The references of conventions, by how the nomenclature names them.
 _CONVENTIONS: Mapping[str, Mapping[str, str]] = {
     "Thornton & Ning 1998": {
@@ -258,7 +270,7 @@ _CONVENTIONS: Mapping[str, Mapping[str, str]] = {
 
 
 def write_citations(answers: Iterable[Answer], out: TextIO) -> None:
-    """Write BibTeX entries of the paper, with the equations used, and of the material data used."""
+    """Write BibTeX entries of this program, of the paper, with the equations used, and of the laws and data used."""
     equations: set[str] = set()
     references: dict[str, Mapping[str, str]] = {}
     failure: JkrollError | None = None
@@ -273,6 +285,7 @@ def write_citations(answers: Iterable[Answer], out: TextIO) -> None:
     numbers = sorted(filter(None, equations), key=int)
     if failure is not None and not numbers:
         raise failure
+    say(bibtex(PROGRAM), out)
     say(PAPER % _equations(numbers), out)
     for entry in references.values():
         say(bibtex(entry), out)
