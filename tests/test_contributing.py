@@ -1,0 +1,81 @@
+"""The page for contributors: the changes that it shows are made on a copy of the source, which then answers as the page says."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from transcripts import commands, transcripts
+
+ROOT = Path(__file__).parents[1]
+PAGE = (ROOT / ".github/CONTRIBUTING.md").read_text(encoding="utf-8")
+SECTIONS = {
+    title: text for title, text in re.findall(r"^## (.*)\n((?:(?!## ).*\n)*)", PAGE, re.MULTILINE) if "```diff" in text
+}
+COUNTED = {1: "one place", 2: "two places", 3: "three places"}
+# The tests that ask for what a new entry needs, without those that list all laws or all materials.
+ASK = ("tests/physics/test_accuracy.py", "tests/scene/test_laws.py", "tests/materials", "tests/test_architecture.py")
+LIST_ALL = ("test_the_laws_of_attraction_stand_beside_each_other", "test_the_sets")
+TRANSCRIBE = "import sys; from transcripts import transcript; print(''.join(map(transcript, sys.argv[1:])), end='')"
+
+
+def changes(section: str) -> list[tuple[str, str, str]]:
+    """Return the changes that a section shows: the file, the lines before, and the lines after."""
+    found = []
+    for block in re.findall(r"```diff\n(.*?)```", section, re.DOTALL):
+        for path, hunks in re.findall(r"^\+\+\+ (\S+)\n((?:(?!\+\+\+ ).*\n)*)", block, re.MULTILINE):
+            for hunk in hunks.split("@@\n")[1:]:
+                lines = hunk.splitlines(keepends=True)
+                before, after = ("".join(line[1:] for line in lines if line[0] in kinds) for kinds in (" -", " +"))
+                found.append((path, before, after))
+    return found
+
+
+def copy_with(folder: Path, *sections: str) -> Path:
+    """Return a copy of this checkout in which the changes of sections are made."""
+    copy = folder / "copy"
+    for name in ("src", "tests"):
+        shutil.copytree(ROOT / name, copy / name, ignore=shutil.ignore_patterns("__pycache__"))
+    for name in ("materials.toml", "pyproject.toml", "README.md", "LICENSE", ".github"):
+        source = ROOT / name
+        (shutil.copytree if source.is_dir() else shutil.copy)(source, copy / name)
+    for path, before, after in (change for section in sections for change in changes(SECTIONS[section])):
+        text = (copy / path).read_text(encoding="utf-8")
+        assert text.count(before) == 1, f"CONTRIBUTING.md changes lines that {path} does not have once:\n{before}"
+        (copy / path).write_text(text.replace(before, after), encoding="utf-8")
+    return copy
+
+
+def environment(copy: Path) -> dict[str, str]:
+    """Return the environment in which a copy is run instead of this checkout."""
+    return {**os.environ, "PYTHONPATH": os.pathsep.join([str(copy / "src"), str(copy / "tests")])}
+
+
+@pytest.mark.parametrize("title", SECTIONS)
+def test_the_shown_change_is_all_that_it_takes(tmp_path: Path, title: str) -> None:
+    copy = copy_with(tmp_path, title)
+    places = {path for path, _, _ in changes(SECTIONS[title]) if not path.startswith("tests/")}
+    assert title.endswith(f": {COUNTED[len(places)]}")
+    for block in transcripts(SECTIONS[title]):
+        ran = subprocess.run(
+            [sys.executable, "-c", TRANSCRIBE, *commands(block)],
+            env=environment(copy), capture_output=True, text=True, encoding="utf-8", check=True,
+        )  # fmt: skip
+        assert ran.stdout == block
+
+
+def test_there_is_a_change_of_each_kind() -> None:
+    assert [title.partition(":")[0] for title in SECTIONS] == ["A material", "A quantity", "An option", "A law"]
+
+
+@pytest.mark.slow
+def test_the_tests_are_content_with_all_changes_at_once(tmp_path: Path) -> None:
+    copy = copy_with(tmp_path, *SECTIONS)
+    others = " and ".join(f"not {name}" for name in LIST_ALL)
+    for words in (["tests/tools/make_stub.py"], ["-m", "pytest", "-q", "-n", "0", "-k", others, *ASK]):
+        ran = subprocess.run([sys.executable, *words], cwd=copy, env=environment(copy), capture_output=True, text=True)
+        assert ran.returncode == 0, ran.stdout
