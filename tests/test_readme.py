@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from jkroll.output.manual import page
 from transcripts import commands, copied, exit_code, transcript, transcripts, with_file
 
 README = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
@@ -41,3 +42,11 @@ def test_two_commands_are_all_the_set_up_there_is() -> None:
 
 def test_it_is_a_page() -> None:
     assert len(README.encode()) <= MOST
+
+
+def test_its_number_of_the_validation_is_that_of_the_table() -> None:
+    ((solids, radius, force, ratio),) = re.findall(
+        r"rolls (\S+) of R1 = (.*?) was measured as (.*?), (\S+) times", README
+    )
+    rows = [[cell.strip() for cell in line.split("|")[2:-1]] for line in page("validation").splitlines()]
+    assert [row[-1] for row in rows if row[:4] == [solids, radius, "Q", force]] == [ratio]
