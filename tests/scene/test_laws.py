@@ -259,9 +259,6 @@ def test_every_route_leads_to_a_formula_of_the_nomenclature() -> None:
 
 @pytest.mark.parametrize("law", LAWS.values(), ids=LAWS)
 def test_a_law_has_what_its_answers_need(law: Law) -> None:
-    assert law.name in STATES_OF_LAW, (
-        f"enter the states of the force curve of {law.title} in answers.curve.STATES_OF_LAW"
-    )
     if not law.is_default:
         assert law.source, f"name the source of {law.title} in its Law: results show it in place of an equation"
         assert {"key", "type", "author", "year"} <= law.reference.keys(), f"--cite needs the reference of {law.title}"
@@ -287,6 +284,20 @@ def test_large_arrays_are_solved_in_blocks() -> None:
     forces = solve("pull_off_force", model="maugis", material="quartz", radius=radii)
     few = solve("pull_off_force", model="maugis", material="quartz", radius=radii[12_345:12_350])
     assert forces[12_345:12_350].tolist() == few.tolist()
+
+
+def test_a_law_without_states_of_its_own_has_them_by_load(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delitem(STATES_OF_LAW, "dmt")
+    scene = Scene({"radius": 1e-7}, known_materials()["quartz"], model="dmt")
+    force, radius, modulus = (scene[name] for name in ("pull_off_force", "reduced_radius", "contact_modulus"))
+    rows = [*curve([scene])]
+    loads = [row.state.value for row in rows]
+    assert {row.state.given for row in rows} == {"load"}
+    assert loads == sorted(loads)
+    assert (loads[0], rows[0].state.name, loads[-1]) == (-force, "pull-off", pytest.approx(16 / 9 * force))
+    for row in rows:
+        hertz = 4 / 3 * modulus * math.sqrt(radius) * (row.value("approach_at_load") or 0.0) ** 1.5
+        assert row.state.value + force == pytest.approx(hertz, rel=1e-9, abs=1e-12 * force)
 
 
 @pytest.mark.parametrize("radius", [1e-8, 1e-7, 1e-5, 1e-3])

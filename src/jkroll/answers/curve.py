@@ -64,7 +64,7 @@ def states(scene: Scene, loads: Loads | None = None, steps: int = STEPS) -> list
     Without `loads` the curve ends at (16/9)P_c. `steps` is the number of states in contact, without those that have a name.
     """
     try:
-        found = STATES_OF_LAW[scene.law.name](scene, loads, steps)
+        found = STATES_OF_LAW.get(scene.law.name, _of_loads)(scene, loads, steps)
     except (MissingInput, NoResult):  # the answer says what is missing, or that the spheres let go
         return [State("load", loads.high, "stable") if loads else State("load", 0.0, NAMED[EQUILIBRIUM])]
     if loads is None:
@@ -123,6 +123,14 @@ def _of_dmt(scene: Scene, loads: Loads | None, steps: int) -> list[State]:
     approaches = {most * step / steps: "stable" for step in range(1, steps + 1)}
     approaches |= {0.0: "pull-off", equilibrium: "equilibrium"}
     return [State("approach_at_load", approach, approaches[approach]) for approach in sorted(approaches)]
+
+
+def _of_loads(scene: Scene, loads: Loads | None, steps: int) -> list[State]:
+    """Return states by load, from pull-off on: of a law that has one state for each load."""
+    least, most = -scene["pull_off_force"], _largest(scene, loads)
+    held = {least + (most - least) * step / steps: "stable" for step in range(1, steps + 1)}
+    held |= {least: "pull-off", 0.0: "equilibrium"}
+    return [State("load", load, held[load]) for load in sorted(held)]
 
 
 STATES_OF_LAW = {"jkr": _of_jkr, "maugis": _of_maugis, "dmt": _of_dmt}

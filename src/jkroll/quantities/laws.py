@@ -5,8 +5,8 @@ A law is a table of routes, from the name of a quantity to the formula that give
 such quantities (`n_grav` of the moment, `vertical_frequency` of the stiffness) needs no route of its own. None stands for
 a quantity that the law does not have; a name without a route is found by the formula of the same name.
 
-A new law is one more `Law` here, its formulas in `physics`, the states of its force curve in `answers.curve` and, where the
-physics gives a formula no result, the reason in `scene.failures`. The nomenclature takes the names of its formulas from the
+A new law is one more `Law` here and its formulas in `physics`; and where the physics gives a formula no result, the reason in
+`scene.failures`, and where its force curve has several states for a load, these in `answers.curve`. The nomenclature takes the names of its formulas from the
 routes.
 """
 
