@@ -14,7 +14,7 @@ import pytest
 
 import maugis_reference as maugis
 from harness import Run
-from jkroll import Interval, JkrollError, Measured, infer
+from jkroll import Interval, JkrollError, Measured, infer, known_materials
 from jkroll.quantities.formatting import amount
 from jkroll.scene.failures import Contradiction, MissingInput
 from jkroll.scene.inverse import AlreadyGiven, CannotInfer
@@ -151,6 +151,30 @@ def test_random_pairs_come_back_or_are_refused(count: int, seed: str) -> None:
     random = Random(seed)
     results = [comes_back(random) for _ in range(count)]
     assert results.count("back") > count / 3
+
+
+@pytest.mark.parametrize("law", EXACT)
+@pytest.mark.parametrize("load", [0.0, 1e-12, -2e-7])
+def test_a_load_comes_back_from_zero_too(law: str, load: float) -> None:
+    given = {**PLANE, "surface_energy": 0.02}
+    names = ("load", "youngs_modulus")
+    full = Scene({**given, "load": load, "youngs_modulus": 3e10}, model=law)
+    pair = found(names, full.numbers("contact_radius_at_load", "stiffness"), given, law)
+    assert pair.values["load"] == pytest.approx(load, rel=1e-12, abs=1e-20)
+    assert pair.values["youngs_modulus"] == pytest.approx(3e10, rel=1e-13)
+    assert (pair.growths["load"] == math.inf) == (load == 0)
+    assert pair.condition < 10
+
+
+def test_both_spheres_of_one_material_are_inferred_together() -> None:
+    quartz, iron = (known_materials()[name] for name in ("quartz", "iron"))
+    alone, twice, other = (
+        Problem(NAMES, MEASURED, Scene({"radius": 2e-6}, quartz, second)).solution() for second in (None, quartz, iron)
+    )
+    assert alone.values == twice.values
+    scene = Scene({"radius": 2e-6, **other.values}, quartz, iron)
+    assert scene.numbers(*MEASURED) == pytest.approx(MEASURED, rel=1e-13)
+    assert other.values != pytest.approx(alone.values, rel=0.1)
 
 
 # --- Refusals ---------------------------------------------------------------------------------------------------------

@@ -20,6 +20,7 @@ from .inverse import (
     SIZES,
     CannotInfer,
     NoDependence,
+    Search,
     check_given,
     crossings,
     failure,
@@ -252,19 +253,28 @@ class _Branches:
 
     def _scan(self, places: Sequence[float]) -> None:
         """Look for the first input at values of the second one, side by side."""
-        import numpy
 
-        def outcomes(rows: Sequence[int], values: Any) -> Any:
-            given = {self.first: numpy.array(values), self.second: numpy.array([places[row] for row in rows])}
-            found = self.problem.outcomes(given, [self.quantity])[self.quantity]
-            return numpy.broadcast_to(found, (*numpy.shape(values)[:-1], len(rows)))
+        def outcomes(rows: list[int], values: list[float]) -> list[float]:
+            found: list[float] = self._outcomes(values, [places[row] for row in rows]).tolist()
+            return found
 
-        scans = outcomes(range(len(places)), [[place] for place in grid(self.first)]).T.tolist()
-        level = self.problem.measured[self.quantity]
-        searches = {row: roots(self.first, self.quantity, level, scan) for row, scan in enumerate(scans)}
-        for row, found in found_by_all(searches, lambda rows, values: outcomes(rows, values).tolist()).items():
+        scans = self._outcomes([[place] for place in grid(self.first)], places).T.tolist()
+        searches = {row: self._roots(scan) for row, scan in enumerate(scans)}
+        for row, found in found_by_all(searches, outcomes).items():
             self._put(places[row], found)
         self.is_idle = self.is_idle and not self.spans
+
+    def _outcomes(self, firsts: Any, seconds: Sequence[float]) -> Any:
+        """Return the first quantity at many values of both inputs, nan where there is no result; of the second along the last axis."""
+        import numpy
+
+        values = {self.first: numpy.array(firsts), self.second: numpy.array(seconds)}
+        found = self.problem.outcomes(values, [self.quantity])[self.quantity]
+        return numpy.broadcast_to(found, (*numpy.shape(firsts)[:-1], len(seconds)))
+
+    def _roots(self, scan: Sequence[float]) -> Search[tuple[list[float], list[float]]]:
+        """Return the search for the values of the first input, given the first quantity where it is scanned."""
+        return roots(self.first, self.quantity, self.problem.measured[self.quantity], scan)
 
     def _put(self, second: float, found: tuple[list[float], list[float]] | NoResult) -> None:
         """Keep the values of the first input at a value of the second one; none where the first quantity does not depend on it."""
@@ -284,10 +294,9 @@ class _Branches:
                 values = {self.first: first, self.second: second}
                 return self.problem.outcomes(values, [self.quantity])[self.quantity]
 
-            level = self.problem.measured[self.quantity]
-            search = roots(self.first, self.quantity, level, [*map(outcome, grid(self.first))])
+            (scan,) = self._outcomes([[place] for place in grid(self.first)], [second]).T.tolist()
             try:
-                self._put(second, found_by(search, outcome))
+                self._put(second, found_by(self._roots(scan), outcome))
             except NoDependence as error:
                 self._put(second, error)
         return self.roots[second]
