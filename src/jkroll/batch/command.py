@@ -21,7 +21,6 @@ MAX_CODES = 4  # of doubts that are named at the end
 def run(path: str, settings: Settings, inputs: Mapping[str, str], known: Materials) -> int:
     """Convert a table, or several; return the exit code."""
     order = Order(settings, inputs, known)
-    order.known.materials  # noqa: B018  a table may name any of them
     if is_many(path, settings):
         tally, code = convert_many(path, order, _runner(settings))
     else:

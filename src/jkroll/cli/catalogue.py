@@ -20,7 +20,10 @@ def run_materials(call: Call) -> int:
     sys.stdout.flush()
     for clash in () if call.quiet or not lists_all else dict.fromkeys(map(str, materials.clashes.values())):
         say_wrapped(f"note: {clash}", sys.stderr)
-    return 0
+    mistakes = [*materials.mistakes.values()] if lists_all else []
+    for mistake in mistakes:
+        say_wrapped(f"jkroll: {mistake}", sys.stderr)
+    return mistakes[0].exit_code if mistakes else 0
 
 
 def run_quantities(call: Call) -> int:

@@ -94,6 +94,8 @@ class Request:
         if not words:
             return [None]
         if words.casefold() == "all":
+            for mistake in self.materials.mistakes.values():
+                say_wrapped(f"note: left out: {mistake}", sys.stderr)
             return list(self.materials.materials.values())
         return [self.materials[word] for word in words.split(",")]
 

@@ -348,8 +348,20 @@ class Materials:
 
     @property
     def materials(self) -> Mapping[str, Material]:
-        """All materials by name; MaterialsFileError if something is wrong with one of them."""
-        return {name: self._named(name) for name in self._entries}
+        """All materials by name, without those with which something is wrong."""
+        wrong = self.mistakes
+        return {name: self._named(name) for name in self._entries if name not in wrong}
+
+    @property
+    def mistakes(self) -> Mapping[str, MaterialsFileError]:
+        """What is wrong with materials, by name."""
+        found = {}
+        for name in self._entries:
+            try:
+                self._named(name)
+            except MaterialsFileError as error:
+                found[name] = error
+        return found
 
     @property
     def names(self) -> list[str]:

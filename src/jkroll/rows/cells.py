@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 import numpy
 import orjson
 
-from ..materials.library import Material, Materials, UnclearMaterial, UnknownMaterial
+from ..materials.library import Material, Materials, MaterialsFileError, UnclearMaterial, UnknownMaterial
 from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..quantities.units import dimension_of
@@ -192,7 +192,7 @@ class Lookup:
         text = cell.decode(errors="replace") if isinstance(cell, bytes) else cell
         try:
             found = self.materials[text] if text.strip() else self.known[0]
-        except (UnknownMaterial, UnclearMaterial):
+        except (UnknownMaterial, UnclearMaterial, MaterialsFileError):
             found = LABEL
         if found not in self.known:
             self.known.append(found)

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy
 
 from ..errors import BadRequest, JkrollError
-from ..materials.library import Material, Materials, UnclearMaterial, UnknownMaterial
+from ..materials.library import Material, Materials, MaterialsFileError, UnclearMaterial, UnknownMaterial
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, header
 from ..quantities.values import Uncertain, is_uncertain, value_of
 from ..scene.inverse import check
@@ -136,7 +136,7 @@ class Table:
             try:
                 if text.strip():
                     found[name] = readers.get(name, self.fill.known.__getitem__)(text)
-            except (UnknownMaterial, UnclearMaterial) as error:
+            except (UnknownMaterial, UnclearMaterial, MaterialsFileError) as error:
                 found[name] = LABEL
                 labels.append(str(error))
             except JkrollError as error:
