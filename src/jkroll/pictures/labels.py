@@ -5,21 +5,19 @@ The places of everything else must be final: what is free is measured in pixels.
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
-from math import cos, sin
 from typing import Any
 
 from matplotlib.patheffects import withStroke  # type: ignore[import-not-found,unused-ignore]
 from matplotlib.transforms import Bbox  # type: ignore[import-not-found,unused-ignore]
 
-from ..quantities.nomenclature import INFINITY
 from .axes import Axis
 from .maps import Map, Mark, Panel
-from .page_axes import CONTOURS, OUTLINE, PRINTED, typeset
-from .styles import SMALL, Style
+from .page_axes import CONTOURS, PRINTED, typeset
+from .styles import Style
 
 _STEP = 1.5  # between points of lines that are to be kept free, in points of the page
-_PADDING = 1.5
-_SPACING = 3  # between a contour and its label
+_APART = 3.0  # the least distance of the texts of ticks, in points of the page
+_ASIDE = 20.0  # times as far as it is from its line, a label may be from the middle
 # Directions from a point to its text, in the order of preference.
 _DIRECTIONS = ((1, 1), (1, -1), (-1, 1), (-1, -1), (1, 0), (-1, 0), (0, 1), (0, -1))
 _REACH = (4.0, 8.0, 14.0, 20.0)  # from a point to its text, in points of the page
@@ -40,7 +38,7 @@ def thin_out(axes: Any) -> None:
     """Leave out every second text of the ticks across, and again, until they do not touch."""
     labels = [label for label in axes.get_xticklabels() if label.get_text()]
     while len(labels) > 2 and any(
-        first.get_window_extent().padded(_PADDING * axes.figure.dpi / 72).overlaps(second.get_window_extent())
+        first.get_window_extent().padded(_APART * axes.figure.dpi / 72).overlaps(second.get_window_extent())
         for first, second in pairwise(labels)
     ):
         for label in labels[1::2]:
@@ -61,7 +59,7 @@ def _draw_points(axes: Any, x: Axis, y: Axis, marks: Sequence[Mark], style: Styl
     boxes = []
     for _, at in _points(x, y, marks):
         axes.plot(*at, "o", zorder=4, markersize=3.5, color=style.ink, markeredgecolor=style.paper, markeredgewidth=0.6)
-        boxes.append(_bounds(axes.transData.transform(at), (radius, radius)))
+        boxes.append(_box(axes.transData.transform(at), radius))
     return boxes
 
 
@@ -79,7 +77,7 @@ def _label_points(
     frame = axes.get_window_extent()
     places = [(right, up, reach) for reach in _REACH for right, up in _DIRECTIONS]
     for label, at in _points(x, y, marks):
-        text = axes.annotate(typeset(label), at, xytext=(0, 0), textcoords="offset points", fontsize=SMALL, zorder=5)
+        text = axes.annotate(typeset(label), at, xytext=(0, 0), textcoords="offset points", zorder=5)
         costs = []
         for place in places:
             _move(text, *place)
@@ -106,8 +104,7 @@ def _move(text: Any, right: int, up: int, reach: float) -> None:
 
 def _cost(box: Any, lines: Any, boxes: Sequence[Any], frame: Any) -> float:
     """Return how much a box covers: points of lines, other boxes, and the room beyond the frame."""
-    x, y = lines.T
-    covered = ((x > box.x0 - 1) & (x < box.x1 + 1) & (y > box.y0 - 1) & (y < box.y1 + 1)).sum()
+    covered = _covered(box.padded(1), lines)
     is_outside = box.x0 < frame.x0 or box.x1 > frame.x1 or box.y0 < frame.y0 or box.y1 > frame.y1
     return float(covered + 1000 * sum(box.overlaps(other) for other in boxes) + 10_000 * is_outside)
 
@@ -119,7 +116,7 @@ def _lines_of(axes: Any) -> Any:
     paths = [(line.get_path(), line.get_transform()) for line in axes.lines]
     paths += [(path, one.get_transform()) for one in axes.collections for path in one.get_paths() if _has_line(one)]
     step = _STEP * axes.figure.dpi / 72
-    parts = [_dense(vertices, step)[0] for path, transform in paths for vertices in _segments(path, transform)]
+    parts = [_dense(vertices, step) for path, transform in paths for vertices in _segments(path, transform)]
     return numpy.concatenate([*parts, numpy.empty((0, 2))])
 
 
@@ -139,15 +136,15 @@ def _segments(path: Any, transform: Any) -> list[Any]:
     return [part[numpy.isfinite(part).all(axis=1)] for part in numpy.split(vertices, starts)]
 
 
-def _dense(vertices: Any, step: float) -> tuple[Any, Any]:
-    """Return points along a line at most `step` apart, and their distances along the line."""
+def _dense(vertices: Any, step: float) -> Any:
+    """Return points along a line at most `step` apart."""
     import numpy
 
     if len(vertices) < 2:
-        return numpy.empty((0, 2)), numpy.empty(0)
+        return numpy.empty((0, 2))
     lengths = numpy.concatenate([[0.0], numpy.cumsum(numpy.hypot(*numpy.diff(vertices, axis=0).T))])
     places = numpy.linspace(0, lengths[-1], max(2, int(lengths[-1] / step) + 1))
-    return numpy.column_stack([numpy.interp(places, lengths, part) for part in vertices.T]), places
+    return numpy.column_stack([numpy.interp(places, lengths, part) for part in vertices.T])
 
 
 def _label_contours(
@@ -159,92 +156,75 @@ def _label_contours(
     boxes: list[Any],
     style: Style,
 ) -> None:
-    """Break each contour where its label covers least, nearest to the middle, and write it into the gap, or else beside the contour.
+    """Write each label horizontally onto its contour, at the free place nearest to the middle.
 
-    Labels are horizontal: along a contour that falls, a minus sign would look like a piece of it.
+    It stands on a patch of paper, so that no hatch runs through it and its minus sign cannot be taken for the contour.
     """
     import numpy
 
-    scale = axes.figure.dpi / 72
+    step = _STEP * axes.figure.dpi / 72
+    parts = [
+        numpy.concatenate([*(_dense(one, step) for one in _segments(path, contours.get_transform())), lines[:0]])
+        for path in contours.get_paths()
+    ]
     centre = axes.transData.transform(middle)
-    places, texts = [], {}
-    paths = [_segments(path, contours.get_transform()) for path in contours.get_paths()]
-    for level, label, segments in zip(contours.levels, labels, paths, strict=True):
-        texts[float(level)] = typeset(label)
-        width, height = _size(axes, texts[float(level)])
-        own = numpy.concatenate([_dense(vertices, _STEP * scale)[0] for vertices in segments] or [numpy.empty((0, 2))])
-        found = [place for vertices in segments for place in _places(vertices, width, scale)]
-        found.sort(key=lambda place: float(numpy.hypot(*(place[0] - centre))))
-        half = width / 2 + 2 * _PADDING * scale, height / 2 + _PADDING * scale
-        covered = [_covered(axes, place, half, lines, own, boxes) for place, _ in found]
-        if covered and (least := min(covered)) < INFINITY:
-            place, _ = found[covered.index(least)]
-            places.append(axes.transData.inverted().transform(place))
-            boxes.append(_bounds(place, half))
+    for number, (label, own) in enumerate(zip(labels, parts, strict=True)):
+        text = _on_paper(axes, label, style)
+        others = numpy.concatenate([*parts[:number], *parts[number + 1 :], lines[:0]])
+        places = _places(own, centre, _half(text), axes.get_window_extent())
+        place = next(
+            (
+                place
+                for obstacles, allowed in (
+                    (lines, own),
+                    (others, lines[:0]),
+                )  # no line at all, or else no other contour
+                for place in places
+                if _is_free(_box(place, _half(text)), obstacles, allowed, boxes)
+            ),
+            None,
+        )
+        if place is None:
+            text.remove()
         else:
-            _label_beside(axes, texts[float(level)], found, half, lines, boxes)
-    if places:
-        for text in axes.clabel(
-            contours, fmt=texts, manual=places, fontsize=SMALL, inline_spacing=_SPACING, colors=style.ink
-        ):
-            text.set_rotation(0)
+            text.set_position(axes.transData.inverted().transform(place))
+            boxes.append(_box(place, _half(text)))
 
 
-def _label_beside(
-    axes: Any, text: str, found: Sequence[tuple[Any, float]], half: tuple[float, float], lines: Any, boxes: list[Any]
-) -> None:
-    """Write a label beside a contour, on the side and at the place where it covers least, if there is room."""
+def _on_paper(axes: Any, label: str, style: Style) -> Any:
+    """Return a text on a patch of paper, which is placed later."""
+    patch = {"boxstyle": "square,pad=0", "facecolor": style.paper, "linewidth": 0}
+    return axes.text(0.5, 0.5, f" {typeset(label)} ", ha="center", va="center", zorder=3, bbox=patch)
+
+
+def _half(text: Any) -> Any:
+    """Return half the width and height of a text, in pixels."""
+    return text.get_window_extent().size / 2
+
+
+def _places(own: Any, centre: Any, half: Any, frame: Any) -> Any:
+    """Return the places at which a box on a line is within the frame, those nearest to the centre first.
+
+    Where it must be, for the frame, the line runs through the box beside its middle.
+    """
     import numpy
 
-    outlines = [one.get_paths()[0] for one in axes.collections if one.get_gid() == OUTLINE]
-    best: tuple[float, Any] = INFINITY, None
-    for line, angle in found:
-        across = numpy.array([-sin(angle), cos(angle)])
-        reach = abs(across) @ half + 1
-        for place in (line + reach * across, line - reach * across):
-            at = axes.transData.inverted().transform(place)
-            is_outside = outlines and not outlines[0].contains_point(at)
-            covered = INFINITY if is_outside else _covered(axes, place, half, lines, lines[:0], boxes)
-            best = min(best, (covered, place), key=lambda each: each[0])
-    if best[0] < INFINITY:
-        boxes.append(_bounds(best[1], half))
-        axes.text(*axes.transData.inverted().transform(best[1]), text, ha="center", va="center", fontsize=SMALL)
+    inside = numpy.clip(own, frame.min + half, frame.max - half)
+    on_line = (abs(own - inside) < half).all(axis=1)
+    cost = numpy.hypot(*(inside - centre).T) + _ASIDE * numpy.hypot(*(inside - own).T)
+    return inside[on_line][numpy.argsort(cost[on_line], kind="stable")]
 
 
-def _size(axes: Any, text: str) -> tuple[float, float]:
-    """Return the width and height of a text in pixels."""
-    probe = axes.figure.text(0, 0, text, fontsize=SMALL)
-    box = probe.get_window_extent()
-    probe.remove()
-    return box.width, box.height
+def _is_free(box: Any, lines: Any, own: Any, boxes: Sequence[Any]) -> bool:
+    """Return True if a box covers no text and no line but its own."""
+    return not any(box.overlaps(other) for other in boxes) and _covered(box, lines) <= _covered(box, own)
 
 
-def _places(vertices: Any, width: float, scale: float) -> list[tuple[Any, float]]:
-    """Return places on a line at which it is nearly straight over the width of a label, and its angles there."""
-    import numpy
-
-    points, along = _dense(vertices, _STEP * scale)
-    found = []
-    for number in range(0, len(points), 2):
-        first, last = numpy.searchsorted(along, [along[number] - width / 2, along[number] + width / 2])
-        if first == 0 or last == len(points):
-            continue
-        across, up = points[last] - points[first]
-        if numpy.hypot(across, up) > 0.95 * (along[last] - along[first]):
-            found.append((points[number], float(numpy.arctan2(up, across))))
-    return found
+def _covered(box: Any, points: Any) -> int:
+    """Return how many points a box covers."""
+    return int(((points > box.min) & (points < box.max)).all(axis=1).sum())
 
 
-def _covered(axes: Any, place: Any, half: tuple[float, float], lines: Any, own: Any, boxes: Sequence[Any]) -> float:
-    """Return how much a box covers of other lines than its own; infinite if it leaves the axes or covers another text."""
-    bounds, frame = _bounds(place, half), axes.get_window_extent()
-    is_outside = bounds.x0 < frame.x0 or bounds.x1 > frame.x1 or bounds.y0 < frame.y0 or bounds.y1 > frame.y1
-    if is_outside or any(bounds.overlaps(box) for box in boxes):
-        return INFINITY
-    inside, of_own = (int((abs(points - place) < half).all(axis=1).sum()) for points in (lines, own))
-    return inside - of_own
-
-
-def _bounds(place: Any, half: tuple[float, float]) -> Any:
+def _box(place: Any, half: Any) -> Any:
     """Return the box around a place."""
-    return Bbox.from_extents(place[0] - half[0], place[1] - half[1], place[0] + half[0], place[1] + half[1])
+    return Bbox([place - half, place + half])

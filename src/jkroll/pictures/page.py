@@ -18,7 +18,7 @@ from .. import __version__
 from .labels import label_map, label_panel, thin_out
 from .maps import Map, Panel, Picture
 from .page_axes import draw_map, draw_panel, line_of, typeset, typeset_lines
-from .styles import EVERYWHERE, LABEL, LETTER, LOOKS, SMALL, STYLES, TICK, Style
+from .styles import EVERYWHERE, LETTER, LOOKS, SIZE, STYLES, Style
 
 _ONE_PANEL, _MORE_PANELS = 120 / 25.4, 180 / 25.4  # default widths in inches
 _NARROWEST = 2.0  # width of a panel beside others
@@ -48,7 +48,7 @@ class _Block(NamedTuple):
 
 def draw(drawn: Map | Picture, kind: str, inches: float | None, style: str, *, has_caption: bool = True) -> bytes:
     """Return a picture as the content of an SVG, PDF or PNG file of a width in inches, or of the default width."""
-    with _settings(STYLES[style]):
+    with settings(STYLES[style]):
         figure = figure_of(drawn, inches, STYLES[style], has_caption=has_caption)
         buffer = BytesIO()
         figure.savefig(buffer, format=kind, dpi=300, metadata=_metadata(drawn, kind))
@@ -65,9 +65,9 @@ def figure_of(drawn: Map | Picture, inches: float | None, style: Style, *, has_c
         blocks = [_map_block(figure, drawn, inches, style)]
     else:
         blocks = _panel_blocks(figure, drawn.panels, inches / columns, columns, style)
-    title = figure.text(0.5, 1, typeset(drawn.title) if has_caption else "", fontsize=LABEL, ha="center", va="top")
+    title = figure.text(0.5, 1, typeset(drawn.title) if has_caption else "", ha="center", va="top")
     lines = [line for text in (drawn.caption if has_caption else ()) for line in typeset_lines(text, _letters(inches))]
-    caption = figure.text(0.015, 0, "\n".join(lines), fontsize=SMALL, linespacing=1.3, ha="left", va="bottom")
+    caption = figure.text(0.015, 0, "\n".join(lines), linespacing=1.3, ha="left", va="bottom")
     rows = [blocks[start : start + columns] for start in range(0, panels, columns)]
     _arrange(figure, inches, title, rows, caption)
     for block in blocks:
@@ -97,9 +97,9 @@ def _panel_blocks(figure: Figure, panels: Sequence[Panel], inches: float, column
         axes = figure.add_axes((0.1, 0.1, 0.8, 0.8), label=letter)
         draw_panel(axes, panel, inches, aspect, style)
         if len(panels) == 1:
-            axes.set_title(typeset(panel.title), fontsize=LABEL)
+            axes.set_title(typeset(panel.title))
         else:
-            axes.set_title(f"({letter}) {typeset(panel.title)}", fontsize=LABEL, loc="left")
+            axes.set_title(f"({letter}) {typeset(panel.title)}", loc="left")
         keys = _keys_of_curves(panel, style, _letters(inches - 0.4)) if len(panel.curves) > 1 else []
         blocks.append(_Block(axes, _legend(figure, keys), aspect))
     return blocks
@@ -110,7 +110,7 @@ def _legend(figure: Figure, keys: Sequence[Any]) -> Any:
     if not keys:
         return None
     return figure.legend(
-        handles=keys, loc="upper left", fontsize=SMALL, frameon=False, borderpad=0.0, borderaxespad=0.0, labelspacing=0.3,
+        handles=keys, loc="upper left", frameon=False, borderpad=0.0, borderaxespad=0.0, labelspacing=0.3,
         handleheight=1.0, handlelength=2.4,
     )  # fmt: skip
 
@@ -153,21 +153,20 @@ def _height(part: Any, dpi: float) -> float:
 
 def _letters(inches: float) -> int:
     """Return the number of letters of a caption or legend that fit into a width."""
-    return int(0.97 * inches * 72 / (LETTER * SMALL))
+    return int(0.97 * inches * 72 / (LETTER * SIZE))
 
 
 @contextmanager
-def _settings(style: Style) -> Iterator[None]:
+def settings(style: Style) -> Iterator[None]:
     """Use matplotlib's own settings, not the user's, with ours on top."""
     with mpl.rc_context():
         mpl.rcdefaults()
         mpl.rcParams.update(
             {
-                "font.size": LABEL,
-                "font.family": "DejaVu Sans",
-                "mathtext.fontset": "dejavusans",
-                "xtick.labelsize": TICK,
-                "ytick.labelsize": TICK,
+                "font.size": SIZE,
+                "axes.titlesize": SIZE,
+                "font.family": "STIXGeneral",
+                "mathtext.fontset": "stix",
                 "xtick.major.pad": 5.0,  # clear of the lowest label of the other axis
                 "axes.linewidth": 0.6,
                 "xtick.major.width": 0.6,

@@ -12,7 +12,7 @@ from typing import Any
 from ..quantities.nomenclature import NOMENCLATURE
 from .axes import Axis
 from .maps import NEIGHBOURS, Curve, Map, Mark, Panel, Region, shifted
-from .styles import DASHES, EVERYWHERE, LABEL, LETTER, LOOKS, SMALL, Style
+from .styles import DASHES, EVERYWHERE, LETTER, LOOKS, SIZE, Style
 
 # --- Axes -------------------------------------------------------------------------------------------------------------
 
@@ -112,14 +112,14 @@ def _draw_tick(axes: Any, x: Axis, y: Axis, mark: Mark, style: Style) -> None:
     if mark.x is not None and mark.y is None:
         at = float(x.place(mark.x)), 1.0
         axes.plot(*at, "|", markersize=6, color=style.ink, clip_on=False)
-        look: dict[str, Any] = {"xytext": (0, 4), "rotation": 35, "rotation_mode": "anchor"}
+        look: dict[str, Any] = {"xytext": (0, 4), "rotation": 60, "rotation_mode": "anchor"}
     elif mark.y is not None and mark.x is None:
         at = 1.0, float(y.place(mark.y))
         axes.plot(*at, "_", markersize=6, color=style.ink, clip_on=False)
         look = {"xytext": (5, 0), "va": "center"}
     else:
         return
-    axes.annotate(typeset(mark.text), at, textcoords="offset points", fontsize=SMALL, **look)
+    axes.annotate(typeset(mark.text), at, textcoords="offset points", **look)
 
 
 def _set_axes(axes: Any, x: Axis, y: Axis, inches: float, aspect: float) -> None:
@@ -129,7 +129,7 @@ def _set_axes(axes: Any, x: Axis, y: Axis, inches: float, aspect: float) -> None
         ticks = axis.ticks(most)
         side.set_ticks([float(axis.place(tick.value)) for tick in ticks], labels=[typeset(tick.text) for tick in ticks])
         side.set_ticks([float(axis.place(value)) for value in axis.small_ticks()], minor=True)
-        side.set_label_text("\n".join(typeset_lines(axis.label(most), int(part * inches * 72 / (LETTER * LABEL)))))
+        side.set_label_text("\n".join(typeset_lines(axis.label(most), int(part * inches * 72 / (LETTER * SIZE)))))
     axes.tick_params(which="both", direction="in", top=False, right=False)
     axes.set(xlim=(0, 1), ylim=(0, 1))
 
@@ -141,7 +141,16 @@ _MORE_ATOMS = ("π", "C", "â", "p", "y")  # occur in texts, but are no quantiti
 _SUPERSCRIPTS = "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
 _PLAIN_DIGITS = str.maketrans(_SUPERSCRIPTS, "-0123456789")
 _OPERATORS = frozenset("=<>+−-")
-_MARKUP = {"â": r"\hat{a}", "·": r"{\cdot}", "⟨": r"\langle ", "⟩": r"\rangle ", "−": "-", "π": r"\mathrm{π}"}
+_UNITS = frozenset("mNJs")  # of one letter
+_MARKUP = {
+    "log₁₀": r"\log_{10}",
+    "â": r"\hat{a}",
+    "·": r"{\cdot}",
+    "⟨": r"\langle ",
+    "⟩": r"\rangle ",
+    "−": "-",
+    "π": r"\mathrm{π}",
+}
 _WORD = re.compile(r"(?P<before>[(\[]*)(?P<core>.*?)(?P<after>[.,:;)\]]*)")
 _NUMBER = re.compile(rf"[-−]?\d[\d.·e{_SUPERSCRIPTS}-]*")
 _FLOAT = re.compile(r"([-−]?[\d.]+)e([-+]\d+)")
@@ -176,7 +185,7 @@ def _typeset_words(words: list[str]) -> list[str]:
     for number, word in enumerate(words):
         before, core, after = _parts(word)
         following = words[number + 1] if number + 1 < len(words) else "["
-        is_variable = len(core) == 1 and core.isalpha() and _is_variable(words[:number], after, following)
+        is_variable = len(core) == 1 and core.isalpha() and _is_variable(core, words[:number], after, following)
         typed.append(before + _typeset_core(core, is_variable=is_variable) + after)
     return typed
 
@@ -191,10 +200,10 @@ def _parts(word: str) -> tuple[str, str, str]:
     return (before, core + ")", after[1:]) if is_open else (before, core, after)
 
 
-def _is_variable(previous: list[str], after: str, following: str) -> bool:
+def _is_variable(letter: str, previous: list[str], after: str, following: str) -> bool:
     """Return True if a single letter is a variable, not an article or a unit, by the words around it."""
-    is_unit = after.startswith("]") or previous[-1:] == ["/"]  # "Q [N]", "(Q / N)"
-    is_unit = is_unit or any(_NUMBER.fullmatch(word) for word in previous[-2:])  # "5 m", "5 N m"
+    is_amount = letter in _UNITS and any(_NUMBER.fullmatch(word) for word in previous[-2:])  # "5 m", "5 N m"
+    is_unit = is_amount or after.startswith("]") or previous[-1:] == ["/"]
     is_in_formula = following in _OPERATORS or not _OPERATORS.isdisjoint(previous[-1:])
     return is_in_formula or (not is_unit and (bool(after) or following.startswith("[")))
 
@@ -207,7 +216,8 @@ def _typeset_core(core: str, *, is_variable: bool) -> str:
     tokens = _token().findall(core)
     is_mathematics = is_variable or core in _symbols() or any(map(_is_mathematics, tokens))
     if "".join(tokens) != core or not is_mathematics:
-        return re.sub(r"(?<![\w.])-(?=[\d.])", "−", core).replace("$", r"\$")
+        plain = re.sub(r"(?<![\w.])-(?=[\d.])", "−", core).replace("$", r"\$")
+        return re.sub(rf"[{_SUPERSCRIPTS}]+", lambda found: f"$^{{{found[0].translate(_PLAIN_DIGITS)}}}$", plain)
     return f"${''.join(map(_markup, tokens))}$"
 
 
@@ -224,14 +234,16 @@ def _token() -> re.Pattern[str]:
         *_MORE_ATOMS
     }
     known = "|".join(re.escape(symbol) for symbol in sorted(symbols, key=len, reverse=True))
-    return re.compile(rf"10[{_SUPERSCRIPTS}]+|\d+(?:\.\d+)?|{known}|[{_SUPERSCRIPTS}]+|\^\([^)]*\)|[-+−/·=<>()⟨⟩√]")
+    return re.compile(
+        rf"log₁₀|10[{_SUPERSCRIPTS}]+|\d+(?:\.\d+)?|{known}|[{_SUPERSCRIPTS}]+|\^\([^)]*\)|[-+−/·=<>()⟨⟩√]"
+    )
 
 
 def _is_mathematics(token: str) -> bool:
     """Return True for a token that occurs only in mathematics: a Greek letter, a symbol with a subscript, a power of ten."""
     is_symbol = token[0].isalpha() and (len(token) > 1 or not token.isascii())
     is_power_of_ten = token.startswith("10") and token[-1] in _SUPERSCRIPTS
-    return is_symbol or is_power_of_ten or token == "⟨"
+    return is_symbol or is_power_of_ten or token in ("⟨", "log₁₀")
 
 
 def _markup(token: str) -> str:

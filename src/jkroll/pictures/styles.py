@@ -6,8 +6,8 @@ from typing import Literal, NamedTuple
 
 from .canvas import Colour, blended
 
-LABEL, TICK, SMALL = 8.0, 7.0, 6.5  # sizes of letters in points, whatever the width of the page
-LETTER = 0.54  # width of a letter over its size, on average
+SIZE = 8.6  # of letters in points, whatever the width of the page: subscripts, 0.7 times as large, have 6
+LETTER = 0.42  # width of a letter over its size, on average
 DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)))
 
 
