@@ -190,8 +190,8 @@ def test_both_spheres_of_one_material_are_inferred_together() -> None:
             Unseparated,
             "and pull_off_force_dmt do not separate them: pull_off_force_dmt = 400 nN wherever pull_off_force = 300 nN; both stay",
         ),
-        (NAMES, {"pull_off_force": 3e-7, "pull_off_force_dmt": 4e-7}, PLANE, Unseparated, "they leave E1 open (κ is infinite)"),
-        (NAMES, {"pull_off_force": 3e-7, "r_min": 1e-5}, PLANE, Unseparated, "r_min depends on neither (κ is infinite)"),
+        (NAMES, {"pull_off_force": 3e-7, "pull_off_force_dmt": 4e-7}, PLANE, Unseparated, "they leave E1 open (κ is above 1e8)"),
+        (NAMES, {"pull_off_force": 3e-7, "r_min": 1e-5}, PLANE, Unseparated, "r_min depends on neither (κ is above 1e8)"),
         (
             NAMES,
             {"pull_off_force": 3e-7, "stiffness": 1e12},
@@ -233,7 +233,7 @@ def test_what_is_barely_separated_is_refused() -> None:
         assert pair.values["radius"] == pytest.approx(radius, rel=1e-15 * pair.condition)
         condition = pair.condition
     full = Scene({**given, "radius": 1e-5, "surface_energy": 0.05}, model="maugis")
-    with pytest.raises(Unseparated, match=r"both stay as they are along γ1 ∝ R1\^-1 \(κ = .* is above 1e\+08\)"):
+    with pytest.raises(Unseparated, match=r"both stay as they are along γ1 ∝ R1\^-1 \(κ = .* is above 1e8\)"):
         found(names, full.numbers("pull_off_force", "pull_off_force_dmt"), given, "maugis")
 
 
@@ -266,6 +266,27 @@ def test_error_bars_of_both_measurements_enter() -> None:
     both = infer(["gamma", "young"], measured=MEASURED, **given)
     parts = [both[name].plus / both[name].value for name in NAMES]
     assert parts == pytest.approx([0.01, 0.005], rel=1e-3)
+
+
+@pytest.mark.parametrize("law", EXACT)
+def test_error_bars_are_what_the_ends_give(law: str) -> None:
+    """Where the pair that is followed is that of the whole scan."""
+    bars = {"pull_off_force": 6e-8, "stiffness": 2e2}
+    measured = {name: Measured(MEASURED[name], bar) for name, bar in bars.items()}
+    both = infer(["gamma", "young"], measured=measured, model=law, **PLANE)
+    middle = infer(["gamma", "young"], measured=MEASURED, model=law, **PLANE)
+    ends = [
+        infer(["gamma", "young"], measured={**MEASURED, name: MEASURED[name] + sign * bar}, model=law, **PLANE)
+        for name, bar in bars.items()
+        for sign in (-1, 1)
+    ]
+    for name in NAMES:
+        changes = [end[name] - middle[name] for end in ends]
+        squares = [sum(change**2 for change in changes if change * sign > 0) for sign in (-1, 1)]
+        sides = [math.sqrt(each) for each in squares]
+        if abs(sides[1] - sides[0]) <= 0.1 * max(sides):
+            sides = [sum(sides) / 2] * 2
+        assert (both[name].minus, both[name].plus) == pytest.approx(sides, rel=1e-10)
 
 
 def test_ranges_of_both_measurements_enter() -> None:

@@ -40,7 +40,8 @@ _ROUNDS = 40  # of Newton's method
 _HALVINGS = 8  # of a step that leads further away
 _LONGEST = 1.0  # of a step, in logarithms
 _NEAR = 1e-10  # of the measured values: a pair that is as near as this is a solution
-_SAME = 1e-9  # relative difference of two pairs that were found on two branches and are one
+_SAME = 1e-9  # relative difference of two pairs that were found twice, on two branches or on one
+_DIGITS = 1e-13  # of the quantities, where rounding ends
 _LEFT_OPEN = 1e-4  # an exponent as small as this is none
 
 Values = Mapping[str, float]  # by name
@@ -60,7 +61,7 @@ class Unseparated(NoResult):
 
     def reason(self) -> str:
         """Return what does not separate what."""
-        size = f"κ = {self.condition:.2g} is above {MAX_CONDITION:.0e}" if self.condition < inf else "κ is infinite"
+        size = f"κ = {self.condition:.2g} is above 1e8" if self.condition < inf else "κ is above 1e8"
         return f"{_and(self.quantities)} do not separate them: {self.remark} ({size})"
 
 
@@ -70,13 +71,8 @@ class NoPair(NoResult):
     def __init__(self, names: Sequence[str], measured: Values, quantity: str, span: tuple[float, float]) -> None:
         """`measured`: as far as the search came; `span`: of the quantity at which it ended."""
         super().__init__(tuple(names), dict(measured), quantity, span)
-        self.name, self.names, self.measured, self.quantity, self.span = (
-            ",".join(names),
-            names,
-            measured,
-            quantity,
-            span,
-        )
+        self.name, self.names, self.measured = ",".join(names), tuple(names), measured
+        self.quantity, self.span = quantity, span
 
     def reason(self) -> str:
         """Return the values that the quantity can have."""
@@ -153,8 +149,9 @@ class Problem:
         found: list[Pair] = []
         for values in branches.crossings():
             place = _improved(_Place(self, values))
-            if not any(place.is_at(pair.values) for pair in found):
-                found.append(place.pair())
+            pair = place.pair()
+            if not any(place.is_at(other.values, pair.condition) for other in found):
+                found.append(pair)
         if not found:
             raise branches.failure()
         if len(found) > 1:
@@ -176,7 +173,10 @@ class Problem:
     def near(self, values: Values) -> Pair:
         """Return the pair to which Newton's method leads from some values, or else that of the whole scan."""
         place = _improved(_Place(self, values))
-        return place.pair() if place.distance <= _NEAR else self.solution()
+        is_scanned = all(
+            SIZES[name][0] <= value <= SIZES[name][1] for name, value in place.values.items() if name != "load"
+        )
+        return place.pair() if place.distance <= _NEAR and is_scanned else self.solution()
 
 
 def with_inputs(scene: Scene, values: Mapping[str, Any]) -> Scene:
@@ -246,7 +246,7 @@ class _Branches:
         self.heights: list[float] = []  # what the second quantity is on the branches
         self.flat: list[
             tuple[dict[str, float], float]
-        ] = []  # on branches along which it is the same: a pair, and its value
+        ] = []  # a pair and the value, of branches on which it is the same
         self.roots: dict[float, list[float]] = {}  # of the first input, by the second one
         self.is_idle = False  # whether the first quantity has values, and is the same for all of the first input
         self._scan(self.places[:1] if self.is_straight else self.places)
@@ -423,9 +423,13 @@ class _Place:
         size = hypot(*self.differences)
         return inf if isnan(size) else size
 
-    def is_at(self, values: Values) -> bool:
-        """Return whether this is the place of some values, which was found twice then."""
-        return all(isclose(value, values[name], rel_tol=_SAME) for name, value in self.values.items())
+    def is_at(self, values: Values, condition: float) -> bool:
+        """Return whether this is the place of some values, as far as the condition number lets them be known."""
+        part = max(_SAME, _DIGITS * condition)
+        return all(
+            isclose(value, values[name], rel_tol=part, abs_tol=part * self.unit if name == "load" else 0.0)
+            for name, value in self.values.items()
+        )
 
     def step(self) -> dict[str, float]:
         """Return the step of Newton's method, of a limited length; none where the matrix has no inverse."""
