@@ -6,6 +6,7 @@ import csv
 import json
 import math
 from collections.abc import Callable
+from pathlib import Path
 from random import Random
 from typing import Any
 
@@ -366,6 +367,19 @@ def test_rows_of_laws_and_lists(run: Run) -> None:
         assert row["surface_energy [J/m^2]"] == row["youngs_modulus [Pa]"] == ""
         assert row["status"].startswith("surface_energy,youngs_modulus: no pair of values gives pull_off_force = 3 N")
     assert (ran.code, ran.err.splitlines()[-1]) == (1, "jkroll: 2 of 4 rows failed")
+
+
+def test_a_material_that_lacks_an_input_fails_its_rows_alone(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "own.toml").write_text(
+        '[materials.soft]\ndensity = "1 g/cm3"\n[materials.stiff]\npoisson_ratio = 0.3\n'
+    )
+    words = COMMAND.replace("quartz", "soft,stiff") + " --materials own.toml --csv"
+    ran = run(words)
+    rows = [*csv.DictReader(ran.out.splitlines())]
+    assert [row["youngs_modulus [Pa]"] != "" for row in rows] == [False, True]
+    assert [row["poisson_ratio"] for row in rows] == ["", "0.3"]
+    assert "needs Poisson's ratio" in rows[0]["status"]
+    assert (ran.code, run(words.replace(",stiff", "")).code) == (1, 2)
 
 
 def test_the_explanation_derives_both_measured_quantities(run: Run) -> None:

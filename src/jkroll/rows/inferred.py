@@ -264,12 +264,12 @@ class SoughtPair(Wanted):
             errors.append(None)
             try:
                 check_two(names, quantities, one.scene)
-                inputs |= plain._echo(one).keys()
                 sides |= {side for source in plain._sources(one) for side in source.given.sides}
             except MissingInput as error:
                 errors[-1] = error
             except NoResult:
-                continue
+                pass
+            inputs |= plain._echo(one).keys()
         if errors[0] is not None and all(errors):
             raise errors[0]
         return cls(names, quantities, inputs=[each for each in NOMENCLATURE if each in inputs], sides=sides)
