@@ -1,18 +1,23 @@
-"""The page for contributors: the changes that it shows are made on a copy of the source, which then answers as the page says."""
+"""The page for contributors: the changes that it shows are made on a copy of the source, which then answers as the page says.
+
+`python tests/test_contributing.py` writes what the copy prints into the page anew, to be read before it is committed.
+"""
 
 import os
 import re
 import shutil
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 import pytest
 
-from transcripts import commands, transcripts
+from transcripts import TERMINAL, commands, transcripts
 
-ROOT = Path(__file__).parents[1]
-PAGE = (ROOT / ".github/CONTRIBUTING.md").read_text(encoding="utf-8")
+ROOT = Path(__file__).resolve().parents[1]
+CONTRIBUTING = ROOT / ".github/CONTRIBUTING.md"
+PAGE = CONTRIBUTING.read_text(encoding="utf-8")
 SECTIONS = {
     title: text for title, text in re.findall(r"^## (.*)\n((?:(?!## ).*\n)*)", PAGE, re.MULTILINE) if "```diff" in text
 }
@@ -55,17 +60,22 @@ def environment(copy: Path) -> dict[str, str]:
     return {**os.environ, "PYTHONPATH": os.pathsep.join([str(copy / "src"), str(copy / "tests")])}
 
 
+def transcript(copy: Path, block: str) -> str:
+    """Return what a console block of the page is in a copy."""
+    ran = subprocess.run(
+        [sys.executable, "-c", TRANSCRIBE, *commands(block)],
+        env=environment(copy), capture_output=True, text=True, encoding="utf-8", check=True,
+    )  # fmt: skip
+    return ran.stdout
+
+
 @pytest.mark.parametrize("title", SECTIONS)
 def test_the_shown_change_is_all_that_it_takes(tmp_path: Path, title: str) -> None:
     copy = copy_with(tmp_path, title)
     places = {path for path, _, _ in changes(SECTIONS[title]) if not path.startswith("tests/")}
     assert title.endswith(f": {COUNTED[len(places)]}")
     for block in transcripts(SECTIONS[title]):
-        ran = subprocess.run(
-            [sys.executable, "-c", TRANSCRIBE, *commands(block)],
-            env=environment(copy), capture_output=True, text=True, encoding="utf-8", check=True,
-        )  # fmt: skip
-        assert ran.stdout == block
+        assert block == transcript(copy, block)
 
 
 def test_there_is_a_change_of_each_kind() -> None:
@@ -79,3 +89,14 @@ def test_the_tests_are_content_with_all_changes_at_once(tmp_path: Path) -> None:
     for words in (["tests/tools/make_stub.py"], ["-m", "pytest", "-q", "-n", "0", "-k", others, *ASK]):
         ran = subprocess.run([sys.executable, *words], cwd=copy, env=environment(copy), capture_output=True, text=True)
         assert ran.returncode == 0, ran.stdout
+
+
+if __name__ == "__main__":
+    os.environ |= TERMINAL
+    text = PAGE
+    for title, section in SECTIONS.items():
+        with tempfile.TemporaryDirectory() as folder:
+            copy = copy_with(Path(folder), title)
+            for block in transcripts(section):
+                text = text.replace(block, transcript(copy, block))
+    CONTRIBUTING.write_text(text, encoding="utf-8")

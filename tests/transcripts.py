@@ -32,6 +32,7 @@ _NOT_RUN = (
     "jkroll --show-completion",
 )
 TABLE = "grain,material,radius [nm]\na,quartz,100\nb,iron,1000\n"  # of commands that read grains.csv
+TERMINAL = {"COLUMNS": "80", "LINES": "24", "TERM": "dumb", "XDG_CONFIG_HOME": "/nonexistent"}  # of a page written anew
 MATERIALS = '[materials.mine]\nsurface_energy = "30 mJ/m2"\n'  # of commands that read mine.toml
 
 
@@ -93,7 +94,6 @@ def renewed(text: str) -> str:
 
 
 if __name__ == "__main__":
-    environment = {"COLUMNS": "80", "LINES": "24", "TERM": "dumb", "XDG_CONFIG_HOME": "/nonexistent"}
     for path in [Path(word).resolve() for word in sys.argv[1:]]:
-        with tempfile.TemporaryDirectory() as folder, chdir(folder), mock.patch.dict(os.environ, environment):
+        with tempfile.TemporaryDirectory() as folder, chdir(folder), mock.patch.dict(os.environ, TERMINAL):
             path.write_text(renewed(path.read_text(encoding="utf-8")), encoding="utf-8")
