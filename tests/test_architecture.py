@@ -163,6 +163,7 @@ def test_the_stub_is_up_to_date() -> None:
     assert STUB.read_text(encoding="utf-8") == stub(), "run tests/tools/make_stub.py"
 
 
+@pytest.mark.slow
 def test_a_type_checker_knows_all_formulas(tmp_path: Path) -> None:
     (tmp_path / "user.py").write_text(USER, encoding="utf-8")
     out, _, _ = mypy.api.run(

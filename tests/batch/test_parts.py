@@ -64,9 +64,9 @@ def test_no_table_keeps_descriptors(run: Run, grains: list[str]) -> None:
         return len(os.listdir("/proc/self/fd"))
 
     for call in calls:
-        run("batch", *call, "--jobs", "1")
+        run("batch", *call, "--jobs", "1", "--quantities", "r_min")
         before = count()
-        run("batch", *call, "--jobs", "1")
+        run("batch", *call, "--jobs", "1", "--quantities", "r_min")
         assert count() == before, call
 
 
