@@ -16,19 +16,21 @@ IN_ITS_PLACE = (XI, "adhesion_hysteresis", "hysteresis_fraction")
 
 
 class Effect(NamedTuple):
-    """An answer under the law that holds, over that under the law in use: numbers, or arrays. It is 0 where only the latter has one."""
+    """An answer under the law that holds, over that under the law in use: numbers, or arrays. It is 0 where only the latter has one.
+
+    `readings`: of a rolling quantity, the ratio at equal displacement and at equal hysteresis of adhesion.
+    `lennard_jones`: of a pull-off force, the ratio by the fit for Lennard-Jones' law.
+    """
 
     ratio: Any  # with equal inputs
-    readings: tuple[Any, Any] | None = (
-        None  # of a rolling quantity: at equal displacement, and at equal hysteresis of adhesion
-    )
-    lennard_jones: Any = None  # of a pull-off force: the same for the fit of Lennard-Jones' law
+    readings: tuple[Any, Any] | None = None
+    lennard_jones: Any = None
 
     @property
     def factor(self) -> Any:
         """How far the answers are apart by the farthest of these, as a factor of at least 1."""
-        further = self.readings or () if self.lennard_jones is None else (self.lennard_jones,)
-        return reduce(_larger, map(_apart, (self.ratio, *further)))
+        others = (*(self.readings or ()), *([] if self.lennard_jones is None else [self.lennard_jones]))
+        return reduce(_larger, map(_apart, (self.ratio, *others)))
 
 
 def _apart(ratio: Any) -> Any:
