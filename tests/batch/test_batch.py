@@ -240,7 +240,7 @@ def test_a_bare_number_among_cells_with_units_is_none(unit: str) -> None:
 # --- Rows that go wrong ---------------------------------------------------------------------------------------------------
 
 STATUS = {
-    "x,unobtainium,100,0": "material: 'unobtainium' is not known; known are gold, graphite, ice-cold, ice-model, ice-warm, iron, polystyrene, polystyrene-glassy, quartz, silica-dry, silica-humid, tholin",
+    "x,unobtainium,100,0": "material: 'unobtainium' is not known; known are gold, graphite, ice-cold, ice-model, ice-pencil, ice-warm, iron, polystyrene, polystyrene-glassy, quartz, silica-dry, silica-humid, tholin",
     "x,quartz,,0": "contact_radius_at_load: needs radius of sphere 1; give a radius such as 100nm",
     "x,quartz,0,0": "radius: '0 nm' must be positive; expected a length such as 100nm",
     "x,quartz,1N,0": "radius: '1N' is a force; expected a length such as 100nm",

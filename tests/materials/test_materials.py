@@ -384,7 +384,16 @@ def test_the_sets() -> None:
     first = [material.name for material in Materials().materials.values() if material.title == "Table 1"]
     assert first == ["polystyrene", "quartz", "graphite", "gold", "iron"]
     assert {material.name for material in SECOND} == {
-        *("silica-dry", "silica-humid", "ice-model", "ice-warm", "ice-cold", "tholin", "polystyrene-glassy")
+        *(
+            "silica-dry",
+            "silica-humid",
+            "ice-model",
+            "ice-pencil",
+            "ice-warm",
+            "ice-cold",
+            "tholin",
+            "polystyrene-glassy",
+        )
     }
 
 
@@ -441,7 +450,7 @@ def test_the_elastic_constants_of_ice_are_averages_of_those_of_its_crystals() ->
 
 
 def test_a_material_of_several_states_is_refused_with_their_list(run: Run, tmp_path: Path) -> None:
-    states = "material: 'ice' is ice-model (370 mJ/m²), ice-warm (190 mJ/m²) or ice-cold (2.9 mJ/m²): which?"
+    states = "material: 'ice' is ice-model (370 mJ/m²), ice-pencil (370 mJ/m²), ice-warm (190 mJ/m²) or ice-cold (2.9 mJ/m²): which?"
     assert run("pull-off ice 1um") == (2, "", f"jkroll: {states}\n")
     path = write(tmp_path / "mine.toml", ICE)
     assert run("pull-off", "ice", "1um", "--materials", str(path)).code == 0
