@@ -66,7 +66,7 @@ def test_fig_2_is_two_half_circles_on_a_shifted_one() -> None:
 
 def test_fig_9_says_how_far_the_half_strips_are_off() -> None:
     drawn = figure_9(known_materials())
-    ratio = re.search(r"lower by (\d\.\d+)", " ".join(drawn.caption))
+    ratio = re.search(r"lower by (\d\.\d+)", " ".join(drawn.remarks))
     assert ratio
-    a = float(next(re.finditer(r"a = ([\d.]+) nm", " ".join(drawn.caption)))[1]) * 1e-9
+    a = float(next(re.finditer(r"a = ([\d.]+) nm", " ".join(drawn.remarks)))[1]) * 1e-9
     assert float(ratio[1]) == pytest.approx(math.pi / 2 / (1 + (2e-10 / a) ** 2 / 3), abs=1e-3)

@@ -77,7 +77,7 @@ def test_fig_3b_the_forces_cross_at_0_8_nm_within_the_map() -> None:
     assert crossing == pytest.approx(1, rel=1e-12)
     assert MAPS["3b"].y.low < 0.8e-9
     assert "0" in [level.text for level in MAPS["3b"].levels()]
-    assert "0.8 nm; the text has 1 nm" in MAPS["3b"].caption[1]
+    assert "0.8 nm; the text has 1 nm" in MAPS["3b"].remarks[0]
 
 
 def test_fig_3c_50_um_at_100_nm() -> None:
@@ -387,10 +387,10 @@ def test_a_curve_is_doubtful_only_where_it_is(run: Run) -> None:
 
 def test_a_material_that_is_left_out_is_named_in_the_caption(run: Run) -> None:
     lacking = " (no Young's modulus and no Poisson's ratio)"
-    assert " ".join(run("figure 8").out.split()).endswith(f" No place on these axes: gold{lacking}.")
+    assert " ".join(run("figure 8").out.split()).count(f" Not shown: gold{lacking}. ") == 1
     out = run("map pull-off --x gamma=1mJ/m2:1J/m2 --y radius=1nm:1um").out
-    assert out.endswith("No place on these axes: iron.\n")
-    assert "No place" not in run("figure 3a").out
+    assert out.endswith("Not shown: iron.\n")
+    assert "Not shown" not in run("figure 3a").out
     curves = run("map frequencies quartz,gold,iron --x radius=10nm:1um").out
     assert f" No curve: gold{lacking}. " in " ".join(curves.split())
 

@@ -144,7 +144,7 @@ def _deliver(drawn: Map | Picture, notes: Iterable[str], call: Call) -> int:
         with whole_file(call.target) as stream:
             stream.write(content)
         if call.data != "-" and not call.quiet:
-            for text in filter(None, (drawn.title, *drawn.caption)):
+            for text in filter(None, (drawn.title, *drawn.caption, *drawn.remarks)):
                 say_wrapped(text, sys.stdout)
     elif call.data != "-":
         from ..pictures.terminal import draw_map, draw_picture

@@ -75,10 +75,16 @@ class Axis(NamedTuple):
         texts = with_units(self.name, values) if self.is_log else in_one_unit(self.name, values)[0]
         return [Tick(value, text) for value, text in zip(values, texts, strict=True)]
 
-    def small_ticks(self) -> list[float]:
-        """Return the values of the unlabelled ticks of a logarithmic axis: 2 to 9 of each decade, or the decades of a long one."""
+    def small_ticks(self, most: int) -> list[float]:
+        """Return the values of the unlabelled ticks, of which the labelled ones are some.
+
+        They are 2 to 9 of each decade, or the decades of a long axis; on a linear axis a quarter or a fifth of the way between
+        `most` labelled ticks.
+        """
         if not self.is_log:
-            return []
+            first, second = round_values(self.low, self.high, most, is_log=False)[:2]
+            step = (second - first) / (4 if f"{second - first:e}".startswith("2") else 5)
+            return [place * step for place in range(ceil(self.low / step), floor(self.high / step) + 1)]
         decades = range(floor(log10(self.low)), ceil(log10(self.high)))
         digits = range(2, 10) if self.high / self.low < _FEW_DECADES else (1,)
         values = (float(f"{digit}e{decade}") for decade in decades for digit in digits)

@@ -251,15 +251,17 @@ def figure_2(materials: Materials) -> Picture:
     along = pressure_panel(curves, state["hertz_pressure"], "pressure along the way")
     exact, simple = (amount(name, state[name]) for name in ("yield_moment", "half_circles_moment"))
     caption = (
-        "The contact of two quartz spheres of 20 nm that have rolled by ξ: the circle stays behind the contact point.",
+        f"Two quartz spheres of 20 nm that have rolled by ξ = {amount('yield_displacement', shift)}, without load.",
+        f"Moment: exact {exact}, Eq (25); half-circles {simple}, Eq (19).",
+    )
+    remarks = (
+        "The circle stays behind the contact point.",
         (
             "Exact: Hertz, flat punch and tilted flat punch on one circle at a fixed load. Half-circles: Eq (16) at a fixed approach, "
             "not continuous at x = 0. Ahead the pull at the rim is weaker, behind it is stronger."
         ),
-        f"Moment: exact {exact}, Eq (25); half-circles {simple}, Eq (19).",
-        f"Assumed: P = 0, ξ = {amount('yield_displacement', shift)}.",
     )
-    return Picture("Fig. 2: the shifted contact", (view, along), caption)
+    return Picture("Fig. 2: the shifted contact", (view, along), caption, remarks)
 
 
 def figure_9(materials: Materials) -> Picture:
@@ -291,18 +293,19 @@ def figure_9(materials: Materials) -> Picture:
     ]
     caption = (
         (
-            "The line contact of a quartz cylinder of 20 nm on a rigid plane, without load (C = 0), where Griffith's criterion gives "
-            f"a = {amount('contact_radius', a)}."
+            f"Quartz cylinder of 20 nm on a rigid plane without load (C = 0), shifted by ξ = {amount('yield_displacement', shift)}: "
+            "exact, Eq (64), and two halves of symmetric strips, Eq (71)."
         ),
-        "Shifted by ξ, exact by Eq (64); simplified by two halves of symmetric strips, Eq (71), not continuous at x = 0.",
+    )
+    remarks = (
+        f"Griffith's criterion gives a = {amount('contact_radius', a)}. The half-strips are not continuous at x = 0.",
         (
             f"Moment per length about the contact point: exact {moments[0]:.3g} N, Eq (70) with its sign corrected; "
             f"half-strips {moments[1]:.3g} N, Eq (77): lower by {moments[0] / moments[1]:.3f}, π/2 where ξ ≪ a."
         ),
-        f"Assumed: ξ = {amount('yield_displacement', shift)}.",
     )
     panels = (pressure_panel([symmetric], highest, "symmetric"), pressure_panel(curves, highest, "shifted by ξ"))
-    return Picture("Fig. 9: the line contact", panels, caption)
+    return Picture("Fig. 9: the line contact", panels, caption, remarks)
 
 
 PROFILES = {"2": figure_2, "9": figure_9}  # figures of the paper

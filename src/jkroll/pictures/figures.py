@@ -52,7 +52,7 @@ FIGURES: Mapping[str, Figure] = MappingProxyType(
             _ENERGIES,
             _SOFT,
             "It does not depend on γ: R1²/ξ. At R1 = 100 nm it is 50 µm (log: −4.3), 500 times the radius.",
-            guide=(1e-7, "100 nm: 50 µm"),
+            guide=(1e-7, "100 nm"),
         ),
         "3d": Figure(
             "n_grav",
@@ -117,6 +117,7 @@ def figure(
         declared.has_log_labels,
         printed,
         (Mark(declared.guide[1], None, declared.guide[0]),) if declared.guide else (),
+        (declared.remark,),
     )
 
 
@@ -130,19 +131,18 @@ def _no_rolling(scene: Scene, turns: Any, x: Axis, y: Axis) -> Region:
 
 
 def _caption(declared: Figure, limits: Collection[Bound], *, as_printed: bool) -> tuple[str, ...]:
-    """Return the caption: the quantity and its equation, the remark, and the assumptions."""
+    """Return the caption: the quantity and its equation, and the assumptions."""
     quantity = NOMENCLATURE[declared.quantity]
     at_a_corner = {RADII.name: RADII.high, **declared.x.inputs(declared.x.low)}
     scene = Scene({**declared.given, **at_a_corner})
-    shown = f"{capitalized(quantity.sentence)} {quantity.symbol}, Eq ({equation_of(scene, declared.quantity)}), of identical spheres."
+    shown = f"{capitalized(quantity.sentence)} {quantity.symbol}, Eq ({equation_of(scene, declared.quantity)})."
     if as_printed:
         shown += f" Dashed: Eq ({NOMENCLATURE[declared.printed].equation}) as printed."
     used = _assumed(scene, declared, {declared.quantity})
     of_limits = _assumed(scene, declared, {bound.name for bound in limits}) if limits else []
     elsewhere = [text for text in of_limits if text not in used]
-    parts = [", ".join(used), f"for hatches and μ also {', '.join(elsewhere)}" if elsewhere else ""]
-    assumed = "; ".join(filter(None, parts))
-    return shown, declared.remark, *([f"Assumed: {assumed}."] if assumed else [])
+    parts = [", ".join(["identical spheres", *used]), f"hatches: {', '.join(elsewhere)}" if elsewhere else ""]
+    return shown, f"Assumed: {'; '.join(filter(None, parts))}."
 
 
 def _assumed(scene: Scene, declared: Figure, names: Collection[str]) -> list[str]:

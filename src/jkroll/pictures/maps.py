@@ -5,7 +5,7 @@ is not exact.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from math import ceil, floor, log10
+from math import log10
 from typing import Any, NamedTuple
 
 from ..errors import NoResult
@@ -79,6 +79,7 @@ class Map(NamedTuple):
     has_log_labels: bool = False
     printed: Any = None  # the same quantity as the paper prints it
     guides: tuple[Mark, ...] = ()  # straight lines across
+    remarks: tuple[str, ...] = ()  # are said beside the picture, and do not stand on it
 
     @property
     def is_log(self) -> bool:
@@ -251,7 +252,7 @@ def material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[tuple[Mark, 
             others.append(material.name + (_lacking(scene, x) or _lacking(scene, y)))
         else:
             marks.append(mark)
-    return tuple(marks), (f"No place on these axes: {', '.join(others)}.",) if others else ()
+    return tuple(marks), (f"Not shown: {', '.join(others)}.",) if others else ()
 
 
 def _lacking(scene: Scene, axis: Axis) -> str:
@@ -421,6 +422,7 @@ class Picture(NamedTuple):
     title: str
     panels: tuple[Panel, ...]
     caption: tuple[str, ...]
+    remarks: tuple[str, ...] = ()  # are said beside the picture, and do not stand on it
 
 
 def axis_around(name: str, values: Iterable[Any], *, is_log: bool | None = None, margin: float = 0.05) -> Axis:
@@ -430,7 +432,8 @@ def axis_around(name: str, values: Iterable[Any], *, is_log: bool | None = None,
     known = numpy.concatenate([numpy.ravel(one) for one in values])
     low, high = extent(known)
     if is_log if is_log is not None else is_wide(known):
-        return Axis(name, 10.0 ** max(floor(log10(low) + 0.01), _FIRST), 10.0 ** min(ceil(log10(high) - 0.01), _LAST))
+        room = log10(high / low) * margin
+        return Axis(name, 10.0 ** max(log10(low) - room, _FIRST), 10.0 ** min(log10(high) + room, _LAST))
     room = (high - low) * margin if high > low else abs(high) * 0.05 or 1.0
     return Axis(name, low - room, high + room, is_log=False)
 

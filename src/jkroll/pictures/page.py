@@ -66,8 +66,8 @@ def figure_of(drawn: Map | Picture, inches: float | None, style: Style, *, has_c
     else:
         blocks = _panel_blocks(figure, drawn.panels, inches / columns, columns, style)
     title = figure.text(0.5, 1, typeset(drawn.title) if has_caption else "", ha="center", va="top")
-    lines = [line for text in (drawn.caption if has_caption else ()) for line in typeset_lines(text, _letters(inches))]
-    caption = figure.text(0.015, 0, "\n".join(lines), linespacing=1.3, ha="left", va="bottom")
+    caption = figure.text(0.015, 0, "", linespacing=1.2, ha="left", va="bottom")
+    _fill(caption, " ".join(drawn.caption) if has_caption else "", 0.97 * inches)
     rows = [blocks[start : start + columns] for start in range(0, panels, columns)]
     _arrange(figure, inches, title, rows, caption)
     for block in blocks:
@@ -109,10 +109,13 @@ def _legend(figure: Figure, keys: Sequence[Any]) -> Any:
     """Return a legend, which is placed later; None without keys."""
     if not keys:
         return None
-    return figure.legend(
+    legend = figure.legend(
         handles=keys, loc="upper left", frameon=False, borderpad=0.0, borderaxespad=0.0, labelspacing=0.3,
         handleheight=1.0, handlelength=2.4,
     )  # fmt: skip
+    for text in legend.get_texts():
+        text.set_linespacing(1.0)
+    return legend
 
 
 def _arrange(figure: Figure, inches: float, title: Any, rows: Sequence[Sequence[_Block]], caption: Any) -> None:
@@ -151,8 +154,18 @@ def _height(part: Any, dpi: float) -> float:
     return 0.0 if part is None else float(part.get_window_extent().height / dpi)
 
 
+def _fill(part: Any, text: str, inches: float) -> None:
+    """Set a text in lines as long as fit into a width, measured as they are drawn."""
+    letters = 2 * _letters(inches)
+    while True:
+        part.set_text("\n".join(typeset_lines(text, letters)))
+        if part.get_window_extent().width <= inches * part.figure.dpi:
+            return
+        letters -= 1
+
+
 def _letters(inches: float) -> int:
-    """Return the number of letters of a caption or legend that fit into a width."""
+    """Return the number of letters of a legend that fit into a width."""
     return int(0.97 * inches * 72 / (LETTER * SIZE))
 
 
@@ -191,7 +204,7 @@ def settings(style: Style) -> Iterator[None]:
 
 def _metadata(drawn: Map | Picture, kind: str) -> dict[str, Any]:
     """Return what the file says of itself, without the time at which it was made."""
-    about = " ".join(drawn.caption)
+    about = " ".join((*drawn.caption, *drawn.remarks))
     who = f"jkroll {__version__}, matplotlib {mpl.__version__}"
     if kind == "pdf":
         return {"Title": drawn.title, "Subject": about, "Creator": who, "CreationDate": None}

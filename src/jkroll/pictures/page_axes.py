@@ -128,8 +128,10 @@ def _set_axes(axes: Any, x: Axis, y: Axis, inches: float, aspect: float) -> None
     for axis, side, most, part in ((x, axes.xaxis, across, 0.8), (y, axes.yaxis, 9, 0.65 * aspect)):
         ticks = axis.ticks(most)
         side.set_ticks([float(axis.place(tick.value)) for tick in ticks], labels=[typeset(tick.text) for tick in ticks])
-        side.set_ticks([float(axis.place(value)) for value in axis.small_ticks()], minor=True)
-        side.set_label_text("\n".join(typeset_lines(axis.label(most), int(part * inches * 72 / (LETTER * SIZE)))))
+        side.set_ticks([float(axis.place(value)) for value in axis.small_ticks(most)], minor=True)
+        side.set_label_text(
+            "\n".join(typeset_lines(axis.label(most), int(part * inches * 72 / (LETTER * SIZE)))), linespacing=1.0
+        )
     axes.tick_params(which="both", direction="in", top=False, right=False)
     axes.set(xlim=(0, 1), ylim=(0, 1))
 
@@ -143,7 +145,7 @@ _PLAIN_DIGITS = str.maketrans(_SUPERSCRIPTS, "-0123456789")
 _OPERATORS = frozenset("=<>+−-")
 _UNITS = frozenset("mNJs")  # of one letter
 _MARKUP = {
-    "log₁₀": r"\log_{10}",
+    "log₁₀": r"\mathrm{log}_{10}",
     "â": r"\hat{a}",
     "·": r"{\cdot}",
     "⟨": r"\langle ",
@@ -172,7 +174,9 @@ def typeset_lines(text: str, width: int) -> list[str]:
     or its symbol: "P = 0 N" stays together.
     """
     unbroken = re.sub(
-        r"(?<=\d) (?=[^\W\d])| (?=\[)| (?=[=<>] [-−\d])|(?<= [=<>]) (?=[-−\d])", "\N{NO-BREAK SPACE}", text
+        r"(?<=\d) (?=[^\W\d])| (?=−)|(?<=−) | (?=\[)| (?=[=<>] [-−\d])|(?<= [=<>]) (?=[-−\d])",
+        "\N{NO-BREAK SPACE}",
+        text,
     )
     lines = [line.split() for line in wrap(unbroken, width, break_long_words=False, break_on_hyphens=False)]
     words = iter(_typeset_words(text.split()))

@@ -42,7 +42,7 @@ def draw_map(drawn: Map, out: TextIO) -> None:
     axis.say(canvas, out)
     for line in _scale(drawn, levels, screen):
         say(line, out)
-    _say([*legend, *drawn.caption], screen, out)
+    _say([*legend, *drawn.caption, *drawn.remarks], screen, out)
 
 
 def draw_picture(drawn: Picture, out: TextIO) -> None:
@@ -63,7 +63,7 @@ def draw_picture(drawn: Picture, out: TextIO) -> None:
         if len(panel.curves) > 1:
             for number, curve in enumerate(panel.curves):
                 say(f"{_key(curve.colour, SIGNS[number % len(SIGNS)], screen)} {curve.text}", out)
-    _say(drawn.caption, screen, out)
+    _say((*drawn.caption, *drawn.remarks), screen, out)
 
 
 def _say(texts: Iterable[str], screen: Screen, out: TextIO) -> None:
