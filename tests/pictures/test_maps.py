@@ -15,7 +15,7 @@ from harness import Run, Stream
 from jkroll import known_materials, solve
 from jkroll.cli.map import show_progress as progress
 from jkroll.pictures.axes import Axis, round_values
-from jkroll.pictures.canvas import RAMP, ink_on, screen_of, shade, stacked
+from jkroll.pictures.canvas import CONTOUR, RAMP, ink_on, screen_of, shade, stacked
 from jkroll.pictures.figures import FIGURES, figure
 from jkroll.pictures.maps import Map, axis_around, evaluate
 from jkroll.pictures.styles import LOOKS
@@ -247,6 +247,39 @@ def test_colour_says_the_same_as_ascii(run: Run, monkeypatch: pytest.MonkeyPatch
     assert "\x1b" not in run(line).out  # in a pipe
 
 
+@pytest.mark.parametrize(
+    "line", ["contact quartz 100nm --curve --panel moment", "map pull-off quartz,iron --x radius=1nm:1um"]
+)
+@pytest.mark.parametrize("width", ["80", "120"])
+def test_curves_have_their_signs_in_colour_too(
+    run: Run, monkeypatch: pytest.MonkeyPatch, line: str, width: str
+) -> None:
+    monkeypatch.setenv("COLUMNS", width)
+    monkeypatch.setenv("TERM", "xterm-256color")
+    coloured = run(line, terminal=True).out
+    monkeypatch.setenv("NO_COLOR", "1")
+    plain = run(line, terminal=True).out
+    assert re.sub("\x1b\\[[0-9;]*m", "", coloured) == plain
+    inks = {sign: set(re.findall(rf"\x1b\[([0-9;]*)m[{sign}]+\x1b", coloured)) for sign in "*o"}
+    assert [len(found) for found in inks.values()] == [1, 1]
+    assert len(set.union(*inks.values())) == 2
+    assert max(map(len, plain.splitlines())) <= int(width)
+
+
+def test_a_map_without_colours_shows_its_contours(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    """R_min does not depend on γ: each contour is a row, with its label; in that of the guide, every second sign is its."""
+    monkeypatch.setenv("NO_COLOR", "1")
+    monkeypatch.setenv("LINES", "60")
+    monkeypatch.setenv("COLUMNS", "120")
+    rows = run("figure 3c --plain", terminal=True).out.splitlines()
+    for level in range(-8, 4):
+        label = f"−{-level}" if level < 0 else f"{level}"
+        assert any(re.search(rf"[-_]{{10,}}{label}[-_]{{10,}}", row) for row in rows), label
+    monkeypatch.delenv("NO_COLOR")
+    monkeypatch.setenv("TERM", "xterm-256color")
+    assert CONTOUR * 3 not in run("figure 3c --plain", terminal=True).out
+
+
 def test_a_band_is_bounded_by_its_contours(run: Run) -> None:
     """One sign stands below the contour of 10 nN and the next above it, as in the scale."""
     lines = run("map pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2 --quiet", terminal=True).out.splitlines()
@@ -273,7 +306,7 @@ def test_a_sign_stands_for_one_limit_on_every_map(run: Run) -> None:
             texts.setdefault(sign, set()).add(text)
     assert [len(several) for several in texts.values()] == [1] * len(texts)
     assert len(texts) == len(set.union(*texts.values()))
-    assert not texts.keys() & {*RAMP}
+    assert not texts.keys() & {*RAMP, CONTOUR}
 
 
 def test_the_key_names_what_is_on_the_map(run: Run) -> None:

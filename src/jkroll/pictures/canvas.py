@@ -1,4 +1,4 @@
-"""A canvas of character cells: colours in half-blocks where the terminal has colours, else signs in ASCII."""
+"""A canvas of character cells: colours in half-blocks where the terminal has colours, else signs in ASCII; curves in both."""
 
 import os
 from collections.abc import Sequence
@@ -23,6 +23,7 @@ _OF_CUBE: tuple[Colour, ...] = (
 RAMP = " .:-~=+*oO#%@"
 # Okabe and Ito's colours for the colour-blind, without those that are too light or too dark for some background.
 LINES: tuple[Colour, ...] = ((0, 114, 178), (213, 94, 0), (0, 158, 115), (204, 121, 167), (86, 180, 233), (230, 159, 0))
+CONTOUR = "_"
 SIGNS = "*o+x#%abcdefghijklmnpqrs"  # of curves
 
 
@@ -78,6 +79,7 @@ class Canvas:
         self.pixels: list[list[Colour | None]] = [[None] * width for _ in range(2 * height)]
         self.signs: list[list[str]] = [[" "] * width for _ in range(height)]  # in ASCII
         self.hatches: list[list[str]] = [[""] * width for _ in range(height)]
+        self.inks: list[list[Colour | None]] = [[None] * width for _ in range(height)]  # of hatches
         self.letters: list[list[str]] = [[""] * width for _ in range(height)]
 
     def write(self, column: int, row: int, text: str) -> bool:
@@ -89,9 +91,10 @@ class Canvas:
         self.letters[row][column : column + len(text)] = text
         return True
 
-    def hatch(self, column: int, row: int, sign: str) -> None:
-        """Put a hatch into a cell."""
+    def hatch(self, column: int, row: int, sign: str, ink: Colour | None = None) -> None:
+        """Put a hatch into a cell, in a colour, or in one that can be read on the cell."""
         self.hatches[row][column] = sign
+        self.inks[row][column] = ink
 
     def lines(self, screen: Screen) -> list[str]:
         """Return the canvas as lines of text."""
@@ -114,10 +117,12 @@ class Canvas:
             return Style.from_color(ink and Color.from_rgb(*ink), paper and Color.from_rgb(*paper))
 
         cells = []
-        for text, above, below in zip(self._texts(row), self.pixels[2 * row], self.pixels[2 * row + 1], strict=True):
+        inks = [None if letter else ink for letter, ink in zip(self.letters[row], self.inks[row], strict=True)]
+        pixels = self.pixels[2 * row], self.pixels[2 * row + 1]
+        for text, ink, above, below in zip(self._texts(row), inks, *pixels, strict=True):
             if text:
                 paper = above or below
-                cells.append((text, look(paper and ink_on(paper), paper)))
+                cells.append((text, look(ink or (paper and ink_on(paper)), paper)))
             elif above == below:
                 cells.append((" ", look(None, above)))
             else:

@@ -6,7 +6,7 @@ from typing import Any, TextIO
 
 from ..text import say, wrapped
 from .axes import Axis
-from .canvas import LINES, RAMP, SIGNS, Canvas, Colour, Screen, screen_of, shade, stacked
+from .canvas import CONTOUR, LINES, RAMP, SIGNS, Canvas, Colour, Screen, screen_of, shade, stacked
 from .maps import Curve, Level, Map, Mark, Panel, Picture, Region, label_of, sampled
 from .styles import EVERYWHERE, LOOKS
 
@@ -24,6 +24,8 @@ def draw_map(drawn: Map, out: TextIO) -> None:
     legend = [f"{LOOKS[region.look].sign} {region.text}".strip() for region in _hatch(canvas, drawn)]
     if drawn.has_gaps:
         legend.append("? no value" if not screen.colours else "blank: no value")
+    if not screen.colours:
+        _draw_contours(canvas, drawn.values, levels)
     for guide in drawn.guides:
         _across(canvas, drawn.y, guide)
     above = []
@@ -62,7 +64,10 @@ def draw_picture(drawn: Picture, out: TextIO) -> None:
         axis.say(canvas, out)
         if len(panel.curves) > 1:
             for number, curve in enumerate(panel.curves):
-                say(f"{_key(curve.colour, SIGNS[number % len(SIGNS)], screen)} {curve.text}", out)
+                key = _key(curve.colour, SIGNS[number % len(SIGNS)], screen)
+                for line in wrapped(curve.text, screen.width - 3):
+                    say(f"{key} {line}", out)
+                    key = "  "
     _say((*drawn.caption, *drawn.remarks), screen, out)
 
 
@@ -76,8 +81,8 @@ def _say(texts: Iterable[str], screen: Screen, out: TextIO) -> None:
 def _key(colour: int, sign: str, screen: Screen) -> str:
     """Return a sample of a curve's line, for the legend."""
     strip = Canvas(2, 1)
-    strip.pixels[0] = [LINES[colour % len(LINES)]] * 2
-    strip.signs[0] = [sign] * 2
+    for column in range(strip.width):
+        strip.hatch(column, 0, sign, LINES[colour % len(LINES)])
     return strip.lines(screen)[0]
 
 
@@ -95,9 +100,7 @@ def _trace(canvas: Canvas, panel: Panel, curve: Curve, sign: str) -> None:
     across, up = (numpy.interp(fine, numpy.arange(len(place)), place) for place in places)
     for x, y in zip(across.tolist(), up.tolist(), strict=True):
         if not (isnan(x) or isnan(y)):
-            column, pixel = round(x * (canvas.width - 1)), round((1 - y) * (2 * canvas.height - 1))
-            canvas.pixels[pixel][column] = colour
-            canvas.signs[min(pixel // 2, canvas.height - 1)][column] = sign
+            canvas.hatch(round(x * (canvas.width - 1)), round((1 - y) * (canvas.height - 1)), sign, colour)
 
 
 class _Frame:
@@ -213,17 +216,29 @@ def _point(canvas: Canvas, x: Axis, y: Axis, mark: Mark) -> None:
         canvas.write(column - len(mark.text) - 1, row, f"{mark.text} o")
 
 
+def _contours(canvas: Canvas, values: Any, levels: list[Level]) -> list[Any]:
+    """Return True for the cells of each contour."""
+    import numpy
+
+    values = _sampled(values, canvas.width, canvas.height)
+    known = numpy.isfinite(values)
+    return [_edge(values >= level.value) & known & ~_edge(known) for level in levels]
+
+
+def _draw_contours(canvas: Canvas, values: Any, levels: list[Level]) -> None:
+    """Draw contours, over bands and hatches."""
+    for contour in _contours(canvas, values, levels):
+        for row, column in zip(*contour.nonzero(), strict=True):
+            canvas.hatch(column, row, CONTOUR)
+
+
 def _label(canvas: Canvas, values: Any, levels: list[Level], form: str, middle: float) -> None:
     """Label each contour, as near to a place in the middle row as there is room."""
     import numpy
 
-    values = _sampled(values, canvas.width, canvas.height)
-    rows, columns = numpy.indices(values.shape)
+    rows, columns = numpy.indices((canvas.height, canvas.width))
     distance = numpy.hypot(2 * (rows - (canvas.height - 1) / 2), columns - middle * (canvas.width - 1))
-    known = numpy.isfinite(values)
-    rim = _edge(known)
-    for level in levels:
-        edge = _edge(values >= level.value) & known & ~rim
+    for level, edge in zip(levels, _contours(canvas, values, levels), strict=True):
         places = numpy.argwhere(edge)
         text = form.format(level.text)
         for row, column in places[numpy.argsort(distance[edge], kind="stable")][:200].tolist():
