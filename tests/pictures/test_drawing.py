@@ -23,7 +23,7 @@ from jkroll.cli.process import main
 from jkroll.pictures.axes import described
 from jkroll.pictures.curves import PROFILES, curves_of_contact
 from jkroll.pictures.figures import FIGURES, figure
-from jkroll.pictures.maps import Curve, Map, Picture
+from jkroll.pictures.maps import Curve, Map, Picture, label_of
 from jkroll.pictures.request import map_of
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.scene.scene import Scene
@@ -191,7 +191,7 @@ def test_bands_can_be_differ_in_grey_and_read_on(style: Style) -> None:
     [
         ("P_c = 3πγR with R = R1/2", r"$P_{\mathrm{c}}$ = $3\mathrm{π}γR$ with $R$ = $R_{1}/2$"),
         ("E1/(1 − ν1²) = 10 GPa", "$E_{1}/(1$ − $ν_{1}^{2}$) = 10 GPa"),
-        ("E*/γ above 3·10¹² m⁻¹", r"$E^{*}/γ$ above $3{\cdot}10^{12}$ m$^{-1}$"),
+        ("E*/γ above 3·10¹² m⁻¹", r"$E{}^{*}/γ$ above $3{\cdot}10^{12}$ m$^{-1}$"),
         ("contact radius at the load, a", "contact radius at the load, $a$"),
         ("a moment of 1.9 aN m, Eq (25)", "a moment of 1.9 aN m, Eq (25)"),
         ("δ_α in mJ/m² or kg/m³", "$δ_{α}$ in mJ/m$^{2}$ or kg/m$^{3}$"),
@@ -211,7 +211,16 @@ def test_every_symbol_is_typeset_and_can_be_drawn() -> None:
     for name, quantity in NOMENCLATURE.items():
         if quantity.unit:
             parser.parse(typeset(described(name, quantity.unit)))
-            assert "$" in typeset(f"{quantity.symbol} = 1"), name
+            symbol = typeset(f"{quantity.symbol} = 1").removesuffix(" = 1")
+            assert "$" in symbol, name
+            contexts = (
+                described(name, ""),
+                described(name, "N m"),
+                label_of(name, has_log_labels=True),
+                f"{quantity.sentence} {quantity.symbol}, Eq (1).",
+                f"{quantity.symbol}: {quantity.sentence}",
+            )
+            assert [text for text in contexts if symbol not in typeset(text)] == []
 
 
 def test_lines_are_broken_before_typesetting_and_not_before_a_unit() -> None:

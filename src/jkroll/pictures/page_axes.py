@@ -208,7 +208,7 @@ def _is_variable(letter: str, previous: list[str], after: str, following: str) -
     """Return True if a single letter is a variable, not an article or a unit, by the words around it."""
     is_amount = letter in _UNITS and any(_NUMBER.fullmatch(word) for word in previous[-2:])  # "5 m", "5 N m"
     is_unit = is_amount or after.startswith("]") or previous[-1:] == ["/"]
-    is_in_formula = following in _OPERATORS or not _OPERATORS.isdisjoint(previous[-1:])
+    is_in_formula = following in _OPERATORS or following == "/" or not _OPERATORS.isdisjoint(previous[-1:])
     return is_in_formula or (not is_unit and (bool(after) or following.startswith("[")))
 
 
@@ -261,7 +261,7 @@ def _markup(token: str) -> str:
         return f"{plain}^{{{token[len(plain) :].translate(_PLAIN_DIGITS)}}}"
     if not token[0].isalpha():
         return token
-    star = "^{*}" if token.endswith("*") else ""
+    star = "{}^{*}" if token.endswith("*") else ""  # clear of the letter's slant, which would leave a gap
     subscript = token[1:].strip("_*")
     if len(subscript) > 1 or (subscript.isascii() and subscript.isalpha()):
         subscript = rf"\mathrm{{{subscript}}}"
