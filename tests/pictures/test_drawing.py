@@ -346,6 +346,15 @@ def test_a_colour_has_one_meaning_over_the_panels_of_a_contact() -> None:
     assert not {*moment.values()} & {*force.values()}
 
 
+def test_a_law_has_one_colour_over_the_panels_of_a_contact() -> None:
+    """The pressure is that of JKR alone, without load and at pull-off."""
+    scenes = [Scene({"radius": 1e-7}, known_materials()["quartz"], model=model) for model in ("maugis", "jkr")]
+    picture, _ = curves_of_contact(scenes, None, None)
+    force, pressure, moment = ({curve.text: curve.colour for curve in panel.curves} for panel in picture.panels)
+    assert force == moment
+    assert {*pressure.values()} == {force["JKR"]}
+
+
 def test_the_curves_of_several_laws_are_over_one_another(run: Run, tmp_path: Path) -> None:
     ran = run("contact quartz 100nm --curve --model jkr,maugis,dmt -o laws.svg")
     assert ran.code == 0

@@ -110,7 +110,12 @@ def described(name: str, unit: str) -> str:
     'load, tension negative, P [nN]'
     """
     quantity = quantity_of(name)
-    return f"{quantity.sentence}, {quantity.symbol}" + (f" [{unit}]" if unit not in ("", "1") else "")
+    return f"{quantity.sentence}, {quantity.symbol}{bracketed(unit)}"
+
+
+def bracketed(unit: str) -> str:
+    """Return a unit as it stands behind a symbol, in brackets; empty for a number."""
+    return f" [{unit}]" if unit not in ("", "1") else ""
 
 
 def round_values(low: float, high: float, most: int, *, is_log: bool) -> list[float]:
@@ -175,13 +180,13 @@ def with_units(name: str, values: list[float]) -> list[str]:
     return _distinct(texts)
 
 
-def in_one_unit(name: str, values: list[float]) -> tuple[list[str], str]:
-    """Return values as text in the unit whose prefix fits the largest of them, and that unit.
+def in_one_unit(name: str, values: list[float], largest: float = 0.0) -> tuple[list[str], str]:
+    """Return values as text in the unit whose prefix fits the largest of them, or a larger one, and that unit.
 
     >>> in_one_unit("load", [-1e-8, 0.0, 1e-8])
     (['-10', '0', '10'], 'nN')
     """
-    largest = max(values, key=abs, default=0.0)
+    largest = max([*values, largest], key=abs)
     unit = engineering(largest, quantity_of(name).unit, 3)[1]
     is_plain = unit in ("", quantity_of(name).unit)
     shown = values if is_plain else [convert(value, parse_unit(unit)) for value in values]

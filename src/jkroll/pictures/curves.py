@@ -167,7 +167,9 @@ def curves_of_contact(
         having = [scene for scene, error in zip(scenes, errors, strict=True) if error is None]
         missing += filter(None, errors)
         if having:
-            panels.append(draw(having, loads))
+            drawn = draw(having, loads)
+            is_of_one_law = len(having) == 1 < len(scenes)
+            panels.append(_in_colour(drawn, scenes.index(having[0])) if is_of_one_law else drawn)
         for scene in having:
             names = [*needed, *(name for name in further if is_one and not _lacking(scene, name))]
             unloaded = scene.replace(load=0.0)
@@ -180,6 +182,11 @@ def curves_of_contact(
     shown = ("Both branches of the force curve; pressure; moment without load.",) if is_whole else ()
     caption = (*shown, *fixed_inputs([*held]))
     return Picture("", tuple(panels), caption), (*(f"no curve: {error}" for error in missing), *notes)
+
+
+def _in_colour(panel: Panel, colour: int) -> Panel:
+    """Return a panel with all curves in one colour; their dashes differ."""
+    return panel._replace(curves=tuple(curve._replace(colour=colour) for curve in panel.curves))
 
 
 def once(curves: Iterable[Curve]) -> list[Curve]:

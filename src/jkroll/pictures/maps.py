@@ -18,7 +18,7 @@ from ..scene.limits import LIMITS, Limit, limits_of
 from ..scene.scene import Scene
 from ..scene.solver import values_of
 from ..scene.wiring import has_law
-from .axes import Axis, contour_values, in_one_unit, round_values, with_units
+from .axes import Axis, bracketed, contour_values, in_one_unit, round_values, with_units
 from .styles import BORDER, EVERYWHERE
 
 CHUNK = 500_000  # points between two reports of progress
@@ -113,9 +113,15 @@ class Map(NamedTuple):
         elif self.is_log:
             texts = with_units(self.quantity, values)
         else:
-            numbers, unit = in_one_unit(self.quantity, values)
-            texts = [f"{number} {unit}".strip() for number in numbers]
+            texts, _ = in_one_unit(self.quantity, values, max(low, high, key=abs))
         return [Level(value, text) for value, text in zip(values, texts, strict=True)]
+
+    @property
+    def heading(self) -> str:
+        """What the labels of the contours mean, with the unit if they have none."""
+        return label_of(
+            self.quantity, has_log_labels=self.has_log_labels, unit=unit_of_labels(self.quantity, self.values)
+        )
 
     def mesh(self) -> Mesh:
         """Return the values with the points at the border of a gap moved onto the exact edge.
@@ -278,12 +284,17 @@ def rows_of(drawn: Map) -> Iterable[list[float]]:
             yield [place, up, value]
 
 
-def label_of(quantity: str, *, has_log_labels: bool) -> str:
-    """Return the heading of contour labels: "log₁₀ (P_c / N)"."""
-    unit = NOMENCLATURE[quantity].unit
+def unit_of_labels(quantity: str, values: Any) -> str:
+    """Return the unit that all labels of contours have; empty where each has its own."""
+    return "" if is_wide(values) else in_one_unit(quantity, [*extent(values)])[1]
+
+
+def label_of(quantity: str, *, has_log_labels: bool, unit: str = "") -> str:
+    """Return the heading of contour labels: "log₁₀ (P_c / N)", or "a [nm]"."""
     symbol = NOMENCLATURE[quantity].symbol
     if not has_log_labels:
-        return symbol
+        return symbol + bracketed(unit)
+    unit = NOMENCLATURE[quantity].unit
     return f"log₁₀ {symbol}" if unit == "1" else f"log₁₀ ({symbol} / {unit})"
 
 

@@ -124,7 +124,7 @@ def _draw_tick(axes: Any, x: Axis, y: Axis, mark: Mark, style: Style) -> None:
 
 def _set_axes(axes: Any, x: Axis, y: Axis, inches: float, aspect: float) -> None:
     """Set limits, and as many ticks and as long titles as there is room for."""
-    across = max(2, int(inches / 0.6))
+    across = max(2, int(inches / 0.5))
     for axis, side, most, part in ((x, axes.xaxis, across, 0.8), (y, axes.yaxis, 9, 0.65 * aspect)):
         ticks = axis.ticks(most)
         side.set_ticks([float(axis.place(tick.value)) for tick in ticks], labels=[typeset(tick.text) for tick in ticks])

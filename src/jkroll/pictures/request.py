@@ -32,6 +32,7 @@ from .maps import (
     margin_along,
     material_marks,
     regions,
+    unit_of_labels,
 )
 from .styles import EVERYWHERE
 
@@ -104,7 +105,9 @@ def map_of(
         marks = (*of_materials, *marks)
     found = tuple(regions(scene, context.bounds, x, y, values))
     caption = (_first_sentence(quantity, [context.scene]), *fixed_inputs(context.inputs), *others)
-    return Map(quantity, scene, x, y, values, found, marks, described(quantity, ""), caption), context.notes
+    return Map(
+        quantity, scene, x, y, values, found, marks, described(quantity, unit_of_labels(quantity, values)), caption
+    ), context.notes
 
 
 def curves_of(request: PlotRequest, size: int) -> tuple[Picture, tuple[str, ...]]:

@@ -7,7 +7,7 @@ from typing import Any, TextIO
 from ..text import say, wrapped
 from .axes import Axis
 from .canvas import CONTOUR, LINES, RAMP, SIGNS, Canvas, Colour, Screen, screen_of, shade, stacked
-from .maps import Curve, Level, Map, Mark, Panel, Picture, Region, label_of, sampled
+from .maps import Curve, Level, Map, Mark, Panel, Picture, Region, sampled
 from .styles import EVERYWHERE, LOOKS
 
 MAX_ROWS = 24
@@ -248,7 +248,7 @@ def _label(canvas: Canvas, values: Any, levels: list[Level], form: str, middle: 
 
 def _scale(drawn: Map, levels: list[Level], screen: Screen) -> list[str]:
     """Return the scale: the bands in order with the values between them, wrapped to the width."""
-    lines = [label_of(drawn.quantity, has_log_labels=drawn.has_log_labels) + ":"]
+    lines = [f"{drawn.heading}:"]
     length = len(lines[0])
     for band in range(len(levels) + 1):
         strip = Canvas(2, 1)
