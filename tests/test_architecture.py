@@ -27,7 +27,6 @@ ONLY = {
     "rich": {"output", "batch", "pictures"},
     "pint": {"quantities"},
     "tomllib": {"materials"},
-    "mpmath": {"bench"},
     "matplotlib": {"pictures"},
     "orjson": {"batch", "rows", "output"},
     "pyarrow": {"batch"},

@@ -10,7 +10,7 @@ import numpy
 
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.solver import BLOCK, solve
-from .points import Arrays, each, exact, hard, inputs_of, ordinary, references, scenes
+from .points import Arrays, digits, each, exact, inputs_of, references, regions, scenes
 from .ways import OTHER_WAYS, QUANTITIES, by_hand, own_way
 
 DEFAULT = "jkroll, arrays"
@@ -27,15 +27,23 @@ _SAME_COST = 1.25  # ratio of times that clocks do not tell apart
 class Size(NamedTuple):
     """The extent of a measurement."""
 
-    points: int  # of each kind whose errors are measured
+    points: int  # of each region, whose errors are measured
     elements: int  # of the arrays that are timed
     numbers: int  # calls for one number that are timed
     repeats: int
     scenes: int  # of the comparison with bare numpy
 
 
-FULL = Size(points=2000, elements=100_000, numbers=300, repeats=5, scenes=1_000_000)
-QUICK = Size(points=200, elements=20_000, numbers=30, repeats=2, scenes=50_000)
+FULL = Size(points=500, elements=100_000, numbers=300, repeats=5, scenes=1_000_000)
+QUICK = Size(points=50, elements=20_000, numbers=30, repeats=2, scenes=50_000)
+
+
+class Error(NamedTuple):
+    """The errors of a way at the points of a region."""
+
+    median: float  # ulp/(1 + κ)
+    worst: float  # ulp/(1 + κ)
+    worst_ulp: float  # κ left in: of a result whose state is known to all of its digits
 
 
 class Row(NamedTuple):
@@ -44,15 +52,19 @@ class Row(NamedTuple):
     quantity: str
     way: str
     cost: float  # ns a point
-    median: float  # ulp, ordinary points
-    worst: float  # ulp, ordinary points
-    worst_hard: float  # ulp, hard points
+    yardsticks: float  # cost in cube roots of numpy
+    errors: Mapping[str, Error]  # by region; none where the quantity has no points
     on_front: bool = False
 
     @property
+    def worst(self) -> float:
+        """The worst error anywhere, in ulp/(1 + κ)."""
+        return max(error.worst for error in self.errors.values())
+
+    @property
     def error(self) -> float:
-        """The worst error anywhere."""
-        return max(self.worst, self.worst_hard)
+        """The worst error anywhere, in ulp."""
+        return max(error.worst_ulp for error in self.errors.values())
 
 
 class Ratio(NamedTuple):
@@ -78,35 +90,36 @@ class _Candidate(NamedTuple):
     is_of_arrays: bool = True
 
 
-def measure(size: Size, quantities: Sequence[str] = QUANTITIES) -> list[Row]:
-    """Measure every way to the quantities."""
-    kinds = ordinary(size.points), hard(size.points)
-    rows: list[Row] = []
-    with numpy.errstate(all="ignore"):
-        for quantity in quantities:
-            rows += with_front(_measure_quantity(quantity, kinds, size))
-    return rows
+def measure(size: Size, quantities: Sequence[str] = QUANTITIES) -> Iterator[list[Row]]:
+    """Measure every way to the quantities; iterate over the rows of each."""
+    points = regions(size.points)
+    roots = numpy.linspace(1, 2, size.elements)
+    yardstick = _best({"cbrt": lambda: numpy.cbrt(roots)}, size.repeats)["cbrt"] / size.elements
+    for quantity in quantities:
+        with numpy.errstate(all="ignore"):
+            rows = _measure_quantity(quantity, points, size, yardstick)
+        yield with_front(rows)
 
 
-def _measure_quantity(quantity: str, kinds: Sequence[Arrays], size: Size) -> list[Row]:
+def _measure_quantity(quantity: str, points: Mapping[str, Arrays], size: Size, yardstick: float) -> list[Row]:
     ways = OTHER_WAYS[quantity].values()
     names = dict.fromkeys(name for way in (references()[quantity], *ways) for name in inputs_of(way))
-    kinds = [{name: kind[name] for name in names} for kind in kinds]
-    many = {name: numpy.resize(values, size.elements) for name, values in kinds[0].items()}
-    few = {name: values[: size.numbers] for name, values in kinds[0].items()}
-    wanted = [numpy.array([exact(quantity, point) for point in each(kind)]).T for kind in kinds]
+    given = {
+        region: {name: values[name] for name in names}
+        for region, values in points.items()
+        if names.keys() <= values.keys()
+    }
+    wanted = {region: numpy.array([exact(quantity, point) for point in each(at)]).T for region, at in given.items()}
+    many = {name: numpy.resize(values, size.elements) for name, values in given["ordinary"].items()}
+    few = {name: values[: size.numbers] for name, values in given["ordinary"].items()}
     candidates = list(_candidates(quantity))
     timed = {one.name: partial(one.run, one.prepare(many if one.is_of_arrays else few)) for one in candidates}
     times = _best(timed, size.repeats)
     rows = []
     for one in candidates:
-        usual, difficult = (
-            _errors(one.run(one.prepare(kind)), *want) for kind, want in zip(kinds, wanted, strict=True)
-        )
+        errors = {region: _errors(one.run(one.prepare(at)), *wanted[region]) for region, at in given.items()}
         cost = times[one.name] / (size.elements if one.is_of_arrays else len(each(few)))
-        rows.append(
-            Row(quantity, one.name, cost, float(numpy.median(usual)), float(usual.max()), float(difficult.max()))
-        )
+        rows.append(Row(quantity, one.name, cost, cost / yardstick, errors))
     return rows
 
 
@@ -119,7 +132,9 @@ def _candidates(quantity: str) -> Iterator[_Candidate]:
         yield _Candidate(name, partial(_arguments, inputs_of(way)), partial(_called, way))
     yield _Candidate("jkroll, float32", _in_single_precision, own)
     yield _Candidate("jkroll, pint arrays", _with_units, lambda given: own(given).to_base_units().magnitude)
-    yield _Candidate("mpmath", each, lambda points: [exact(quantity, point)[0] for point in points], is_of_arrays=False)
+    yield _Candidate(
+        "60 digits", each, lambda points: [float(digits(quantity, point)) for point in points], is_of_arrays=False
+    )
 
 
 def _arguments(names: Sequence[str], points: Arrays) -> list[Any]:
@@ -152,10 +167,12 @@ def _numbers(function: Callable[[Mapping[str, float]], Any], points: Sequence[Ma
     return results
 
 
-def _errors(values: Any, nearest: Any, rest: Any) -> Any:
-    """Return distances from the exact values, in units of the last place of the nearest doubles; inf for no number."""
-    error = abs((numpy.asarray(values, dtype=float) - nearest) - rest) / numpy.spacing(abs(nearest))
-    return numpy.where(numpy.isfinite(error), error, numpy.inf)
+def _errors(values: Any, nearest: Any, rest: Any, condition: Any) -> Error:
+    """Return the errors of values, in units of the last place of the nearest doubles; inf for no number."""
+    ulp = abs((numpy.asarray(values, dtype=float) - nearest) - rest) / numpy.spacing(abs(nearest))
+    ulp = numpy.where(numpy.isfinite(ulp), ulp, numpy.inf)
+    stated = ulp / (1 + condition)
+    return Error(float(numpy.median(stated)), float(stated.max()), float(ulp.max()))
 
 
 def _best(runs: Mapping[str, Callable[[], Any]], repeats: int) -> dict[str, float]:
@@ -201,9 +218,9 @@ def compare(size: Size) -> list[Ratio]:
         size.repeats,
     )
     return [
-        _ratio("arrays, numpy", size.scenes, arrays, size.scenes),
-        _ratio("one scene, math", 1, numbers, len(few)),
-        _ratio("state by maugis, beside jkr", size.scenes, states, size.scenes),
+        _ratio("arrays, beside numpy in the same blocks", size.scenes, arrays, size.scenes),
+        _ratio("one scene, beside math", 1, numbers, len(few)),
+        _ratio("state by Maugis, beside JKR", size.scenes, states, size.scenes),
     ]
 
 

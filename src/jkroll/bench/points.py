@@ -1,14 +1,15 @@
-"""The points at which the benchmark measures, ordinary contacts and those where digits are easily lost, and exact values there.
+"""The points at which the benchmark measures, in regions of which some are hard, and exact values there.
 
-The equations are the paper's in their plainest form, in 60 digits; only they need mpmath. Inputs are doubles and taken as
+The equations are the paper's in their plainest form, in decimal arithmetic of 60 digits. Inputs are doubles and taken as
 exact. The state is that of a load and a pull-off force, or of an approach in units of the unloaded one.
 """
 
 # ruff: noqa: N803, N806  (the paper's symbols)
 
 from collections.abc import Callable, Mapping
+from decimal import Context, Decimal, localcontext
 from functools import cache
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy
 
@@ -18,7 +19,9 @@ from ..physics.jkr import FOLD_APPROACH
 from ..physics.pair import reduced_radius
 
 Arrays = Mapping[str, Any]
+REGIONS = ("ordinary", "pull-off", "fold", "δ = 0", "extreme")
 _SEED = 1997
+_PULL_OFF_APPROACH = -(2 ** (-4 / 3))  # δ/δ0 at the pull-off force
 
 
 def ordinary(count: int) -> Arrays:
@@ -38,9 +41,28 @@ def ordinary(count: int) -> Arrays:
     return {**_at_loads(points, uniform(-0.8, 2)), "atomic_spacing": powers(-10, -9)}
 
 
-def hard(count: int) -> Arrays:
-    """Return contacts near pull-off, the fold and δ = 0, at tiny and huge loads, with radii up to 1e15 times apart."""
+def regions(count: int) -> Mapping[str, Arrays]:
+    """Return points of each region: ordinary ones, those near pull-off, the fold and δ = 0, and those at tiny and huge states.
+
+    All but the ordinary ones have sizes and properties of any magnitude. A load reaches no fold.
+    """
     powers, uniform = _draws(count)
+    sign = numpy.sign(uniform(-1, 1))
+    is_tiny = numpy.arange(count) % 2 == 0
+    small, tiny = sign * powers(-15, -2), sign * powers(-18, -2)
+    hard = {
+        "pull-off": _hard(powers, _PULL_OFF_APPROACH * (1 + small), powers(-15, -2) - 1),
+        "fold": _hard(powers, FOLD_APPROACH + powers(-14, -1)),
+        "δ = 0": _hard(powers, tiny, -8 / 9 * (1 + small)),
+        "extreme": _hard(
+            powers, numpy.where(is_tiny, powers(0, 6), powers(6, 60)), numpy.where(is_tiny, tiny, powers(0, 9))
+        ),
+    }
+    return {"ordinary": ordinary(count), **hard}
+
+
+def _hard(powers: Callable[[float, float], Any], approach_ratio: Any, load_ratio: Any = None) -> Arrays:
+    """Return contacts of radii up to 1e15 times apart, at these approaches and, if there are any, these loads."""
     points = {
         "radius": powers(-12, 3),
         "radius2": powers(-12, 3),
@@ -49,16 +71,13 @@ def hard(count: int) -> Arrays:
         "density": powers(1, 5),
         "yield_displacement": powers(-12, -6),
         "gravity": powers(-3, 3),
+        "approach_at_load": approach_ratio,
+        "approach": numpy.ones_like(approach_ratio),
     }
-    sign = numpy.sign(uniform(-1, 1))
-    kind = numpy.arange(count) % 4
-    approaches = [FOLD_APPROACH + powers(-14, -1), sign * powers(-18, -2), powers(0, 6), powers(6, 60)]
-    loads = [powers(-15, -2) - 1, -8 / 9 * (1 + sign * powers(-15, -2)), sign * powers(-18, -2), powers(0, 9)]
-    points["approach_at_load"] = numpy.choose(kind, approaches)
-    found = _at_loads(points, numpy.choose(kind, loads))
     strain = points["work_of_adhesion"] / points["contact_modulus"]
     reduced = reduced_radius(radius=points["radius"], radius2=points["radius2"])
-    return {**found, "atomic_spacing": numpy.cbrt(reduced * strain * strain) / powers(-4, 4)}  # μ from 1e-4 to 1e4
+    points["atomic_spacing"] = numpy.cbrt(reduced * strain * strain) / powers(-4, 4)  # μ from 1e-4 to 1e4
+    return points if load_ratio is None else _at_loads(points, load_ratio)
 
 
 def scenes(count: int) -> Arrays:
@@ -115,21 +134,27 @@ def inputs_of(way: Callable[..., Any]) -> tuple[str, ...]:
     return tuple(SYMBOLS[symbol] for symbol in code.co_varnames[: code.co_argcount])
 
 
-@cache
-def _digits() -> Any:
-    """Return mpmath's arithmetic of 60 digits, in a context of its own."""
-    from mpmath import MPContext  # type: ignore[import-untyped]
-
-    context = MPContext()
-    context.dps = DIGITS
-    return context
+_CONTEXT = Context(prec=DIGITS)
+_ROUGH = Context(prec=18)
+_THIRD = _ROUGH.divide(Decimal(1), Decimal(3))
+_STEP = Decimal("1e-20")  # of an input, relative, for a slope: its square is beyond the digits that are compared
 
 
 @cache
 def references() -> Mapping[str, Callable[..., Any]]:
     """Return the equation of each quantity, for arguments of 60 digits in the paper's symbols."""
-    mp = _digits()
-    pi, sqrt, cbrt = +mp.pi, mp.sqrt, mp.cbrt
+    with localcontext(_CONTEXT):
+        pi = 16 * _arc_tangent(1 / Decimal(5)) - 4 * _arc_tangent(1 / Decimal(239))
+
+    def sqrt(value: Any) -> Any:
+        return value.sqrt()
+
+    def cbrt(value: Any) -> Any:
+        """Refine a root of 18 digits by Newton's method."""
+        root = _ROUGH.power(value, _THIRD)
+        for _ in range(2):
+            root = (2 * root + value / (root * root)) / 3
+        return root
 
     def reduced(one: Any, two: Any) -> Any:
         return 1 / (1 / one + 1 / two)
@@ -167,9 +192,9 @@ def references() -> Mapping[str, Callable[..., Any]]:
 
     def factor_at_approach(delta: Any, delta0: Any) -> Any:
         """Eq 6 by Newton's method, which is monotone from above the root."""
-        ratio, step = delta / delta0, mp.mpf(1)
+        ratio, step = delta / delta0, Decimal(1)
         y = 1 + sqrt(sqrt(abs(ratio)))
-        while abs(step) > abs(y) * mp.mpf(10) ** -(DIGITS // 2):  # the last step squares that
+        while abs(step) > abs(y) * Decimal(10) ** -(DIGITS // 2):  # the last step squares that
             step = (3 * y**4 - 2 * y - ratio) / (12 * y**3 - 2)
             y -= step
         return y**3
@@ -178,21 +203,20 @@ def references() -> Mapping[str, Callable[..., Any]]:
         """Maugis' two equations for a and m = c/a at a load, by the secant method in v = 1/√(m² − 1)."""
         R, K = reduced(R1, R2), 4 * E / 3
         unit, unit_force = cbrt(pi * w * R**2 / K), pi * w * R
-        lambda_ = 2 * 16 * w / (9 * sqrt(mp.mpf(3)) * z0) / cbrt(pi * w * K**2 / R)
+        lambda_ = 2 * 16 * w / (9 * sqrt(Decimal(3)) * z0) / cbrt(pi * w * K**2 / R)
 
         def at(v: Any) -> tuple[Any, Any, Any]:
             m = sqrt(1 + 1 / v**2)
-            t, angle = 1 / v, mp.atan(1 / v)
+            t, angle = 1 / v, _arc_tangent(1 / v)
             ring = lambda_ / 2 * (t + (m**2 - 2) * angle)
             both = 4 * lambda_**2 / 3 * (t * angle - m + 1)
             a = 2 / (both + sqrt(both**2 + 4 * ring))
             return a, a**3 - lambda_ * a**2 * (t + m**2 * angle), a**2 - 4 * lambda_ / 3 * a * t
 
-        near = mp.mpf(ratio_at_load(float(lambda_), float(P / unit_force)))
-        ends = near, near * (1 + mp.mpf(10) ** -9)
-        tol = near * mp.mpf(10) ** -25  # the last step leaves far less
-        v = mp.findroot(lambda v: at(v)[1] - P / unit_force, ends, tol=tol, verify=False)
-        slope = mp.diff(lambda v: at(v)[1], v) / mp.diff(lambda v: at(v)[2], v)
+        near = Decimal(ratio_at_load(float(lambda_), float(P / unit_force)))
+        v = _root(lambda v: at(v)[1] - P / unit_force, near)
+        (_, force1, delta1), (_, force2, delta2) = at(v * (1 - _STEP)), at(v * (1 + _STEP))
+        slope = (force2 - force1) / (delta2 - delta1)
         a, _, delta = at(v)
         return a * unit, delta * unit**2 / R, slope * unit_force * R / unit**2
 
@@ -221,8 +245,63 @@ def references() -> Mapping[str, Callable[..., Any]]:
     }  # fmt: skip
 
 
-def exact(quantity: str, point: Mapping[str, float]) -> tuple[float, float]:
-    """Return the double nearest to the exact value at a point, and the rest."""
-    reference = references()[quantity]
-    value = reference(*(_digits().mpf(point[name]) for name in inputs_of(reference)))
-    return float(value), float(value - float(value))
+class Exact(NamedTuple):
+    """The double nearest to an exact value, the rest, and the condition of the value."""
+
+    nearest: float
+    rest: float
+    condition: float  # κ: how many times a relative error of the state that is given appears in the value
+
+
+_CONDITIONED = (
+    "load",
+    "approach_at_load",
+    "atomic_spacing",
+)  # the state, and under Maugis' law λ, which is a multiple of 1/z0
+
+
+def digits(quantity: str, point: Mapping[str, float]) -> Decimal:
+    """Return the value of a quantity at a point, in 60 digits."""
+    with localcontext(_CONTEXT):
+        value: Decimal = references()[quantity](*_arguments(quantity, point).values())
+        return value
+
+
+def exact(quantity: str, point: Mapping[str, float]) -> Exact:
+    """Return the exact value of a quantity at a point, and its condition.
+
+    An input is moved towards zero, where there is a contact, too.
+    """
+    value, reference = digits(quantity, point), references()[quantity]
+    given = _arguments(quantity, point)
+    condition = 0.0
+    with localcontext(_CONTEXT):
+        for name in given.keys() & _CONDITIONED if value else ():
+            moved = reference(*{**given, name: given[name] * (1 - _STEP)}.values())
+            condition += float(abs((moved - value) / (value * _STEP)))
+        return Exact(float(value), float(value - Decimal(float(value))), condition)
+
+
+def _arguments(quantity: str, point: Mapping[str, float]) -> dict[str, Decimal]:
+    return {name: Decimal(point[name]) for name in inputs_of(references()[quantity])}
+
+
+def _arc_tangent(value: Decimal) -> Decimal:
+    """Return the arc tangent by its series, after eight halvings of the angle."""
+    for _ in range(8):
+        value = value / (1 + (1 + value * value).sqrt())
+    total, power, number = value, value, 1
+    while abs(power) > abs(total).scaleb(-DIGITS):
+        power, number = -power * value * value, number + 2
+        total += power / number
+    return 2**8 * total
+
+
+def _root(function: Callable[[Decimal], Decimal], near: Decimal) -> Decimal:
+    """Return the root of a function near a value, by the secant method."""
+    one, two = near, near * (1 + Decimal("1e-9"))
+    at_one = function(one)
+    while abs(two - one) > abs(two).scaleb(-25):  # the last step leaves far less
+        at_two = function(two)
+        one, two, at_one = two, two - at_two * (two - one) / (at_two - at_one), at_two
+    return two

@@ -1,52 +1,141 @@
-"""`jkroll bench`: the cost and the errors of every way to a quantity, as a table, plain lines, CSV, JSON or a plot."""
+"""`jkroll bench`: the cost and the errors of every way to a quantity, as tables, plain lines, CSV, JSON or a plot."""
 
 import math
-from collections.abc import Sequence
+import platform
+import sys
+from collections.abc import Iterable, Iterator, Sequence
+from datetime import date
 from pathlib import Path
-from typing import Any, TextIO
+from typing import Any, NamedTuple, TextIO
 
+import numpy
+
+from .. import __version__
 from ..output.records import Cell, whole_file, write_records
 from ..text import json_text, say
 from .measure import DEFAULT, FULL, QUICK, Ratio, Row, beats, compare, measure
+from .points import REGIONS
+from .ways import QUANTITIES
 
-HEADS = ("quantity", "way", "ns_per_point", "median_ulp", "worst_ulp", "worst_ulp_hard", "on_front")
-RATIO_HEADS = ("case", "scenes", "solve_ns_per_scene", "by_hand_ns_per_scene", "ratio")
-TABLE_HEADS = ("quantity", "way", "ns/point", "median ulp", "worst ulp", "hard", "front")
-RATIO_TABLE_HEADS = ("solve", "scenes", "ns/scene", "by hand", "ratio")
+MACHINE_HEADS = ("cpu", "python", "numpy", "jkroll", "date")
+_ERROR_HEADS = [
+    f"{part}_{region}"
+    for region in ("ordinary", "pull_off", "fold", "zero_approach", "extreme")
+    for part in ("median", "worst")
+]
+HEADS = ("quantity", "way", "ns_per_point", "cube_roots", *_ERROR_HEADS, "worst_ulp", "on_front")
+RATIO_HEADS = ("case", "scenes", "solve_ns_per_scene", "beside_ns_per_scene", "ratio")
+TABLE_HEADS = ("ns", "× cbrt", *REGIONS, "κ in", "")
+RATIO_TABLE_HEADS = ("solve", "scenes", "ns/scene", "beside it", "ratio")
+LEGEND = """ns      nanoseconds a point
+× cbrt  the same in cube roots of an array by numpy, on this machine
+ordinary, pull-off, fold, δ = 0, extreme
+        median and largest error in ulp/(1 + κ) there, κ the condition in load, approach or λ;
+        the guide promises {}, and {} by Maugis
+κ in    largest error in ulp, of a state that is known to all of its digits
+*       no other way is both as accurate (κ in) and, to 25 %, as cheap
+"""
+PROMISE, PROMISE_OF_MAUGIS = 15, 25  # ulp/(1 + κ), of the guide
+_ALL_DIGITS = 2.0**53  # ulp of an error as large as the value
 
 
-def write_bench(out: TextIO, kind: str, quick: bool, plot: str | Path | None = None) -> int:
+class Plot(NamedTuple):
+    """A file to be drawn, its width in inches, None for the usual one, and a key of `styles.STYLES`."""
+
+    path: str | Path
+    inches: float | None = None
+    style: str = "paper"
+    has_caption: bool = True
+
+
+def write_bench(out: TextIO, kind: str, quick: bool, plot: Plot | None = None) -> int:
     """Measure everything, write it in a format, draw it into a file if one is named, and return the exit code."""
-    if plot is not None:
-        from ..pictures import page  # noqa: F401  a missing library is reported before anything is measured
     size = QUICK if quick else FULL
-    rows, ratios = measure(size), compare(size)
+    rows: list[Row] = []
+    machine = machine_facts()
+    is_table = kind == "table"
+    if is_table:
+        say(
+            ", ".join(
+                (machine[0], *(f"{name} {fact}" for name, fact in zip(MACHINE_HEADS[1:], machine[1:], strict=True)))
+            ),
+            out,
+        )
+        say(LEGEND.format(PROMISE, PROMISE_OF_MAUGIS), out)
+    for of_quantity in _with_progress(measure(size)):
+        rows += of_quantity
+        if is_table:
+            write_records((of_quantity[0].quantity, *TABLE_HEADS), map(_table_row, of_quantity), kind, out)
+            say("", out)
+    ratios = compare(size)
     if plot is not None:
         plot_bench(rows, plot)
-    if kind == "table":
-        write_records(TABLE_HEADS, map(_table_row, rows), kind, out)
-        say("* no other way is both as accurate and, to 25 %, as cheap", out)
+    if is_table:
         for line in off_front(rows):
             say(line, out)
         say("", out)
         write_records(RATIO_TABLE_HEADS, map(_ratio_table_row, ratios), kind, out)
         return 0
-    ways = [[*map(_finite, row)] for row in rows]
-    solved = [[_finite(getattr(one, name)) for name in _RATIO_FIELDS] for one in ratios]
+    parts = {
+        "machine": (MACHINE_HEADS, [machine]),
+        "ways": (HEADS, list(map(_row, rows))),
+        "solve": (RATIO_HEADS, [[_finite(getattr(one, name)) for name in _RATIO_FIELDS] for one in ratios]),
+    }
     if kind == "json":
-        parts = {"ways": (HEADS, ways), "solve": (RATIO_HEADS, solved)}
         objects = {
             name: [dict(zip(heads, line, strict=True)) for line in lines] for name, (heads, lines) in parts.items()
         }
         say(json_text(objects, out), out)
-    else:
-        write_records(HEADS, ways, kind, out)
-        say("", out)
-        write_records(RATIO_HEADS, solved, kind, out)
+        return 0
+    for number, (heads, lines) in enumerate(parts.values()):
+        if number:
+            say("", out)
+        write_records(heads, lines, kind, out)
     return 0
 
 
+def machine_facts() -> list[str]:
+    """Return what the times depend on, and the day."""
+    return [_processor(), platform.python_version(), numpy.__version__, __version__, date.today().isoformat()]
+
+
+def _processor() -> str:
+    """Return the name of the processor; Linux has it in a file, and elsewhere Python knows it."""
+    try:
+        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
+    except OSError:
+        lines = []
+    names = (line.partition(":")[2].strip() for line in lines if line.startswith("model name"))
+    return next(names, platform.processor() or platform.machine())
+
+
+def _with_progress(measured: Iterable[list[Row]]) -> Iterator[list[Row]]:
+    """Iterate over what is measured; a terminal shows which quantity it is."""
+    is_shown = sys.stderr.isatty()
+
+    def show(text: str) -> None:
+        if is_shown:
+            sys.stderr.write(f"\r{text:<60}\r")
+            sys.stderr.flush()
+
+    results = iter(measured)
+    for number, quantity in enumerate(QUANTITIES, 1):
+        show(f"{number} of {len(QUANTITIES)}: {quantity}")
+        rows = next(results, None)
+        show("")
+        if rows is None:
+            return
+        yield rows
+    show("jkroll.solve beside plain programs")
+
+
 _RATIO_FIELDS = ("case", "scenes", "solved", "by_hand", "ratio")
+
+
+def _row(row: Row) -> list[Any]:
+    errors = [row.errors.get(region) for region in REGIONS]
+    pairs = [cell for error in errors for cell in (error[:2] if error else (None, None))]
+    return [row.quantity, row.way, *map(_finite, (row.cost, row.yardsticks, *pairs, row.error)), row.on_front]
 
 
 def _finite(cell: Any) -> Any:
@@ -54,8 +143,9 @@ def _finite(cell: Any) -> Any:
 
 
 def _table_row(row: Row) -> list[Cell]:
-    errors = map(_short, (row.median, row.worst, row.worst_hard))
-    return [row.quantity, row.way, _short(row.cost), *errors, "*" if row.on_front else ""]
+    errors = [row.errors.get(region) for region in REGIONS]
+    cells = [f"{_short(error.median)} {_short(error.worst)}" if error else None for error in errors]
+    return [row.way, _short(row.cost), _short(row.yardsticks), *cells, _short(row.error), "*" if row.on_front else ""]
 
 
 def _ratio_table_row(one: Ratio) -> list[Cell]:
@@ -64,7 +154,16 @@ def _ratio_table_row(one: Ratio) -> list[Cell]:
 
 
 def _short(value: float) -> str:
-    return f"{value:.3g}" if math.isfinite(value) else "no number"
+    """Return two digits of a number: for errors and times, more say nothing."""
+    if not math.isfinite(value):
+        return "nan"
+    return (
+        f"{value:.2g}"
+        if value < 100
+        else f"{value:.0f}"
+        if value < 10_000
+        else f"{value:.0e}".replace("e+0", "e").replace("e+", "e")
+    )
 
 
 def off_front(rows: Sequence[Row]) -> list[str]:
@@ -82,27 +181,42 @@ def off_front(rows: Sequence[Row]) -> list[str]:
     return lines
 
 
-def plot_bench(rows: Sequence[Row], path: str | Path) -> None:
-    """Draw error against cost, a panel for each quantity, with the front; needs matplotlib."""
-    from ..pictures.page import sheet
-
-    names = list(dict.fromkeys(row.quantity for row in rows))
-    columns = math.ceil(math.sqrt(len(names)))
-    lines = math.ceil(len(names) / columns)
-    figure = sheet(4 * columns, 3.2 * lines)
-    for place, name in enumerate(names, 1):
-        axes = figure.add_subplot(lines, columns, place)
-        ways = sorted((row for row in rows if row.quantity == name), key=lambda row: row.cost)
-        front = [row for row in ways if row.on_front]
-        axes.step([row.cost for row in front], [_drawn(row.error) for row in front], where="post", color="0.7")
-        for row in ways:
-            axes.plot(row.cost, _drawn(row.error), "o" if row.on_front else "x", color=f"C{int(row.way != DEFAULT)}")
-            axes.annotate(row.way, (row.cost, _drawn(row.error)), fontsize=5, xytext=(3, 3), textcoords="offset points")
-        axes.set(title=name, xscale="log", yscale="log", xlabel="ns a point", ylabel="worst error [ulp]")
-    with whole_file(str(path)) as stream:
-        figure.savefig(stream, format=Path(path).suffix[1:].lower())
+PLOTTED = {
+    "pull_off_force": "pull-off force",
+    "contact_radius_at_load": "contact radius at a load",
+    "stiffness": "stiffness at a load",
+    "load_factor_at_approach": "state at an approach",
+    "contact_radius_maugis": "contact radius by Maugis",
+    "yield_moment": "rolling moment",
+}  # what users ask for
 
 
-def _drawn(error: float) -> float:
-    """Return an error on a logarithmic axis; where there is no number, all digits are lost."""
-    return min(max(error, 0.1), 2.0**53)
+def plot_bench(rows: Sequence[Row], plot: Plot) -> None:
+    """Draw error against cost, a panel for each of six quantities; needs matplotlib."""
+    from ..pictures.maps import Picture
+    from ..pictures.page import draw
+
+    panels = tuple(_panel(title, [row for row in rows if row.quantity == name]) for name, title in PLOTTED.items())
+    processor, python, with_numpy, version, day = machine_facts()
+    caption = (
+        "Each point is a way; its error is the largest in all regions, κ the condition of the result in load, approach or λ.",
+        "Dashed: the promise of the guide. At the upper edge: no number, or no digit.",
+        f"{processor}; Python {python}, numpy {with_numpy}, jkroll {version}; {day}. Arrays, but for floats and 60 digits.",
+    )
+    picture = Picture("Error against cost of the ways to six quantities", panels, caption)
+    with whole_file(str(plot.path)) as stream:
+        stream.write(
+            draw(picture, Path(plot.path).suffix[1:].lower(), plot.inches, plot.style, has_caption=plot.has_caption)
+        )
+
+
+def _panel(title: str, rows: Sequence[Row]) -> Any:
+    """Return the panel of one quantity, with the error that the guide promises."""
+    from ..pictures.axes import Axis
+    from ..pictures.maps import Curve, Mark, Panel
+
+    promise = PROMISE_OF_MAUGIS if "maugis" in rows[0].quantity else PROMISE
+    x, y = Axis("time_of_a_point", 1e-10, 1e-2), Axis("error", 0.1, _ALL_DIGITS)
+    line = Curve("promise", numpy.array([x.low, x.high]), numpy.array([promise, promise]), is_dashed=True)
+    points = (Mark(row.way, row.cost * 1e-9, min(max(row.worst, y.low), y.high)) for row in rows)
+    return Panel(x, y, (line,), tuple(points), title)

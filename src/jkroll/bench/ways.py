@@ -188,6 +188,22 @@ def _by_radicals(delta: Any, delta0: Any) -> Any:
     return ((sqrt(zeta) + sqrt(4 / (3 * sqrt(zeta)) - zeta)) / 2) ** 3
 
 
+def _by_quartic(delta: Any, delta0: Any) -> Any:
+    """Solve the quartic of the contact radius as programs for many particles do (Parteli et al., Sci. Rep. 4, 6227, 2014).
+
+    Their a⁴ − 2Rδa² − 4πw(1−ν²)R²/E a + R²δ² = 0, here with a in units of a0: a0² = 3Rδ0 and 2πwR²/E* = 4a0³/9.
+    """
+    ratio = delta / delta0
+    c0, c1, c2 = ratio**2 / 9, -4 / 9, -2 * ratio / 3
+    p = -(c2**2) / 12 - c0
+    q = -(c2**3) / 108 + c0 * c2 / 3 - c1**2 / 8
+    u = cbrt(-q / 2 + sqrt(q**2 / 4 + p**3 / 27))
+    s = -5 * c2 / 6 + where(p == 0, -cbrt(q), u - p / (3 * u))
+    w = sqrt(c2 + 2 * s)
+    a_ = (w + sqrt(w**2 - 4 * (c2 + s + c1 / (2 * w)))) / 2
+    return a_ * sqrt(a_)
+
+
 def _by_vieta(delta: Any, delta0: Any) -> Any:
     """Solve it by the resolvent without its cancellation, the second cube root from the product of the two."""
     ratio = delta / delta0
@@ -299,6 +315,7 @@ OTHER_WAYS: Mapping[str, Mapping[str, Way]] = {
         "Newton on the quartic": _by_newton,
         "closed form, radicals": _by_radicals,
         "closed form, Vieta": _by_vieta,
+        "Parteli et al. 2014": _by_quartic,
         "table in δ": lambda delta, delta0: interp(delta / delta0, *_table()),
         "table in √(δ−δ_fold)": lambda delta, delta0: interp(sqrt(delta / delta0 - FOLD_APPROACH), *_root_table()),
     },

@@ -1,10 +1,14 @@
 """Runners of `verify` and `bench`."""
 
 import sys
+from typing import TYPE_CHECKING
 
-from ..errors import MissingExtra
+from ..errors import BadRequest, MissingExtra
 from .options import Call
 from .question import PICTURES, ending, format_name, no_picture
+
+if TYPE_CHECKING:
+    from ..bench.report import Plot
 
 
 def run_verify(call: Call) -> int:
@@ -16,11 +20,28 @@ def run_verify(call: Call) -> int:
 
 def run_bench(call: Call) -> int:
     """Measure speed against error; return the exit code."""
+    plot = _plot(call)
     from ..bench.report import write_bench
 
-    if call.plot is not None and ending(call.plot) not in PICTURES:
+    return write_bench(sys.stdout, format_name(call), quick=call.quick, plot=plot)
+
+
+def _plot(call: Call) -> "Plot | None":
+    """Return what is to be drawn, after whatever prevents it was reported: before anything is measured."""
+    if call.plot is None:
+        looks = {"--width": call.width, "--style": call.style, "--no-caption": call.uncaptioned}
+        if given := [flag for flag, value in looks.items() if value]:
+            raise BadRequest(f"{', '.join(given)}: for a file only; name one with --plot")
+        return None
+    if ending(call.plot) not in PICTURES:
         raise no_picture("--plot", call.plot)
+    from .map import check_look, inches_of
+
+    check_look(call)
     try:
-        return write_bench(sys.stdout, format_name(call), quick=call.quick, plot=call.plot)
+        from ..pictures import page  # noqa: F401
     except ModuleNotFoundError as error:
-        raise MissingExtra(error.name or "", "plot" if call.plot else "bench") from None
+        raise MissingExtra(error.name or "", "plot") from None
+    from ..bench.report import Plot
+
+    return Plot(call.plot, inches_of(call.width), call.style or "paper", has_caption=not call.uncaptioned)

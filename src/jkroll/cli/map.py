@@ -41,11 +41,9 @@ def _check(call: Call, numbers: str = "--data FILE") -> None:
 
     `numbers` is the option that writes the numbers of the command instead of a picture.
     """
-    if call.style not in (None, *STYLES):
-        raise BadRequest(f"--style: {quoted(call.style or '')} is not a style; there are {' and '.join(STYLES)}")
+    check_look(call)
     if call.panel not in (None, *PANELS):
         raise BadRequest(f"--panel: {quoted(call.panel or '')} is not a panel; there are {', '.join(PANELS)}")
-    _inches(call.width)
     if call.target is None:
         looks = {
             "--width": call.width,
@@ -63,7 +61,14 @@ def _check(call: Call, numbers: str = "--data FILE") -> None:
         raise MissingExtra(error.name or "", "plot") from None
 
 
-def _inches(width: str | None) -> float | None:
+def check_look(call: Call) -> None:
+    """Raise BadRequest for a style or a width that no page has."""
+    if call.style not in (None, *STYLES):
+        raise BadRequest(f"--style: {quoted(call.style or '')} is not a style; there are {' and '.join(STYLES)}")
+    inches_of(call.width)
+
+
+def inches_of(width: str | None) -> float | None:
     """Return the width of a page in inches, None if it was not given."""
     if width is None:
         return None
@@ -137,7 +142,7 @@ def _deliver(drawn: Map | Picture, notes: Iterable[str], call: Call) -> int:
         content = draw(
             drawn,
             ending(call.target),
-            _inches(call.width),
+            inches_of(call.width),
             call.style or "paper",
             has_caption=not call.uncaptioned,
         )

@@ -210,6 +210,7 @@ TABLE = (
 BENCH = (
     Option("quick", "--quick", bool, "", "Measure fewer points"),
     Option("plot", "--plot", str, "FILE", "Draw error against cost (needs the plot extra)"),
+    *STYLE,
     JSON,
     CSV,
 )

@@ -23,12 +23,8 @@ from .styles import EVERYWHERE, LETTER, LOOKS, SIZE, STYLES, Style
 _ONE_PANEL, _MORE_PANELS = 120 / 25.4, 180 / 25.4  # default widths in inches
 _NARROWEST = 2.0  # width of a panel beside others
 _ASPECT, _ASPECT_BESIDE = 0.75, 1.0  # height of axes over their width, alone in a row and beside others
+_ASPECT_OF_MANY, _MANY = 0.45, 4  # of axes alone in their rows, of which there are many: a page remains a page
 _GAP = 0.05  # between the parts of a page, in inches
-
-
-def sheet(width: float, height: float) -> Figure:
-    """Return an empty figure of a size in inches, whose parts make room for each other."""
-    return Figure(figsize=(width, height), layout="constrained")
 
 
 class _Block(NamedTuple):
@@ -59,7 +55,7 @@ def figure_of(drawn: Map | Picture, inches: float | None, style: Style, *, has_c
     """Return a picture as matplotlib's figure: title, rows of axes with their legends, caption."""
     panels = 1 if isinstance(drawn, Map) else len(drawn.panels)
     inches = inches or (_ONE_PANEL if panels == 1 else _MORE_PANELS)
-    columns = panels if inches / panels >= _NARROWEST else 1
+    columns = next(n for n in range(panels, 0, -1) if n == 1 or (panels % n == 0 and inches / n >= _NARROWEST))
     figure = Figure(figsize=(inches, inches))
     if isinstance(drawn, Map):
         blocks = [_map_block(figure, drawn, inches, style)]
@@ -91,7 +87,7 @@ def _panel_blocks(figure: Figure, panels: Sequence[Panel], inches: float, column
     """Return the axes and the legends of panels. The titles of several have letters."""
     blocks = []
     for panel, letter in zip(panels, "abcdef", strict=False):
-        aspect = _ASPECT if columns == 1 else _ASPECT_BESIDE
+        aspect = _ASPECT_BESIDE if columns > 1 else _ASPECT if len(panels) < _MANY else _ASPECT_OF_MANY
         if panel.is_true_to_scale:
             aspect = (panel.y.high - panel.y.low) / (panel.x.high - panel.x.low)
         axes = figure.add_axes((0.1, 0.1, 0.8, 0.8), label=letter)
