@@ -24,6 +24,7 @@ from jkroll.bench.report import (
     RATIO_HEADS,
     Plot,
     off_front,
+    picture_of,
     plot_bench,
     write_bench,
 )
@@ -250,6 +251,23 @@ def test_what_is_written(kind: str) -> None:
     else:
         assert f"numpy {np.__version__}" in text.splitlines()[0]
         assert "8(P+P_c)+P" in text
+
+
+def test_a_plot_has_a_point_and_the_name_of_every_way() -> None:
+    found = list(rows().values())
+    panels = picture_of(found).panels
+    assert len(panels) == len(PLOTTED) == 6
+    for quantity, panel in zip(PLOTTED, panels, strict=True):
+        numbered = dict(key.split("  ", 1) for key in panel.keys)
+        assert sorted(numbered.values()) == sorted(row.way for row in found if row.quantity == quantity)
+        for point in panel.points:
+            row = rows()[quantity, numbered[point.text]]
+            assert point.x is not None
+            assert point.x == pytest.approx(row.cost * 1e-9)
+            assert point.y is not None
+            assert point.y == (row.worst if 0.1 < row.worst < 2**53 else pytest.approx(2**53))
+            assert panel.x.low < point.x < panel.x.high
+            assert panel.y.low < point.y < panel.y.high
 
 
 @pytest.mark.slow

@@ -6,7 +6,7 @@ import sys
 from collections.abc import Iterable, Iterator, Sequence
 from datetime import date
 from pathlib import Path
-from typing import Any, NamedTuple, TextIO
+from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
 
 import numpy
 
@@ -16,6 +16,9 @@ from ..text import json_text, say
 from .measure import DEFAULT, FULL, QUICK, Ratio, Row, beats, compare, measure
 from .points import REGIONS
 from .ways import QUANTITIES
+
+if TYPE_CHECKING:
+    from ..pictures.maps import Panel, Picture
 
 MACHINE_HEADS = ("cpu", "python", "numpy", "jkroll", "date")
 _ERROR_HEADS = [
@@ -36,7 +39,7 @@ ordinary, pull-off, fold, δ = 0, extreme
 *       no other way is both as accurate (κ in) and, to 25 %, as cheap
 """
 PROMISE, PROMISE_OF_MAUGIS = 15, 25  # ulp/(1 + κ), of the guide
-_ALL_DIGITS = 2.0**53  # ulp of an error as large as the value
+_NEAREST, _ALL_DIGITS = 0.1, 2.0**53  # ulp: least error that is drawn, and an error as large as the value
 
 
 class Plot(NamedTuple):
@@ -183,40 +186,49 @@ def off_front(rows: Sequence[Row]) -> list[str]:
 
 PLOTTED = {
     "pull_off_force": "pull-off force",
-    "contact_radius_at_load": "contact radius at a load",
-    "stiffness": "stiffness at a load",
-    "load_factor_at_approach": "state at an approach",
-    "contact_radius_maugis": "contact radius by Maugis",
+    "contact_radius_at_load": "radius at P",
+    "stiffness": "stiffness at P",
+    "load_factor_at_approach": "state at δ",
+    "contact_radius_maugis": "radius, Maugis",
     "yield_moment": "rolling moment",
 }  # what users ask for
 
 
 def plot_bench(rows: Sequence[Row], plot: Plot) -> None:
-    """Draw error against cost, a panel for each of six quantities; needs matplotlib."""
-    from ..pictures.maps import Picture
+    """Draw error against cost into a file; needs matplotlib."""
     from ..pictures.page import draw
+
+    kind = Path(plot.path).suffix[1:].lower()
+    content = draw(picture_of(rows), kind, plot.inches, plot.style, has_caption=plot.has_caption)
+    with whole_file(str(plot.path)) as stream:
+        stream.write(content)
+
+
+def picture_of(rows: Sequence[Row]) -> "Picture":
+    """Return error against cost, a panel for each of six quantities."""
+    from ..pictures.maps import Picture
 
     panels = tuple(_panel(title, [row for row in rows if row.quantity == name]) for name, title in PLOTTED.items())
     processor, python, with_numpy, version, day = machine_facts()
     caption = (
-        "Each point is a way; its error is the largest in all regions, κ the condition of the result in load, approach or λ.",
-        "Dashed: the promise of the guide. At the upper edge: no number, or no digit.",
+        "Each point is a way, numbered by its cost; its error is the largest in all regions, κ the condition of the result in load, approach or λ.",
+        "Dashed: the promise of the guide. Points at 10¹⁶: no number, or no digit.",
         f"{processor}; Python {python}, numpy {with_numpy}, jkroll {version}; {day}. Arrays, but for floats and 60 digits.",
     )
-    picture = Picture("Error against cost of the ways to six quantities", panels, caption)
-    with whole_file(str(plot.path)) as stream:
-        stream.write(
-            draw(picture, Path(plot.path).suffix[1:].lower(), plot.inches, plot.style, has_caption=plot.has_caption)
-        )
+    return Picture("Error against cost of the ways to six quantities", panels, caption)
 
 
-def _panel(title: str, rows: Sequence[Row]) -> Any:
+def _panel(title: str, rows: Sequence[Row]) -> "Panel":
     """Return the panel of one quantity, with the error that the guide promises."""
     from ..pictures.axes import Axis
     from ..pictures.maps import Curve, Mark, Panel
 
     promise = PROMISE_OF_MAUGIS if "maugis" in rows[0].quantity else PROMISE
-    x, y = Axis("time_of_a_point", 1e-10, 1e-2), Axis("error", 0.1, _ALL_DIGITS)
+    x, y = Axis("time_of_a_point", 1e-10, 1e-2), Axis("error", 0.01, 1e18)
     line = Curve("promise", numpy.array([x.low, x.high]), numpy.array([promise, promise]), is_dashed=True)
-    points = (Mark(row.way, row.cost * 1e-9, min(max(row.worst, y.low), y.high)) for row in rows)
-    return Panel(x, y, (line,), tuple(points), title)
+    ways = sorted(rows, key=lambda row: row.cost)
+    points = (
+        Mark(str(n), row.cost * 1e-9, min(max(row.worst, _NEAREST), _ALL_DIGITS)) for n, row in enumerate(ways, 1)
+    )
+    keys = (f"{n}  {row.way}" for n, row in enumerate(ways, 1))
+    return Panel(x, y, (line,), tuple(points), title, keys=tuple(keys))

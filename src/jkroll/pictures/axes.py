@@ -18,7 +18,7 @@ _OF_FIGURES: Mapping[str, Quantity] = {
     "position_beside": Quantity("y", "m", "position perpendicular to the rolling direction"),
     "pressure_across": Quantity("p", "Pa", "pressure, tension negative"),
     "time_of_a_point": Quantity("t", "s", "time of a point"),
-    "error": Quantity("ulp/(1 + κ)", "", "largest error"),
+    "error": Quantity("ulp/(1+κ)", "", "error"),
 }
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 _FEW_DECADES = 1e8  # so long an axis has room for small ticks in each decade

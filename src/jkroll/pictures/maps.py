@@ -425,6 +425,7 @@ class Panel(NamedTuple):
     points: tuple[Mark, ...] = ()
     title: str = ""
     is_true_to_scale: bool = False
+    keys: tuple[str, ...] = ()  # lines below it, where its points have numbers
 
 
 class Picture(NamedTuple):

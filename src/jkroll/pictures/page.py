@@ -23,7 +23,6 @@ from .styles import EVERYWHERE, LETTER, LOOKS, SIZE, STYLES, Style
 _ONE_PANEL, _MORE_PANELS = 120 / 25.4, 180 / 25.4  # default widths in inches
 _NARROWEST = 2.0  # width of a panel beside others
 _ASPECT, _ASPECT_BESIDE = 0.75, 1.0  # height of axes over their width, alone in a row and beside others
-_ASPECT_OF_MANY, _MANY = 0.45, 4  # of axes alone in their rows, of which there are many: a page remains a page
 _GAP = 0.05  # between the parts of a page, in inches
 
 
@@ -55,7 +54,7 @@ def figure_of(drawn: Map | Picture, inches: float | None, style: Style, *, has_c
     """Return a picture as matplotlib's figure: title, rows of axes with their legends, caption."""
     panels = 1 if isinstance(drawn, Map) else len(drawn.panels)
     inches = inches or (_ONE_PANEL if panels == 1 else _MORE_PANELS)
-    columns = next(n for n in range(panels, 0, -1) if n == 1 or (panels % n == 0 and inches / n >= _NARROWEST))
+    columns = _columns(panels, inches)
     figure = Figure(figsize=(inches, inches))
     if isinstance(drawn, Map):
         blocks = [_map_block(figure, drawn, inches, style)]
@@ -76,6 +75,13 @@ def figure_of(drawn: Map | Picture, inches: float | None, style: Style, *, has_c
     return figure
 
 
+def _columns(panels: int, inches: float) -> int:
+    """Return the number of columns of panels: few stand in one row or one column, many in rows that fill no more than a page."""
+    if panels > 3:
+        return 3 if inches / 3 >= _NARROWEST else 2
+    return panels if inches / panels >= _NARROWEST else 1
+
+
 def _map_block(figure: Figure, drawn: Map, inches: float, style: Style) -> _Block:
     """Return the axes and the legend of a map."""
     axes = figure.add_axes((0.1, 0.1, 0.8, 0.8))
@@ -87,7 +93,7 @@ def _panel_blocks(figure: Figure, panels: Sequence[Panel], inches: float, column
     """Return the axes and the legends of panels. The titles of several have letters."""
     blocks = []
     for panel, letter in zip(panels, "abcdef", strict=False):
-        aspect = _ASPECT_BESIDE if columns > 1 else _ASPECT if len(panels) < _MANY else _ASPECT_OF_MANY
+        aspect = _ASPECT if columns == 1 else _ASPECT_BESIDE
         if panel.is_true_to_scale:
             aspect = (panel.y.high - panel.y.low) / (panel.x.high - panel.x.low)
         axes = figure.add_axes((0.1, 0.1, 0.8, 0.8), label=letter)
@@ -97,17 +103,19 @@ def _panel_blocks(figure: Figure, panels: Sequence[Panel], inches: float, column
         else:
             axes.set_title(f"({letter}) {typeset(panel.title)}", loc="left")
         keys = _keys_of_curves(panel, style, _letters(inches - 0.4)) if len(panel.curves) > 1 else []
-        blocks.append(_Block(axes, _legend(figure, keys), aspect))
+        lines = [Patch(label=typeset(text), facecolor="none", edgecolor="none") for text in panel.keys]
+        legend = _legend(figure, lines, handlelength=0.0) if lines else _legend(figure, keys)
+        blocks.append(_Block(axes, legend, aspect))
     return blocks
 
 
-def _legend(figure: Figure, keys: Sequence[Any]) -> Any:
+def _legend(figure: Figure, keys: Sequence[Any], handlelength: float = 2.4) -> Any:
     """Return a legend, which is placed later; None without keys."""
     if not keys:
         return None
     legend = figure.legend(
         handles=keys, loc="upper left", frameon=False, borderpad=0.0, borderaxespad=0.0, labelspacing=0.3,
-        handleheight=1.0, handlelength=2.4,
+        handleheight=1.0, handlelength=handlelength,
     )  # fmt: skip
     for text in legend.get_texts():
         text.set_linespacing(1.0)
