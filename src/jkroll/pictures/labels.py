@@ -170,36 +170,26 @@ def _label_contours(
     centre = axes.transData.transform(middle)
     for number, (label, own) in enumerate(zip(labels, parts, strict=True)):
         text = _on_paper(axes, label, style)
+        half = text.get_window_extent().size / 2
+        places = _places(own, centre, half, axes.get_window_extent())
         others = numpy.concatenate([*parts[:number], *parts[number + 1 :], lines[:0]])
-        places = _places(own, centre, _half(text), axes.get_window_extent())
-        place = next(
-            (
-                place
-                for obstacles, allowed in (
-                    (lines, own),
-                    (others, lines[:0]),
-                )  # no line at all, or else no other contour
-                for place in places
-                if _is_free(_box(place, _half(text)), obstacles, allowed, boxes)
-            ),
-            None,
+        free = (
+            place
+            for obstacles, allowed in ((lines, own), (others, lines[:0]))  # of no line, or else of no other contour
+            for place in places
+            if _is_free(_box(place, half), obstacles, allowed, boxes)
         )
-        if place is None:
+        if (place := next(free, None)) is None:
             text.remove()
         else:
             text.set_position(axes.transData.inverted().transform(place))
-            boxes.append(_box(place, _half(text)))
+            boxes.append(_box(place, half))
 
 
 def _on_paper(axes: Any, label: str, style: Style) -> Any:
     """Return a text on a patch of paper, which is placed later."""
     patch = {"boxstyle": "square,pad=0", "facecolor": style.paper, "linewidth": 0}
     return axes.text(0.5, 0.5, f" {typeset(label)} ", ha="center", va="center", zorder=3, bbox=patch)
-
-
-def _half(text: Any) -> Any:
-    """Return half the width and height of a text, in pixels."""
-    return text.get_window_extent().size / 2
 
 
 def _places(own: Any, centre: Any, half: Any, frame: Any) -> Any:

@@ -160,7 +160,7 @@ def _height(part: Any, dpi: float) -> float:
 
 def _fill(part: Any, text: str, inches: float) -> None:
     """Set a text in lines as long as fit into a width, measured as they are drawn."""
-    letters = 2 * _letters(inches)
+    letters = 5 * _letters(inches) // 4  # more than will fit
     while True:
         part.set_text("\n".join(typeset_lines(text, letters)))
         if part.get_window_extent().width <= inches * part.figure.dpi:

@@ -16,7 +16,7 @@ from .styles import DASHES, EVERYWHERE, LETTER, LOOKS, SIZE, Style
 
 # --- Axes -------------------------------------------------------------------------------------------------------------
 
-CONTOURS, PRINTED, OUTLINE = "contours", "printed", "outline"  # the artists that `labels` looks for, by their gid
+CONTOURS, PRINTED = "contours", "printed"  # the artists that `labels` looks for, by their gid
 
 
 def draw_map(axes: Any, drawn: Map, inches: float, aspect: float, style: Style) -> None:
@@ -33,7 +33,6 @@ def draw_map(axes: Any, drawn: Map, inches: float, aspect: float, style: Style) 
     edge = None
     if drawn.has_gaps:
         outline = axes.contourf(mesh.x, mesh.y, values, levels=ends, colors="none")
-        outline.set_gid(OUTLINE)
         edge = outline.get_paths()[0]
         _draw_edge(axes, edge, style)
     contours = [(values, CONTOURS, 0.7, "solid")]
