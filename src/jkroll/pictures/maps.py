@@ -319,8 +319,10 @@ class Bound(NamedTuple):
         import numpy
 
         if self.effect_on:
-            factor = largest(effects(scene.replace(**values), [self.effect_on]))
-            return numpy.log10(self.value / numpy.minimum(factor, _FARTHEST))
+            here = scene.replace(**values)
+            factor = numpy.minimum(largest(effects(here, [self.effect_on])), _FARTHEST)
+            has_value = numpy.isfinite(values_of(here, [self.effect_on])[self.effect_on])
+            return numpy.where(has_value, numpy.log10(self.value / factor), numpy.nan)
         ratio = numpy.log10(solved(scene, [self.name], values)[self.name] / self.value)
         return ratio if self.is_least else -ratio
 
