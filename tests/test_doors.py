@@ -41,7 +41,7 @@ from jkroll.scene.limits import NOT_JUDGED, codes
 from jkroll.scene.scene import Scene
 from questions import SPHERES, Ask, Sheet, any_ask, mixed_sheet, sheet_of
 
-FEW, MANY = 40, 1000
+FEW, MANY = 20, 1000
 UNITS = ["nm", "angstrom", "nN", "lbf", "eV", "GPa", "cm/s", "N ym12 Ym-12", "m ym12 Ym-12", "J ym12 Ym-12", "kHz"]
 
 Cells = Mapping[str, Any]

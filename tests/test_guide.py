@@ -26,7 +26,16 @@ def test_transcript(topic: str, block: str) -> None:
     assert block == "".join(transcript(command) for command in commands(with_file(block))), topic
 
 
-@pytest.mark.parametrize("command", [*dict.fromkeys(command for text in PAGES.values() for command in copied(text))])
+COPIED = [*dict.fromkeys(command for text in PAGES.values() for command in copied(text))]
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        pytest.param(command, marks=pytest.mark.slow if re.search(r" -o \S+\.(svg|pdf|png)", command) else ())
+        for command in COPIED
+    ],
+)
 def test_a_command_in_the_text_works(command: str) -> None:
     assert exit_code(command) == 0
 

@@ -137,6 +137,7 @@ def test_resume_refuses_other_options_and_another_version(run: Run, monkeypatch:
     assert whole("forces") == before
 
 
+@pytest.mark.slow
 def test_the_manifest_is_there_before_the_first_table(
     run: Run, monkeypatch: pytest.MonkeyPatch, grains: list[str]
 ) -> None:
@@ -211,6 +212,7 @@ def test_nothing_of_the_users_is_touched(run: Run) -> None:
     assert Path("forces/.mine.part-0.csv").read_text() == "mine"
 
 
+@pytest.mark.slow
 def test_a_pool_writes_what_one_process_writes(run: Run, monkeypatch: pytest.MonkeyPatch, grains: list[str]) -> None:
     from jkroll.batch import many
 

@@ -58,7 +58,7 @@ def converted(dialect: str, end: str, text: bytes, *, excel_safe: bool) -> Conve
     return converter(dialect, end, excel_safe=excel_safe).convert(text)
 
 
-@settings(deadline=None, max_examples=150)
+@settings(deadline=None, max_examples=75)
 @given(
     table=st.lists(USUAL, min_size=1, max_size=8) | st.lists(USUAL | ANY, max_size=8),
     dialect=st.sampled_from(["csv", "tsv"]),

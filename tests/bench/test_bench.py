@@ -34,7 +34,7 @@ from maugis_reference import approach, at_load, mpf, stiffness
 from reference import BOUND, conditions, exact_results, ulp_error
 
 OF_MAUGIS = ("contact_radius_maugis", "approach_maugis", "stiffness_maugis")
-SMALL = QUICK._replace(points=60, elements=1000, numbers=5, repeats=1, scenes=1000)
+SMALL = QUICK._replace(points=32, elements=1000, numbers=5, repeats=1, scenes=1000)
 
 
 @cache
@@ -229,7 +229,9 @@ def _small(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.usefixtures("_small")
-@pytest.mark.parametrize("kind", ["table", "plain", "csv", "json"])
+@pytest.mark.parametrize(
+    "kind", ["table", "json", *(pytest.param(kind, marks=pytest.mark.slow) for kind in ("plain", "csv"))]
+)
 def test_what_is_written(kind: str) -> None:
     out = Stream()
     assert write_bench(out, kind, quick=True) == 0

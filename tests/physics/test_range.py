@@ -186,7 +186,7 @@ def _exact_or_none(formula: str, given: dict[str, Exact]) -> Exact | None:
     [
         ("jkr", (LEAST, MOST), 60),
         ("jkr", ORDINARY, 60),
-        ("maugis", ORDINARY, 30),
+        ("maugis", ORDINARY, 10),
         pytest.param("jkr", (LEAST, MOST), 1000, marks=pytest.mark.slow),
         pytest.param("jkr", ORDINARY, 1000, marks=pytest.mark.slow),
         pytest.param("maugis", ORDINARY, 1000, marks=pytest.mark.slow),

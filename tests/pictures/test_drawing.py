@@ -42,7 +42,7 @@ SVG_TEXT = re.compile(r"<!-- (.*?) -->", re.DOTALL)  # letters are paths; their 
 
 
 # The figures of the paper; of those that differ in their numbers alone, one in the fast run.
-OF_EACH_KIND = [pytest.param(name, marks=pytest.mark.slow) if name in ("3b", "3c", "3d") else name for name in FIGURES]
+OF_EACH_KIND = [pytest.param(name, marks=pytest.mark.slow) if name not in ("6b", "8") else name for name in FIGURES]
 
 
 @cache
@@ -113,7 +113,9 @@ def test_the_same_bytes_every_time(run: Run, tmp_path: Path, kind: str) -> None:
     assert (tmp_path / f"one.{kind}").read_bytes() == (tmp_path / f"two.{kind}").read_bytes()
 
 
-@pytest.mark.parametrize("name", [*OF_EACH_KIND, "2", "9", "laws"])
+@pytest.mark.parametrize(
+    "name", ["8", "9", *(pytest.param(name, marks=pytest.mark.slow) for name in (*FIGURES, "2", "laws") if name != "8")]
+)
 def test_every_figure_is_drawn_and_says_what_it_is(run: Run, tmp_path: Path, name: str) -> None:
     ran = run("figure", name, "-o", "figure.svg", "--width", "85mm", "--style", "dark")
     assert (ran.code, ran.err) == (0, "")
@@ -141,13 +143,19 @@ def test_one_panel_of_a_contact(run: Run, tmp_path: Path) -> None:
     ("options", "held"),
     [
         ("", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17, ξ = 100 pm."),
-        ("--panel force", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17."),
-        ("--panel moment", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17, ξ = 100 pm."),
+        pytest.param("--panel force", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17.", marks=pytest.mark.slow),
+        pytest.param(
+            "--panel moment", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17, ξ = 100 pm.", marks=pytest.mark.slow
+        ),
         ("--panel force --model dmt", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17."),
         ("--panel moment --model dmt", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17, ξ = 100 pm."),
         ("--panel moment --model jkr,dmt", "R1 = 100 nm, γ1 = 25 mJ/m²."),
         ("--model maugis", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17, z0 = 400 pm, ξ = 100 pm."),
-        ("--model jkr,maugis", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17, z0 = 400 pm."),
+        pytest.param(
+            "--model jkr,maugis",
+            "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17, z0 = 400 pm.",
+            marks=pytest.mark.slow,
+        ),
     ],
 )
 def test_a_caption_has_the_inputs_of_what_is_drawn(run: Run, options: str, held: str) -> None:
@@ -267,7 +275,15 @@ def test_each_contour_has_its_label_on_its_line_and_on_no_other(name: str, width
         assert [other for other in paths if other.intersects_bbox(own[0], filled=False)] == [path]
 
 
-@pytest.mark.parametrize("name", [*FIGURES, *PROFILES, "contact"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "3d",
+        "8",
+        "contact",
+        *(pytest.param(name, marks=pytest.mark.slow) for name in (*FIGURES, *PROFILES) if name not in ("3d", "8")),
+    ],
+)
 def test_a_caption_has_three_lines_in_a_column(name: str) -> None:
     materials = known_materials()
     drawn: Map | Picture

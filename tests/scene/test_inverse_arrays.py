@@ -79,7 +79,17 @@ def test_what_a_law_does_not_have_is_said_for_arrays_too() -> None:
         solutions("adhesion_hysteresis", "yield_moment", numpy.array([1e-17]), scene)
 
 
-@pytest.mark.parametrize(("name", "model"), [each for each in product(MEASURED, LAWS) if each not in LACKING])
+FAST = ("surface_energy", "radius")  # for which all laws are tried in the fast tests
+
+
+@pytest.mark.parametrize(
+    ("name", "model"),
+    [
+        pytest.param(*each, marks=pytest.mark.slow if each[1] != "jkr" and each[0] not in FAST else ())
+        for each in product(MEASURED, LAWS)
+        if each not in LACKING
+    ],
+)
 def test_arrays_give_what_floats_give(name: str, model: str) -> None:
     """Where the measured value alone varies, where some inputs vary, and where all do."""
     random = Random(f"{name} {model}")
@@ -156,6 +166,7 @@ def test_infer_takes_arrays_with_special_values_among_others() -> None:
         assert found[place] == pytest.approx(expected, rel=1e-14)
 
 
+@pytest.mark.slow
 def test_more_values_than_are_inferred_at_once() -> None:
     forces = numpy.geomspace(1e-9, 1e-6, 9000)
     found = infer("gamma", measured={"pull_off_force": forces}, radius=2e-6, radius2="plane")
