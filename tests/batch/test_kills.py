@@ -180,6 +180,7 @@ def _state_of(process: str) -> str:
         return "Z"
 
 
+@pytest.mark.slow
 def test_two_runs_of_one_file_write_it_one_after_the_other(run: Run) -> None:
     """Each has its own file until it is done."""
     Path("grains.csv").write_text("radius [nm],material\n100,quartz\n", encoding="utf-8")

@@ -34,7 +34,7 @@ from maugis_reference import approach, at_load, mpf, stiffness
 from reference import BOUND, conditions, exact_results, ulp_error
 
 OF_MAUGIS = ("contact_radius_maugis", "approach_maugis", "stiffness_maugis")
-SMALL = QUICK._replace(points=32, elements=1000, numbers=5, repeats=1, scenes=1000)
+SMALL = QUICK._replace(points=24, elements=1000, numbers=5, repeats=1, scenes=1000)
 
 
 @cache

@@ -266,6 +266,7 @@ run()
     assert (ran.returncode, ran.stdout, ran.stderr) == (130, b"", b"")
 
 
+@pytest.mark.slow
 def test_an_interrupt_that_is_dropped_ends_the_run_after_a_while() -> None:
     program = """
 import signal, time
@@ -284,6 +285,7 @@ jkroll.__main__.run()
     assert (ran.returncode, ran.stdout, ran.stderr) == (130, b"", b"")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGKILL])
 def test_it_dies_by_other_signals_silently(number: int, tmp_path: Path) -> None:
     """The system may cut the write that it interrupts, and so the last line; those before it are whole."""
