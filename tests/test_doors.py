@@ -177,6 +177,12 @@ FOUND = {
     "inputs of a quantity that concerns some rows": Ask(
         "frequencies", {**QUARTZ, "material": ["gold", "quartz"], "radius2": ["1e-7 m", "2e-7 m"], "load": ["1e-9 N"]}
     ),
+    "a rigid body of a material without a Poisson's ratio": Ask(
+        "frequencies",
+        {**PLAIN, "material2": ["gold"], "radius2": ["1e-7 m"], "youngs_modulus2": ["rigid"], "load": ["-1e-9 N"]},
+        model="maugis",
+        options=("material2",),
+    ),
     "two reasons that are not those of all rows": Ask(
         "contact",
         {**QUARTZ, "material": ["quartz", "gold"], "load": ["-1 N", "0 N"], "material2": ["graphite", "gold"]},
