@@ -1,5 +1,8 @@
 """Errors that jkroll declares. The command line prints one as a line and ends with its exit code."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+
 ROWS_FAILED = 1  # exit code of a call that answered, though not for every row
 
 
@@ -18,6 +21,15 @@ class MissingExtra(JkrollError):
 
     def __str__(self) -> str:
         return f"this needs {self.library.partition('.')[0]}: pip install 'jkroll[{self.extra}]'"
+
+
+@contextmanager
+def missing_extra(extra: str) -> Iterator[None]:
+    """Name the extra that installs a missing library."""
+    try:
+        yield
+    except ModuleNotFoundError as error:
+        raise MissingExtra(error.name or "", extra) from None
 
 
 class NoResult(JkrollError):

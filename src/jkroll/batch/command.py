@@ -3,12 +3,11 @@
 import sys
 from collections.abc import Mapping
 
-from ..errors import ROWS_FAILED, BadRequest
+from ..errors import ROWS_FAILED, BadRequest, missing_extra
 from ..materials.library import Materials
 from ..quantities.formatting import amount
 from ..rows.columns import DOUBT, STATUS
 from ..text import say, say_wrapped
-from .errors import missing_extra
 from .lines import Tally
 from .many import Runner, by_processes, is_many
 from .many import convert as convert_many

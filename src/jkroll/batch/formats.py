@@ -6,10 +6,10 @@ import zlib
 from collections.abc import Callable, Iterator, Mapping
 from typing import BinaryIO, NamedTuple
 
+from ..errors import missing_extra
 from ..rows.header import BadTable
 from ..text import quoted
 from .delimited import DELIMITED, DIALECTS, Dialect
-from .errors import missing_extra
 from .ndjson import Ndjson
 
 LINES: Mapping[str, Dialect | Ndjson] = {**DIALECTS, "ndjson": Ndjson()}

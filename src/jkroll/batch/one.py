@@ -8,6 +8,7 @@ from functools import lru_cache, partial
 from itertools import chain
 
 from ..answers.questions import quantities_named
+from ..errors import missing_extra
 from ..output.records import lines
 from ..quantities.formatting import Format as Units
 from ..rows.columns import Columns, Wanted
@@ -16,7 +17,6 @@ from ..rows.readings import example_unit
 from ..rows.table import Fill, Inverse, Table, say_reading, table_of
 from ..text import quoted
 from .delimited import DELIMITED, Delimited
-from .errors import missing_extra
 from .formats import LINES, Format, compressor, format_of, stated, with_delimiter
 from .lines import Converted, Tally
 from .ndjson import NdjsonConverter

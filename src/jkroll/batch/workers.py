@@ -16,7 +16,7 @@ from threading import Thread
 from types import MappingProxyType
 from typing import Any
 
-from .errors import LostWorker
+from ..errors import JkrollError
 
 CONTEXT = get_context("spawn")  # safe beside threads, and the same on every system
 
@@ -29,6 +29,19 @@ def _read_only(values: dict[str, Any]) -> MappingProxyType[str, Any]:
 copyreg.pickle(MappingProxyType, lambda mapping: (_read_only, (dict(mapping),)))
 
 Answer = Callable[[Any], Any]
+
+
+class LostWorker(JkrollError):
+    """Error raised when a process is ended from outside."""
+
+    exit_code = 1
+
+    def __init__(self, exit_code: int) -> None:
+        super().__init__(exit_code)
+        self.how = f"was ended by signal {-exit_code}" if exit_code < 0 else f"ended with exit code {exit_code}"
+
+    def __str__(self) -> str:
+        return f"a working process {self.how}; no file was written"
 
 
 class Worker:

@@ -3,7 +3,7 @@
 import sys
 from typing import TYPE_CHECKING
 
-from ..errors import BadRequest, MissingExtra
+from ..errors import BadRequest, missing_extra
 from .options import Call
 from .question import PICTURES, ending, format_name, no_picture
 
@@ -38,10 +38,8 @@ def _plot(call: Call) -> "Plot | None":
     from .map import check_look, inches_of
 
     check_look(call)
-    try:
+    with missing_extra("plot"):
         from ..pictures import page  # noqa: F401
-    except ModuleNotFoundError as error:
-        raise MissingExtra(error.name or "", "plot") from None
     from ..bench.report import Plot
 
     return Plot(call.plot, inches_of(call.width), call.style or "paper", has_caption=not call.uncaptioned)

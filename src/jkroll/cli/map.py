@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from math import isnan
 
 from ..answers.questions import quantity_named
-from ..errors import BadRequest, MissingExtra
+from ..errors import BadRequest, missing_extra
 from ..output.records import text_output, whole_file
 from ..pictures.axes import Axis
 from ..pictures.curves import PANELS, PROFILES, curves_of_contact, figure_laws
@@ -55,10 +55,8 @@ def _check(call: Call, numbers: str = "--data FILE") -> None:
         return
     if ending(call.target) not in PICTURES:
         raise no_picture("-o", call.target, f"; {numbers} writes the numbers")
-    try:
+    with missing_extra("plot"):
         from ..pictures import page  # noqa: F401
-    except ModuleNotFoundError as error:
-        raise MissingExtra(error.name or "", "plot") from None
 
 
 def check_look(call: Call) -> None:
