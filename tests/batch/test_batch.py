@@ -16,7 +16,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from harness import Run
-from jkroll.batch import source
+from jkroll.batch import files
 from jkroll.batch.one import table_with
 from jkroll.batch.settings import Order, Settings
 from jkroll.errors import JkrollError
@@ -38,7 +38,7 @@ GRAINS = "name,material,radius [nm],load [nN]\na,quartz,100,0\nb,iron,50,-2e-3\n
 @pytest.fixture
 def small_chunks(monkeypatch: pytest.MonkeyPatch) -> None:
     """Blocks of a line or two."""
-    monkeypatch.setattr(source, "CHUNK", 64)
+    monkeypatch.setattr(files, "CHUNK", 64)
 
 
 def table(text: str, name: str = "grains.csv") -> str:

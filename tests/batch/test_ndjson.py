@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from harness import Run
-from jkroll.batch import source
+from jkroll.batch import files
 
 
 def converted(run: Run, text: str, *options: str) -> list[dict[str, object]]:
@@ -46,7 +46,7 @@ def test_the_same_as_in_csv(run: Run) -> None:
 
 
 def test_lines_that_are_no_objects(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(source, "CHUNK", 64)
+    monkeypatch.setattr(files, "CHUNK", 64)
     lines = ['{"radius [nm]": 100}', "[1, 2]", "", '{"radius [nm]": 1', '{"radius [nm]": 100, "load [nN]": 1}', "{}"]
     found = converted(run, "\n".join(lines), "--quantities", "r_min")
     assert [one["status"] for one in found] == [

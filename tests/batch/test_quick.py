@@ -123,8 +123,8 @@ def test_no_record_is_cut(text: bytes, rest: bytes) -> None:
 
 
 def test_an_open_quote_does_not_gather_what_follows_in_one_block() -> None:
+    from jkroll.batch.files import blocks
     from jkroll.batch.formats import CHUNK
-    from jkroll.batch.source import blocks
 
     lines = [b'"open,quartz\n', *(b"row %d,quartz\n" % row for row in range(CHUNK // 3))]
     pieces = [b"".join(lines[start : start + 1000]) for start in range(0, len(lines), 1000)]
@@ -135,8 +135,8 @@ def test_an_open_quote_does_not_gather_what_follows_in_one_block() -> None:
 
 
 def test_a_first_record_longer_than_a_block_is_one() -> None:
+    from jkroll.batch.files import blocks
     from jkroll.batch.formats import CHUNK
-    from jkroll.batch.source import blocks
 
     text = b"radius [nm]" + b",column" * CHUNK + b"\n100\n"  # as read: pieces of CHUNK bytes
     pieces = [text[start : start + CHUNK] for start in range(0, len(text), CHUNK)]

@@ -17,13 +17,12 @@ from ..rows.readings import example_unit
 from ..rows.table import Fill, Inverse, Table, say_reading, table_of
 from ..text import quoted
 from .delimited import DELIMITED, Delimited
+from .files import Input, blocks, output_to, unnamed
 from .formats import LINES, Format, compressor, format_of, stated, with_delimiter
 from .lines import Converted, Tally
 from .ndjson import NdjsonConverter
-from .output import output_to, unnamed
 from .run import Convert, Work, run
 from .settings import Order, Part, Settings
-from .source import Input, blocks
 
 
 def convert(part: Part, order: Order) -> Tally:

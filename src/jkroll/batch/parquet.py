@@ -25,11 +25,10 @@ from ..rows.rows import Block, evaluated
 from ..rows.table import Table
 from ..scene.limits import codes
 from ..text import quoted, shown
+from .files import Input, output_to
 from .lines import Tally, check_strictly
-from .output import output_to
 from .progress import Bar
 from .settings import Order, Part
-from .source import Input
 
 BUFFER = 1 << 18  # bytes read at a time of each column
 BLOCK = 1 << 13  # rows computed together: what lies between two formulas stays in the cache

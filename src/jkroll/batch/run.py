@@ -13,8 +13,8 @@ from typing import BinaryIO, NamedTuple
 
 from ..rows.header import BadRow
 from ..text import say
+from .files import output_to
 from .lines import Converted, Tally
-from .output import output_to
 from .progress import Bar
 from .settings import Settings
 

@@ -1,16 +1,18 @@
-"""The input as blocks of whole records, cut at the same places in every run."""
+"""The file that is read, as blocks of whole records that are cut at the same places in every run, and the file that is written."""
 
 import errno
 import os
 import stat
+import sys
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from typing import BinaryIO
 
 from ..errors import BadRequest
+from ..output.records import whole_file
 from ..rows.header import BadTable
-from ..text import quoted
-from .formats import CHUNK, decompressed
+from ..text import quoted, say
+from .formats import CHUNK, Format, decompressed
 
 MAX_RECORD = 1 << 24
 
@@ -96,3 +98,26 @@ def _end_of_lines(text: bytes) -> int:
     if not end and len(text) >= MAX_RECORD:
         raise BadTable(f"a line is longer than {MAX_RECORD >> 20} MiB: this is no table")
     return end or len(text)
+
+
+@contextmanager
+def output_to(target: str) -> Iterator[BinaryIO]:
+    """Open the output of `-o`: stdout, a device or a pipe, or a file that appears when it is whole."""
+    if target == "-":
+        sys.stdout.flush()
+        with open(os.dup(sys.stdout.fileno()), "wb") as stream:
+            yield stream
+        return
+    if os.path.isdir(target):
+        raise BadRequest(
+            f"-o: {quoted(target)} is a directory; {quoted(target + os.sep)} is where a file for each table goes"
+        )
+    with whole_file(target) as stream:
+        yield stream
+
+
+def unnamed(target: str, kind: str, *, quiet: bool) -> Format:
+    """Return the format of an output whose name says none, and say which one it is where the name ends as if it said one."""
+    if os.path.splitext(target)[1] and not quiet:
+        say(f"note: {quoted(target)} is written as {kind}: its name says no format", sys.stderr)
+    return Format(kind)
