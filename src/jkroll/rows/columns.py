@@ -140,7 +140,8 @@ class Columns:
         """`inputs`: columns by name; `numbers`: a column for each of Wanted.keys; `reasons`: by the place of a row."""
         self.wanted, self.inputs, self.numbers, self.doubts = wanted, inputs, numbers, doubts
         self.reasons: dict[int, Reasons] = reasons
-        self.lost = {row for row, own in reasons.items() if is_lost(own)}  # rows of which nothing is to be trusted
+        found = ((row, lack(own)) for row, own in reasons.items())
+        self.lost = {row: error for row, error in found if error is not None}  # rows of which nothing is to be trusted
 
     @classmethod
     def of_rows(cls, wanted: Wanted, rows: Sequence[Row]) -> "Columns":
@@ -166,19 +167,23 @@ class Columns:
         self.numbers[:, row] = one.numbers
         self.doubts[row] = one.doubts
         self.reasons.pop(row, None)
-        self.lost.discard(row)
+        self.lost.pop(row, None)
         if one.reasons:
-            self.reasons[row] = one.reasons
-            if is_lost(one.reasons):
-                self.lost.add(row)
+            self.explain(row, one.reasons)
         for name, column in self.inputs.items():
             value = one.inputs.get(name)
             column[row] = value.value if is_uncertain(value) and not isinstance(column, list) else value
 
+    def explain(self, row: int, reasons: Reasons) -> None:
+        """Say why cells of a row are empty."""
+        self.reasons[row] = reasons
+        if (error := lack(reasons)) is not None:
+            self.lost[row] = error
+
     def failed(self) -> list[int]:
         """Return the rows that fail: those without a contact or without any value. One that no double holds in its unit is a value."""
         of_names = [self.column(name) for name in self.wanted.names]
-        others = self.reasons.keys() - self.lost
+        others = self.reasons.keys() - self.lost.keys()
         empty = [row for row in others if all(isnan(column[row]) for column in of_names)]
         return [*self.lost, *(row for row in empty if not _has_unwritten(self.reasons[row]))]
 
@@ -191,12 +196,13 @@ class Columns:
 
     def failure(self, row: int) -> JkrollError:
         """Return why a row fails: the lack of a contact, or else its first reason."""
-        reasons = self.reasons[row]
-        return no_contact(reasons) or next(iter(reasons.values()))
+        return self.lost.get(row) or next(iter(self.reasons[row].values()))
 
     def status(self, row: int) -> str:
         """Return why cells of a row are empty, in words."""
-        return worded(self.reasons[row]) if row in self.reasons else ""
+        if row in self.lost:
+            return str(self.lost[row])
+        return _worded(self.reasons[row]) if row in self.reasons else ""
 
 
 # --- By floats --------------------------------------------------------------------------------------------------------
@@ -397,21 +403,19 @@ class _Arrays:
             [numpy.where(fails, causes.of(name, self.whole.get(name)), NO_GAP) for name, fails in self.gaps.items()]
         )
         rows = numpy.flatnonzero(of_names.any(axis=0)).tolist()
-        of_marks: dict[bytes, dict[str, int]] = {}  # many rows have the same gaps for the same causes
+        of_marks: dict[bytes, _Explain | None] = {}  # many rows have the same gaps for the same causes
         for row, marks in zip(rows, map(bytes, numpy.ascontiguousarray(of_names[:, rows].T)), strict=True):
             if marks not in of_marks:
                 own = zip(self.gaps, of_names[:, row].tolist(), strict=True)
-                of_marks[marks] = {name: cause for name, cause in own if cause != NO_GAP}
-            reasons = causes.reasons(of_marks[marks], row)
-            if reasons is None:
+                of_marks[marks] = causes.explain({name: cause for name, cause in own if cause != NO_GAP})
+            if (explain := of_marks[marks]) is None:
                 again[row] = True
                 continue
+            reasons = explain(row)
             if lacking := self.columns.reasons.get(row, {}):
                 mixed = {**reasons, **lacking}
                 reasons = {name: mixed[name] for name in self.wanted.names if name in mixed}
-            self.columns.reasons[row] = reasons
-            if is_lost(reasons):
-                self.columns.lost.add(row)
+            self.columns.explain(row, reasons)
         return again
 
     def add_sides(self) -> Any:
@@ -444,6 +448,7 @@ def _either(rows: Any, column: Any, otherwise: Any) -> Any:
     return numpy.where(rows, numpy.asarray(column, dtype=float), numpy.asarray(otherwise, dtype=float))
 
 
+_Explain = Callable[[int], dict[str, JkrollError]]  # returns why quantities have no value in a row
 NO_GAP, UNKNOWN, RESTS, FIRST = range(4)  # why a value is missing; further numbers stand for errors
 
 
@@ -498,15 +503,21 @@ class _Causes:
         self._note(cause, cause == NO_GAP, lambda _: error)
         return cause
 
-    def reasons(self, causes: Mapping[str, int], row: int) -> dict[str, JkrollError] | None:
-        """Return the errors of quantities in a row by their causes; None if one is unknown."""
+    def explain(self, causes: Mapping[str, int]) -> "_Explain | None":
+        """Return what says why quantities have no value in a row, by their causes; None if one is unknown."""
         numbers = {*causes.values()}
         if UNKNOWN in numbers:
             return None
-        errors = {number: self.errors[number - FIRST](row) for number in numbers if number != RESTS}
+        errors = {number: self.errors[number - FIRST] for number in numbers if number != RESTS}
         if len(numbers) == len(errors) == 1:
-            return dict.fromkeys(causes, *errors.values())
-        return {name: errors.get(number) or RestsOnSpacing(name) for name, number in causes.items()}
+            (error,) = errors.values()
+            return lambda row: dict.fromkeys(causes, error(row))
+
+        def reasons(row: int) -> dict[str, JkrollError]:
+            own = {number: error(row) for number, error in errors.items()}
+            return {name: own.get(number) or RestsOnSpacing(name) for name, number in causes.items()}
+
+        return reasons
 
 
 def spread(value: Any, size: int) -> Any:
@@ -528,23 +539,16 @@ def _has_unwritten(reasons: Reasons) -> bool:
 # --- In words ---------------------------------------------------------------------------------------------------------
 
 
-def is_lost(reasons: Reasons) -> bool:
-    """Return whether nothing of a row is to be trusted."""
-    return ROW in reasons or no_contact(reasons) is not None
+def lack(reasons: Reasons) -> JkrollError | None:
+    """Return why nothing of a row is to be trusted; None if it has a contact, though maybe not at all ends of its uncertain inputs."""
+    for name, error in reasons.items():
+        if name == ROW or (isinstance(error, NoContact) and name in NOMENCLATURE):
+            return error
+    return None
 
 
-def no_contact(reasons: Reasons) -> NoContact | None:
-    """Return why a row has no contact; None if it has one, though not at all ends of its uncertain inputs."""
-    errors = (error for name, error in reasons.items() if isinstance(error, NoContact) and name in NOMENCLATURE)
-    return next(errors, None)
-
-
-def worded(reasons: Reasons) -> str:
-    """Return why cells are empty: where there is no contact, that alone; a clause for all that lack an input, and one for each other reason."""
-    if ROW in reasons:
-        return str(reasons[ROW])
-    if (lack := no_contact(reasons)) is not None:
-        return str(lack)
+def _worded(reasons: Reasons) -> str:
+    """Return why cells are empty: a clause for all that lack an input, and one for each other reason."""
     of_values, of_sides = of_quantities(reasons)
     clauses = [*_clauses(of_values), *_clauses(of_sides, NO_END)]
     if UNCERTAINTY in reasons:

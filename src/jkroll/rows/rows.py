@@ -94,7 +94,7 @@ def _put(columns: Columns, rows: Codes, part: Columns) -> None:
         for place, value in zip(places, own if isinstance(own, list) else own.tolist(), strict=True):
             column[place] = value
     columns.reasons.update((places[row], reasons) for row, reasons in part.reasons.items())
-    columns.lost.update(places[row] for row in part.lost)
+    columns.lost.update((places[row], error) for row, error in part.lost.items())
 
 
 def groups(block: Block) -> Iterator[tuple[Codes, dict[str, Any]]]:
