@@ -15,7 +15,7 @@ import pytest
 import jkroll
 from harness import Run
 from jkroll.batch.lines import Tally
-from jkroll.batch.one import convert
+from jkroll.batch.one import convert_one
 from jkroll.batch.settings import Order, Part
 from tables import random_table
 
@@ -165,7 +165,7 @@ def interrupted_at(place: int, patch: pytest.MonkeyPatch) -> None:
         if len(done) == place:
             raise KeyboardInterrupt
         done.append(part)
-        return convert(part, order)
+        return convert_one(part, order)
 
     patch.setattr("jkroll.batch.many.convert_one", until)
 

@@ -285,14 +285,14 @@ def test_a_plot(tmp_path: Path) -> None:
 
 
 def test_a_plot_of_no_known_ending_is_refused_before_anything_is_measured(run: Run) -> None:
-    problem = "--plot: 'bench.txt' does not end in .svg, .pdf or .png"
+    problem = "--plot: 'bench.txt' does not end in .svg, .pdf or .png; --csv > FILE writes the numbers"
     assert run("bench --plot bench.txt").err == f"jkroll: {problem}\n"
 
 
 @pytest.mark.parametrize(
     ("words", "problem"),
     [
-        ("--style dark --width 85mm", "--width, --style: for a file only; name one with --plot"),
+        ("--style dark --width 85mm", "--width and --style apply to files; add --plot FILE"),
         ("--plot b.svg --style pink", "--style: 'pink' is not a style; there are paper and dark"),
         ("--plot b.svg --width 1mm", "--width: '1mm' is not between 70mm and 1m"),
     ],

@@ -17,7 +17,7 @@ from .answer import Answer, Difference
 from .questions import Question
 from .results import Result
 
-CURVE = Question(
+FORCE_CURVE = Question(
     ("approach_at_load", "load"),
     ("approach_at_load", "load", "contact_radius_at_load", "stiffness"),
 )
@@ -141,7 +141,7 @@ class AtState(Answer):
 
     def __init__(self, scene: Scene, state: State) -> None:
         """`scene`: at that state."""
-        super().__init__(CURVE, scene)
+        super().__init__(FORCE_CURVE, scene)
         self.state = state
 
     @cached_property
@@ -178,7 +178,7 @@ def wanted_of_curve(samples: Iterable[AtState], *, is_bare: bool) -> Wanted:
     `samples`: the curve of a scene of each kind.
     """
     if is_bare:
-        return Wanted(CURVE.headline, named=CURVE.headline, doubts=False)
+        return Wanted(FORCE_CURVE.headline, named=FORCE_CURVE.headline, doubts=False)
     inputs: set[str] = set()
     sides: dict[str, set[str]] = {}
     for one in samples:
@@ -186,9 +186,9 @@ def wanted_of_curve(samples: Iterable[AtState], *, is_bare: bool) -> Wanted:
         for name, own in one.sides().items():
             sides.setdefault(name, set()).update(own)
     return Wanted(
-        CURVE.quantities,
-        named=CURVE.quantities,
-        inputs=[name for name in NOMENCLATURE if name in inputs.difference(CURVE.quantities)],
+        FORCE_CURVE.quantities,
+        named=FORCE_CURVE.quantities,
+        inputs=[name for name in NOMENCLATURE if name in inputs.difference(FORCE_CURVE.quantities)],
         sides=sides,
         doubts=False,
     )

@@ -9,9 +9,8 @@ from ..quantities.formatting import amount
 from ..rows.columns import DOUBT, STATUS
 from ..text import say, say_wrapped
 from .lines import Tally
-from .many import Runner, by_processes, is_many
-from .many import convert as convert_many
-from .one import convert
+from .many import Runner, by_processes, convert_many, is_many
+from .one import convert_one
 from .settings import Order, Part, Settings
 
 MAX_CODES = 4  # of doubts that are named at the end
@@ -26,7 +25,7 @@ def run(path: str, settings: Settings, inputs: Mapping[str, str], known: Materia
         if settings.resume or settings.dask:
             flag = "--resume" if settings.resume else "--dask"
             raise BadRequest(f"{flag} is for many files: name them as in 'grains/*.csv', with -o DIRECTORY/")
-        tally, code = convert(Part(path, settings.target), order), 0
+        tally, code = convert_one(Part(path, settings.target), order), 0
     if tally.inferred and not settings.quiet:
         say_wrapped(_summary(settings.infer, tally), sys.stderr)
     if tally.doubtful and not settings.quiet:

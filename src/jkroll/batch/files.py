@@ -12,7 +12,7 @@ from ..errors import BadRequest
 from ..output.records import whole_file
 from ..rows.header import BadTable
 from ..text import quoted, say
-from .formats import CHUNK, Format, decompressed
+from .formats import CHUNK, FileFormat, decompressed
 
 MAX_RECORD = 1 << 24
 
@@ -116,8 +116,8 @@ def output_to(target: str) -> Iterator[BinaryIO]:
         yield stream
 
 
-def unnamed(target: str, kind: str, *, quiet: bool) -> Format:
+def unnamed(target: str, kind: str, *, quiet: bool) -> FileFormat:
     """Return the format of an output whose name says none, and say which one it is where the name ends as if it said one."""
     if os.path.splitext(target)[1] and not quiet:
         say(f"note: {quoted(target)} is written as {kind}: its name says no format", sys.stderr)
-    return Format(kind)
+    return FileFormat(kind)

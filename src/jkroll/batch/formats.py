@@ -19,28 +19,28 @@ CHUNK = 1 << 19  # bytes read at a time: enough rows to pay for the calls of num
 FEED = 1 << 9  # bytes given to zstd at a time: a block of at least 4 bytes holds at most 128 KiB, so 16 MiB come out
 
 
-class Format(NamedTuple):
+class FileFormat(NamedTuple):
     """A format and its compression."""
 
     kind: str
     compression: str = ""
 
 
-def format_of(path: str) -> Format | None:
+def format_of_name(path: str) -> FileFormat | None:
     """Return the format that a name such as grains.csv.gz states, or None.
 
-    >>> format_of("grains.csv.gz"), format_of("a/grains")
-    (Format(kind='csv', compression='gzip'), None)
+    >>> format_of_name("grains.csv.gz"), format_of_name("a/grains")
+    (FileFormat(kind='csv', compression='gzip'), None)
     """
     parts = os.path.basename(path).casefold().split(".")
     compression = COMPRESSIONS.get(parts[-1], "")
     kind = KINDS.get(parts[-2 if compression and len(parts) > 1 else -1], "")
-    return Format(kind, compression) if kind else None
+    return FileFormat(kind, compression) if kind else None
 
 
-def stated(text: str) -> Format:
+def stated(text: str) -> FileFormat:
     """Return the format of `--format`."""
-    found = format_of(text.lstrip("."))
+    found = format_of_name(text.lstrip("."))
     if found is None:
         raise BadTable(
             f"--format: {quoted(text)} is none of {', '.join(dict.fromkeys(KINDS.values()))}, or these with .gz or .zst"
@@ -48,11 +48,11 @@ def stated(text: str) -> Format:
     return found
 
 
-def with_delimiter(word: str, found: Format | None) -> Format:
+def with_delimiter(word: str, found: FileFormat | None) -> FileFormat:
     """Return the format that `--delimiter` asks for, compressed as the name of the file says."""
     if word not in DELIMITED:
         raise BadTable(f"--delimiter: {quoted(word)} is none of {', '.join(DELIMITED)}")
-    return Format(DELIMITED[word].name, found.compression if found else "")
+    return FileFormat(DELIMITED[word].name, found.compression if found else "")
 
 
 def compressor(compression: str) -> Callable[[bytes], bytes]:

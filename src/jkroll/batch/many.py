@@ -20,7 +20,7 @@ from ..output.records import whole_file
 from ..rows.header import BadTable
 from ..text import quoted, say, say_wrapped
 from .lines import Tally
-from .one import convert as convert_one
+from .one import convert_one
 from .settings import Order, Part, Settings
 
 MANIFEST = "manifest.json"
@@ -82,7 +82,7 @@ def _answering(order: Order) -> Callable[[Part], Done]:
     return partial(convert_part, order)
 
 
-def convert(path: str, order: Order, run: Runner) -> tuple[Tally, int]:
+def convert_many(path: str, order: Order, run: Runner) -> tuple[Tally, int]:
     """Convert all tables that a pattern names; return the counts, and the highest exit code of a table."""
     settings = order.settings
     directory = settings.target

@@ -18,21 +18,21 @@ from ..rows.table import Fill, Inverse, Table, say_reading, table_of
 from ..text import quoted
 from .delimited import DELIMITED, Delimited
 from .files import Input, blocks, output_to, unnamed
-from .formats import LINES, Format, compressor, format_of, stated, with_delimiter
+from .formats import LINES, FileFormat, compressor, format_of_name, stated, with_delimiter
 from .lines import Converted, Tally
 from .ndjson import NdjsonConverter
 from .run import Convert, Work, run
 from .settings import Order, Part, Settings
 
 
-def convert(part: Part, order: Order) -> Tally:
+def convert_one(part: Part, order: Order) -> Tally:
     """Convert a table of any format."""
     settings = order.settings._replace(target=part.target)
     form = input_format(part.path, settings)
     compression = output_format(settings, form).compression
     if form.kind == "parquet":
         with missing_extra("parquet"):
-            from .parquet import convert as convert_parquet
+            from .parquet import convert_parquet
         return convert_parquet(part, order, table_with)
     return _convert_lines(part.path, form, compression, replace(order, settings=settings))
 
@@ -58,7 +58,7 @@ def table_with(names: tuple[str, ...], rows: list[list[str]], order: Order) -> T
     return table
 
 
-def _convert_lines(path: str, form: Format, compression: str, order: Order) -> Tally:
+def _convert_lines(path: str, form: FileFormat, compression: str, order: Order) -> Tally:
     """Convert a table whose records are lines."""
     settings = order.settings
     compressor(form.compression)  # a missing library is named before anything is opened
@@ -95,17 +95,17 @@ def _make_convert(converter: Delimited | NdjsonConverter, compression: str) -> C
     return convert
 
 
-def input_format(path: str, settings: Settings) -> Format:
+def input_format(path: str, settings: Settings) -> FileFormat:
     """Return the format of the input."""
     if settings.format:
         return stated(settings.format)
-    found = format_of(path if path != "-" else settings.target)
+    found = format_of_name(path if path != "-" else settings.target)
     if settings.delimiter:
         return with_delimiter(settings.delimiter, found)
     if found is not None:
         return found
     if path == "-":
-        return Format("csv")
+        return FileFormat("csv")
     if os.path.isdir(path):
         raise BadTable(f"{quoted(path)} is a directory; name its tables, as in {quoted(os.path.join(path, '*.csv'))}")
     raise BadTable(
@@ -113,9 +113,9 @@ def input_format(path: str, settings: Settings) -> Format:
     )
 
 
-def output_format(settings: Settings, of_input: Format) -> Format:
+def output_format(settings: Settings, of_input: FileFormat) -> FileFormat:
     """Return the format of the output: that of its name, else that of the input without compression."""
-    found = format_of(settings.target)
+    found = format_of_name(settings.target)
     if found is None:
         return unnamed(settings.target, of_input.kind, quiet=settings.quiet)
     if found.kind != of_input.kind:
@@ -130,7 +130,7 @@ def write_columns(
     wanted: Wanted, blocks: Iterable[Columns], units: Units, target: str, *, doubt: bool, quiet: bool
 ) -> None:
     """Write columns to a file in the format that its name says. Raises BadRequest for one that is not for columns."""
-    form = format_of(target) or unnamed(target, "csv", quiet=quiet)
+    form = format_of_name(target) or unnamed(target, "csv", quiet=quiet)
     if form.kind == "parquet":
         with missing_extra("parquet"):
             from .parquet import write_columns as write_parquet

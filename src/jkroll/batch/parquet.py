@@ -38,7 +38,7 @@ Rows = tuple[Any, Tally]  # a batch of Arrow with results, and its counts
 TableWith = Callable[[tuple[str, ...], list[list[str]], Order], Table]
 
 
-def convert(part: Part, order: Order, table_with: TableWith) -> Tally:
+def convert_parquet(part: Part, order: Order, table_with: TableWith) -> Tally:
     """Convert a Parquet file; `table_with` returns what the order asks of a header and the cells of the first rows."""
     if "-" in (part.path, part.target):
         raise BadRequest("Parquet is read from a file and written to a file: -o FILE")

@@ -18,7 +18,7 @@ USUAL = (
     "pull_off_force", "contact_radius", "approach", "yield_force", "yield_force_ratio", "yield_moment", "yield_angle",
     "r_min", "n_grav", "vertical_frequency", "rolling_frequency", "n_roll",
 )  # fmt: skip
-STATE = ("contact_radius_at_load", "approach_at_load", "stiffness")
+OF_A_STATE = ("contact_radius_at_load", "approach_at_load", "stiffness")
 _NUMPY = numpy.sqrt, numpy.cbrt, numpy.minimum, numpy.maximum
 _MATH = math.sqrt, math.cbrt, min, max
 _SAME_COST = 1.25  # ratio of times that clocks do not tell apart
@@ -214,7 +214,7 @@ def compare(size: Size) -> list[Ratio]:
         size.repeats,
     )
     states = _best(
-        {"solve": lambda: solve(STATE, model="maugis", **many), "by hand": lambda: solve(STATE, **many)},
+        {"solve": lambda: solve(OF_A_STATE, model="maugis", **many), "by hand": lambda: solve(OF_A_STATE, **many)},
         size.repeats,
     )
     return [

@@ -3,9 +3,8 @@
 import sys
 from typing import TYPE_CHECKING
 
-from ..errors import BadRequest, missing_extra
 from .options import Call
-from .question import PICTURES, ending, format_name, no_picture
+from .question import format_name
 
 if TYPE_CHECKING:
     from ..bench.report import Plot
@@ -28,18 +27,11 @@ def run_bench(call: Call) -> int:
 
 def _plot(call: Call) -> "Plot | None":
     """Return what is to be drawn, after whatever prevents it was reported: before anything is measured."""
-    if call.plot is None:
-        looks = {"--width": call.width, "--style": call.style, "--no-caption": call.uncaptioned}
-        if given := [flag for flag, value in looks.items() if value]:
-            raise BadRequest(f"{', '.join(given)}: for a file only; name one with --plot")
-        return None
-    if ending(call.plot) not in PICTURES:
-        raise no_picture("--plot", call.plot)
-    from .map import check_look, inches_of
+    from .map import check_picture, inches_of
 
-    check_look(call)
-    with missing_extra("plot"):
-        from ..pictures import page  # noqa: F401
+    check_picture(call, call.plot, "--plot", numbers="--csv > FILE")
+    if call.plot is None:
+        return None
     from ..bench.report import Plot
 
     return Plot(call.plot, inches_of(call.width), call.style or "paper", has_caption=not call.uncaptioned)

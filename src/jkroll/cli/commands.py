@@ -166,7 +166,7 @@ _COMMANDS = (
         "Add results to each row of a table.",
         Words("[IN]", 1),
         lambda: TABLE,
-        "convert:run_batch",
+        "batch:run_batch",
         "grains.csv -o forces.csv",
         LOOK_UP,
     ),

@@ -20,7 +20,7 @@ from ..scene.inverse import SIZES, AlreadyGiven, CannotInfer
 from ..scene.unknowns import largest, with_inputs
 from ..text import quoted, say_wrapped
 from .options import Call
-from .question import check_count, exit_code, format_name, format_of, unless_failed, write_answers, write_columns
+from .question import check_count, exit_code, form_of, format_name, unless_failed, write_answers, write_columns
 from .request import request_of
 
 TABLES = (".csv", ".tsv", ".ndjson", ".parquet", ".gz", ".zst")
@@ -75,7 +75,7 @@ def run_infer(call: Call) -> int:
         raise BadRequest(f"infer reads no tables; write {line}")
     measured = _measured(call.measured, names)
     kind = format_name(call)
-    form = format_of(call, names)
+    form = form_of(call, names)
     request = request_of(call._replace(words=call.words[1:]))
     for quantity in measured:
         if quantity in request.spreads:

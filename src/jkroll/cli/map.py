@@ -36,34 +36,26 @@ ALONG = 1001  # points of a curve
 FIGURE_NAMES = tuple(sorted({*FIGURES, *PROFILES, "laws"}))
 
 
-def _check(call: Call, numbers: str = "--data FILE") -> None:
+def check_picture(call: Call, path: str | None, flag: str = "-o", numbers: str = "--data FILE") -> None:
     """Raise BadRequest for a picture that cannot be drawn, before anything is computed.
 
-    `numbers` is the option that writes the numbers of the command instead of a picture.
+    `path`: of the file that `flag` names, if there is one; `numbers`: the option that writes the numbers instead of a picture.
     """
-    check_look(call)
-    if call.panel not in (None, *PANELS):
-        raise BadRequest(f"--panel: {quoted(call.panel or '')} is not a panel; there are {', '.join(PANELS)}")
-    if call.target is None:
-        looks = {
-            "--width": call.width,
-            "--style": call.style,
-            "--no-caption": call.uncaptioned,
-        }
-        if given := [flag for flag, value in looks.items() if value]:
-            raise BadRequest(f"{', '.join(given)}: for a file only; name one with -o")
-        return
-    if ending(call.target) not in PICTURES:
-        raise no_picture("-o", call.target, f"; {numbers} writes the numbers")
-    with missing_extra("plot"):
-        from ..pictures import page  # noqa: F401
-
-
-def check_look(call: Call) -> None:
-    """Raise BadRequest for a style or a width that no page has."""
     if call.style not in (None, *STYLES):
         raise BadRequest(f"--style: {quoted(call.style or '')} is not a style; there are {' and '.join(STYLES)}")
     inches_of(call.width)
+    if call.panel not in (None, *PANELS):
+        raise BadRequest(f"--panel: {quoted(call.panel or '')} is not a panel; there are {', '.join(PANELS)}")
+    if path is None:
+        looks = {"--width": call.width, "--style": call.style, "--no-caption": call.uncaptioned}
+        if given := [option for option, value in looks.items() if value]:
+            verb = "applies" if len(given) == 1 else "apply"
+            raise BadRequest(f"{' and '.join(given)} {verb} to files; add {flag} FILE")
+        return
+    if ending(path) not in PICTURES:
+        raise no_picture(flag, path, f"; {numbers} writes the numbers" if numbers else "")
+    with missing_extra("plot"):
+        from ..pictures import page  # noqa: F401
 
 
 def inches_of(width: str | None) -> float | None:
@@ -81,7 +73,7 @@ def inches_of(width: str | None) -> float | None:
 
 def run_map(call: Call) -> int:
     """Draw a quantity over one or two inputs; return the exit code."""
-    _check(call)
+    check_picture(call, call.target)
     request = map_request(call)
     drawn: Map | Picture
     if request.y is None:
@@ -93,7 +85,7 @@ def run_map(call: Call) -> int:
 
 def run_figure(call: Call) -> int:
     """Draw a figure of the paper; return the exit code."""
-    _check(call)
+    check_picture(call, call.target)
     if len(call.words) != 1 or call.words[0] not in FIGURE_NAMES:
         given = f"{quoted(' '.join(call.words))} is not a figure with data" if call.words else "figure needs a name"
         raise BadRequest(f"{given}; there are {', '.join(FIGURE_NAMES)}")
@@ -117,7 +109,7 @@ def run_figure(call: Call) -> int:
 
 def draw_contact(call: Call) -> int:
     """Draw the curves of a contact; return the exit code."""
-    _check(call, "--csv > FILE")
+    check_picture(call, call.target, numbers="--csv > FILE")
     flag = "-o" if call.target else "--panel"
     if not call.curve:
         raise BadRequest(f"{flag} draws the curve: add --curve")

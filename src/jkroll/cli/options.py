@@ -168,7 +168,7 @@ PICTURE = (
     QUIET,
 )
 
-_DEFAULT = "Default for rows that give none; likewise each input below"
+_DEFAULT = "Material of rows whose cell is empty; the inputs below work likewise"
 TABLE = (
     Option("target", "--output", str, "OUT", "Output file (written atomically)", short="-o"),
     Option("format", "--format", str, "FORMAT", "csv, tsv, ndjson or parquet, if no name says so; with .gz, .zst"),

@@ -57,7 +57,7 @@ def checked(call: Call) -> tuple[Question, str, Format]:
     question = question_of(call)
     if kind == "bare":
         question = question._replace(quantities=question.headline)
-    form = format_of(call, question.quantities)
+    form = form_of(call, question.quantities)
     return question, kind, form
 
 
@@ -221,7 +221,7 @@ def format_name(call: Call) -> str:
     return "table" if sys.stdout.isatty() else "plain"
 
 
-def format_of(call: Call, quantities: Sequence[str]) -> Format:
+def form_of(call: Call, quantities: Sequence[str]) -> Format:
     """Return the format of results; each unit of `--to` applies to the quantities of its dimension."""
     units: dict[str, tuple[str, Unit]] = {}
     for text in call.to.split(",") if call.to is not None else []:

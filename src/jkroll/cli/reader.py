@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 
 from ..errors import BadRequest, JkrollError
-from ..quantities.errors import OTHER_WORDS
+from ..quantities.errors import QUANTITY_SYNONYMS
 from ..quantities.nomenclature import NOMENCLATURE, named
 from ..text import closest, quoted, say, shown
 from .commands import COMMANDS, Action, Command, flags_of
@@ -254,7 +254,7 @@ def _meant(name: str, flags: Iterable[str]) -> str | None:
     known = {flag.lstrip("-").replace("-", "_"): flag for flag in flags}
     if (synonym := SYNONYMS.get(f"--{name}")) in known.values():
         return synonym
-    quantity = NOMENCLATURE.get(OTHER_WORDS.get(name, name))
+    quantity = NOMENCLATURE.get(QUANTITY_SYNONYMS.get(name, name))
     if quantity is not None and quantity.option in known.values():
         return quantity.option
     begun = [word for word in known if name and word.startswith(name)]

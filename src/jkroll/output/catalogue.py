@@ -6,7 +6,7 @@ from typing import Any, TextIO
 
 from ..answers.questions import QUESTIONS
 from ..materials.library import Material
-from ..quantities.errors import OTHER_WORDS, UnknownQuantity
+from ..quantities.errors import QUANTITY_SYNONYMS, UnknownQuantity
 from ..quantities.formatting import AS_USUAL, amount, pretty
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, RANGES, header, named, with_symbol
 from ..rows.columns import heads
@@ -170,14 +170,14 @@ def quantities_found(words: Sequence[str]) -> list[str]:
     if not words:
         return list(NOMENCLATURE)
     text = "_".join(" ".join(words).split())
-    if called_so := [named(text)] if named(text) in NOMENCLATURE else with_symbol(text):
-        return called_so
+    if exact := [named(text)] if named(text) in NOMENCLATURE else with_symbol(text):
+        return exact
     begun = _pieces(words)
     found = [
         name for name in NOMENCLATURE if begun and _has(_called(name) | _pieces([NOMENCLATURE[name].sentence]), begun)
     ]
     found.sort(key=lambda name: (bool(NOMENCLATURE[name].variant_of), not _has(_called(name), begun)))
-    meant = OTHER_WORDS.get(text.casefold())
+    meant = QUANTITY_SYNONYMS.get(text.casefold())
     found = [*([meant] if meant else []), *(name for name in found if name != meant)]
     if not found:
         raise UnknownQuantity(" ".join(words))
@@ -232,7 +232,7 @@ def commands_of(name: str) -> tuple[str, ...]:
     )
 
 
-def _is_akin(other: str, name: str) -> bool:
+def _is_related(other: str, name: str) -> bool:
     """Return whether the name of another quantity has all words of a name, and is no variant."""
     return other != name and not NOMENCLATURE[other].variant_of and _has(_pieces([other]), _pieces([name]))
 
@@ -290,7 +290,7 @@ def _write_quantity(name: str, out: TextIO) -> None:
         "note": quantity.note,
         "variant of": quantity.variant_of,
         "variants": ", ".join(other for other in NOMENCLATURE if NOMENCLATURE[other].variant_of == name),
-        "see also": ", ".join(other for other in NOMENCLATURE if _is_akin(other, name)),
+        "see also": ", ".join(other for other in NOMENCLATURE if _is_related(other, name)),
     }
     say(f"{name}: {quantity.sentence}", out)
     for head, text in facts.items():

@@ -175,7 +175,7 @@ def _fraction_or_number(exponent: float) -> str:
 
 # --- Citations --------------------------------------------------------------------------------------------------------
 
-PAPER = """@article{dominik-tielens-1995,
+BIBTEX = """@article{dominik-tielens-1995,
   author  = {Dominik, C. and Tielens, A. G. G. M.},
   title   = {Resistance to rolling in the adhesive contact of two elastic spheres},
   journal = {Philosophical Magazine A},
@@ -286,7 +286,7 @@ def write_citations(answers: Iterable[Answer], out: TextIO) -> None:
     if failure is not None and not numbers:
         raise failure
     say(bibtex(PROGRAM), out)
-    say(PAPER % _equations(numbers), out)
+    say(BIBTEX % _equations(numbers), out)
     for entry in references.values():
         say(bibtex(entry), out)
 

@@ -27,7 +27,7 @@ from .request import fixed_inputs, inputs_as_texts, mark_at, notes_on
 
 POINTS = 401
 _SAME = 1e-9  # relative difference of curves that coincide
-STATE = ("contact_radius_at_load", "hertz_pressure", "boussinesq_pressure")
+AREA_AND_PRESSURES = ("contact_radius_at_load", "hertz_pressure", "boussinesq_pressure")
 _FORCE = ("approach_at_load", "load")
 _NO_LOAD = "P = 0"
 _BRANCHES = ("stable", "fixed grips", "unstable", "without contact")  # of force curves, each with its own colour
@@ -92,7 +92,7 @@ def _pressure(scenes: Sequence[Scene], _: Loads | None) -> Panel:
     (scene,) = scenes
     curves = []
     for text, factor, branch in ((_NO_LOAD, EQUILIBRIUM, "stable"), ("pull-off", PULL_OFF, "fixed grips")):
-        state = solved(scene, STATE, {"load_factor": factor})
+        state = solved(scene, AREA_AND_PRESSURES, {"load_factor": factor})
         x = across(-state["contact_radius_at_load"], state["contact_radius_at_load"])
         curves.append(Curve(text, x, pressure(distance=abs(x), **state), _BRANCHES.index(branch)))
     law = f", {scene.law.title}" if scene.stated_model is not None else ""
@@ -147,7 +147,7 @@ def _lacking(scene: Scene, *names: str) -> NotInLaw | None:
 _Panel = tuple[Callable[[Sequence[Scene], Loads | None], Panel], tuple[str, ...], tuple[str, ...]]
 PANELS: Mapping[str, _Panel] = {
     "force": (_force, _FORCE, ()),
-    "pressure": (_pressure, STATE, ()),
+    "pressure": (_pressure, AREA_AND_PRESSURES, ()),
     "moment": (_moment, ("yield_moment",), (*MOMENTS, "displacement_limit")),
 }
 
@@ -228,7 +228,14 @@ def figure_2(materials: Materials) -> Picture:
     import numpy
 
     scene = Scene(SIZE, materials["quartz"])
-    names = (*STATE, "contact_modulus", "reduced_radius", "approach_at_load", "yield_moment", "half_circles_moment")
+    names = (
+        *AREA_AND_PRESSURES,
+        "contact_modulus",
+        "reduced_radius",
+        "approach_at_load",
+        "yield_moment",
+        "half_circles_moment",
+    )
     state = solved(scene, names, {})
     shift = float(scene.values["yield_displacement"])
     a = state["contact_radius_at_load"]
@@ -245,7 +252,7 @@ def figure_2(materials: Materials) -> Picture:
         tuple(outlines), (Mark("contact point", 0.0, 0.0),), "from above, rolling to the right", is_true_to_scale=True,
     )  # fmt: skip
     given = {"contact_modulus": state["contact_modulus"], "reduced_radius": state["reduced_radius"]}
-    parts = {name: state[name] for name in STATE}
+    parts = {name: state[name] for name in AREA_AND_PRESSURES}
     centred, shifted = across(-a, a), across(-a - shift, a - shift)
     left, right = across(-a - shift, 0.0), across(0.0, a - shift)
     at = {"approach_at_load": state["approach_at_load"], **given}

@@ -46,7 +46,7 @@ class UnknownQuantity(JkrollError):
 
 
 # Words of others, and the quantity that they are likely to mean.
-OTHER_WORDS = {
+QUANTITY_SYNONYMS = {
     "adhesion": "pull_off_force",
     "adhesion_force": "pull_off_force",
     "critical_angle": "yield_angle",
@@ -84,7 +84,7 @@ def nearest(word: str, names: Collection[str] = NOMENCLATURE) -> str | None:
     It is the one with this symbol, with or without the index of sphere 1, the one that others call so, the one whose name begins with
     the word, or else the one whose name or option resembles it most.
     """
-    meanings = {one: meant for one, meant in {**OPTION_WORDS, **OTHER_WORDS}.items() if meant in names}
+    meanings = {one: meant for one, meant in {**OPTION_WORDS, **QUANTITY_SYNONYMS}.items() if meant in names}
     meanings |= {name: name for name in names}
     name = word.strip().lstrip("-").replace("-", "_").replace(" ", "_").casefold()
     letters = name.replace("_", "")
