@@ -94,8 +94,7 @@ def _other_reading(scene: Scene, between: Scene) -> tuple[Scene | None, bool]:
     displacement = where(
         is_known, displacement, own[XI] if is_at_displacement else DEFAULTS[XI]
     )  # where there is no contact
-    stated = {name: value for name, value in between.stated.items() if name not in IN_ITS_PLACE}
-    return Scene({**stated, XI: displacement}, scene.material, scene.material2, model=BETWEEN), is_at_displacement
+    return between.replace(**{**dict.fromkeys(IN_ITS_PLACE), XI: displacement}), is_at_displacement
 
 
 def _ratio(theirs: Any, own: Any) -> Any:

@@ -131,6 +131,9 @@ EXCLUSIVE = (
 )
 _MAY_CONTRADICT = frozenset(name for names in EXCLUSIVE for name in names)
 
+# What decides on whether a body yields, so that a contact has an area.
+_OF_AREA = ("youngs_modulus", "youngs_modulus2", "poisson_ratio", "poisson_ratio2", "contact_modulus")
+
 # What rests on a contact area, and has none where both bodies are rigid; everything else of JKR follows from these.
 _ON_AREA = ("contact_modulus", "pull_off_force", "load_factor", "rolling_frequency_as_printed")
 
@@ -185,8 +188,15 @@ class Scene:
         self.known = frozenset(self.values)
 
     def replace(self, **values: Any) -> "Scene":
-        """Return the scene in which some inputs have other values, of the same materials and without uncertainties."""
-        return Scene({**self.stated, **values}, self.material, self.material2, model=self.stated_model)
+        """Return the scene in which some inputs have other values, or with None are not given, without uncertainties.
+
+        What does not follow from these inputs is not evaluated again.
+        """
+        stated = {name: value for name, value in {**self.stated, **values}.items() if value is not None}
+        other = Scene(stated, self.material, self.material2, model=self.stated_model)
+        if other.known == self.known:
+            other._take_over(self)
+        return other
 
     def elements(self, places: Any) -> "Scene":
         """Return the scene of some elements of its arrays, without uncertainties."""
@@ -358,6 +368,21 @@ class Scene:
                 values[name] = value
             else:
                 failures[name] = failure_of(name, given) or NoFiniteValue(name, value)
+
+    def _take_over(self, other: "Scene") -> None:
+        """Take the results of another scene of the same inputs, as far as they do not follow from those that differ."""
+        differ = {name for name in self.known if self.values[name] is not other.values[name]}
+        if not differ.isdisjoint(_OF_AREA):
+            differ.update(_ON_AREA)
+        self._plan = other._plan
+        for name, _, arguments in other._plan.steps:
+            if name in differ or not differ.isdisjoint(source for _, source in arguments):
+                differ.add(name)
+            elif name in other.values:
+                self.values[name] = other.values[name]
+            elif name in other._failures:
+                self._failures[name] = other._failures[name]
+        self._gaps = other._gaps & self.values.keys()
 
     def _with_gaps(self, name: str, value: Any, sources: Sequence[str]) -> Any:
         """Return an array with nan in place of the elements that are no answer, or whose formula has an argument that is none."""
