@@ -83,9 +83,9 @@ _SAME = str.maketrans(
     | dict.fromkeys("\t\u00a0\u2009\u200a\u202f\u2002\u2003\u2007\u2008", " ")
 )
 _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
-_TERM = re.compile(r"([A-Za-zÅ°%_]+)(?: ?(?:\^|\*\*) ?([+-]?[0-9]+)|([+-]?[0-9]+)|([⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+))?")
-_SEPARATOR = re.compile(r" ?([*/]) ?| ")
-_RECIPROCAL = re.compile(r"(?:1 ?)?/ ?")
+_TERM = r"([A-Za-zÅ°%_]+)(?: ?(?:\^|\*\*) ?([+-]?[0-9]+)|([+-]?[0-9]+)|([⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+))?"
+_SEPARATOR = r" ?([*/]) ?| "
+_RECIPROCAL = r"(?:1 ?)?/ ?"
 
 
 def normalized(text: str) -> str:
@@ -170,11 +170,12 @@ def similar_unit(word: str, dimensions: frozenset[Dimension]) -> str | None:
 
 def _terms(text: str) -> list[Term]:
     """Split the text of a unit into names and powers."""
-    reciprocal = _RECIPROCAL.match(text)
+    a_term, a_separator = re.compile(_TERM), re.compile(_SEPARATOR)
+    reciprocal = re.match(_RECIPROCAL, text)
     position, sign = (reciprocal.end(), -1) if reciprocal else (0, 1)
     divided, terms = sign < 0, list[Term]()
     while position < len(text) or sign < 0:
-        match = _TERM.match(text, position)
+        match = a_term.match(text, position)
         if match is None:
             raise BadUnit("is not a number and a unit")
         position = match.end()
@@ -184,7 +185,7 @@ def _terms(text: str) -> list[Term]:
         terms.append((match[1], sign * int(power)))
         if position == len(text):
             break
-        separator = _SEPARATOR.match(text, position)
+        separator = a_separator.match(text, position)
         if separator is None or separator.end() == len(text):
             raise BadUnit("is not a number and a unit")
         if divided and separator[1] is None:

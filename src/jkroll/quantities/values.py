@@ -305,18 +305,18 @@ def checked(found: Uncertain, name: str, text: str) -> float | Uncertain:
 _SIGNED_NUMBER = r"([+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?)"
 _UNIT = r" ?([^±()]*)"
 _POWER = r"(?:[eE]([+-]?[0-9]{1,3}))?"
-_IN_BRACKETS = re.compile(rf"\( ?{_SIGNED_NUMBER} ?± ?{_SIGNED_NUMBER} ?\){_POWER}{_UNIT}")  # (25±5)e-3 J/m2
-_LAST_DIGITS = re.compile(rf"([+-]?[0-9.]+)\(([0-9]+)\){_POWER}{_UNIT}")  # 25.0(50) mJ/m2
-_TWO_SIDES = re.compile(rf"{_SIGNED_NUMBER} ?\+ ?{_SIGNED_NUMBER} ?/ ?- ?{_SIGNED_NUMBER}{_UNIT}")  # 25 +6/-4 mJ/m2
-_PLUS_MINUS = re.compile(r"([^±()]+)±([^±()]+)")  # 25±5 mJ/m2, 25 mJ/m2 ± 5 mJ/m2, 25 mJ/m2 ± 20%
+_IN_BRACKETS = rf"\( ?{_SIGNED_NUMBER} ?± ?{_SIGNED_NUMBER} ?\){_POWER}{_UNIT}"  # (25±5)e-3 J/m2
+_LAST_DIGITS = rf"([+-]?[0-9.]+)\(([0-9]+)\){_POWER}{_UNIT}"  # 25.0(50) mJ/m2
+_TWO_SIDES = rf"{_SIGNED_NUMBER} ?\+ ?{_SIGNED_NUMBER} ?/ ?- ?{_SIGNED_NUMBER}{_UNIT}"  # 25 +6/-4 mJ/m2
+_PLUS_MINUS = r"([^±()]+)±([^±()]+)"  # 25±5 mJ/m2, 25 mJ/m2 ± 5 mJ/m2, 25 mJ/m2 ± 20%
 
 
 def _read(text: str, dimension: Dimension) -> Uncertain | None:
     """Read a text in one of the forms above, or a range; None for any other."""
-    if match := _IN_BRACKETS.fullmatch(text):
+    if match := re.fullmatch(_IN_BRACKETS, text):
         value, uncertainty, power, unit = match.groups()
         return _symmetric(_decimal(value, power), _decimal(uncertainty, power), unit_in(unit, dimension))
-    if match := _LAST_DIGITS.fullmatch(text):
+    if match := re.fullmatch(_LAST_DIGITS, text):
         value, digits, power, unit = match.groups()
         places = len(value.partition(".")[2])
         nominal, uncertainty = _decimal(value, power), _decimal(f"{digits}e-{places}", power)
@@ -324,10 +324,10 @@ def _read(text: str, dimension: Dimension) -> Uncertain | None:
             plain = f"{value}±{int(digits) / 10**places:.{places}f}"
             raise UnclearUncertainty(f"can be read as {plain} or as {value}e{digits}", "write the one that is meant")
         return _symmetric(nominal, uncertainty, unit_in(unit, dimension))
-    if match := _TWO_SIDES.fullmatch(text):
+    if match := re.fullmatch(_TWO_SIDES, text):
         value, plus, minus, unit = match.groups()
         return _measured(_decimal(value), _decimal(minus), _decimal(plus), unit_in(unit, dimension))
-    if match := _PLUS_MINUS.fullmatch(text):
+    if match := re.fullmatch(_PLUS_MINUS, text):
         return _plus_minus(match[1], match[2], dimension)
     if " to " in text:
         return _interval(text, dimension)
