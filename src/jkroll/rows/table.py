@@ -13,10 +13,10 @@ import numpy
 
 from ..errors import BadRequest, JkrollError
 from ..materials.library import Material, Materials, MaterialsFileError, UnclearMaterial, UnknownMaterial
-from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, header
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, header
 from ..quantities.values import Uncertain, is_uncertain, value_of
 from ..scene.inverse import check
-from ..scene.scene import EXCLUSIVE, FOLLOWS, Scene
+from ..scene.scene import EXCLUSIVE, Scene
 from ..text import first_of, quoted, say, say_wrapped
 from .cells import LABEL, Codes, Lookup, Reader
 from .columns import DOUBT, SIDES, STATUS, BadCells, Wanted, heads
@@ -208,8 +208,8 @@ def wanted_of(columns: Header, rows: Sequence[Sequence[str]], fill: Fill, asked:
     unknown = _labels(columns, rows, fill.known)
     cells = {name: {row[place] for row in rows if row[place].strip()} for name, place in columns.materials}
     labels = [name for name, own in cells.items() if own and own <= unknown.keys()]
-    special = [column.name for column in columns.inputs if _is_special(column, rows)]
-    scene = _as_known(columns, fill, labels, special)
+    infinite = [column.name for column in columns.inputs if _is_infinite(column, rows)]
+    scene = _as_known(columns, fill, labels, infinite)
     if fill.inverse is not None:
         check(*fill.inverse, scene.scene)
         return Sought(*fill.inverse, sides=(), doubts=doubts)
@@ -235,25 +235,23 @@ def wanted_of(columns: Header, rows: Sequence[Sequence[str]], fill: Fill, asked:
     return Wanted(names, named=explicit, sides={}, doubts=doubts)
 
 
-def _is_special(column: Column, rows: Sequence[Sequence[str]]) -> bool:
-    """Return whether each of some rows has the value of an input from which more follows, as from `rigid`."""
+def _is_infinite(column: Column, rows: Sequence[Sequence[str]]) -> bool:
+    """Return whether an input is infinite in each of some rows, as a rigid body's modulus is: more follows then than from a number."""
     texts = {column.joined(*(row[place] for place in column.places.values())) for row in rows} - {""}
-    if column.name not in FOLLOWS or not texts:
-        return False
     with suppress(JkrollError):  # a bad cell, which its row will explain
-        return all(column.read(text) == FOLLOWS[column.name][0] for text in texts)
+        return bool(texts) and all(column.read(text) == INFINITY for text in texts)
     return False
 
 
-def _as_known(columns: Header, fill: Fill, labels: Collection[str], special: Collection[str]) -> Any:
+def _as_known(columns: Header, fill: Fill, labels: Collection[str], infinite: Collection[str]) -> Any:
     """Return a scene in which every column has a value, but for those of labels; of columns that exclude each other, the first.
 
-    `special`: inputs that have the value from which more follows.
+    `infinite`: inputs that are infinite in all rows that are known.
     """
     given: dict[str, float] = {}
     for column in columns.inputs:
         if not any(column.name in names and given.keys() & names for names in EXCLUSIVE):
-            given[column.name] = FOLLOWS[column.name][0] if column.name in special else _SOME
+            given[column.name] = INFINITY if column.name in infinite else _SOME
     some = LABEL._replace(properties=dict.fromkeys(PROPERTIES, _SOME))
     named = {name: LABEL if name in labels else some for name, _ in columns.materials}
     return fill.scene(given, *(named.get(name, one) for name, one in zip(MATERIALS, fill.spheres, strict=True)))
