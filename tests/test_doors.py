@@ -118,6 +118,20 @@ FOUND = {
     "ranges beside standard uncertainties": Ask(
         "contact", {**QUARTZ, "radius": ["1e-7 m", "1e-7±1e-8 m"], "load": ["-1e-9 to 1e-9 N"]}
     ),
+    "ranges about a value at which a quantity turns": Ask(
+        "contact", {**PLAIN, "poisson_ratio": ["-0.1 to 0.1", "-0.2 to 0.2"]}, "contact_modulus,contact_radius"
+    ),
+    "five ranges": Ask(
+        "contact",
+        {
+            "radius": ["9e-8 to 1.1e-7 m", "9e-7 to 1.1e-6 m"],
+            "radius2": ["1e-7 to 2e-7 m"],
+            "surface_energy": ["0.02 to 0.03 J/m^2"],
+            "youngs_modulus": ["5e10 to 6e10 Pa"],
+            "poisson_ratio": ["0.15 to 0.2"],
+        },
+        "pull_off_force,contact_radius",
+    ),
     "more ranges than can be combined": Ask(
         "report",
         {

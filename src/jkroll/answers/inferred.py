@@ -70,8 +70,7 @@ class Inferred(Answer):
             return {}, None
         from ..scene.uncertainty import inferred_uncertainty
 
-        found, sources = inferred_uncertainty(self.name, self.quantity, self.measured, self.solution, self.given)
-        return ({self.name: found} if found is not None else {}), sources
+        return inferred_uncertainty(self.name, self.quantity, self.measured, self.solution, self.given)
 
     @cached_property
     def _by_law(self) -> dict[str, float]:

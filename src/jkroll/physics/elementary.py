@@ -61,6 +61,22 @@ def arctan(value: Any) -> Any:
     return numpy.arctan(value)
 
 
+def hypot(*values: Any) -> Any:
+    """Return the root of the sum of squares.
+
+    >>> hypot(3.0, 4.0)
+    5.0
+    """
+    if all(isinstance(value, float | int) for value in values):
+        return math.hypot(*values)
+    import numpy
+
+    root = 0.0
+    for value in values:
+        root = numpy.hypot(root, value)
+    return root
+
+
 def at_least(value: Any, bound: Any) -> Any:
     """Return the larger of a value and a bound, element by element for arrays.
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from ..errors import JkrollError
 from ..quantities.formatting import OutOfUnit
 from ..quantities.nomenclature import NOMENCLATURE
-from ..quantities.values import Uncertain, is_uncertain
+from ..quantities.values import is_uncertain
 from ..scene.failures import (
     MissingInput,
     NoContact,
@@ -28,7 +28,7 @@ from ..scene.wiring import Step, depends_on
 from ..text import first_of
 
 if TYPE_CHECKING:
-    from ..scene.uncertainty import Sources
+    from ..scene.uncertainty import Elements, Propagated, Sources
 
 ROW = ""  # stands for the row as a whole, in place of the name of a column
 UNCERTAINTY = "±"  # stands for the columns of uncertainties that a table does not have
@@ -99,12 +99,10 @@ class Wanted:
 
     def sides_in(self, scene: Any) -> set[str]:
         """Return the sides of the uncertainties that enter the quantities of a scene."""
-        from ..scene.uncertainty import sources_of
+        from ..scene.uncertainty import sources_of_results
 
-        missing = scene.missing(self.names)
-        planned = [name for name in self.names if name not in missing]
-        sources = sources_of(scene, scene.inputs_of(*planned)) if scene.is_uncertain else None
-        return {side for source in sources.entering for side in source.given.sides} if sources else set()
+        entering = sources_of_results(scene, self.names).entering if scene.is_uncertain else ()
+        return {side for source in entering for side in source.given.sides}
 
     def lacks(self, scene: Any) -> bool:
         """Return whether a scene lacks inputs of some quantity."""
@@ -180,6 +178,18 @@ class Columns:
         if (error := lack(reasons)) is not None:
             self.lost[row] = error
 
+    def put_sides(self, found: "Mapping[str, Elements]") -> Any:
+        """Take the columns of uncertainties of arrays, and return the rows in which they are open."""
+        import numpy
+
+        again = numpy.zeros(len(self), dtype=bool)
+        for name, one in found.items():
+            for side, key in self.wanted.sides_of(name).items():
+                if side in one.sides:
+                    self.column(key)[...] = one.sides[side]
+            again |= one.is_open & ~numpy.isnan(self.column(name))
+        return again
+
     def failed(self) -> list[int]:
         """Return the rows that fail: those without a contact or without any value. One that no double holds in its unit is a value."""
         of_names = [self.column(name) for name in self.wanted.names]
@@ -220,13 +230,15 @@ def by_floats(wanted: Wanted, scene: Scene) -> Row:
     numbers: dict[str, float] = dict(values)
     inputs = scene.echo(inputs_used(scene, wanted.names, [*found])) if wanted.inputs else {}
     if wanted.uncertainties and scene.is_uncertain:
-        of_sides, uncertain = _sides(wanted, scene, [*found])
-        inputs |= {name: one for name, one in uncertain.items() if name in inputs}
-        for name, outcome in of_sides.items():
-            if isinstance(outcome, JkrollError):
-                reasons[name] = outcome
-            else:
-                numbers[name] = outcome
+        from ..scene.uncertainty import uncertainties
+
+        bars, sources = uncertainties(scene, [*found])
+        if (remark := left_out(wanted, scene, sources)) is not None:
+            reasons[UNCERTAINTY] = remark
+        else:
+            given = {name: source.given for source in sources.entering for name in source.names}
+            inputs |= {name: one for name, one in given.items() if name in inputs}
+            put_sides(wanted, bars, numbers, reasons)
     return Row(
         inputs,
         [numbers.get(key, _NAN) for key in wanted.keys],
@@ -255,23 +267,19 @@ def inputs_used(scene: Scene, names: Sequence[str], shown: Sequence[str]) -> Col
     return depends_on(names) & scene.given.keys()
 
 
-def _sides(
-    wanted: Wanted, scene: Scene, names: list[str]
-) -> tuple[dict[str, float | JkrollError], dict[str, Uncertain]]:
-    """Return the columns of uncertainties, each a number or the reason why it has none, and the inputs that they come from."""
-    from ..scene.uncertainty import uncertainties
-
-    found, sources = uncertainties(scene, names)
-    if (remark := left_out(wanted, scene, sources)) is not None:
-        return {UNCERTAINTY: remark}, {}
-    columns: dict[str, float | JkrollError] = {}
+def put_sides(
+    wanted: Wanted,
+    found: "Mapping[str, Propagated | JkrollError]",
+    numbers: dict[str, float],
+    reasons: dict[str, JkrollError],
+) -> None:
+    """Add the columns of uncertainties to the numbers of a row, or the reasons why they have none."""
     for name, one in found.items():
         for side, key in wanted.sides_of(name).items():
             if isinstance(one, JkrollError):
-                columns[key] = one
+                reasons[key] = one
             elif side in one.uncertainty.sides:
-                columns[key] = one.uncertainty.sides[side]
-    return columns, {name: source.given for source in sources.entering for name in source.names}
+                numbers[key] = one.uncertainty.sides[side]
 
 
 def left_out(wanted: Wanted, scene: Scene, sources: "Sources", stated: Sequence[str] = ()) -> LeftOut | None:
@@ -425,18 +433,13 @@ class _Arrays:
         from ..scene import uncertainty
 
         values = {name: self.columns.column(name) for name in self.known}
-        again = numpy.zeros(self.size, dtype=bool)
-        sources = uncertainty.sources_of(self.scene, self.scene.inputs_of(*self.known, *self.whole))
+        sources = uncertainty.sources_of_results(self.scene, [*self.known, *self.whole])
         if (remark := left_out(self.wanted, self.scene, sources)) is not None:
             for row in range(self.size):
                 self.columns.reasons[row] = {**self.columns.reasons.get(row, {}), UNCERTAINTY: remark}
-        elif sources.entering:
-            for name, found in uncertainty.uncertainties_of_elements(self.scene, values, sources.entering).items():
-                for side, key in self.wanted.sides_of(name).items():
-                    if side in found.sides:
-                        self.columns.numbers[self.wanted.places[key]] = found.sides[side]
-                again |= found.is_open & ~numpy.isnan(values[name])
-        return again
+            return numpy.zeros(self.size, dtype=bool)
+        found = uncertainty.uncertainties_of_elements(self.scene, values, sources.entering)
+        return self.columns.put_sides(found)
 
 
 def _either(rows: Any, column: Any, otherwise: Any) -> Any:

@@ -149,8 +149,8 @@ def _uncertain(name: str, quantity: str, at: Any, scene: Scene) -> Any:
     from ..scene.uncertainty import inferred_uncertainty
 
     found = solution(name, quantity, at.value if is_uncertain(at) else at, scene)
-    uncertainty, _ = inferred_uncertainty(name, quantity, at, found, scene)
-    return with_uncertainty(found.value, uncertainty)
+    bars, _ = inferred_uncertainty(name, quantity, at, found, scene)
+    return with_uncertainty(found.value, bars.get(name))
 
 
 def _pair(

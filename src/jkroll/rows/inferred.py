@@ -14,7 +14,20 @@ from ..scene.inverse import SIZES, check, computed, failure, names_in, solution,
 from ..scene.limits import doubts
 from ..scene.scene import Scene
 from ..scene.unknowns import Problem, check_two, largest, with_inputs
-from .columns import ROW, UNCERTAINTY, Columns, LeftOut, NotShown, Row, Wanted, inputs_used, left_out, put_one, spread
+from .columns import (
+    ROW,
+    UNCERTAINTY,
+    Columns,
+    LeftOut,
+    NotShown,
+    Row,
+    Wanted,
+    inputs_used,
+    left_out,
+    put_one,
+    put_sides,
+    spread,
+)
 
 if TYPE_CHECKING:
     from ..scene.uncertainty import Source
@@ -115,11 +128,8 @@ class Sought(Wanted):
         elif self.known_sides and scene.is_uncertain:
             from ..scene.uncertainty import inferred_uncertainty
 
-            one, _ = inferred_uncertainty(self.name, self.quantity, scene.measured, found, scene.scene)
-            if isinstance(one, JkrollError):
-                reasons = dict.fromkeys(self.sides_of(self.name).values(), one)
-            elif one is not None:
-                numbers |= {f"{self.name}_{side}": number for side, number in one.uncertainty.sides.items()}
+            bars, _ = inferred_uncertainty(self.name, self.quantity, scene.measured, found, scene.scene)
+            put_sides(self, bars, numbers, reasons)
         bits = doubts(found.scene, [self.quantity]) if self.doubts else 0
         return Row(
             self._echo(scene, found.value) | self._uncertain(scene),
@@ -166,16 +176,11 @@ class Sought(Wanted):
         """Add the columns of the uncertainty; rows in which it needs a search are computed by themselves."""
         import numpy
 
-        from ..scene.uncertainty import inferred_uncertainty_elements
+        from ..scene.uncertainty import inferred_uncertainty_of_elements
 
         values = columns.column(self.name)
-        found = inferred_uncertainty_elements(self.name, self.quantity, scene.measured, values, scene.scene)
-        if found is None:
-            return
-        for side, key in self.sides_of(self.name).items():
-            if side in found.sides:
-                columns.column(key)[...] = found.sides[side]
-        for row in numpy.flatnonzero(found.is_open & ~numpy.isnan(values)).tolist():
+        found = inferred_uncertainty_of_elements(self.name, self.quantity, scene.measured, values, scene.scene)
+        for row in numpy.flatnonzero(columns.put_sides(found)).tolist():
             put_one(columns, row, partial(one, row))
 
     def _left_out(self, scene: Observed) -> LeftOut | None:
@@ -288,11 +293,7 @@ class SoughtPair(Wanted):
         if self.known_sides and scene.is_uncertain:
             from ..scene.uncertainty import uncertainties_of_two
 
-            for name, one in uncertainties_of_two(scene.measured, found, scene.scene)[0].items():
-                if isinstance(one, JkrollError):
-                    reasons |= dict.fromkeys(self.sides_of(name).values(), one)
-                else:
-                    numbers |= {f"{name}_{side}": number for side, number in one.uncertainty.sides.items()}
+            put_sides(self, uncertainties_of_two(scene.measured, found, scene.scene)[0], numbers, reasons)
         bits = doubts(found.scene, self.quantities) if self.doubts else 0
         return Row(
             self._echo(scene) | self._uncertain(scene), [numbers.get(key, nan) for key in self.keys], bits, reasons

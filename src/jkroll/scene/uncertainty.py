@@ -2,15 +2,19 @@
 
 Every source is moved over the whole of its uncertainty, and the quantities are computed anew there. No derivatives are taken, so
 that a result may respond differently to either side, or have a turning point inside a range.
+
+Floats define an error bar. Arrays give the same where the values at the ends of the sources decide; elsewhere an element is open, and is
+to be computed by itself.
 """
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from itertools import product
-from math import fsum, hypot, isfinite
+from math import fsum, isfinite, nan
 from typing import Any, NamedTuple
 
 from ..errors import JkrollError, NoResult
+from ..physics.elementary import at_least, at_most, hypot, where
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import Interval, Measured, Uncertain, is_uncertain
 from .inverse import Solution, found_by, highest_between, solution, solutions, used_beside
@@ -56,6 +60,11 @@ class Source(NamedTuple):
     names: tuple[str, ...]
     given: Uncertain
 
+    @property
+    def ends(self) -> tuple[float, float]:
+        """The ends of the uncertainty."""
+        return self.given.low, self.given.high
+
     def at(self, value: float) -> dict[str, float]:
         """Return the inputs of this source at a value."""
         return dict.fromkeys(self.names, value)
@@ -73,6 +82,16 @@ class Propagated(NamedTuple):
 
     uncertainty: Uncertain
     shares: Mapping[str, float]  # by the first input of a source; of the variance, or of the width of a range
+
+
+class Elements(NamedTuple):
+    """The uncertainty of a quantity of a scene of arrays, element by element."""
+
+    sides: Mapping[str, Any]  # minus and plus, or low and high; nan where there is none
+    is_open: Any  # where an end of a source has no value, or the extremes of a range need a search
+
+
+Found = dict[str, Propagated | JkrollError]  # by the quantity; an error is the reason why there is none
 
 
 def sources_of(scene: Scene, used: Collection[str], measured: Sequence[Source] = ()) -> Sources:
@@ -113,20 +132,32 @@ def _of_materials(scene: Scene) -> Iterable[Source]:
     return found.values()
 
 
-def uncertainties(scene: Scene, names: Sequence[str]) -> tuple[dict[str, Propagated | JkrollError], Sources]:
+def sources_of_results(scene: Scene, names: Sequence[str]) -> Sources:
+    """Return the sources that enter quantities of a scene, as far as it allows them."""
+    missing = scene.missing(names)
+    return sources_of(scene, scene.inputs_of(*(name for name in names if name not in missing)))
+
+
+def uncertainties(scene: Scene, names: Sequence[str]) -> tuple[Found, Sources]:
     """Return the uncertainties of quantities of a scene, and their sources.
 
     A quantity without a finite value, or one on which no source has an influence, is left out. An error is the reason why a
     quantity has no value at one end of a source.
     """
     values = {name: value for name, value in scene.numbers(*names).items() if isfinite(value)}
-    missing = scene.missing(names)
-    sources = sources_of(scene, scene.inputs_of(*(name for name in names if name not in missing)))
+    sources = sources_of_results(scene, names)
+    return _propagated(_evaluation(scene, [*values]), values, sources.entering), sources
 
-    def evaluate(changed: Mapping[str, float]) -> Mapping[str, Any]:
-        return scene.replace(**changed).evaluate([*values])
 
-    return propagated(evaluate, values, sources.entering), sources
+def uncertainties_of_elements(
+    scene: Scene, values: Mapping[str, Any], sources: Sequence[Source]
+) -> dict[str, Elements]:
+    """Return the uncertainties of quantities of a scene of arrays."""
+    return _elements(_evaluation(scene, [*values]), values, sources)
+
+
+def _evaluation(scene: Scene, names: Sequence[str]) -> Evaluate:
+    return lambda changed: scene.replace(**changed).evaluate(names)
 
 
 def inferred_sources(name: str, quantity: str, measured: Any, scene: Scene) -> Sources:
@@ -137,7 +168,7 @@ def inferred_sources(name: str, quantity: str, measured: Any, scene: Scene) -> S
 
 def inferred_uncertainty(
     name: str, quantity: str, measured: float | Uncertain, found: Solution, scene: Scene
-) -> tuple[Propagated | JkrollError | None, Sources]:
+) -> tuple[Found, Sources]:
     """Return the uncertainty of an inferred input, and its sources."""
     sources = inferred_sources(name, quantity, measured, scene)
 
@@ -148,7 +179,22 @@ def inferred_uncertainty(
         except NoResult as error:
             return {name: error}
 
-    return propagated(evaluate, {name: found.value}, sources.entering).get(name), sources
+    return _propagated(evaluate, {name: found.value}, sources.entering), sources
+
+
+def inferred_uncertainty_of_elements(
+    name: str, quantity: str, measured: Any, values: Any, scene: Scene
+) -> dict[str, Elements]:
+    """Return the uncertainty of the values of an inferred input."""
+    import numpy
+
+    def evaluate(changed: Mapping[str, Any]) -> Mapping[str, Any]:
+        at, beside = changed_inputs(quantity, measured, scene, changed)
+        found = solutions(name, quantity, numpy.broadcast_to(at, values.shape), beside)
+        return {name: numpy.array([one if isinstance(one, float) else nan for one in found])}
+
+    sources = inferred_sources(name, quantity, measured, scene)
+    return _elements(evaluate, {name: values}, sources.entering)
 
 
 def changed_inputs(quantity: str, measured: Any, scene: Scene, changed: Mapping[str, Any]) -> tuple[Any, Scene]:
@@ -163,9 +209,7 @@ def sources_of_two(names: Sequence[str], measured: Mapping[str, Any], scene: Sce
     return sources_of(scene, used_beside_two(names, tuple(measured), scene), of_measured)
 
 
-def uncertainties_of_two(
-    measured: Mapping[str, float | Uncertain], found: Pair, scene: Scene
-) -> tuple[dict[str, Propagated | JkrollError], Sources]:
+def uncertainties_of_two(measured: Mapping[str, float | Uncertain], found: Pair, scene: Scene) -> tuple[Found, Sources]:
     """Return the uncertainties of two inferred inputs, and their sources. Newton's method follows the pair to the ends of each."""
     sources = sources_of_two([*found.values], measured, scene)
     middles = {name: one if isinstance(one, float) else one.value for name, one in measured.items()}
@@ -178,105 +222,171 @@ def uncertainties_of_two(
         except NoResult as error:
             return dict.fromkeys(found.values, error)
 
-    return propagated(evaluate, found.values, sources.entering), sources
+    return _propagated(evaluate, found.values, sources.entering), sources
 
 
-def propagated(
-    evaluate: Evaluate, values: Mapping[str, float], effective: Sequence[Source]
-) -> dict[str, Propagated | JkrollError]:
-    """Return the uncertainties of values, from sources of one kind and a function that computes them from changed inputs."""
-    if not effective:
+# --- From the values at the ends of the sources, of numbers and of arrays ---------------------------------------------
+
+Place = tuple[Any, ...]  # a value of each source
+
+
+class _Bar(NamedTuple):
+    """An error bar of a number, or of each element of an array."""
+
+    sides: Mapping[str, Any]
+    is_felt: Any  # whether a source has an influence
+    parts: Iterable[float] = ()  # of each source, from which its share follows
+    is_open: Any = False  # whether there is a turning point inside the ranges
+
+
+def _propagated(evaluate: Evaluate, values: Mapping[str, float], sources: Sequence[Source]) -> Found:
+    """Return the uncertainties of numbers, from sources of one kind and a function that computes them from changed inputs."""
+    if not sources:
         return {}
-    combine = _in_quadrature if isinstance(effective[0].given, Measured) else _over_ranges
-    return dict(combine(evaluate, values, effective))
+    found: Found = {}
+    kind = type(sources[0].given)
+    for name, bar in (_in_quadrature if kind is Measured else _over_ranges)(evaluate, values, sources):
+        if isinstance(bar, JkrollError):
+            found[name] = bar
+        elif bar.is_felt:
+            found[name] = Propagated(kind(values[name], **bar.sides), _shares(sources, [*bar.parts]))
+    return found
 
 
-# --- Standard uncertainties -------------------------------------------------------------------------------------------
+def _elements(evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Source]) -> dict[str, Elements]:
+    """Return the uncertainties of arrays, as `_propagated` does for numbers."""
+    if not sources:
+        return {}
+    import numpy
 
-
-def _in_quadrature(
-    evaluate: Evaluate, values: Mapping[str, float], effective: Sequence[Source]
-) -> Iterator[tuple[str, Propagated | JkrollError]]:
-    """Iterate over standard uncertainties: the changes at both ends of each source, each side added in quadrature."""
-    ends = [[evaluate(source.at(end)) for end in (source.given.low, source.given.high)] for source in effective]
-    for name, value in values.items():
-        outcomes = [[end[name] for end in pair] for pair in ends]
-        failures = [end for pair in outcomes for end in pair if isinstance(end, JkrollError)]
-        if failures:
-            yield name, failures[0]
+    found: dict[str, Elements] = {}
+    combine = _in_quadrature if isinstance(sources[0].given, Measured) else _at_corners
+    for name, bar in combine(evaluate, values, sources):
+        if isinstance(bar, JkrollError):
+            found[name] = Elements({}, is_open=True)
             continue
-        changes = [[end - value for end in pair] for pair in outcomes]
-        minus = hypot(*(min(0.0, *pair) for pair in changes))
-        plus = hypot(*(max(0.0, *pair) for pair in changes))
-        if abs(plus - minus) <= ASYMMETRIC * max(plus, minus):
-            minus = plus = (minus + plus) / 2
-        variances = [fsum(change**2 for change in pair) for pair in changes]
-        if max(minus, plus) > ROUNDING * abs(value):
-            yield name, Propagated(Measured(value, minus, plus), _shares(effective, variances))
+        is_open = bar.is_open | numpy.isnan(sum(bar.sides.values()))
+        is_known = bar.is_felt & ~is_open
+        found[name] = Elements({side: where(is_known, numbers, nan) for side, numbers in bar.sides.items()}, is_open)
+    return found
 
 
-def _shares(effective: Sequence[Source], parts: Sequence[float]) -> dict[str, float]:
+def _shares(sources: Sequence[Source], parts: Sequence[float]) -> dict[str, float]:
     """Return the share of each source, the largest first; a source without influence has none."""
     whole = fsum(parts)
-    shares = {source.names[0]: part / whole for source, part in zip(effective, parts, strict=True) if part}
+    shares = {source.names[0]: part / whole for source, part in zip(sources, parts, strict=True) if part}
     return dict(sorted(shares.items(), key=lambda share: -share[1]))
 
 
-# --- Ranges -----------------------------------------------------------------------------------------------------------
+def _in_quadrature(
+    evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Source]
+) -> Iterator[tuple[str, _Bar | JkrollError]]:
+    """Iterate over standard uncertainties: the changes at both ends of each source, each side added in quadrature."""
+    ends = [[evaluate(source.at(end)) for end in source.ends] for source in sources]
+    for name, value in values.items():
+        outcomes = [[end[name] for end in pair] for pair in ends]
+        if failures := [end for pair in outcomes for end in pair if isinstance(end, JkrollError)]:
+            yield name, failures[0]
+            continue
+        changes = [(low - value, high - value) for low, high in outcomes]
+        minus = hypot(*(at_most(at_most(low, high), 0.0) for low, high in changes))
+        plus = hypot(*(at_least(at_least(low, high), 0.0) for low, high in changes))
+        alike = abs(plus - minus) <= ASYMMETRIC * at_least(plus, minus)
+        middle = (minus + plus) / 2
+        minus, plus = where(alike, middle, minus), where(alike, middle, plus)
+        is_felt = at_least(plus, minus) > ROUNDING * abs(value)
+        yield name, _Bar({"minus": minus, "plus": plus}, is_felt, (low * low + high * high for low, high in changes))
 
-Place = tuple[float, ...]  # a value of each range
+
+def _range(value: Any, low: Any, high: Any) -> _Bar:
+    """Return the error bar of a value, from the least and the largest value over all ranges together."""
+    low, high = at_most(value, low), at_least(value, high)
+    return _Bar({"low": low, "high": high}, high - low > ROUNDING * abs(value))
+
+
+def _at(sources: Sequence[Source], place: Place) -> dict[str, Any]:
+    """Return the inputs of all sources at a place."""
+    return {name: value for source, value in zip(sources, place, strict=True) for name in source.names}
+
+
+def _moved(place: Place, axis: int, value: Any) -> Place:
+    """Return a place with another value of one source."""
+    return (*place[:axis], value, *place[axis + 1 :])
+
+
+# --- Ranges of arrays -------------------------------------------------------------------------------------------------
+
+
+def _at_corners(evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Source]) -> Iterator[tuple[str, _Bar]]:
+    """Iterate over ranges, from the values at the corners. They are open where a step from a corner inwards leads further."""
+    limits = [source.ends for source in sources]
+    corners = [*product(*limits)]
+    steps = [
+        _moved(corner, axis, corner[axis] + NEAR / SAMPLES * (low + high - 2 * corner[axis]))
+        for corner in corners
+        for axis, (low, high) in enumerate(limits)
+    ]
+    of_corners, of_steps = (_extremes(evaluate, values, sources, places) for places in (corners, steps))
+    for name, value in values.items():
+        (low, high), (low_inside, high_inside) = of_corners[name], of_steps[name]
+        bar = _range(value, low, high)
+        yield name, bar._replace(is_open=bar.is_felt & ~((low <= low_inside) & (high_inside <= high)))
+
+
+def _extremes(
+    evaluate: Evaluate, names: Collection[str], sources: Sequence[Source], places: Iterable[Place]
+) -> dict[str, tuple[Any, Any]]:
+    """Return the least and the largest values of quantities at some places; nan where they have none at one of them."""
+    import numpy
+
+    found: dict[str, tuple[Any, Any]] = {}
+    for place in places:
+        outcomes = evaluate(_at(sources, place))
+        for name in names:
+            value = nan if isinstance(outcomes[name], JkrollError) else outcomes[name]
+            low, high = found.get(name, (value, value))
+            found[name] = numpy.minimum(low, value), numpy.maximum(high, value)
+    return found
+
+
+# --- Ranges of numbers ------------------------------------------------------------------------------------------------
 
 
 def _over_ranges(
-    evaluate: Evaluate, values: Mapping[str, float], effective: Sequence[Source]
-) -> Iterator[tuple[str, Propagated | JkrollError]]:
-    """Iterate over the least and the largest value of each quantity over all ranges together."""
-
-    @cache
-    def outcomes(place: Place) -> Mapping[str, Any]:
-        changed: dict[str, float] = {}
-        for source, value in zip(effective, place, strict=True):
-            changed |= source.at(value)
-        return evaluate(changed)
-
+    evaluate: Evaluate, values: Mapping[str, float], sources: Sequence[Source]
+) -> Iterator[tuple[str, _Bar | JkrollError]]:
+    """Iterate over ranges, from corners and turning points."""
+    outcomes = cache(lambda place: evaluate(_at(sources, place)))
     for name, value in values.items():
         try:
-            found = _range_of(_Surface(name, outcomes), value, effective)
+            yield name, _range_of(name, outcomes, value, sources)
         except JkrollError as error:
             yield name, error
-            continue
-        if found is not None:
-            yield name, found
 
 
-class _Surface:
-    """A quantity as a function of a place in all ranges."""
+def _range_of(
+    name: str, outcomes: Callable[[Place], Mapping[str, Any]], value: float, sources: Sequence[Source]
+) -> _Bar:
+    """Return the range of a quantity, which has an outcome at each place. Raises the reason why it has no value at one."""
 
-    def __init__(self, name: str, outcomes: Callable[[Place], Mapping[str, Any]]) -> None:
-        self.name, self.outcomes = name, outcomes
+    def height(place: Place) -> float:
+        outcome = outcomes(place)[name]
+        if isinstance(outcome, JkrollError):
+            raise outcome
+        return float(outcome)
 
-    def height(self, place: Place) -> float:
-        """Return the value at a place, or raise the reason why there is none."""
-        value = self.outcomes(place)[self.name]
-        if isinstance(value, JkrollError):
-            raise value
-        return float(value)
-
-
-def _range_of(surface: _Surface, value: float, effective: Sequence[Source]) -> Propagated | None:
-    """Return the range of a quantity; None if it is the same everywhere."""
-    limits = [(source.given.low, source.given.high) for source in effective]
+    limits = [source.ends for source in sources]
     corners = [*product(*limits)]
-    low = min(value, -_highest(lambda place: -surface.height(place), corners, limits))
-    high = max(value, _highest(surface.height, corners, limits))
-    if high - low <= ROUNDING * abs(value):
-        return None
-    middle = tuple(source.given.value for source in effective)
+    low = -_highest(lambda place: -height(place), corners, limits)
+    bar = _range(value, low, _highest(height, corners, limits))
+    if not bar.is_felt:
+        return bar
+    middle = tuple(source.given.value for source in sources)
     widths = []
     for axis, ends in enumerate(limits):
-        heights = [surface.height(_moved(middle, axis, sample)) for sample in _samples(*ends)]
+        heights = [height(_moved(middle, axis, sample)) for sample in _samples(*ends)]
         widths.append(max(heights) - min(heights))
-    return Propagated(Interval(value, low, high), _shares(effective, widths))
+    return bar._replace(parts=widths)
 
 
 def _highest(
@@ -314,138 +424,3 @@ def _peak(height: Callable[[Place], float], place: Place, axis: int, ends: tuple
 def _samples(low: float, high: float) -> list[float]:
     """Return equally spaced values from one end of a range to the other."""
     return [low, *(low + (high - low) * number / SAMPLES for number in range(1, SAMPLES)), high]
-
-
-def _moved(place: Place, axis: int, value: float) -> Place:
-    """Return a place with another value of one range."""
-    return (*place[:axis], value, *place[axis + 1 :])
-
-
-# --- Elements of a scene of arrays ------------------------------------------------------------------------------------
-
-MOST_RANGES = 4  # that are moved together: their corners double with each
-
-
-class Uncertainties(NamedTuple):
-    """The uncertainty of a quantity, element by element."""
-
-    sides: Mapping[str, Any]  # minus and plus, or low and high; nan where there is none
-    is_open: Any  # where an end of a source has no value, or the extremes of a range need a search
-
-
-def uncertainties_of_elements(
-    scene: Scene, values: Mapping[str, Any], sources: Sequence[Source]
-) -> dict[str, Uncertainties]:
-    """Return the uncertainty of each quantity, from sources of one kind, as `uncertainty` does for numbers.
-
-    Raises TooManyRanges.
-    """
-    return propagated_elements(lambda changed: scene.replace(**changed).numbers(*values), values, sources)
-
-
-def inferred_uncertainty_elements(
-    name: str, quantity: str, measured: Any, values: Any, scene: Scene
-) -> Uncertainties | None:
-    """Return the uncertainty of the values of an inferred input, if it has a source. Raises TooManyRanges."""
-    import numpy
-
-    sources = inferred_sources(name, quantity, measured, scene).entering
-
-    def evaluate(changed: Mapping[str, Any]) -> Mapping[str, Any]:
-        at, beside = changed_inputs(quantity, measured, scene, changed)
-        found = solutions(name, quantity, numpy.broadcast_to(at, values.shape), beside)
-        return {name: numpy.array([one if isinstance(one, float) else numpy.nan for one in found])}
-
-    return propagated_elements(evaluate, {name: values}, sources)[name] if sources else None
-
-
-def propagated_elements(
-    evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Source]
-) -> dict[str, Uncertainties]:
-    """Return the uncertainties of values, from sources of one kind and a function that computes them from changed inputs."""
-    if isinstance(sources[0].given, Measured):
-        return _elements_in_quadrature(evaluate, values, sources)
-    if len(sources) > MOST_RANGES:
-        raise TooManyRanges(len(sources))
-    return _elements_over_ranges(evaluate, values, sources)
-
-
-def _elements_in_quadrature(
-    evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Source]
-) -> dict[str, Uncertainties]:
-    """Return standard uncertainties."""
-    import numpy
-
-    ends = [
-        [_outcome(evaluate, values, [source], [end]) for end in (source.given.low, source.given.high)]
-        for source in sources
-    ]
-    found: dict[str, Uncertainties] = {}
-    for name, value in values.items():
-        minus: Any = 0.0
-        plus: Any = 0.0
-        for pair in ends:
-            changes = numpy.broadcast_arrays(0.0, *(end[name] - value for end in pair))
-            minus = numpy.hypot(minus, numpy.min(changes, axis=0))
-            plus = numpy.hypot(plus, numpy.max(changes, axis=0))
-        alike = numpy.abs(plus - minus) <= ASYMMETRIC * numpy.maximum(plus, minus)
-        felt = numpy.maximum(minus, plus) > ROUNDING * numpy.abs(value)
-        middle = (minus + plus) / 2
-        sides = {"minus": numpy.where(alike, middle, minus), "plus": numpy.where(alike, middle, plus)}
-        found[name] = _where(felt, sides, numpy.isnan(minus + plus))
-    return found
-
-
-def _elements_over_ranges(
-    evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Source]
-) -> dict[str, Uncertainties]:
-    """Return the least and the largest value of each quantity over all ranges together: values at corners of the ranges.
-
-    An element is open where a step from a corner into the ranges leads further, as there is a turning point inside then.
-    """
-    import numpy
-
-    limits = [(source.given.low, source.given.high) for source in sources]
-    corners = [_outcome(evaluate, values, sources, corner) for corner in product(*limits)]
-    parts = [NEAR * (high - low) / SAMPLES for low, high in limits]
-    steps = [
-        _outcome(
-            evaluate, values, sources, [*corner[:axis], corner[axis] + (1 - 2 * side) * width, *corner[axis + 1 :]]
-        )
-        for corner, sides in zip(product(*limits), product((0, 1), repeat=len(limits)), strict=True)
-        for axis, (side, width) in enumerate(zip(sides, parts, strict=True))
-    ]
-    found: dict[str, Uncertainties] = {}
-    for name, value in values.items():
-        at_corners = numpy.stack(numpy.broadcast_arrays(value, *(one[name] for one in corners)))[1:]
-        beside = numpy.stack(numpy.broadcast_arrays(value, *(one[name] for one in steps)))[1:]
-        from_corner = numpy.repeat(at_corners, len(limits), axis=0)
-        low: Any = at_corners.min(axis=0)
-        high: Any = at_corners.max(axis=0)
-        is_felt = high - low > ROUNDING * numpy.abs(value)
-        low, high = numpy.where(is_felt, low, value), numpy.where(is_felt, high, value)
-        turns = ((beside > high) & (from_corner == high)) | ((beside < low) & (from_corner == low))
-        is_odd = turns.any(axis=0) | numpy.isnan(beside).any(axis=0)
-        low, high = numpy.minimum(low, value), numpy.maximum(high, value)
-        found[name] = _where(low < high, {"low": low, "high": high}, is_odd)
-    return found
-
-
-def _where(is_felt: Any, sides: Mapping[str, Any], is_open: Any) -> Uncertainties:
-    """Return the uncertainty of a quantity, whose sides are nan where no source has an influence, and where it is open."""
-    import numpy
-
-    known = is_felt & ~is_open
-    return Uncertainties({side: numpy.where(known, values, numpy.nan) for side, values in sides.items()}, is_open)
-
-
-def _outcome(
-    evaluate: Evaluate, names: Collection[str], sources: Sequence[Source], place: Sequence[Any]
-) -> dict[str, Any]:
-    """Return quantities where each source has a value, nan for those that have none."""
-    import numpy
-
-    changed: dict[str, Any] = {}
-    for source, value in zip(sources, place, strict=True):
-        changed |= source.at(value)
-    return {**dict.fromkeys(names, numpy.nan), **evaluate(changed)}
