@@ -17,7 +17,7 @@ import maugis_reference as maugis
 from harness import Run
 from jkroll import Interval, JkrollError, Measured, infer, known_materials
 from jkroll.quantities.formatting import amount
-from jkroll.scene.failures import Contradiction, MissingInput
+from jkroll.scene.failures import Contradiction, MissingInput, TwoRigidBodies
 from jkroll.scene.inverse import AlreadyGiven, CannotInfer
 from jkroll.scene.scene import Scene
 from jkroll.scene.unknowns import NoPair, Pair, Problem, SeveralPairs, Unseparated
@@ -206,6 +206,13 @@ def test_both_spheres_of_one_material_are_inferred_together() -> None:
             PLANE,
             NoPair,
             "no pair of values gives pull_off_force = 3 N; it lies between 18.8496 pN and 18.8496 mN",
+        ),
+        (
+            ("surface_energy", "load"),
+            {"contact_radius_at_load": 1e-8, "stiffness": 1e3},
+            {**PLANE, "youngs_modulus": math.inf},
+            TwoRigidBodies,
+            "both bodies are rigid",
         ),
         (NAMES, MEASURED, {"radius": 2e-6}, MissingInput, "stiffness needs Poisson's ratio"),
         (NAMES, MEASURED, {**PLANE, "surface_energy": 1.0}, AlreadyGiven, "surface_energy is given and asked for"),
