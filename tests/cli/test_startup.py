@@ -139,3 +139,16 @@ def test_the_package_alone_imports_nothing() -> None:
     words = [sys.executable, "-S", "-c", program]
     ran = subprocess.run(words, capture_output=True, text=True, check=True, env={**os.environ, **source})
     assert ran.stdout.split() == ["jkroll"]
+
+
+def test_numbers_from_python_import_no_library() -> None:
+    program = """
+import sys
+import jkroll
+jkroll.solve(["pull_off_force", "n_roll"], radius="100 nm", gamma=0.025, young="54 GPa", poisson_ratio=0.17)
+jkroll.solve("r_min", radius="80 to 120 nm")
+jkroll.infer("gamma", measured={"pull_off_force": "300±20 nN"}, radius=2e-6, radius2="plane")
+print(*sys.modules)
+"""
+    ran = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    assert LIBRARIES & set(ran.stdout.split()) == set()

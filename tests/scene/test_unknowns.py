@@ -60,6 +60,16 @@ def test_the_order_of_names_and_quantities_does_not_matter() -> None:
         assert pair.values == pytest.approx(pairs[0].values, rel=1e-13)
 
 
+def test_an_input_that_cancels_from_a_quantity_is_found_from_the_other() -> None:
+    """DMT's moment without load, 4E*a0³ξ/(3R), is 2πwRξ, as a0³ = 3πwR²/(2E*): it gives w, and a0 then E*."""
+    given = {**PLANE, "yield_displacement": 2e-10}
+    pair = found(NAMES[::-1], {"unloaded_moment": 1e-16, "contact_radius": 3e-8}, given, "dmt")
+    work = 1e-16 / (2 * math.pi * 2e-6 * 2e-10)
+    modulus = 3 * math.pi * work * 2e-6**2 / (2 * 3e-8**3)
+    assert pair.values["surface_energy"] == pytest.approx(work / 2, rel=1e-13)
+    assert pair.values["youngs_modulus"] == pytest.approx(2 * (1 - 0.17**2) * modulus, rel=1e-13)
+
+
 # --- Against other arithmetic -----------------------------------------------------------------------------------------
 
 digits = maugis.digits
