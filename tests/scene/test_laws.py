@@ -185,6 +185,8 @@ def test_hysteresis_gives_the_moment_that_it_supplies(model: str, edge: str) -> 
 
 
 def test_hysteresis_is_at_most_the_work_of_adhesion() -> None:
+    """All of it is still a part."""
+    assert math.isclose(solve("hysteresis_ratio", **QUARTZ, adhesion_hysteresis=0.05), 1, rel_tol=1e-14)
     with pytest.raises(JkrollError, match=r"60 mJ/m² is above the work of adhesion, 50 mJ"):
         solve("yield_moment", **QUARTZ, adhesion_hysteresis=0.06)
 
