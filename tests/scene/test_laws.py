@@ -288,6 +288,22 @@ def test_large_arrays_are_solved_in_blocks() -> None:
     assert forces[12_345:12_350].tolist() == few.tolist()
 
 
+@pytest.mark.parametrize("size", [1, 2, 5, 7, 29])
+def test_blocks_of_any_size_make_the_whole(size: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of arrays that broadcast, and of results that depend on all of them, on some, or on none."""
+    given: dict[str, Any] = {
+        **QUARTZ,
+        "radius": numpy.geomspace(1e-8, 1e-5, 6).reshape(2, 1, 3),
+        "surface_energy": numpy.linspace(0.02, 0.5, 5).reshape(5, 1),
+    }
+    names = ["pull_off_force", "r_min", "work_of_adhesion", "contact_modulus"]
+    whole = solve(names, **given)
+    monkeypatch.setattr("jkroll.scene.solver.BLOCK", size)
+    for name, values in solve(names, **given).items():
+        assert numpy.shape(values) == numpy.shape(whole[name])
+        assert numpy.array_equal(values, whole[name]), name
+
+
 def test_a_law_without_states_of_its_own_has_them_by_load(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delitem(STATES_OF_LAW, "dmt")
     scene = Scene({"radius": 1e-7}, known_materials()["quartz"], model="dmt")
