@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from random import Random
 from typing import Any
 
+import numpy
 import pint
 import pytest
 
@@ -16,7 +17,14 @@ from jkroll import Interval, Material, Measured, infer, known_materials, solve
 from jkroll.quantities.errors import QuantityError
 from jkroll.quantities.values import Uncertain
 from jkroll.scene.scene import Scene
-from jkroll.scene.uncertainty import MixedKinds, Propagated, TooManyRanges, uncertainties
+from jkroll.scene.uncertainty import (
+    MixedKinds,
+    Propagated,
+    Source,
+    TooManyRanges,
+    uncertainties,
+    uncertainties_of_elements,
+)
 from scenes import QUARTZ
 
 
@@ -254,3 +262,19 @@ def test_a_turning_point_next_to_an_end_of_a_range_is_found(low: float) -> None:
 @pytest.mark.parametrize("gamma", ["25±5 mJ/m2", "20 to 30 mJ/m2"])
 def test_rounding_is_no_uncertainty(gamma: str) -> None:
     assert isinstance(solve("energy_over_sticking", **{**QUARTZ, "surface_energy": gamma}), float)
+
+
+@pytest.mark.parametrize("given", [Measured(1e-7, 1e-8, 1e-8), Interval(1e-7, 9e-8, 1.1e-7)])
+def test_elements_have_the_uncertainties_of_their_scenes(given: Uncertain) -> None:
+    """And none where no source moves a result, as R1/R2 on a plane, which is zero."""
+    radii2, names = [math.inf, 1e-7, 3e-7], ["radius_ratio", "pull_off_force"]
+    scene = Scene({**QUARTZ, "radius2": numpy.array(radii2)})
+    elements = uncertainties_of_elements(scene, scene.numbers(*names), [Source(("radius",), given)])
+    for place, radius2 in enumerate(radii2):
+        alone, _ = uncertainties(Scene({**QUARTZ, "radius": given, "radius2": radius2}), names)
+        known = {name: one.uncertainty for name, one in alone.items() if isinstance(one, Propagated)}
+        assert ("radius_ratio" in known) == (radius2 < math.inf)
+        for name in names:
+            for side, values in elements[name].sides.items():
+                expected = getattr(known.get(name), side, math.nan)
+                assert values[place] == pytest.approx(expected, rel=1e-12, nan_ok=True)
