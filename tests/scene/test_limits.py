@@ -12,6 +12,7 @@ from jkroll import NOMENCLATURE, solve
 from jkroll.answers.questions import QUESTIONS
 from jkroll.errors import NoResult
 from jkroll.materials.library import known_materials
+from jkroll.scene.effects import effects
 from jkroll.scene.failures import TwoRigidBodies
 from jkroll.scene.limits import LIMITS, Doubt, Limit, doubts, judged, told
 from jkroll.scene.scene import Scene
@@ -259,3 +260,20 @@ def test_a_contact_that_only_one_law_has_is_doubtful() -> None:
     held = {**QUARTZ, "radius": 1e-4, "load": -0.9 * 1e3 * force}
     scene = Scene(held, model="dmt")
     assert "law>×2" in codes_of(doubts(scene, ["approach_at_load"]))
+
+
+@pytest.mark.parametrize(
+    ("model", "name", "value", "other", "names"),
+    [
+        ("jkr", "load", -3 * np.pi * 0.025 * 5e-8, 0.0, ("stiffness", "vertical_frequency")),  # at pull-off
+        ("dmt", "approach_at_load", 0.0, 1e-10, ("stiffness", "contact_radius_at_load")),  # at first touch
+    ],
+)
+def test_an_answer_of_zero_is_not_compared_with_that_of_another_law(
+    model: str, name: str, value: float, other: float, names: tuple[str, ...]
+) -> None:
+    zero, both = (Scene({**QUARTZ, name: given}, model=model) for given in (value, np.array([value, other])))
+    for one in names:
+        assert zero[one] == both[one][0] == 0
+        assert effects(zero, names)[one].ratio == effects(both, names)[one].ratio[0] == 1
+        assert effects(both, names)[one].ratio[1] != 1
