@@ -8,6 +8,7 @@ import math
 from typing import Any
 
 pi = math.pi
+NUMBER = float, int  # named once: `float | int` would be made anew by each call
 
 
 def sqrt(value: Any) -> Any:
@@ -16,7 +17,7 @@ def sqrt(value: Any) -> Any:
     >>> sqrt(2.25)
     1.5
     """
-    if isinstance(value, float | int):
+    if isinstance(value, NUMBER):
         return math.sqrt(value)
     import numpy
 
@@ -29,7 +30,7 @@ def cbrt(value: Any) -> Any:
     >>> cbrt(3.375)
     1.5
     """
-    if isinstance(value, float | int):
+    if isinstance(value, NUMBER):
         root = math.cbrt(value)
         return root - (root * root * root - value) / (3 * root * root) if root else root
     import numpy
@@ -54,7 +55,7 @@ def arctan(value: Any) -> Any:
     >>> arctan(0.0)
     0.0
     """
-    if isinstance(value, float | int):
+    if isinstance(value, NUMBER):
         return math.atan(value)
     import numpy
 
@@ -67,7 +68,7 @@ def hypot(*values: Any) -> Any:
     >>> hypot(3.0, 4.0)
     5.0
     """
-    if all(isinstance(value, float | int) for value in values):
+    if all(isinstance(value, NUMBER) for value in values):
         return math.hypot(*values)
     import numpy
 
@@ -83,7 +84,7 @@ def at_least(value: Any, bound: Any) -> Any:
     >>> at_least(-1.0, 0.0)
     0.0
     """
-    if isinstance(value, float | int):
+    if isinstance(value, NUMBER):
         return max(value, bound)
     import numpy
 
@@ -96,7 +97,7 @@ def at_most(value: Any, bound: Any) -> Any:
     >>> at_most(1.0, 0.0)
     0.0
     """
-    if isinstance(value, float | int):
+    if isinstance(value, NUMBER):
         return min(value, bound)
     import numpy
 
@@ -118,7 +119,7 @@ def smaller_and_larger(value: Any, value2: Any) -> tuple[Any, Any]:
     >>> smaller_and_larger(3.0, 1.0)
     (1.0, 3.0)
     """
-    if isinstance(value, float | int) and isinstance(value2, float | int):
+    if isinstance(value, NUMBER) and isinstance(value2, NUMBER):
         return (value, value2) if value <= value2 else (value2, value)
     import numpy
 

@@ -445,6 +445,8 @@ def named(word: str, names: Collection[str] = NOMENCLATURE) -> str:
     >>> named("R-min"), named("gamma"), named("P_c"), named("Pc"), named("delta0"), named("E"), named("v")
     ('r_min', 'surface_energy', 'pull_off_force', 'pull_off_force', 'approach', 'youngs_modulus', 'v')
     """
+    if word in names:
+        return word
     for spelt in (word, word.casefold()):
         if (name := canonical(spelt)) in names:
             return name

@@ -12,6 +12,7 @@ from typing import Any
 
 from ..errors import JkrollError
 from ..materials.library import Material
+from ..physics.elementary import NUMBER
 from ..quantities.errors import OutOfRange, UnknownQuantity
 from ..quantities.laws import DEFAULT_LAW, Law, law_named
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, RANGES, STATE
@@ -27,10 +28,12 @@ MAGNITUDE = "must lie between 1e-60 and 1e60 in SI units"
 
 def check_range(name: str, value: Any) -> None:
     """Raise OutOfRange for a number, or an array with an element, that a quantity cannot have."""
+    if isinstance(value, NUMBER) and name in _SCALED and LEAST <= value <= MOST:
+        return
     if name not in NOMENCLATURE:
         raise UnknownQuantity(name)
     limits = RANGES.get(NOMENCLATURE[name].range)
-    if isinstance(value, float | int):
+    if isinstance(value, NUMBER):
         if limits is not None and not limits.admits(value):
             raise OutOfRange(name, value, limits.words)
         if not _has_magnitude(name, value):
@@ -135,7 +138,7 @@ _MAY_CONTRADICT = frozenset(name for names in EXCLUSIVE for name in names)
 _OF_AREA = ("youngs_modulus", "youngs_modulus2", "poisson_ratio", "poisson_ratio2", "contact_modulus")
 
 # What rests on a contact area, and has none where both bodies are rigid; everything else of JKR follows from these.
-_ON_AREA = ("contact_modulus", "pull_off_force", "load_factor", "rolling_frequency_as_printed")
+_ON_AREA = frozenset({"contact_modulus", "pull_off_force", "load_factor", "rolling_frequency_as_printed"})
 
 
 class Scene:
@@ -176,11 +179,10 @@ class Scene:
         self.given = {**own, **own2, **self.stated}
         for name, value in self.given.items():
             check_range(name, value)
-        self.values = _assumed(self.given)
-        self._implied = _implied(self.given, self.law)
+        self.values = {**_assumed(self.given), **self.given}
+        self._implied = _implied(self.values, self.law)
         for values in self._implied.values():
-            self.values |= values
-        self.values |= self.given
+            self.values = {**values, **self.values}
         self._has_area = _has_area(self.given, own_material2=material2 is not None)
         self._failures: dict[str, JkrollError] = {}
         self._gaps: set[str] = set()  # quantities of which some elements are no answer
@@ -202,7 +204,7 @@ class Scene:
         """Return the scene of some elements of its arrays, without uncertainties."""
 
         def some(values: Mapping[str, Any]) -> dict[str, Any]:
-            return {name: value if isinstance(value, float | int) else value[places] for name, value in values.items()}
+            return {name: value if isinstance(value, NUMBER) else value[places] for name, value in values.items()}
 
         spheres = [one and one._replace(properties=some(one.properties)) for one in (self.material, self.material2)]
         return Scene(some(self.stated), *spheres, model=self.stated_model)
@@ -362,7 +364,7 @@ class Scene:
                 value = INFINITY
             if name in _ON_AREA and self.has_rigid_elements:
                 value = self._where_it_yields(value)
-            if not isinstance(value, float | int):
+            if not isinstance(value, NUMBER):
                 values[name] = self._with_gaps(name, value, [source for _, source in arguments])
             elif is_answer(name, value):
                 values[name] = value
@@ -398,7 +400,7 @@ class Scene:
     @property
     def has_arrays(self) -> bool:
         """True if an input is an array."""
-        return not all(isinstance(value, float | int) for value in self.given.values())
+        return not all(isinstance(value, NUMBER) for value in self.given.values())
 
     @property
     def has_rigid_elements(self) -> bool:
@@ -439,7 +441,8 @@ class Scene:
 
 def _assumed(given: Mapping[str, Any]) -> dict[str, Any]:
     """Return the defaults of what nothing else says."""
-    return {name: value for name, value in DEFAULTS.items() if given.keys().isdisjoint(_SAYS.get(name, ()))}
+    said = [name for name, others in _SAYS.items() if not given.keys().isdisjoint(others)]
+    return {name: value for name, value in DEFAULTS.items() if name not in said}
 
 
 def _has_area(given: Mapping[str, Any], *, own_material2: bool) -> Any:
@@ -454,19 +457,18 @@ def _has_area(given: Mapping[str, Any], *, own_material2: bool) -> Any:
     return yields if hasattr(yields, "shape") else bool(yields)
 
 
-def _implied(given: Mapping[str, Any], law: Law) -> dict[str, Mapping[str, float]]:
+def _implied(values: Mapping[str, Any], law: Law) -> dict[str, Mapping[str, float]]:
     """Return by each input the values that follow from it, or from its absence, and then need nothing else."""
-    known = {**DEFAULTS, **given}
-    implied = {name: follows for name, (value, follows) in FOLLOWS.items() if _is_number(known.get(name), value)}
-    if "radius2" not in given:
+    implied = {name: follows for name, (value, follows) in FOLLOWS.items() if _is_number(values.get(name), value)}
+    if "radius2" not in values:
         implied["radius2"] = {"radius_ratio": 1.0}
-    if "poisson_ratio2" not in given:
+    if "poisson_ratio2" not in values:
         implied.pop("youngs_modulus", None)  # sphere 2, which yields, would take the ratio over
-    if not STATE.isdisjoint(given) or not law.has("load_margin"):
+    if not law.has("load_margin"):
         implied.pop("load", None)
     return implied
 
 
 def _is_number(value: Any, number: float) -> bool:
     """Return whether a value is this number; an array is none."""
-    return isinstance(value, float | int) and value == number
+    return isinstance(value, NUMBER) and value == number
