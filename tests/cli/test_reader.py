@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from harness import Run
 from jkroll.answers.questions import QUESTIONS
+from jkroll.batch.settings import Settings
 from jkroll.cli.commands import COMMANDS, flags_of
 from jkroll.cli.options import OUTPUT, Call, Option
 from jkroll.cli.reader import HINTS, SYNONYMS, read
@@ -135,7 +136,8 @@ def test_a_synonym_stands_for_what_there_is(typed: str) -> None:
 @pytest.mark.parametrize("name", COMMANDS)
 def test_every_option_has_a_place_for_its_value(name: str) -> None:
     for option in COMMANDS[name].options():
-        assert option.name in Call._fields or option.name in NOMENCLATURE, option.flag
+        of_batch = Settings._fields if name == "batch" else ()
+        assert option.name in {*Call._fields, *NOMENCLATURE, *of_batch}, option.flag
 
 
 def test_every_question_has_a_command_that_takes_the_ways_to_write() -> None:

@@ -14,12 +14,12 @@ def run_batch(call: Call) -> int:
     """Convert a table of scenes; return the exit code."""
     if not call.words:
         raise BadRequest("batch needs a table, such as grains.csv, or - for standard input")
-    if call.format and call.delimiter:
+    if call.settings.keys() >= {"format", "delimiter"}:
         raise BadRequest("--format and --delimiter exclude each other")
     infer, measured = _inverse(call)
     same = {name: getattr(call, name) for name in Settings._fields if name in Call._fields}
     own = {"target": call.target or "-", "doubt": not call.no_doubt, "infer": infer, "measured": measured}
-    settings = Settings(**{**same, **own})
+    settings = Settings(**{**same, **own}, **call.settings)
     return run(call.words[0], settings, call.inputs, materials_of(call.materials))
 
 

@@ -88,7 +88,8 @@ class Command(NamedTuple):
             name: options[name].read(value) if isinstance(value, str) else value for name, value in given.items()
         }
         inputs = {name: values.pop(name) for name in given if name in NOMENCLATURE}
-        return partial(self.run(), Call(self.name, tuple(words), inputs, **values))
+        settings = {name: values.pop(name) for name in [*values] if name not in Call._fields}
+        return partial(self.run(), Call(self.name, tuple(words), inputs, settings=settings, **values))
 
 
 def _options_of_export() -> tuple[Option, ...]:

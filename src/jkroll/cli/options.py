@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from functools import cache
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from ..errors import BadRequest
 from ..quantities.nomenclature import NOMENCLATURE
@@ -13,7 +13,7 @@ MAX_DIGITS = 9  # of a number
 
 
 class Option(NamedTuple):
-    """An option, by the name of its value in `Call` or in the nomenclature.
+    """An option, by the name of its value in `Call`, in the settings of `batch`, or in the nomenclature.
 
     The help of an input is its sentence in the nomenclature, unless the option has a text of its own.
     """
@@ -75,7 +75,6 @@ class Call(NamedTuple):
     cite: bool = False
     measured: tuple[str, ...] = ()
     target: str | None = None
-    resume: bool = False
     curve: bool = False
     # of pictures
     x: str | None = None
@@ -89,17 +88,10 @@ class Call(NamedTuple):
     as_printed: bool = False
     plain: bool = False
     # of tables
-    format: str = ""
-    delimiter: str = ""
     quantities: str = ""
-    columns: tuple[str, ...] = ()
     infer: str = ""
-    strict: bool = False
     no_doubt: bool = False
-    uncertainty: bool = False
-    jobs: int = 0
-    dask: str = ""
-    excel_safe: bool = False
+    settings: Mapping[str, Any] = MappingProxyType({})  # of `batch` alone: fields of its Settings
     # of the measurements of speed
     quick: bool = False
     plot: str | None = None

@@ -18,7 +18,7 @@ from ..quantities.laws import DEFAULT_LAW, Law, law_named
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, RANGES, STATE
 from ..quantities.values import Uncertain, is_uncertain
 from .failures import Contradiction, MissingInput, NoFiniteValue, NotInLaw, RestsOnSpacing, TwoRigidBodies, failure_of
-from .wiring import NO_PLAN, Missing, Plan, Step, in_order, plan
+from .wiring import NO_PLAN, Missing, Plan, Step, formula_of, in_order, plan
 
 # --- Numbers that a scene takes ---------------------------------------------------------------------------------------
 
@@ -115,9 +115,12 @@ _SAYS = {
     "atomic_spacing": ("hamaker",),
 }  # what says the same as a default
 
+# The quantities of sphere 2 that are infinite for a plane, such as its mass.
+_OF_A_PLANE = [name for name in MAY_BE_INFINITE if name.endswith("2") and formula_of(name) is not None]
+
 # The values of inputs from which more follows than from others: a plane, a rigid body, no load.
 FOLLOWS: Mapping[str, tuple[float, Mapping[str, float]]] = {
-    "radius2": (INFINITY, {"radius_ratio": 0.0, "mass2": INFINITY, "moment_of_inertia2": INFINITY}),
+    "radius2": (INFINITY, {"radius_ratio": 0.0, **dict.fromkeys(_OF_A_PLANE, INFINITY)}),
     "youngs_modulus": (INFINITY, {"poisson_ratio": 0.0}),  # without strain, it does not matter
     "youngs_modulus2": (INFINITY, {"poisson_ratio2": 0.0}),
     "load": (0.0, {"load_margin": 1.0}),
