@@ -58,6 +58,18 @@ def test_a_place_is_found_to_the_last_digit() -> None:
     assert abs(found - 2 ** (1 / 3)) <= ulp(found)
 
 
+def test_on_a_slope_no_turning_point_is_looked_for() -> None:
+    """What is computed are the scan, and the one bisection down to neighbouring doubles."""
+    asked: list[float] = []
+
+    def cubed(x: float) -> float:
+        asked.append(x)
+        return x**3
+
+    assert found_by(search(cubed, 2.0), cubed) == pytest.approx([2 ** (1 / 3)])
+    assert len(asked) <= len(PLACES) + 60
+
+
 def test_searches_side_by_side_find_what_each_finds_by_itself() -> None:
     levels = [-0.9, -0.5, 0.0, 0.3, 0.999, 1.0, 7.0]
     asked: list[int] = []

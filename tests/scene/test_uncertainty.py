@@ -18,10 +18,12 @@ from jkroll.quantities.errors import QuantityError
 from jkroll.quantities.values import Uncertain
 from jkroll.scene.scene import Scene
 from jkroll.scene.uncertainty import (
+    SAMPLES,
     MixedKinds,
     Propagated,
     Source,
     TooManyRanges,
+    propagated,
     uncertainties,
     uncertainties_of_elements,
 )
@@ -123,6 +125,21 @@ def test_turning_points_inside_a_range_count(name: str, given: dict[str, float],
     assert one.low <= min(values) <= max(values) <= one.high
     assert one.low == pytest.approx(min(values), rel=0.02)
     assert one.high == pytest.approx(max(values), rel=0.02)
+
+
+def test_no_turning_point_is_looked_for_where_there_is_none() -> None:
+    """The samples of each range are computed, and a step inwards: from the lowest corner, the highest one, and the middle."""
+    asked: list[Mapping[str, float]] = []
+
+    def evaluate(changed: Mapping[str, float]) -> Mapping[str, float]:
+        asked.append(changed)
+        return {"r_min": changed["radius"] ** 2}
+
+    ranges = {"radius": Interval(2.0, 1.0, 3.0), "gravity": Interval(9.0, 8.0, 10.0)}  # the latter of no influence
+    one = propagated(evaluate, {"r_min": 4.0}, [Source((name,), span) for name, span in ranges.items()])["r_min"]
+    assert isinstance(one, Propagated)
+    assert one.uncertainty == Interval(4.0, 1.0, 9.0)
+    assert len(asked) <= 3 * len(ranges) * (SAMPLES + 2)
 
 
 def test_a_turning_point_is_met_exactly() -> None:
