@@ -194,12 +194,15 @@ def test_both_spheres_of_one_material_are_inferred_together() -> None:
 @pytest.mark.parametrize(
     ("names", "measured", "given", "error", "words"),
     [
-        (
-            ("surface_energy", "radius"),
-            {"pull_off_force": 3e-7, "pull_off_force_dmt": 4e-7},
-            {"radius2": math.inf},
-            Unseparated,
-            "and pull_off_force_dmt do not separate them: pull_off_force_dmt = 400 nN wherever pull_off_force = 300 nN; both stay",
+        *(
+            (
+                ("surface_energy", "radius"),
+                {"pull_off_force": 3e-7, "pull_off_force_dmt": force},
+                {"radius2": math.inf},
+                Unseparated,
+                "and pull_off_force_dmt do not separate them: pull_off_force_dmt = 400 nN wherever pull_off_force = 300 nN; both stay",
+            )
+            for force in (4e-7, 5e-7)  # what every pair gives, and what none does
         ),
         (NAMES, {"pull_off_force": 3e-7, "pull_off_force_dmt": 4e-7}, PLANE, Unseparated, "they leave E1 open (κ is above 1e8)"),
         (NAMES, {"pull_off_force": 3e-7, "r_min": 1e-5}, PLANE, Unseparated, "r_min depends on neither (κ is above 1e8)"),
