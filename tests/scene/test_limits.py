@@ -1,6 +1,7 @@
 """Limits of the model: on which side of a threshold a number is in doubt, for what it is judged, and what is said."""
 
 import json
+import re
 from typing import Any
 
 import numpy as np
@@ -45,6 +46,12 @@ def test_either_side_of_a_threshold(limit: Limit, doubt: Doubt) -> None:
     expected = {below: below == beyond, doubt.threshold: limit.sign.endswith("="), above: above == beyond}
     place = limit.doubts.index(doubt)
     assert (limit.level(np.array([*expected, np.nan])) > place).tolist() == [*expected.values(), False]
+
+
+def test_a_threshold_that_words_name_is_the_one_that_is_judged() -> None:
+    for limit, doubt in THRESHOLDS:
+        for number, percent in re.findall(r"(?:above|below) ([\d.]+)( %)?", f"{doubt.condition}; {limit.fine}"):
+            assert float(number) / (100 if percent else 1) == doubt.threshold, limit.name
 
 
 def test_every_limit_touches_what_a_command_shows() -> None:
