@@ -58,7 +58,7 @@ def effects(scene: Scene, names: Collection[str]) -> dict[str, Effect]:
     own = scene.numbers(*(name for name in names if name not in missing and uses_law(between, name)))
     theirs = between.evaluate([*own])
     rolling = [name for name in own if XI in depends_on([name], [BETWEEN])]
-    beside, is_at_displacement = _other_reading(scene, between) if rolling else (None, True)
+    beside = _other_reading(scene, between) if rolling else None
     at_other = beside.evaluate(rolling) if beside is not None else {}
     found = {}
     for name, value in own.items():
@@ -66,7 +66,7 @@ def effects(scene: Scene, names: Collection[str]) -> dict[str, Effect]:
         readings = None
         if name in at_other:
             other = _ratio(at_other[name], value)
-            readings = (ratio, other) if is_at_displacement else (other, ratio)
+            readings = (ratio, other) if _is_at_displacement(scene) else (other, ratio)
         found[name] = Effect(ratio, readings)
     if "pull_off_force" in found:
         fit = scene.evaluate(["pull_off_force_lennard_jones"])["pull_off_force_lennard_jones"]
@@ -79,13 +79,18 @@ def between_of(scene: Scene) -> Scene:
     return scene.under(BETWEEN).replace(atomic_spacing=scene["atomic_spacing"])
 
 
-def _other_reading(scene: Scene, between: Scene) -> tuple[Scene | None, bool]:
-    """Return a scene between the laws with the other of equal displacement and equal hysteresis, and whether it has the latter."""
+def _is_at_displacement(scene: Scene) -> bool:
+    """Return whether equal inputs are equal displacements, and not equal hystereses."""
+    return scene.given.keys().isdisjoint(IN_ITS_PLACE[1:])
+
+
+def _other_reading(scene: Scene, between: Scene) -> Scene | None:
+    """Return a scene between the laws with the other of equal displacement and equal hysteresis; None without a contact."""
     needed = ("adhesive_force", "zone_radius")
     own, theirs = scene.numbers(XI, *needed), between.numbers(*needed)
     if len(own) <= len(needed) or len(theirs) < len(needed):
-        return None, True
-    is_at_displacement = scene.given.keys().isdisjoint(IN_ITS_PLACE[1:])
+        return None
+    is_at_displacement = _is_at_displacement(scene)
     displacement = own[XI]
     if is_at_displacement:
         forces, radii = (own[name] / theirs[name] for name in needed)
@@ -94,7 +99,7 @@ def _other_reading(scene: Scene, between: Scene) -> tuple[Scene | None, bool]:
     displacement = where(
         is_known, displacement, own[XI] if is_at_displacement else DEFAULTS[XI]
     )  # where there is no contact
-    return between.replace(**{**dict.fromkeys(IN_ITS_PLACE), XI: displacement}), is_at_displacement
+    return between.replace(**{**dict.fromkeys(IN_ITS_PLACE), XI: displacement})
 
 
 def _ratio(theirs: Any, own: Any) -> Any:
