@@ -144,6 +144,15 @@ def test_the_approach_of_a_contact_whose_load_is_known(count: int) -> None:
             assert ulps(value, exact[name]) <= bounds[name] * (1 + condition), (name, transition, load)
 
 
+@pytest.mark.parametrize("edge_ratio", [0.3, 1.0, math.nextafter(1.0, 2.0), 1 + 1e-12, 1 + 1e-7, 1.1, 30.0])
+def test_the_approach_from_the_load_is_that_from_the_edges(edge_ratio: float) -> None:
+    """In a wide ring, in a narrow one, and where the two forms meet."""
+    state = {"edge_ratio": edge_ratio, "zone_span": 0.7, "reduced_radius": 9.0, "contact_modulus": 2.0}
+    load = maugis.load_maugis(**state, cohesive_stress=0.1)
+    found = maugis.approach_maugis_at_load(load=load, **state, cohesive_stress=0.1)
+    assert found == pytest.approx(maugis.approach_maugis(**state, cohesive_stress=0.1), rel=1e-13, abs=0)
+
+
 @pytest.mark.parametrize("count", [8, pytest.param(400, marks=pytest.mark.slow)])
 def test_states_at_random_approaches(count: int) -> None:
     random.seed(count)

@@ -273,6 +273,7 @@ def test_a_contact_that_only_one_law_has_is_doubtful() -> None:
     ("model", "name", "value", "other", "names"),
     [
         ("jkr", "load", -3 * np.pi * 0.025 * 5e-8, 0.0, ("stiffness", "vertical_frequency")),  # at pull-off
+        ("dmt", "load", -2 * np.pi * 0.05 * 5e-8, 0.0, ("stiffness", "contact_radius_at_load")),  # likewise
         ("dmt", "approach_at_load", 0.0, 1e-10, ("stiffness", "contact_radius_at_load")),  # at first touch
     ],
 )
