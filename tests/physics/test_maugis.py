@@ -256,6 +256,14 @@ def test_load_and_stiffness_are_derivatives(transition: float) -> None:
         assert math.isclose((loads[2] - loads[0]) / (2 * step), stiffness, rel_tol=1e-4)
 
 
+def test_the_stiffness_falls_without_limit_towards_the_fold() -> None:
+    """Which is at q = G3/h, and h is 1 where the circle shrinks to a point."""
+    at = dugdale.shape(0.0)
+    ratios = [dugdale.stiffness_ratio(at, at.g3 * (1 - part)) for part in (1e-1, 1e-5, 1e-10, 0.0)]
+    assert ratios == sorted(ratios, reverse=True)
+    assert ratios[-1] == -math.inf
+
+
 def test_limit_of_jkr() -> None:
     transition = 1e4
     values = state(transition, dugdale.ratio_at_load(transition, 0.0))
