@@ -194,3 +194,18 @@ def test_what_is_against_the_data_comes_first_and_roughness_from_a_micrometre_on
     shown = [smooth in run(f"pull-off quartz {radius}").err for radius in ("0.99um", "1um", "20um")]
     assert shown == [False, True, True]
     assert smooth not in run("r-min 20um").err
+
+
+def test_eq_41_has_a_note_with_its_value_in_place_of_a_row(run: Run) -> None:
+    call = "frequencies quartz 1um"
+    ran = run(call, terminal=True, together=True)
+    found = re.search(r"^note: f_roll\(41\) = (\S+) kHz: ([\d.]+) times too low", ran.out, re.MULTILINE)
+    assert found, ran.out
+    assert "rolling frequency as printed" not in ran.out
+    values = {one["name"]: one["value"] for one in json.loads(run(f"{call} --json").out)["results"]}
+    assert values["rolling_frequency_as_printed"] == pytest.approx(float(found[1]) * 1e3, rel=1e-5)
+    assert values["rolling_frequency"] == pytest.approx(float(found[2]) * float(found[1]) * 1e3, rel=1e-5)
+    by_name = "report quartz 1um --quantities rolling_frequency_as_printed"
+    assert re.search(
+        r"^rolling frequency as printed +f_roll\(41\) +\S+ +kHz", run(by_name, terminal=True).out, re.MULTILINE
+    )

@@ -287,7 +287,7 @@ class Answer:
             *assumptions(scene, self.inputs, planned),
             *about_idle(scene, entering_any),
             *about_data(scene, self.inputs),
-            *about_results([*self.results], scene),
+            *about_results([*self.results], scene, self.question.noted),
             *about_missing([*self.results], self.errors),
             *about_limits(self._judgement),
             *(about_uncertainties(found, sources) if sources is not None else ()),

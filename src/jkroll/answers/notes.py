@@ -1,6 +1,6 @@
 """Notes about an answer: what was assumed, whose data were used, what a result counts, what is missing."""
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
 from ..errors import JkrollError
 from ..quantities.formatting import amount, significant
@@ -132,11 +132,15 @@ def about_data(scene: Scene, inputs: Collection[str]) -> list[Note]:
     return [*dict.fromkeys(shadows + remarks)]
 
 
-def about_results(results: list[Result], scene: Scene) -> list[Note]:
-    """Return notes on the values: why one stands beside a headline, what it counts, how exact its model is."""
+def about_results(results: list[Result], scene: Scene, noted: Collection[str] = ()) -> list[Note]:
+    """Return notes on the values: why one stands beside a headline, what it counts, how exact its model is.
+
+    `noted`: quantities whose values the notes state.
+    """
     known = [result for result in results if result.value is not None]
     names = [result.name for result in known]
-    notes = about_conventions(scene, names)
+    notes = [*_about_noted(known, noted)]
+    notes += about_conventions(scene, [name for name in names if name not in noted])
     if "n_grav" in names and not scene.is_identical:
         carries = "N_grav is what the first contact, on body 2, carries"
         notes.append(Note("result", f"{carries}; {_between_spheres_1(scene)}", carries))
@@ -181,6 +185,15 @@ def about_conventions(scene: Scene, names: Sequence[str]) -> list[Note]:
         if NOMENCLATURE[name].note and not is_implied:
             by_note.setdefault(NOMENCLATURE[name].note, []).append(symbol_of(name))
     return [Note("result", f"{', '.join(symbols)}: {note}") for note, symbols in by_note.items()]
+
+
+def _about_noted(results: Iterable[Result], noted: Collection[str]) -> Iterator[Note]:
+    """Iterate over the values that have a note in place of a row, each with why it stands beside a headline."""
+    for result in results:
+        if result.name in noted and result.value is not None:
+            note, symbol = NOMENCLATURE[result.name].note, symbol_of(result.name)
+            value = amount(result.name, result.propagated.uncertainty if result.propagated else result.value)
+            yield Note("result", f"{symbol} = {value}: {note}", f"{symbol}: {note}")
 
 
 def _first_to_yield(scene: Scene) -> Note:

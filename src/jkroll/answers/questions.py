@@ -28,6 +28,7 @@ class Question(NamedTuple):
     compared: tuple[str, ...] = ()  # with those of Maugis' law, besides the headline
     named: tuple[str, ...] = ()  # asked for by name: shown for any scene
     grid: Grid | None = None  # the table of one scene, if it is not a row for each quantity
+    noted: tuple[str, ...] = ()  # whose values stand in a note below the table of one scene, and not in a row
 
 
 _QUESTIONS = {
@@ -55,6 +56,7 @@ _QUESTIONS = {
             "sliding_frequency",
             "twisting_frequency",
         ),
+        noted=("rolling_frequency_as_printed",),
     ),
     "n-roll": Question(("n_roll",), ("n_roll", "n_roll_energy_balance", "n_roll_after_impact")),
     "contact": Question(

@@ -43,6 +43,7 @@ def scene_table(answer: Answer, out: TextIO, form: Format) -> None:
         and _print(_grid_table(grid, answer, results, out, form), out)
     ):
         return
+    results = [result for result in results if result.value is None or result.name not in answer.question.noted]
     rows = [_result_row(result, form) for result in results]
     styles = ["dim" if _is_aside(result) else "" for result in results]
     by_convention = all(NOMENCLATURE[result.name].definition for result in results)
