@@ -26,7 +26,7 @@ from jkroll.rows.rows import Block, evaluated
 from jkroll.rows.table import table_of
 from jkroll.scene.failures import BeyondFold, BeyondPullOff
 from jkroll.scene.limits import LIMITS, NOT_JUDGED
-from jkroll.scene.scene import Scene
+from jkroll.scene.scene import LEAST, Scene
 from jkroll.scene.uncertainty import sources_of
 from questions import Ask, Sheet
 
@@ -261,10 +261,11 @@ def bits_agree(scene: Scene, one: int, other: int) -> bool:
 
 def is_at_its_end(scene: Scene) -> bool:
     """Return whether the contact lets go within the accuracy of its state: then either answer is right."""
-    states = {name: scene.stated[name] for name in ("load", "approach_at_load") if scene.stated.get(name)}
+    states = {name: scene.stated[name] for name in ("load", "approach_at_load") if name in scene.stated}
     for name, value in states.items():
+        step = AT_END * abs(value) or LEAST
         for wanted in ("contact_radius_at_load", "load_at_factor", "edge_ratio", "load_maugis"):
-            around = [scene.replace(**{name: value * (1 + part)}) for part in (-AT_END, AT_END)]
+            around = [scene.replace(**{name: each}) for each in (value - step, value + step)]
             if len({isinstance(each.evaluate((wanted,))[wanted], BeyondPullOff | BeyondFold) for each in around}) > 1:
                 return True
     return False

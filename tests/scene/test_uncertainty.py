@@ -23,7 +23,7 @@ from jkroll.scene.uncertainty import (
     Propagated,
     Source,
     TooManyRanges,
-    propagated,
+    _propagated,
     uncertainties,
     uncertainties_of_elements,
 )
@@ -136,7 +136,7 @@ def test_no_turning_point_is_looked_for_where_there_is_none() -> None:
         return {"r_min": changed["radius"] ** 2}
 
     ranges = {"radius": Interval(2.0, 1.0, 3.0), "gravity": Interval(9.0, 8.0, 10.0)}  # the latter of no influence
-    one = propagated(evaluate, {"r_min": 4.0}, [Source((name,), span) for name, span in ranges.items()])["r_min"]
+    one = _propagated(evaluate, {"r_min": 4.0}, [Source((name,), span) for name, span in ranges.items()])["r_min"]
     assert isinstance(one, Propagated)
     assert one.uncertainty == Interval(4.0, 1.0, 9.0)
     assert len(asked) <= 3 * len(ranges) * (SAMPLES + 2)
