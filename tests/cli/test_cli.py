@@ -597,7 +597,7 @@ def test_every_answer_says_how_far_it_can_be_trusted(run: Run) -> None:
     assert validity["displacement_ratio"]["holds"]
     assert validity["energy_over_yield"]["holds"]
     doubts = run("yield-force quartz 3nm").err.splitlines()[0]
-    assert doubts.startswith("note: JKR is inexact here (Tabor parameter μ = 0.0423): ")
+    assert "; also μ = 0.0423 (law>×2), " in doubts
     assert "ξ/ξ_max = 1.56" in doubts
     assert "Q/P_c = 1.6" in run("yield-force quartz 0.5nm", terminal=True).err
     assert "does not roll" in run("n-roll quartz 10nm --energy 1e-21J").err

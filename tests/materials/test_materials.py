@@ -4,6 +4,7 @@ import copy
 import csv
 import io
 import json
+import math
 import os
 import pickle
 import re
@@ -378,6 +379,149 @@ def test_solve_takes_materials_by_name() -> None:
 # --- The second set: materials by state ----------------------------------------------------------------------------------
 
 SECOND = [material for material in Materials().materials.values() if material.title != "Table 1"]
+
+
+# --- A yield displacement of a material's own -------------------------------------------------------------------------
+
+OWN = """
+[materials.own]
+surface_energy = "25 mJ/m2"
+youngs_modulus = "54 GPa"
+poisson_ratio = 0.17
+density = "2.6 g/cm3"
+yield_displacement = { value = "1.8 to 2.6 nm", radius = "0.95 um", method = "rolling forces", reference = "forces" }
+
+[materials.single]
+surface_energy = "25 mJ/m2"
+yield_displacement = { value = "2 nm", radius = "0.95 um" }
+
+[materials.erring]
+surface_energy = "25 mJ/m2"
+yield_displacement = { value = "2.2±0.3 nm", radius = "0.95 um" }
+
+[references.forces]
+title = "Rolling forces"
+"""
+
+
+@pytest.fixture
+def own(tmp_path: Path) -> str:
+    path = tmp_path / "own.toml"
+    path.write_text(OWN)
+    return f"--materials {path}"
+
+
+def forces_of(run: Run, words: str) -> tuple[float, float, float]:
+    result = json.loads(run(f"yield-force {words} --json").out)["results"][0]
+    uncertainty = result["uncertainty"]
+    return result["value"], uncertainty["low"], uncertainty["high"]
+
+
+def test_where_a_displacement_was_measured_it_is_that(run: Run, own: str) -> None:
+    for displacement in ("1.8nm", "2.6nm"):
+        assert json.loads(run(f"yield-force quartz 0.95um --xi {displacement} --json").out)["results"][0]["value"] == (
+            pytest.approx(forces_of(run, f"own 0.95um {own}")[1 if displacement == "1.8nm" else 2])
+        )
+    assert json.loads(run(f"yield-force single 0.95um {own} --json").out)["inputs"]["yield_displacement"] == 2e-9
+    assert forces_of(run, f"erring 0.95um {own}") == pytest.approx(
+        [6 * math.pi * 0.025 * one * 1e-9 for one in (2.2, 1.9, 2.5)]
+    )
+
+
+@pytest.mark.parametrize(
+    ("radii", "radius", "part"),
+    [
+        ("100nm", 1e-7, 1 / 2),
+        ("5um", 5e-6, 1 / 2),
+        ("100nm --radius2 plane", 1e-7, 1),
+        ("100nm --radius2 300nm", 1e-7, 3 / 4),
+    ],
+)
+def test_at_another_radius_it_is_the_range_between_two_scalings(
+    run: Run, own: str, radii: str, radius: float, part: float
+) -> None:
+    scale = 2 * part * radius / 0.95e-6
+    powers = scale, scale ** (2 / 3)
+    least, most = (12 * math.pi * 0.025 * part * one for one in (1.8e-9 * min(powers), 2.6e-9 * max(powers)))
+    assert forces_of(run, f"own {radii} {own}")[1:] == pytest.approx((least, most))
+    said = run(f"yield-force own {radii} {own} --explain").out
+    assert "note: own: ξ was measured with spheres of 950 nm; elsewhere it is the range between our scalings" in said
+    assert "assumed ξ" not in said
+
+
+def test_what_is_given_outranks_a_material_s_displacement(run: Run, own: str) -> None:
+    for words in ("--xi 1nm", "--adhesion-hysteresis 40%", "--adhesion-hysteresis 20mJ/m2"):
+        assert run(f"yield-force own 100nm {words} {own}").out == run(f"yield-force quartz 100nm {words}").out
+
+
+def test_two_solids_have_no_displacement_in_common(run: Run, own: str) -> None:
+    for words in ("own 100nm --material2 quartz", "quartz 100nm --material2 own", "own 100nm --material2 single"):
+        ran = run(f"yield-force {words} {own}")
+        assert (ran.code, ran.out) == (2, "")
+        assert "the two solids have none in common; give --xi 2angstrom" in ran.err
+        assert not run(f"pull-off {words} {own}").code
+        assert not run(f"yield-force {words} --xi 1nm {own}").code
+    assert forces_of(run, f"own 100nm --material2 own {own}") == forces_of(run, f"own 100nm {own}")
+    assert "needs radius of sphere 1" in run(f"yield-force own {own}").err
+
+
+def test_every_door_has_a_material_s_displacement(run: Run, own: str, tmp_path: Path) -> None:
+    names = "yield_force,yield_force_low,yield_force_high"
+    table = tmp_path / "grains.csv"
+    table.write_text("material,radius [nm]\nown,100\nquartz,100\nown,950\nsingle,30\n")
+    assert not run(f"batch {table} --quantities yield_force {own} --quiet -o {tmp_path}/out.csv").code
+    rows = [*csv.DictReader(io.StringIO((tmp_path / "out.csv").read_text()))]
+    cells = [[row[f"{name} [N]"] for name in names.split(",")] for row in rows]
+    assert cells[1][1:] == ["", ""]
+    for words, found in (("own 100nm", cells[0]), ("own 950nm", cells[2]), ("single 30nm", cells[3])):
+        assert [*map(float, found)] == [*forces_of(run, f"{words} {own}")]
+    listed = [*csv.DictReader(io.StringIO(run(f"yield-force own 100nm,950nm {own} --csv --quiet").out))]
+    assert [[row[f"{name} [N]"] for name in names.split(",")] for row in listed] == [cells[0], cells[2]]
+    path = own.split()[1]
+    value, low, high = forces_of(run, f"own 100nm {own}")
+    assert jkroll.solve("yield_force", radius=1e-7, material=Materials(path)["own"]) == value
+    answered = jkroll.answer("yield_force", radius=1e-7, material="own", materials=Materials(path))["yield_force"]
+    assert answered.uncertain is not None
+    assert answered.uncertain.sides == {"low": low, "high": high}
+
+
+def test_a_radius_with_an_error_bar_moves_the_displacement(run: Run, own: str) -> None:
+    found = [
+        json.loads(run(f"yield-force own {radius} {own} --json").out)["results"][0] for radius in ("90nm", "110nm")
+    ]
+    middle = json.loads(run(f"yield-force own 100±10nm {own} --json").out)["results"][0]
+    low, high = (one["value"] for one in found)
+    assert middle["uncertainty"]["plus"] + middle["uncertainty"]["minus"] == pytest.approx(high - low)
+    assert "ranges are left out beside ±: ξ = " in run(f"yield-force own 100±10nm {own} --explain").out
+    inferred = run(f"infer radius own --measured yield_force={high!r}N {own} --bare --quiet").out
+    assert float(inferred) == pytest.approx(110e-9)
+
+
+def test_a_material_s_displacement_is_shown(run: Run, own: str) -> None:
+    assert "yield_displacement 1.8 to 2.6 nm, spheres of 950 nm" in run(f"materials own {own}", terminal=True).out
+    entry = json.loads(run(f"materials own --json {own}").out)
+    assert entry["yield_displacement"] == {"radius": 0.95e-6, "value": 2.2e-9, "low": 1.8e-9, "high": 2.6e-9}
+    assert "Rolling forces" in run(f"yield-force own 100nm --cite {own}").out
+
+
+@pytest.mark.parametrize(
+    ("text", "problem"),
+    [
+        ('"2 nm"', "own.yield_displacement is not a table"),
+        ('{ value = "2 nm" }', "own.yield_displacement: radius: '' does not begin with a number"),
+        ('{ value = "2 nm", radius = "1 to 2 um" }', "the radius of the spheres is a single one"),
+        ('{ value = "2 nm", radius = "-1 um" }', "must be positive"),
+        ('{ radius = "1 um" }', "own.yield_displacement is not a text in quotes"),
+        ('{ value = "2 nm", radius = "1 um", size = "x" }', "has an unknown key 'size'"),
+        ('{ value = "2 N", radius = "1 um" }', "own: yield_displacement: '2 N' is a force"),
+    ],
+)
+def test_what_is_wrong_with_a_displacement(run: Run, tmp_path: Path, text: str, problem: str) -> None:
+    path = tmp_path / "own.toml"
+    path.write_text(f'[materials.own]\nsurface_energy = "1 mJ/m2"\nyield_displacement = {text}\n')
+    ran = run(f"yield-force own 100nm --materials {path}")
+    assert ran.code == 2
+    assert problem in ran.err
 
 
 def test_the_sets() -> None:

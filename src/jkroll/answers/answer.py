@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from ..errors import JkrollError, NoResult
 from ..quantities.formatting import amount, in_words
 from ..quantities.laws import BETWEEN, LAWS
-from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE, XI
 from ..rows.columns import Row, Wanted, inputs_used, outcomes
-from ..scene.effects import XI, Effect, between_of
+from ..scene.effects import Effect, between_of
 from ..scene.failures import BeyondPullOff, MissingInput, NoContact, OfIdenticalSpheres, RestsOnSpacing, reason_of
 from ..scene.limits import JUMP, LEAST_EFFECT, Judgement, Verdict, against_limit, judged, of_any_scene, sentence
 from ..scene.scene import Scene
@@ -87,7 +87,7 @@ def with_differences(verdict: Verdict, found: Sequence[Difference], scene: Scene
         corrected = [each for each in found if not (verdict.value < JUMP and each.name in _OF_WELL)]
         if corrected:
             text = _sentence(corrected, scene)
-            return verdict._replace(text=text, sentence=f"{lead}: {text}")
+            return verdict._replace(text=text, sentence=f"{lead}: {text}", size=corrected[0].size)
         if found:
             text = f"for its energies {LAWS[BETWEEN].title} is no correction"
             return verdict._replace(text=text, sentence=f"{lead}; {text}")
@@ -256,10 +256,15 @@ class Answer:
     def doubts(self) -> list[Note]:
         """Return a note for each limit of the model that does not hold."""
         return [
-            Note("doubt", sentence(one), of_any_scene(one), against_limit(one), bool(one.sentence))
-            for one in self.validity
+            Note("doubt", sentence(one), of_any_scene(one), against_limit(one), bool(one.sentence), one.size)
+            for one in sorted(self.validity, key=lambda one: -one.size)
             if not one.holds
         ]
+
+    @property
+    def width(self) -> float:
+        """The size of the smallest error bar of the results, as the logarithm of a factor: no smaller doubt matters to any of them."""
+        return min(map(_width, self.results), default=0.0)
 
     @cached_property
     def assumed(self) -> list[str]:
@@ -305,6 +310,14 @@ class Answer:
 def answer(question: Question, scene: Scene) -> Answer:
     """Return the answer to a question about a scene."""
     return Answer(question, scene)
+
+
+def _width(result: Result) -> float:
+    """Return the larger side of a result's error bar as the logarithm of a factor; 0 without one."""
+    found = result.propagated.uncertainty if result.propagated is not None else None
+    if found is None or not (found.low > 0 and found.high < INFINITY):
+        return 0.0
+    return max(log(found.value / found.low), log(found.high / found.value))
 
 
 def stated_by(sources: "Sources", inputs: Collection[str]) -> "dict[str, Uncertain]":

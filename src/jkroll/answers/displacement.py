@@ -4,10 +4,11 @@ from collections.abc import Collection, Mapping, Sequence
 from math import log
 from typing import NamedTuple
 
+from ..materials.library import Displacement
 from ..quantities.formatting import amount, significant
-from ..quantities.nomenclature import NOMENCLATURE
-from ..scene.effects import IN_ITS_PLACE, XI
-from ..scene.scene import DEFAULTS, Scene
+from ..quantities.nomenclature import NOMENCLATURE, XI
+from ..quantities.values import Interval
+from ..scene.scene import DEFAULTS, IN_ITS_PLACE, Scene
 from ..scene.wiring import depends_on
 from ..text import first_of
 from .results import Note
@@ -16,7 +17,6 @@ from .results import Note
 FORCES = (0.85e-9, 1.21e-9)
 SOLID = "SiO2"
 PAIR = {"radius": 0.95e-6, "surface_energy": 0.025, "youngs_modulus": 54e9, "poisson_ratio": 0.17}
-POWERS = (2 / 3, 1.0)  # of the reduced radius: ξ in proportion to the radius of the contact, and to that of the spheres
 SCALED = (1e-7, 3e-6)  # radii, of an identical pair, to which the measured displacement is scaled
 ABOVE = "polystyrene has 42 nm at 5 µm, ice 0.19 mm at 1 mm"  # Sümer & Sitti; Musiolik & Wurm 2019
 _AT_PAIR = 0.2  # in ln R: there the range is that of the pairs
@@ -51,8 +51,8 @@ def worth(scene: Scene, names: Sequence[str]) -> Worth | None:
     at_pair = _at_pair(scene)
     if radius > SCALED[1]:
         return Worth(at_pair, None, {}, radius)
-    scales = [(radius / PAIR["radius"]) ** power for power in POWERS]
-    here = at_pair[0] * min(scales), at_pair[1] * max(scales)
+    found = Displacement(Interval(sum(at_pair) / 2, *at_pair), PAIR["radius"]).at(radius)
+    here = found.low, found.high
     values = scene.numbers(*following)
     low, high = (scene.replace(**{XI: end}).numbers(*following) for end in here)
     factors = {
@@ -79,14 +79,14 @@ def about_displacement(found: Worth, headline: Collection[str]) -> Note:
     """Return the note on what ξ is worth for the results that a command is named after, or else for all: short where that is little."""
     shown = {name: ends for name, ends in found.factors.items() if name in headline} or found.factors
     if found.here is None:
-        return Note("displacement", f"{_PAPERS}; no measurement supports it here: {ABOVE}", XI)
+        return Note("displacement", f"{_PAPERS}; no measurement supports it here: {ABOVE}", XI, size=found.size)
     factors = ", ".join(_worded(shown))
     if found.size < LARGE:
         return Note("assumption", f"ξ by forces on {SOLID}: {factors}", XI)
     text = f"{_PAPERS}; forces on {SOLID} of 1 µm mean {_range(found.at_pair)}"
     if abs(log(found.radius / PAIR["radius"])) > _AT_PAIR:
         text += f", {_range(found.here)} here by our scalings, R^(2/3) to R"
-    return Note("displacement", f"{text}: {factors}", XI)
+    return Note("displacement", f"{text}: {factors}", XI, size=found.size)
 
 
 def about_displacement_of_rows(scene: Scene) -> Note:

@@ -1,14 +1,15 @@
 """Notes about an answer: what was assumed, whose data were used, what a result counts, what is missing."""
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from math import log
 
 from ..errors import JkrollError
+from ..materials.library import Material
 from ..quantities.formatting import amount, significant
-from ..quantities.nomenclature import NOMENCLATURE
-from ..scene.effects import IN_ITS_PLACE, XI
+from ..quantities.nomenclature import NOMENCLATURE, XI
 from ..scene.failures import MissingInput
 from ..scene.limits import IMPACT, Judgement, judged, limits_of
-from ..scene.scene import DEFAULTS, Scene
+from ..scene.scene import DEFAULTS, IN_ITS_PLACE, Scene
 from ..scene.wiring import depends_on
 from ..text import first_of
 from .displacement import about_displacement_of_rows
@@ -17,6 +18,7 @@ from .results import Note, Result, remarks
 MAX_NAMES = 3  # of quantities in a note
 CUTOFFS = (4e-10, 1.65e-10)  # the spacing of solids, and the convention: w at the one that was not given
 ROUGH = 1e-6  # radius from which most spheres are rough
+_SMOOTH = 3.0  # the factor within which forces on smooth glass lie
 _ROUGHNESS = (
     "smooth spheres: on smooth glass measured forces are within a factor of three of this, those of rough spheres and of grains in "
     "air one to two orders below"
@@ -129,7 +131,17 @@ def about_data(scene: Scene, inputs: Collection[str]) -> list[Note]:
         for material, name in used
         if name in material.notes
     ]
-    return [*dict.fromkeys(shadows + remarks)]
+    return [*dict.fromkeys(shadows + remarks), *_about_own_displacement(used)]
+
+
+def _about_own_displacement(used: Iterable[tuple[Material, str]]) -> Iterator[Note]:
+    """Iterate over the note on a yield displacement that is a material's, measured with spheres of one radius."""
+    for material, name in used:
+        if name == XI and material.displacement is not None:
+            measured = (
+                f"{material.name}: ξ was measured with spheres of {amount('radius', material.displacement.radius)}"
+            )
+            yield Note("data", f"{measured}; elsewhere it is the range between our scalings, R^(2/3) to R")
 
 
 def about_results(results: list[Result], scene: Scene, noted: Collection[str] = ()) -> list[Note]:
@@ -155,7 +167,7 @@ def about_results(results: list[Result], scene: Scene, noted: Collection[str] = 
     if {"yield_force", "sliding_force", "peeling_force", "twisting_moment"} <= {*names}:
         notes.append(_first_to_yield(scene))
     if "pull_off_force" in names and scene.values.get("radius", 0.0) >= ROUGH:
-        notes.append(Note("roughness", _ROUGHNESS))
+        notes.append(Note("roughness", _ROUGHNESS, size=log(_SMOOTH)))
     if "sticking_speed" in names:
         notes.insert(0, Note("result", _STICKING))
     notes += remarks(scene, names)

@@ -78,7 +78,7 @@ class Result(NamedTuple):
         return self.propagated.uncertainty.sides if self.propagated is not None else {}
 
 
-# Of notes, the most important first.
+# Of notes, the most important first. What makes numbers doubtful has a size, by which these stand among each other.
 Kind = Literal[
     "material",
     "missing",
@@ -103,6 +103,7 @@ class Note(NamedTuple):
     matter: str = ""  # the same for all scenes that have such a note; by default the text
     brief: str = ""  # of a doubt: the number and the limit that it exceeds
     is_sentence: bool = False  # a doubt that says by itself what is doubtful
+    size: float | None = None  # of what makes numbers doubtful: the logarithm of a factor
 
 
 # --- Other laws of attraction -----------------------------------------------------------------------------------------

@@ -13,9 +13,10 @@ from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from ..errors import BadRequest, JkrollError
+from ..physics.elementary import cbrt, smaller_and_larger, sqrt
 from ..quantities.errors import QuantityError
-from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, named
-from ..quantities.values import Uncertain, value_of
+from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, named
+from ..quantities.values import Interval, Uncertain, value_of
 from ..text import closest, first_of, quoted, shown
 
 MAX_BYTES = 64_000  # some 180 materials with all their references
@@ -219,6 +220,23 @@ class Origin(NamedTuple):
     reference: str = ""
 
 
+class Displacement(NamedTuple):
+    """A yield displacement with its ends, in SI units, and the radius of the identical pairs with which it was measured."""
+
+    measured: Interval
+    radius: float
+
+    def at(self, radius: Any) -> Interval:
+        """Return the displacement of identical pairs of another radius.
+
+        It is the range between its growth with the radius of the contact, as R^(2/3), and with that of the spheres.
+        """
+        found = self.measured
+        scale = radius / self.radius
+        least, most = smaller_and_larger(scale, cbrt(scale) * cbrt(scale))
+        return Interval._make((found.value * sqrt(least * most), found.low * least, found.high * most, "range"))
+
+
 class Material(NamedTuple):
     """A material: its properties in SI units, and their sources."""
 
@@ -233,9 +251,15 @@ class Material(NamedTuple):
     state: str = ""  # "below 175 K"
     uncertainties: Mapping[str, "Uncertain"] = MappingProxyType({})  # of properties that have one
     origins: Mapping[str, Origin] = MappingProxyType({})  # of properties whose origin is stated
+    displacement: Displacement | None = None  # from which that of a contact follows
+
+    @property
+    def key(self) -> tuple[str, str]:
+        """The file and the name, by which a material is the same, whatever became of its properties in a scene."""
+        return self.path, self.name
 
     def __hash__(self) -> int:
-        return hash((self.path, self.name))
+        return hash(self.key)
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Return what pickle and copy take: a read-only mapping has no pickle of its own."""
@@ -421,7 +445,7 @@ def _material(entry: Entry) -> Material:
 def _checked(entry: Entry) -> Material:
     name, aliases, file, remarks = entry
     table = file.materials[name]
-    _refuse_unknown_keys(name, table, (*PROPERTIES, "aliases", "notes", "references", "state", "source"))
+    _refuse_unknown_keys(name, table, (*PROPERTIES, XI, "aliases", "notes", "references", "state", "source"))
     properties: dict[str, float] = {}
     uncertainties: dict[str, Uncertain] = {}
     origins: dict[str, Origin] = {}
@@ -436,9 +460,12 @@ def _checked(entry: Entry) -> Material:
         properties[key] = found if isinstance(found, float) else found.value
         if not isinstance(found, float):
             uncertainties[key] = found
+    displacement = None
+    if XI in table:
+        displacement, origins[XI] = _displacement(table_of(table[XI], f"{name}.{XI}"), name)
     notes = texts(table.get("notes", {}), f"{name}.notes")
     for key in notes:
-        if key not in properties:
+        if key not in table:
             raise Malformed(f"{quoted(name)} has a note on {quoted(key)}, which it does not give")
     general = strings(table.get("references", []), f"{name}.references")
     cited = dict.fromkeys([*general, *(origin.reference for origin in origins.values() if origin.reference)])
@@ -454,13 +481,27 @@ def _checked(entry: Entry) -> Material:
         string(table.get("state", ""), f"{name}.state"),
         MappingProxyType(uncertainties),
         MappingProxyType(origins),
+        displacement,
     )
 
 
-def _origin(where: str, table: Mapping[str, Any]) -> Origin:
+def _displacement(table: Mapping[str, Any], name: str) -> tuple[Displacement, Origin]:
+    """Return the yield displacement of a material, and its origin."""
+    where = f"{name}.{XI}"
+    radius = _property("radius", table.get("radius", ""), where)
+    if not isinstance(radius, float):
+        raise Malformed(f"{shown(where)}: the radius of the spheres is a single one")
+    found = _property(XI, table.get("value"), name)
+    measured = (
+        Interval(found, found, found) if isinstance(found, float) else Interval(found.value, found.low, found.high)
+    )
+    return Displacement(measured, radius), _origin(where, table, "radius")
+
+
+def _origin(where: str, table: Mapping[str, Any], *others: str) -> Origin:
     """Return what the table of a property says besides the value."""
-    _refuse_unknown_keys(where, table, ("value", *Origin._fields))
-    return Origin(**texts({key: text for key, text in table.items() if key != "value"}, where))
+    _refuse_unknown_keys(where, table, ("value", *others, *Origin._fields))
+    return Origin(**texts({key: text for key, text in table.items() if key in Origin._fields}, where))
 
 
 def _refuse_unknown_keys(where: str, table: Mapping[str, Any], known: Sequence[str]) -> None:

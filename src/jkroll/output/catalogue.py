@@ -8,7 +8,7 @@ from ..answers.questions import QUESTIONS
 from ..materials.library import Material
 from ..quantities.errors import QUANTITY_SYNONYMS, UnknownQuantity
 from ..quantities.formatting import AS_USUAL, amount, pretty
-from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, RANGES, header, named, with_symbol
+from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, RANGES, XI, header, named, with_symbol
 from ..rows.columns import heads
 from ..scene.wiring import depends_on, formula_of, parameters_of, suffix_of
 from ..text import first_of, json_text, say, say_wrapped
@@ -74,11 +74,16 @@ def _keys(material: Material) -> str:
 
 
 def material_as_object(material: Material) -> dict[str, Any]:
-    """Return the JSON object of a material; a property that it does not have is null."""
+    """Return the JSON object of a material; a property that it does not have is null, and a displacement that it has not is left out."""
+    found = material.displacement
+    measured = (
+        {} if found is None else {XI: {"radius": found.radius, "value": found.measured.value, **found.measured.sides}}
+    )
     return {
         "name": material.name,
         "aliases": list(material.aliases),
         **{name: material.properties.get(name) for name in PROPERTIES},
+        **measured,
         "state": material.state,
         "uncertainties": {name: found.as_object() for name, found in material.uncertainties.items()},
         "origins": {name: origin._asdict() for name, origin in material.origins.items()},
@@ -108,10 +113,13 @@ def _write_lines(material: Material, out: TextIO) -> None:
     say(f"material {material.name}", out)
     if material.state:
         say(f"state {material.state}", out)
-    for name, value in material.properties.items():
+    own = {} if material.displacement is None else {XI: material.displacement.measured.value}
+    for name, value in {**material.properties, **own}.items():
         say(f"{name} {value!r} {NOMENCLATURE[name].unit}".removesuffix(" 1"), out)
         if name in material.uncertainties:
             say(f"{name}.stated {' '.join(AS_USUAL.rounded(name, material.uncertainties[name]))}", out)
+        if name in own:
+            say(f"{name}.stated {_stated(material, name)}", out)
         for field, text in _origin(material, name):
             say(f"{name}.{field} {text}", out)
 
@@ -122,8 +130,8 @@ def _write_material(material: Material, out: TextIO) -> None:
     say(f"material {material.name}{aliases}", out)
     if material.state:
         say_wrapped(f"state           {material.state}", out, _INDENT)
-    for name in PROPERTIES:
-        say_wrapped(f"{name:{_INDENT}}{_stated(material, name)}", out, _INDENT)
+    for name in (*PROPERTIES, *([] if material.displacement is None else [XI])):
+        say_wrapped(f"{name:{_INDENT - 1}} {_stated(material, name)}", out, _INDENT)
         for field, text in _origin(material, name):
             say_wrapped(f"  {field:14}{text}", out, _INDENT)
     for name, note in material.notes.items():
@@ -145,6 +153,8 @@ _REFERENCE = ("author", "title", "journal", "volume", "pages", "year", "eprint",
 
 def _stated(material: Material, name: str) -> str:
     """Return a property with its uncertainty, if it has one, and its unit."""
+    if name == XI and material.displacement is not None:
+        return f"{amount(name, material.displacement.measured)}, spheres of {amount('radius', material.displacement.radius)}"
     if name not in material.properties:
         return f"none in {material.title}"
     return amount(name, material.uncertainties.get(name, material.properties[name]))

@@ -1,11 +1,11 @@
 """The notes of a call as the lines below its results: of one answer a line for each kind, of many rows one for each matter."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import NamedTuple, get_args
+from typing import Any, NamedTuple, get_args
 
 from ..answers.answer import Answer
 from ..answers.notes import few, notes_on_rows
-from ..answers.results import Kind
+from ..answers.results import Kind, Note
 from ..errors import JkrollError, NoResult
 from ..rows.columns import NO_END, ROW, UNCERTAINTY, Columns, Reasons, of_quantities
 from ..rows.sweep import Pair
@@ -18,6 +18,7 @@ MAX_LENGTH = 140  # of a line with more than one note, two lines of a terminal
 MAX_DOUBTS = 2  # that are worded there; further ones are a number and its limit
 MAX_RANGES = 4  # of rows that are named
 _KINDS = get_args(Kind)
+_FIRST_DOUBT, _AFTER_ERROR_BARS = "displacement", "assumed"  # the kinds in whose place doubts stand
 
 
 def of_answer(answer: Answer, *, has_head: bool = False) -> list[str]:
@@ -27,12 +28,13 @@ def of_answer(answer: Answer, *, has_head: bool = False) -> list[str]:
     """
     said_elsewhere = ("material", "assumed") if has_head else ("material",)  # when its file was read, and above
     every = [note for note in (*answer.notes, *answer.doubts()) if note.kind not in said_elsewhere]
+    of_kinds: dict[Kind, list[Note]] = {}
+    for note in every:
+        of_kinds.setdefault(note.kind, []).append(note)
     lines: list[str] = []
     said = 0
-    for kind in _KINDS:
-        notes = [note for note in every if note.kind == kind]
-        if not notes or len(lines) == MAX_LINES:
-            continue
+    for kind in sorted(of_kinds, key=lambda kind: _importance(kind, of_kinds[kind], answer.width))[:MAX_LINES]:
+        notes = of_kinds[kind]
         every_text = [note.text for note in notes]
         worded = (
             every_text if kind == "missing" else every_text[:MAX_DOUBTS] if kind == "doubt" else _fitting(every_text)
@@ -44,6 +46,14 @@ def of_answer(answer: Answer, *, has_head: bool = False) -> list[str]:
     if said < len(every):
         lines[-1] += f"; {len(every) - said} more: --explain"
     return lines
+
+
+def _importance(kind: Kind, notes: Sequence[Note], width: float) -> tuple[int, float]:
+    """Return the key by which the notes of a kind are sorted: doubts by their size, unless the error bars are wider."""
+    size = max((note.size for note in notes if note.size is not None), default=None)
+    if size is None:
+        return _KINDS.index(kind), 0.0
+    return _KINDS.index(_FIRST_DOUBT if size > width else _AFTER_ERROR_BARS), -size
 
 
 def _fitting(texts: list[str]) -> list[str]:
@@ -112,13 +122,13 @@ class OfRows:
         `pairs`: of materials, as the rows have them one after the other; `kinds`: a scene of each kind, with the quantities that it shows.
         """
         found = [(kind, noted.text + self._where(noted)) for (kind, _), noted in self._notes.items()]
-        of_pairs: dict[tuple[Kind, str], list[Pair]] = {}
+        of_pairs: dict[tuple[Kind, str], list[Any]] = {}
         for scene, names in kinds:
             for note in notes_on_rows(scene, names):
-                of_pairs.setdefault((note.kind, note.text), []).append((scene.material, scene.material2))
+                of_pairs.setdefault((note.kind, note.text), []).append(_keys((scene.material, scene.material2)))
         size = self.count // len(pairs)
         for (kind, text), own in of_pairs.items():
-            places = [place for place, pair in enumerate(pairs) if pair in own]
+            places = [place for place, pair in enumerate(pairs) if _keys(pair) in own]
             runs = [[place * size + 1, (place + 1) * size] for place in places]
             found.append((kind, text + self._where(_Noted(text, _joined(runs)))))
         return [_line(kind, [text]) for kind, text in sorted(found, key=lambda each: _KINDS.index(each[0]))]
@@ -137,6 +147,10 @@ class _Noted(NamedTuple):
     text: str
     runs: list[list[int]]
     differs: bool = False  # whether other rows have other numbers in it
+
+
+def _keys(pair: Pair) -> list[tuple[str, str] | None]:
+    return [material and material.key for material in pair]
 
 
 def _joined(runs: list[list[int]]) -> list[list[int]]:

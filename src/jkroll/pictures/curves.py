@@ -109,7 +109,7 @@ def _moment(scenes: Sequence[Scene], _: Loads | None) -> Panel:
         (scene,) = scenes
         models = [name for name in MOMENTS if not _lacking(scene, name)]
         lines = [(f"{NOMENCLATURE[name].symbol}: {NOMENCLATURE[name].sentence}", scene, name) for name in models]
-        shift = float(scene.values["yield_displacement"])
+        shift = float(scene["yield_displacement"])
         if shift <= limit:
             points = [Mark(f"ξ = {amount('yield_displacement', shift)}", shift, scene["yield_moment"])]
     else:
@@ -237,7 +237,7 @@ def figure_2(materials: Materials) -> Picture:
         "half_circles_moment",
     )
     state = solved(scene, names, {})
-    shift = float(scene.values["yield_displacement"])
+    shift = float(scene["yield_displacement"])
     a = state["contact_radius_at_load"]
     angle = numpy.linspace(-numpy.pi, numpy.pi, POINTS)
     outlines = [Curve("contact, shifted by ξ", a * numpy.cos(angle) - shift, a * numpy.sin(angle), 0)]

@@ -420,6 +420,8 @@ def word_for_infinity(name: str) -> str | None:
     return NOMENCLATURE[name].infinity or None
 
 
+XI = "yield_displacement"  # decides on every rolling quantity
+
 # What a materials file gives of a material.
 PROPERTIES = ("surface_energy", "youngs_modulus", "poisson_ratio", "density")
 

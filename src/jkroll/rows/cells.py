@@ -219,9 +219,9 @@ def _kind(material: Material | None) -> Hashable:
     """Return what materials of one kind have in common: the names of their properties; a special one is a kind by itself."""
     if material is None:
         return None
-    return (material.path, material.name) if _is_special(material) else frozenset(material.properties)
+    return material.key if _is_special(material) else frozenset(material.properties)
 
 
 def _is_special(material: Material) -> bool:
     """Return whether a material has uncertainties, or is rigid: more follows then than from a number."""
-    return bool(material.uncertainties) or INFINITY in material.properties.values()
+    return bool(material.uncertainties) or material.displacement is not None or INFINITY in material.properties.values()

@@ -7,12 +7,9 @@ from typing import Any, NamedTuple
 from ..errors import JkrollError
 from ..physics.elementary import smaller_and_larger, where
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, routes
-from ..quantities.nomenclature import INFINITY
-from .scene import DEFAULTS, LEAST, MOST, Scene
+from ..quantities.nomenclature import INFINITY, XI
+from .scene import DEFAULTS, IN_ITS_PLACE, LEAST, MOST, Scene
 from .wiring import depends_on
-
-XI = "yield_displacement"
-IN_ITS_PLACE = (XI, "adhesion_hysteresis", "hysteresis_fraction")
 
 
 class Effect(NamedTuple):

@@ -2,12 +2,13 @@
 
 import operator
 from collections.abc import Collection, Iterator, Mapping
+from math import log
 from typing import Any, Literal, NamedTuple
 
 from ..errors import JkrollError
 from ..physics.elementary import where
 from ..quantities.laws import BETWEEN, LAWS
-from ..quantities.nomenclature import NOMENCLATURE, STATE
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE, STATE
 from .effects import Effect, effects, largest
 from .failures import MissingInput, NotInLaw
 from .scene import Scene
@@ -37,6 +38,7 @@ class Limit(NamedTuple):
     laws: tuple[str, ...] = ()  # of attraction, under which alone the limit is judged
     verdict: str = ""  # the name of what follows, if it is not that of the number
     by_effect: bool = False  # judged by the factor between answers under the law in use and under the one that holds
+    is_error: bool = False  # the number is a relative error
 
     def level(self, value: Any) -> Any:
         """Return how many doubts a number, or each element of an array, meets: the last of them is the one to be told.
@@ -58,9 +60,15 @@ class Limit(NamedTuple):
         if not level:
             return Verdict(self.name, value, True, self.fine, "", self.verdict)
         doubt = self.doubts[level - 1]
-        return Verdict(
-            self.name, value, False, f"{doubt.condition}: {doubt.consequence}", self.code(doubt), self.verdict
-        )
+        text = f"{doubt.condition}: {doubt.consequence}"
+        return Verdict(self.name, value, False, text, self.code(doubt), self.verdict, size=self._size(value, factor))
+
+    def _size(self, value: float, factor: float) -> float:
+        """Return how far a doubt reaches, as the logarithm of a factor: between the laws, or of a number over its first threshold."""
+        if self.by_effect:
+            return log(factor)
+        over = 1 + value if self.is_error else abs(value / self.doubts[0].threshold) if self.doubts[0].threshold else 0
+        return abs(log(over)) if 0 < over < INFINITY else INFINITY
 
 
 class Verdict(NamedTuple):
@@ -73,6 +81,7 @@ class Verdict(NamedTuple):
     code: str  # of the doubt; empty where the limit holds
     verdict: str = ""  # the name of what follows, if it is not that of the number
     sentence: str = ""  # that says all of it, in place of the number and the text
+    size: float = 0.0  # of a doubt: the logarithm of a factor
 
 
 class Judgement(NamedTuple):
@@ -191,6 +200,7 @@ LIMITS = (
         "profile_error", _ELASTICITY, ">",
         (Doubt(0.01, "above 1 %", "the contact is so wide that a sphere is no paraboloid"),),
         "below 1 %: in the contact, spheres are paraboloids",
+        is_error=True,
     ),
 )  # fmt: skip
 

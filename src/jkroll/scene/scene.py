@@ -13,9 +13,10 @@ from typing import Any
 from ..errors import JkrollError
 from ..materials.library import Material
 from ..physics.elementary import NUMBER
+from ..physics.pair import reduced_radius
 from ..quantities.errors import OutOfRange, UnknownQuantity
 from ..quantities.laws import DEFAULT_LAW, Law, law_named
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, RANGES, STATE
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, RANGES, STATE, XI
 from ..quantities.values import Uncertain, is_uncertain
 from .failures import Contradiction, MissingInput, NoFiniteValue, NotInLaw, RestsOnSpacing, TwoRigidBodies, failure_of
 from .wiring import NO_PLAN, Missing, Plan, Step, formula_of, in_order, plan
@@ -101,8 +102,9 @@ def with_nan(name: str, values: Any) -> Any:
 
 # --- Scenes -----------------------------------------------------------------------------------------------------------
 
+IN_ITS_PLACE = (XI, "adhesion_hysteresis", "hysteresis_fraction")  # what says where rolling begins
 DEFAULTS = {
-    "yield_displacement": 2e-10,
+    XI: 2e-10,
     "load": 0.0,
     "gravity": 9.80665,
     "energy_ratio": 1.0,
@@ -111,7 +113,7 @@ DEFAULTS = {
 }
 _SAYS = {
     "load": STATE,
-    "yield_displacement": ("adhesion_hysteresis", "hysteresis_fraction"),
+    XI: IN_ITS_PLACE,
     "atomic_spacing": ("hamaker",),
 }  # what says the same as a default
 
@@ -132,7 +134,7 @@ EXCLUSIVE = (
     ("surface_energy", "work_of_adhesion", "hamaker"),
     ("surface_energy2", "work_of_adhesion", "hamaker"),
     ("load", "approach_at_load", "load_factor", "edge_ratio"),
-    ("yield_displacement", "adhesion_hysteresis", "hysteresis_fraction"),
+    IN_ITS_PLACE,
     ("contact_modulus", "modulus_over_energy"),
 )
 _MAY_CONTRADICT = frozenset(name for names in EXCLUSIVE for name in names)
@@ -176,13 +178,16 @@ class Scene:
             raise MissingInput("cutoff", ("hamaker",))
         self.material, self.material2 = material, material2
         self.uncertain: dict[str, Uncertain] = {name: one for name, one in given.items() if is_uncertain(one)}
+        self.stated = {**given, **{name: one.value for name, one in self.uncertain.items()}}
+        self._has_displacement = any(one.displacement is not None for one in (material, material2) if one is not None)
+        if self._has_displacement and material is not None:
+            self.material = material = _with_displacement(material, material2, self.stated)
         own = dict(material.properties) if material is not None else {}
         own2 = {name + "2": value for name, value in material2.properties.items()} if material2 is not None else {}
-        self.stated = {**given, **{name: one.value for name, one in self.uncertain.items()}}
         self.given = {**own, **own2, **self.stated}
         for name, value in self.given.items():
             check_range(name, value)
-        self.values = {**_assumed(self.given), **self.given}
+        self.values = {**_assumed(self.given, others=(XI,) if self._has_displacement else ()), **self.given}
         self._implied = _implied(self.values, self.law)
         for values in self._implied.values():
             self.values = {**values, **self.values}
@@ -288,6 +293,8 @@ class Scene:
             name: source for source, values in self._implied.items() for name in values.keys() - self.given.keys()
         }
         used = {source_of.get(name, name) for name in self.plan(*wanted).inputs}
+        if XI in used and XI not in self.stated and self._has_displacement:
+            used |= {"radius", "radius2"}  # by which a material's is scaled
         return in_order(used & (self.given.keys() | DEFAULTS.keys()))
 
     def echo(self, used: Collection[str]) -> dict[str, Any]:
@@ -316,7 +323,12 @@ class Scene:
         lacking = dict.fromkeys(
             f"{material.name} has none in {material.title}" for material in without if material and material.name
         )
-        return MissingInput(name, missing.names, missing.instead, ", ".join(lacking))
+        names = missing.names
+        if XI in names and "radius" in self.given:
+            lacking["the two solids have none in common"] = None
+        elif XI in names:
+            names = tuple(dict.fromkeys("radius" if one == XI else one for one in names))
+        return MissingInput(name, names, missing.instead, ", ".join(lacking))
 
     # --- Values -------------------------------------------------------------------------------------------------------
 
@@ -442,10 +454,24 @@ class Scene:
         return self["transition_parameter"] < 1
 
 
-def _assumed(given: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the defaults of what nothing else says."""
-    said = [name for name, others in _SAYS.items() if not given.keys().isdisjoint(others)]
+def _assumed(given: Mapping[str, Any], others: Sequence[str]) -> dict[str, Any]:
+    """Return the defaults of what nothing else says; `others` are left to the materials."""
+    said = [*others, *(name for name, same in _SAYS.items() if not given.keys().isdisjoint(same))]
     return {name: value for name, value in DEFAULTS.items() if name not in said}
+
+
+def _with_displacement(material: Material, material2: Material | None, stated: Mapping[str, Any]) -> Material:
+    """Return the material of sphere 1 with the yield displacement of this contact, unless that is stated or sphere 2 is another solid."""
+    properties = {name: value for name, value in material.properties.items() if name != XI}
+    uncertainties = {name: found for name, found in material.uncertainties.items() if name != XI}
+    is_alike = material2 is None or material2.key == material.key
+    if material.displacement is not None and is_alike and "radius" in stated and stated.keys().isdisjoint(IN_ITS_PLACE):
+        radii = {name: stated.get(name, stated["radius"]) for name in ("radius", "radius2")}
+        for name, value in radii.items():
+            check_range(name, value)
+        found = material.displacement.at(2 * reduced_radius(**radii))
+        properties[XI], uncertainties[XI] = found.value, found
+    return material._replace(properties=properties, uncertainties=uncertainties)
 
 
 def _has_area(given: Mapping[str, Any], *, own_material2: bool) -> Any:

@@ -122,11 +122,11 @@ def _stated(scene: Scene) -> Iterator[Source]:
 
 
 def _of_materials(scene: Scene) -> Iterable[Source]:
-    found: dict[tuple[str, ...], Source] = {}
+    found: dict[tuple[tuple[str, str], str], Source] = {}
     for material, suffix in ((scene.material, ""), (scene.material2, "2")):
         for name, given in material.uncertainties.items() if material is not None else ():
             if material is not None and name + suffix not in scene.stated:
-                key = (material.path, material.name, name)
+                key = (material.key, name)
                 names = (*found[key].names, name + suffix) if key in found else (name + suffix,)
                 found[key] = Source(names, given)
     return found.values()
