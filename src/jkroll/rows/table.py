@@ -253,8 +253,11 @@ def _as_known(columns: Header, fill: Fill, labels: Collection[str], infinite: Co
         if not any(column.name in names and given.keys() & names for names in EXCLUSIVE):
             given[column.name] = INFINITY if column.name in infinite else _SOME
     some = LABEL._replace(properties=dict.fromkeys(PROPERTIES, _SOME))
-    named = {name: LABEL if name in labels else some for name, _ in columns.materials}
-    return fill.scene(given, *(named.get(name, one) for name, one in zip(MATERIALS, fill.spheres, strict=True)))
+    spheres = dict(zip(MATERIALS, fill.spheres, strict=True))
+    if columns.materials:  # each row says whether both spheres are of the solid that has a displacement
+        spheres = {name: one and one._replace(displacement=None) for name, one in spheres.items()}
+    spheres |= {name: LABEL if name in labels else some for name, _ in columns.materials}
+    return fill.scene(given, *spheres.values())
 
 
 def _sides_of(table: Table, rows: Sequence[Sequence[str]]) -> set[str]:
