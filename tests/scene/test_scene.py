@@ -9,7 +9,7 @@ from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.scene.failures import BeyondPullOff, MissingInput, NoChain, NoFiniteValue
 from jkroll.scene.limits import LIMITS
 from jkroll.scene.scene import Scene
-from jkroll.scene.wiring import Plan, depends_on, formula_of, plan
+from jkroll.scene.wiring import Plan, depends_on, formula_of, plan_for
 from scenes import QUARTZ
 
 LIMIT_NAMES = dict.fromkeys(limit.name for limit in LIMITS)
@@ -20,9 +20,9 @@ def test_one_plan_leads_to_answers_and_their_limits(monkeypatch: pytest.MonkeyPa
 
     def counted(*given: Any) -> Plan:
         plans.append(given)
-        return plan(*given)
+        return plan_for(*given)
 
-    monkeypatch.setattr("jkroll.scene.scene.plan", counted)
+    monkeypatch.setattr("jkroll.scene.scene.plan_for", counted)
     scene = Scene(QUARTZ)
     names = ("pull_off_force", "n_roll", *LIMIT_NAMES)
     values = scene.evaluate(names)

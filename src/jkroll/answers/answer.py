@@ -28,7 +28,7 @@ from .notes import (
     about_results,
     assumed,
     assumptions,
-    few,
+    first_symbols,
     model_error,
     symbol_of,
 )
@@ -229,7 +229,7 @@ class Answer:
     @cached_property
     def laws(self) -> tuple[Difference, ...]:
         """The differences of Maugis' law from the law in use, of what the command is named after."""
-        compared = (*self.question.headline, *self.question.compared)
+        compared = (*self.question.headline, *self.question.also_by_maugis)
         found = self._judgement.effects
         return differences(self.scene, {name: effect for name, effect in found.items() if name in compared})
 
@@ -332,7 +332,7 @@ def about_uncertainties(found: Mapping[str, "Propagated | JkrollError"], sources
         if isinstance(one, MissingInput | NoResult):
             failures.setdefault(reason_of(name, one), []).append(name)
     notes = [
-        Note("missing", f"{few(names)}: no uncertainty, as there is no value at an end of an input: {reason}")
+        Note("missing", f"{first_symbols(names)}: no uncertainty, as there is no value at an end of an input: {reason}")
         for reason, names in failures.items()
     ]
     left_out: dict[str, list[str]] = {}

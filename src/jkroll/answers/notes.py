@@ -272,11 +272,11 @@ def about_missing(results: list[Result], errors: Mapping[str, JkrollError]) -> l
         shortest = min(group, key=lambda result: len(result.reason))
         error = errors.get(shortest.name)
         reason = error.reason_of_several() if isinstance(error, MissingInput) and names[1:] else shortest.reason
-        notes.append(Note("missing", f"{few(names)}: {reason}", " ".join(names)))
+        notes.append(Note("missing", f"{first_symbols(names)}: {reason}", " ".join(names)))
     return notes
 
 
-def few(names: list[str]) -> str:
+def first_symbols(names: list[str]) -> str:
     """Return the symbols of the first names of a list, and how many more there are."""
     return first_of([*map(symbol_of, names)], MAX_NAMES)
 

@@ -15,7 +15,7 @@ from numpy.polynomial.legendre import leggauss
 
 from ..physics.any_law import TRANSITION_OVER_TABOR
 from ..physics.jkr import FOLD_APPROACH
-from ..scene.wiring import plan
+from ..scene.wiring import plan_for
 from .points import inputs_of, references
 
 # --- Between JKR and DMT: either limit, and a published fit -----------------------------------------------------------
@@ -92,7 +92,7 @@ _NODES = 10_000  # of the tables
 def own_way(quantity: str) -> Callable[[Mapping[str, Any]], Any]:
     """Return the formulas that `jkroll.solve` runs, as a function of the inputs of a quantity."""
     names = inputs_of(references()[quantity])
-    found = plan((quantity,), frozenset((*names, "energy_ratio")), own_material2=False)
+    found = plan_for((quantity,), frozenset((*names, "energy_ratio")), own_material2=False)
 
     def run(point: Mapping[str, Any]) -> Any:
         values = {"energy_ratio": 1.0, **point}

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, NamedTuple, get_args
 
 from ..answers.answer import Answer
-from ..answers.notes import few, notes_on_rows
+from ..answers.notes import first_symbols, notes_on_rows
 from ..answers.results import Kind, Note
 from ..errors import JkrollError, NoResult
 from ..rows.columns import NO_END, ROW, UNCERTAINTY, Columns, Reasons, of_quantities
@@ -181,7 +181,7 @@ def _about_quantities(reasons: Reasons, lead: str) -> list[tuple[str, str]]:
         shortest = min(names, key=lambda name: len(str(reasons[name])))
         error = reasons[shortest]
         several = error.reason_of_several() if names[1:] and isinstance(error, MissingInput) else ""
-        texts.append((lead + " ".join(names), f"{few(names)}: {lead}{several or _reason(shortest, error)}"))
+        texts.append((lead + " ".join(names), f"{first_symbols(names)}: {lead}{several or _reason(shortest, error)}"))
     return texts
 
 

@@ -19,7 +19,7 @@ from ..quantities.laws import DEFAULT_LAW, Law, law_named
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, RANGES, STATE, XI
 from ..quantities.values import Uncertain, is_uncertain
 from .failures import Contradiction, MissingInput, NoFiniteValue, NotInLaw, RestsOnSpacing, TwoRigidBodies, failure_of
-from .wiring import NO_PLAN, Missing, Plan, Step, formula_of, in_order, plan
+from .wiring import NO_PLAN, Missing, Plan, Step, formula_of, in_order, plan_for
 
 # --- Numbers that a scene takes ---------------------------------------------------------------------------------------
 
@@ -149,6 +149,9 @@ _ON_AREA = frozenset({"contact_modulus", "pull_off_force", "load_factor", "rolli
 class Scene:
     """Two spheres, as far as they were described, and everything that follows.
 
+    The inputs that were given by name are `stated`; with the properties of the materials they are `given`; with what is assumed and
+    what follows from the value of an input they are `known`. `values` are those of the known names and of all results so far.
+
     >>> scene = Scene({"surface_energy": 0.025, "radius": 1e-7})
     >>> f"{scene['pull_off_force']:.4e}"
     '1.1781e-08'
@@ -256,21 +259,24 @@ class Scene:
 
     def plan(self, *wanted: str) -> Plan:
         """Return the formulas that lead to the wanted quantities; raise MissingInput if the scene does not allow one."""
-        found = plan(wanted, self.known, self.material2 is not None, self.law.name)
+        found = self._plan_for(wanted)
         for name, missing in found.missing.items():
             raise self._missing_input(name, missing)
         return found
+
+    def _plan_for(self, wanted: Sequence[str]) -> Plan:
+        return plan_for(tuple(wanted), self.known, self.material2 is not None, self.law.name)
 
     def _planned(self, wanted: Sequence[str]) -> Plan:
         """Return the plan of this scene, which grows by these quantities if it does not have them."""
         if not self._plan.knows(wanted):
             names = (*self._plan.found, *self._plan.missing, *wanted)
-            self._plan = plan(names, self.known, self.material2 is not None, self.law.name)
+            self._plan = self._plan_for(names)
         return self._plan
 
     def missing(self, names: Sequence[str]) -> Collection[str]:
         """Return those of some quantities to which the scene's inputs do not lead."""
-        return plan(tuple(names), self.known, self.material2 is not None, self.law.name).missing.keys()
+        return self._plan_for(names).missing.keys()
 
     def shows(self, name: str) -> Any:
         """Return whether a quantity that was not asked for by name is shown, or for which elements of arrays."""

@@ -52,7 +52,7 @@ NO_PLAN = Plan((), (), {}, {})
 
 
 @cache
-def plan(wanted: tuple[str, ...], known: frozenset[str], own_material2: bool, model: str = DEFAULT_LAW) -> Plan:
+def plan_for(wanted: tuple[str, ...], known: frozenset[str], own_material2: bool, model: str = DEFAULT_LAW) -> Plan:
     """Order the formulas of a law so that each runs after those whose results it takes."""
     by_law = routes(model, known)
     steps: dict[str, Step] = {}
