@@ -314,16 +314,15 @@ class Bound(NamedTuple):
     line: str = ""  # what a line at the value stands for, where that is drawn instead of the region beyond it
     effect_on: str = ""  # a quantity, where the number is the factor by which that is off under the law of attraction
 
-    def margin(self, scene: Scene, values: Mapping[str, Any]) -> Any:
-        """Return the distance of values from the bound in powers of ten, negative beyond it."""
+    def margin(self, here: Scene) -> Any:
+        """Return the distance of a scene of arrays from the bound in powers of ten, negative beyond it."""
         import numpy
 
         if self.effect_on:
-            here = scene.replace(**values)
             factor = numpy.minimum(largest(effects(here, [self.effect_on])), _FARTHEST)
             has_value = numpy.isfinite(values_of(here, [self.effect_on])[self.effect_on])
             return numpy.where(has_value, numpy.log10(self.value / factor), numpy.nan)
-        ratio = numpy.log10(solved(scene, [self.name], values)[self.name] / self.value)
+        ratio = numpy.log10(values_of(here, [self.name])[self.name] / self.value)
         return ratio if self.is_least else -ratio
 
 
@@ -359,12 +358,12 @@ def regions(scene: Scene, bounds: Iterable[Bound], x: Axis, y: Axis, values: Any
     import numpy
 
     x, y = (axis._replace(size=min(axis.size, COARSE)) for axis in (x, y))
-    here = {**x.inputs(x.values()[None, :]), **y.inputs(y.values()[:, None])}
+    here = scene.replace(**x.inputs(x.values()[None, :]), **y.inputs(y.values()[:, None]))
     known = numpy.isfinite(sampled(values, x.size, y.size))
     found = []
     for bound in bounds:
         try:
-            margin = numpy.broadcast_to(bound.margin(scene, here), (y.size, x.size))
+            margin = numpy.broadcast_to(bound.margin(here), (y.size, x.size))
         except (MissingInput, NoResult):
             continue
         if not (margin[known] < 0).any():
@@ -382,7 +381,7 @@ def margin_along(scene: Scene, bound: Bound, x: Axis) -> Any:
     import numpy
 
     values = x.values()
-    return numpy.broadcast_to(bound.margin(scene, x.inputs(values)), values.shape)
+    return numpy.broadcast_to(bound.margin(scene.replace(**x.inputs(values))), values.shape)
 
 
 def _bound(limit: Limit) -> Bound:
