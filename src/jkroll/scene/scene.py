@@ -376,14 +376,15 @@ class Scene:
             except KeyError:  # an argument that failed
                 failures[name] = next(failures[source] for _, source in arguments if source in failures)
                 continue
-            if name in _ON_AREA and self._has_area is False:
+            may_be_rigid = self._has_area is not True and name in _ON_AREA
+            if may_be_rigid and self._has_area is False:
                 failures[name] = TwoRigidBodies()
                 continue
             try:
                 value = formula(**given)
             except (ArithmeticError, ValueError):
                 value = INFINITY
-            if name in _ON_AREA and self.has_rigid_elements:
+            if may_be_rigid and self.has_rigid_elements:
                 value = self._where_it_yields(value)
             if not isinstance(value, NUMBER):
                 values[name] = self._with_gaps(name, value, [source for _, source in arguments])
