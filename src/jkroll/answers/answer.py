@@ -284,11 +284,10 @@ class Answer:
         lacking = [name for name, error in self.errors.items() if isinstance(error, MissingInput)]
         lacking += [name for names in self._judgement.missing.values() for name in names]
         displaced = [] if self.worth is None else [about_displacement(self.worth, self.question.headline)]
-        is_told = any(note.kind == "displacement" for note in displaced)
         entering_any = {*self.inputs, *of_limits, *depends_on(lacking, [scene.law.name])}
         return (
             *displaced,
-            *about_assumed([name for name in self.assumed if not (name == XI and is_told)]),
+            *about_assumed([name for name in self.assumed if not (name == XI and displaced)]),
             *assumptions(scene, self.inputs, planned),
             *about_idle(scene, entering_any),
             *about_data(scene, self.inputs),

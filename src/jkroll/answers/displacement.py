@@ -20,7 +20,7 @@ PAIR = {"radius": 0.95e-6, "surface_energy": 0.025, "youngs_modulus": 54e9, "poi
 SCALED = (1e-7, 3e-6)  # radii, of an identical pair, to which the measured displacement is scaled
 ABOVE = "polystyrene has 42 nm at 5 µm, ice 0.19 mm at 1 mm"  # Sümer & Sitti; Musiolik & Wurm 2019
 _AT_PAIR = 0.2  # in ln R: there the range is that of the pairs
-LARGE = log(2)  # of the size of a doubt that is told first
+LARGE = log(2)  # the size from which the range of ξ itself is told
 MAX_SYMBOLS = 3  # of quantities, and of groups of them, in the note
 
 
@@ -82,7 +82,7 @@ def about_displacement(found: Worth, headline: Collection[str]) -> Note:
         return Note("displacement", f"{_PAPERS}; no measurement supports it here: {ABOVE}", XI, size=found.size)
     factors = ", ".join(_worded(shown))
     if found.size < LARGE:
-        return Note("assumption", f"ξ by forces on {SOLID}: {factors}", XI)
+        return Note("displacement", f"{_PAPERS}; by forces on {SOLID} {factors}", XI, size=found.size)
     text = f"{_PAPERS}; forces on {SOLID} of 1 µm mean {_range(found.at_pair)}"
     if abs(log(found.radius / PAIR["radius"])) > _AT_PAIR:
         text += f", {_range(found.here)} here by our scalings, R^(2/3) to R"

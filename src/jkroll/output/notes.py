@@ -10,7 +10,7 @@ from ..errors import JkrollError, NoResult
 from ..rows.columns import NO_END, ROW, UNCERTAINTY, Columns, Reasons, of_quantities
 from ..rows.sweep import Pair
 from ..scene.failures import MissingInput, reason_of
-from ..scene.limits import TOLD
+from ..scene.limits import told
 from ..scene.scene import Scene
 
 MAX_LINES = 3  # below a single answer
@@ -28,23 +28,28 @@ def of_answer(answer: Answer, *, has_head: bool = False) -> list[str]:
     """
     said_elsewhere = ("material", "assumed") if has_head else ("material",)  # when its file was read, and above
     every = [note for note in (*answer.notes, *answer.doubts()) if note.kind not in said_elsewhere]
+    return _lines(every, answer.width)
+
+
+def _lines(every: Iterable[Note], width: float = 0.0) -> list[str]:
+    """Return the first lines of notes, one for each kind, by falling importance; the last says how many notes are left out."""
     of_kinds: dict[Kind, list[Note]] = {}
     for note in every:
         of_kinds.setdefault(note.kind, []).append(note)
     lines: list[str] = []
-    said = 0
-    for kind in sorted(of_kinds, key=lambda kind: _importance(kind, of_kinds[kind], answer.width))[:MAX_LINES]:
+    left = sum(map(len, of_kinds.values()))
+    for kind in sorted(of_kinds, key=lambda kind: _importance(kind, of_kinds[kind], width))[:MAX_LINES]:
         notes = of_kinds[kind]
         every_text = [note.text for note in notes]
         worded = (
             every_text if kind == "missing" else every_text[:MAX_DOUBTS] if kind == "doubt" else _fitting(every_text)
         )
         briefly = [note.brief for note in notes[len(worded) :] if note.brief]
-        said += len(worded) + len(briefly)
+        left -= len(worded) + len(briefly)
         texts = [*worded, f"also {', '.join(briefly)}: jkroll guide models"] if briefly else worded
         lines.append(_line(kind, texts, is_sentence=notes[0].is_sentence))
-    if said < len(every):
-        lines[-1] += f"; {len(every) - said} more: --explain"
+    if left:
+        lines[-1] += f"; {left} more: --explain"
     return lines
 
 
@@ -93,12 +98,14 @@ class OfRows:
                 if id(reasons) not in worded:
                     worded[id(reasons)] = _about_reasons(reasons)
                 for matter, text in worded[id(reasons)]:
-                    self._add("missing", matter, text, self.count + row + 1)
+                    self._add("missing", matter, text, "", self.count + row + 1)
             bits = columns.doubts if isinstance(columns.doubts, list) else columns.doubts.tolist()
-            texts = {each: _about_doubts(each) for each in {*bits}}
+            of_bits = {each: told(each) for each in {*bits}}
             for row, each in enumerate(bits):
-                for text in texts[each]:
-                    self._add("doubt", text, text, self.count + row + 1)
+                for doubt in of_bits[each]:
+                    self._add(
+                        "doubt", doubt.code, f"{doubt.code}, {doubt.consequence}", doubt.code, self.count + row + 1
+                    )
             failed = columns.failed()
             if failed and self.failure is None:
                 self.failure = columns.failure(failed[0])
@@ -106,8 +113,8 @@ class OfRows:
             self.count += len(columns)
             yield columns
 
-    def _add(self, kind: Kind, matter: str, text: str, row: int) -> None:
-        noted = self._notes.setdefault((kind, matter), _Noted(text, []))
+    def _add(self, kind: Kind, matter: str, text: str, brief: str, row: int) -> None:
+        noted = self._notes.setdefault((kind, matter), _Noted(text, brief, []))
         if text != noted.text:
             noted = self._notes[kind, matter] = noted._replace(differs=True)
         runs = noted.runs
@@ -121,7 +128,11 @@ class OfRows:
 
         `pairs`: of materials, as the rows have them one after the other; `kinds`: a scene of each kind, with the quantities that it shows.
         """
-        found = [(kind, noted.text + self._where(noted)) for (kind, _), noted in self._notes.items()]
+        found = []
+        for (kind, _), noted in self._notes.items():
+            where = self._where(noted)
+            brief = noted.brief + (f" ({where})" if where else "") if noted.brief else ""
+            found.append(Note(kind, _with_rows(noted.text, where), brief=brief))
         of_pairs: dict[tuple[Kind, str], list[Any]] = {}
         for scene, names in kinds:
             for note in notes_on_rows(scene, names):
@@ -130,21 +141,26 @@ class OfRows:
         for (kind, text), own in of_pairs.items():
             places = [place for place, pair in enumerate(pairs) if _keys(pair) in own]
             runs = [[place * size + 1, (place + 1) * size] for place in places]
-            found.append((kind, text + self._where(_Noted(text, _joined(runs)))))
-        return [_line(kind, [text]) for kind, text in sorted(found, key=lambda each: _KINDS.index(each[0]))]
+            found.append(Note(kind, _with_rows(text, self._where(_Noted(text, "", _joined(runs))))))
+        return _lines(found)
 
     def _where(self, noted: "_Noted") -> str:
         """Return the rows that a note is about, those to which its numbers do not belong apart; nothing if it is about all."""
         if not noted.differs:
-            return "" if noted.runs == [[1, self.count]] else f": {_rows(noted.runs)}"
+            return "" if noted.runs == [[1, self.count]] else _rows(noted.runs)
         (start, end), *others = noted.runs
-        return f": row {start}, likewise {_rows([[start + 1, end], *others] if start < end else others)}"
+        return f"row {start}, likewise {_rows([[start + 1, end], *others] if start < end else others)}"
+
+
+def _with_rows(text: str, where: str) -> str:
+    return f"{text}: {where}" if where else text
 
 
 class _Noted(NamedTuple):
     """A note and its rows: the first and the last of each run of rows."""
 
     text: str
+    brief: str  # of a doubt: its code
     runs: list[list[int]]
     differs: bool = False  # whether other rows have other numbers in it
 
@@ -187,11 +203,6 @@ def _about_quantities(reasons: Reasons, lead: str) -> list[tuple[str, str]]:
 
 def _reason(name: str, error: JkrollError) -> str:
     return reason_of(name, error) if isinstance(error, MissingInput | NoResult) else str(error)
-
-
-def _about_doubts(bits: int) -> list[str]:
-    """Return the doubts of a row in words that fit any row."""
-    return [f"{told.code}, {told.consequence}" for place, told in enumerate(TOLD) if bits >> place & 1]
 
 
 def _rows(runs: list[list[int]]) -> str:

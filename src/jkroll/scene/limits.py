@@ -110,7 +110,7 @@ LIMITS = (
     Limit(
         "tabor_parameter", _ELASTICITY, ">",
         tuple(
-            Doubt(factor, f"off by more than {text}", f"{LAWS[BETWEEN].title} differs by more than {text}, --model {BETWEEN}")
+            Doubt(factor, f"off by more than {text}", f"{LAWS[BETWEEN].title} differs by more than {text}")
             for factor, text in _EFFECTS.items()
         ),
         f"within {_EFFECTS[LEAST_EFFECT]} of {LAWS[BETWEEN].title}",
