@@ -3,8 +3,7 @@
 from random import Random
 
 from jkroll.answers.questions import QUESTIONS
-from jkroll.cli.commands import COMMANDS
-from jkroll.cli.options import Option
+from jkroll.cli.commands import COMMANDS, Option
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.quantities.unit_table import PLAIN, PREFIXABLE, PREFIXES
 

@@ -15,7 +15,7 @@ import jkroll.batch.delimited
 import jkroll.batch.one
 import jkroll.rows.sweep
 from harness import Ran, Run
-from jkroll.cli.options import Call
+from jkroll.cli.commands import Call
 from jkroll.cli.question import question_of
 from jkroll.cli.reader import read
 from jkroll.cli.request import request_of

@@ -17,8 +17,8 @@ import pytest
 from harness import Run
 from jkroll import known_materials, solve
 from jkroll.answers.curve import Loads, loads_of
+from jkroll.cli.commands import Call
 from jkroll.cli.map import MAX_CURVES, OF_PAPER, map_request
-from jkroll.cli.options import Call
 from jkroll.cli.process import main
 from jkroll.pictures.axes import described
 from jkroll.pictures.curves import PROFILES, curves_of_contact

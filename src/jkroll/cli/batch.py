@@ -6,7 +6,7 @@ from ..batch.settings import Settings
 from ..errors import BadRequest
 from ..quantities.nomenclature import named
 from ..scene.inverse import SIZES, CannotInfer
-from .options import Call
+from .commands import Call
 from .request import materials_of
 
 

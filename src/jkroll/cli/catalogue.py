@@ -5,7 +5,7 @@ import sys
 from ..output.catalogue import quantities_found, write_materials, write_quantities
 from ..output.manual import write_page, write_topics
 from ..text import say_wrapped
-from .options import Call
+from .commands import Call
 from .question import format_name
 from .request import materials_of
 

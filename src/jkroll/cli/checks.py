@@ -3,7 +3,7 @@
 import sys
 from typing import TYPE_CHECKING
 
-from .options import Call
+from .commands import Call
 from .question import format_name
 
 if TYPE_CHECKING:

@@ -8,7 +8,7 @@ from ..errors import BadRequest
 from ..output import notes as note_lines
 from ..output.records import in_units
 from ..rows.columns import Columns
-from .options import Call
+from .commands import Call
 from .question import MAX_TABLE, check_count, checked, exit_code, run_question, write_answers, write_columns
 from .request import curve_request
 

@@ -20,7 +20,7 @@ from ..output.notes import every_line
 from ..quantities.laws import DEFAULT_LAW
 from ..scene.scene import Scene
 from ..text import ascii_text, quoted, say, say_wrapped, wrapped
-from .options import Call
+from .commands import Call
 from .request import request_of
 
 WIDTH = 120  # of a comment

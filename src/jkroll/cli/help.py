@@ -6,8 +6,7 @@ from textwrap import wrap
 
 from ..answers.questions import QUESTIONS
 from ..text import columns, fitting
-from .commands import COMMANDS, flags_of
-from .options import Option
+from .commands import COMMANDS, Option, flags_of
 
 TITLE = "Adhesive contact of two elastic spheres: pull-off, rolling, chains, vibrations."
 LISTS = "Lists (1nm,1um) and ranges (1nm:1um:50, or 1nm:1um:50:lin for equal steps) give one row each."

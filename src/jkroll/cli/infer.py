@@ -19,7 +19,7 @@ from ..rows.sweep import Sweep
 from ..scene.inverse import SIZES, AlreadyGiven, CannotInfer
 from ..scene.unknowns import largest, with_inputs
 from ..text import quoted, say_wrapped
-from .options import Call
+from .commands import Call
 from .question import check_count, exit_code, form_of, format_name, unless_failed, write_answers, write_columns
 from .request import request_of
 

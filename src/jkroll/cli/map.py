@@ -25,7 +25,7 @@ from ..quantities.values import between, error_about, parse_value
 from ..scene.scene import Scene
 from ..scene.wiring import depends_on
 from ..text import quoted, say_wrapped, spelled
-from .options import Call
+from .commands import Call
 from .question import PICTURES, ending, format_name, no_picture
 from .request import Request, curve_request, materials_of, request_of
 

@@ -9,8 +9,7 @@ from typing import TextIO
 
 from ..errors import BadRequest, JkrollError
 from ..text import quoted, say_wrapped, shown
-from .commands import Action
-from .options import DEBUG
+from .commands import DEBUG, Action
 from .reader import read
 
 CANNOT_WRITE = 1

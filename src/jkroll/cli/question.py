@@ -18,7 +18,7 @@ from ..quantities.values import error_about
 from ..rows.columns import Columns, Wanted
 from ..scene.wiring import formula_of
 from ..text import fitting, quoted, say_wrapped
-from .options import Call
+from .commands import Call
 from .request import Request, request_of
 
 MAX_OBJECTS = 1_000_000  # answers that are written one by one

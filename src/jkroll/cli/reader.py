@@ -13,8 +13,7 @@ from ..errors import BadRequest, JkrollError
 from ..quantities.errors import QUANTITY_SYNONYMS
 from ..quantities.nomenclature import NOMENCLATURE, named
 from ..text import closest, quoted, say, shown
-from .commands import COMMANDS, Action, Command, flags_of
-from .options import HELP, Option
+from .commands import COMMANDS, HELP, Action, Command, Option, flags_of
 
 # What others type, and what is certainly meant by it; the names and symbols of quantities are taken as options, too.
 SYNONYMS: Mapping[str, str] = {

@@ -14,7 +14,7 @@ from ..quantities.values import Spread, spreads_of
 from ..rows.sweep import Pair, Sweep
 from ..scene.scene import EXCLUSIVE, Scene, check_range
 from ..text import quoted, say_wrapped
-from .options import Call
+from .commands import Call
 
 if TYPE_CHECKING:
     from ..answers.curve import Loads

@@ -16,9 +16,8 @@ from ..output.manual import topics
 from ..quantities.laws import LAWS
 from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS
 from . import process
-from .commands import COMMANDS, Action, Words
+from .commands import COMMANDS, DEBUG, HELP, VERSION, Action, Option, Words
 from .help import TITLE
-from .options import DEBUG, HELP, VERSION, Option
 
 
 def main() -> int:
