@@ -10,8 +10,7 @@ from typer.core import TyperOption
 from typer.testing import CliRunner
 
 from harness import Run
-from jkroll.cli.commands import COMMANDS, flags_of
-from jkroll.cli.help import help_of
+from jkroll.cli.commands import COMMANDS, flags_of, help_of
 from jkroll.cli.shells import app
 
 NAMES = [None, *COMMANDS]

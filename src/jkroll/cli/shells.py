@@ -16,8 +16,7 @@ from ..output.manual import topics
 from ..quantities.laws import LAWS
 from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS
 from . import process
-from .commands import COMMANDS, DEBUG, HELP, VERSION, Action, Option, Words
-from .help import TITLE
+from .commands import COMMANDS, DEBUG, HELP, TITLE, VERSION, Action, Option, Words
 
 
 def main() -> int:
