@@ -1,0 +1,105 @@
+"""Runners that hand a call over to another part: `batch`, `materials`, `quantities`, `guide`, `verify` and `bench`.
+
+Each imports its part by itself, so that a call pays for its own only.
+"""
+
+import sys
+
+from ..answers.questions import quantity_named
+from ..errors import BadRequest
+from ..quantities.nomenclature import named
+from ..text import say_wrapped
+from .commands import Call
+from .question import format_name
+from .request import materials_of
+
+
+def run_batch(call: Call) -> int:
+    """Convert a table of scenes; return the exit code."""
+    from ..batch.command import run
+    from ..batch.settings import Settings
+
+    if not call.words:
+        raise BadRequest("batch needs a table, such as grains.csv, or - for standard input")
+    if call.settings.keys() >= {"format", "delimiter"}:
+        raise BadRequest("--format and --delimiter exclude each other")
+    infer, measured = _inverse(call)
+    same = {name: getattr(call, name) for name in Settings._fields if name in Call._fields}
+    own = {"target": call.target or "-", "doubt": not call.no_doubt, "infer": infer, "measured": measured}
+    settings = Settings(**{**same, **own}, **call.settings)
+    return run(call.words[0], settings, call.inputs, materials_of(call.materials))
+
+
+def _inverse(call: Call) -> tuple[str, str]:
+    """Return the names of the input that is sought and of the quantity that was measured; empty texts if none is."""
+    if not call.infer and not call.measured:
+        return "", ""
+    if "," in call.infer or len(call.measured) > 1:
+        raise BadRequest("batch infers one input; jkroll infer finds two, for lists and ranges too")
+    if not call.infer or not call.measured or "=" in call.measured[0]:
+        raise BadRequest(
+            "--infer INPUT and --measured QUANTITY go together, as in --infer gamma --measured pull_off_force"
+        )
+    if call.quantities:
+        raise BadRequest("--infer and --quantities exclude each other")
+    from ..scene.inverse import SIZES, CannotInfer
+
+    name = named(call.infer)
+    if name not in SIZES:
+        raise CannotInfer(call.infer)
+    return name, quantity_named(call.measured[0])
+
+
+def run_materials(call: Call) -> int:
+    """List the materials, or show one in full; return the exit code."""
+    from ..output.catalogue import write_materials
+
+    kind = format_name(call)
+    materials = materials_of(call.materials)
+    lists_all = not call.words or call.words[0].casefold() == "all"
+    chosen = [*materials.materials.values()] if lists_all else [materials[word] for word in call.words[0].split(",")]
+    write_materials(chosen, sys.stdout, kind, whole=not lists_all and len(chosen) == 1)
+    sys.stdout.flush()
+    for clash in () if call.quiet or not lists_all else dict.fromkeys(map(str, materials.clashes.values())):
+        say_wrapped(f"note: {clash}", sys.stderr)
+    mistakes = [*materials.mistakes.values()] if lists_all else []
+    for mistake in mistakes:
+        say_wrapped(f"jkroll: {mistake}", sys.stderr)
+    return mistakes[0].exit_code if mistakes else 0
+
+
+def run_quantities(call: Call) -> int:
+    """List quantities, those that have some words, or one in full; return the exit code."""
+    from ..output.catalogue import quantities_found, write_quantities
+
+    write_quantities(quantities_found(call.words), sys.stdout, format_name(call))
+    return 0
+
+
+def run_guide(call: Call) -> int:
+    """Show a page of the manual, or list its topics; return the exit code."""
+    from ..output.manual import write_page, write_topics
+
+    if call.words:
+        write_page(call.words[0], sys.stdout)
+    else:
+        write_topics(sys.stdout)
+    return 0
+
+
+def run_verify(call: Call) -> int:
+    """Compute the audit of the paper; return 1 if a verdict is not the expected one."""
+    from ..audit.verify import write_verification
+
+    return write_verification(sys.stdout, format_name(call))
+
+
+def run_bench(call: Call) -> int:
+    """Measure speed against error; return the exit code. Whatever prevents a plot is reported before anything is measured."""
+    from .map import check_picture, inches_of
+
+    check_picture(call, call.plot, "--plot", numbers="--csv > FILE")
+    from ..bench.report import Plot, write_bench
+
+    plot = Plot(call.plot, inches_of(call.width), call.style or "paper", not call.uncaptioned) if call.plot else None
+    return write_bench(sys.stdout, format_name(call), quick=call.quick, plot=plot)
