@@ -13,11 +13,10 @@ import pytest
 
 from harness import Stream
 from jkroll import solve
-from jkroll.audit import Check, Row, Verdict, claims
-from jkroll.audit.checks import Terms
+from jkroll.audit.checks import Check, Row, Terms, Verdict
 from jkroll.audit.moment import XI, A, C, E, R
 from jkroll.audit.pair import pair, twins
-from jkroll.audit.verify import HEADS, NARROW_HEADS, WIDE, write_verification
+from jkroll.audit.verify import HEADS, NARROW_HEADS, WIDE, claims, write_verification
 from jkroll.text import ascii_text, spelled
 
 CLAIMS = claims()

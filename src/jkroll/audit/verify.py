@@ -7,12 +7,19 @@ from typing import TextIO
 
 from ..output.records import Cell, write_records
 from ..text import columns, say
-from . import Check, Row, claims
+from .checks import Check, Row
+from .moment import cylinder, moment
+from .pair import collisions, statics, vibrations
 
 DISAGREES = 1
 WIDE = 120  # columns of the whole table
 HEADS = ("Eq", "claim", "printed", "follows", "off by", "verdict", "why")
 NARROW_HEADS = ("Eq", "claim", "off by", "verdict")
+
+
+def claims() -> tuple[Check, ...]:
+    """Evaluate every claim of the paper, in its order, and what follows in its place."""
+    return (*moment(), *statics(), *vibrations(), *collisions(), *cylinder())
 
 
 def write_verification(out: TextIO, kind: str, checks: Iterable[Check] | None = None) -> int:
