@@ -13,19 +13,27 @@ import pytest
 
 from harness import Run, Stream
 from jkroll import physics, solve
-from jkroll.bench.measure import DEFAULT, QUICK, USUAL, Error, Row, by_hand_in_blocks, compare, measure, with_front
 from jkroll.bench.points import REGIONS, each, exact, ordinary, references, regions, scenes
 from jkroll.bench.report import (
+    DEFAULT,
     HEADS,
     MACHINE_HEADS,
     PLOTTED,
     PROMISE,
     PROMISE_OF_MAUGIS,
+    QUICK,
     RATIO_HEADS,
+    USUAL,
+    Error,
     Plot,
+    Row,
+    by_hand_in_blocks,
+    compare,
+    measure,
     off_front,
     picture_of,
     plot_bench,
+    with_front,
     write_bench,
 )
 from jkroll.bench.ways import OTHER_WAYS, QUANTITIES, by_hand
