@@ -33,10 +33,10 @@ from matplotlib.figure import Figure
 from matplotlib.mathtext import MathTextParser
 from matplotlib.text import Text
 
-from jkroll.pictures.canvas import LINES, SIGNS
 from jkroll.pictures.page import figure_of, settings
 from jkroll.pictures.page_axes import CONTOURS, line_of, typeset, typeset_lines
 from jkroll.pictures.styles import DARK, PAPER, STYLES, Style
+from jkroll.pictures.terminal import LINES, SIGNS
 
 SVG_TEXT = re.compile(r"<!-- (.*?) -->", re.DOTALL)  # letters are paths; their text stands beside them
 

@@ -1,6 +1,5 @@
 """Maps, curves and figures of the paper, drawn in a terminal and into files.
 
-Data, from the bottom up: `axes`, `maps` and `regions` (a quantity over two inputs), `panels` (curves), `plot_request` (of a user),
-`contact_curves` (of one contact), `figures`, `profiles` and `laws` (of the paper). Drawing: `canvas` and `terminal` for cells; `styles`, `mathtext`,
-`page_axes`, `labels` and `page` for matplotlib.
+Data, from the bottom up: `axes`, `styles`, `maps` (a quantity over two inputs, and curves), `request` (of a user, or of a map of the
+paper), `curves` (of one contact, and those of the paper). Drawing: `terminal` for cells; `page_axes` and `page` for matplotlib.
 """

@@ -1,14 +1,25 @@
 """Looks of regions, and of a page: colours of paper, ink and bands, and sizes of letters."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import Literal, NamedTuple
-
-from .canvas import Colour, blended
 
 SIZE = 8.6  # of letters in points, whatever the width of the page: subscripts, 0.7 times as large, have 6
 LETTER = 0.42  # width of a letter over its size, on average
 DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)))
+
+
+Colour = tuple[int, int, int]
+
+
+def blended(colours: Sequence[Colour], place: float) -> tuple[float, float, float]:
+    """Return the colour at a place between the first, 0, and the last, 1, of equally spaced colours."""
+    scaled = place * (len(colours) - 1)
+    first = min(int(scaled), len(colours) - 2)
+    red, green, blue = (
+        low + (high - low) * (scaled - first) for low, high in zip(colours[first], colours[first + 1], strict=True)
+    )
+    return red, green, blue
 
 
 class Look(NamedTuple):
