@@ -22,9 +22,8 @@ from jkroll.cli.map import MAX_CURVES, OF_PAPER, map_request
 from jkroll.cli.process import main
 from jkroll.pictures.axes import described
 from jkroll.pictures.curves import PROFILES, curves_of_contact
-from jkroll.pictures.figures import FIGURES, figure
 from jkroll.pictures.maps import Curve, Map, Picture, label_of
-from jkroll.pictures.request import map_of
+from jkroll.pictures.request import FIGURES, figure, map_of
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.scene.scene import Scene
 

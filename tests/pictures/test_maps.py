@@ -15,8 +15,8 @@ from harness import Run, Stream
 from jkroll import known_materials, solve
 from jkroll.cli.map import show_progress as progress
 from jkroll.pictures.axes import Axis, round_values
-from jkroll.pictures.figures import FIGURES, figure
 from jkroll.pictures.maps import Map, axis_around, evaluate
+from jkroll.pictures.request import FIGURES, figure
 from jkroll.pictures.styles import LOOKS
 from jkroll.pictures.terminal import CONTOUR, RAMP, ink_on, screen_of, shade, stacked
 from jkroll.quantities.nomenclature import NOMENCLATURE

@@ -12,9 +12,8 @@ from ..errors import BadRequest, missing_extra
 from ..output.records import text_output, whole_file
 from ..pictures.axes import Axis
 from ..pictures.curves import PANELS, PROFILES, curves_of_contact, figure_laws
-from ..pictures.figures import FIGURES, figure
 from ..pictures.maps import Map, Picture, rows_of
-from ..pictures.request import PlotRequest, curves_of, map_of, mark_at
+from ..pictures.request import FIGURES, PlotRequest, curves_of, figure, map_of, mark_at
 from ..pictures.styles import STYLES
 from ..quantities.errors import QuantityError
 from ..quantities.formatting import amount
