@@ -15,9 +15,8 @@ from matplotlib.lines import Line2D  # type: ignore[import-not-found,unused-igno
 from matplotlib.patches import Patch  # type: ignore[import-not-found,unused-ignore]
 
 from .. import __version__
-from .labels import label_map, label_panel, thin_out
 from .maps import Map, Panel, Picture
-from .page_axes import draw_map, draw_panel, line_of, typeset, typeset_lines
+from .page_axes import draw_map, draw_panel, label_map, label_panel, line_of, thin_out, typeset, typeset_lines
 from .styles import EVERYWHERE, LETTER, LOOKS, SIZE, STYLES, Style
 
 _ONE_PANEL, _MORE_PANELS = 120 / 25.4, 180 / 25.4  # default widths in inches
