@@ -18,6 +18,7 @@ from .physics.aggregates import restructuring_speed_ormel as restructuring_speed
 from .physics.aggregates import tensile_strength as tensile_strength
 from .physics.any_law import adhesion_hysteresis_of_fraction as adhesion_hysteresis_of_fraction
 from .physics.any_law import adhesive_force as adhesive_force
+from .physics.any_law import atomic_spacing_of_cutoff as atomic_spacing_of_cutoff
 from .physics.any_law import cohesive_stress as cohesive_stress
 from .physics.any_law import hysteresis_moment as hysteresis_moment
 from .physics.any_law import hysteresis_ratio as hysteresis_ratio
@@ -25,6 +26,7 @@ from .physics.any_law import pull_off_force_lennard_jones as pull_off_force_lenn
 from .physics.any_law import rolling_frequency_no_slip_of_stiffness as rolling_frequency_no_slip_of_stiffness
 from .physics.any_law import transition_parameter as transition_parameter
 from .physics.any_law import unloaded_moment_of_radius as unloaded_moment_of_radius
+from .physics.any_law import work_of_adhesion_of_hamaker as work_of_adhesion_of_hamaker
 from .physics.any_law import yield_displacement_at_hysteresis as yield_displacement_at_hysteresis
 from .physics.any_law import yield_energy_of_moment as yield_energy_of_moment
 from .physics.any_law import yield_force_of_moment as yield_force_of_moment
@@ -68,8 +70,6 @@ from .physics.dmt import load_dmt as load_dmt
 from .physics.dmt import stiffness_dmt as stiffness_dmt
 from .physics.dmt import unloaded_approach_dmt as unloaded_approach_dmt
 from .physics.dmt import unloaded_radius_dmt as unloaded_radius_dmt
-from .physics.hamaker import atomic_spacing_of_cutoff as atomic_spacing_of_cutoff
-from .physics.hamaker import work_of_adhesion_of_hamaker as work_of_adhesion_of_hamaker
 from .physics.jkr import adhesion_energy as adhesion_energy
 from .physics.jkr import load_at_factor as load_at_factor
 from .physics.jkr import load_factor_at_approach as load_factor_at_approach

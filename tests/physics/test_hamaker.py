@@ -10,7 +10,7 @@ import pytest
 
 from accuracy import check_accuracy
 from jkroll import solve
-from jkroll.physics import hamaker
+from jkroll.physics import any_law
 from jkroll.scene.failures import Contradiction, MissingInput
 from maugis_reference import digits, mpf, pi, sqrt
 from reference import ulp_error
@@ -79,4 +79,4 @@ def test_accuracy(name: str) -> None:
         return ulp_error(value, exact(**{each: mpf(number) for each, number in given.items()}))
 
     assert digits.dps >= 50
-    check_accuracy(getattr(hamaker, name), values, partial(error, exact=EXACT[name]))
+    check_accuracy(getattr(any_law, name), values, partial(error, exact=EXACT[name]))

@@ -17,7 +17,6 @@ from . import (
     contact,
     conventions,
     dmt,
-    hamaker,
     jkr,
     maugis,
     maugis_energies,
@@ -51,5 +50,5 @@ PAPER_FORMULAS: Mapping[str, Callable[..., Any]] = _formulas(
     tangential,
     aggregates,
 )
-LAW_FORMULAS: Mapping[str, Callable[..., Any]] = _formulas(any_law, hamaker, dmt, maugis, maugis_energies)
+LAW_FORMULAS: Mapping[str, Callable[..., Any]] = _formulas(any_law, dmt, maugis, maugis_energies)
 FORMULAS: Mapping[str, Callable[..., Any]] = {**PAPER_FORMULAS, **LAW_FORMULAS}
