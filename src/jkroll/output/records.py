@@ -10,18 +10,21 @@ from contextlib import contextmanager, suppress
 from io import TextIOWrapper
 from itertools import groupby
 from math import isnan
-from typing import Any, BinaryIO, NamedTuple, TextIO
+from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple, TextIO
 
-from ..answers.answer import Answer, Difference
-from ..answers.displacement import Worth
-from ..answers.results import Result
 from ..quantities.formatting import Format, OutOfUnit
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import NOMENCLATURE, header, word_for_infinity
 from ..quantities.values import is_uncertain
 from ..rows.columns import DOUBT, STATUS, Columns, Wanted, heads
-from ..scene.limits import Verdict, codes
+from ..scene.limits import codes
 from ..text import fitting, json_text, say, spelled
+
+if TYPE_CHECKING:
+    from ..answers.answer import Answer, Difference
+    from ..answers.displacement import Worth
+    from ..answers.results import Result
+    from ..scene.limits import Verdict
 
 Cell = str | float | None
 
@@ -275,7 +278,7 @@ def text_output(path: str) -> Iterator[TextIO]:
 # --- Objects ----------------------------------------------------------------------------------------------------------
 
 
-def write_plain(answer: Answer, out: TextIO, form: Format) -> None:
+def write_plain(answer: "Answer", out: TextIO, form: Format) -> None:
     """Write a line `name value unit` for each result of a scene, and for each side of its uncertainty."""
     if "model" in answer.inputs:
         say(f"model {answer.inputs['model']}", out)
@@ -288,14 +291,14 @@ def write_plain(answer: Answer, out: TextIO, form: Format) -> None:
                 say(f"{name} {form.text(result.name, number)} {form.unit(result.name)}".removesuffix(" 1"), out)
 
 
-def write_json(answers: Iterable[Answer], count: int, out: TextIO, form: Format) -> None:
+def write_json(answers: "Iterable[Answer]", count: int, out: TextIO, form: Format) -> None:
     """Write an object for each scene; several scenes are an array, written as they are computed."""
     for place, answer in enumerate(answers, 1):
         start, end = ("[\n" if place == 1 else "", "\n]" if place == count else ",") if count > 1 else ("", "")
         say(start + json_text(as_object(answer, form), out) + end, out)
 
 
-def as_object(answer: Answer, form: Format) -> dict[str, Any]:
+def as_object(answer: "Answer", form: Format) -> dict[str, Any]:
     """Return the JSON object of one scene."""
     from .. import __version__
 
@@ -314,11 +317,11 @@ def as_object(answer: Answer, form: Format) -> dict[str, Any]:
     }
 
 
-def _of_inputs(answer: Answer) -> dict[str, Any]:
+def _of_inputs(answer: "Answer") -> dict[str, Any]:
     return {name: found.as_object() for name, found in answer.uncertain.items()}
 
 
-def _result_object(result: Result, form: Format) -> dict[str, Any]:
+def _result_object(result: "Result", form: Format) -> dict[str, Any]:
     quantity = NOMENCLATURE[result.name]
     entry: dict[str, Any] = {
         "name": result.name,
@@ -354,7 +357,7 @@ def _result_object(result: Result, form: Format) -> dict[str, Any]:
 _READINGS = ("over_jkr_at_equal_displacement", "over_jkr_at_equal_hysteresis")
 
 
-def _differences_object(found: Sequence[Difference]) -> dict[str, dict[str, float]]:
+def _differences_object(found: "Sequence[Difference]") -> dict[str, dict[str, float]]:
     return {
         each.name: {
             "value": each.value,
@@ -366,7 +369,7 @@ def _differences_object(found: Sequence[Difference]) -> dict[str, dict[str, floa
     }
 
 
-def _worth_object(found: Worth) -> dict[str, Any]:
+def _worth_object(found: "Worth") -> dict[str, Any]:
     """Return what the assumed displacement is worth: the measured one where it was measured and here, and the factors of results."""
     return {
         "at_pair": [*found.at_pair],
@@ -375,7 +378,7 @@ def _worth_object(found: Worth) -> dict[str, Any]:
     }
 
 
-def _verdict_object(verdict: Verdict) -> dict[str, Any]:
+def _verdict_object(verdict: "Verdict") -> dict[str, Any]:
     return {
         "name": verdict.name,
         "symbol": NOMENCLATURE[verdict.name].symbol,

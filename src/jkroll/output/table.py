@@ -9,17 +9,17 @@ from rich.console import Console
 from rich.table import Column, Table
 from rich.text import Text
 
-from ..answers.answer import Answer
 from ..answers.notes import parts_of_assumed, symbol_of
-from ..answers.questions import Grid
-from ..answers.results import Result
 from ..quantities.formatting import Format, amount, in_words, pretty
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
-from ..rows.columns import Columns
 from ..text import columns, fitting, say
 
 if TYPE_CHECKING:
+    from ..answers.answer import Answer
+    from ..answers.questions import Grid
+    from ..answers.results import Result
     from ..quantities.values import Uncertain
+    from ..rows.columns import Columns
 
 _HEADS = ("quantity", "symbol", "value", "unit", "Eq", "definition", "reference", "JKR")
 _JKR = 7  # the place of JKR's value, shown beside that of another law
@@ -32,7 +32,7 @@ MIN_WRAPPED = 16  # characters of a column of texts on a narrow terminal
 BETWEEN = 3  # two columns
 
 
-def scene_table(answer: Answer, out: TextIO, form: Format) -> None:
+def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
     """Write the inputs of one scene, and its results below each other, or in a grid if all of them are JKR's and it fits."""
     results = [result.in_unit(form) for result in answer.results]
     say(_inputs({**answer.inputs, **answer.uncertain}, form, assumed=answer.assumed), out)
@@ -61,7 +61,7 @@ def scene_table(answer: Answer, out: TextIO, form: Format) -> None:
         say(" ".join(cell for cell in row[1:4] if cell), out)
 
 
-def _grid_table(grid: Grid, answer: Answer, results: Sequence[Result], out: TextIO, form: Format) -> Table:
+def _grid_table(grid: "Grid", answer: "Answer", results: "Sequence[Result]", out: TextIO, form: Format) -> Table:
     """Return the table of a grid; the quantities of a cell stand below each other."""
     found: dict[str, Any] = {**answer.inputs, **answer.uncertain}
     found |= {result.name: result.propagated.uncertainty if result.propagated else result.value for result in results}
@@ -74,7 +74,7 @@ def _grid_table(grid: Grid, answer: Answer, results: Sequence[Result], out: Text
     return _table(grid.heads, rows, out, grid.heads[1:])
 
 
-def _result_row(result: Result, form: Format) -> list[str]:
+def _result_row(result: "Result", form: Format) -> list[str]:
     quantity = NOMENCLATURE[result.name]
     if result.value is None:
         value, unit = "—", ""
@@ -95,7 +95,7 @@ def _result_row(result: Result, form: Format) -> list[str]:
     ]
 
 
-def _is_aside(result: Result) -> bool:
+def _is_aside(result: "Result") -> bool:
     """Return whether a result is shown dimmed: it stands beside a headline, or has no value."""
     return bool(NOMENCLATURE[result.name].note) or result.value is None
 
@@ -103,7 +103,7 @@ def _is_aside(result: Result) -> bool:
 _LEADERS = dict.fromkeys(PROPERTIES, "material") | {name + "2": "material2" for name in PROPERTIES}
 
 
-def sweep_table(columns: Columns, out: TextIO, form: Format) -> None:
+def sweep_table(columns: "Columns", out: TextIO, form: Format) -> None:
     """Write a table of several scenes; inputs that all of them share stand above.
 
     A scene is a row. Where that is wider than the terminal, a scene is a column, and where this is too wide as well, a row
@@ -129,7 +129,7 @@ def sweep_table(columns: Columns, out: TextIO, form: Format) -> None:
 class _Cells:
     """The values of columns as they are printed, with their uncertainties."""
 
-    def __init__(self, columns: Columns, form: Format) -> None:
+    def __init__(self, columns: "Columns", form: Format) -> None:
         self.columns, self.form = columns, form
         self.inputs: dict[str, list[Any]] = {
             name: [in_words(name, value) for value in column] for name, column in columns.inputs.items()
