@@ -346,7 +346,7 @@ _COMMANDS = (
         CURVE,
         MARKED,
         *_LOOKS,
-        runner="runners:run_contact",
+        runner="question:run_contact",
     ),
     _question("moment", "Rolling resistance at a displacement ξ.", "quartz 100nm --xi 1angstrom"),
     _question("energies", "Energies to break, to roll and to stick, by convention.", "quartz 100nm --angle 90deg"),

@@ -20,8 +20,8 @@ from ..scene.inverse import SIZES, AlreadyGiven, CannotInfer
 from ..scene.unknowns import largest, with_inputs
 from ..text import quoted, say_wrapped
 from .commands import Call
-from .question import check_count, exit_code, form_of, format_name, unless_failed, write_answers, write_columns
-from .request import request_of
+from .question import check_count, exit_code, unless_failed, write_answers, write_columns
+from .request import form_of, format_name, request_of
 
 TABLES = (".csv", ".tsv", ".ndjson", ".parquet", ".gz", ".zst")
 MAX_ANSWERS = 10_000  # that are explained one by one

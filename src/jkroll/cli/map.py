@@ -25,8 +25,7 @@ from ..scene.scene import Scene
 from ..scene.wiring import depends_on
 from ..text import quoted, say_wrapped, spelled
 from .commands import Call
-from .question import PICTURES, ending, format_name, no_picture
-from .request import Request, curve_request, materials_of, request_of
+from .request import PICTURES, Request, curve_request, ending, format_name, materials_of, no_picture, request_of
 
 ON_SCREEN = (241, 121)  # points of a map that is drawn in cells
 IN_FILE = (201, 201)

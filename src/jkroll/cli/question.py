@@ -1,4 +1,4 @@
-"""Runner of the commands that ask a question of scenes: from a call to printed answers and an exit code."""
+"""Runners that ask a question of scenes, or for their force curves: from a call to printed answers and an exit code."""
 
 import sys
 from collections.abc import Iterable, Iterator, Sequence
@@ -13,16 +13,15 @@ from ..output import notes as note_lines
 from ..output.records import in_units, lines, text_output, write_json, write_plain
 from ..quantities.formatting import Format
 from ..quantities.nomenclature import NOMENCLATURE
-from ..quantities.units import BadUnit, Unit, dimension_of, parse_unit
-from ..quantities.values import error_about
 from ..rows.columns import Columns, Wanted
 from ..scene.wiring import formula_of
 from ..text import fitting, quoted, say_wrapped
 from .commands import Call
-from .request import Request, request_of
+from .request import PICTURES, Request, curve_request, ending, form_of, format_name, is_json, request_of
 
 MAX_OBJECTS = 1_000_000  # answers that are written one by one
 MAX_TABLE = 10_000  # rows of a table on a terminal
+CURVE_BLOCK = 500  # rows of force curves that are computed before they are written
 
 
 def run_question(call: Call) -> int:
@@ -197,71 +196,39 @@ def write_answers(answers: Iterable[Answer], count: int, kind: str, form: Format
     return _failed(len(failures), count, failures[0] if failures else None)
 
 
-# --- Formats of the output --------------------------------------------------------------------------------------------
+# --- Force curves -----------------------------------------------------------------------------------------------------
 
 
-FORMATS = ("bare", "json", "csv", "explain", "cite")
-PICTURES = ("svg", "pdf", "png")
+def run_contact(call: Call) -> int:
+    """Answer the question of the command, or write or draw the force curve; return the exit code."""
+    is_drawn = call.curve and call.target is not None
+    if is_drawn or call.width is not None or call.style is not None or call.uncaptioned or call.panel:
+        from .map import draw_contact
+
+        return draw_contact(call)
+    return _write_curve(call) if call.curve else run_question(call)
 
 
-def format_name(call: Call) -> str:
-    """Return the name of the output format: the one that was chosen, else a table on a terminal and plain lines in a pipe.
+def _write_curve(call: Call) -> int:
+    """Write the force curve of every scene; return the exit code."""
+    from ..answers.curve import curve, states, wanted_of_curve
 
-    A name of the output file that ends in .json chooses JSON.
-    """
-    chosen = [name for name in FORMATS if getattr(call, name)]
-    if len(chosen) > 1:
-        raise BadRequest(f"--{chosen[0]} and --{chosen[1]} exclude each other")
-    if is_json(call.target):
-        if chosen and chosen != ["json"]:
-            raise BadRequest(f"-o {quoted(call.target or '')} and --{chosen[0]} exclude each other")
-        return "json"
-    if chosen:
-        return chosen[0]
-    return "table" if sys.stdout.isatty() else "plain"
-
-
-def form_of(call: Call, quantities: Sequence[str]) -> Format:
-    """Return the format of results; each unit of `--to` applies to the quantities of its dimension."""
-    units: dict[str, tuple[str, Unit]] = {}
-    for text in call.to.split(",") if call.to is not None else []:
-        try:
-            unit = parse_unit(text)
-        except BadUnit as error:
-            wanted = [dimension_of(NOMENCLATURE[name].unit) for name in quantities]
-            raise error_about(
-                "--to", text, error, wanted, f"expected a unit such as {NOMENCLATURE[quantities[0]].unit}"
-            ) from None
-        fitting = [
-            name for name in quantities if text.strip() and dimension_of(NOMENCLATURE[name].unit) == unit.dimension
-        ]
-        if not fitting:
-            units_of_results = ", ".join(dict.fromkeys(NOMENCLATURE[name].unit for name in quantities))
-            raise BadRequest(f"--to: {quoted(text)} fits none of the results, which are in: {units_of_results}")
-        if fitting[0] in units:
-            raise BadRequest(
-                f"--to: {quoted(units[fitting[0]][0])} and {quoted(text)} are units of one dimension; give one of them"
-            )
-        units |= dict.fromkeys(fitting, (" ".join(text.split()), unit))
-    return Format(units, call.digits)
-
-
-def no_picture(flag: str, path: str, remedy: str = "") -> BadRequest:
-    """Return the error for a file name whose ending is not that of a picture; `remedy` says how else the numbers are written."""
-    endings = f".{', .'.join(PICTURES[:-1])} or .{PICTURES[-1]}"
-    return BadRequest(f"{flag}: {quoted(path)} does not end in {endings}{remedy}")
-
-
-def ending(path: str) -> str:
-    """Return the ending of a file name, in lower case and without its point.
-
-    >>> ending("a/Map.SVG"), ending("svg")
-    ('svg', '')
-    """
-    _, point, end = path.rpartition(".")
-    return end.casefold() if point else ""
-
-
-def is_json(target: str | None) -> bool:
-    """Return whether an output file was named whose name says that it is JSON."""
-    return target is not None and ending(target) == "json"
+    _, kind, form = checked(call)
+    if kind in ("explain", "cite"):
+        raise BadRequest(f"--curve and --{kind} exclude each other")
+    request, loads = curve_request(call)
+    check_count(request.count, "curve")
+    samples = [*curve(request.sweep.kinds, loads)]
+    if (failure := samples[0].failure) is not None and all(one.failure is not None for one in samples):
+        raise failure
+    answers = curve(request.scenes(), loads)
+    if kind == "json":
+        count = sum(len(states(scene, loads)) for scene in request.scenes())
+        return write_answers(answers, count, kind, form, sys.stdout, quiet=call.quiet)
+    wanted = wanted_of_curve(samples, is_bare=kind == "bare")
+    size = MAX_TABLE if kind == "table" else CURVE_BLOCK
+    blocks = iter(lambda: [one.row(wanted) for one in islice(answers, size)], [])
+    notes = note_lines.OfRows()
+    columns = (in_units(Columns.of_rows(wanted, rows), form) for rows in blocks)
+    write_columns(wanted, notes.watch(columns), kind, form, call)
+    return exit_code(notes, notes.count)

@@ -1,67 +1,16 @@
-"""Runners of a few lines: `contact`, `batch`, `materials`, `quantities`, `guide`, `verify` and `bench`.
+"""Runners of a few lines: `batch`, `materials`, `quantities`, `guide`, `verify` and `bench`.
 
 Each imports by itself what it hands a call to, so that a call pays for its own only.
 """
 
 import sys
-from itertools import islice
 
 from ..answers.questions import quantity_named
 from ..errors import BadRequest
-from ..output import notes as note_lines
-from ..output.records import in_units
 from ..quantities.nomenclature import named
-from ..rows.columns import Columns
 from ..text import say_wrapped
 from .commands import Call
-from .question import (
-    MAX_TABLE,
-    check_count,
-    checked,
-    exit_code,
-    format_name,
-    run_question,
-    write_answers,
-    write_columns,
-)
-from .request import curve_request, materials_of
-
-CURVE_BLOCK = 500  # rows of force curves that are computed before they are written
-
-
-def run_contact(call: Call) -> int:
-    """Answer the question of the command, or write or draw the force curve; return the exit code."""
-    is_drawn = call.curve and call.target is not None
-    if is_drawn or call.width is not None or call.style is not None or call.uncaptioned or call.panel:
-        from .map import draw_contact
-
-        return draw_contact(call)
-    return _write_curve(call) if call.curve else run_question(call)
-
-
-def _write_curve(call: Call) -> int:
-    """Write the force curve of every scene; return the exit code."""
-    from ..answers.curve import curve, states, wanted_of_curve
-
-    _, kind, form = checked(call)
-    if kind in ("explain", "cite"):
-        raise BadRequest(f"--curve and --{kind} exclude each other")
-    request, loads = curve_request(call)
-    check_count(request.count, "curve")
-    samples = [*curve(request.sweep.kinds, loads)]
-    if (failure := samples[0].failure) is not None and all(one.failure is not None for one in samples):
-        raise failure
-    answers = curve(request.scenes(), loads)
-    if kind == "json":
-        count = sum(len(states(scene, loads)) for scene in request.scenes())
-        return write_answers(answers, count, kind, form, sys.stdout, quiet=call.quiet)
-    wanted = wanted_of_curve(samples, is_bare=kind == "bare")
-    size = MAX_TABLE if kind == "table" else CURVE_BLOCK
-    blocks = iter(lambda: [one.row(wanted) for one in islice(answers, size)], [])
-    notes = note_lines.OfRows()
-    columns = (in_units(Columns.of_rows(wanted, rows), form) for rows in blocks)
-    write_columns(wanted, notes.watch(columns), kind, form, call)
-    return exit_code(notes, notes.count)
+from .request import format_name, materials_of
 
 
 def run_batch(call: Call) -> int:
