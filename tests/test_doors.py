@@ -292,7 +292,7 @@ def _in_cells(floats: Rows, cells: Sequence[Cells], options: Sequence[str]) -> I
         for key in floats.keys if not options else ():
             if _read(line[_head(key)], "") != floats.values[row].get(key):
                 yield f"csv: row {row}: {key} = {floats.values[row].get(key)!r} and {line[_head(key)]}"
-        if line[DOUBT] != " ".join(codes(floats.doubts[row])):
+        if line[DOUBT] != codes(floats.doubts[row]):
             yield f"csv: row {row}: {line[DOUBT]!r}"
 
 
@@ -334,7 +334,7 @@ def _in_object(floats: Rows, row: int, found: Mapping[str, Any], options: Sequen
             if reason != entry.get("reason"):
                 yield f"{key}: {reason} and {entry.get('reason')}"
     in_words = {verdict["code"] for verdict in found["validity"] if not verdict["holds"]}
-    if in_words != {*codes(floats.doubts[row] & ~NOT_JUDGED)}:
+    if in_words != {*codes(floats.doubts[row] & ~NOT_JUDGED).split()}:
         yield f"doubts {codes(floats.doubts[row])} and {in_words}"
     not_judged = any(note.startswith("not checked") for note in found["notes"])
     if not_judged != bool(floats.doubts[row] & NOT_JUDGED):
@@ -376,7 +376,7 @@ def _in_written(rows: Rows, cells: Sequence[Cells]) -> Iterator[str]:
         for key in rows.keys:
             if _read(line[_head(key)], "") != rows.values[row].get(key):
                 yield f"row {row}: {key} = {rows.values[row].get(key)!r} and {line[_head(key)]}"
-        if line.get(DOUBT, "") != " ".join(codes(rows.doubts[row])) and DOUBT in line:
+        if line.get(DOUBT, "") != codes(rows.doubts[row]) and DOUBT in line:
             yield f"row {row}: {line[DOUBT]!r}"
         if bool(line[STATUS]) != bool(rows.reasons[row]):
             yield f"row {row}: {line[STATUS]!r}"

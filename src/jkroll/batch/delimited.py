@@ -288,11 +288,10 @@ class Delimited:
         """Return the doubts and the status of each row with the end of the line, or an empty text where there are none."""
         separator, has_doubts = self.dialect.separator, len(self.table.remarks) > 1
 
-        @cache  # many rows have the same doubts
         def doubts(bits: int) -> bytes:
-            return separator + " ".join(codes(bits)).encode() if has_doubts else b""
+            return separator + codes(bits).encode() if has_doubts else b""
 
-        @cache
+        @cache  # many rows have the same doubts
         def remark(bits: int) -> bytes:
             return doubts(bits) + separator + self.line_end if bits and has_doubts else b""
 

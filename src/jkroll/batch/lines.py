@@ -55,7 +55,7 @@ def _rows_of_codes(bits: Any) -> Counter[str]:
     """Return in how many rows each code of a doubt stands."""
     every = int(numpy.bitwise_or.reduce(bits))
     each = (1 << place for place in range(every.bit_length()) if every >> place & 1)
-    return Counter({code: int(numpy.count_nonzero(bits & bit)) for bit in each for code in codes(bit)})
+    return Counter({codes(bit): int(numpy.count_nonzero(bits & bit)) for bit in each})
 
 
 class Converted(NamedTuple):

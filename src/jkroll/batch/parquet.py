@@ -147,7 +147,7 @@ def _changed(key: str, columns: Columns, units: Units) -> Floats:
 def _remarks(columns: Columns, names: Iterable[str]) -> Iterator[Any]:
     """Iterate over the columns of doubts and of status, as far as they are wanted."""
     of_rows: Mapping[str, Any] = {
-        DOUBT: lambda row: " ".join(codes(int(columns.doubts[row]))) or None,
+        DOUBT: lambda row: codes(int(columns.doubts[row])) or None,
         STATUS: lambda row: columns.status(row) or None,
     }
     for name in names:

@@ -113,7 +113,7 @@ def lines(kind: str, wanted: Wanted, blocks: Iterable[Columns], form: Format, *,
     for columns in blocks:
         cells = [*_inputs(columns, style), *_results(columns, form, style)]
         if DOUBT in remarks:
-            cells.append([_cell(" ".join(codes(bits)), style) for bits in _listed(columns.doubts)])
+            cells.append([_cell(codes(bits), style) for bits in _listed(columns.doubts)])
         if STATUS in remarks:
             cells.append([_cell(columns.status(row), style) for row in range(len(columns))])
         if style.is_json:

@@ -2,6 +2,7 @@
 
 import operator
 from collections.abc import Collection, Iterator, Mapping
+from functools import cache
 from math import log
 from typing import Any, Literal, NamedTuple
 
@@ -272,9 +273,10 @@ def told(bits: int) -> list[Told]:
     return [told for place, told in enumerate(TOLD) if bits >> place & 1]
 
 
-def codes(bits: int) -> list[str]:
+@cache  # many rows have the same doubts
+def codes(bits: int) -> str:
     """Return the codes of the doubts that bits stand for, and "?" if there are limits that could not be judged."""
-    return [*(told.code for told in told(bits)), *(["?"] if bits & NOT_JUDGED else [])]
+    return " ".join([*(told.code for told in told(bits)), *(["?"] if bits & NOT_JUDGED else [])])
 
 
 def sentence(verdict: Verdict) -> str:
