@@ -1,0 +1,120 @@
+"""Tables as instruments, simulation codes and lists of materials write them, found in public: what each is read as, or what is to be done.
+
+found_tables.toml has them, and says how.
+"""
+
+import re
+import shlex
+import tomllib
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+import pytest
+
+from harness import Ran, Run
+from jkroll.batch.delimited import DELIMITED
+from jkroll.quantities.errors import QuantityError
+from jkroll.quantities.values import Uncertain
+from jkroll.rows.header import Column, choices, understood
+
+
+class Found(NamedTuple):
+    """A table; the head of found_tables.toml explains the fields."""
+
+    path: str
+    call: str
+    table: str
+    named: Sequence[str] = ()
+    written: Sequence[str] = ()
+    reads: Mapping[str, list[Any]] = MappingProxyType({})
+    passes: Sequence[str] = ()
+    counted: Sequence[str] = ()
+    failed: int = 0
+    ends: str = ""
+    crlf: bool = False
+
+    @property
+    def text(self) -> bytes:
+        """The table as it stands in its file."""
+        return self.table.replace("\n", "\r\n" if self.crlf else "\n").encode()
+
+
+RECORDS = tomllib.loads(Path(__file__).with_name("found_tables.toml").read_text(encoding="utf-8"))
+TABLES = {source: Found(**record) for source, (record,) in RECORDS.items()}
+_COLUMN = re.compile(r"(?<!or )--column ('[^']*'|\"[^\"]*\")")
+_OTHER = re.compile(r"write (--(?:delimiter|format) \w+)")
+
+
+def named(message: str) -> list[str]:
+    """Return what a message says to write."""
+    return [shlex.split(value)[0] for value in _COLUMN.findall(message)] + _OTHER.findall(message)
+
+
+def words(choice: str) -> list[str]:
+    return choice.split() if choice.startswith("--") else ["--column", choice]
+
+
+def advised(run: Run, found: Found) -> Iterator[tuple[Ran, list[str]]]:
+    """Iterate over runs with what was written so far, each with what the message names next."""
+    written: Sequence[str] = ()
+    while True:
+        options = [word for choice in written for word in words(choice)]
+        out = "out.tsv" if "--format tsv" in written else "out.csv"
+        ran = run("batch", Path(found.path).name, *found.call.split(), *options, "-o", out)
+        advice = [] if found.ends and found.ends in ran.err else named(ran.err)
+        yield ran, advice
+        count = len(written) + len(advice)
+        if count == len(written) or count > len(found.named):
+            return
+        written = (found.written or found.named)[:count]
+
+
+@pytest.mark.parametrize("source", TABLES)
+def test_a_found_table_is_read_or_refused(run: Run, source: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "2000")
+    found = TABLES[source]
+    Path(Path(found.path).name).write_bytes(found.text)
+    *_, (ran, _) = runs = [*advised(run, found)]
+    assert [choice for _, advice in runs for choice in advice] == [*found.named]
+    assert all(before.code == 2 or "note: " in before.err for before, _ in runs[:-1])
+    if found.ends:
+        assert (ran.code, found.ends in ran.err) == (2, True)
+        return
+    assert ran.code == (1 if found.failed else 0)
+    assert (f"jkroll: {found.failed} of " in ran.err) == bool(found.failed)
+    passing = ran.err.splitlines()[0].partition("passed through: ")[2].replace('"', "")
+    said = re.split(r"(?:^\d+ columns: )|, | and \d+ more$| and ", passing)
+    assert {*found.passes} <= {*said}
+    assert {*said}.isdisjoint(found.counted)
+    assert values(found) == {name: [of_cell(cell) for cell in cells] for name, cells in found.reads.items()}
+
+
+def of_cell(value: Any) -> Any:
+    return pytest.approx(value, rel=1e-12) if isinstance(value, float | list) else value
+
+
+def values(found: Found) -> dict[str, list[Any]]:
+    """Return what is read of each row that has a cell for each column, by the names of inputs."""
+    chosen = found.written or found.named
+    options = dict(choice.removeprefix("--").split() for choice in chosen if choice.startswith("--"))
+    dialect = DELIMITED[options.get("delimiter") or ("tab" if options.get("format") == "tsv" else "comma")]
+    head, rows = dialect.head(dialect.prepared(found.text))
+    header = understood(head.names, rows, choices(choice for choice in chosen if not choice.startswith("--")))
+    materials = {name: [row[place] for row in rows] for name, place in header.materials}
+    return materials | {column.name: [value(column, row) for row in rows] for column in header.inputs}
+
+
+def value(column: Column, row: Sequence[str]) -> Any:
+    """Return the value of an input in a row; an empty text if its cells have none."""
+    text = column.joined(*(row[place] for place in column.places.values()))
+    try:
+        found = column.read(text) if text else ""
+    except QuantityError:
+        return ""
+    return [found.low, found.high] if isinstance(found, Uncertain) else found
+
+
+def test_each_table_is_an_excerpt() -> None:
+    assert all(len(found.text) < 1000 for found in TABLES.values())
