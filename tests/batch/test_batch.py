@@ -397,9 +397,10 @@ HEADERS = {
     "material\tradius": "header: 'material\\tradius' has tabs between its columns; write --format tsv".replace(
         "\\t", "?"
     ),
-    "radius [],x": "header: 'radius' has no unit, and neither has its first cell '100'; 100: nm? Write radius [nm]",
-    "radius,x": "header: 'radius' has no unit, and neither has its first cell '100'; 100: nm? Write radius [nm]",
-    "radius [nm],status": "header: there is a column 'status' already; rename it, or choose --quantities",
+    "radius [],x": "header: 'radius []' has no unit, and neither has its first cell '100'; 100: nm? Write --column 'radius []=radius [nm]', or 'radius []=' to pass it through",
+    "radius,x": "header: 'radius' has no unit, and neither has its first cell '100'; 100: nm? Write --column 'radius=radius [nm]', or 'radius=' to pass it through",
+    "radius [nm],status": "header: there is a column 'status' already; rename it",
+    "radius [nm],doubt": "header: there is a column 'doubt' already; rename it, or write --no-doubt",
     "radius [nm],r_min [m]": "header: there is a column 'r_min [m]' already; rename it, or choose --quantities",
     "name,x": "pull_off_force needs surface energy per surface and radius of sphere 1; give --gamma 25mJ/m2 and a radius such as 100nm or --work-of-adhesion 50mJ/m2",
     '"radius [nm],x': "header: has a quote that is not closed",
@@ -639,13 +640,13 @@ def test_one_liners_need_nothing_that_only_posix_has() -> None:
 
 
 def test_a_table_without_a_radius_says_so(run: Run, tmp_path: Path) -> None:
-    (tmp_path / "sizes.csv").write_text("size_um,n\n1,3\n", encoding="utf-8")
+    (tmp_path / "sizes.csv").write_text("size_um,xi [nm]\n1,0.2\n", encoding="utf-8")
     ran = run("batch sizes.csv --material quartz -o out.csv")
     assert ran.err.splitlines() == [
-        "read: no input; passed through: size_um, n",
+        "read: yield_displacement [nm] from xi [nm]; passed through: size_um",
         "note: no column and no option gives a radius; what needs one is left out",
     ]
     assert (tmp_path / "out.csv").read_text(encoding="utf-8").splitlines()[
         0
-    ] == "size_um,n,yield_force [N],doubt,status"
+    ] == "size_um,xi [nm],yield_force [N],doubt,status"
     assert "note" not in run("batch sizes.csv --material quartz --quantities yield_force -o out.csv").err

@@ -12,8 +12,7 @@ from ..errors import missing_extra
 from ..output.records import lines
 from ..quantities.formatting import Format as Units
 from ..rows.columns import Columns, Wanted
-from ..rows.header import BadTable, chosen, understood
-from ..rows.readings import example_unit
+from ..rows.header import BadTable, chosen, understood, with_unit
 from ..rows.table import Fill, Inverse, Table, say_reading, table_of
 from ..text import quoted
 from .delimited import DELIMITED, Delimited
@@ -49,7 +48,7 @@ def table_with(names: tuple[str, ...], rows: list[list[str]], order: Order) -> T
     fill = _fill(order)
     columns = understood(names, rows, chosen(names, settings.columns, settings.measured))
     if settings.measured and settings.measured not in columns.names:
-        advice = f"--column 'HEADER={settings.measured}{example_unit(settings.measured)}'"
+        advice = f"--column 'HEADER={with_unit(settings.measured)}'"
         raise BadTable(f"header: no column has the measured {settings.measured}; name it by {advice}")
     asked = ([], []) if settings.infer else quantities_named(settings.quantities)
     table = table_of(columns, rows, fill, asked, doubt=settings.doubt, uncertainty=settings.uncertainty)

@@ -1,23 +1,25 @@
 """The header of a table: the columns that are inputs, their units, and the columns that pass through."""
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from math import gcd, log10
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from math import gcd, isfinite, log10
 from types import MappingProxyType
 from typing import NamedTuple
 
 from ..errors import BadRequest, JkrollError
 from ..quantities.errors import BareNumber, QuantityError
-from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
 from ..quantities.units import Unit, dimension_of, kind_of
 from ..quantities.values import Uncertain, parse_quantity, split_number, unit_of, value_of
 from ..text import MAX_WORD, closest, first_of, quoted, shown
-from .readings import MATERIALS, Reading, measured_reading, reading_of
+from .readings import INPUTS, MATERIALS, Reading, fits, measured_reading, reading_of
 
 _PER_CENT = re.compile(r"(.*?)((?:±|\+/?-)[^±]*%)?", re.DOTALL)  # 25±20 % of the value
 _EASY = re.compile(r"[\w*.-]+( \[[^\[\] ]*\])?")  # a header that needs no quotes in a sentence
 _PARTS = "values have a column of ± beside them, or two, of minus and plus; a range has low and high alone"
 _MOST_SAID = 8  # columns that pass through and are named
+_NEEDED = ("radius", *PROPERTIES)  # of a contact; the other inputs have defaults, or serve few quantities
+_PREFIXES = ("n", "u", "m", "", "k", "M", "G")
 
 
 class BadTable(JkrollError):
@@ -127,6 +129,7 @@ class Header(NamedTuple):
     materials: tuple[tuple[str, int], ...]  # name and place of the columns that name materials
     alike: tuple[str, ...] = ()  # columns that pass through though they look like quantities
     chosen: Mapping[str, Reading] = MappingProxyType({})  # what `--column` says of headers
+    bare: Mapping[str, str] = MappingProxyType({})  # symbols without a unit, and what they may mean
 
     @property
     def names(self) -> frozenset[str]:
@@ -146,6 +149,14 @@ class Header(NamedTuple):
         passing = [_easy(text) for text in dict.fromkeys((*self.alike, *others))]
         count = f"{len(others)} columns: " if len(others) > _MOST_SAID else ""
         return f"{sentence}; passed through: {count}{first_of(passing, _MOST_SAID)}"
+
+    def advice(self, given: Collection[str]) -> str:
+        """Return the note on columns that may be inputs which nothing else gives; an empty text if there are none."""
+        meant = {text: meaning for text, meaning in self.bare.items() if meaning.partition(" ")[0] not in given}
+        if not meant:
+            return ""
+        have = "has no unit; if it is an input" if len(meant) == 1 else "have no unit; if they are inputs"
+        return f"note: {', '.join(map(_easy, meant))} {have}, write {_columns(meant)}"
 
     def _reading_of(self, column: Column) -> str:
         """Return the name of an input with the headers that it is read from, if these are others."""
@@ -191,7 +202,7 @@ def choices(texts: Iterable[str], measured: str = "") -> dict[str, Reading]:
         reading = (measured and measured_reading(meaning, measured)) or reading_of(meaning)
         if meaning.strip() and (not reading.name or reading.is_symbol):
             meant = (
-                f"; did you mean {reading.meant}?"
+                f"; did you mean {_meant(reading.meant)}?"
                 if reading.meant
                 else "; write a name with its unit, as in radius [nm]"
             )
@@ -210,6 +221,7 @@ def understood(
     materials: list[tuple[str, int]] = []
     parts: dict[str, dict[str, int]] = {}  # the places of the parts of an input's uncertainty
     alike: list[str] = []
+    bare: dict[str, str] = {}
     seen: dict[str, str] = {}
     if lacking := [text for text in chosen if text not in {text.strip() for text in texts}]:
         guess = closest(lacking[0], texts)
@@ -217,7 +229,10 @@ def understood(
         raise BadTable(f"--column: the table has no column {quoted(lacking[0])}{meant}")
     for place, text in enumerate(texts):
         reading = chosen.get(text.strip()) or reading_of(text)
-        if reading.is_symbol and not reading.part and not _have_units(reading.name, [row[place] for row in rows]):
+        cells = [row[place] for row in rows] if reading.is_symbol or reading.meant else []
+        if reading.is_symbol and not reading.part and not _have_units(reading.name, cells):
+            if reading.name.removesuffix("2") in _NEEDED and _is_number(next(filter(str.strip, cells), "")):
+                bare[text] = with_unit(reading.name, cells)
             reading = Reading(is_alike=True)
         name, unit_text = reading.name, reading.unit_text
         key = f"{name} {reading.part}" if name else text
@@ -235,15 +250,13 @@ def understood(
         elif name:
             inputs.append(_column(place, name, unit_text, text))
         elif reading.meant or reading.problem:
-            is_wrong = f"; did you mean {reading.meant}?" if reading.meant else f": {reading.problem}"
-            remedy = (
-                f"--column {_choice(text, reading.meant or 'INPUT [UNIT]')}, or {_choice(text, '')} to pass it through"
-            )
-            raise BadTable(f"header: {quoted(text)} is no input{is_wrong} Write {remedy}")
+            meant = _meant(reading.meant, cells)
+            is_wrong = f"; did you mean {meant}?" if meant else f": {reading.problem}"
+            raise BadTable(f"header: {quoted(text)} is no input{is_wrong} {_remedy({text: meant or 'INPUT [UNIT]'})}")
         elif reading.is_alike:
             alike.append(text)
     others = [*alike, *_add_parts(parts, texts, inputs, chosen)]
-    return Header(tuple(texts), tuple(inputs), tuple(materials), tuple(others), chosen)
+    return Header(tuple(texts), tuple(inputs), tuple(materials), tuple(others), chosen, bare)
 
 
 def _add_parts(
@@ -291,6 +304,28 @@ def _with_parts(
     return base._replace(sides=tuple(sides))
 
 
+def with_unit(name: str, cells: Sequence[str] = (), part: str = "") -> str:
+    """Return the header of an input, or of a part of its uncertainty, with the likely unit of its cells if it needs one."""
+    needs_unit = any(dimension_of(NOMENCLATURE[name].unit or "1"))
+    return f"{name}{part} [{_likely_unit(name, cells)}]" if needs_unit else f"{name}{part}"
+
+
+def _meant(text: str, cells: Sequence[str] = ()) -> str:
+    """Return the header that was probably meant, with a unit."""
+    return with_unit(text, cells) if text in INPUTS else text
+
+
+def _remedy(meant: Mapping[str, str]) -> str:
+    """Return the sentence that says how to read columns as what they may mean, and, if it is one, how to pass it through."""
+    passing = [f", or {_choice(text, '')} to pass it through" for text in meant]
+    return f"Write {_columns(meant)}{passing[0] if len(passing) == 1 else ''}"
+
+
+def _columns(meant: Mapping[str, str]) -> str:
+    """Return the options that read columns as what they may mean."""
+    return " ".join(f"--column {_choice(text, meaning)}" for text, meaning in meant.items())
+
+
 def _choice(text: str, meaning: str) -> str:
     """Return the value of `--column` in the quotes of a shell."""
     value = shown(f"{text.strip()}={meaning}")
@@ -302,6 +337,13 @@ def _have_units(name: str, cells: Sequence[str]) -> bool:
     try:
         return any(value_of(cell, name) is not None for cell in [cell for cell in cells if cell.strip()][:1])
     except QuantityError:
+        return False
+
+
+def _is_number(text: str) -> bool:
+    try:
+        return isfinite(float(text))
+    except ValueError:
         return False
 
 
@@ -330,38 +372,65 @@ def _column(place: int, name: str, unit_text: str | None, text: str) -> Column:
     return Column(place, name, unit_text, unit)
 
 
-def check_first(column: Column, texts: Sequence[str]) -> None:
-    """Raise BadTable for a column that has a unit neither in its header nor in its first cell."""
+def check_first(column: Column, texts: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
+    """Raise BadTable for a column that has a unit neither in its header nor in its first cell. `texts`: all headers; `rows`: the first ones."""
     if column.unit is not None or column.exponent is not None:
         return
-    first = next((text for text in texts if text.strip()), None)
+    cells = [row[column.place] for row in rows]
+    first = next(filter(str.strip, cells), "")
     try:
-        if first is not None:
-            value_of(first, column.name)
+        if not first or value_of(first, column.name) is not None:
+            return
     except BareNumber:
-        unit_text = _likely_unit(column.name, first or "")
-        cell = shown(first or "", MAX_WORD).strip()
-        raise BadTable(
-            f"header: {quoted(column.name)} has no unit, and neither has its first cell {quoted(first or '')}; "
-            f"{cell}: {unit_text}? Write {column.name} [{unit_text}]"
-        ) from None
+        guess = f"{shown(first, MAX_WORD).strip()}: {_likely_unit(column.name, cells)}?"
+        lacks = f"has no unit, and neither has its first cell {quoted(first)}; {guess}"
     except QuantityError:
-        pass  # a bad row, not a bad header
+        if not fits(first.strip(), column.name):
+            return  # a bad row, not a bad header
+        lacks = f"has its unit {quoted(first)} in the first row."
+    parts = {column.place: ""} | {side.place: f"_{side.part}" for side in column.sides}
+    meant = {texts[place]: with_unit(column.name, cells, part) for place, part in parts.items()}
+    raise BadTable(f"header: {quoted(texts[column.place])} {lacks} {_remedy(meant)}")
 
 
-def _likely_unit(name: str, cell: str) -> str:
-    """Return the SI unit of a quantity or that of its example, if it has one, in which a number is nearer to the example."""
+def check_inputs(header: Header) -> None:
+    """Raise BadTable for a table of which no column is an input: a row of it says nothing of a contact."""
+    if header.names:
+        return
+    if all(map(_is_number, header.texts)):
+        raise BadTable(f"header: {quoted(header.texts[0])} is a number; begin with a line of the columns' names")
+    columns = _columns(header.bare or {"HEADER": "INPUT [UNIT]"})
+    raise BadTable(
+        f"header: no column is an input; a row is a contact, and its inputs have columns such as radius [nm]. Write {columns}"
+    )
+
+
+def _likely_unit(name: str, cells: Sequence[str]) -> str:
+    """Return the unit that stands in the first cell, or that in which the geometric mean of the cells is nearest to the quantity's example."""
     quantity = NOMENCLATURE[name]
+    first = next(filter(str.strip, cells), "").strip()
+    if fits(first, name):
+        return first
     if not quantity.example:
         return quantity.unit
-    example = parse_quantity(quantity.example, name)
-    units = (split_number(quantity.example)[2], quantity.unit)
-    return min(units, key=lambda unit: _distance(f"{cell} {unit}", name, example))
+    logarithms = [log10(abs(float(cell))) for cell in cells if _is_number(cell) and float(cell)]
+    if not logarithms:
+        return _likely_units(name)[0]
+    wanted = log10(abs(parse_quantity(quantity.example, name))) - sum(logarithms) / len(logarithms)
+    return min(_likely_units(name), key=lambda unit: abs(log10(parse_quantity(f"1 {unit}", name)) - wanted))
 
 
-def _distance(text: str, name: str, example: float) -> float:
-    """Return by how many powers of ten a value differs from an example."""
-    try:
-        return abs(log10(abs(parse_quantity(text, name) / example)))
-    except (QuantityError, ValueError):
-        return 0.0
+def _likely_units(name: str) -> Sequence[str]:
+    """Return the units of a quantity from that of its example to that of SI, in steps of a thousand if prefixes make them.
+
+    >>> _likely_units("youngs_modulus"), _likely_units("density")
+    (['GPa', 'MPa', 'kPa', 'Pa'], ['g/cm3', 'kg/m^3'])
+    """
+    unit = NOMENCLATURE[name].unit
+    own = split_number(NOMENCLATURE[name].example)[2]
+    prefix = own.removesuffix(unit)
+    if prefix not in _PREFIXES:
+        return [own, unit]
+    first, last = _PREFIXES.index(prefix), _PREFIXES.index("")
+    step = 1 if first < last else -1
+    return [f"{_PREFIXES[place]}{unit}" for place in range(first, last + step, step)]

@@ -13,7 +13,7 @@ from typing import NamedTuple
 from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS
 from ..quantities.units import dimension_of, similar_unit
-from ..quantities.values import split_number, unit_of
+from ..quantities.values import unit_of
 from ..text import MAX_WORD, ascii_text, closest
 
 MATERIALS = ("material", "material2")
@@ -57,7 +57,7 @@ class Reading(NamedTuple):
     is_symbol: bool = False  # without a unit: an input only if its cells have units
     is_alike: bool = False  # passes through, but looks like a quantity
     problem: str = ""  # why the header is refused
-    meant: str = ""  # the header that was probably meant
+    meant: str = ""  # the header that was probably meant, or the name alone of an input whose unit is not known
 
 
 @lru_cache(maxsize=1000)
@@ -187,13 +187,12 @@ def _mistaken(text: str) -> Reading | None:
         if meant and (other or cut.end() == len(text) or not {*cut[0]}.isdisjoint("([/")):
             similar = similar_unit(rest, frozenset([dimension_of(NOMENCLATURE[meant].unit)])) if rest else None
             is_same = similar is not None and similar.casefold() == rest.casefold()  # but for capitals, as in gpa
-            return Reading(meant=f"{meant} [{similar}]" if is_same else meant + example_unit(meant))
+            return Reading(meant=f"{meant} [{similar}]" if is_same else meant)
         if _plain(word) in _UNCLEAR and len(word) > 1 and (cut.end() == len(text) or _has_dimension(rest, _LENGTHS)):
             return Reading(problem=_UNCLEAR[_plain(word)][1])
     brackets = _BRACKETS.fullmatch(text)
     guess = _similar(_plain(brackets[1] if brackets else text))
-    unit = f" [{brackets[2]}]" if brackets else None
-    return Reading(meant=guess + (unit or example_unit(guess))) if guess else None
+    return Reading(meant=f"{guess} [{brackets[2]}]" if brackets else guess) if guess else None
 
 
 def _similar(word: str) -> str | None:
@@ -276,13 +275,3 @@ def _has_dimension(unit_text: str, unit: str) -> bool:
         return bool(unit_text) and unit_of(unit_text, "radius").dimension == dimension_of(unit)
     except QuantityError:
         return False
-
-
-def example_unit(name: str) -> str:
-    """Return a unit for the header of a quantity, if it needs one: that of its example, or of SI."""
-    quantity = NOMENCLATURE[name]
-    return (
-        f" [{split_number(quantity.example)[2] if quantity.example else quantity.unit}]"
-        if any(dimension_of(quantity.unit or "1"))
-        else ""
-    )

@@ -20,12 +20,13 @@ from ..scene.scene import EXCLUSIVE, Scene
 from ..text import first_of, quoted, say, say_wrapped
 from .cells import LABEL, Codes, Lookup, Reader
 from .columns import DOUBT, SIDES, STATUS, BadCells, Wanted, heads
-from .header import BadTable, Column, Header, check_first
+from .header import BadTable, Column, Header, check_first, check_inputs
 from .inferred import Sought, observed
 from .readings import MATERIALS
 from .rows import Block, groups
 
 _MOST_LABELS = 3  # that are named
+_RENAMED = {STATUS: "", DOUBT: ", or write --no-doubt"}  # besides another name
 _SOME = 0.25  # a value that any input can have
 Asked = tuple[Sequence[str], Sequence[str]]  # quantities by name, and those that may lack inputs
 
@@ -165,9 +166,11 @@ def table_of(
     taken = set(table.added)
     for text in columns.texts:
         if text.strip() in taken:
-            raise BadTable(f"header: there is a column {quoted(text)} already; rename it, or choose --quantities")
+            remedy = _RENAMED.get(text.strip(), ", or choose --quantities")
+            raise BadTable(f"header: there is a column {quoted(text)} already; rename it{remedy}")
+    check_inputs(columns)
     for column in columns.inputs:
-        check_first(column, [row[column.place] for row in rows])
+        check_first(column, columns.texts, rows)
     return table
 
 
@@ -184,7 +187,10 @@ def say_reading(columns: Header, rows: Sequence[Sequence[str]], fill: Fill, quan
         say_wrapped(f"note: material: {first_of(unknown, _MOST_LABELS)} {fails}", sys.stderr)
     for message in filter(None, labels.values()):
         say_wrapped(f"note: {message}", sys.stderr)
-    if "radius" not in {*columns.names, *fill.fixed} and not quantities:
+    given = {*columns.names, *fill.fixed}
+    if advice := columns.advice(given):
+        say(advice, sys.stderr)  # in one line, to be copied
+    if "radius" not in given and not quantities:
         say("note: no column and no option gives a radius; what needs one is left out", sys.stderr)
 
 
