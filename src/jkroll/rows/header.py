@@ -12,7 +12,7 @@ from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
 from ..quantities.units import Unit, dimension_of, kind_of
 from ..quantities.values import Uncertain, parse_quantity, split_number, unit_of, value_of
 from ..text import MAX_WORD, closest, first_of, quoted, shown
-from .readings import INPUTS, MATERIALS, Reading, fits, measured_reading, reading_of
+from .readings import INPUTS, MATERIALS, Reading, fits, is_of_directions, measured_reading, reading_of
 
 _PER_CENT = re.compile(r"(.*?)((?:±|\+/?-)[^±]*%)?", re.DOTALL)  # 25±20 % of the value
 _EASY = re.compile(r"[\w*.-]+( \[[^\[\] ]*\])?")  # a header that needs no quotes in a sentence
@@ -222,6 +222,7 @@ def understood(
     parts: dict[str, dict[str, int]] = {}  # the places of the parts of an input's uncertainty
     alike: list[str] = []
     bare: dict[str, str] = {}
+    of_directions = next(filter(is_of_directions, texts), "")
     seen: dict[str, str] = {}
     if lacking := [text for text in chosen if text not in {text.strip() for text in texts}]:
         guess = closest(lacking[0], texts)
@@ -234,6 +235,8 @@ def understood(
             if reading.name.removesuffix("2") in _NEEDED and _is_number(next(filter(str.strip, cells), "")):
                 bare[text] = with_unit(reading.name, cells)
             reading = Reading(is_alike=True)
+        elif of_directions and text.strip() not in chosen and reading.name.removesuffix("2") == "youngs_modulus":
+            reading = Reading(problem=f"the modulus along a direction, as {quoted(of_directions)} beside it says?")
         name, unit_text = reading.name, reading.unit_text
         key = f"{name} {reading.part}" if name else text
         if key in seen:

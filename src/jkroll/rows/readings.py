@@ -46,6 +46,7 @@ _OF_PART = re.compile(
     rf"(.*?)(?:[\s_]*(±|\+/-)|[\s_]+({'|'.join(filter(str.isalpha, _PARTS))}))(?=$|[\s_,/(\[])(.*)", re.IGNORECASE
 )
 _RATIOS = ("poisson_ratio", "poisson_ratio2")  # the only ratios whose symbols have no other common meaning
+_OF_DIRECTIONS = re.compile(r"(G|nu|ν)_?(12|13|23|xy|xz|yz)(?![^\W_])", re.IGNORECASE)
 
 
 class Reading(NamedTuple):
@@ -75,6 +76,15 @@ def reading_of(text: str) -> Reading:
     if names := _symbols().get(_symbol(text)):
         return Reading(names[0], is_symbol=names[0] not in _RATIOS)
     return _with_unit(text) or _part(text) or _mistaken(text) or Reading(is_alike=_looks_like_a_quantity(text))
+
+
+def is_of_directions(text: str) -> bool:
+    """Return whether a header is that of an elastic constant which only a body with directions has: ν12, G_xy.
+
+    >>> is_of_directions("nu12"), is_of_directions("G12_Pa"), is_of_directions("G1")
+    (True, True, False)
+    """
+    return bool(_OF_DIRECTIONS.match(text.strip()))
 
 
 def measured_reading(text: str, quantity: str) -> Reading | None:
