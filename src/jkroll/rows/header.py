@@ -19,6 +19,7 @@ _EASY = re.compile(r"[\w*.-]+( \[[^\[\] ]*\])?")  # a header that needs no quote
 _PARTS = "values have a column of ± beside them, or two, of minus and plus; a range has low and high alone"
 _MOST_SAID = 8  # columns that pass through and are named
 _NEEDED = ("radius", *PROPERTIES)  # of a contact; the other inputs have defaults, or serve few quantities
+_NO_END = "?"  # of a range
 _PREFIXES = ("n", "u", "m", "", "k", "M", "G")
 
 
@@ -80,10 +81,11 @@ class Column(NamedTuple):
     def joined(self, *cells: str) -> str:
         """Return the cells of a value as one: 25 and 5 as 25±5."""
         first, *others = (cell.strip() for cell in cells)
-        if not any(others) and not (self.is_range and first):
+        is_single = others == [first] if self.is_range else not any(others)
+        if is_single:
             return first
         if self.is_range:
-            return f"{first or '?'} to {others[0] or '?'}"
+            return f"{first or _NO_END} to {others[0] or _NO_END}"
         if len(others) > 1:
             minus, plus = (cell.lstrip("+-") or "0" for cell in others)
             return f"{first} +{plus}/-{minus}"
@@ -101,6 +103,8 @@ class Column(NamedTuple):
 
     def read(self, text: str) -> float | Uncertain:
         """Return the SI value of a cell, with its uncertainty if it states one. Its unit is its own or that of the column."""
+        if self.is_range and _NO_END in text.split():
+            raise QuantityError(self.name, text, "is a range without an end")
         try:
             return value_of(text, self.name)
         except BareNumber:
