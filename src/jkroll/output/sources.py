@@ -1,7 +1,7 @@
 """The sources of a number: `--explain` words its derivation from the docstrings of the formulas, `--cite` writes BibTeX."""
 
 import re
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from math import isfinite
 from typing import Any, TextIO
 
@@ -175,16 +175,18 @@ def _fraction_or_number(exponent: float) -> str:
 
 # --- Citations --------------------------------------------------------------------------------------------------------
 
-BIBTEX = """@article{dominik-tielens-1995,
-  author  = {Dominik, C. and Tielens, A. G. G. M.},
-  title   = {Resistance to rolling in the adhesive contact of two elastic spheres},
-  journal = {Philosophical Magazine A},
-  volume  = {72},
-  number  = {3},
-  pages   = {783--803},
-  year    = {1995},
-  doi     = {10.1080/01418619508243800}%s
-}"""
+PAPER: Mapping[str, str] = {
+    "key": "dominik-tielens-1995",
+    "type": "article",
+    "author": "Dominik, C. and Tielens, A. G. G. M.",
+    "title": "Resistance to rolling in the adhesive contact of two elastic spheres",
+    "journal": "Philosophical Magazine A",
+    "volume": "72",
+    "number": "3",
+    "pages": "783--803",
+    "year": "1995",
+    "doi": "10.1080/01418619508243800",
+}
 
 # This program: author and year are those of its LICENSE.
 PROGRAM: Mapping[str, str] = {
@@ -200,73 +202,41 @@ PROGRAM: Mapping[str, str] = {
 # The references of conventions, by how the nomenclature names them.
 _CONVENTIONS: Mapping[str, Mapping[str, str]] = {
     "Thornton & Ning 1998": {
-        "key": "thornton-ning-1998",
-        "type": "article",
-        "author": "Thornton, C. and Ning, Z.",
-        "journal": "Powder Technology",
-        "volume": "99",
-        "pages": "154--162",
-        "year": "1998",
+        "key": "thornton-ning-1998", "type": "article", "author": "Thornton, C. and Ning, Z.",
+        "journal": "Powder Technology", "volume": "99", "pages": "154--162", "year": "1998",
         "doi": "10.1016/S0032-5910(98)00099-0",
     },
     "Paszun & Dominik 2008": {
-        "key": "paszun-dominik-2008",
-        "type": "article",
-        "author": "Paszun and Dominik",
-        "journal": "Astronomy & Astrophysics",
-        "volume": "484",
-        "pages": "859--868",
-        "year": "2008",
+        "key": "paszun-dominik-2008", "type": "article", "author": "Paszun and Dominik",
+        "journal": "Astronomy & Astrophysics", "volume": "484", "pages": "859--868", "year": "2008",
         "doi": "10.1051/0004-6361:20079262",
     },
     "Wada et al. 2007": {
-        "key": "wada-2007",
-        "type": "article",
-        "author": "Wada and Tanaka and Suyama and Kimura and Yamamoto",
-        "journal": "The Astrophysical Journal",
-        "volume": "661",
-        "pages": "320",
-        "year": "2007",
+        "key": "wada-2007", "type": "article", "author": "Wada and Tanaka and Suyama and Kimura and Yamamoto",
+        "journal": "The Astrophysical Journal", "volume": "661", "pages": "320", "year": "2007",
         "doi": "10.1086/514332",
     },
     "Dominik & Tielens 1997": {
-        "key": "dominik-tielens-1997",
-        "type": "article",
-        "author": "Dominik, C. and Tielens, A. G. G. M.",
-        "journal": "The Astrophysical Journal",
-        "volume": "480",
-        "pages": "647",
-        "year": "1997",
+        "key": "dominik-tielens-1997", "type": "article", "author": "Dominik, C. and Tielens, A. G. G. M.",
+        "journal": "The Astrophysical Journal", "volume": "480", "pages": "647", "year": "1997",
         "doi": "10.1086/303996",
     },
     "Ormel et al. 2007": {
-        "key": "ormel-2007",
-        "type": "article",
-        "author": "Ormel, C. W. and Spaans, M. and Tielens, A. G. G. M.",
+        "key": "ormel-2007", "type": "article", "author": "Ormel, C. W. and Spaans, M. and Tielens, A. G. G. M.",
         "title": "Dust coagulation in protoplanetary disks: porosity matters",
-        "journal": "Astronomy & Astrophysics",
-        "year": "2007",
-        "eprint": "astro-ph/0610030",
+        "journal": "Astronomy & Astrophysics", "year": "2007", "eprint": "astro-ph/0610030",
     },
     "Tatsuuma et al. 2019": {
-        "key": "tatsuuma-2019",
-        "type": "article",
-        "author": "Tatsuuma, M. and Kataoka, A. and Tanaka, H.",
-        "title": "Tensile Strength of Porous Dust Aggregates",
-        "journal": "The Astrophysical Journal",
-        "year": "2019",
-        "doi": "10.3847/1538-4357/ab09f7",
+        "key": "tatsuuma-2019", "type": "article", "author": "Tatsuuma, M. and Kataoka, A. and Tanaka, H.",
+        "title": "Tensile Strength of Porous Dust Aggregates", "journal": "The Astrophysical Journal",
+        "year": "2019", "doi": "10.3847/1538-4357/ab09f7",
     },
     "Phantom": {"key": "phantom", "type": "misc", "url": "https://github.com/danieljprice/phantom"},
     **{
-        repository: {
-            "key": repository.replace("/", "-").lower(),
-            "type": "misc",
-            "url": f"https://github.com/{repository}",
-        }
+        repository: {"key": repository.replace("/", "-").lower(), "type": "misc", "url": f"https://github.com/{repository}"}
         for repository in ("Lumajord/DustSimulation", "pencil-code/pencil-code", "StephaneMichoulier/Pamdeas")
     },
-}
+}  # fmt: skip
 
 
 def write_citations(answers: Iterable[Answer], out: TextIO) -> None:
@@ -280,28 +250,17 @@ def write_citations(answers: Iterable[Answer], out: TextIO) -> None:
         known = [result.name for result in answer.results if result.value is not None]
         equations |= {NOMENCLATURE[step.name].equation for name in known for step in scene.plan(name).steps}
         laws = [LAWS[one.law.name].reference for one in answer.results if one.law and one.value is not None]
-        entries = [*laws, *material_references(scene, answer.inputs), *_of_conventions(known)]
+        of_materials = [entry for material, _ in scene.data_used(answer.inputs) for entry in material.references]
+        entries = [*laws, *of_materials, *_of_conventions(known)]
         references |= {str(entry["key"]): entry for entry in entries}
     numbers = sorted(filter(None, equations), key=int)
     if failure is not None and not numbers:
         raise failure
     say(bibtex(PROGRAM), out)
-    say(BIBTEX % _equations(numbers), out)
+    used = f"{'Eq.' if len(numbers) == 1 else 'Eqs.'} {', '.join(f'({number})' for number in numbers)}"
+    say(bibtex({**PAPER, "note": used} if numbers else PAPER), out)
     for entry in references.values():
         say(bibtex(entry), out)
-
-
-def _equations(numbers: Sequence[str]) -> str:
-    """Return the field of an entry that lists equations; none if there are none."""
-    if not numbers:
-        return ""
-    listed = ", ".join(f"({number})" for number in numbers)
-    return f",\n  note    = {{{'Eq.' if len(numbers) == 1 else 'Eqs.'} {listed}}}"
-
-
-def material_references(scene: Scene, inputs: Collection[str]) -> list[Mapping[str, str]]:
-    """Return the references of the materials whose data are among the inputs."""
-    return [entry for material, _ in scene.data_used(inputs) for entry in material.references]
 
 
 def _of_conventions(names: Iterable[str]) -> list[Mapping[str, str]]:
