@@ -12,9 +12,9 @@ from itertools import groupby
 from math import isnan
 from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple, TextIO
 
-from ..quantities.formatting import Format, OutOfUnit
+from ..quantities.formatting import Format, OutOfUnit, in_words
 from ..quantities.laws import BETWEEN
-from ..quantities.nomenclature import NOMENCLATURE, header, word_for_infinity
+from ..quantities.nomenclature import NOMENCLATURE, header
 from ..quantities.values import is_uncertain
 from ..rows.columns import DOUBT, STATUS, Columns, Wanted, heads
 from ..scene.limits import codes
@@ -157,7 +157,7 @@ def numbers_in_lines(columns: Any, separator: bytes, gap: bytes, end: bytes = b"
 def _inputs(columns: Columns, style: Style) -> Iterator[Any]:
     for name, column in columns.inputs.items():
         if isinstance(column, list) or (abs(column) == float("inf")).any():
-            yield [_cell(_in_words(name, value), style) for value in _listed(middles(column))]
+            yield [_cell(in_words(name, value), style) for value in _listed(middles(column))]
         else:
             yield column
 
@@ -165,11 +165,6 @@ def _inputs(columns: Columns, style: Style) -> Iterator[Any]:
 def middles(column: Any) -> Any:
     """Return the column of an input without uncertainties."""
     return [one.value if is_uncertain(one) else one for one in column] if isinstance(column, list) else column
-
-
-def _in_words(name: str, value: Any) -> Any:
-    """Return the word for an infinite input."""
-    return word_for_infinity(name) or "infinite" if value == float("inf") else value
 
 
 def _results(columns: Columns, form: Format, style: Style) -> Iterator[Any]:
@@ -302,9 +297,10 @@ def as_object(answer: "Answer", form: Format) -> dict[str, Any]:
     """Return the JSON object of one scene."""
     from .. import __version__
 
+    uncertain = answer.uncertain
     return {
         "inputs": dict(answer.inputs),
-        **({"uncertainties": _of_inputs(answer)} if answer.uncertain else {}),
+        **({"uncertainties": {name: found.as_object() for name, found in uncertain.items()}} if uncertain else {}),
         "results": [_result_object(result.in_unit(form), form) for result in answer.results],
         **({"condition": answer.condition} if answer.condition is not None else {}),
         **(
@@ -315,10 +311,6 @@ def as_object(answer: "Answer", form: Format) -> dict[str, Any]:
         "notes": [note.text for note in answer.notes],
         "version": __version__,
     }
-
-
-def _of_inputs(answer: "Answer") -> dict[str, Any]:
-    return {name: found.as_object() for name, found in answer.uncertain.items()}
 
 
 def _result_object(result: "Result", form: Format) -> dict[str, Any]:
