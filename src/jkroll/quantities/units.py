@@ -38,21 +38,14 @@ class BadUnit(Exception):
     Its words follow the quoted text: "has no unit".
     """
 
+    def __init__(self, words: str, instead: str = "") -> None:
+        """`instead`: what to type, where the text tells it."""
+        super().__init__(words)
+        self._instead = instead
+
     def remedy(self, dimensions: Collection[Dimension]) -> str:  # noqa: ARG002
         """Return what to type instead, for a unit of one of these dimensions; "" if the text does not tell."""
-        return ""
-
-
-class AmbiguousUnit(BadUnit):
-    """Error raised for a product after a division, which readers take in two ways: J/m m."""
-
-    def __init__(self, before: str, after: str) -> None:
-        before, after = shown(before), shown(after)
-        super().__init__(f"can be read as {before}*{after} or as {before}/{after}")
-
-    def remedy(self, dimensions: Collection[Dimension]) -> str:  # noqa: ARG002
-        """Return what to type instead."""
-        return "write the one that is meant"
+        return self._instead
 
 
 class UnknownUnit(BadUnit):
@@ -189,7 +182,8 @@ def _terms(text: str) -> list[Term]:
         if separator is None or separator.end() == len(text):
             raise BadUnit("is not a number and a unit")
         if divided and separator[1] is None:
-            raise AmbiguousUnit(text[: separator.start()], text[separator.end() :])
+            before, after = shown(text[: separator.start()]), shown(text[separator.end() :])
+            raise BadUnit(f"can be read as {before}*{after} or as {before}/{after}", "write the one that is meant")
         sign = -1 if separator[1] == "/" else 1
         divided = divided or sign < 0
         position = separator.end()

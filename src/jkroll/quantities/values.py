@@ -249,18 +249,6 @@ def _checked_number(owner: str, value: object) -> float:
     raise BadRequest(f"{owner}: {quoted(str(value))} is not a number in SI units; a text with a unit needs no {owner}")
 
 
-class UnclearUncertainty(BadUnit):
-    """Error raised for an uncertainty that can be read in two ways, or in none."""
-
-    def __init__(self, words: str, remedy: str) -> None:
-        super().__init__(words)
-        self._remedy = remedy
-
-    def remedy(self, dimensions: Collection[Dimension]) -> str:  # noqa: ARG002
-        """Return what to type instead."""
-        return self._remedy
-
-
 def parse_uncertain(text: str, name: str) -> float | Uncertain:
     """Read the value of a quantity of the nomenclature, with its uncertainty if the text states one, in SI units.
 
@@ -322,7 +310,7 @@ def _read(text: str, dimension: Dimension) -> Uncertain | None:
         nominal, uncertainty = _decimal(value, power), _decimal(f"{digits}e-{places}", power)
         if 2 * int(digits) > abs(float(value)):
             plain = f"{value}±{int(digits) / 10**places:.{places}f}"
-            raise UnclearUncertainty(f"can be read as {plain} or as {value}e{digits}", "write the one that is meant")
+            raise BadUnit(f"can be read as {plain} or as {value}e{digits}", "write the one that is meant")
         return _symmetric(nominal, uncertainty, unit_in(unit, dimension))
     if match := re.fullmatch(_TWO_SIDES, text):
         value, plus, minus, unit = match.groups()
@@ -332,7 +320,7 @@ def _read(text: str, dimension: Dimension) -> Uncertain | None:
     if " to " in text:
         return _interval(text, dimension)
     if has_uncertainty(text):
-        raise UnclearUncertainty("has an uncertainty in an unknown form", "write it as in 25±5 mJ/m2 or 20 to 30 mJ/m2")
+        raise BadUnit("has an uncertainty in an unknown form", "write it as in 25±5 mJ/m2 or 20 to 30 mJ/m2")
     return None
 
 
@@ -342,7 +330,7 @@ def _plus_minus(left: str, right: str, dimension: Dimension) -> Measured:
     uncertainty, own_text = _split(right)
     if own_text.startswith("%"):
         if own_text != "%" or unit_text == "%":
-            raise UnclearUncertainty("has a % that can be read in two ways", "write 25 mJ/m2 ± 20%, or (17±1) %")
+            raise BadUnit("has a % that can be read in two ways", "write 25 mJ/m2 ± 20%, or (17±1) %")
         share = abs(value[0]) * uncertainty[0], value[1] + uncertainty[1] - 2
         return _symmetric(value, share, unit_in(unit_text, dimension))
     if unit_text and not own_text:
@@ -404,11 +392,11 @@ MAX_VALUES = 1_000_000_000
 class Spread:
     """A range of values, or a single value, which may be uncertain."""
 
-    uncertainty: Uncertain | None = None
-
-    def __init__(self, low: float, high: float, size: int = 1, *, is_log: bool = False) -> None:
+    def __init__(
+        self, low: float, high: float, size: int = 1, *, is_log: bool = False, uncertainty: Uncertain | None = None
+    ) -> None:
         """Take `size` values from `low` to `high`, in equal steps or in equal ratios."""
-        self.low, self.high, self.size, self.is_log = low, high, size, is_log
+        self.low, self.high, self.size, self.is_log, self.uncertainty = low, high, size, is_log, uncertainty
 
     def __len__(self) -> int:
         return self.size
@@ -448,10 +436,7 @@ def spreads_of(text: str, name: str) -> list[Spread]:
     items = text.split(",")
     for item in items:
         try:
-            if ":" in item:
-                spreads.append(_range(item, name))
-            else:
-                spreads.append(_single(item, name))
+            spreads.append((_range if ":" in item else _single)(item, name))
         except BareNumber:
             if len(items) > 1:
                 reason = "has a comma where a number has a point, or a number without a unit"
@@ -465,9 +450,7 @@ def _single(text: str, name: str) -> Spread:
     found = value_of(text, name)
     if isinstance(found, float):
         return Spread(found, found)
-    spread = Spread(found.value, found.value)
-    spread.uncertainty = found
-    return spread
+    return Spread(found.value, found.value, uncertainty=found)
 
 
 def _range(text: str, name: str) -> Spread:
