@@ -25,7 +25,7 @@ from ..scene.scene import Scene
 from ..scene.wiring import depends_on
 from ..text import quoted, say_wrapped, spelled
 from .commands import Call
-from .request import PICTURES, Request, curve_request, ending, format_name, materials_of, no_picture, request_of
+from .request import PICTURES, Request, curve_request, ending, format_name, materials_of, request_of
 
 ON_SCREEN = (241, 121)  # points of a map that is drawn in cells
 IN_FILE = (201, 201)
@@ -51,7 +51,8 @@ def check_picture(call: Call, path: str | None, flag: str = "-o", numbers: str =
             raise BadRequest(f"{' and '.join(given)} {verb} to files; add {flag} FILE")
         return
     if ending(path) not in PICTURES:
-        raise no_picture(flag, path, f"; {numbers} writes the numbers" if numbers else "")
+        endings = f".{', .'.join(PICTURES[:-1])} or .{PICTURES[-1]}"
+        raise BadRequest(f"{flag}: {quoted(path)} does not end in {endings}; {numbers} writes the numbers")
     with missing_extra("plot"):
         from ..pictures import page  # noqa: F401
 

@@ -186,12 +186,6 @@ def form_of(call: Call, quantities: Sequence[str]) -> Format:
     return Format(units, call.digits)
 
 
-def no_picture(flag: str, path: str, remedy: str = "") -> BadRequest:
-    """Return the error for a file name whose ending is not that of a picture; `remedy` says how else the numbers are written."""
-    endings = f".{', .'.join(PICTURES[:-1])} or .{PICTURES[-1]}"
-    return BadRequest(f"{flag}: {quoted(path)} does not end in {endings}{remedy}")
-
-
 def ending(path: str) -> str:
     """Return the ending of a file name, in lower case and without its point.
 
