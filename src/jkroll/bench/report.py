@@ -318,7 +318,7 @@ def write_bench(out: TextIO, kind: str, quick: bool, plot: Plot | None = None) -
     parts = {
         "machine": (MACHINE_HEADS, [machine]),
         "ways": (HEADS, list(map(_row, rows))),
-        "solve": (RATIO_HEADS, [[_finite(getattr(one, name)) for name in _RATIO_FIELDS] for one in ratios]),
+        "solve": (RATIO_HEADS, [[*map(_finite, (*one, one.ratio))] for one in ratios]),
     }
     if kind == "json":
         objects = {
@@ -366,9 +366,6 @@ def _with_progress(measured: Iterable[list[Row]]) -> Iterator[list[Row]]:
             return
         yield rows
     show("jkroll.solve beside plain programs")
-
-
-_RATIO_FIELDS = ("case", "scenes", "solved", "by_hand", "ratio")
 
 
 def _row(row: Row) -> list[Any]:
