@@ -117,7 +117,7 @@ def _coefficients(pair: Scene) -> str:
     return " ".join(" ".join((word, *(f"{number:.12g}" for number in values))) for word, values in numbers.items())
 
 
-# --- Dem inputs -------------------------------------------------------------------------------------------------------
+# --- DustSimulation and LIGGGHTS --------------------------------------------------------------------------------------
 
 DUST_SIMULATION = ("pull_off_force", "contact_modulus", "density", "yield_displacement")
 LIGGGHTS = ("pull_off_force", "contact_modulus", "density")
