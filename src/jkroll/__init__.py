@@ -5,52 +5,28 @@
 '1.1781e-08 N'
 """
 
-TYPE_CHECKING = False  # as type checkers know it; the module typing costs more than all of this
-if TYPE_CHECKING:
-    from typing import Any
-
-    from .errors import JkrollError
-    from .materials.library import Material, Materials, known_materials
-    from .output.answered import answer
-    from .quantities.nomenclature import NOMENCLATURE, Quantity
-    from .quantities.values import Interval, Measured
-    from .rows.infer import infer
-    from .scene.solver import FORMULAS, solve
-
 __version__ = "0.3.0"
-__all__ = [
-    "FORMULAS",
-    "NOMENCLATURE",
-    "Interval",
-    "JkrollError",
-    "Material",
-    "Materials",
-    "Measured",
-    "Quantity",
-    "answer",
-    "infer",
-    "known_materials",
-    "solve",
-]
 
-# The modules are imported when a name is first used, so that a command line pays only for what it needs.
+# The public names, by the modules that are imported when one is first used: a command line pays only for what it needs.
+# Type checkers know them from the stub beside this file.
 _HOMES = {
     "FORMULAS": "scene.solver",
+    "NOMENCLATURE": "quantities.nomenclature",
     "Interval": "quantities.values",
     "JkrollError": "errors",
     "Material": "materials.library",
     "Materials": "materials.library",
     "Measured": "quantities.values",
-    "NOMENCLATURE": "quantities.nomenclature",
     "Quantity": "quantities.nomenclature",
     "answer": "output.answered",
     "infer": "rows.infer",
     "known_materials": "materials.library",
     "solve": "scene.solver",
 }
+__all__ = list(_HOMES)
 
 
-def __getattr__(name: str) -> "Any":
+def __getattr__(name: str) -> object:
     """Return a public name, or a formula of `FORMULAS` by its own name: `jkroll.pull_off_force`."""
     from importlib import import_module
 
