@@ -91,7 +91,7 @@ def _half_circles() -> tuple[Check, ...]:
               printed=eq_25 * pair.xi, follows=pair.moment_at_load),
         Check("25", "the dent of that circle", "holds", "half-space, chord by chord",
               printed=pair.delta - ((R_INSIDE - pair.xi) ** 2 + (R_INSIDE / 2) ** 2) / (2 * pair.r),
-              follows=pair.depth(_shifted_pressure_at, R_INSIDE, R_INSIDE / 2)),
+              follows=pair.depth(lambda x, y: pair.shifted_pressure(x, y, pair.delta), R_INSIDE, R_INSIDE / 2)),
     )  # fmt: skip
 
 
@@ -104,10 +104,6 @@ def _pressure_at(x: float, y: float) -> float:
     """Return the pressure of Eq (12)."""
     depth = sqrt(1 - (x * x + y * y) / pair.a**2)
     return P_H * depth + P_B / depth
-
-
-def _shifted_pressure_at(x: float, y: float) -> float:
-    return pair.shifted_pressure(x, y, pair.delta)
 
 
 def _sector_moment(start: float) -> float:

@@ -255,7 +255,6 @@ def _ratio(case: str, scenes: int, times: Mapping[str, float], count: int) -> Ra
 
 # --- Report -----------------------------------------------------------------------------------------------------------
 
-
 MACHINE_HEADS = ("cpu", "python", "numpy", "jkroll", "date")
 _ERROR_HEADS = [
     f"{part}_{region}"
@@ -313,7 +312,12 @@ def write_bench(out: TextIO, kind: str, quick: bool, plot: Plot | None = None) -
         for line in off_front(rows):
             say(line, out)
         say("", out)
-        write_records(RATIO_TABLE_HEADS, map(_ratio_table_row, ratios), kind, out)
+        write_records(
+            RATIO_TABLE_HEADS,
+            ([one.case, one.scenes, _short(one.solved), _short(one.by_hand), _short(one.ratio)] for one in ratios),
+            kind,
+            out,
+        )
         return 0
     parts = {
         "machine": (MACHINE_HEADS, [machine]),
@@ -384,22 +388,13 @@ def _table_row(row: Row) -> list[Cell]:
     return [row.way, _short(row.cost), _short(row.yardsticks), *cells, _short(row.error), "*" if row.on_front else ""]
 
 
-def _ratio_table_row(one: Ratio) -> list[Cell]:
-    numbers = map(_short, (one.solved, one.by_hand, one.ratio))
-    return [one.case, one.scenes, *numbers]
-
-
 def _short(value: float) -> str:
     """Return two digits of a number: for errors and times, more say nothing."""
     if not math.isfinite(value):
         return "nan"
-    return (
-        f"{value:.2g}"
-        if value < 100
-        else f"{value:.0f}"
-        if value < 10_000
-        else f"{value:.0e}".replace("e+0", "e").replace("e+", "e")
-    )
+    if value < 10_000:
+        return f"{value:.2g}" if value < 100 else f"{value:.0f}"
+    return f"{value:.0e}".replace("e+0", "e").replace("e+", "e")
 
 
 def off_front(rows: Sequence[Row]) -> list[str]:

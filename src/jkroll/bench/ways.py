@@ -18,7 +18,7 @@ from ..physics.jkr import FOLD_APPROACH
 from ..scene.wiring import plan_for
 from .points import inputs_of, references
 
-# --- JKR --------------------------------------------------------------------------------------------------------------
+# --- The package's own ------------------------------------------------------------------------------------------------
 
 Way = Callable[..., Any]
 _NODES = 10_000  # of the tables

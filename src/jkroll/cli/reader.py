@@ -66,7 +66,8 @@ def read(words: Sequence[str]) -> Action:
 
 def _action(command: Command, words: Sequence[str]) -> Action:
     """Return what the words behind a command ask for."""
-    if any(flag in _before_dashes(words) for flag in HELP.flags):
+    before_dashes = words[: words.index("--")] if "--" in words else words
+    if any(flag in before_dashes for flag in HELP.flags):
         return partial(_print_help, command.name)
     by_name = [option for kind, option in NAMED.items() if kind in command.words.kinds]
     arguments, given = _read(words, {option.flag: option for option in by_name} | command.flags(), command)
@@ -75,10 +76,6 @@ def _action(command: Command, words: Sequence[str]) -> Action:
         extra = quoted(arguments[int(command.words.most)])
         raise BadRequest(f"{extra} is one word too many: jkroll {command.name} {command.words.metavar}".rstrip())
     return command.action(arguments, given)
-
-
-def _before_dashes(words: Sequence[str]) -> Sequence[str]:
-    return words[: words.index("--")] if "--" in words else words
 
 
 def _print_help(name: str | None) -> int:
@@ -234,16 +231,14 @@ class UnknownOption(JkrollError):
         own = None if self.flag in takers else _meant(name, flags_of(self.command))
         guess = _meant(name, takers)
         if self.flag in HINTS or own or not guess:
-            hint = HINTS.get(self.flag) or (f"did you mean {own}?" if own else f"see {self._program()} --help")
+            program = f"jkroll {self.command}" if self.command else "jkroll"
+            hint = HINTS.get(self.flag) or (f"did you mean {own}?" if own else f"see {program} --help")
             return f"no such option {quoted(self.flag)}; {hint}"
         if self.command is None:
             return f"{guess} goes behind a command: jkroll {takers[guess]} ... {guess}"
         others = [command.name for command in COMMANDS.values() if guess in command.flags()]
         more = ", ..." if len(others) > MAX_OTHERS else ""
         return f"{self.command} takes no {quoted(self.flag)}; {guess} is an option of {', '.join(others[:MAX_OTHERS])}{more}"
-
-    def _program(self) -> str:
-        return f"jkroll {self.command}" if self.command else "jkroll"
 
 
 def _meant(name: str, flags: Iterable[str]) -> str | None:

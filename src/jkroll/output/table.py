@@ -45,7 +45,8 @@ def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
         return
     results = [result for result in results if result.value is None or result.name not in answer.question.noted]
     rows = [_result_row(result, form) for result in results]
-    styles = ["dim" if _is_aside(result) else "" for result in results]
+    # Dimmed is what stands beside a headline, or has no value.
+    styles = ["dim" if NOMENCLATURE[result.name].note or result.value is None else "" for result in results]
     by_convention = all(NOMENCLATURE[result.name].definition for result in results)
     columns_of = _COLUMNS_BY_CONVENTION if by_convention else _COLUMNS
     if any(result.law and result.law.jkr is not None for result in results):
@@ -93,11 +94,6 @@ def _result_row(result: "Result", form: Format) -> list[str]:
         reference or result.source,
         jkr,
     ]
-
-
-def _is_aside(result: "Result") -> bool:
-    """Return whether a result is shown dimmed: it stands beside a headline, or has no value."""
-    return bool(NOMENCLATURE[result.name].note) or result.value is None
 
 
 _LEADERS = dict.fromkeys(PROPERTIES, "material") | {name + "2": "material2" for name in PROPERTIES}
@@ -221,10 +217,6 @@ def write_wrapped(heads: Sequence[str], rows: Sequence[Sequence[str]], out: Text
     _print(_table(heads, rows, out, wrapped=heads[-1:]), out, anyway=True)
 
 
-def _console(out: TextIO) -> Console:
-    return Console(file=out, width=columns(), highlight=False, markup=False, emoji=False)
-
-
 def _table(
     heads: Sequence[str],
     rows: Sequence[Sequence[str]],
@@ -252,7 +244,7 @@ def _table(
 
 def _print(table: Table, out: TextIO, *, anyway: bool = False) -> bool:
     """Print a table if the terminal is wide enough for it, or anyway, and return whether it was printed."""
-    console = _console(out)
+    console = Console(file=out, width=columns(), highlight=False, markup=False, emoji=False)
     width = sum(_least_width(column, console) for column in table.columns) + BETWEEN * (len(table.columns) - 1)
     if width > console.width and not anyway:
         return False
