@@ -297,20 +297,20 @@ def as_object(answer: "Answer", form: Format) -> dict[str, Any]:
     """Return the JSON object of one scene."""
     from .. import __version__
 
-    uncertain = answer.uncertain
-    return {
-        "inputs": dict(answer.inputs),
-        **({"uncertainties": {name: found.as_object() for name, found in uncertain.items()}} if uncertain else {}),
-        "results": [_result_object(result.in_unit(form), form) for result in answer.results],
-        **({"condition": answer.condition} if answer.condition is not None else {}),
-        **(
-            {"laws": {BETWEEN: _differences_object(answer.laws)}} if answer.laws and answer.scene.law.is_default else {}
-        ),
-        **({"displacement": _worth_object(answer.worth)} if answer.worth is not None else {}),
-        "validity": [_verdict_object(verdict) for verdict in answer.validity],
-        "notes": [note.text for note in answer.notes],
-        "version": __version__,
-    }
+    found: dict[str, Any] = {"inputs": dict(answer.inputs)}
+    if answer.uncertain:
+        found["uncertainties"] = {name: one.as_object() for name, one in answer.uncertain.items()}
+    found["results"] = [_result_object(result.in_unit(form), form) for result in answer.results]
+    if answer.condition is not None:
+        found["condition"] = answer.condition
+    if answer.laws and answer.scene.law.is_default:
+        found["laws"] = {BETWEEN: _differences_object(answer.laws)}
+    if answer.worth is not None:
+        found["displacement"] = _worth_object(answer.worth)
+    found["validity"] = [_verdict_object(verdict) for verdict in answer.validity]
+    found["notes"] = [note.text for note in answer.notes]
+    found["version"] = __version__
+    return found
 
 
 def _result_object(result: "Result", form: Format) -> dict[str, Any]:
