@@ -251,7 +251,6 @@ def inputs_of(quantities: tuple[str, ...], *, any_input: bool = False) -> tuple[
 
 # --- Commands ---------------------------------------------------------------------------------------------------------
 
-
 Action = Callable[[], int]  # what a command line asks for; it returns the exit code
 
 
