@@ -127,24 +127,24 @@ def _write_lines(material: Material, out: TextIO) -> None:
 def _write_material(material: Material, out: TextIO) -> None:
     """Write the properties of a material with its state, aliases, origins, notes and references."""
     aliases = f" (also {', '.join(material.aliases)})" if material.aliases else ""
-    say(f"material {material.name}{aliases}", out)
-    if material.state:
-        say_wrapped(f"state           {material.state}", out, _INDENT)
+    facts = [("state", material.state)]
     for name in (*PROPERTIES, *([] if material.displacement is None else [XI])):
-        say_wrapped(f"{name:{_INDENT - 1}} {_stated(material, name)}", out, _INDENT)
-        for field, text in _origin(material, name):
-            say_wrapped(f"  {field:14}{text}", out, _INDENT)
+        facts += [(name, _stated(material, name)), *((f"  {field}", text) for field, text in _origin(material, name))]
     for name, note in material.notes.items():
         about = NOMENCLATURE[name].sentence if name in NOMENCLATURE else name
-        say_wrapped(f"note            {about}: {note}", out, _INDENT)
+        facts.append(("note", f"{about}: {note}"))
     for entry in material.references:
         label = f"{entry['key']}: " if material.origins else ""
-        say_wrapped(
-            f"reference       {label}{', '.join(entry[field] for field in _REFERENCE if entry.get(field))}",
-            out,
-            _INDENT,
-        )
-    say_wrapped(f"source          {material.title}", out, _INDENT)
+        facts.append(("reference", label + ", ".join(entry[field] for field in _REFERENCE if entry.get(field))))
+    _write_sheet(f"material {material.name}{aliases}", [*facts, ("source", material.title)], out)
+
+
+def _write_sheet(title: str, facts: Iterable[tuple[str, str]], out: TextIO) -> None:
+    """Write a title, and a line for each fact that is known."""
+    say(title, out)
+    for head, text in facts:
+        if text:
+            say_wrapped(f"{head:{_INDENT - 1}} {text}", out, _INDENT)
 
 
 _INDENT = 16  # of the texts of a sheet
@@ -302,7 +302,4 @@ def _write_quantity(name: str, out: TextIO) -> None:
         "variants": ", ".join(other for other in NOMENCLATURE if NOMENCLATURE[other].variant_of == name),
         "see also": ", ".join(other for other in NOMENCLATURE if _is_related(other, name)),
     }
-    say(f"{name}: {quantity.sentence}", out)
-    for head, text in facts.items():
-        if text:
-            say_wrapped(f"  {head:13} {text}", out, 16)
+    _write_sheet(f"{name}: {quantity.sentence}", ((f"  {head}", text) for head, text in facts.items()), out)
