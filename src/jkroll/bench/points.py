@@ -253,11 +253,8 @@ class Exact(NamedTuple):
     condition: float  # κ: how many times a relative error of the state that is given appears in the value
 
 
-_CONDITIONED = (
-    "load",
-    "approach_at_load",
-    "atomic_spacing",
-)  # the state, and under Maugis' law λ, which is a multiple of 1/z0
+# The state, and under Maugis' law λ, which is a multiple of 1/z0.
+_CONDITIONED = ("load", "approach_at_load", "atomic_spacing")
 
 
 def digits(quantity: str, point: Mapping[str, float]) -> Decimal:

@@ -293,12 +293,8 @@ def write_bench(out: TextIO, kind: str, quick: bool, plot: Plot | None = None) -
     machine = machine_facts()
     is_table = kind == "table"
     if is_table:
-        say(
-            ", ".join(
-                (machine[0], *(f"{name} {fact}" for name, fact in zip(MACHINE_HEADS[1:], machine[1:], strict=True)))
-            ),
-            out,
-        )
+        facts = (f"{name} {fact}" for name, fact in zip(MACHINE_HEADS[1:], machine[1:], strict=True))
+        say(", ".join((machine[0], *facts)), out)
         say(LEGEND.format(PROMISE, PROMISE_OF_MAUGIS), out)
     for of_quantity in _with_progress(measure(size)):
         rows += of_quantity

@@ -34,9 +34,8 @@ def run_question(call: Call) -> int:
     if is_one or kind in ("json", "explain", "cite"):
         check_count(request.count, kind)
         if request.count > 1:
-            request.sweep.wanted(
-                question.quantities, question.named
-            )  # raises what is wrong with rows before one is written
+            # What is wrong with rows is raised before one is written.
+            request.sweep.wanted(question.quantities, question.named)
         answers = (Answer(question, scene) for scene in request.scenes())
         with text_output(call.target or "-") as out:
             return write_answers(answers, request.count, kind, form, out, quiet=call.quiet)
@@ -48,9 +47,8 @@ def checked(call: Call) -> tuple[Question, str, Format]:
     kind = format_name(call)
     if call.target is not None and not is_json(call.target):
         if ending(call.target) in PICTURES:
-            raise BadRequest(
-                f"-o: {quoted(call.target)} is a picture; add --curve to contact, or see jkroll map --help"
-            )
+            remedy = "add --curve to contact, or see jkroll map --help"
+            raise BadRequest(f"-o: {quoted(call.target)} is a picture; {remedy}")
         if kind in ("bare", "json", "explain", "cite"):
             raise BadRequest(f"-o and --{kind} exclude each other; for that output write > FILE")
     question = question_of(call)

@@ -282,6 +282,7 @@ def _write_quantity(name: str, out: TextIO) -> None:
     quantity = NOMENCLATURE[name]
     formula = formula_of(name)
     fields = docstring_fields(formula) if formula else {}
+    parameters = [parameter + suffix_of(name) for parameter in parameters_of(formula)] if formula else []
     option = f"{quantity.option} {quantity.example}" if quantity.option else ""
     facts = {
         "symbol": quantity.symbol,
@@ -291,9 +292,7 @@ def _write_quantity(name: str, out: TextIO) -> None:
         "commands": first_of(commands_of(name), _MAX_NAMED) or "any, with --quantities " + name,
         "equation": quantity.equation,
         "formula": fields.get("formula", ""),
-        "follows from": ", ".join(parameter + suffix_of(name) for parameter in parameters_of(formula))
-        if formula
-        else "",
+        "follows from": ", ".join(parameters),
         "source": fields.get("Source", ""),
         "valid": fields.get("Valid", ""),
         "accuracy": fields.get("Accuracy", ""),

@@ -197,9 +197,9 @@ def _listed(column: Any) -> list[Any]:
 
 def _cells(column: Any, gap: str) -> list[bytes]:
     """Return the cells of a column."""
-    return (
-        column if isinstance(column, list) else [line[1:-1] for line in numbers_in_lines([column], b",", gap.encode())]
-    )
+    if isinstance(column, list):
+        return column
+    return [line[1:-1] for line in numbers_in_lines([column], b",", gap.encode())]
 
 
 def _cell(value: str | float | None, style: Style) -> bytes:

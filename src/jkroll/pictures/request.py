@@ -70,9 +70,8 @@ class NothingToDraw(NoResult):
         self.quantity, self.outcome = quantity, outcome
 
     def __str__(self) -> str:
-        reason = (
-            f": {reason_of(self.quantity, self.outcome)}" if isinstance(self.outcome, NoResult | MissingInput) else ""
-        )
+        has_reason = isinstance(self.outcome, NoResult | MissingInput)
+        reason = f": {reason_of(self.quantity, self.outcome)}" if has_reason else ""
         return f"{self.quantity} has no value anywhere on these axes{reason}"
 
 

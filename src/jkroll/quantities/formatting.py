@@ -70,11 +70,9 @@ class Format(NamedTuple):
         if isinstance(value, str):
             return value, ""
         if isinstance(value, tuple):
-            unit, scale = self.common_unit(name, [value]) or (
-                NOMENCLATURE[name].unit.removeprefix("1"),
-                _power_of_ten(0),
-            )
-            return self.in_unit(value, (unit, scale)), unit
+            si = NOMENCLATURE[name].unit.removeprefix("1"), _power_of_ten(0)
+            unit = self.common_unit(name, [value]) or si
+            return self.in_unit(value, unit), unit[0]
         digits = self.digits or DIGITS
         if name in self.units:
             return significant(convert(value, self.units[name][1]), digits), self.units[name][0]

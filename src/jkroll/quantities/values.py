@@ -232,11 +232,9 @@ def of_sides(value: float, sides: Mapping[str, float]) -> float | Uncertain:
     known = {side: number for side, number in sides.items() if not isnan(number)}
     if not known:
         return value
-    return (
-        Interval(value, known["low"], known["high"])
-        if "low" in known
-        else Measured(value, known["minus"], known["plus"])
-    )
+    if "low" in known:
+        return Interval(value, known["low"], known["high"])
+    return Measured(value, known["minus"], known["plus"])
 
 
 def _checked_number(owner: str, value: object) -> float:
