@@ -116,6 +116,6 @@ def value(column: Column, row: Sequence[str]) -> Any:
     return [found.low, found.high] if isinstance(found, Uncertain) else found
 
 
-def test_thirty_tables_are_read() -> None:
-    assert sum(not found.ends for found in TABLES.values()) >= 30
+def test_thirty_tables_are_read_as_they_are_or_as_is_named() -> None:
+    assert sum(not (found.ends or found.written) for found in TABLES.values()) >= 30
     assert all(len(found.text) < 1000 for found in TABLES.values())

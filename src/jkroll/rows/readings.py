@@ -41,6 +41,7 @@ _PARTS = {
     **dict.fromkeys(("min", "low", "lower"), "low"),
     **dict.fromkeys(("max", "high", "upper"), "high"),
 }
+_LONGEST_UNIT = 24  # letters of a unit that is compared with others
 _PER_CENT = ("%", "percent", "pct")
 _OF_PART = re.compile(
     rf"(.*?)(?:[\s_]*(±|\+/-)|[\s_]+({'|'.join(filter(str.isalpha, _PARTS))}))(?=$|[\s_,/(\[])(.*)", re.IGNORECASE
@@ -194,15 +195,23 @@ def _mistaken(text: str) -> Reading | None:
         unit_text = next((one for one in _spellings(rest) if fits(one, meant)), "") if meant and rest else ""
         if unit_text:
             return Reading(meant=f"{meant} [{unit_text}]")
+        if similar := _miswritten(rest, meant) if meant else "":
+            return Reading(meant=f"{meant} [{similar}]")
         if meant and (other or cut.end() == len(text) or not {*cut[0]}.isdisjoint("([/")):
-            similar = similar_unit(rest, frozenset([dimension_of(NOMENCLATURE[meant].unit)])) if rest else None
-            is_same = similar is not None and similar.casefold() == rest.casefold()  # but for capitals, as in gpa
-            return Reading(meant=f"{meant} [{similar}]" if is_same else meant)
+            return Reading(meant=meant)
         if _plain(word) in _UNCLEAR and len(word) > 1 and (cut.end() == len(text) or _has_dimension(rest, _LENGTHS)):
             return Reading(problem=_UNCLEAR[_plain(word)][1])
     brackets = _BRACKETS.fullmatch(text)
     guess = _similar(_plain(brackets[1] if brackets else text))
     return Reading(meant=f"{guess} [{brackets[2]}]" if brackets else guess) if guess else None
+
+
+def _miswritten(unit_text: str, name: str) -> str:
+    """Return the unit of a quantity that is spelt so but for capitals, as in gpa; "" if there is none."""
+    if not unit_text.isalpha() or len(unit_text) > _LONGEST_UNIT:
+        return ""
+    similar = similar_unit(unit_text, frozenset([dimension_of(NOMENCLATURE[name].unit)]))
+    return similar if similar and similar.casefold() == unit_text.casefold() else ""
 
 
 def _similar(word: str) -> str | None:
