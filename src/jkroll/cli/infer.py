@@ -29,7 +29,7 @@ MAX_PAIRS = 1_000  # scenes in which two inputs are looked for, which takes up t
 
 
 class _Inverse:
-    """What is sought of the rows of a sweep: an input by a measured quantity, or two by two."""
+    """Unknowns of the rows of a sweep: an input by a measured quantity, or two by two."""
 
     def __init__(self, names: Sequence[str], quantities: Sequence[str]) -> None:
         self.names, self.quantities = names, quantities

@@ -118,7 +118,7 @@ class Map(NamedTuple):
 
     @property
     def heading(self) -> str:
-        """What the labels of the contours mean, with the unit if they have none."""
+        """Meaning of the labels of the contours, with the unit if they have none."""
         return label_of(
             self.quantity, has_log_labels=self.has_log_labels, unit=unit_of_labels(self.quantity, self.values)
         )
