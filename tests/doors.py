@@ -93,7 +93,7 @@ def call_of(ask: Ask) -> Call:
 
 def scenes_of(ask: Ask) -> list[Scene]:
     """Return the scenes of a list."""
-    return [*request_of(call_of(ask)).scenes()]
+    return [*request_of(call_of(ask)).sweep.scenes()]
 
 
 def of_list(ask: Ask, *, by_arrays: bool) -> Rows:

@@ -58,9 +58,9 @@ def run_export(call: Call) -> int:
     if model not in program.models:
         raise BadRequest(f"--model: {program.title} has {' and '.join(program.models)}, not {quoted(model)}")
     request = request_of(call._replace(words=tuple(words), inputs=inputs))
-    if request.count != 1:
-        raise BadRequest(f"export takes one pair of spheres, not {request.count}")
-    scene = next(request.scenes()).under(model)
+    if (count := len(request.sweep)) != 1:
+        raise BadRequest(f"export takes one pair of spheres, not {count}")
+    scene = next(request.sweep.scenes()).under(model)
     say("\n".join(program.lines(scene)), sys.stdout)
     if call.quiet:
         return 0

@@ -115,9 +115,9 @@ def draw_contact(call: Call) -> int:
     if (kind := format_name(call)) not in ("table", "plain"):
         raise BadRequest(f"{flag} and --{kind} exclude each other")
     request, loads = curve_request(call)
-    if (count := request.count // len(request.models)) > 1:
+    if (count := len(request.sweep) // len(request.models)) > 1:
         raise BadRequest(f"{count} scenes are more than one picture of a contact")
-    drawn, notes = curves_of_contact([*request.scenes()], loads, call.panel)
+    drawn, notes = curves_of_contact([*request.sweep.scenes()], loads, call.panel)
     return _deliver(drawn, notes, call)
 
 
@@ -237,10 +237,10 @@ def map_request(call: Call) -> PlotRequest:
             raise BadRequest(f"{quantity} does not depend on {axis.name}")
     if len({axis.name for axis in axes}) < len(axes):
         raise BadRequest(f"both axes are {axes[0].name}")
-    if request.count > (1 if len(axes) > 1 else MAX_CURVES):
+    if (count := len(request.sweep)) > (1 if len(axes) > 1 else MAX_CURVES):
         most = f"the {MAX_CURVES} curves that can be told apart; name fewer" if len(axes) == 1 else "one map"
-        raise BadRequest(f"{request.count} scenes are more than {most}")
-    scenes = tuple((_distinction(scene, request), scene) for scene in request.scenes())
+        raise BadRequest(f"{count} scenes are more than {most}")
+    scenes = tuple((_distinction(scene, request), scene) for scene in request.sweep.scenes())
     return PlotRequest(quantity, x, y, scenes, marks_of(call.mark), request.materials, call.plain)
 
 

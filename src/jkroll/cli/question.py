@@ -14,10 +14,11 @@ from ..output.records import in_units, lines, text_output, write_json, write_pla
 from ..quantities.formatting import Format
 from ..quantities.nomenclature import NOMENCLATURE
 from ..rows.columns import Columns, Wanted
+from ..rows.sweep import Sweep
 from ..scene.wiring import formula_of
 from ..text import fitting, quoted, say_wrapped
 from .commands import Call
-from .request import PICTURES, Request, curve_request, ending, form_of, format_name, is_json, request_of
+from .request import PICTURES, curve_request, ending, form_of, format_name, is_json, request_of
 
 MAX_OBJECTS = 1_000_000  # answers that are written one by one
 MAX_TABLE = 10_000  # rows of a table on a terminal
@@ -29,17 +30,18 @@ def run_question(call: Call) -> int:
     question, kind, form = checked(call)
     request = request_of(call)
     if call.quantities:
-        _refuse_inputs(question, request)
-    is_one = request.count == 1 and kind in ("plain", "table") and call.target is None
+        _refuse_inputs(question, request.sweep)
+    count = len(request.sweep)
+    is_one = count == 1 and kind in ("plain", "table") and call.target is None
     if is_one or kind in ("json", "explain", "cite"):
-        check_count(request.count, kind)
-        if request.count > 1:
+        check_count(count, kind)
+        if count > 1:
             # What is wrong with rows is raised before one is written.
             request.sweep.wanted(question.quantities, question.named)
-        answers = (Answer(question, scene) for scene in request.scenes())
+        answers = (Answer(question, scene) for scene in request.sweep.scenes())
         with text_output(call.target or "-") as out:
-            return write_answers(answers, request.count, kind, form, out, quiet=call.quiet)
-    return _write_rows(question, request, kind, form, call)
+            return write_answers(answers, count, kind, form, out, quiet=call.quiet)
+    return _write_rows(question, request.sweep, kind, form, call)
 
 
 def checked(call: Call) -> tuple[Question, str, Format]:
@@ -67,9 +69,9 @@ def question_of(call: Call) -> Question:
     return Question(names, names, named=tuple(named))
 
 
-def _refuse_inputs(question: Question, request: Request) -> None:
+def _refuse_inputs(question: Question, sweep: Sweep) -> None:
     """Raise BadRequest for a quantity that was named and is not a result of the scenes, but one of their inputs."""
-    scene = request.sweep.kinds[0]
+    scene = sweep.kinds[0]
     for name in question.named:
         if name in scene.stated or (name in scene.values and formula_of(name) is None):
             raise BadRequest(f"--quantities: {name} is an input here")
@@ -84,31 +86,30 @@ def check_count(count: int, kind: str, most: int = MAX_OBJECTS) -> None:
 # --- Rows -------------------------------------------------------------------------------------------------------------
 
 
-def _write_rows(question: Question, request: Request, kind: str, form: Format, call: Call) -> int:
+def _write_rows(question: Question, sweep: Sweep, kind: str, form: Format, call: Call) -> int:
     """Write a row for each scene; return the exit code."""
-    sweep = request.sweep
     if kind == "bare":
         named = [name for name in question.headline if name in question.named or not NOMENCLATURE[name].of_identical]
         wanted = Wanted(question.headline, named=named, doubts=not call.quiet)
     else:
         wanted = sweep.wanted(question.quantities, question.named)
-    is_shown = kind == "table" and call.target is None and request.count <= MAX_TABLE
+    is_shown = kind == "table" and call.target is None and len(sweep) <= MAX_TABLE
     blocks = sweep.columns(wanted, one_by_one=is_shown)
-    if request.count == 1:
+    if len(sweep) == 1:
         headline = [name for name in question.headline if name in wanted.names and name not in sweep.spreads]
         blocks = iter([unless_failed(next(blocks), headline)])
     notes = note_lines.OfRows()
     write_columns(wanted, notes.watch(in_units(columns, form) for columns in blocks), kind, form, call)
     if call.quiet:
         found = []
-    elif request.count == 1:
-        found = note_lines.of_answer(Answer(question, next(request.scenes())))
+    elif len(sweep) == 1:
+        found = note_lines.of_answer(Answer(question, next(sweep.scenes())))
     else:
         kinds = [(scene, sweep.shown(scene, wanted.names, wanted.named)) for scene in sweep.kinds]
         found = notes.lines(sweep.pairs, kinds)
     for line in found:
         say_wrapped(line, sys.stderr)
-    return exit_code(notes, request.count)
+    return exit_code(notes, len(sweep))
 
 
 def unless_failed(columns: Columns, headline: Sequence[str]) -> Columns:
@@ -215,13 +216,13 @@ def _write_curve(call: Call) -> int:
     if kind in ("explain", "cite"):
         raise BadRequest(f"--curve and --{kind} exclude each other")
     request, loads = curve_request(call)
-    check_count(request.count, "curve")
+    check_count(len(request.sweep), "curve")
     samples = [*curve(request.sweep.kinds, loads)]
     if (failure := samples[0].failure) is not None and all(one.failure is not None for one in samples):
         raise failure
-    answers = curve(request.scenes(), loads)
+    answers = curve(request.sweep.scenes(), loads)
     if kind == "json":
-        count = sum(len(states(scene, loads)) for scene in request.scenes())
+        count = sum(len(states(scene, loads)) for scene in request.sweep.scenes())
         return write_answers(answers, count, kind, form, sys.stdout, quiet=call.quiet)
     wanted = wanted_of_curve(samples, is_bare=kind == "bare")
     size = MAX_TABLE if kind == "table" else CURVE_BLOCK

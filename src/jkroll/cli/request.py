@@ -1,20 +1,20 @@
 """From words and options to scenes, one for each element of a list or range, and to the format of what is said of them."""
 
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property, partial
 from itertools import product
 from typing import TYPE_CHECKING
 
 from ..errors import BadRequest
-from ..materials.library import Material, Materials, known_materials, materials_of_user
+from ..materials.library import Material, Materials, materials_of_user
 from ..quantities.formatting import Format
 from ..quantities.laws import law_named
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.units import BadUnit, Unit, dimension_of, parse_unit
 from ..quantities.values import Spread, error_about, spreads_of
 from ..rows.sweep import Pair, Sweep
-from ..scene.scene import EXCLUSIVE, Scene, check_range
+from ..scene.scene import EXCLUSIVE, check_range
 from ..text import quoted, say_wrapped
 from .commands import Call
 
@@ -25,9 +25,7 @@ if TYPE_CHECKING:
 class Request:
     """The words and options of one call, read as far as they are needed."""
 
-    def __init__(
-        self, words: Sequence[str], options: Mapping[str, str], known: Callable[[], Materials] = known_materials
-    ) -> None:
+    def __init__(self, words: Sequence[str], options: Mapping[str, str], known: Callable[[], Materials]) -> None:
         """Sort words into materials and radii.
 
         `options` are texts by the names of inputs; `known` returns the known materials, once some are needed.
@@ -80,17 +78,8 @@ class Request:
 
     @cached_property
     def sweep(self) -> Sweep:
-        """The rows."""
+        """The rows: a scene for each combination of materials and values."""
         return Sweep(self.pairs, self.spreads, self.models)
-
-    @property
-    def count(self) -> int:
-        """The number of scenes."""
-        return len(self.sweep)
-
-    def scenes(self) -> Iterator[Scene]:
-        """Iterate over the scenes, one for each combination of materials and values."""
-        return self.sweep.scenes()
 
     def _materials(self, words: str) -> list[Material | None]:
         if not words:
