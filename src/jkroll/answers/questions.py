@@ -204,3 +204,10 @@ def quantities_named(text: str) -> tuple[list[str], list[str]]:
         else:
             raise UnknownQuantity(word)
     return wanted, offered
+
+
+def question_about(text: str) -> Question:
+    """Return the question about the quantities of a list, all of which are its headline."""
+    named, offered = quantities_named(text)
+    names = tuple(dict.fromkeys((*named, *offered)))
+    return Question(names, names, named=tuple(named))

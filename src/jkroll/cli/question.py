@@ -7,7 +7,7 @@ from math import isnan
 from typing import TextIO
 
 from ..answers.answer import Answer
-from ..answers.questions import QUESTIONS, Question, quantities_named
+from ..answers.questions import QUESTIONS, Question, question_about
 from ..errors import ROWS_FAILED, BadRequest, JkrollError
 from ..output import notes as note_lines
 from ..output.records import in_units, lines, text_output, write_json, write_plain
@@ -61,12 +61,8 @@ def checked(call: Call) -> tuple[Question, str, Format]:
 
 
 def question_of(call: Call) -> Question:
-    """Return the question of the command, or of the quantities that `--quantities` lists: all of them are its headline."""
-    if not call.quantities:
-        return QUESTIONS[call.command]
-    named, offered = quantities_named(call.quantities)
-    names = tuple(dict.fromkeys((*named, *offered)))
-    return Question(names, names, named=tuple(named))
+    """Return the question of the command, or about the quantities that `--quantities` lists."""
+    return question_about(call.quantities) if call.quantities else QUESTIONS[call.command]
 
 
 def _refuse_inputs(question: Question, sweep: Sweep) -> None:

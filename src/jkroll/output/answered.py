@@ -5,7 +5,7 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 from ..answers.answer import Answer
-from ..answers.questions import QUESTIONS, Question, quantities_named
+from ..answers.questions import QUESTIONS, Question, question_about
 from ..materials.library import Material, Materials
 from ..quantities.errors import QuantityError
 from ..quantities.formatting import AS_USUAL, amount
@@ -136,6 +136,4 @@ def _question(wanted: str | Iterable[str]) -> Question:
     """Return the question of a command, or of quantities."""
     if isinstance(wanted, str) and wanted in QUESTIONS:
         return QUESTIONS[wanted]
-    named, offered = quantities_named(wanted if isinstance(wanted, str) else ",".join(wanted))
-    names = tuple(dict.fromkeys((*named, *offered)))
-    return Question(names, names, named=tuple(named))
+    return question_about(wanted if isinstance(wanted, str) else ",".join(wanted))

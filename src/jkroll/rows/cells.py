@@ -24,7 +24,6 @@ from ..quantities.values import Uncertain, has_uncertainty, unit_of
 from .header import Column, power_of_ten
 
 Floats = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.float64]]
-Mask = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.bool_]]
 
 PLAIN = b"0123456789.eE+-, "
 MAX_KEPT = 10_000  # texts whose meaning is remembered

@@ -404,6 +404,10 @@ def check_inputs(header: Header) -> None:
     """Raise BadTable for a table of which no column is an input: a row of it says nothing of a contact."""
     if header.names:
         return
+    if header.texts[0].startswith("#"):
+        raise BadTable(
+            "header: the first line is a comment; take out the lines before the columns' names, and the # before these"
+        )
     if all(map(_is_number, header.texts)):
         raise BadTable(f"header: {quoted(header.texts[0])} is a number; begin with a line of the columns' names")
     columns = _columns(header.bare or {"HEADER": "INPUT [UNIT]"})

@@ -158,6 +158,7 @@ def table_of(
     The first rows decide on the columns of uncertainties, unless `uncertainty` asks for all of them. Raises BadTable, or an error of
     the options.
     """
+    check_inputs(columns)
     wanted = wanted_of(columns, rows, fill, asked, doubts=doubt)
     table = Table(columns, fill, wanted, doubt=doubt)
     sides = {*SIDES} if uncertainty else _sides_of(table, rows)
@@ -168,7 +169,6 @@ def table_of(
         if text.strip() in taken:
             remedy = _RENAMED.get(text.strip(), ", or choose --quantities")
             raise BadTable(f"header: there is a column {quoted(text)} already; rename it{remedy}")
-    check_inputs(columns)
     for column in columns.inputs:
         check_first(column, columns.texts, rows)
     return table
