@@ -199,10 +199,8 @@ class Columns:
 
     def without_sides(self) -> int:
         """Return the number of rows that have uncertainties for which there are no columns."""
-        return sum(
-            any(isinstance(error, NotShown | LeftOut) for error in reasons.values())
-            for reasons in self.reasons.values()
-        )
+        of_rows = (reasons.get(UNCERTAINTY) or reasons.get(ROW) for reasons in self.reasons.values())
+        return sum(isinstance(error, NotShown | LeftOut) for error in of_rows if error is not None)
 
     def failure(self, row: int) -> JkrollError:
         """Return why a row fails: the lack of a contact, or else its first reason."""
