@@ -27,7 +27,54 @@ if TYPE_CHECKING:
 _REPLACED = {"work_of_adhesion": ("surface_energy",)}
 
 
-class Inferred(Answer):
+class _OfMeasured(Answer):
+    """An answer that follows from measured values. `forward` is the answer about what was measured, with the values found."""
+
+    solution: Solution | Pair | None  # None where `no_solution` says why
+    no_solution: NoResult | None
+    forward: Answer
+
+    @cached_property
+    def laws(self) -> tuple[Difference, ...]:
+        """None: what is found under each law stands beside the results."""
+        return ()
+
+    @cached_property
+    def validity(self) -> tuple[Verdict, ...]:
+        """The limits of the model for what was measured."""
+        return self.forward.validity if self.solution is not None else ()
+
+    @cached_property
+    def notes(self) -> tuple[Note, ...]:
+        """The proof of what is found, and what the measured quantities rest on."""
+        if self.solution is None:
+            return ()
+        found, sources = self._uncertainties
+        return (
+            *self._proofs(),
+            *(note for note in self.forward.notes if note.kind != "roughness"),
+            *(about_uncertainties(found, sources) if sources is not None else ()),
+        )
+
+    def _proofs(self) -> list[Note]:
+        raise NotImplementedError
+
+    @cached_property
+    def failure(self) -> JkrollError | None:
+        """The reason why nothing is found."""
+        return self.no_solution
+
+    @cached_property
+    def explained(self) -> Answer:
+        """What was measured, computed with what is found, beside that: what `--explain` derives."""
+        if self.solution is None:
+            return self
+        explained = copy(self)
+        explained.results = (*self.results, *self.forward.results)
+        return explained
+
+
+class Inferred(_OfMeasured):
     """The answer that an input has the value at which a quantity of a scene has its measured value."""
 
     def __init__(self, name: str, quantity: str, measured: "float | Uncertain", scene: Scene) -> None:
@@ -74,70 +121,31 @@ class Inferred(Answer):
 
     @cached_property
     def _by_law(self) -> dict[str, float]:
-        return _by_other_laws(self.name, self.quantity, self.measured_value, self.given)
+        """The value under each other law of attraction that has the quantity by other formulas."""
+        own = self.scene.plan(self.quantity).steps
+        found: dict[str, float] = {}
+        for law in LAWS:
+            other = self.given.under(law)
+            try:
+                if with_input(other, self.name, SIZES[self.name][1]).plan(self.quantity).steps != own:
+                    found[law] = solution(self.name, self.quantity, self.measured_value, other).value
+            except (MissingInput, NoResult):
+                continue
+        return found
 
-    @cached_property
-    def laws(self) -> tuple[Difference, ...]:
-        """None: the value under each law stands beside the result."""
-        return ()
-
-    @cached_property
-    def validity(self) -> tuple[Verdict, ...]:
-        """The limits of the model for the measured quantity."""
-        return self.forward.validity if self.solution is not None else ()
-
-    @cached_property
-    def notes(self) -> tuple[Note, ...]:
-        """The proof of the value, and what the measured quantity rests on."""
-        if self.solution is None:
-            return ()
-        found, sources = self._uncertainties
-        return (
-            *_notes(self.name, self.quantity, self.solution, self._by_law),
-            *(note for note in self.forward.notes if note.kind != "roughness"),
-            *(about_uncertainties(found, sources) if sources is not None else ()),
+    def _proofs(self) -> list[Note]:
+        """Return what of the materials is not used, how errors grow, and the proof of the value."""
+        found = self.solution
+        assert found is not None
+        symbol, of_measured = NOMENCLATURE[self.name].symbol, NOMENCLATURE[self.quantity].symbol
+        proof = (
+            f"{symbol} = {amount(self.name, found.value)} gives {of_measured} = {amount(self.quantity, found.forward)}; "
+            f"κ = |d ln {symbol}/d ln {of_measured}| = {found.condition:.3g}"
         )
-
-    @cached_property
-    def failure(self) -> JkrollError | None:
-        """The reason why there is no value."""
-        return self.no_solution
-
-    @cached_property
-    def explained(self) -> Answer:
-        """The measured quantity computed with the inferred value, beside that value: what `--explain` derives."""
-        if self.solution is None:
-            return self
-        explained = copy(self)
-        explained.results = (*self.results, *self.forward.results)
-        return explained
-
-
-def _by_other_laws(name: str, quantity: str, value: float, scene: Scene) -> dict[str, float]:
-    """Return the value of an input under each other law of attraction that has the quantity by other formulas."""
-    own = with_input(scene, name, SIZES[name][1]).plan(quantity).steps
-    values = {}
-    for law in LAWS:
-        other = scene.under(law)
-        try:
-            if with_input(other, name, SIZES[name][1]).plan(quantity).steps != own:
-                values[law] = solution(name, quantity, value, other).value
-        except (MissingInput, NoResult):
-            continue
-    return values
-
-
-def _notes(name: str, quantity: str, found: Solution, by_law: Mapping[str, float]) -> list[Note]:
-    """Return what of the materials is not used, how errors grow, and the proof of the value."""
-    symbol, of_measured = NOMENCLATURE[name].symbol, NOMENCLATURE[quantity].symbol
-    proof = (
-        f"{symbol} = {amount(name, found.value)} gives {of_measured} = {amount(quantity, found.forward)}; "
-        f"κ = |d ln {symbol}/d ln {of_measured}| = {found.condition:.3g}"
-    )
-    if by_law:
-        others = ", ".join(f"{amount(name, value)} under {LAWS[law].title}" for law, value in by_law.items())
-        proof += f"; {others}"
-    return [*_unused(name, [quantity], found.scene), Note("model", proof)]
+        if self._by_law:
+            others = (f"{amount(self.name, value)} under {LAWS[law].title}" for law, value in self._by_law.items())
+            proof += f"; {', '.join(others)}"
+        return [*_unused(self.name, [self.quantity], found.scene), Note("model", proof)]
 
 
 def _unused(name: str, quantities: Sequence[str], found: Scene) -> list[Note]:
@@ -155,7 +163,7 @@ def _unused(name: str, quantities: Sequence[str], found: Scene) -> list[Note]:
 # --- Two inputs -------------------------------------------------------------------------------------------------------
 
 
-class InferredPair(Answer):
+class InferredPair(_OfMeasured):
     """The answer that two inputs have the values at which two quantities of a scene have their measured values."""
 
     def __init__(self, names: Sequence[str], measured: "Mapping[str, float | Uncertain]", scene: Scene) -> None:
@@ -164,14 +172,14 @@ class InferredPair(Answer):
         self.middles = {name: one if isinstance(one, float) else one.value for name, one in measured.items()}
         self.given = scene
         self.question = Question(self.names, self.names)
-        self.pair: Pair | None = None
+        self.solution: Pair | None = None
         self.no_solution: NoResult | None = None
         try:
-            self.pair = Problem(self.names, self.middles, scene).solution()
-            self.condition = self.pair.condition
+            self.solution = Problem(self.names, self.middles, scene).solution()
+            self.condition = self.solution.condition
         except NoResult as error:
             self.no_solution = error
-        self.scene = self.pair.scene if self.pair is not None else with_inputs(scene, largest(self.names))
+        self.scene = self.solution.scene if self.solution is not None else with_inputs(scene, largest(self.names))
         self.forward = Answer(Question((*measured,), (*measured,), named=(*measured,)), self.scene)
 
     @cached_property
@@ -183,7 +191,7 @@ class InferredPair(Answer):
     @cached_property
     def results(self) -> tuple[Result, ...]:
         """The inferred values, with their uncertainties."""
-        if self.pair is None:
+        if self.solution is None:
             assert self.no_solution is not None
             reason = reason_of(",".join(self.names), self.no_solution)
             return tuple(Result(name, None, reason) for name in self.names)
@@ -192,11 +200,11 @@ class InferredPair(Answer):
             Result(
                 name,
                 value,
-                growth=growth if isfinite(growth := self.pair.growths[name]) else None,
+                growth=growth if isfinite(growth := self.solution.growths[name]) else None,
                 by_law={law: values[name] for law, values in self._pairs_by_law.items()},
                 propagated=one if isinstance(one := found.get(name), tuple) else None,
             )
-            for name, value in self.pair.values.items()
+            for name, value in self.solution.values.items()
         )
 
     @cached_property
@@ -204,11 +212,11 @@ class InferredPair(Answer):
         is_certain = (
             all(isinstance(one, float) for one in self.measured_values.values()) and not self.given.is_uncertain
         )
-        if self.pair is None or is_certain:
+        if self.solution is None or is_certain:
             return {}, None
         from ..scene.uncertainty import uncertainties_of_two
 
-        return uncertainties_of_two(self.measured_values, self.pair, self.given)
+        return uncertainties_of_two(self.measured_values, self.solution, self.given)
 
     @cached_property
     def _pairs_by_law(self) -> dict[str, Mapping[str, float]]:
@@ -225,49 +233,14 @@ class InferredPair(Answer):
                 continue
         return found
 
-    @cached_property
-    def laws(self) -> tuple[Difference, ...]:
-        """None: the values under each law stand beside the results."""
-        return ()
-
-    @cached_property
-    def validity(self) -> tuple[Verdict, ...]:
-        """The limits of the model for the measured quantities."""
-        return self.forward.validity if self.pair is not None else ()
-
-    @cached_property
-    def notes(self) -> tuple[Note, ...]:
-        """The proof of the values, and what the measured quantities rest on."""
-        if self.pair is None:
-            return ()
-        found, sources = self._uncertainties
-        unused = [note for name in self.names for note in _unused(name, [*self.middles], self.scene)]
-        return (
-            *unused,
-            *self._proofs(self.pair),
-            *(note for note in self.forward.notes if note.kind != "roughness"),
-            *(about_uncertainties(found, sources) if sources is not None else ()),
-        )
-
-    def _proofs(self, pair: Pair) -> list[Note]:
-        """Return the proof of the values, what they are under other laws, and where they were looked for."""
-        texts = [f"{_equal(pair.values)} give {_equal(pair.forward)}; κ = {pair.condition:.3g}"]
+    def _proofs(self) -> list[Note]:
+        """Return what of the materials is not used, the proof of the values, what they are under other laws, and where they were looked for."""
+        found = self.solution
+        assert found is not None
+        texts = [f"{_equal(found.values)} give {_equal(found.forward)}; κ = {found.condition:.3g}"]
         texts += [f"{_equal(values)} under {LAWS[law].title}" for law, values in self._pairs_by_law.items()]
-        return [Note("model", text) for text in (*texts, f"scanned: {scan_in_words(self.names)}")]
-
-    @cached_property
-    def failure(self) -> JkrollError | None:
-        """The reason why there are no values."""
-        return self.no_solution
-
-    @cached_property
-    def explained(self) -> Answer:
-        """The measured quantities computed with the inferred values, beside these: what `--explain` derives."""
-        if self.pair is None:
-            return self
-        explained = copy(self)
-        explained.results = (*self.results, *self.forward.results)
-        return explained
+        unused = [note for name in self.names for note in _unused(name, [*self.middles], self.scene)]
+        return [*unused, *(Note("model", text) for text in (*texts, f"scanned: {scan_in_words(self.names)}"))]
 
 
 def _equal(values: Mapping[str, float]) -> str:
