@@ -21,7 +21,7 @@ from jkroll.scene.inverse import (
     failure,
     solution,
     solutions,
-    with_input,
+    with_inputs,
 )
 from jkroll.scene.scene import Scene
 from scenes import OTHER, QUARTZ, log_uniform
@@ -102,7 +102,7 @@ def test_arrays_give_what_floats_give(name: str, model: str) -> None:
         for varied in ([], ["density", "radius2"], [*given]):
             arrays = {each: spread[each] for each in varied if not each.startswith("poisson_ratio")}
             values = [TYPICAL[name] * log_uniform(random, 0.3, 3) for _ in range(COUNT)]
-            levels = [float(with_input(scene, name, value)[quantity]) for value in values]
+            levels = [float(with_inputs(scene, {name: value})[quantity]) for value in values]
             found += assert_as_each_by_itself(
                 name, quantity, [*levels[2:], 1e20 * levels[0], 1e-20 * levels[1]], arrays, scene
             )

@@ -11,10 +11,10 @@ from ..quantities.formatting import amount, in_words
 from ..quantities.laws import LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.failures import MissingInput, reason_of
-from ..scene.inverse import SIZES, Solution, solution, used_beside, with_input
+from ..scene.inverse import Solution, largest, solution, used_beside, with_inputs
 from ..scene.limits import Verdict
 from ..scene.scene import Scene
-from ..scene.unknowns import Pair, Problem, largest, scan_in_words, used_beside_two, with_inputs
+from ..scene.unknowns import Pair, Problem, scan_in_words
 from .answer import Answer, Difference, about_uncertainties
 from .questions import Question
 from .results import Note, Result
@@ -89,13 +89,13 @@ class Inferred(_OfMeasured):
             self.solution = solution(name, quantity, self.measured_value, scene)
         except NoResult as error:
             self.no_solution = error
-        self.scene = self.solution.scene if self.solution is not None else with_input(scene, name, SIZES[name][1])
+        self.scene = self.solution.scene if self.solution is not None else with_inputs(scene, largest([name]))
         self.forward = Answer(Question((quantity,), (quantity,), named=(quantity,)), self.scene)
 
     @cached_property
     def inputs(self) -> Mapping[str, float | str]:
         """The inputs without the one that is asked for, and with the measured value."""
-        known = self.scene.echo(used_beside(self.name, self.quantity, self.given))
+        known = self.scene.echo(used_beside([self.name], [self.quantity], self.given))
         return {name: in_words(name, value) for name, value in known.items()} | {self.quantity: self.measured_value}
 
     @cached_property
@@ -127,7 +127,7 @@ class Inferred(_OfMeasured):
         for law in LAWS:
             other = self.given.under(law)
             try:
-                if with_input(other, self.name, SIZES[self.name][1]).plan(self.quantity).steps != own:
+                if with_inputs(other, largest([self.name])).plan(self.quantity).steps != own:
                     found[law] = solution(self.name, self.quantity, self.measured_value, other).value
             except (MissingInput, NoResult):
                 continue
@@ -185,7 +185,7 @@ class InferredPair(_OfMeasured):
     @cached_property
     def inputs(self) -> Mapping[str, float | str]:
         """The inputs without those that are asked for, and with the measured values."""
-        known = self.scene.echo(used_beside_two(self.names, [*self.middles], self.given))
+        known = self.scene.echo(used_beside(self.names, [*self.middles], self.given))
         return {name: in_words(name, value) for name, value in known.items()} | self.middles
 
     @cached_property

@@ -10,7 +10,7 @@ import numpy
 from ..rows.cells import Floats
 from ..rows.columns import Columns
 from ..rows.header import BadRow, BadTable
-from ..rows.inferred import Sought
+from ..rows.inferred import SoughtOne
 from ..scene.limits import NOT_JUDGED, codes
 
 BOM = b"\xef\xbb\xbf"
@@ -37,7 +37,7 @@ class Tally(NamedTuple):
         doubts = numpy.asarray(columns.doubts) & ~NOT_JUDGED
         doubtful, of_codes = int(numpy.count_nonzero(doubts)), _rows_of_codes(doubts)
         wanted = columns.wanted
-        inferred = (numpy.asarray(columns.column(wanted.name)).copy(),) if isinstance(wanted, Sought) else ()
+        inferred = (numpy.asarray(columns.column(wanted.name)).copy(),) if isinstance(wanted, SoughtOne) else ()
         return cls(len(columns), len(failed), doubtful, columns.without_sides(), of_codes, inferred)
 
     def plus(self, other: "Tally") -> "Tally":

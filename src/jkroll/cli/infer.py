@@ -14,10 +14,9 @@ from ..quantities.formatting import Format
 from ..quantities.nomenclature import named
 from ..quantities.values import Spread, spreads_of
 from ..rows.columns import Wanted
-from ..rows.inferred import Observed, ObservedPair, Sought, SoughtPair, observed, observed_pair
+from ..rows.inferred import Observed, Sought, SoughtOne, SoughtPair, observed
 from ..rows.sweep import Sweep
-from ..scene.inverse import SIZES, AlreadyGiven, CannotInfer
-from ..scene.unknowns import largest, with_inputs
+from ..scene.inverse import SIZES, AlreadyGiven, CannotInfer, largest, with_inputs
 from ..text import quoted, say_wrapped
 from .commands import Call
 from .question import check_count, exit_code, unless_failed, write_answers, write_columns
@@ -34,30 +33,25 @@ class _Inverse:
     def __init__(self, names: Sequence[str], quantities: Sequence[str]) -> None:
         self.names, self.quantities = names, quantities
         self.is_pair = len(names) > 1
+        self.sought: type[Sought] = SoughtPair if self.is_pair else SoughtOne
 
-    def row(self, given: Mapping[str, Any], *spheres: Material | None, model: str | None) -> Observed | ObservedPair:
+    def row(self, given: Mapping[str, Any], *spheres: Material | None, model: str | None) -> Observed:
         """Return a row of inputs among which are the measured values."""
-        if self.is_pair:
-            return observed_pair(self.quantities, given, *spheres, model=model)
-        return observed(self.quantities[0], given, *spheres, model=model)
+        return observed(self.quantities, given, *spheres, model=model)
 
     def answer(self, row: Any) -> Inferred | InferredPair:
         """Return the answer for a row."""
         if self.is_pair:
             return InferredPair(self.names, row.measured, row.scene)
-        return Inferred(self.names[0], self.quantities[0], row.measured, row.scene)
+        return Inferred(self.names[0], self.quantities[0], row.measured[self.quantities[0]], row.scene)
 
     def wanted(self, sweep: Sweep) -> Wanted:
         """Return the columns of the rows."""
-        if self.is_pair:
-            return SoughtPair.of(self.names, self.quantities, sweep.kinds)
-        return Sought.of(self.names[0], self.quantities[0], sweep.kinds)
+        return self.sought.of(self.names, self.quantities, sweep.kinds)
 
     def numbers(self, *, doubts: bool) -> Wanted:
         """Return the columns of the values alone."""
-        if self.is_pair:
-            return SoughtPair(self.names, self.quantities, doubts=doubts)
-        return Sought(self.names[0], self.quantities[0], doubts=doubts)
+        return self.sought(self.names, self.quantities, doubts=doubts)
 
 
 def run_infer(call: Call) -> int:

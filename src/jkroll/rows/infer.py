@@ -17,7 +17,7 @@ from ..scene.scene import Scene, check_range
 from ..scene.solver import broadcast, in_si, materials_of, refuse_arrays, uncertain_scene, with_uncertainty
 from ..scene.unknowns import Problem
 from ..text import MAX_QUOTED
-from .inferred import Observed, Sought, observed, observed_pair
+from .inferred import Observed, SoughtOne, observed
 
 _BLOCK = 1 << 13  # values that are inferred at once
 
@@ -126,9 +126,9 @@ def infer(
         return solution(name, quantity, at, Scene(described, *spheres, model=model)).value
 
     def row(inputs: Mapping[str, Any]) -> Observed:
-        return observed(quantity, inputs, *spheres, model=model)
+        return observed([quantity], inputs, *spheres, model=model)
 
-    return _each(Sought(name, quantity, doubts=False), {quantity: at, **described}, row)
+    return _each(SoughtOne([name], [quantity], doubts=False), {quantity: at, **described}, row)
 
 
 def _names(wanted: str | Sequence[str]) -> list[str]:
@@ -166,7 +166,7 @@ def _pair(
         from ..scene.uncertainty import uncertainties_of_two
 
         refuse_arrays(given)
-        row = observed_pair([*measured], given, *spheres, model=model)
+        row = observed([*measured], given, *spheres, model=model)
         pair = Problem(names, row.values, row.scene).solution()
         found, _ = uncertainties_of_two(row.measured, pair, row.scene)
         values = {name: with_uncertainty(value, found.get(name)) for name, value in pair.values.items()}
@@ -181,7 +181,7 @@ def _pair(
     flat = {name: numpy.broadcast_to(value, shape).ravel().tolist() for name, value in arrays.items()}
     columns = numpy.full((len(names) + 1, prod(shape)), numpy.nan)
     for place, own in enumerate(zip(*flat.values(), strict=True)):
-        row = observed_pair([*measured], {**given, **dict(zip(flat, own, strict=True))}, *spheres, model=model)
+        row = observed([*measured], {**given, **dict(zip(flat, own, strict=True))}, *spheres, model=model)
         with suppress(NoResult):
             pair = Problem(names, row.values, row.scene).solution()
             columns[:, place] = *pair.values.values(), pair.condition
@@ -189,7 +189,7 @@ def _pair(
     return InferredValues(dict(zip(names, found_values, strict=True)), condition)
 
 
-def _each(wanted: Sought, given: Mapping[str, Any], row: Callable[[Mapping[str, Any]], Observed]) -> Any:
+def _each(wanted: SoughtOne, given: Mapping[str, Any], row: Callable[[Mapping[str, Any]], Observed]) -> Any:
     """Return the inferred values for arrays, nan where there is none; `row` makes rows of inputs and the measured value."""
     import numpy
 
@@ -204,7 +204,7 @@ def _each(wanted: Sought, given: Mapping[str, Any], row: Callable[[Mapping[str, 
     return found.reshape(shape)
 
 
-def _block(wanted: Sought, arrays: Mapping[str, Any], row: Callable[[Mapping[str, Any]], Observed]) -> Any:
+def _block(wanted: SoughtOne, arrays: Mapping[str, Any], row: Callable[[Mapping[str, Any]], Observed]) -> Any:
     """Return the inferred values of some rows; raise the first error that is no NoResult."""
     from .cells import Numbers
     from .rows import Block, evaluated

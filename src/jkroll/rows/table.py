@@ -21,7 +21,7 @@ from ..text import first_of, quoted, say, say_wrapped
 from .cells import LABEL, Codes, Lookup, Reader
 from .columns import DOUBT, SIDES, STATUS, BadCells, Wanted, heads
 from .header import BadTable, Column, Header, check_first, check_inputs
-from .inferred import Sought, observed
+from .inferred import SoughtOne, observed
 from .readings import MATERIALS
 from .rows import Block, groups
 
@@ -61,7 +61,7 @@ class Fill(NamedTuple):
             return Scene(given, *spheres, model=self.model)
         if self.inverse.quantity not in given:
             raise BadCells(f"{self.inverse.quantity}: the row has no measured value")
-        return observed(self.inverse.quantity, given, *spheres, model=self.model)
+        return observed([self.inverse.quantity], given, *spheres, model=self.model)
 
 
 class Table:
@@ -218,7 +218,7 @@ def wanted_of(columns: Header, rows: Sequence[Sequence[str]], fill: Fill, asked:
     scene = _as_known(columns, fill, labels, infinite)
     if fill.inverse is not None:
         check(*fill.inverse, scene.scene)
-        return Sought(*fill.inverse, sides=(), doubts=doubts)
+        return SoughtOne([fill.inverse.name], [fill.inverse.quantity], sides=(), doubts=doubts)
     has_own_2 = any(name.endswith("2") for name in columns.names)
     explicit, offered = asked
     for name in explicit:

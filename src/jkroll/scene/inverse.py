@@ -5,7 +5,7 @@ pieces, and each piece that brackets the measured value is bisected down to two 
 range is found, and nothing is extrapolated.
 """
 
-from collections.abc import Callable, Generator, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterable, Mapping, Sequence
 from itertools import pairwise
 from math import inf, isnan, log, log10, nan
 from typing import Any, NamedTuple, TypeVar
@@ -294,7 +294,7 @@ def solution(name: str, quantity: str, measured: float, scene: Scene) -> Solutio
     def outcome(value: float) -> float:
         """Return the quantity, nan where the physics has no result."""
         try:
-            return float(with_input(scene, name, value)[quantity])
+            return float(with_inputs(scene, {name: value})[quantity])
         except NoResult:
             return nan
 
@@ -303,7 +303,7 @@ def solution(name: str, quantity: str, measured: float, scene: Scene) -> Solutio
     if not pieces:
         raise failure(name, quantity, scene)
     value = found_by(_value(name, quantity, measured, pieces), outcome)
-    found = with_input(scene, name, value)
+    found = with_inputs(scene, {name: value})
     return Solution(value, _condition(name, quantity, value, scene), found, float(found[quantity]))
 
 
@@ -327,7 +327,7 @@ def _side_by_side(name: str, quantity: str, measured: Any, scene: Scene) -> list
 
     def outcomes(rows: list[int], values: Any) -> Any:
         """Return the quantity in some rows, nan where the physics has no result. `values`: of the input, a row along the last axis."""
-        found = with_input(scene.elements(rows), name, numpy.array(values)).evaluate((quantity,))[quantity]
+        found = with_inputs(scene.elements(rows), {name: numpy.array(values)}).evaluate((quantity,))[quantity]
         shape = (*numpy.shape(values)[:-1], len(rows))
         return numpy.broadcast_to(nan if isinstance(found, NoResult) else found, shape)
 
@@ -355,9 +355,14 @@ def _side_by_side(name: str, quantity: str, measured: Any, scene: Scene) -> list
     return found
 
 
-def with_input(scene: Scene, name: str, value: Any) -> Scene:
-    """Return a scene with a value of an input, or an array of them."""
-    return scene.replace(**dict.fromkeys(names_in(scene, name), value))
+def with_inputs(scene: Scene, values: Mapping[str, Any]) -> Scene:
+    """Return a scene with values of inputs, or arrays of them."""
+    return scene.replace(**{each: value for name, value in values.items() for each in names_in(scene, name)})
+
+
+def largest(names: Iterable[str]) -> dict[str, float]:
+    """Return the largest values of inputs, which stand for those that are not known yet."""
+    return {name: SIZES[name][1] for name in names}
 
 
 def names_in(scene: Scene, name: str) -> tuple[str, ...]:
@@ -368,10 +373,10 @@ def names_in(scene: Scene, name: str) -> tuple[str, ...]:
     return (name, name + "2") if is_shared and name in PROPERTIES and name + "2" not in scene.stated else (name,)
 
 
-def used_beside(name: str, quantity: str, scene: Scene) -> list[str]:
-    """Return the inputs of a scene, besides the one that is inferred, on which the measured quantity depends."""
-    inferred = names_in(scene, name)
-    return [one for one in with_input(scene, name, SIZES[name][1]).inputs_of(quantity) if one not in inferred]
+def used_beside(names: Sequence[str], quantities: Sequence[str], scene: Scene) -> list[str]:
+    """Return the inputs of a scene, besides those that are inferred, on which the measured quantities depend."""
+    inferred = {each for name in names for each in names_in(scene, name)}
+    return [one for one in with_inputs(scene, largest(names)).inputs_of(*quantities) if one not in inferred]
 
 
 def check(name: str, quantity: str, scene: Scene) -> None:
@@ -379,7 +384,7 @@ def check(name: str, quantity: str, scene: Scene) -> None:
     if name not in SIZES:
         raise CannotInfer(name)
     check_given(name, quantity, scene)
-    if name == quantity or name not in with_input(scene, name, SIZES[name][1]).inputs_of(quantity):
+    if name == quantity or name not in with_inputs(scene, largest([name])).inputs_of(quantity):
         raise NoDependence(name, quantity)
 
 
@@ -406,7 +411,7 @@ def computed(name: str) -> int:
 
 def failure(name: str, quantity: str, scene: Scene) -> JkrollError:
     """Return the reason why a quantity has no value for any value of the input."""
-    outcome = with_input(scene, name, SIZES[name][1]).evaluate((quantity,))[quantity]
+    outcome = with_inputs(scene, largest([name])).evaluate((quantity,))[quantity]
     return outcome if isinstance(outcome, JkrollError) else NoDependence(name, quantity)
 
 
@@ -448,5 +453,5 @@ def roots(name: str, quantity: str, measured: float, scan: Sequence[float]) -> S
 
 def _condition(name: str, quantity: str, value: float, scene: Scene) -> float:
     """Return |d ln input / d ln quantity| to six digits."""
-    slope = logarithmic_slope(lambda beside: float(with_input(scene, name, beside)[quantity]), value)
+    slope = logarithmic_slope(lambda beside: float(with_inputs(scene, {name: beside})[quantity]), value)
     return float(f"{abs(1 / slope):.6g}") if slope else inf

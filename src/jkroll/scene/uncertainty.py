@@ -19,7 +19,7 @@ from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import Interval, Measured, Uncertain, is_uncertain
 from .inverse import Solution, found_by, highest_between, solution, solutions, used_beside
 from .scene import Scene
-from .unknowns import Pair, Problem, used_beside_two
+from .unknowns import Pair, Problem
 from .wiring import in_order
 
 MAX_RANGES = 8  # whose corners are computed, all together
@@ -160,17 +160,17 @@ def _evaluation(scene: Scene, names: Sequence[str]) -> Evaluate:
     return lambda changed: scene.replace(**changed).evaluate(names)
 
 
-def inferred_sources(name: str, quantity: str, measured: Any, scene: Scene) -> Sources:
-    """Return the sources of the uncertainty of an inferred input: the measured value, and the inputs of the scene."""
-    of_measured = [Source((quantity,), measured)] if is_uncertain(measured) else []
-    return sources_of(scene, used_beside(name, quantity, scene), of_measured)
+def inferred_sources(names: Sequence[str], measured: Mapping[str, Any], scene: Scene) -> Sources:
+    """Return the sources of the uncertainty of inferred inputs: the measured values, and the inputs of the scene."""
+    of_measured = [Source((quantity,), one) for quantity, one in measured.items() if is_uncertain(one)]
+    return sources_of(scene, used_beside(names, [*measured], scene), of_measured)
 
 
 def inferred_uncertainty(
     name: str, quantity: str, measured: float | Uncertain, found: Solution, scene: Scene
 ) -> tuple[Found, Sources]:
     """Return the uncertainty of an inferred input, and its sources."""
-    sources = inferred_sources(name, quantity, measured, scene)
+    sources = inferred_sources([name], {quantity: measured}, scene)
 
     def evaluate(changed: Mapping[str, float]) -> Mapping[str, Any]:
         at, beside = changed_inputs(quantity, measured, scene, changed)
@@ -193,7 +193,7 @@ def inferred_uncertainty_of_elements(
         found = solutions(name, quantity, numpy.broadcast_to(at, values.shape), beside)
         return {name: numpy.array([one if isinstance(one, float) else nan for one in found])}
 
-    sources = inferred_sources(name, quantity, measured, scene)
+    sources = inferred_sources([name], {quantity: measured}, scene)
     return _elements(evaluate, {name: values}, sources.entering)
 
 
@@ -203,15 +203,9 @@ def changed_inputs(quantity: str, measured: Any, scene: Scene, changed: Mapping[
     return changed.get(quantity, measured.value if is_uncertain(measured) else measured), scene.replace(**others)
 
 
-def sources_of_two(names: Sequence[str], measured: Mapping[str, Any], scene: Scene) -> Sources:
-    """Return the sources of the uncertainty of two inferred inputs: the measured values, and the inputs of the scene."""
-    of_measured = [Source((quantity,), one) for quantity, one in measured.items() if is_uncertain(one)]
-    return sources_of(scene, used_beside_two(names, tuple(measured), scene), of_measured)
-
-
 def uncertainties_of_two(measured: Mapping[str, float | Uncertain], found: Pair, scene: Scene) -> tuple[Found, Sources]:
     """Return the uncertainties of two inferred inputs, and their sources. Newton's method follows the pair to the ends of each."""
-    sources = sources_of_two([*found.values], measured, scene)
+    sources = inferred_sources([*found.values], measured, scene)
     middles = {name: one if isinstance(one, float) else one.value for name, one in measured.items()}
 
     def evaluate(changed: Mapping[str, float]) -> Mapping[str, Any]:

@@ -27,9 +27,10 @@ from .inverse import (
     found_by,
     found_by_all,
     grid,
-    names_in,
+    largest,
     pieces_of,
     roots,
+    with_inputs,
     with_turning_points,
 )
 from .scene import EXCLUSIVE, Scene
@@ -177,22 +178,6 @@ class Problem:
             SIZES[name][0] <= value <= SIZES[name][1] for name, value in place.values.items() if name != "load"
         )
         return place.pair() if place.distance <= _NEAR and is_scanned else self.solution()
-
-
-def with_inputs(scene: Scene, values: Mapping[str, Any]) -> Scene:
-    """Return a scene with values of inputs, or arrays of them."""
-    return scene.replace(**{each: value for name, value in values.items() for each in names_in(scene, name)})
-
-
-def largest(names: Iterable[str]) -> dict[str, float]:
-    """Return the largest values of inputs, which stand for those that are not known yet."""
-    return {name: SIZES[name][1] for name in names}
-
-
-def used_beside_two(names: Sequence[str], quantities: Sequence[str], scene: Scene) -> list[str]:
-    """Return the inputs of a scene, besides those that are inferred, on which the measured quantities depend."""
-    inferred = {each for name in names for each in names_in(scene, name)}
-    return [one for one in with_inputs(scene, largest(names)).inputs_of(*quantities) if one not in inferred]
 
 
 def check_two(names: Sequence[str], quantities: Sequence[str], scene: Scene) -> None:
