@@ -103,6 +103,8 @@ def any_ask(random: Random, command: str = "", model: str | None = "") -> Ask:
         names = [name for name in random.sample(NAMES, random.randint(1, 4)) if name not in inputs]
         quantities = ",".join(names + random.choice([[], [], ["contact"]]))
     options = [name for name, texts in inputs.items() if len(texts) == 1 and random.random() < 0.3]
+    if len(options) == len(inputs):  # a table whose rows say nothing of a contact is refused
+        options = options[1:]
     return Ask(command, inputs, quantities, model, tuple(options))
 
 
