@@ -20,6 +20,7 @@ import jkroll
 from harness import Run
 from jkroll.errors import JkrollError
 from jkroll.materials.library import SHIPPED, Material, Materials, MaterialsFileError, read
+from jkroll.scene.scene import Scene
 from jkroll.text import quoted
 
 ICE = """
@@ -483,6 +484,14 @@ def test_every_door_has_a_material_s_displacement(run: Run, own: str, tmp_path: 
     answered = jkroll.answer("yield_force", radius=1e-7, material="own", materials=Materials(path))["yield_force"]
     assert answered.uncertain is not None
     assert answered.uncertain.sides == {"low": low, "high": high}
+
+
+def test_the_material_of_a_scene_is_that_of_sphere_2_of_another(own: str) -> None:
+    material = Materials(own.split()[1])["single"]
+    pair = Scene({"radius": 1e-6}, material)
+    again = Scene({"radius": 0.95e-6}, material, pair.material)
+    assert again["yield_displacement"] == 2e-9
+    assert again["yield_force"] == Scene({"radius": 0.95e-6}, material)["yield_force"]
 
 
 def test_a_radius_with_an_error_bar_moves_the_displacement(run: Run, own: str) -> None:

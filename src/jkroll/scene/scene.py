@@ -179,6 +179,8 @@ class Scene:
                 raise Contradiction(both)
         if "cutoff" in given and "hamaker" not in given:
             raise MissingInput("cutoff", ("hamaker",))
+        if material2 is not None:
+            material2 = _without_displacement(material2)  # that of another scene's contact
         self.material, self.material2 = material, material2
         self.uncertain: dict[str, Uncertain] = {name: one for name, one in given.items() if is_uncertain(one)}
         self.stated = {**given, **{name: one.value for name, one in self.uncertain.items()}}
@@ -469,15 +471,25 @@ def _assumed(given: Mapping[str, Any], others: Sequence[str]) -> dict[str, Any]:
 
 def _with_displacement(material: Material, material2: Material | None, stated: Mapping[str, Any]) -> Material:
     """Return the material of sphere 1 with the yield displacement of this contact, unless that is stated or sphere 2 is another solid."""
-    properties = {name: value for name, value in material.properties.items() if name != XI}
-    uncertainties = {name: found for name, found in material.uncertainties.items() if name != XI}
+    material = _without_displacement(material)
     is_alike = material2 is None or material2.key == material.key
     if material.displacement is not None and is_alike and "radius" in stated and stated.keys().isdisjoint(IN_ITS_PLACE):
         radii = {name: stated.get(name, stated["radius"]) for name in ("radius", "radius2")}
         for name, value in radii.items():
             check_range(name, value)
         found = material.displacement.at(2 * reduced_radius(**radii))
-        properties[XI], uncertainties[XI] = found.value, found
+        return material._replace(
+            properties={**material.properties, XI: found.value}, uncertainties={**material.uncertainties, XI: found}
+        )
+    return material
+
+
+def _without_displacement(material: Material) -> Material:
+    """Return a material without the yield displacement of a contact."""
+    if XI not in material.properties:
+        return material
+    properties = {name: value for name, value in material.properties.items() if name != XI}
+    uncertainties = {name: found for name, found in material.uncertainties.items() if name != XI}
     return material._replace(properties=properties, uncertainties=uncertainties)
 
 
