@@ -655,7 +655,7 @@ def test_notes_are_few_and_say_their_rows(run: Run) -> None:
     assert lines[0].endswith(
         "; a/z0<3, elasticity is in doubt: rows 1-2; also e_h>0.01 (row 1), law>5% (row 3): jkroll guide models"
     )
-    assert lines[2] == "note: assumed z0 = 400 pm (--z0)"
+    assert lines[2] == "note: assumed z0 = 400 pm (--z0); 1 more: --explain"
 
 
 def test_a_sweep_is_one_table_with_units_in_its_head(run: Run) -> None:

@@ -456,10 +456,11 @@ def test_what_is_given_outranks_a_material_s_displacement(run: Run, own: str) ->
 
 
 def test_two_solids_have_no_displacement_in_common(run: Run, own: str) -> None:
-    for words in ("own 100nm --material2 quartz", "quartz 100nm --material2 own", "own 100nm --material2 single"):
+    pairs = ("--material2 quartz", "--material2 single", "--young2 1GPa", "--gamma2 1mJ/m2 --radius2 plane")
+    for words in ("quartz 100nm --material2 own", *(f"own 100nm {words}" for words in pairs)):
         ran = run(f"yield-force {words} {own}")
         assert (ran.code, ran.out) == (2, "")
-        assert "the two solids have none in common; give --xi 2angstrom" in ran.err
+        assert "that of two different solids is not known; give --xi 2angstrom" in ran.err
         assert not run(f"pull-off {words} {own}").code
         assert not run(f"yield-force {words} --xi 1nm {own}").code
     assert forces_of(run, f"own 100nm --material2 own {own}") == forces_of(run, f"own 100nm {own}")
@@ -517,10 +518,10 @@ def test_a_material_s_displacement_is_shown(run: Run, own: str) -> None:
     ("text", "problem"),
     [
         ('"2 nm"', "own.yield_displacement is not a table"),
-        ('{ value = "2 nm" }', "own.yield_displacement: radius: '' does not begin with a number"),
+        ('{ value = "2 nm" }', "own.yield_displacement has no radius"),
         ('{ value = "2 nm", radius = "1 to 2 um" }', "the radius of the spheres is a single one"),
         ('{ value = "2 nm", radius = "-1 um" }', "must be positive"),
-        ('{ radius = "1 um" }', "own.yield_displacement is not a text in quotes"),
+        ('{ radius = "1 um" }', "own.yield_displacement has no value"),
         ('{ value = "2 nm", radius = "1 um", size = "x" }', "has an unknown key 'size'"),
         ('{ value = "2 N", radius = "1 um" }', "own: yield_displacement: '2 N' is a force"),
     ],

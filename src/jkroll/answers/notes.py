@@ -48,6 +48,7 @@ def notes_on_rows(scene: Scene, names: Sequence[str]) -> list[Note]:
         *about_assumed([name for name in assumed(scene, inputs) if not (name == XI and displaced)]),
         *assumptions(scene, inputs, planned),
         *about_idle(scene, entering),
+        *(note for note in about_data(scene, inputs) if note.kind != "material"),
         *about_conventions(scene, planned),
         *about_limits(judged(scene, planned)),
     ]

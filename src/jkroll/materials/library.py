@@ -488,10 +488,13 @@ def _checked(entry: Entry) -> Material:
 def _displacement(table: Mapping[str, Any], name: str) -> tuple[Displacement, Origin]:
     """Return the yield displacement of a material, and its origin."""
     where = f"{name}.{XI}"
-    radius = _property("radius", table.get("radius", ""), where)
+    for key in ("value", "radius"):
+        if key not in table:
+            raise Malformed(f"{shown(where)} has no {key}")
+    radius = _property("radius", table["radius"], where)
     if not isinstance(radius, float):
         raise Malformed(f"{shown(where)}: the radius of the spheres is a single one")
-    found = _property(XI, table.get("value"), name)
+    found = _property(XI, table["value"], name)
     measured = (
         Interval(found, found, found) if isinstance(found, float) else Interval(found.value, found.low, found.high)
     )

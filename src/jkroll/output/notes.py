@@ -1,6 +1,7 @@
 """The notes of a call as the lines below its results: of one answer a line for each kind, of many rows one for each matter."""
 
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import chain
 from typing import Any, NamedTuple, get_args
 
 from ..answers.answer import Answer
@@ -33,13 +34,10 @@ def of_answer(answer: Answer, *, has_head: bool = False) -> list[str]:
 
 def _lines(every: Iterable[Note], width: float = 0.0) -> list[str]:
     """Return the first lines of notes, one for each kind, by falling importance; the last says how many notes are left out."""
-    of_kinds: dict[Kind, list[Note]] = {}
-    for note in every:
-        of_kinds.setdefault(note.kind, []).append(note)
+    of_kinds = _by_importance(every, width)
     lines: list[str] = []
     left = sum(map(len, of_kinds.values()))
-    for kind in sorted(of_kinds, key=lambda kind: _importance(kind, of_kinds[kind], width))[:MAX_LINES]:
-        notes = of_kinds[kind]
+    for kind, notes in [*of_kinds.items()][:MAX_LINES]:
         every_text = [note.text for note in notes]
         worded = (
             every_text if kind == "missing" else every_text[:MAX_DOUBTS] if kind == "doubt" else _fitting(every_text)
@@ -51,6 +49,14 @@ def _lines(every: Iterable[Note], width: float = 0.0) -> list[str]:
     if left:
         lines[-1] += f"; {left} more: --explain"
     return lines
+
+
+def _by_importance(every: Iterable[Note], width: float) -> dict[Kind, list[Note]]:
+    """Return notes by kind, the most important kind first."""
+    of_kinds: dict[Kind, list[Note]] = {}
+    for note in every:
+        of_kinds.setdefault(note.kind, []).append(note)
+    return dict(sorted(of_kinds.items(), key=lambda item: _importance(item[0], item[1], width)))
 
 
 def _importance(kind: Kind, notes: Sequence[Note], width: float) -> tuple[int, float]:
@@ -73,11 +79,9 @@ def _fitting(texts: list[str]) -> list[str]:
 
 def every_line(answer: Answer) -> list[str]:
     """Return a line for each note on an answer, by falling importance, for a file that is read without the answer."""
-    every = [note for note in (*answer.notes, *answer.doubts()) if note.kind != "material"]
-    return [
-        _line(note.kind, [note.text], is_sentence=note.is_sentence)
-        for note in sorted(every, key=lambda note: _KINDS.index(note.kind))
-    ]
+    every = (note for note in (*answer.notes, *answer.doubts()) if note.kind != "material")
+    sorted_notes = chain.from_iterable(_by_importance(every, answer.width).values())
+    return [_line(note.kind, [note.text], is_sentence=note.is_sentence) for note in sorted_notes]
 
 
 class OfRows:

@@ -139,6 +139,8 @@ EXCLUSIVE = (
 )
 _MAY_CONTRADICT = frozenset(name for names in EXCLUSIVE for name in names)
 
+_OF_SOLID_2 = frozenset(name + "2" for name in PROPERTIES)
+
 # What decides on whether a body yields, so that a contact has an area.
 _OF_AREA = ("youngs_modulus", "youngs_modulus2", "poisson_ratio", "poisson_ratio2", "contact_modulus")
 
@@ -333,7 +335,7 @@ class Scene:
         )
         names = missing.names
         if XI in names and "radius" in self.given:
-            lacking["the two solids have none in common"] = None
+            lacking["that of two different solids is not known"] = None
         elif XI in names:
             names = tuple(dict.fromkeys("radius" if one == XI else one for one in names))
         return MissingInput(name, names, missing.instead, ", ".join(lacking))
@@ -470,9 +472,12 @@ def _assumed(given: Mapping[str, Any], others: Sequence[str]) -> dict[str, Any]:
 
 
 def _with_displacement(material: Material, material2: Material | None, stated: Mapping[str, Any]) -> Material:
-    """Return the material of sphere 1 with the yield displacement of this contact, unless that is stated or sphere 2 is another solid."""
+    """Return the material of sphere 1 with the yield displacement of this contact, unless that is stated or sphere 2 is another solid.
+
+    It is one, too, where a property of its own is stated.
+    """
     material = _without_displacement(material)
-    is_alike = material2 is None or material2.key == material.key
+    is_alike = stated.keys().isdisjoint(_OF_SOLID_2) and (material2 is None or material2.key == material.key)
     if material.displacement is not None and is_alike and "radius" in stated and stated.keys().isdisjoint(IN_ITS_PLACE):
         radii = {name: stated.get(name, stated["radius"]) for name in ("radius", "radius2")}
         for name, value in radii.items():
