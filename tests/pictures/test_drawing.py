@@ -234,6 +234,17 @@ def test_lines_are_broken_before_typesetting_and_not_before_a_unit() -> None:
     assert typeset_lines("a radius R1 = 100 nm of spheres", 18) == ["a radius", "$R_{1}$ = 100 nm of", "spheres"]
 
 
+def test_labels_without_a_unit_have_it_in_the_title() -> None:
+    """No prefix fits 0.01 m/s, so that the numbers on the contours stand alone."""
+    drawn, _ = map_of(
+        map_request(Call(words=("sticking-speed", "silica-dry"), x="radius=10nm:10um", y="gamma=10mJ/m2:1J/m2")),
+        (20, 20),
+    )
+    assert {level.text for level in drawn.levels()} >= {"0.01", "1", "50"}
+    assert drawn.title.endswith("v_stick [m/s]")
+    assert drawn.heading == "v_stick [m/s]"
+
+
 def test_the_edge_of_a_gap_is_where_the_contact_breaks() -> None:
     """The border of the part without a value, as drawn, is P = -P_c."""
     request = map_request(

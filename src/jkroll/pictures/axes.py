@@ -74,7 +74,7 @@ class Axis(NamedTuple):
     def ticks(self, most: int) -> list[Tick]:
         """Return at most `most` labelled ticks at round values."""
         values = round_values(self.low, self.high, most, is_log=self.is_log)
-        texts = with_units(self.name, values) if self.is_log else in_one_unit(self.name, values)[0]
+        texts, _ = in_units(self.name, values, is_log=self.is_log)
         return [Tick(value, text) for value, text in zip(values, texts, strict=True)]
 
     def small_ticks(self, most: int) -> list[float]:
@@ -94,9 +94,7 @@ class Axis(NamedTuple):
 
     def label(self, most: int = 8) -> str:
         """Return the title of the axis, with the unit if its ticks have none."""
-        unit = "" if self.is_log else in_one_unit(self.name, [tick.value for tick in self.ticks(most)])[1]
-        if self.is_log and not any(" " in tick.text for tick in self.ticks(most)):
-            unit = pretty(quantity_of(self.name).unit)
+        _, unit = in_units(self.name, [tick.value for tick in self.ticks(most)], is_log=self.is_log)
         return described(self.name, unit)
 
 
@@ -163,8 +161,20 @@ def contour_values(low: float, high: float, most: int, *, is_log: bool) -> list[
     return round_values(low, high, most, is_log=is_log)
 
 
+def in_units(name: str, values: list[float], largest: float = 0.0, *, is_log: bool) -> tuple[list[str], str]:
+    """Return values as text, and the unit of them all: on a logarithmic scale empty where each has its own.
+
+    >>> in_units("radius", [1e-9, 1e-7], is_log=True), in_units("speed", [0.01, 1.0], is_log=True)
+    ((['1 nm', '100 nm'], ''), (['0.01', '1'], 'm/s'))
+    """
+    if not is_log:
+        return in_one_unit(name, values, largest)
+    texts = with_units(name, values)
+    return texts, "" if any(" " in text for text in texts) else pretty(quantity_of(name).unit)
+
+
 def with_units(name: str, values: list[float]) -> list[str]:
-    """Return values as text, each with the prefix that fits it; powers of ten where none does.
+    """Return values as text, each with the prefix that fits it; powers of ten where one has none.
 
     >>> with_units("radius", [1e-9, 1e-7]), with_units("n_grav", [1000.0, 1e6])
     (['1 nm', '100 nm'], ['1000', '10⁶'])

@@ -18,7 +18,7 @@ from ..scene.limits import LIMITS, Limit, limits_of
 from ..scene.scene import Scene
 from ..scene.solver import values_of
 from ..scene.wiring import has_law
-from .axes import Axis, bracketed, contour_values, in_one_unit, round_values, with_units
+from .axes import Axis, bracketed, contour_values, in_units, round_values
 from .styles import BORDER, EVERYWHERE
 
 CHUNK = 500_000  # points between two reports of progress
@@ -110,10 +110,8 @@ class Map(NamedTuple):
         values = [value for value in values if low <= value <= high]
         if self.has_log_labels:
             texts = [f"{log10(value):.3g}".replace("-", "−") for value in values]
-        elif self.is_log:
-            texts = with_units(self.quantity, values)
         else:
-            texts, _ = in_one_unit(self.quantity, values, max(low, high, key=abs))
+            texts, _ = in_units(self.quantity, values, max(low, high, key=abs), is_log=self.is_log)
         return [Level(value, text) for value, text in zip(values, texts, strict=True)]
 
     @property
@@ -286,7 +284,9 @@ def rows_of(drawn: Map) -> Iterable[list[float]]:
 
 def unit_of_labels(quantity: str, values: Any) -> str:
     """Return the unit that all labels of contours have; empty where each has its own."""
-    return "" if is_wide(values) else in_one_unit(quantity, [*extent(values)])[1]
+    (low, high), is_log = extent(values), is_wide(values)
+    contours = contour_values(low, high, MAX_CONTOURS, is_log=is_log)
+    return in_units(quantity, contours, max(low, high, key=abs), is_log=is_log)[1]
 
 
 def label_of(quantity: str, *, has_log_labels: bool, unit: str = "") -> str:
