@@ -362,7 +362,7 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         ),
         "sticking_energy_pencil_code": Quantity(
             "E_stick(19.2)", "J", "relative energy that sticks",
-            definition="2·9.6 γ^(5/3)R^(4/3)/E*^(2/3) = 0.7977 F_cδ_c",
+            definition="2·9.6 γ^(5/3) R^(4/3) / E*^(2/3) = 0.7977 F_cδ_c",
             reference="code pencil-code/pencil-code",
         ),
         "sticking_speed": Quantity(
@@ -371,7 +371,7 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         ),
         "sticking_speed_paszun_dominik": Quantity(
             "v_stick(1.07)", "m/s", "largest relative speed that sticks",
-            definition="1.07 (γ/R)^(5/6)/(E*^(1/3)ρ^(1/2))",
+            definition="1.07 (γ/R)^(5/6) / (E*^(1/3) ρ^(1/2))",
             reference="Paszun & Dominik 2008, Eq 3, as cited in Lumajord/DustSimulation",
         ),
         "sticking_speed_pencil_code": Quantity(
