@@ -10,7 +10,7 @@ A new law is one more `Law` here and its formulas in `physics`; and where the ph
 routes.
 """
 
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from functools import cache
 from types import MappingProxyType
 from typing import NamedTuple
@@ -216,11 +216,16 @@ def routes(model: str, known: frozenset[str]) -> Routes:
     return found
 
 
-def routes_anywhere(name: str, models: Collection[str]) -> list[str]:
-    """Return every formula by which laws have a quantity, whatever is given."""
+@cache
+def routes_anywhere(models: tuple[str, ...] = tuple(LAWS)) -> Mapping[str, list[str]]:
+    """Return by the name of a quantity every formula by which laws have it, whatever is given."""
+    found: dict[str, list[str]] = {}
     laws = [LAWS[model] for model in models]
-    tables = [table for law in laws for table in (law.routes, *law.given.values())]
-    return [route for table in tables if (route := table.get(name)) is not None]
+    for table in (table for law in laws for table in (law.routes, *law.given.values())):
+        for name, route in table.items():
+            if route is not None:
+                found.setdefault(name, []).append(route)
+    return found
 
 
 @cache

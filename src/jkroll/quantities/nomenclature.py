@@ -389,7 +389,7 @@ _BY_A_LAW = {
         quantity.symbol, quantity.unit, quantity.sentence, may_be_zero=quantity.may_be_zero, variant_of=name
     )
     for name, quantity in _QUANTITIES.items()
-    for route in routes_anywhere(name, LAWS)
+    for route in routes_anywhere().get(name, ())
     if route not in _QUANTITIES
 }
 NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType({**_QUANTITIES, **_BY_A_LAW})

@@ -155,11 +155,12 @@ def has_law(name: str) -> bool:
 def _dependence(names: tuple[str, ...], models: tuple[str, ...]) -> frozenset[str]:
     found: set[str] = set()
     pending = list(names)
+    routes_to = routes_anywhere(models)
     while pending:
         name = pending.pop()
         if name not in found:
             found.add(name)
-            for route in [name, *routes_anywhere(name, models)]:
+            for route in [name, *routes_to.get(name, ())]:
                 if (formula := formula_of(route)) is not None:
                     pending += [parameter + suffix_of(route) for parameter in parameters_of(formula)]
     return frozenset(found)
