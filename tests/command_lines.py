@@ -26,6 +26,20 @@ AXES = (
     ("xi", "1angstrom:1nm"), ("density", "1g/cm3:9g/cm3"),
 )  # fmt: skip
 SIZES = (":9", ":9", ":9:lin", ":20", ":20:lin", ":lin:20", ":1", ":2", ":-3", ":1e3", ":log", ":999999")
+UNKNOWN = (
+    *("gamma", "xi", "young", "radius", "load") * 4,
+    "hamaker",
+    "shear_strength",
+    "gamma,young",
+    "density",
+    "gama",
+    "",
+)
+MEASURED = (
+    "pull_off_force=10nN", "yield_force=100pN", "yield_moment=10aN m", "n_grav=1000", "n_roll=0.01", "stiffness=100N/m", "contact_radius=4nm",
+    "vertical_frequency=1GHz", "hysteresis_ratio=0.5", "P_c=10±1nN,9nN", "sticking_speed=0.5m/s", "yield_force",
+)  # fmt: skip
+PROGRAMS = ("lammps", "lammps", "liggghts", "dust-simulation", "yade", "")
 QUANTITIES = [name for name, quantity in NOMENCLATURE.items() if quantity.equation]
 VALUES = {
     "materials": FILES,
@@ -39,7 +53,8 @@ VALUES = {
 }  # fmt: skip
 # How often each command is drawn: figures, tables and the audit take a hundred times as long as a scene.
 WEIGHTS = dict.fromkeys(QUESTIONS, 100.0)
-WEIGHTS |= {"materials": 50, "batch": 12, "map": 16, "figure": 1, "verify": 0.3, "bench": 1}
+WEIGHTS |= {"infer": 100, "materials": 50, "batch": 12, "map": 16, "export": 30, "quantities": 10, "guide": 3}
+WEIGHTS |= {"figure": 1, "verify": 0.3, "bench": 1}
 HOSTILE = (
     "", " ", "-", "--", "---", "=", "-=", "--=", "-h", "--help", "--version", "--debug", "-V", "--install-completion=x",
     "nan", "inf", "-inf", "1e9999nm", "1e-9999nm", "1e400m", "5e-324m", "0", "-0nm", "1,2,3", ",", ",,", ":", "::", "1nm:", "1nm:1um",
@@ -60,7 +75,7 @@ def command_line(source: Random) -> list[str]:
     options = [
         option for option in COMMANDS[name].options() if option.name not in ("dask", "plot")
     ]  # they take seconds
-    for _ in range(min(LONGEST, int(source.expovariate(0.7)))):
+    for _ in range(min(LONGEST, int(source.expovariate(0.7))) if options else 0):
         words += _option(source, name, source.choice(options))
     if source.random() < 0.12:
         place = source.randrange(len(words) + 1)
@@ -79,9 +94,16 @@ def _words(source: Random, name: str) -> list[str]:
     words = {
         "materials": [_material(source)] * (source.random() < 0.5),
         "figure": [source.choice(FIGURES)],
+        "infer": [source.choice(UNKNOWN), *scene],
+        "export": [source.choice(PROGRAMS), *scene],
+        "quantities": [source.choice(QUANTITIES)] * (source.random() < 0.5),
+        "guide": [source.choice(("dem", "units", "nowhere"))] * (source.random() < 0.9),
         "verify": [],
         "bench": ["nothing"],  # it takes seconds, so it is never called rightly
     }
+    if name == "infer":
+        measured = source.choice([*MEASURED, f"{source.choice(QUANTITIES)}={_value(source, 'load')}"])
+        return [*words[name], "--measured", measured]
     if name == "batch":
         jobs = ["--jobs", "1"] * (source.random() < 0.97)
         return [source.choice(TABLES), *["-o", source.choice(TARGETS)] * (source.random() < 0.8), *jobs]

@@ -8,7 +8,7 @@ from random import Random
 
 import pytest
 
-from command_lines import command_line
+from command_lines import WEIGHTS, command_line
 from corpus_lines import among_input_files, commands, faults, lines, run, spread
 from invariants import check_call, isolate
 from jkroll.cli.commands import COMMANDS, flags_of
@@ -73,3 +73,7 @@ def test_the_corpus_has_every_command_option_and_law() -> None:
         assert names == {flags[word].name for word in found & flags.keys()} - WRITES_TO_THE_HOME, name
     models = [words[words.index("--model") + 1] for words in typed if "--model" in words[:-1]]
     assert {*LAWS} <= {*models}
+
+
+def test_every_command_is_drawn() -> None:
+    assert {*WEIGHTS} == {*COMMANDS}

@@ -16,6 +16,7 @@ from ..scene.limits import Verdict
 from ..scene.scene import Scene
 from ..scene.unknowns import Pair, Problem, scan_in_words
 from .answer import Answer, Difference, about_uncertainties
+from .displacement import Worth
 from .questions import Question
 from .results import Note, Result
 
@@ -38,6 +39,11 @@ class _OfMeasured(Answer):
     def laws(self) -> tuple[Difference, ...]:
         """None: what is found under each law stands beside the results."""
         return ()
+
+    @cached_property
+    def worth(self) -> Worth | None:
+        """The worth of the assumed displacement for what was measured."""
+        return self.forward.worth if self.solution is not None else None
 
     @cached_property
     def validity(self) -> tuple[Verdict, ...]:
