@@ -4,14 +4,15 @@ from collections.abc import Mapping, Sequence
 from copy import copy
 from functools import cached_property
 from math import isfinite
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ..errors import JkrollError, NoResult
 from ..quantities.formatting import amount, in_words
 from ..quantities.laws import LAWS
 from ..quantities.nomenclature import NOMENCLATURE
+from ..rows.inferred import Observed
 from ..scene.failures import MissingInput, reason_of
-from ..scene.inverse import Solution, largest, solution, used_beside, with_inputs
+from ..scene.inverse import Solution, largest, solution, with_inputs
 from ..scene.limits import Verdict
 from ..scene.scene import Scene
 from ..scene.unknowns import Pair, Problem, scan_in_words
@@ -21,19 +22,72 @@ from .questions import Question
 from .results import Note, Result
 
 if TYPE_CHECKING:
-    from ..quantities.values import Uncertain
     from ..scene.uncertainty import Propagated, Sources
 
 # The properties of a material that an inferred input takes the place of.
 _REPLACED = {"work_of_adhesion": ("surface_energy",)}
 
 
-class _OfMeasured(Answer):
-    """An answer that follows from measured values. `forward` is the answer about what was measured, with the values found."""
+class Inferred(Answer):
+    """An answer that follows from measured values: `InferredOne`, or `InferredPair`. `forward` is that about what was measured."""
 
-    solution: Solution | Pair | None  # None where `no_solution` says why
-    no_solution: NoResult | None
-    forward: Answer
+    solution: Solution | Pair | None = None  # None where `failure` says why
+
+    def __init__(self, names: Sequence[str], observed: Observed) -> None:
+        """Look for the inputs. Raises the errors that hold for every scene, and others are the answer."""
+        self.names, self.observed = tuple(names), observed
+        self.question = Question(self.names, self.names)
+        self.failure: MissingInput | NoResult | None = None
+        try:
+            self.solution = self._solved(observed.scene)
+        except (NoResult, MissingInput) as error:
+            self.failure = error
+        self.scene = (
+            self.solution.scene if self.solution is not None else with_inputs(observed.scene, largest(self.names))
+        )
+        measured = (*observed.measured,)
+        self.forward = Answer(Question(measured, measured, named=measured), self.scene)
+
+    def _solved(self, scene: Scene) -> Solution | Pair:
+        """Return the inputs at which a scene has the measured values."""
+        raise NotImplementedError
+
+    @cached_property
+    def inputs(self) -> Mapping[str, float | str]:
+        """The inputs without those that are asked for, and with the measured values."""
+        return {name: in_words(name, value) for name, value in self.observed.echo(self.names).items()}
+
+    @cached_property
+    def results(self) -> tuple[Result, ...]:
+        """The inferred values, with their uncertainties."""
+        if self.failure is not None:
+            reason = reason_of(",".join(self.names), self.failure)
+            return tuple(Result(name, None, reason) for name in self.names)
+        return self._results()
+
+    def _results(self) -> tuple[Result, ...]:
+        raise NotImplementedError
+
+    @cached_property
+    def _uncertainties(self) -> "tuple[Mapping[str, Propagated | JkrollError], Sources | None]":
+        return self._propagated() if self.solution is not None and self.observed.is_uncertain else ({}, None)
+
+    def _propagated(self) -> "tuple[Mapping[str, Propagated | JkrollError], Sources | None]":
+        raise NotImplementedError
+
+    @cached_property
+    def _by_law(self) -> dict[str, Any]:
+        """The solution under each other law of attraction that has the measured quantities by other formulas."""
+        own = self.scene.plan(*self.observed.measured).steps
+        found: dict[str, Any] = {}
+        for law in LAWS:
+            other = self.observed.scene.under(law)
+            try:
+                if with_inputs(other, largest(self.names)).plan(*self.observed.measured).steps != own:
+                    found[law] = self._solved(other)
+            except (MissingInput, NoResult):
+                continue
+        return found
 
     @cached_property
     def laws(self) -> tuple[Difference, ...]:
@@ -66,11 +120,6 @@ class _OfMeasured(Answer):
         raise NotImplementedError
 
     @cached_property
-    def failure(self) -> JkrollError | None:
-        """The reason why nothing is found."""
-        return self.no_solution
-
-    @cached_property
     def explained(self) -> Answer:
         """What was measured, computed with what is found, beside that: what `--explain` derives."""
         if self.solution is None:
@@ -80,78 +129,48 @@ class _OfMeasured(Answer):
         return explained
 
 
-class Inferred(_OfMeasured):
+class InferredOne(Inferred):
     """The answer that an input has the value at which a quantity of a scene has its measured value."""
 
-    def __init__(self, name: str, quantity: str, measured: "float | Uncertain", scene: Scene) -> None:
-        """Look for the value. Raises the errors of `solution` other than NoResult."""
-        self.name, self.quantity, self.measured = name, quantity, measured
-        self.measured_value = measured if isinstance(measured, float) else measured.value
-        self.given = scene
-        self.question = Question((name,), (name,))
-        self.solution: Solution | None = None
-        self.no_solution: NoResult | None = None
-        try:
-            self.solution = solution(name, quantity, self.measured_value, scene)
-        except NoResult as error:
-            self.no_solution = error
-        self.scene = self.solution.scene if self.solution is not None else with_inputs(scene, largest([name]))
-        self.forward = Answer(Question((quantity,), (quantity,), named=(quantity,)), self.scene)
+    solution: Solution | None
 
-    @cached_property
-    def inputs(self) -> Mapping[str, float | str]:
-        """The inputs without the one that is asked for, and with the measured value."""
-        known = self.scene.echo(used_beside([self.name], [self.quantity], self.given))
-        return {name: in_words(name, value) for name, value in known.items()} | {self.quantity: self.measured_value}
+    def _solved(self, scene: Scene) -> Solution:
+        ((quantity, measured),) = self.observed.values.items()
+        return solution(self.names[0], quantity, measured, scene)
 
-    @cached_property
-    def results(self) -> tuple[Result, ...]:
-        """The inferred value, with its uncertainty."""
-        if self.solution is None:
-            assert self.no_solution is not None
-            return (Result(self.name, None, reason_of(self.name, self.no_solution)),)
-        condition = self.solution.condition if isfinite(self.solution.condition) else None
-        one = self._uncertainties[0].get(self.name)
-        propagated = one if isinstance(one, tuple) else None
+    def _results(self) -> tuple[Result, ...]:
+        found, (name,) = self.solution, self.names
+        assert found is not None
         return (
-            Result(self.name, self.solution.value, condition=condition, by_law=self._by_law, propagated=propagated),
+            Result(
+                name,
+                found.value,
+                condition=found.condition if isfinite(found.condition) else None,
+                by_law={law: other.value for law, other in self._by_law.items()},
+                propagated=one if isinstance(one := self._uncertainties[0].get(name), tuple) else None,
+            ),
         )
 
-    @cached_property
-    def _uncertainties(self) -> "tuple[Mapping[str, Propagated | JkrollError], Sources | None]":
-        if self.solution is None or (isinstance(self.measured, float) and not self.given.is_uncertain):
-            return {}, None
+    def _propagated(self) -> "tuple[Mapping[str, Propagated | JkrollError], Sources | None]":
         from ..scene.uncertainty import inferred_uncertainty
 
-        return inferred_uncertainty(self.name, self.quantity, self.measured, self.solution, self.given)
-
-    @cached_property
-    def _by_law(self) -> dict[str, float]:
-        """The value under each other law of attraction that has the quantity by other formulas."""
-        own = self.scene.plan(self.quantity).steps
-        found: dict[str, float] = {}
-        for law in LAWS:
-            other = self.given.under(law)
-            try:
-                if with_inputs(other, largest([self.name])).plan(self.quantity).steps != own:
-                    found[law] = solution(self.name, self.quantity, self.measured_value, other).value
-            except (MissingInput, NoResult):
-                continue
-        return found
+        ((quantity, measured),) = self.observed.measured.items()
+        assert self.solution is not None
+        return inferred_uncertainty(self.names[0], quantity, measured, self.solution, self.observed.scene)
 
     def _proofs(self) -> list[Note]:
         """Return what of the materials is not used, how errors grow, and the proof of the value."""
-        found = self.solution
+        found, (name,), (quantity,) = self.solution, self.names, self.observed.measured
         assert found is not None
-        symbol, of_measured = NOMENCLATURE[self.name].symbol, NOMENCLATURE[self.quantity].symbol
+        symbol, of_measured = NOMENCLATURE[name].symbol, NOMENCLATURE[quantity].symbol
         proof = (
-            f"{symbol} = {amount(self.name, found.value)} gives {of_measured} = {amount(self.quantity, found.forward)}; "
+            f"{symbol} = {amount(name, found.value)} gives {of_measured} = {amount(quantity, found.forward)}; "
             f"κ = |d ln {symbol}/d ln {of_measured}| = {found.condition:.3g}"
         )
         if self._by_law:
-            others = (f"{amount(self.name, value)} under {LAWS[law].title}" for law, value in self._by_law.items())
+            others = (f"{amount(name, other.value)} under {LAWS[law].title}" for law, other in self._by_law.items())
             proof += f"; {', '.join(others)}"
-        return [*_unused(self.name, [self.quantity], found.scene), Note("model", proof)]
+        return [*_unused(name, [quantity], found.scene), Note("model", proof)]
 
 
 def _unused(name: str, quantities: Sequence[str], found: Scene) -> list[Note]:
@@ -169,83 +188,46 @@ def _unused(name: str, quantities: Sequence[str], found: Scene) -> list[Note]:
 # --- Two inputs -------------------------------------------------------------------------------------------------------
 
 
-class InferredPair(_OfMeasured):
+class InferredPair(Inferred):
     """The answer that two inputs have the values at which two quantities of a scene have their measured values."""
 
-    def __init__(self, names: Sequence[str], measured: "Mapping[str, float | Uncertain]", scene: Scene) -> None:
-        """Look for the values. Raises the errors of `Problem` other than NoResult."""
-        self.names, self.measured_values = tuple(names), measured
-        self.middles = {name: one if isinstance(one, float) else one.value for name, one in measured.items()}
-        self.given = scene
-        self.question = Question(self.names, self.names)
-        self.solution: Pair | None = None
-        self.no_solution: NoResult | None = None
-        try:
-            self.solution = Problem(self.names, self.middles, scene).solution()
-            self.condition = self.solution.condition
-        except NoResult as error:
-            self.no_solution = error
-        self.scene = self.solution.scene if self.solution is not None else with_inputs(scene, largest(self.names))
-        self.forward = Answer(Question((*measured,), (*measured,), named=(*measured,)), self.scene)
+    solution: Pair | None
 
-    @cached_property
-    def inputs(self) -> Mapping[str, float | str]:
-        """The inputs without those that are asked for, and with the measured values."""
-        known = self.scene.echo(used_beside(self.names, [*self.middles], self.given))
-        return {name: in_words(name, value) for name, value in known.items()} | self.middles
+    def _solved(self, scene: Scene) -> Pair:
+        return Problem(self.names, self.observed.values, scene).solution()
 
-    @cached_property
-    def results(self) -> tuple[Result, ...]:
-        """The inferred values, with their uncertainties."""
-        if self.solution is None:
-            assert self.no_solution is not None
-            reason = reason_of(",".join(self.names), self.no_solution)
-            return tuple(Result(name, None, reason) for name in self.names)
-        found, _ = self._uncertainties
+    @property
+    def condition(self) -> float | None:  # type: ignore[override]
+        """The condition number of both together."""
+        return self.solution.condition if self.solution is not None else None
+
+    def _results(self) -> tuple[Result, ...]:
+        found = self.solution
+        assert found is not None
         return tuple(
             Result(
                 name,
                 value,
-                growth=growth if isfinite(growth := self.solution.growths[name]) else None,
-                by_law={law: values[name] for law, values in self._pairs_by_law.items()},
-                propagated=one if isinstance(one := found.get(name), tuple) else None,
+                growth=growth if isfinite(growth := found.growths[name]) else None,
+                by_law={law: other.values[name] for law, other in self._by_law.items()},
+                propagated=one if isinstance(one := self._uncertainties[0].get(name), tuple) else None,
             )
-            for name, value in self.solution.values.items()
+            for name, value in found.values.items()
         )
 
-    @cached_property
-    def _uncertainties(self) -> "tuple[Mapping[str, Propagated | JkrollError], Sources | None]":
-        is_certain = (
-            all(isinstance(one, float) for one in self.measured_values.values()) and not self.given.is_uncertain
-        )
-        if self.solution is None or is_certain:
-            return {}, None
+    def _propagated(self) -> "tuple[Mapping[str, Propagated | JkrollError], Sources | None]":
         from ..scene.uncertainty import uncertainties_of_two
 
-        return uncertainties_of_two(self.measured_values, self.solution, self.given)
-
-    @cached_property
-    def _pairs_by_law(self) -> dict[str, Mapping[str, float]]:
-        """The values under each other law of attraction that has the quantities by other formulas."""
-        quantities = [*self.middles]
-        own = self.scene.plan(*quantities).steps
-        found: dict[str, Mapping[str, float]] = {}
-        for law in LAWS:
-            other = self.given.under(law)
-            try:
-                if with_inputs(other, largest(self.names)).plan(*quantities).steps != own:
-                    found[law] = Problem(self.names, self.middles, other).solution().values
-            except (MissingInput, NoResult):
-                continue
-        return found
+        assert self.solution is not None
+        return uncertainties_of_two(self.observed.measured, self.solution, self.observed.scene)
 
     def _proofs(self) -> list[Note]:
         """Return what of the materials is not used, the proof of the values, what they are under other laws, and where they were looked for."""
         found = self.solution
         assert found is not None
         texts = [f"{_equal(found.values)} give {_equal(found.forward)}; κ = {found.condition:.3g}"]
-        texts += [f"{_equal(values)} under {LAWS[law].title}" for law, values in self._pairs_by_law.items()]
-        unused = [note for name in self.names for note in _unused(name, [*self.middles], self.scene)]
+        texts += [f"{_equal(other.values)} under {LAWS[law].title}" for law, other in self._by_law.items()]
+        unused = [note for name in self.names for note in _unused(name, [*self.observed.measured], self.scene)]
         return [*unused, *(Note("model", text) for text in (*texts, f"scanned: {scan_in_words(self.names)}"))]
 
 

@@ -4,7 +4,7 @@ import sys
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from ..answers.inferred import Inferred, InferredPair
+from ..answers.inferred import Inferred, InferredOne, InferredPair
 from ..answers.questions import quantity_named
 from ..errors import BadRequest
 from ..materials.library import Material
@@ -39,11 +39,9 @@ class _Inverse:
         """Return a row of inputs among which are the measured values."""
         return observed(self.quantities, given, *spheres, model=model)
 
-    def answer(self, row: Any) -> Inferred | InferredPair:
+    def answer(self, row: Any) -> Inferred:
         """Return the answer for a row."""
-        if self.is_pair:
-            return InferredPair(self.names, row.measured, row.scene)
-        return Inferred(self.names[0], self.quantities[0], row.measured[self.quantities[0]], row.scene)
+        return (InferredPair if self.is_pair else InferredOne)(self.names, row)
 
     def wanted(self, sweep: Sweep) -> Wanted:
         """Return the columns of the rows."""
@@ -78,18 +76,18 @@ def run_infer(call: Call) -> int:
     sweep = Sweep(request.pairs, {**request.spreads, **measured}, request.models, inverse.row)
     if inverse.is_pair and len(sweep) > MAX_PAIRS:
         raise BadRequest(f"{len(sweep)} scenes are more than {MAX_PAIRS}, in which two inputs are looked for")
+    wanted = inverse.wanted(sweep)
     is_one = len(sweep) == 1 and kind in ("plain", "table")
     if is_one or kind in ("json", "explain", "cite"):
         check_count(len(sweep), kind, MAX_ANSWERS)
         answers = map(inverse.answer, sweep.scenes())
         shown = (one.explained for one in answers) if kind in ("explain", "cite") else answers
         return write_answers(shown, len(sweep), kind, form, sys.stdout, quiet=call.quiet)
-    return _write_rows(inverse, sweep, kind, form, call)
+    return _write_rows(inverse, wanted, sweep, kind, form, call)
 
 
-def _write_rows(inverse: _Inverse, sweep: Sweep, kind: str, form: Format, call: Call) -> int:
+def _write_rows(inverse: _Inverse, wanted: Wanted, sweep: Sweep, kind: str, form: Format, call: Call) -> int:
     """Write a row for each scene and measured value; return the exit code."""
-    wanted = inverse.wanted(sweep)
     if kind == "bare":
         wanted = inverse.numbers(doubts=not call.quiet)
     blocks = sweep.columns(wanted, one_by_one=inverse.is_pair)

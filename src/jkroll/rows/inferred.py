@@ -49,6 +49,16 @@ class Observed(NamedTuple):
         """True if a measured value, or something in the scene, has an uncertainty."""
         return any(map(is_uncertain, self.measured.values())) or self.scene.is_uncertain
 
+    def echo(self, names: Sequence[str], values: Mapping[str, Any] | None = None) -> dict[str, Any]:
+        """Return the inputs but for `names`, which are inferred, as they were understood, among them the measured values.
+
+        `values`: of those that are inferred, where they are known.
+        """
+        inferred = {each for name in names for each in names_in(self.scene, name)}
+        filled = with_inputs(self.scene, largest(names) if values is None else values)
+        used = inputs_used(filled, [*self.measured], [*self.measured])
+        return {**filled.echo([name for name in used if name not in inferred]), **self.values}
+
 
 def observed(
     quantities: Sequence[str], given: Mapping[str, Any], *spheres: Material | None, model: str | None
@@ -91,7 +101,7 @@ class Sought(Wanted):
                 errors[-1] = error
             except NoResult:
                 pass
-            inputs |= plain._echo(one).keys()
+            inputs |= one.echo(names).keys()
         if errors[0] is not None and all(errors):
             raise errors[0]
         return cls(names, quantities, inputs=[each for each in NOMENCLATURE if each in inputs], sides=sides)
@@ -122,11 +132,11 @@ class Sought(Wanted):
         try:
             found, numbers, bars = self._found(scene)
         except MissingInput as error:
-            return Row(self._echo(scene), gaps, 0, dict.fromkeys(self.names, error))
+            return Row(scene.echo(self.names), gaps, 0, dict.fromkeys(self.names, error))
         except NoResult as error:
             of_whole = self.names if len(self.names) == 1 else (ROW,)
-            return Row(self._echo(scene) | self._uncertain(scene), gaps, 0, dict.fromkeys(of_whole, error))
-        inputs = self._echo(scene, numbers) | self._uncertain(scene)
+            return Row(scene.echo(self.names) | self._uncertain(scene), gaps, 0, dict.fromkeys(of_whole, error))
+        inputs = scene.echo(self.names, numbers) | self._uncertain(scene)
         reasons: dict[str, JkrollError] = {}
         if (remark := self._left_out(scene)) is not None:
             reasons = {UNCERTAINTY: remark}
@@ -144,13 +154,6 @@ class Sought(Wanted):
         sources = inferred_sources(self.names, scene.measured, scene.scene)
         stated = [name for name, one in scene.measured.items() if is_uncertain(one)]
         return left_out(self, scene.scene, sources, stated=stated)
-
-    def _echo(self, scene: Observed, values: Mapping[str, Any] | None = None) -> dict[str, Any]:
-        """Return the inputs of a row as they were understood, among them the measured values; `values`: of those that are inferred."""
-        inferred = {each for name in self.names for each in names_in(scene.scene, name)}
-        filled = with_inputs(scene.scene, largest(self.names) if values is None else values)
-        used = [name for name in inputs_used(filled, self.quantities, self.quantities) if name not in inferred]
-        return {**filled.echo(used), **scene.values}
 
     def _uncertain(self, scene: Observed) -> dict[str, Any]:
         """Return the inputs, and the measured values, from which the uncertainty comes."""
@@ -216,7 +219,7 @@ class SoughtOne(Sought):
         values = numpy.array([each if isinstance(each, float) else nan for each in found])
         failed = numpy.isnan(values)
         some = {self.name: numpy.where(failed, SIZES[self.name][1], values)}
-        inputs = self._echo(scene, some) | self._uncertain(scene)
+        inputs = scene.echo(self.names, some) | self._uncertain(scene)
         bits = numpy.zeros(size, dtype=numpy.int64)
         if self.doubts:
             bits[...] = doubts(with_inputs(scene.scene, some), self.quantities)
