@@ -147,10 +147,27 @@ def test_a_lost_process_is_noticed() -> None:
     _, message = process.communicate()
     assert (process.returncode, message.splitlines(keepends=True)[-1]) == (
         1,
-        "jkroll: a working process was ended by signal 9; no file was written\n",
+        "jkroll: a working process was ended by signal 9; the table that it worked at was not written\n",
     )
     assert not Path("out.csv").exists()
     assert not begun("out.csv")
+
+
+def test_an_interrupt_of_many_tables_leaves_whole_ones_only() -> None:
+    Path("grains").mkdir()
+    for place in range(30):
+        Path(f"grains/{place:02}.csv").write_text(grains(2_000), encoding="utf-8")
+    with in_two_processes("grains/*.csv", "forces/") as process:
+        wait_until(lambda: len([*Path("forces").glob("[0-9]*.csv")]) > 2, process)
+        process.send_signal(signal.SIGINT)
+        _, message = process.communicate()
+    assert (process.returncode, message) == (130, "")
+    left = {path.name: path.read_text(encoding="utf-8") for path in Path("forces").iterdir()}
+    done = {one["output"]: one["rows"] for one in json.loads(left.pop("manifest.json"))["files"]}
+    assert {name: len(text.splitlines()) for name, text in left.items()} == dict.fromkeys(left, 2_001)
+    assert set(done.values()) == {2_000}
+    assert done.keys() <= left.keys()
+    assert len(left) <= len(done) + 2  # one of each process
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="processes are found in /proc")

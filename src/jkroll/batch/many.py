@@ -1,7 +1,8 @@
 """Many tables into a directory: a file for each, and a manifest of the run.
 
 A file is the work of one process, and gets its name when it is whole. The manifest says with which options and which version the files
-were made: it is written before the first of them, so that `--resume` can go on, and completed after the last.
+were made, and what became of each that is done: `--resume` goes on from there. It is written before the first of them, and completed after
+the last.
 """
 
 import glob
@@ -9,9 +10,11 @@ import json
 import os
 import sys
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
-from functools import partial
+from functools import partial, reduce
+from time import perf_counter
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from .. import __version__
@@ -26,6 +29,7 @@ from .settings import Order, Part, Settings
 MANIFEST = "manifest.json"
 MOST_READINGS = 3  # ways in which tables are read that are said on stderr
 MOST_SAID = 20  # files whose failure is said on stderr; the manifest has them all
+SELDOM = 20  # times as long as it takes to write the manifest, until it is written again
 FEW, LITTLE = 8, 1 << 20  # number and bytes of files up to which this process converts them all itself
 
 Entry = dict[str, Any]  # of a file, in the manifest
@@ -93,44 +97,77 @@ def convert_many(path: str, order: Order, run: Runner) -> tuple[Tally, int]:
     if os.path.exists(directory) and any(os.path.samefile(folder, directory) for folder in folders):
         raise BadRequest(f"-o: {quoted(directory)} is where the input is; it is not overwritten")
     os.makedirs(directory, exist_ok=True)
-    manifest = os.path.join(directory, MANIFEST)
-    about = {"version": __version__, "options": _options(order)}
-    before = _read(manifest)
-    done: dict[str, Entry] = {}
-    begun = 0  # when the first of the files that are kept can have been made, by the clock that dates files
-    if settings.resume and before:
-        if changed := [name for name, value in about.items() if before.get(name) != value]:
-            other = "another version" if "version" in changed else "other options"
-            raise BadRequest(f"--resume: {quoted(directory)} was made with {other}; without --resume it is made anew")
-        begun = before.get("begun") or os.stat(manifest).st_mtime_ns
-        done = {entry["input"]: entry for entry in before.get("files", [])}
-    kept = [part for part in parts if begun and _is_newer(part, begun)]
-    left = [part for part in parts if part not in kept]
+    manifest = Manifest(order, parts)
+    left = [part for part in parts if part.path not in manifest.entries]
     if not left:
         say(f"note: all {len(parts)} files are done; without --resume they are made anew", sys.stderr)
-    known = [done[part.path] for part in kept if part.path in done]
-    _write(manifest, {**about, **({"begun": begun} if begun else {}), "files": known})
-    begun = begun or os.stat(manifest).st_mtime_ns
     each = replace(order, settings=settings._replace(resume=False, jobs=1, quiet=True))
-    entries = {
-        part: done.get(part.path, {"input": part.path, "output": os.path.basename(part.target)}) for part in kept
-    }
     code = 0
-    tally = Tally()
-    for part in kept:
-        counts = {name: type(none)(entries[part].get(name, none)) for name, none in Tally().counts().items()}
-        tally = tally.plus(Tally(**counts))
-    for part, outcome in run(each, left, settings.processes):
-        entries[part] = _entry(part, outcome)
-        tally = tally.plus(outcome.tally)
-        code = max(code, outcome.exit_code)
-    files = [entries[part] for part in parts]
-    _write(manifest, {**about, "begun": begun, **tally.counts(), "files": files})
+    tally = reduce(Tally.plus, map(_tally, manifest.entries.values()), Tally())
+    try:
+        for part, outcome in run(each, left, settings.processes):
+            manifest.add(part, outcome)
+            tally = tally.plus(outcome.tally)
+            code = max(code, outcome.exit_code)
+    except BaseException:
+        manifest.write()
+        raise
+    manifest.write(tally.counts())
     if not settings.quiet:
         for reading, count in Counter(tally.readings).most_common(MOST_READINGS):
             say_wrapped(reading if count == len(parts) else f"{reading}: {count} of {len(parts)} files", sys.stderr)
-    _say_failures(manifest, files)
+    _say_failures(manifest)
     return tally, code
+
+
+class Manifest:
+    """What a directory of results says of itself: version, options, and the outcome of each table that is done."""
+
+    def __init__(self, order: Order, parts: list[Part]) -> None:
+        """Write it, with the outcomes of before that `--resume` keeps. Raises BadRequest for the manifest of another run."""
+        directory = order.settings.target
+        self.path, self.parts = os.path.join(directory, MANIFEST), parts
+        self.about: dict[str, Any] = {"version": __version__, "options": _options(order)}
+        self.entries: dict[str, Entry] = {}  # by the path of the table
+        before = _read(self.path)
+        begun = 0  # when the first of the files that are kept can have been made, by the clock that dates files
+        if order.settings.resume and before:
+            if changed := [name for name, value in self.about.items() if before.get(name) != value]:
+                other = "another version" if "version" in changed else "other options"
+                raise BadRequest(
+                    f"--resume: {quoted(directory)} was made with {other}; without --resume it is made anew"
+                )
+            begun = before.get("begun") or os.stat(self.path).st_mtime_ns
+            done = {entry["input"]: entry for entry in before["files"]}
+            self.entries = {
+                part.path: done[part.path] for part in parts if part.path in done and _is_newer(part, begun)
+            }
+        self.write({"begun": begun} if begun else {})
+        self.about["begun"] = begun or os.stat(self.path).st_mtime_ns
+
+    def add(self, part: Part, outcome: Done) -> None:
+        """Add the outcome of a table, and write it unless that takes more than a little of the time."""
+        entry: Entry = {"input": part.path, "output": os.path.basename(part.target), **outcome.tally.counts()}
+        self.entries[part.path] = entry | ({"problem": outcome.problem} if outcome.problem else {})
+        if perf_counter() > self.due:
+            self.write()
+
+    @property
+    def files(self) -> list[Entry]:
+        """The outcomes in the order of the tables."""
+        return [self.entries[part.path] for part in self.parts if part.path in self.entries]
+
+    def write(self, more: Mapping[str, Any] = MappingProxyType({})) -> None:
+        """Write what is known; `more`: of all files together."""
+        begun = perf_counter()
+        with whole_file(self.path) as file:
+            file.write(json.dumps({**self.about, **more, "files": self.files}, indent=2).encode() + b"\n")
+        self.due = perf_counter() + SELDOM * (perf_counter() - begun)
+
+
+def _tally(entry: Entry) -> Tally:
+    """Return the counts of an entry."""
+    return Tally(**{name: type(none)(entry.get(name, none)) for name, none in Tally().counts().items()})
 
 
 def _options(order: Order) -> dict[str, Any]:
@@ -175,19 +212,10 @@ def _read(manifest: str) -> dict[str, Any]:
     raise BadRequest(f"-o: {quoted(manifest)} is not a manifest of jkroll; it is not replaced: move it away")
 
 
-def _entry(part: Part, outcome: Done) -> Entry:
-    entry: Entry = {"input": part.path, "output": os.path.basename(part.target), **outcome.tally.counts()}
-    return entry | ({"problem": outcome.problem} if outcome.problem else {})
-
-
-def _write(manifest: str, content: dict[str, Any]) -> None:
-    with whole_file(manifest) as file:
-        file.write(json.dumps(content, indent=2).encode() + b"\n")
-
-
-def _say_failures(manifest: str, files: list[Entry]) -> None:
-    failures = [entry for entry in files if "problem" in entry]
+def _say_failures(manifest: Manifest) -> None:
+    failures = [entry for entry in manifest.files if "problem" in entry]
     for entry in failures[:MOST_SAID]:
         say(f"jkroll: {quoted(entry['input'])}: {entry['problem']}", sys.stderr)
     if len(failures) > MOST_SAID:
-        say(f"jkroll: and {len(failures) - MOST_SAID} more files failed; {quoted(manifest)} says why", sys.stderr)
+        said = f"jkroll: and {len(failures) - MOST_SAID} more files failed; {quoted(manifest.path)} says why"
+        say(said, sys.stderr)

@@ -7,6 +7,7 @@ import copyreg
 import gc
 import os
 import signal
+import sys
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
@@ -18,6 +19,7 @@ from typing import Any
 
 from ..errors import JkrollError
 
+PATIENCE = 5.0  # seconds for a process to remove what it has begun
 CONTEXT = get_context("spawn")  # safe beside threads, and the same on every system
 
 
@@ -41,7 +43,7 @@ class LostWorker(JkrollError):
         self.how = f"was ended by signal {-exit_code}" if exit_code < 0 else f"ended with exit code {exit_code}"
 
     def __str__(self) -> str:
-        return f"a working process {self.how}; no file was written"
+        return f"a working process {self.how}; the table that it worked at was not written"
 
 
 class Worker:
@@ -76,15 +78,24 @@ class Worker:
         return self.answer()
 
     def end(self) -> None:
-        """End the process at once."""
+        """Wait for the end of the process, which was told to end; kill it if it does not."""
+        self.process.join(PATIENCE)
         self.process.kill()
         self.process.join()
         self.connection.close()
 
 
 def _serve(questions: "connection.Connection[Any, Any]", make_answer: Callable[[], Answer]) -> None:
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit())  # so that a file that was begun is removed
     Thread(target=_end_with_parent, daemon=True).start()
     gc.disable()  # a block leaves no cycles, and to look for them takes a microsecond a row
+    try:
+        _answer(questions, make_answer)
+    except SystemExit:
+        os._exit(0)  # an orderly shutdown of the interpreter would take longer than most tables
+
+
+def _answer(questions: "connection.Connection[Any, Any]", make_answer: Callable[[], Answer]) -> None:
     found: Any = None  # which says that the process is ready
     try:
         answer = make_answer()
@@ -109,18 +120,30 @@ def _end_with_parent() -> None:
 
 
 @contextmanager
+def _without_interrupts() -> Iterator[None]:
+    """Ignore interrupts, which a new process inherits, and put off those that came during an import."""
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    blocked = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGALRM]) if hasattr(signal, "SIGALRM") else None
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+        if blocked is not None:
+            signal.pthread_sigmask(signal.SIG_SETMASK, blocked)
+
+
+@contextmanager
 def started(count: int, make_answer: Callable[[], Answer]) -> Iterator[list[Worker]]:
     """Start processes, and end them at the end. They ignore interrupts: the process that started them ends them."""
     workers: list[Worker] = []
     try:
-        before = signal.signal(signal.SIGINT, signal.SIG_IGN)  # which a new process inherits
-        try:
+        with _without_interrupts():
             while len(workers) < count:
                 workers.append(Worker(make_answer))
-        finally:
-            signal.signal(signal.SIGINT, before)
         yield workers
     finally:
+        for worker in workers:
+            worker.process.terminate()
         for worker in workers:
             worker.end()
 
