@@ -689,3 +689,11 @@ def test_a_material_is_shown_with_all_that_is_known_of_it(run: Run) -> None:
     assert found["uncertainties"]["density"] == {"kind": "range", "low": 917.0, "high": 934.0}
     assert found["origins"]["surface_energy"]["reference"] == "gundlach-2011"
     assert "@article{gundlach-2011,\n" in run("materials ice-warm --cite").out
+
+
+def test_a_rigid_material_is_rigid_in_every_form(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "hard.toml").write_text('[materials.hard]\nyoungs_modulus = "rigid"\n', encoding="utf-8")
+    words = f"materials hard --materials {tmp_path / 'hard.toml'}"
+    assert json.loads(run(f"{words} --json").out)["youngs_modulus"] == "rigid"
+    assert "\nyoungs_modulus rigid\n" in run(words).out
+    assert ",rigid," in run(f"{words} --csv").out

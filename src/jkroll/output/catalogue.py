@@ -7,7 +7,7 @@ from typing import Any, TextIO
 from ..answers.questions import QUESTIONS
 from ..materials.library import Material
 from ..quantities.errors import QUANTITY_SYNONYMS, UnknownQuantity
-from ..quantities.formatting import AS_USUAL, amount, pretty
+from ..quantities.formatting import AS_USUAL, amount, in_words, pretty
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, RANGES, XI, header, named, with_symbol
 from ..rows.columns import heads
 from ..scene.wiring import depends_on, formula_of, parameters_of, suffix_of
@@ -82,7 +82,7 @@ def material_as_object(material: Material) -> dict[str, Any]:
     return {
         "name": material.name,
         "aliases": list(material.aliases),
-        **{name: material.properties.get(name) for name in PROPERTIES},
+        **{name: _in_words(material, name) for name in PROPERTIES},
         **measured,
         "state": material.state,
         "uncertainties": {name: found.as_object() for name, found in material.uncertainties.items()},
@@ -91,6 +91,11 @@ def material_as_object(material: Material) -> dict[str, Any]:
         "references": [dict(entry) for entry in material.references],
         "source": material.title,
     }
+
+
+def _in_words(material: Material, name: str) -> float | str | None:
+    """Return a property in SI units, the word for one that is infinite, or None."""
+    return in_words(name, material.properties[name]) if name in material.properties else None
 
 
 def _sides_of(name: str, materials: Sequence[Material]) -> list[str]:
@@ -104,7 +109,7 @@ def _material_row(material: Material, sides: Mapping[str, Sequence[str]]) -> lis
     values: list[Cell] = []
     for name in PROPERTIES:
         own = material.uncertainties[name].sides if name in material.uncertainties else {}
-        values += [material.properties.get(name), *map(own.get, sides[name])]
+        values += [_in_words(material, name), *map(own.get, sides[name])]
     return [material.name, *values, material.state or None, _keys(material) or None, material.title]
 
 
@@ -115,7 +120,9 @@ def _write_lines(material: Material, out: TextIO) -> None:
         say(f"state {material.state}", out)
     own = {} if material.displacement is None else {XI: material.displacement.measured.value}
     for name, value in {**material.properties, **own}.items():
-        say(f"{name} {value!r} {NOMENCLATURE[name].unit}".removesuffix(" 1"), out)
+        said = in_words(name, value)
+        unit = f" {NOMENCLATURE[name].unit}" if said == value else ""
+        say(f"{name} {said}{unit}".removesuffix(" 1"), out)
         if name in material.uncertainties:
             say(f"{name}.stated {' '.join(AS_USUAL.rounded(name, material.uncertainties[name]))}", out)
         if name in own:
@@ -157,7 +164,7 @@ def _stated(material: Material, name: str) -> str:
         return f"{amount(name, material.displacement.measured)}, spheres of {amount('radius', material.displacement.radius)}"
     if name not in material.properties:
         return f"none in {material.title}"
-    return amount(name, material.uncertainties.get(name, material.properties[name]))
+    return amount(name, material.uncertainties.get(name) or in_words(name, material.properties[name]))
 
 
 def _origin(material: Material, name: str) -> list[tuple[str, str]]:

@@ -81,10 +81,15 @@ _SEPARATOR = r" ?([*/]) ?| "
 _RECIPROCAL = r"(?:1 ?)?/ ?"
 
 
+_MICRO_INSIDE = re.compile(r"[^\W\d_][µμ]")  # mµm was once the nanometre, and is a micrometre to pint
+
+
 def normalized(text: str) -> str:
-    """Return a text of at most MAX_TEXT characters with one spelling for signs, spaces and letters; BadUnit if it is longer."""
+    """Return a text with one spelling for signs, spaces and letters; BadUnit if it is long, or µ is not the first letter of a unit."""
     if len(text) > MAX_TEXT:
         raise BadUnit(f"is longer than {MAX_TEXT} characters")
+    if _MICRO_INSIDE.search(text):
+        raise BadUnit("has a µ that is not the first letter of a unit")
     return text.strip().translate(_SAME)
 
 
