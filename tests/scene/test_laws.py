@@ -23,6 +23,7 @@ from jkroll.scene.effects import effects
 from jkroll.scene.failures import BeyondFold, BeyondPullOff, NotInLaw, RestsOnSpacing
 from jkroll.scene.scene import Scene
 from maugis_reference import Exact, cbrt, mpf, pi
+from scenes import log_uniform
 
 QUARTZ: dict[str, Any] = {"material": "quartz", "radius": 1e-7}
 STATE = ("contact_radius_at_load", "zone_radius", "approach_at_load", "stiffness", "yield_moment", "load")
@@ -455,3 +456,19 @@ def test_the_energy_of_a_state_is_the_work_of_its_load() -> None:
         )
         load = solve("load_maugis", **QUARTZ, approach_at_load=approach, model="maugis")
         assert (high - low) / 2e-14 == pytest.approx(load, rel=1e-5)
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_a_contact_holds_its_own_pull_off_force(law: str) -> None:
+    """Whatever the last digit of that is, for numbers, for arrays, and by whatever plan."""
+    source = random.Random(11)
+    for _ in range(50):
+        grain = {
+            "radius": log_uniform(source, 1e-9, 1e-5),
+            "surface_energy": log_uniform(source, 1e-3, 1),
+            "youngs_modulus": log_uniform(source, 1e6, 1e12),
+            "poisson_ratio": 0.3,
+        }
+        load = -solve("pull_off_force", model=law, **grain)
+        one = solve("contact_radius_at_load", model=law, load=load, **grain)
+        assert solve("contact_radius_at_load", model=law, load=[load, 0.0], **grain)[0] == pytest.approx(one, rel=1e-6)

@@ -28,6 +28,7 @@ FOLD_WITHOUT_CONTACT = 0.9379474572107123  # (9π/(16(π − 1)))^(1/3): below, 
 JUMP_WITHOUT_CONTACT = 0.6551853485522241  # (9/32)^(1/3): below, approaching spheres attract before they touch
 
 _NARROW = 0.2
+_ROUNDING = 8 * 2.0**-52  # of a load or an approach that is itself computed as that of an extreme
 _LAG_COEFFICIENTS = tuple(4 * k / (4 * k * k - 1) for k in range(11, 0, -1))
 
 
@@ -221,13 +222,13 @@ def _step_to(transition: Any, at: Shape, q: Any, growth: Any) -> Any:
 
 
 def ratio_at_load(transition: Any, load_in_units: Any) -> Any:
-    """Return v of the stable contact at a load; there is none beyond pull-off.
+    """Return v of the stable contact at a load; there is none beyond pull-off, which rounding may miss.
 
     The start is a fit, to 15 % up to 10³ pull-off forces, and in a wide contact that of Hertz: the steps leave 1e-16.
     """
     least, tension = pull_off(transition)
     margin = load_in_units + tension
-    aim = sqrt(within(margin >= 0, margin))
+    aim = sqrt(within(margin >= -_ROUNDING * tension, at_least(margin, 0.0)))
     reach = aim / sqrt(tension)
     root = sqrt(transition)
     cube = root * transition
@@ -254,8 +255,9 @@ def ratio_at_approach(transition: Any, approach_in_units: Any) -> Any:
     least = fold_ratio(transition)
     at = shape(least)
     lowest = approach(transition, at, span(transition, at))
-    excess = within(approach_in_units >= lowest_approach(transition), approach_in_units - lowest)
-    excess = at_least(excess, 0.0)
+    fold = lowest_approach(transition)
+    is_held = approach_in_units >= fold - _ROUNDING * abs(fold)
+    excess = at_least(within(is_held, approach_in_units - lowest), 0.0)
     aim = sqrt(excess)
     start = least + (sqrt(aim * transition * (aim + transition)) + cbrt(transition * excess)) / 2
     start = where(aim > 100, _in_wide_contact(transition, sqrt(at_least(approach_in_units, 0.0))), start)
