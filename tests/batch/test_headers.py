@@ -307,6 +307,14 @@ def test_an_uncertainty_says_where_it_is_read_from() -> None:
     assert "load [nN] from P [nN] − P_minus [nN] + P_plus [nN]" in said
 
 
+def test_a_range_beside_an_uncertainty_passes_and_a_second_uncertainty_is_refused() -> None:
+    said = understood(["radius [nm]", "radius_err", "radius_min", "radius_max"]).reading()
+    assert said == "read: radius [nm] ± radius_err; passed through: radius_min, radius_max"
+    for second in (["radius_plus"], ["radius_minus", "radius_plus"]):
+        with pytest.raises(BadTable, match="are both uncertainties of radius; one must go"):
+            understood(["radius [nm]", "radius_err", *second])
+
+
 def test_an_uncertainty_in_another_unit_or_of_nothing_is_refused() -> None:
     with pytest.raises(BadTable, match="must be that of the other column, nN"):
         understood(["P [nN]", "P_plus [nN]", "P_minus [uN]"])

@@ -274,10 +274,14 @@ def _add_parts(
         own = {part: texts[place] for part, place in places.items()}
         if (found := _with_parts(name, places, own, inputs, chosen)) is not None:
             inputs[:] = [*(column for column in inputs if column.name != name), found]
-        elif lost := [text for text in own.values() if text.strip() in chosen]:
+            used = [own.pop(side.part) for side in found.sides]
+            if second := own.get("minus", own.get("plus")):
+                raise BadTable(
+                    f"header: {quoted(used[0])} and {quoted(second)} are both uncertainties of {name}; one must go"
+                )
+        if lost := [text for text in own.values() if text.strip() in chosen]:
             raise BadTable(f"--column: {quoted(lost[0])} is no uncertainty of {name}: {_PARTS}")
-        else:
-            yield from own.values()
+        yield from own.values()
 
 
 def _with_parts(
@@ -290,7 +294,7 @@ def _with_parts(
     """Return the column of an input with those of its uncertainty; None if these make none. Raises BadTable."""
     base = next((column for column in inputs if column.name == name), None)
     kinds = ("both",) if "both" in places else ("minus", "plus") if base else ("low", "high")
-    if {*kinds} != places.keys() or (base is None and kinds == ("both",)):
+    if not {*kinds} <= places.keys() or (base is None and kinds == ("both",)):
         return None
     readings = {part: chosen.get(text.strip()) or reading_of(text) for part, text in texts.items()}
     if base is None:
