@@ -463,7 +463,7 @@ def test_a_contact_holds_its_own_pull_off_force(law: str) -> None:
     """Whatever the last digit of that is, for numbers, for arrays, and by whatever plan."""
     source = random.Random(11)
     for _ in range(50):
-        grain = {
+        grain: dict[str, Any] = {
             "radius": log_uniform(source, 1e-9, 1e-5),
             "surface_energy": log_uniform(source, 1e-3, 1),
             "youngs_modulus": log_uniform(source, 1e6, 1e12),

@@ -107,6 +107,9 @@ class Entry(NamedTuple):
         return shown(str(self.file.materials[self.name].get("source", self.file.title)))
 
 
+_OF_A_NAME = f"a name begins with a letter, has no comma and {MAX_NAME} characters at most, and is not all or plane"
+
+
 def is_material_name(word: str) -> bool:
     """Return whether a word can name a material: it differs from a radius and from a list.
 
@@ -176,7 +179,7 @@ def _entries_in(file: File) -> list[Entry]:
                 both = f"{quoted(other)} and {quoted(name)}"
                 raise Malformed(f"{quoted(word)} names both {both}; case makes no difference")
             if not is_material_name(word):
-                raise Malformed(f"{quoted(word)} cannot name a material; a name begins with a letter and has no comma")
+                raise Malformed(f"{quoted(word, MAX_NAME)} cannot name a material; {_OF_A_NAME}")
         entries.append(Entry(name, aliases, file))
     return entries
 
@@ -452,11 +455,11 @@ def _checked(entry: Entry) -> Material:
     for key in PROPERTIES:
         if key not in table:
             continue
-        value = table[key]
+        value, where = table[key], f"{name}.{key}"
         if isinstance(value, dict):
-            origins[key] = _origin(f"{name}.{key}", value)
-            value = value.get("value")
-        found = _property(key, value, name)
+            origins[key] = _origin(where, value)
+            value, where = value.get("value"), f"{where}.value"
+        found = _property(key, value, name, where)
         properties[key] = found if isinstance(found, float) else found.value
         if not isinstance(found, float):
             uncertainties[key] = found
@@ -491,10 +494,10 @@ def _displacement(table: Mapping[str, Any], name: str) -> tuple[Displacement, Or
     for key in ("value", "radius"):
         if key not in table:
             raise Malformed(f"{shown(where)} has no {key}")
-    radius = _property("radius", table["radius"], where)
+    radius = _property("radius", table["radius"], where, f"{where}.radius")
     if not isinstance(radius, float):
         raise Malformed(f"{shown(where)}: the radius of the spheres is a single one")
-    found = _property(XI, table["value"], name)
+    found = _property(XI, table["value"], name, f"{where}.value")
     measured = (
         Interval(found, found, found) if isinstance(found, float) else Interval(found.value, found.low, found.high)
     )
@@ -530,11 +533,11 @@ def _as_text(number: float, where: str) -> str:
         raise Malformed(f"{shown(where)} has too many digits") from None
 
 
-def _property(key: str, value: object, name: str) -> float | Uncertain:
-    """Return the SI value of a property: a text with a unit or, for a property without a unit, a number."""
+def _property(key: str, value: object, name: str, where: str) -> float | Uncertain:
+    """Return the SI value of a property: a text with a unit or, for a property without a unit, a number. `where`: it stands in the file."""
     if isinstance(value, (int, float)) and not isinstance(value, bool) and NOMENCLATURE[key].unit == "1":
-        value = _as_text(value, f"{name}.{key}")
-    text = string(value, f"{name}.{key}")
+        value = _as_text(value, where)
+    text = string(value, where)
     try:
         return value_of(text, key)
     except QuantityError as error:

@@ -26,8 +26,8 @@ _BLANKS = re.compile(r"[\s(_/,:\[]+|$")  # between a name and what may be a unit
 _PHRASES = {"young_modulus": "youngs_modulus", "poissons_ratio": "poisson_ratio"}
 _SYNONYMS = {"elastic_modulus": "youngs_modulus", "velocity": "speed", "surface_tension": "surface_energy"}
 _LENGTHS, _PRESSURES = "m", "Pa"
-_DIAMETER = (_LENGTHS, "a diameter? a radius is half of it")
-_CONTACT_MODULUS = (_PRESSURES, "the modulus of a contact? --young and --poisson are those of the materials")
+_DIAMETER = (_LENGTHS, "a diameter? A radius is half of it.")
+_CONTACT_MODULUS = (_PRESSURES, "the modulus of a contact? --young and --poisson are those of the materials.")
 _UNCLEAR = {
     "r": (_LENGTHS, "a radius, or a distance?"),
     **dict.fromkeys(("d", "D", "diameter", "diam", "dia"), _DIAMETER),
