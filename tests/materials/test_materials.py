@@ -203,7 +203,7 @@ BROKEN = {
     "[materials.x]\n[materials.b]\naliases = ['X']": "'X' names both 'x' and 'b'; case makes no difference",
     "[materials.'a ']": f"'a ' cannot name a material; {RULE}",
     "[materials.a]\ndensity = { value = '1 g/cm3', methd = 'x' }": "'a.density' has an unknown key 'methd'; did you mean method?",
-    "[materials.a]\ndensity = { method = 'x' }": "a.density is not a text in quotes",
+    "[materials.a]\ndensity = { method = 'x' }": "a.density.value is not a text in quotes",
     "[materials.a]\ndensity = { value = '1 g/cm3', reference = 'x' }": "'a' cites 'x', which [references] does not have",
     "[materials.a]\ndensity = '3.4(9) g/cm3'": "a: density: '3.4(9) g/cm3' can be read as 3.4±0.9 or as 3.4e9; write the one that is meant",
     "[materials.a]\nnotes = { x = 'y' }": "'a' has a note on 'x', which it does not give",
