@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 
 from ..errors import BadRequest, JkrollError
-from ..quantities.errors import QUANTITY_SYNONYMS
+from ..quantities.errors import QUANTITY_SYNONYMS, nearest
 from ..quantities.nomenclature import NOMENCLATURE, named
 from ..text import closest, quoted, say, shown
 from .commands import COMMANDS, HELP, Action, Command, Option, flags_of, help_of
@@ -208,9 +208,15 @@ class UnknownCommand(JkrollError):
         name = self.word.replace("-", "_").casefold()
         if name in NOMENCLATURE:
             return f"{quoted(self.word)} is a quantity, not a command; jkroll quantities {name} lists the commands that show it"
-        guess = closest(name.replace("_", "-"), COMMANDS)
-        hint = HINTS.get(name) or (f"did you mean {guess}?" if guess else "see jkroll --help")
-        return f"no such command {quoted(self.word)}; {hint}"
+        hint = HINTS.get(name)
+        if guess := closest(name.replace("_", "-"), COMMANDS):
+            hint = hint or f"did you mean {guess}?"
+        elif quantity := nearest(name):
+            hint = (
+                hint
+                or f"did you mean the quantity {quantity}? jkroll quantities {quantity} lists the commands that show it"
+            )
+        return f"no such command {quoted(self.word)}; {hint or 'see jkroll --help'}"
 
 
 class UnknownOption(JkrollError):
