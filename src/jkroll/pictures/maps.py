@@ -353,15 +353,19 @@ def _bounds_of_limits(limits: Iterable[Limit], quantity: str, law: str) -> tuple
 def regions(scene: Scene, bounds: Iterable[Bound], x: Axis, y: Axis, values: Any) -> list[Region]:
     """Return the regions in which bounds are broken, of a map with these values. A bound that lacks an input is left out.
 
-    What counts is where the map has values; a region that holds all of them is everywhere.
+    What counts is where the map has values; a region that holds all of them is everywhere, and a nearer bound of the same number
+    says no more.
     """
     import numpy
 
     x, y = (axis._replace(size=min(axis.size, COARSE)) for axis in (x, y))
     here = scene.replace(**x.inputs(x.values()[None, :]), **y.inputs(y.values()[:, None]))
     known = numpy.isfinite(sampled(values, x.size, y.size))
-    found = []
+    found: list[Region] = []
+    settled = set()
     for bound in bounds:
+        if bound.name in settled:
+            continue
         try:
             margin = numpy.broadcast_to(bound.margin(here), (y.size, x.size))
         except (MissingInput, NoResult):
@@ -372,6 +376,7 @@ def regions(scene: Scene, bounds: Iterable[Bound], x: Axis, y: Axis, values: Any
             look = BORDER if bound.line else bound.name
             found.append(Region(bound.line or bound.beyond, x, y, margin, look))
         else:
+            settled.add(bound.name)
             found.append(Region(f"everywhere {bound.beyond}", x, y, margin, EVERYWHERE))
     return found
 

@@ -197,10 +197,14 @@ class Context:
         import numpy
 
         has_value = numpy.isfinite(y)
+        settled = set()  # numbers that are beyond their farthest bound all over
         for bound in self.bounds:
+            if bound.name in settled:
+                continue
             is_beyond = has_value & (margin_along(self.given, bound, x) < 0)
             where = x.values()[is_beyond]
             if (is_beyond == has_value).all():
+                settled.add(bound.name)
                 yield bound.beyond, EVERYWHERE
             elif where.size:
                 ends = (amount(x.name, float(f"{end:.2g}")) for end in (where[0], where[-1]))
