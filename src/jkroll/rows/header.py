@@ -221,49 +221,67 @@ def understood(
     texts: Sequence[str], rows: Sequence[Sequence[str]] = (), chosen: Mapping[str, Reading] = MappingProxyType({})
 ) -> Header:
     """Return the columns of a header, given the cells of its first rows and what is chosen for some. Raises BadTable."""
+    _check_chosen(texts, chosen)
+    of_directions = next(filter(is_of_directions, texts), "")
     inputs: list[Column] = []
     materials: list[tuple[str, int]] = []
     parts: dict[str, dict[str, int]] = {}  # the places of the parts of an input's uncertainty
     alike: list[str] = []
     bare: dict[str, str] = {}
-    of_directions = next(filter(is_of_directions, texts), "")
     seen: dict[str, str] = {}
-    if lacking := [text for text in chosen if text not in {text.strip() for text in texts}]:
-        guess = closest(lacking[0], texts)
-        meant = f"; did you mean {quoted(guess)}?" if guess else ""
-        raise BadTable(f"--column: the table has no column {quoted(lacking[0])}{meant}")
     for place, text in enumerate(texts):
+        cells = [row[place] for row in rows]
         reading = chosen.get(text.strip()) or reading_of(text)
-        cells = [row[place] for row in rows] if reading.is_symbol or reading.meant else []
-        if reading.is_symbol and not reading.part and not _have_units(reading.name, cells):
-            if reading.name.removesuffix("2") in _NEEDED and _is_number(next(filter(str.strip, cells), "")):
-                bare[text] = with_unit(reading.name, cells)
-            reading = Reading(is_alike=True)
-        elif of_directions and text.strip() not in chosen and reading.name.removesuffix("2") == "youngs_modulus":
-            reading = Reading(problem=f"the modulus along a direction, as {quoted(of_directions)} beside it says?")
-        name, unit_text = reading.name, reading.unit_text
-        key = f"{name} {reading.part}" if name else text
-        if key in seen:
-            other = seen[key]
-            both = f"two columns {quoted(text)}" if other == text else f"the columns {quoted(other)} and {quoted(text)}"
-            raise BadTable(f"header: {both}, of which one must go")
-        seen[key] = text
-        if name in MATERIALS:
-            if unit_text is not None:
+        name = reading.name
+        if reading.is_symbol and not reading.part and not _have_units(name, cells):
+            alike.append(text)
+            if name.removesuffix("2") in _NEEDED and _is_number(next(filter(str.strip, cells), "")):
+                bare[text] = with_unit(name, cells)
+            name = ""
+        elif of_directions and name.removesuffix("2") == "youngs_modulus" and text.strip() not in chosen:
+            problem = f"the modulus along a direction, as {quoted(of_directions)} beside it says?"
+            raise _no_input(text, Reading(problem=problem), cells)
+        elif name in MATERIALS:
+            if reading.unit_text is not None:
                 raise BadTable(f"header: {quoted(text)}: a material has no unit; write {name}")
             materials.append((name, place))
         elif reading.part:
             parts.setdefault(name, {})[reading.part] = place
         elif name:
-            inputs.append(_column(place, name, unit_text, text))
+            inputs.append(_column(place, name, reading.unit_text, text))
         elif reading.meant or reading.problem:
-            meant = _meant(reading.meant, cells)
-            is_wrong = f"; did you mean {meant}?" if meant else f": {reading.problem}"
-            raise BadTable(f"header: {quoted(text)} is no input{is_wrong} {_remedy({text: meant or 'INPUT [UNIT]'})}")
+            raise _no_input(text, reading, cells)
         elif reading.is_alike:
             alike.append(text)
+        _check_new(text, f"{name} {reading.part}" if name else text, seen)
     others = [*alike, *_add_parts(parts, texts, inputs, chosen)]
     return Header(tuple(texts), tuple(inputs), tuple(materials), tuple(others), chosen, bare)
+
+
+def _check_chosen(texts: Sequence[str], chosen: Mapping[str, Reading]) -> None:
+    """Raise BadTable for a choice about a column that the table does not have."""
+    heads = {text.strip() for text in texts}
+    for text in chosen:
+        if text not in heads:
+            guess = closest(text, texts)
+            meant = f"; did you mean {quoted(guess)}?" if guess else ""
+            raise BadTable(f"--column: the table has no column {quoted(text)}{meant}")
+
+
+def _no_input(text: str, reading: Reading, cells: Sequence[str]) -> BadTable:
+    """Return the error of a column that looks like a mistyped input."""
+    meant = _meant(reading.meant, cells)
+    is_wrong = f"; did you mean {meant}?" if meant else f": {reading.problem}"
+    return BadTable(f"header: {quoted(text)} is no input{is_wrong} {_remedy({text: meant or 'INPUT [UNIT]'})}")
+
+
+def _check_new(text: str, key: str, seen: dict[str, str]) -> None:
+    """Raise BadTable for the second column of one meaning. `seen`: the headers of before, by what they mean."""
+    if key in seen:
+        other = seen[key]
+        both = f"two columns {quoted(text)}" if other == text else f"the columns {quoted(other)} and {quoted(text)}"
+        raise BadTable(f"header: {both}, of which one must go")
+    seen[key] = text
 
 
 def _add_parts(
