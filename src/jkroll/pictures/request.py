@@ -3,7 +3,7 @@
 The paper's Figs. 2 and 9 are in `curves`; its others carry no data.
 """
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
@@ -141,25 +141,28 @@ def curves_of(request: PlotRequest, size: int) -> tuple[Picture, tuple[str, ...]
     y = axis_around(request.quantity, [curve.y for curve in curves])
     points = [mark_at(text, request.materials, request.scenes[0][1], x, y) for text in request.marks]
     shared = [text for text in contexts[0].inputs if all(text in context.inputs for context in contexts)]
-    doubts: dict[str, list[tuple[str, str]]] = {}
-    for context, curve in zip(contexts, curves, strict=True):
-        for doubt, where in context.doubts(x, curve.y):
-            doubts.setdefault(doubt, []).append((curve.text, where))
-    everywhere = [(curve.text, EVERYWHERE) for curve in curves]
     caption = (
         _first_sentence(request.quantity, [context.scene for context in contexts]),
         *fixed_inputs(shared),
         *((f"No curve: {'; '.join(text + lacking(error) for text, error in missing.items())}.",) if missing else ()),
-        *(
-            f"Everywhere {doubt}."
-            if places == everywhere
-            else f"{'; '.join(', '.join(filter(None, place)) for place in places)}: {doubt}."
-            for doubt, places in doubts.items()
-        ),
+        *_doubts_along(x, curves, contexts),
     )
     notes = [f"no curve: {error}" for error in missing.values()]
     notes += dict.fromkeys(note for context in contexts for note in context.notes)
     return Picture("", (Panel(x, y, tuple(curves), tuple(points)),), caption), tuple(notes)
+
+
+def _doubts_along(x: Axis, curves: Sequence[Curve], contexts: "Sequence[Context]") -> Iterator[str]:
+    """Iterate over sentences on the parts of curves where the model has no meaning or is not exact."""
+    doubts: dict[str, list[tuple[str, str]]] = {}  # the curves and their parts, by the doubt
+    for curve, context in zip(curves, contexts, strict=True):
+        for doubt, where in context.doubts(x, curve.y):
+            doubts.setdefault(doubt, []).append((curve.text, where))
+    for doubt, places in doubts.items():
+        if places == [(curve.text, EVERYWHERE) for curve in curves]:
+            yield f"Everywhere {doubt}."
+        else:
+            yield f"{'; '.join(', '.join(filter(None, place)) for place in places)}: {doubt}."
 
 
 class Context:
