@@ -347,35 +347,49 @@ class _Arrays:
         import numpy
 
         self.wanted, self.scene, self.size = wanted, scene, size
-        self.shown = shown = {name: name in wanted.named or scene.shows(name) for name in wanted.names}
-        found = scene.evaluate([name for name, is_shown in shown.items() if is_shown is not False])
+        self.shown = {name: name in wanted.named or scene.shows(name) for name in wanted.names}
+        found = scene.evaluate([name for name, is_shown in self.shown.items() if is_shown is not False])
         outcomes = {name: written_outcome(name, outcome) for name, outcome in found.items()}
         self.lacking = [name for name, outcome in outcomes.items() if isinstance(outcome, MissingInput)]
-        numbers = numpy.full((len(wanted.keys), size), numpy.nan)
+        self.numbers = numpy.full((len(wanted.keys), size), numpy.nan)
         self.gaps: dict[str, Any] = {}  # by the quantity: the rows that should have a value and have none
         self.whole: dict[str, JkrollError] = {}  # quantities that have no value in any row, for one reason
         for name, outcome in outcomes.items():
-            if name in self.lacking:
-                continue
-            is_shown = numpy.broadcast_to(shown[name], size)
-            if isinstance(outcome, JkrollError):
-                self.whole[name], self.gaps[name] = outcome, is_shown
-                continue
-            values = numbers[wanted.places[name]]
-            values[...] = outcome if shown[name] is True else numpy.where(is_shown, outcome, numpy.nan)
-            if isinstance(outcome, numpy.ndarray) and (fails := numpy.isnan(values) & is_shown).any():
-                self.gaps[name] = fails
+            if name not in self.lacking:
+                self._take(name, outcome)
         self.known = [name for name in outcomes if name not in self.whole and name not in self.lacking]
-        inputs = self._inputs([*outcomes])
-        reasons: dict[int, Reasons] = {}
-        always = [name for name in outcomes if shown[name] is True]
-        if len(always) < len(outcomes) or not always:
-            unequal = numpy.broadcast_to(numpy.logical_not(scene.is_identical), size)
-            of_unequal = self._inputs(always)
-            inputs = {name: _either(unequal, of_unequal[name], column) for name, column in inputs.items()}
-            if not always:
-                reasons = {row: {ROW: OfIdenticalSpheres()} for row in numpy.flatnonzero(unequal).tolist()}
-        self.columns = Columns(wanted, inputs, numbers, self._doubts(numbers), reasons)
+        inputs, reasons = self._of_unequal([*outcomes])
+        self.columns = Columns(wanted, inputs, self.numbers, self._doubts(), reasons)
+
+    def _take(self, name: str, outcome: Any) -> None:
+        """Take the values of a quantity, or note in which rows it has none."""
+        import numpy
+
+        is_shown = numpy.broadcast_to(self.shown[name], self.size)
+        if isinstance(outcome, JkrollError):
+            self.whole[name], self.gaps[name] = outcome, is_shown
+            return
+        values = self.numbers[self.wanted.places[name]]
+        values[...] = outcome if self.shown[name] is True else numpy.where(is_shown, outcome, numpy.nan)
+        if isinstance(outcome, numpy.ndarray) and (fails := numpy.isnan(values) & is_shown).any():
+            self.gaps[name] = fails
+
+    def _of_unequal(self, names: Sequence[str]) -> tuple[dict[str, Any], dict[int, Reasons]]:
+        """Return the columns of inputs, which are fewer for unequal spheres if some quantities are those of identical ones.
+
+        A row of unequal spheres that shows nothing has a reason.
+        """
+        import numpy
+
+        inputs = self._inputs(names)
+        always = [name for name in names if self.shown[name] is True]
+        if always and len(always) == len(names):
+            return inputs, {}
+        unequal = numpy.broadcast_to(numpy.logical_not(self.scene.is_identical), self.size)
+        of_unequal = self._inputs(always)
+        inputs = {name: _either(unequal, of_unequal[name], column) for name, column in inputs.items()}
+        rows = [] if always else numpy.flatnonzero(unequal).tolist()
+        return inputs, {row: {ROW: OfIdenticalSpheres()} for row in rows}
 
     def _inputs(self, shown: Sequence[str]) -> dict[str, Any]:
         """Return the columns of inputs for the quantities that are shown."""
@@ -383,13 +397,14 @@ class _Arrays:
         inputs = self.scene.echo(inputs_used(self.scene, self.wanted.names, shown)) if names else {}
         return {name: spread(inputs.get(name), self.size) for name in names}
 
-    def _doubts(self, numbers: Any) -> Any:
+    def _doubts(self) -> Any:
+        """Return the doubts of each row, of the quantities that have a value there."""
         import numpy
 
         bits = numpy.zeros(self.size, dtype=numpy.int64)
         if self.wanted.doubts and self.known:
             bits[...] = doubts(self.scene, self.known)
-            has_value = {name: ~numpy.isnan(numbers[self.wanted.places[name]]) for name in self.known}
+            has_value = {name: ~numpy.isnan(self.numbers[self.wanted.places[name]]) for name in self.known}
             if not all(rows.all() for rows in has_value.values()):
                 concerned = numpy.zeros_like(bits)
                 for name, rows in has_value.items():
