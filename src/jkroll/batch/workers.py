@@ -14,6 +14,7 @@ from contextlib import contextmanager, suppress
 from itertools import cycle
 from multiprocessing import connection, get_context, parent_process
 from threading import Thread
+from time import sleep
 from types import MappingProxyType
 from typing import Any
 
@@ -116,6 +117,8 @@ def _end_with_parent() -> None:
     parent = parent_process()
     if parent is not None:
         parent.join()
+        os.kill(os.getpid(), signal.SIGTERM)
+        sleep(PATIENCE)
         os._exit(1)
 
 
