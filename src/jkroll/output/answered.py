@@ -7,9 +7,9 @@ from typing import Any, NamedTuple
 from ..answers.answer import Answer
 from ..answers.questions import QUESTIONS, Question, question_about
 from ..materials.library import Material, Materials
-from ..quantities.errors import QuantityError
+from ..quantities.errors import QuantityError, UnknownQuantity
 from ..quantities.formatting import AS_USUAL, amount
-from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.nomenclature import NOMENCLATURE, named
 from ..quantities.values import Uncertain, is_uncertain
 from ..scene.scene import Scene
 from ..scene.solver import in_si, materials_of
@@ -78,7 +78,8 @@ class Answered:
         return as_object(self._found, AS_USUAL)
 
     def __getitem__(self, name: str) -> Value:
-        return self.values[name]
+        """Return the result of a name, or of a symbol."""
+        return self.values[named(name, self.values)]
 
     def __str__(self) -> str:
         values = [f"{name} = {value}" for name, value in self.values.items()]
@@ -117,7 +118,7 @@ def answer(
         There is no contact, or no result at all. A single result without a value has a reason instead.
 
     >>> found = answer("pull-off", material="quartz", radius="100 nm")
-    >>> str(found["pull_off_force"]), found["pull_off_force"].unit
+    >>> str(found["pull_off_force"]), found["P_c"].unit
     ('11.781 nN', 'N')
     >>> found.doubts
     ('JKR is inexact here (Tabor parameter μ = 0.136): by Maugis–Dugdale P_c is 27 % larger (20 % at z0 = 200 pm); --model maugis',)
@@ -136,4 +137,6 @@ def _question(wanted: str | Iterable[str]) -> Question:
     """Return the question of a command, or of quantities."""
     if isinstance(wanted, str) and wanted in QUESTIONS:
         return QUESTIONS[wanted]
-    return question_about(wanted if isinstance(wanted, str) else ",".join(wanted))
+    if not isinstance(wanted, Iterable):
+        raise UnknownQuantity(str(wanted))
+    return question_about(wanted if isinstance(wanted, str) else ",".join(map(str, wanted)))

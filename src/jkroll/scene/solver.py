@@ -81,7 +81,7 @@ def solve(
     Returns
     -------
     The value of a single wanted name, or a dict of name to value. SI numbers: floats, arrays, or pint Quantities if
-    any input was one. If a given value is uncertain, so are the results: `Measured` or `Interval` in SI units.
+    any input was one. A result has the shape of the arrays on which it depends: that of `yield_force` is a float for many radii. If a given value is uncertain, so are the results: `Measured` or `Interval` in SI units.
 
     Raises
     ------
