@@ -12,7 +12,7 @@ from ..errors import JkrollError, NoResult
 from ..quantities.formatting import amount, in_words
 from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, XI
-from ..rows.columns import Row, Wanted, inputs_used, outcomes
+from ..rows.columns import Row, Wanted, outcomes
 from ..scene.effects import Effect, between_of
 from ..scene.failures import BeyondPullOff, MissingInput, NoContact, OfIdenticalSpheres, RestsOnSpacing, reason_of
 from ..scene.limits import JUMP, LEAST_EFFECT, Judgement, Verdict, against_limit, judged, of_any_scene, sentence
@@ -166,7 +166,7 @@ class Answer:
     @cached_property
     def inputs(self) -> Mapping[str, float | str]:
         """The inputs on which the results depend, as they were understood."""
-        used = inputs_used(self.scene, self.question.quantities, self.shown)
+        used = self.scene.inputs_used(self.question.quantities, self.shown)
         return {name: in_words(name, value) for name, value in self.scene.echo(used).items()}
 
     @cached_property

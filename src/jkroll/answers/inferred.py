@@ -4,18 +4,17 @@ from collections.abc import Mapping, Sequence
 from copy import copy
 from functools import cached_property
 from math import isfinite
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from ..errors import JkrollError, NoResult
 from ..quantities.formatting import amount, in_words
 from ..quantities.laws import LAWS
 from ..quantities.nomenclature import NOMENCLATURE
-from ..rows.inferred import Observed
 from ..scene.failures import MissingInput, reason_of
-from ..scene.inverse import Solution, largest, solution, with_inputs
+from ..scene.inverse import Observed, Solution, largest, with_inputs
 from ..scene.limits import Verdict
 from ..scene.scene import Scene
-from ..scene.unknowns import Pair, Problem, scan_in_words
+from ..scene.unknowns import Pair, scan_in_words, solved
 from .answer import Answer, Difference, about_uncertainties
 from .displacement import Worth
 from .questions import Question
@@ -39,7 +38,7 @@ class Inferred(Answer):
         self.question = Question(self.names, self.names)
         self.failure: MissingInput | NoResult | None = None
         try:
-            self.solution = self._solved(observed.scene)
+            self.solution = solved(self.names, observed)
         except (NoResult, MissingInput) as error:
             self.failure = error
         self.scene = (
@@ -47,10 +46,6 @@ class Inferred(Answer):
         )
         measured = (*observed.measured,)
         self.forward = Answer(Question(measured, measured, named=measured), self.scene)
-
-    def _solved(self, scene: Scene) -> Solution | Pair:
-        """Return the inputs at which a scene has the measured values."""
-        raise NotImplementedError
 
     @cached_property
     def inputs(self) -> Mapping[str, float | str]:
@@ -63,28 +58,41 @@ class Inferred(Answer):
         if self.failure is not None:
             reason = reason_of(",".join(self.names), self.failure)
             return tuple(Result(name, None, reason) for name in self.names)
-        return self._results()
+        assert self.solution is not None
+        return tuple(
+            self._with_growth(
+                Result(
+                    name,
+                    value,
+                    by_law={law: other.values[name] for law, other in self._by_law.items()},
+                    propagated=one if isinstance(one := self._uncertainties[0].get(name), tuple) else None,
+                )
+            )
+            for name, value in self.solution.values.items()
+        )
 
-    def _results(self) -> tuple[Result, ...]:
+    def _with_growth(self, result: Result) -> Result:
+        """Return a result with the factor by which errors of what was measured enter it."""
         raise NotImplementedError
 
     @cached_property
     def _uncertainties(self) -> "tuple[Mapping[str, Propagated | JkrollError], Sources | None]":
-        return self._propagated() if self.solution is not None and self.observed.is_uncertain else ({}, None)
+        if self.solution is None or not self.observed.is_uncertain:
+            return {}, None
+        from ..scene.uncertainty import inferred_uncertainties
 
-    def _propagated(self) -> "tuple[Mapping[str, Propagated | JkrollError], Sources | None]":
-        raise NotImplementedError
+        return inferred_uncertainties(self.solution.values, self.observed)
 
     @cached_property
-    def _by_law(self) -> dict[str, Any]:
+    def _by_law(self) -> dict[str, Solution | Pair]:
         """The solution under each other law of attraction that has the measured quantities by other formulas."""
         own = self.scene.plan(*self.observed.measured).steps
-        found: dict[str, Any] = {}
+        found: dict[str, Solution | Pair] = {}
         for law in LAWS:
             other = self.observed.scene.under(law)
             try:
                 if with_inputs(other, largest(self.names)).plan(*self.observed.measured).steps != own:
-                    found[law] = self._solved(other)
+                    found[law] = solved(self.names, self.observed._replace(scene=other))
             except (MissingInput, NoResult):
                 continue
         return found
@@ -134,29 +142,9 @@ class InferredOne(Inferred):
 
     solution: Solution | None
 
-    def _solved(self, scene: Scene) -> Solution:
-        ((quantity, measured),) = self.observed.values.items()
-        return solution(self.names[0], quantity, measured, scene)
-
-    def _results(self) -> tuple[Result, ...]:
-        found, (name,) = self.solution, self.names
-        assert found is not None
-        return (
-            Result(
-                name,
-                found.value,
-                condition=found.condition if isfinite(found.condition) else None,
-                by_law={law: other.value for law, other in self._by_law.items()},
-                propagated=one if isinstance(one := self._uncertainties[0].get(name), tuple) else None,
-            ),
-        )
-
-    def _propagated(self) -> "tuple[Mapping[str, Propagated | JkrollError], Sources | None]":
-        from ..scene.uncertainty import inferred_uncertainty
-
-        ((quantity, measured),) = self.observed.measured.items()
+    def _with_growth(self, result: Result) -> Result:
         assert self.solution is not None
-        return inferred_uncertainty(self.names[0], quantity, measured, self.solution, self.observed.scene)
+        return result._replace(condition=_if_finite(self.solution.condition))
 
     def _proofs(self) -> list[Note]:
         """Return what of the materials is not used, how errors grow, and the proof of the value."""
@@ -168,7 +156,9 @@ class InferredOne(Inferred):
             f"κ = |d ln {symbol}/d ln {of_measured}| = {found.condition:.3g}"
         )
         if self._by_law:
-            others = (f"{amount(name, other.value)} under {LAWS[law].title}" for law, other in self._by_law.items())
+            others = (
+                f"{amount(name, other.values[name])} under {LAWS[law].title}" for law, other in self._by_law.items()
+            )
             proof += f"; {', '.join(others)}"
         return [*_unused(name, [quantity], found.scene), Note("model", proof)]
 
@@ -193,33 +183,14 @@ class InferredPair(Inferred):
 
     solution: Pair | None
 
-    def _solved(self, scene: Scene) -> Pair:
-        return Problem(self.names, self.observed.values, scene).solution()
-
     @property
     def condition(self) -> float | None:  # type: ignore[override]
         """The condition number of both together."""
         return self.solution.condition if self.solution is not None else None
 
-    def _results(self) -> tuple[Result, ...]:
-        found = self.solution
-        assert found is not None
-        return tuple(
-            Result(
-                name,
-                value,
-                growth=growth if isfinite(growth := found.growths[name]) else None,
-                by_law={law: other.values[name] for law, other in self._by_law.items()},
-                propagated=one if isinstance(one := self._uncertainties[0].get(name), tuple) else None,
-            )
-            for name, value in found.values.items()
-        )
-
-    def _propagated(self) -> "tuple[Mapping[str, Propagated | JkrollError], Sources | None]":
-        from ..scene.uncertainty import uncertainties_of_two
-
+    def _with_growth(self, result: Result) -> Result:
         assert self.solution is not None
-        return uncertainties_of_two(self.observed.measured, self.solution, self.observed.scene)
+        return result._replace(growth=_if_finite(self.solution.growths[result.name]))
 
     def _proofs(self) -> list[Note]:
         """Return what of the materials is not used, the proof of the values, what they are under other laws, and where they were looked for."""
@@ -229,6 +200,10 @@ class InferredPair(Inferred):
         texts += [f"{_equal(other.values)} under {LAWS[law].title}" for law, other in self._by_law.items()]
         unused = [note for name in self.names for note in _unused(name, [*self.observed.measured], self.scene)]
         return [*unused, *(Note("model", text) for text in (*texts, f"scanned: {scan_in_words(self.names)}"))]
+
+
+def _if_finite(number: float) -> float | None:
+    return number if isfinite(number) else None
 
 
 def _equal(values: Mapping[str, float]) -> str:

@@ -14,9 +14,9 @@ from ..quantities.formatting import Format
 from ..quantities.nomenclature import named
 from ..quantities.values import Spread, spreads_of
 from ..rows.columns import Wanted
-from ..rows.inferred import Observed, Sought, SoughtOne, SoughtPair, observed
+from ..rows.inferred import Sought, SoughtOne
 from ..rows.sweep import Sweep
-from ..scene.inverse import SIZES, AlreadyGiven, CannotInfer, largest, with_inputs
+from ..scene.inverse import SIZES, AlreadyGiven, CannotInfer, Observed, largest, observed, with_inputs
 from ..text import quoted, say_wrapped
 from .commands import Call
 from .question import check_count, exit_code, unless_failed, write_answers, write_columns
@@ -33,7 +33,7 @@ class _Inverse:
     def __init__(self, names: Sequence[str], quantities: Sequence[str]) -> None:
         self.names, self.quantities = names, quantities
         self.is_pair = len(names) > 1
-        self.sought: type[Sought] = SoughtPair if self.is_pair else SoughtOne
+        self.sought = Sought if self.is_pair else SoughtOne
 
     def row(self, given: Mapping[str, Any], *spheres: Material | None, model: str | None) -> Observed:
         """Return a row of inputs among which are the measured values."""

@@ -24,7 +24,7 @@ from ..scene.failures import (
 )
 from ..scene.limits import doubts, possible_doubts
 from ..scene.scene import Scene
-from ..scene.wiring import Step, depends_on
+from ..scene.wiring import Step
 from ..text import first_of
 
 if TYPE_CHECKING:
@@ -226,7 +226,7 @@ def by_floats(wanted: Wanted, scene: Scene) -> Row:
         reasons[ROW] = OfIdenticalSpheres()
     values = {name: outcome for name, outcome in found.items() if name not in reasons}
     numbers: dict[str, float] = dict(values)
-    inputs = scene.echo(inputs_used(scene, wanted.names, [*found])) if wanted.inputs else {}
+    inputs = scene.echo(scene.inputs_used(wanted.names, [*found])) if wanted.inputs else {}
     if wanted.uncertainties and scene.is_uncertain:
         from ..scene.uncertainty import uncertainties
 
@@ -255,14 +255,6 @@ def outcomes(scene: Scene, names: Sequence[str], named: Collection[str]) -> dict
     """
     found = scene.evaluate([name for name in names if name in named or scene.shows(name)])
     return {name: written_outcome(name, outcome) for name, outcome in found.items()}
-
-
-def inputs_used(scene: Scene, names: Sequence[str], shown: Sequence[str]) -> Collection[str]:
-    """Return the inputs on which quantities depend, as far as the scene allows them; `shown`: those that concern it."""
-    missing = scene.missing(shown)
-    if planned := [name for name in shown if name not in missing]:
-        return scene.inputs_of(*planned)
-    return depends_on(names) & scene.given.keys()
 
 
 def put_sides(
@@ -394,7 +386,7 @@ class _Arrays:
     def _inputs(self, shown: Sequence[str]) -> dict[str, Any]:
         """Return the columns of inputs for the quantities that are shown."""
         names = self.wanted.inputs
-        inputs = self.scene.echo(inputs_used(self.scene, self.wanted.names, shown)) if names else {}
+        inputs = self.scene.echo(self.scene.inputs_used(self.wanted.names, shown)) if names else {}
         return {name: spread(inputs.get(name), self.size) for name in names}
 
     def _doubts(self) -> Any:

@@ -12,12 +12,12 @@ from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import named
 from ..quantities.values import is_uncertain
 from ..scene.failures import Contradiction
-from ..scene.inverse import SIZES, CannotInfer, solution
-from ..scene.scene import Scene, check_range
-from ..scene.solver import broadcast, in_si, materials_of, refuse_arrays, uncertain_scene, with_uncertainty
-from ..scene.unknowns import Problem
+from ..scene.inverse import SIZES, CannotInfer, Observed, observed
+from ..scene.scene import check_range
+from ..scene.solver import broadcast, in_si, materials_of, refuse_arrays, with_uncertainty
+from ..scene.unknowns import solved
 from ..text import MAX_QUOTED
-from .inferred import Observed, SoughtOne, observed
+from .inferred import SoughtOne
 
 _BLOCK = 1 << 13  # values that are inferred at once
 
@@ -116,19 +116,26 @@ def infer(
     for each, value in {**known, **described}.items():
         check_range(each, value.value if is_uncertain(value) else value)
     spheres = materials_of(material, material2, materials)
-    if len(names) > 1:
-        return _pair(names, known, described, spheres, model)
-    (name,) = names
-    ((quantity, at),) = known.items()
-    if any(map(is_uncertain, (at, *described.values()))):
-        return _uncertain(name, quantity, at, uncertain_scene(described, spheres, model))
-    if all(isinstance(each, float) for each in (at, *described.values())):
-        return solution(name, quantity, at, Scene(described, *spheres, model=model)).value
+    inputs = {**described, **known}
 
-    def row(inputs: Mapping[str, Any]) -> Observed:
-        return observed([quantity], inputs, *spheres, model=model)
+    def row(own: Mapping[str, Any]) -> Observed:
+        return observed([*known], {**inputs, **own}, *spheres, model=model)
 
-    return _each(SoughtOne([name], [quantity], doubts=False), {quantity: at, **described}, row)
+    arrays = {each: value for each, value in inputs.items() if not (isinstance(value, float) or is_uncertain(value))}
+    if arrays and any(map(is_uncertain, inputs.values())):
+        refuse_arrays(inputs)
+    if arrays and len(names) == 1:
+        return _each(SoughtOne(names, [*known], doubts=False), arrays, row)
+    if arrays:
+        return _each_pair(names, arrays, row)
+    found = solved(names, row({}))
+    values: Mapping[str, Any] = found.values
+    if any(map(is_uncertain, inputs.values())):
+        from ..scene.uncertainty import inferred_uncertainties
+
+        bars, _ = inferred_uncertainties(found.values, row({}))
+        values = {name: with_uncertainty(value, bars.get(name)) for name, value in values.items()}
+    return InferredValues(values, found.condition) if len(names) > 1 else values[names[0]]
 
 
 def _names(wanted: str | Sequence[str]) -> list[str]:
@@ -144,63 +151,34 @@ def _names(wanted: str | Sequence[str]) -> list[str]:
     return names
 
 
-def _uncertain(name: str, quantity: str, at: Any, scene: Scene) -> Any:
-    """Return an inferred value with its uncertainty."""
-    from ..scene.uncertainty import inferred_uncertainty
-
-    found = solution(name, quantity, at.value if is_uncertain(at) else at, scene)
-    bars, _ = inferred_uncertainty(name, quantity, at, found, scene)
-    return with_uncertainty(found.value, bars.get(name))
-
-
-def _pair(
-    names: Sequence[str],
-    measured: Mapping[str, Any],
-    described: Mapping[str, Any],
-    spheres: tuple[Material | None, Material | None],
-    model: str | None,
+def _each_pair(
+    names: Sequence[str], arrays: Mapping[str, Any], row: Callable[[Mapping[str, Any]], Observed]
 ) -> InferredValues:
-    """Return the values of two inputs, of arrays element by element."""
-    given = {**described, **measured}
-    if any(map(is_uncertain, given.values())):
-        from ..scene.uncertainty import uncertainties_of_two
-
-        refuse_arrays(given)
-        row = observed([*measured], given, *spheres, model=model)
-        pair = Problem(names, row.values, row.scene).solution()
-        found, _ = uncertainties_of_two(row.measured, pair, row.scene)
-        values = {name: with_uncertainty(value, found.get(name)) for name, value in pair.values.items()}
-        return InferredValues(values, pair.condition)
-    arrays = {name: value for name, value in given.items() if not isinstance(value, float)}
-    if not arrays:
-        pair = Problem(names, measured, Scene(described, *spheres, model=model)).solution()
-        return InferredValues(pair.values, pair.condition)
+    """Return the values of two inputs, element by element of arrays; `row` makes a row of some inputs and the others."""
     import numpy
 
     shape = broadcast(arrays)
     flat = {name: numpy.broadcast_to(value, shape).ravel().tolist() for name, value in arrays.items()}
     columns = numpy.full((len(names) + 1, prod(shape)), numpy.nan)
     for place, own in enumerate(zip(*flat.values(), strict=True)):
-        row = observed([*measured], {**given, **dict(zip(flat, own, strict=True))}, *spheres, model=model)
         with suppress(NoResult):
-            pair = Problem(names, row.values, row.scene).solution()
+            pair = solved(names, row(dict(zip(flat, own, strict=True))))
             columns[:, place] = *pair.values.values(), pair.condition
     *found_values, condition = (column.reshape(shape) for column in columns)
     return InferredValues(dict(zip(names, found_values, strict=True)), condition)
 
 
-def _each(wanted: SoughtOne, given: Mapping[str, Any], row: Callable[[Mapping[str, Any]], Observed]) -> Any:
-    """Return the inferred values for arrays, nan where there is none; `row` makes rows of inputs and the measured value."""
+def _each(wanted: SoughtOne, arrays: Mapping[str, Any], row: Callable[[Mapping[str, Any]], Observed]) -> Any:
+    """Return the inferred values for arrays, nan where there is none."""
     import numpy
 
-    arrays = {name: value for name, value in given.items() if not isinstance(value, float)}
     shape = broadcast(arrays)
     flat = {name: numpy.broadcast_to(value, shape).ravel() for name, value in arrays.items()}
     found = numpy.full(prod(shape), numpy.nan)
     for start in range(0, len(found), _BLOCK):
         part = slice(start, start + _BLOCK)
         some = {name: values[part] for name, values in flat.items()}
-        found[part] = _block(wanted, some, lambda inputs: row({**given, **inputs}))
+        found[part] = _block(wanted, some, row)
     return found.reshape(shape)
 
 

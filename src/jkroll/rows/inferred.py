@@ -1,19 +1,18 @@
 """Rows of the inverse problem: the value of an input at which each scene has its measured value of a quantity, or of two inputs."""
 
-from collections.abc import Callable, Collection, Hashable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Hashable, Iterable, Sequence
 from functools import partial
 from math import nan
-from typing import TYPE_CHECKING, Any, NamedTuple, Self
+from typing import TYPE_CHECKING, Any, Self
 
 from ..errors import JkrollError, NoResult
-from ..materials.library import Material
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import is_uncertain
 from ..scene.failures import MissingInput
-from ..scene.inverse import SIZES, check, computed, failure, largest, names_in, solution, solutions, with_inputs
+from ..scene.inverse import SIZES, Observed, computed, failure, largest, solutions, with_inputs
 from ..scene.limits import doubts
 from ..scene.scene import Scene
-from ..scene.unknowns import Problem, check_two
+from ..scene.unknowns import check_sought, solved
 from .columns import (
     ROW,
     UNCERTAINTY,
@@ -22,7 +21,6 @@ from .columns import (
     NotShown,
     Row,
     Wanted,
-    inputs_used,
     left_out,
     put_one,
     put_sides,
@@ -30,46 +28,11 @@ from .columns import (
 )
 
 if TYPE_CHECKING:
-    from ..scene.uncertainty import Found, Source
-
-
-class Observed(NamedTuple):
-    """A scene that lacks inputs, and the measured values of as many of its quantities; all may be arrays."""
-
-    scene: Scene
-    measured: Mapping[str, Any]
-
-    @property
-    def values(self) -> dict[str, Any]:
-        """The measured values without their uncertainties."""
-        return {name: one.value if is_uncertain(one) else one for name, one in self.measured.items()}
-
-    @property
-    def is_uncertain(self) -> bool:
-        """True if a measured value, or something in the scene, has an uncertainty."""
-        return any(map(is_uncertain, self.measured.values())) or self.scene.is_uncertain
-
-    def echo(self, names: Sequence[str], values: Mapping[str, Any] | None = None) -> dict[str, Any]:
-        """Return the inputs but for `names`, which are inferred, as they were understood, among them the measured values.
-
-        `values`: of those that are inferred, where they are known.
-        """
-        inferred = {each for name in names for each in names_in(self.scene, name)}
-        filled = with_inputs(self.scene, largest(names) if values is None else values)
-        used = inputs_used(filled, [*self.measured], [*self.measured])
-        return {**filled.echo([name for name in used if name not in inferred]), **self.values}
-
-
-def observed(
-    quantities: Sequence[str], given: Mapping[str, Any], *spheres: Material | None, model: str | None
-) -> Observed:
-    """Return a row of inputs among which are the measured values of quantities."""
-    others = {name: value for name, value in given.items() if name not in quantities}
-    return Observed(Scene(others, *spheres, model=model), {name: given[name] for name in quantities})
+    from ..scene.uncertainty import Source
 
 
 class Sought(Wanted):
-    """Inputs that are inferred from as many measured quantities: `SoughtOne`, or `SoughtPair`."""
+    """Inputs that are inferred from as many measured quantities. Rows are computed one by one."""
 
     def __init__(
         self,
@@ -120,29 +83,28 @@ class Sought(Wanted):
 
     def check(self, scene: Scene) -> None:
         """Raise the error of inputs that cannot be inferred from these quantities, whatever their values are."""
-        raise NotImplementedError
-
-    def _found(self, scene: Observed) -> "tuple[Scene, dict[str, float], Callable[[], Found]]":
-        """Return the scene that has the measured numbers, the values of the inputs, and what returns their uncertainties. Raises NoResult."""
-        raise NotImplementedError
+        check_sought(self.names, self.quantities, scene)
 
     def row(self, scene: Observed) -> Row:
         """Return the row of measured numbers."""
         gaps = [nan] * len(self.keys)
         try:
-            found, numbers, bars = self._found(scene)
+            found = solved(self.names, scene)
         except MissingInput as error:
             return Row(scene.echo(self.names), gaps, 0, dict.fromkeys(self.names, error))
         except NoResult as error:
             of_whole = self.names if len(self.names) == 1 else (ROW,)
             return Row(scene.echo(self.names) | self._uncertain(scene), gaps, 0, dict.fromkeys(of_whole, error))
-        inputs = scene.echo(self.names, numbers) | self._uncertain(scene)
+        inputs = scene.echo(self.names, found.values) | self._uncertain(scene)
+        numbers = dict(found.values)
         reasons: dict[str, JkrollError] = {}
         if (remark := self._left_out(scene)) is not None:
             reasons = {UNCERTAINTY: remark}
         elif self.known_sides and scene.is_uncertain:
-            put_sides(self, bars(), numbers, reasons)
-        bits = doubts(found, self.quantities) if self.doubts else 0
+            from ..scene.uncertainty import inferred_uncertainties
+
+            put_sides(self, inferred_uncertainties(found.values, scene)[0], numbers, reasons)
+        bits = doubts(found.scene, self.quantities) if self.doubts else 0
         return Row(inputs, [numbers.get(key, nan) for key in self.keys], bits, reasons)
 
     def _left_out(self, scene: Observed) -> LeftOut | None:
@@ -151,7 +113,7 @@ class Sought(Wanted):
             return None
         from ..scene.uncertainty import inferred_sources
 
-        sources = inferred_sources(self.names, scene.measured, scene.scene)
+        sources = inferred_sources(self.names, scene)
         stated = [name for name, one in scene.measured.items() if is_uncertain(one)]
         return left_out(self, scene.scene, sources, stated=stated)
 
@@ -165,7 +127,7 @@ class Sought(Wanted):
             return ()
         from ..scene.uncertainty import inferred_sources
 
-        return inferred_sources(self.names, scene.measured, scene.scene).entering
+        return inferred_sources(self.names, scene).entering
 
 
 class SoughtOne(Sought):
@@ -181,26 +143,11 @@ class SoughtOne(Sought):
         """The measured quantity."""
         return self.quantities[0]
 
-    def check(self, scene: Scene) -> None:
-        """Raise the error of an input that cannot be inferred from this quantity, whatever its value is."""
-        check(self.name, self.quantity, scene)
-
     def work(self, scene: Observed) -> int:
         """Return how many formulas take as long as a row by itself."""
         filled = with_inputs(scene.scene, {self.name: 1.0})
         steps = len(filled.plan(self.quantity).steps) if not filled.missing([self.quantity]) else 1
         return computed(self.name) * steps
-
-    def _found(self, scene: Observed) -> "tuple[Scene, dict[str, float], Callable[[], Found]]":
-        found = solution(self.name, self.quantity, scene.values[self.quantity], scene.scene)
-
-        def bars() -> "Found":
-            from ..scene.uncertainty import inferred_uncertainty
-
-            measured = scene.measured[self.quantity]
-            return inferred_uncertainty(self.name, self.quantity, measured, found, scene.scene)[0]
-
-        return found.scene, {self.name: found.value}, bars
 
     def columns(
         self,
@@ -243,28 +190,9 @@ class SoughtOne(Sought):
 
         from ..scene.uncertainty import inferred_uncertainty_of_elements
 
-        values, measured = columns.column(self.name), scene.measured[self.quantity]
-        found = inferred_uncertainty_of_elements(self.name, self.quantity, measured, values, scene.scene)
+        found = inferred_uncertainty_of_elements(self.name, columns.column(self.name), scene)
         for row in numpy.flatnonzero(columns.put_sides(found)).tolist():
             put_one(columns, row, partial(one, row))
-
-
-class SoughtPair(Sought):
-    """Two inputs that are inferred from two measured quantities. Rows are computed one by one."""
-
-    def check(self, scene: Scene) -> None:
-        """Raise the error of inputs that cannot be inferred from these quantities, whatever their values are."""
-        check_two(self.names, self.quantities, scene)
-
-    def _found(self, scene: Observed) -> "tuple[Scene, dict[str, float], Callable[[], Found]]":
-        found = Problem(self.names, scene.values, scene.scene).solution()
-
-        def bars() -> "Found":
-            from ..scene.uncertainty import uncertainties_of_two
-
-            return uncertainties_of_two(scene.measured, found, scene.scene)[0]
-
-        return found.scene, dict(found.values), bars
 
 
 def _column(value: Any, size: int) -> Any:

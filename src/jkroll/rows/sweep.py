@@ -15,7 +15,7 @@ from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import Spread
 from ..scene.failures import OfIdenticalSpheres
 from ..scene.scene import FOLLOWS, Scene
-from .columns import Columns, Wanted, inputs_used
+from .columns import Columns, Wanted
 
 if TYPE_CHECKING:
     from .cells import Codes, Numbers
@@ -89,7 +89,7 @@ class Sweep:
         for scene in self.kinds:
             own = self.shown(scene, quantities, named)
             shown.update(own)
-            inputs.update(scene.echo(inputs_used(scene, quantities, own)))
+            inputs.update(scene.echo(scene.inputs_used(quantities, own)))
             if scene.is_uncertain:
                 for name, of_name in _sides(scene, own).items():
                     sides.setdefault(name, set()).update(of_name)

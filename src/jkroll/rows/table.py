@@ -15,13 +15,13 @@ from ..errors import BadRequest, JkrollError
 from ..materials.library import Material, Materials, MaterialsFileError, UnclearMaterial, UnknownMaterial
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, header
 from ..quantities.values import Uncertain, is_uncertain, value_of
-from ..scene.inverse import check
+from ..scene.inverse import check, observed
 from ..scene.scene import EXCLUSIVE, Scene
 from ..text import first_of, quoted, say, say_wrapped
 from .cells import LABEL, Codes, Lookup, Reader
 from .columns import DOUBT, SIDES, STATUS, BadCells, Wanted, heads
 from .header import BadTable, Column, Header, check_first, check_inputs
-from .inferred import SoughtOne, observed
+from .inferred import SoughtOne
 from .readings import MATERIALS
 from .rows import Block, groups
 

@@ -11,11 +11,61 @@ from math import inf, isnan, log, log10, nan
 from typing import Any, NamedTuple, TypeVar
 
 from ..errors import JkrollError, NoResult
+from ..materials.library import Material
 from ..quantities.errors import nearest
 from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
+from ..quantities.values import is_uncertain
 from ..text import quoted
 from .scene import EXCLUSIVE, Scene
+
+
+class Observed(NamedTuple):
+    """A scene that lacks inputs, and the measured values of as many of its quantities; all may be arrays."""
+
+    scene: Scene
+    measured: Mapping[str, Any]
+
+    @property
+    def values(self) -> dict[str, Any]:
+        """The measured values without their uncertainties."""
+        return {name: one.value if is_uncertain(one) else one for name, one in self.measured.items()}
+
+    @property
+    def is_uncertain(self) -> bool:
+        """True if a measured value, or something in the scene, has an uncertainty."""
+        return any(map(is_uncertain, self.measured.values())) or self.scene.is_uncertain
+
+    def changed(self, changed: Mapping[str, Any]) -> "Observed":
+        """Return the same with other values of some inputs and measured quantities, without uncertainties."""
+        others = {name: value for name, value in changed.items() if name not in self.measured}
+        return Observed(
+            self.scene.replace(**others),
+            {**self.values, **{name: changed[name] for name in self.measured if name in changed}},
+        )
+
+    def used(self, names: Sequence[str], values: Mapping[str, Any] | None = None) -> list[str]:
+        """Return the inputs but for `names`, which are inferred, on which the measured quantities depend.
+
+        `values`: of those that are inferred, where they are known.
+        """
+        inferred = {each for name in names for each in names_in(self.scene, name)}
+        filled = with_inputs(self.scene, largest(names) if values is None else values)
+        return [name for name in filled.inputs_used([*self.measured], [*self.measured]) if name not in inferred]
+
+    def echo(self, names: Sequence[str], values: Mapping[str, Any] | None = None) -> dict[str, Any]:
+        """Return these inputs as they were understood, and the measured values."""
+        filled = with_inputs(self.scene, largest(names) if values is None else values)
+        return {**filled.echo(self.used(names, values)), **self.values}
+
+
+def observed(
+    quantities: Sequence[str], given: Mapping[str, Any], *spheres: Material | None, model: str | None
+) -> Observed:
+    """Return a row of inputs among which are the measured values of quantities."""
+    others = {name: value for name, value in given.items() if name not in quantities}
+    return Observed(Scene(others, *spheres, model=model), {name: given[name] for name in quantities})
+
 
 # --- Functions of one variable ----------------------------------------------------------------------------------------
 
@@ -277,10 +327,16 @@ class SeveralSolutions(NoResult):
 class Solution(NamedTuple):
     """The value of an input, and what proves it."""
 
+    name: str
     value: float
     condition: float  # |d ln input / d ln quantity|: the factor by which a relative error of the measured value grows
     scene: Scene  # with this value in it
     forward: float  # the measured quantity in this scene
+
+    @property
+    def values(self) -> dict[str, float]:
+        """The value by the name of the input."""
+        return {self.name: self.value}
 
 
 def solution(name: str, quantity: str, measured: float, scene: Scene) -> Solution:
@@ -304,7 +360,7 @@ def solution(name: str, quantity: str, measured: float, scene: Scene) -> Solutio
         raise failure(name, quantity, scene)
     value = found_by(_value(name, quantity, measured, pieces), outcome)
     found = with_inputs(scene, {name: value})
-    return Solution(value, _condition(name, quantity, value, scene), found, float(found[quantity]))
+    return Solution(name, value, _condition(name, quantity, value, scene), found, float(found[quantity]))
 
 
 def solutions(name: str, quantity: str, measured: Any, scene: Scene) -> list[float | NoResult | None]:
@@ -371,12 +427,6 @@ def names_in(scene: Scene, name: str) -> tuple[str, ...]:
         scene.material2 is not None and scene.material is not None and scene.material2.name == scene.material.name
     )
     return (name, name + "2") if is_shared and name in PROPERTIES and name + "2" not in scene.stated else (name,)
-
-
-def used_beside(names: Sequence[str], quantities: Sequence[str], scene: Scene) -> list[str]:
-    """Return the inputs of a scene, besides those that are inferred, on which the measured quantities depend."""
-    inferred = {each for name in names for each in names_in(scene, name)}
-    return [one for one in with_inputs(scene, largest(names)).inputs_of(*quantities) if one not in inferred]
 
 
 def check(name: str, quantity: str, scene: Scene) -> None:

@@ -19,7 +19,7 @@ from ..quantities.laws import DEFAULT_LAW, Law, law_named
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, RANGES, STATE, XI
 from ..quantities.values import Uncertain, is_uncertain
 from .failures import Contradiction, MissingInput, NoFiniteValue, NotInLaw, RestsOnSpacing, TwoRigidBodies, failure_of
-from .wiring import NO_PLAN, Missing, Plan, Step, formula_of, in_order, plan_for
+from .wiring import NO_PLAN, Missing, Plan, Step, depends_on, formula_of, in_order, plan_for
 
 # --- Numbers that a scene takes ---------------------------------------------------------------------------------------
 
@@ -306,6 +306,13 @@ class Scene:
         if XI in used and XI not in self.stated and self._has_displacement:
             used |= {"radius", "radius2"}  # by which a material's is scaled
         return in_order(used & (self.given.keys() | DEFAULTS.keys()))
+
+    def inputs_used(self, names: Sequence[str], shown: Sequence[str]) -> Collection[str]:
+        """Return the inputs on which quantities depend, as far as the scene allows them; `shown`: those that concern it."""
+        missing = self.missing(shown)
+        if planned := [name for name in shown if name not in missing]:
+            return self.inputs_of(*planned)
+        return depends_on(names) & self.given.keys()
 
     def echo(self, used: Collection[str]) -> dict[str, Any]:
         """Return the inputs that are used, as they were understood: the materials, the law and SI values by name."""

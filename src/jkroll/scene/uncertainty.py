@@ -17,9 +17,9 @@ from ..errors import JkrollError, NoResult
 from ..physics.elementary import at_least, at_most, hypot, where
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import Interval, Measured, Uncertain, is_uncertain
-from .inverse import Solution, found_by, highest_between, solution, solutions, used_beside
+from .inverse import Observed, found_by, highest_between, solutions
 from .scene import Scene
-from .unknowns import Pair, Problem
+from .unknowns import solved_near
 from .wiring import in_order
 
 MAX_RANGES = 8  # whose corners are computed, all together
@@ -160,63 +160,36 @@ def _evaluation(scene: Scene, names: Sequence[str]) -> Evaluate:
     return lambda changed: scene.replace(**changed).evaluate(names)
 
 
-def inferred_sources(names: Sequence[str], measured: Mapping[str, Any], scene: Scene) -> Sources:
+def inferred_sources(names: Sequence[str], observed: Observed) -> Sources:
     """Return the sources of the uncertainty of inferred inputs: the measured values, and the inputs of the scene."""
-    of_measured = [Source((quantity,), one) for quantity, one in measured.items() if is_uncertain(one)]
-    return sources_of(scene, used_beside(names, [*measured], scene), of_measured)
+    of_measured = [Source((quantity,), one) for quantity, one in observed.measured.items() if is_uncertain(one)]
+    return sources_of(observed.scene, observed.used(names), of_measured)
 
 
-def inferred_uncertainty(
-    name: str, quantity: str, measured: float | Uncertain, found: Solution, scene: Scene
-) -> tuple[Found, Sources]:
-    """Return the uncertainty of an inferred input, and its sources."""
-    sources = inferred_sources([name], {quantity: measured}, scene)
+def inferred_uncertainties(values: Mapping[str, float], observed: Observed) -> tuple[Found, Sources]:
+    """Return the uncertainties of inferred inputs, and their sources."""
+    sources = inferred_sources([*values], observed)
 
     def evaluate(changed: Mapping[str, float]) -> Mapping[str, Any]:
-        at, beside = changed_inputs(quantity, measured, scene, changed)
         try:
-            return {name: solution(name, quantity, at, beside).value}
+            return solved_near(values, observed.changed(changed))
         except NoResult as error:
-            return {name: error}
+            return dict.fromkeys(values, error)
 
-    return _propagated(evaluate, {name: found.value}, sources.entering), sources
+    return _propagated(evaluate, values, sources.entering), sources
 
 
-def inferred_uncertainty_of_elements(
-    name: str, quantity: str, measured: Any, values: Any, scene: Scene
-) -> dict[str, Elements]:
+def inferred_uncertainty_of_elements(name: str, values: Any, observed: Observed) -> dict[str, Elements]:
     """Return the uncertainty of the values of an inferred input."""
     import numpy
 
     def evaluate(changed: Mapping[str, Any]) -> Mapping[str, Any]:
-        at, beside = changed_inputs(quantity, measured, scene, changed)
-        found = solutions(name, quantity, numpy.broadcast_to(at, values.shape), beside)
+        other = observed.changed(changed)
+        ((quantity, at),) = other.measured.items()
+        found = solutions(name, quantity, numpy.broadcast_to(at, values.shape), other.scene)
         return {name: numpy.array([one if isinstance(one, float) else nan for one in found])}
 
-    sources = inferred_sources([name], {quantity: measured}, scene)
-    return _elements(evaluate, {name: values}, sources.entering)
-
-
-def changed_inputs(quantity: str, measured: Any, scene: Scene, changed: Mapping[str, Any]) -> tuple[Any, Scene]:
-    """Return a measured value and a scene, of which some have changed."""
-    others = {each: value for each, value in changed.items() if each != quantity}
-    return changed.get(quantity, measured.value if is_uncertain(measured) else measured), scene.replace(**others)
-
-
-def uncertainties_of_two(measured: Mapping[str, float | Uncertain], found: Pair, scene: Scene) -> tuple[Found, Sources]:
-    """Return the uncertainties of two inferred inputs, and their sources. Newton's method follows the pair to the ends of each."""
-    sources = inferred_sources([*found.values], measured, scene)
-    middles = {name: one if isinstance(one, float) else one.value for name, one in measured.items()}
-
-    def evaluate(changed: Mapping[str, float]) -> Mapping[str, Any]:
-        at = {name: changed.get(name, value) for name, value in middles.items()}
-        beside = scene.replace(**{name: value for name, value in changed.items() if name not in at})
-        try:
-            return Problem([*found.values], at, beside).near(found.values).values
-        except NoResult as error:
-            return dict.fromkeys(found.values, error)
-
-    return _propagated(evaluate, found.values, sources.entering), sources
+    return _elements(evaluate, {name: values}, inferred_sources([name], observed).entering)
 
 
 # --- From the values at the ends of the sources, of numbers and of arrays ---------------------------------------------

@@ -20,7 +20,10 @@ from .inverse import (
     SIZES,
     CannotInfer,
     NoDependence,
+    Observed,
     Search,
+    Solution,
+    check,
     check_given,
     crossings,
     failure,
@@ -30,6 +33,7 @@ from .inverse import (
     largest,
     pieces_of,
     roots,
+    solution,
     with_inputs,
     with_turning_points,
 )
@@ -178,6 +182,29 @@ class Problem:
             SIZES[name][0] <= value <= SIZES[name][1] for name, value in place.values.items() if name != "load"
         )
         return place.pair() if place.distance <= _NEAR and is_scanned else self.solution()
+
+
+def solved(names: Sequence[str], observed: Observed) -> Solution | Pair:
+    """Return the one input, or the two, with which a scene has the measured values."""
+    if len(names) > 1:
+        return Problem(names, observed.values, observed.scene).solution()
+    ((quantity, measured),) = observed.values.items()
+    return solution(names[0], quantity, measured, observed.scene)
+
+
+def solved_near(values: Values, observed: Observed) -> Values:
+    """Return the inputs again for measured values, or a scene, that have changed a little."""
+    if len(values) > 1:
+        return Problem([*values], observed.values, observed.scene).near(values).values
+    return solved([*values], observed).values
+
+
+def check_sought(names: Sequence[str], quantities: Sequence[str], scene: Scene) -> None:
+    """Raise the error of one input, or of two, that cannot be inferred from as many quantities, whatever their values are."""
+    if len(names) > 1:
+        check_two(names, quantities, scene)
+    else:
+        check(names[0], quantities[0], scene)
 
 
 def check_two(names: Sequence[str], quantities: Sequence[str], scene: Scene) -> None:
