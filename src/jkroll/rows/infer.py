@@ -121,19 +121,21 @@ def infer(
     def row(own: Mapping[str, Any]) -> Observed:
         return observed([*known], {**inputs, **own}, *spheres, model=model)
 
+    has_error_bars = any(map(is_uncertain, inputs.values()))
     arrays = {each: value for each, value in inputs.items() if not (isinstance(value, float) or is_uncertain(value))}
-    if arrays and any(map(is_uncertain, inputs.values())):
+    if has_error_bars:
         refuse_arrays(inputs)
     if arrays and len(names) == 1:
         return _each(SoughtOne(names, [*known], doubts=False), arrays, row)
     if arrays:
         return _each_pair(names, arrays, row)
-    found = solved(names, row({}))
+    whole = row({})
+    found = solved(names, whole)
     values: Mapping[str, Any] = found.values
-    if any(map(is_uncertain, inputs.values())):
+    if has_error_bars:
         from ..scene.uncertainty import inferred_uncertainties
 
-        bars, _ = inferred_uncertainties(found.values, row({}))
+        bars, _ = inferred_uncertainties(found.values, whole)
         values = {name: with_uncertainty(value, bars.get(name)) for name, value in values.items()}
     return InferredValues(values, found.condition) if len(names) > 1 else values[names[0]]
 
