@@ -61,7 +61,8 @@ def loads_of(text: str) -> Loads:
 def states(scene: Scene, loads: Loads | None = None, steps: int = STEPS) -> list[State]:
     """Return the states of the force curve of a scene under its law, by rising approach or load as that has them.
 
-    Without `loads` the curve ends at (16/9)P_c. `steps` is the number of states in contact, without those that have a name.
+    Without `loads` the curve ends at (16/9)P_c. `steps` is the number of states in contact, without those that have a
+    name.
     """
     try:
         found = STATES_OF_LAW.get(scene.law.name, _of_loads)(scene, loads, steps)

@@ -41,8 +41,8 @@ class NoValue(NoResult):
 class Result(NamedTuple):
     """A quantity in SI units, or the reason why it has no value.
 
-    `error` is the relative error of a model of the moment, `condition` the factor by which an inferred value multiplies the
-    relative error of a measured one, `growth` the largest factor by which those of two measured values enter it.
+    `error` is the relative error of a model of the moment, `condition` the factor by which an inferred value multiplies
+    the relative error of a measured one, `growth` the largest factor by which those of two measured values enter it.
     """
 
     name: str

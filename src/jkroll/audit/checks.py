@@ -1,6 +1,7 @@
 """A check: a claim of the paper beside what follows from its premises, and the verdict that the two numbers give.
 
-Integrals, derivatives and roots are found by plain arithmetic, so that a check needs no formula of the paper to test one.
+Integrals, derivatives and roots are found by plain arithmetic, so that a check needs no formula of the paper to test
+one.
 """
 
 from collections.abc import Callable

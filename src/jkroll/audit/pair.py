@@ -1,8 +1,8 @@
 """A pair of spheres from first premises: elastic half-spaces, Hertz's geometry and Griffith's criterion at the rim.
 
-The checks are those of Sect. 5.1, Eqs 26-30: forces, angles and chains, and the sizes that the text gives; and of Sects. 5.2.1,
-5.2.2 and 6, Eqs 31-49: vibrations, rolling after a collision, the conclusions, and Table 1. The restoring force of a vibration is
-minus the slope of an energy.
+The checks are those of Sect. 5.1, Eqs 26-30: forces, angles and chains, and the sizes that the text gives; and of
+Sects. 5.2.1, 5.2.2 and 6, Eqs 31-49: vibrations, rolling after a collision, the conclusions, and Table 1. The restoring
+force of a vibration is minus the slope of an energy.
 """
 
 from collections.abc import Callable

@@ -1,7 +1,7 @@
 """CSV and TSV: records taken apart, and put together again with the results behind each.
 
-The bytes of a record pass through. A quoted cell may hold separators and line ends. A quote that is not closed, or a cell too many
-or too few, spoils its own line only.
+The bytes of a record pass through. A quoted cell may hold separators and line ends. A quote that is not closed, or a
+cell too many or too few, spoils its own line only.
 """
 
 from __future__ import annotations
@@ -70,7 +70,8 @@ class Dialect:
     def records(self, text: bytes) -> Iterator[tuple[bytes, bytes, list[bytes], str]]:
         """Iterate over records: the blank lines before, the line without its end, the cells as they are, and why there are none.
 
-        Each line of a record that cannot be taken apart is a record by itself. Behind the last one, blank lines have an empty line.
+        Each line of a record that cannot be taken apart is a record by itself. Behind the last one, blank lines have an
+        empty line.
         """
         find = re.compile(self._cell).findall
         for blank, line, rest in re.findall(self._record, text):

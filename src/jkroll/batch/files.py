@@ -71,8 +71,8 @@ class Input:
 def blocks(pieces: Iterable[bytes], cut: Cut) -> Iterator[bytes]:
     """Iterate over blocks of whole records, of CHUNK bytes at most unless a record is longer.
 
-    A record that does not end within MAX_RECORD, or at all, is given up: its first lines are a block, and the format says what
-    is wrong with them.
+    A record that does not end within MAX_RECORD, or at all, is given up: its first lines are a block, and the format
+    says what is wrong with them.
     """
     left = iter(pieces)
     text, size, is_end = b"", CHUNK, False

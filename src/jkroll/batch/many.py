@@ -1,8 +1,8 @@
 """Many tables into a directory: a file for each, and a manifest of the run.
 
-A file is the work of one process, and gets its name when it is whole. The manifest says with which options and which version the files
-were made, and what became of each that is done: `--resume` goes on from there. It is written before the first of them, and completed after
-the last.
+A file is the work of one process, and gets its name when it is whole. The manifest says with which options and which
+version the files were made, and what became of each that is done: `--resume` goes on from there. It is written before
+the first of them, and completed after the last.
 """
 
 import glob

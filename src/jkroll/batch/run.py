@@ -1,7 +1,7 @@
 """The loop of all tables of lines: blocks of records through a converter into the output, in their order.
 
-This process reads, and says in which order is written. Where there are many blocks, others convert and write them; the output is the
-same for any number of them.
+This process reads, and says in which order is written. Where there are many blocks, others convert and write them; the
+output is the same for any number of them.
 """
 
 import os

@@ -1,7 +1,7 @@
 """The points at which the benchmark measures, in regions of which some are hard, and exact values there.
 
-The equations are the paper's in their plainest form, in decimal arithmetic of 60 digits. Inputs are doubles and taken as
-exact. The state is that of a load and a pull-off force, or of an approach in units of the unloaded one.
+The equations are the paper's in their plainest form, in decimal arithmetic of 60 digits. Inputs are doubles and taken
+as exact. The state is that of a load and a pull-off force, or of an approach in units of the unloaded one.
 """
 
 # ruff: noqa: N803, N806  (the paper's symbols)

@@ -1,7 +1,8 @@
 """Ways to each headline quantity: the package's own, and what a reader of the paper would write down.
 
 A way is a function of arrays whose parameters are the paper's symbols: printed forms, textbook inversions, tables and
-quadratures. `by_hand` has the usual quantities as a plain program would compute them: the least that `jkroll.solve` could cost.
+quadratures. `by_hand` has the usual quantities as a plain program would compute them: the least that `jkroll.solve`
+could cost.
 """
 
 # ruff: noqa: N803, N806  (the paper's symbols)
@@ -231,7 +232,8 @@ def _radius_by_dmt(R1: Any, R2: Any, w: Any, E: Any, P: Any) -> Any:
 def _radius_by_cos(R1: Any, R2: Any, w: Any, E: Any, z0: Any, P: Any) -> Any:
     """Return the fit of Carpick, Ogletree & Salmeron (J. Colloid Interface Sci. 211, 395, 1999).
 
-    The coefficients are those of the code woodem/woo, pkg/dem/Hertz.cpp, which cites Eqs (7), (10), (12a) and (12b) of the article.
+    The coefficients are those of the code woodem/woo, pkg/dem/Hertz.cpp, which cites Eqs (7), (10), (12a) and (12b) of
+    the article.
     """
     R = _reduced(R1, R2)
     transition = TRANSITION_OVER_TABOR * cbrt(R * (w / E) ** 2) / z0

@@ -37,7 +37,8 @@ FIGURE_NAMES = tuple(sorted({*FIGURES, *PROFILES, "laws"}))
 def check_picture(call: Call, path: str | None, flag: str = "-o", numbers: str = "--data FILE") -> None:
     """Raise BadRequest for a picture that cannot be drawn, before anything is computed.
 
-    `path`: of the file that `flag` names, if there is one; `numbers`: the option that writes the numbers instead of a picture.
+    `path`: of the file that `flag` names, if there is one; `numbers`: the option that writes the numbers instead of a
+    picture.
     """
     if call.style not in (None, *STYLES):
         raise BadRequest(f"--style: {quoted(call.style or '')} is not a style; there are {' and '.join(STYLES)}")

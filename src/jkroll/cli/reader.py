@@ -1,7 +1,7 @@
 """The grammar of command lines: from words to what they ask for, or to the error that says what is wrong with them.
 
-A command stands first, its words and options behind it in any order: `--to nN`, `--to=nN`, `-o x.csv` or `-ox.csv`. A value that
-begins with a hyphen stands behind `=`, unless it is negative. Behind `--` there are words only.
+A command stands first, its words and options behind it in any order: `--to nN`, `--to=nN`, `-o x.csv` or `-ox.csv`. A
+value that begins with a hyphen stands behind `=`, unless it is negative. Behind `--` there are words only.
 """
 
 import sys

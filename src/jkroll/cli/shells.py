@@ -1,6 +1,7 @@
 """The program as a typer application of every command and option: for shells that complete, `typer ... utils docs` and CliRunner.
 
-Typer reads a line only to complete it, as it then forgives mistakes. What is to be run goes, untouched, to our own reader.
+Typer reads a line only to complete it, as it then forgives mistakes. What is to be run goes, untouched, to our own
+reader.
 """
 
 import os

@@ -1,7 +1,7 @@
 """Materials by name: the shipped ones and those of the user's files, which take precedence.
 
-A file is TOML of a size that cannot keep a call waiting. The properties of a material are read and checked when it is asked
-for. A mistake in one material of a file does not keep a user from the others.
+A file is TOML of a size that cannot keep a call waiting. The properties of a material are read and checked when it is
+asked for. A mistake in one material of a file does not keep a user from the others.
 """
 
 import os
@@ -303,8 +303,8 @@ class Materials:
     def __init__(self, paths: Path | Iterable[Path] = (), *, added: Iterable[Path] = ()) -> None:
         """Read the shipped file, then `added`, then that of `paths`, or each of them.
 
-        A material takes the names that it shares with those of earlier files, but one of `added` takes none of the shipped
-        file: to use such a name is an error.
+        A material takes the names that it shares with those of earlier files, but one of `added` takes none of the
+        shipped file: to use such a name is an error.
         """
         self.overrides: list[str] = []  # sentences on the names that were taken
         self.clashes: dict[str, UnclearMaterial] = {}  # errors of the names that were not, case folded
@@ -353,7 +353,8 @@ class Materials:
     def __getitem__(self, word: str) -> Material:
         """Return the material of a name or alias, in any case.
 
-        Raises UnknownMaterial, UnclearMaterial for a name that stands for several, and MaterialsFileError for a bad material.
+        Raises UnknownMaterial, UnclearMaterial for a name that stands for several, and MaterialsFileError for a bad
+        material.
         """
         word = str(word)
         key = word.strip().casefold()
@@ -553,8 +554,8 @@ ENVIRONMENT = "JKROLL_MATERIALS"
 def materials_of_user(option: str | None) -> Materials:
     """Return the known materials with those of the user's files.
 
-    By rising precedence these are the files of the configuration directory and of the environment, which may add materials but
-    change no shipped one, and that of the option, which may.
+    By rising precedence these are the files of the configuration directory and of the environment, which may add
+    materials but change no shipped one, and that of the option, which may.
     """
     if option == "":
         raise BadRequest("--materials is empty")

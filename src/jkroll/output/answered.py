@@ -35,8 +35,8 @@ class Value(NamedTuple):
 class Answered:
     """The answer to a question about one scene.
 
-    `values` are the results by name, `inputs` what was understood and assumed, `doubts` the limits of the model that do not hold, `notes`
-    the other sentences. `as_dict()` is the object of `--json`.
+    `values` are the results by name, `inputs` what was understood and assumed, `doubts` the limits of the model that do
+    not hold, `notes` the other sentences. `as_dict()` is the object of `--json`.
     """
 
     def __init__(self, found: Answer) -> None:

@@ -130,7 +130,8 @@ class OfRows:
     def lines(self, pairs: Sequence[Pair], kinds: Iterable[tuple[Scene, Sequence[str]]]) -> list[str]:
         """Return the lines to print, by falling importance.
 
-        `pairs`: of materials, as the rows have them one after the other; `kinds`: a scene of each kind, with the quantities that it shows.
+        `pairs`: of materials, as the rows have them one after the other; `kinds`: a scene of each kind, with the
+        quantities that it shows.
         """
         found = []
         for (kind, _), noted in self._notes.items():

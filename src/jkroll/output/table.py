@@ -102,8 +102,8 @@ _LEADERS = dict.fromkeys(PROPERTIES, "material") | {name + "2": "material2" for 
 def sweep_table(columns: "Columns", out: TextIO, form: Format) -> None:
     """Write a table of several scenes; inputs that all of them share stand above.
 
-    A scene is a row. Where that is wider than the terminal, a scene is a column, and where this is too wide as well, a row
-    again, of as many tables as it takes.
+    A scene is a row. Where that is wider than the terminal, a scene is a column, and where this is too wide as well, a
+    row again, of as many tables as it takes.
     """
     cells = _Cells(columns, form)
     common = {name: values[0] for name, values in cells.inputs.items() if len({*values}) == 1}
@@ -227,7 +227,8 @@ def _table(
 ) -> Table:
     """Return a table of texts, with a style for each row if any.
 
-    The columns named in `right` are set to the right, and those in `wrapped` broken into lines, within a word that is too long.
+    The columns named in `right` are set to the right, and those in `wrapped` broken into lines, within a word that is
+    too long.
     """
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
     for head in heads:

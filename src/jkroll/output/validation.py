@@ -1,7 +1,7 @@
 """Measurements beside what this program computes for them: the data, and the table of them, computed when it is shown.
 
-A row has only what was read in the source itself or in a text that cites it, and says which. What was not stated there, such as the
-shape of the other body, is said in the remark.
+A row has only what was read in the source itself or in a text that cites it, and says which. What was not stated there,
+such as the shape of the other body, is said in the remark.
 """
 
 from collections.abc import Iterator, Mapping

@@ -80,8 +80,8 @@ class Axis(NamedTuple):
     def small_ticks(self, most: int) -> list[float]:
         """Return the values of the unlabelled ticks, of which the labelled ones are some.
 
-        They are 2 to 9 of each decade, or the decades of a long axis; on a linear axis a quarter or a fifth of the way between
-        `most` labelled ticks.
+        They are 2 to 9 of each decade, or the decades of a long axis; on a linear axis a quarter or a fifth of the way
+        between `most` labelled ticks.
         """
         if not self.is_log:
             first, second = round_values(self.low, self.high, most, is_log=False)[:2]

@@ -1,6 +1,7 @@
 """Curves of one contact: force, pressure and moment, in JKR or by several laws of attraction.
 
-Figs. 2 and 9 show the shifted contact; another figure, the pull-off force by each law against the parameter of the transition.
+Figs. 2 and 9 show the shifted contact; another figure, the pull-off force by each law against the parameter of the
+transition.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence

@@ -1,7 +1,7 @@
 """Maps and curves as data: a quantity over two inputs, its contours, the regions and marks on it; panels of curves and points.
 
-Nothing is drawn here. Everything is computed by `solve`, on whole arrays. In the regions of a map, the model has no meaning or
-is not exact.
+Nothing is drawn here. Everything is computed by `solve`, on whole arrays. In the regions of a map, the model has no
+meaning or is not exact.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -353,8 +353,8 @@ def _bounds_of_limits(limits: Iterable[Limit], quantity: str, law: str) -> tuple
 def regions(scene: Scene, bounds: Iterable[Bound], x: Axis, y: Axis, values: Any) -> list[Region]:
     """Return the regions in which bounds are broken, of a map with these values. A bound that lacks an input is left out.
 
-    What counts is where the map has values; a region that holds all of them is everywhere, and a nearer bound of the same number
-    says no more.
+    What counts is where the map has values; a region that holds all of them is everywhere, and a nearer bound of the
+    same number says no more.
     """
     import numpy
 

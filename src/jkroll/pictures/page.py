@@ -1,7 +1,7 @@
 """Draw maps and curves into SVG, PDF and PNG files, for a journal's page or a dark slide.
 
-Only this module and `page_axes` import matplotlib. The same picture gives the same bytes: no date, ids from the content, and nothing from the
-user's own matplotlib settings.
+Only this module and `page_axes` import matplotlib. The same picture gives the same bytes: no date, ids from the
+content, and nothing from the user's own matplotlib settings.
 """
 
 from collections.abc import Iterator, Sequence

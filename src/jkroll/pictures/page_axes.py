@@ -1,8 +1,8 @@
 """Draw maps and curves on a pair of matplotlib's axes, and place texts inside them.
 
 Both axes run from 0 to 1, so that contours of powers are straight. Captions and labels are written once, in plain text
-("P_c = 3πγR"), and drawn in a terminal as they are. On a page, the words of them that consist of symbols of the nomenclature are set
-in italics with subscripts and superscripts.
+("P_c = 3πγR"), and drawn in a terminal as they are. On a page, the words of them that consist of symbols of the
+nomenclature are set in italics with subscripts and superscripts.
 """
 
 import re
@@ -175,8 +175,8 @@ def typeset(text: str) -> str:
 def typeset_lines(text: str, width: int) -> list[str]:
     """Return a text as lines of at most `width` characters, typeset.
 
-    Lines are broken before typesetting, because markup is longer than what it shows; none between a number and its unit,
-    or its symbol: "P = 0 N" stays together.
+    Lines are broken before typesetting, because markup is longer than what it shows; none between a number and its
+    unit, or its symbol: "P = 0 N" stays together.
     """
     unbroken = re.sub(
         r"(?<=\d) (?=[^\W\d])| (?=−)|(?<=−) | (?=\[)| (?=[=<>] [-−\d])|(?<= [=<>]) (?=[-−\d])",

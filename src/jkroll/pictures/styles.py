@@ -54,8 +54,8 @@ LOOKS: Mapping[str, Look] = MappingProxyType(
 class Style(NamedTuple):
     """Colours of a page: paper, ink, hatches, the bands of a map from low to high, and curves.
 
-    The lightness of the bands changes steadily, so that their order shows in grey and to the colour-blind, and ink can be read on
-    each of them.
+    The lightness of the bands changes steadily, so that their order shows in grey and to the colour-blind, and ink can
+    be read on each of them.
     """
 
     paper: str

@@ -68,7 +68,8 @@ def ink_on(paper: Colour) -> Colour:
 class Canvas:
     """Cells of two pixels, one above the other, each with a colour or none.
 
-    Above the pixels lies a layer of hatches, and above that a layer of letters: a cell shows the topmost character it has.
+    Above the pixels lies a layer of hatches, and above that a layer of letters: a cell shows the topmost character it
+    has.
     """
 
     def __init__(self, width: int, height: int) -> None:

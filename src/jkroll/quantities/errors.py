@@ -81,8 +81,8 @@ QUANTITY_SYNONYMS = {
 def nearest(word: str, names: Collection[str] = NOMENCLATURE) -> str | None:
     """Return the quantity among `names` that a word is likely to mean; None if there is none.
 
-    It is the one with this symbol, with or without the index of sphere 1, the one that others call so, the one whose name begins with
-    the word, or else the one whose name or option resembles it most.
+    It is the one with this symbol, with or without the index of sphere 1, the one that others call so, the one whose
+    name begins with the word, or else the one whose name or option resembles it most.
     """
     meanings = {one: meant for one, meant in {**OPTION_WORDS, **QUANTITY_SYNONYMS}.items() if meant in names}
     meanings |= {name: name for name in names}

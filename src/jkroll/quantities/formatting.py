@@ -183,7 +183,8 @@ def _range(found: "Interval", scale: Unit, digits: int | None) -> str:
 def _plus_minus(found: "Measured", scale: Unit) -> str:
     """Return a value with its standard uncertainty.
 
-    An uncertainty has two digits, and the value ends at the same place. Sides that differ by more than 10 % are both shown.
+    An uncertainty has two digits, and the value ends at the same place. Sides that differ by more than 10 % are both
+    shown.
     """
     value, minus, plus = (convert(number, scale) for number in (found.value, found.minus, found.plus))
     shift = 0 if 1e-3 <= abs(value) < 1e6 or value == 0 else floor(log10(abs(value)))

@@ -2,12 +2,12 @@
 
 A law is a table of routes, from the name of a quantity to the formula that gives it: "pull_off_force" is
 "pull_off_force_maugis" under Maugis' law. A plan follows the routes wherever a name occurs, so that what is made of
-such quantities (`n_grav` of the moment, `vertical_frequency` of the stiffness) needs no route of its own. None stands for
-a quantity that the law does not have; a name without a route is found by the formula of the same name.
+such quantities (`n_grav` of the moment, `vertical_frequency` of the stiffness) needs no route of its own. None stands
+for a quantity that the law does not have; a name without a route is found by the formula of the same name.
 
-A new law is one more `Law` here and its formulas in `physics`; and where the physics gives a formula no result, the reason in
-`scene.failures`, and where its force curve has several states for a load, these in `answers.curve`. The nomenclature takes the names of its formulas from the
-routes.
+A new law is one more `Law` here and its formulas in `physics`; and where the physics gives a formula no result, the
+reason in `scene.failures`, and where its force curve has several states for a load, these in `answers.curve`. The
+nomenclature takes the names of its formulas from the routes.
 """
 
 from collections.abc import Mapping

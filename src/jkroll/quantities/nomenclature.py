@@ -459,9 +459,9 @@ def named(word: str, names: Collection[str] = NOMENCLATURE) -> str:
 def with_symbol(word: str, names: Collection[str] = NOMENCLATURE) -> list[str]:
     """Return the quantities among `names` that have a symbol.
 
-    The symbol is looked for as it is printed; if no quantity has it, in any case, with Greek letters spelt out, and without the
-    underscores and spaces. The index of sphere 1 may be left out. A variant of a quantity has the same symbol and is not looked
-    for.
+    The symbol is looked for as it is printed; if no quantity has it, in any case, with Greek letters spelt out, and
+    without the underscores and spaces. The index of sphere 1 may be left out. A variant of a quantity has the same
+    symbol and is not looked for.
     """
     symbols = {name: NOMENCLATURE[name].symbol for name in names if not NOMENCLATURE[name].variant_of}
     for alike in (str, _spelt):

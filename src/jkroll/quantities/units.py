@@ -256,8 +256,9 @@ def registry(number: type = float) -> Any:
 def lookup(name: str) -> tuple[int, int, tuple[int, ...]] | None:
     """Return numerator, denominator and dimension of a unit name in SI base units; None if pint has no plain factor for it.
 
-    A temperature on a scale with an offset, a logarithmic unit and one outside the SI (a bit, a dollar) have none. Names that
-    pint reads as nobody means them are left out: a prefix before a speed (kmph is no kilo-mile per hour) and the yarn count Nm.
+    A temperature on a scale with an offset, a logarithmic unit and one outside the SI (a bit, a dollar) have none.
+    Names that pint reads as nobody means them are left out: a prefix before a speed (kmph is no kilo-mile per hour) and
+    the yarn count Nm.
 
     >>> lookup("nm")
     (1, 1000000000, (0, 1, 0, 0, 0, 0, 0, 0))

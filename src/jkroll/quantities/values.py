@@ -1,8 +1,8 @@
 """Texts of users to SI numbers: a strict grammar and exact arithmetic.
 
-A text is one decimal number and a unit; nothing else is a quantity. A value is computed as a ratio of integers and rounded to
-a double once. A value may have an uncertainty, as in 25±5 mJ/m2, 25(5) mJ/m2, 25 mJ/m2 ± 20% and 20 to 30 mJ/m2. There are
-lists and ranges of values: "1nm,1um" and "1nm:1um:50".
+A text is one decimal number and a unit; nothing else is a quantity. A value is computed as a ratio of integers and
+rounded to a double once. A value may have an uncertainty, as in 25±5 mJ/m2, 25(5) mJ/m2, 25 mJ/m2 ± 20% and 20 to 30
+mJ/m2. There are lists and ranges of values: "1nm,1um" and "1nm:1um:50".
 """
 
 import re

@@ -1,7 +1,7 @@
 """The columns of rows: values, uncertainties, doubts as bits, and the reasons of cells that are empty.
 
-`by_floats` is the definition of a row. `by_arrays` gives the same columns for many rows at once: where an array leaves a gap that
-no frequent reason explains, or an uncertainty needs a search, the row is computed again by floats.
+`by_floats` is the definition of a row. `by_arrays` gives the same columns for many rows at once: where an array leaves
+a gap that no frequent reason explains, or an uncertainty needs a search, the row is computed again by floats.
 """
 
 from collections.abc import Callable, Collection, Hashable, Iterable, Mapping, Sequence
@@ -78,8 +78,8 @@ class Wanted:
     ) -> None:
         """`named`: quantities that were asked for by name, and concern any row; `inputs`: that stand before them.
 
-        `sides`: of the uncertainties of quantities, those of SIDES that have columns; None where uncertainties are not wanted.
-        `doubts`: whether limits are judged.
+        `sides`: of the uncertainties of quantities, those of SIDES that have columns; None where uncertainties are not
+        wanted. `doubts`: whether limits are judged.
         """
         self.names, self.named, self.inputs, self.doubts = tuple(names), frozenset(named), tuple(inputs), doubts
         self.uncertainties = sides is not None
@@ -294,7 +294,8 @@ def by_arrays(
 ) -> Columns:
     """Return the columns of a scene of arrays; `one` returns a row as a scene of numbers.
 
-    `kind` is the same for rows that lack inputs in the same words. Raises a JkrollError where each row is to be computed by itself.
+    `kind` is the same for rows that lack inputs in the same words. Raises a JkrollError where each row is to be
+    computed by itself.
     """
     import numpy
 

@@ -73,23 +73,22 @@ def infer(
         An input: surface_energy, work_of_adhesion, hamaker, yield_displacement, adhesion_hysteresis, youngs_modulus,
         shear_strength, radius or load, or the word of its option. A list of two for both.
     measured
-        One quantity of the nomenclature with its value, which is a number, a list, a text and so on as for `solve`. For two
-        inputs, two quantities.
+        One quantity of the nomenclature with its value, which is a number, a list, a text and so on as for `solve`. For
+        two inputs, two quantities.
     material, material2, materials, model, **given
         The rest of the scene, as `solve` takes it. Values that a material has of the inputs are not used.
 
-    Returns
-    -------
-    A float in SI units; an array if a value was one; `Measured` or `Interval` if a given or measured value is uncertain. For
-    two inputs, a dict of these by name. Its attribute `condition` is the condition number of the logarithms of the measured
-    quantities as functions of those of the inputs.
+    Returns ------- A float in SI units; an array if a value was one; `Measured` or `Interval` if a given or measured
+    value is uncertain. For two inputs, a dict of these by name. Its attribute `condition` is the condition number of
+    the logarithms of the measured quantities as functions of those of the inputs.
 
     Raises
     ------
     AlreadyGiven, CannotInfer, MissingInput, QuantityError, UnknownMaterial, UnknownQuantity
         An input is wrong, or one is missing.
     NoDependence, NoSolution, SeveralSolutions; of two inputs NoPair, SeveralPairs, Unseparated
-        No value gives the measured one, or several do; or the condition number is above 1e8. Arrays hold nan there instead.
+        No value gives the measured one, or several do; or the condition number is above 1e8. Arrays hold nan there
+        instead.
 
     >>> round(infer("gamma", measured={"pull_off_force": "300 nN"}, radius="2 um", radius2="plane"), 6)
     0.015915

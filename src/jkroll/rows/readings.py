@@ -1,8 +1,8 @@
 """The texts of a header: the input that each stands for, with its unit.
 
-A name, the word of an option or a symbol stands alone or with a unit behind it: `radius [nm]`, `R2 (nm)`, `Load/nN`, `E_GPa`,
-`radius in nm`. Of a symbol that several quantities have, the unit decides. One more word makes it a part of the input's uncertainty:
-`gamma_err [mJ/m2]`, `E_min (GPa)`.
+A name, the word of an option or a symbol stands alone or with a unit behind it: `radius [nm]`, `R2 (nm)`, `Load/nN`,
+`E_GPa`, `radius in nm`. Of a symbol that several quantities have, the unit decides. One more word makes it a part of
+the input's uncertainty: `gamma_err [mJ/m2]`, `E_min (GPa)`.
 """
 
 import re

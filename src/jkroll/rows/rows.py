@@ -1,6 +1,7 @@
 """Rows: scenes that belong together, some thousand at a time, and their columns.
 
-Rows that have the same inputs differ by numbers alone: they are one scene of arrays. A row that is odd is a scene by itself.
+Rows that have the same inputs differ by numbers alone: they are one scene of arrays. A row that is odd is a scene by
+itself.
 """
 
 from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence

@@ -1,6 +1,7 @@
 """The rows of lists and ranges: each pair of materials with all values of its inputs, and these with each law.
 
-Few rows are computed one by one, many as arrays: where they would take longer by themselves than numpy takes to be imported.
+Few rows are computed one by one, many as arrays: where they would take longer by themselves than numpy takes to be
+imported.
 """
 
 from bisect import bisect

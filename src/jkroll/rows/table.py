@@ -155,8 +155,8 @@ def table_of(
 ) -> Table:
     """Return the table that a header, the cells of its first rows and the options ask for.
 
-    The first rows decide on the columns of uncertainties, unless `uncertainty` asks for all of them. Raises BadTable, or an error of
-    the options.
+    The first rows decide on the columns of uncertainties, unless `uncertainty` asks for all of them. Raises BadTable,
+    or an error of the options.
     """
     check_inputs(columns)
     wanted = wanted_of(columns, rows, fill, asked, doubts=doubt)

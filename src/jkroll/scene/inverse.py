@@ -1,8 +1,8 @@
 """The inverse problem: the value of an input at which a quantity has its measured value.
 
-The input is scanned over a stated range. Turning points and the ends of what the physics allows divide the scan into monotone
-pieces, and each piece that brackets the measured value is bisected down to two neighbouring doubles. So every solution in the
-range is found, and nothing is extrapolated.
+The input is scanned over a stated range. Turning points and the ends of what the physics allows divide the scan into
+monotone pieces, and each piece that brackets the measured value is bisected down to two neighbouring doubles. So every
+solution in the range is found, and nothing is extrapolated.
 """
 
 from collections.abc import Callable, Generator, Iterable, Mapping, Sequence
@@ -366,8 +366,8 @@ def solution(name: str, quantity: str, measured: float, scene: Scene) -> Solutio
 def solutions(name: str, quantity: str, measured: Any, scene: Scene) -> list[float | NoResult | None]:
     """Return the same values for an array of measured ones and the elements of a scene, or why there is none.
 
-    It is None where the quantity has no value for any value of the input; `failure` says why. Raises the errors that no value could
-    mend.
+    It is None where the quantity has no value for any value of the input; `failure` says why. Raises the errors that no
+    value could mend.
     """
     check(name, quantity, scene)
     found: list[float | NoResult | None] = []

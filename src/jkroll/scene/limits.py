@@ -27,7 +27,8 @@ class Limit(NamedTuple):
     """A number that limits the model, the quantities whose use it touches, and the words for either side.
 
     A value is in doubt where it is, for example, "<" a threshold. Several doubts of one number stand in the order in
-    which a value meets them. The law of adhesion is judged by its effect on the answers, beside which the number is told.
+    which a value meets them. The law of adhesion is judged by its effect on the answers, beside which the number is
+    told.
     """
 
     name: str

@@ -1,8 +1,9 @@
 """From what is given to what is asked: a scene evaluates the formulas that its questions need, and says what is missing.
 
-The assumptions of a scene are stated here, once: sphere 2 is like sphere 1 in everything that is not said of it, and the
-names in DEFAULTS have values if nothing else is said. A scene takes numbers in the range of their quantity, of magnitudes from
-which no formula leaves the doubles. It gives results that doubles hold with all digits, and zeros where the physics has them.
+The assumptions of a scene are stated here, once: sphere 2 is like sphere 1 in everything that is not said of it, and
+the names in DEFAULTS have values if nothing else is said. A scene takes numbers in the range of their quantity, of
+magnitudes from which no formula leaves the doubles. It gives results that doubles hold with all digits, and zeros where
+the physics has them.
 """
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
@@ -151,8 +152,9 @@ _ON_AREA = frozenset({"contact_modulus", "pull_off_force", "load_factor", "rolli
 class Scene:
     """Two spheres, as far as they were described, and everything that follows.
 
-    The inputs that were given by name are `stated`; with the properties of the materials they are `given`; with what is assumed and
-    what follows from the value of an input they are `known`. `values` are those of the known names and of all results so far.
+    The inputs that were given by name are `stated`; with the properties of the materials they are `given`; with what is
+    assumed and what follows from the value of an input they are `known`. `values` are those of the known names and of
+    all results so far.
 
     >>> scene = Scene({"surface_energy": 0.025, "radius": 1e-7})
     >>> f"{scene['pull_off_force']:.4e}"
@@ -171,8 +173,8 @@ class Scene:
     ) -> None:
         """Take SI values by name, over those of the materials of sphere 1 and, if it has one of its own, of sphere 2.
 
-        `model` is the law of attraction; None stands for the paper's, JKR. The scene computes with the middle of a value that
-        has an uncertainty; `scene.uncertainty` computes with the rest.
+        `model` is the law of attraction; None stands for the paper's, JKR. The scene computes with the middle of a
+        value that has an uncertainty; `scene.uncertainty` computes with the rest.
         """
         self.law = law_named(DEFAULT_LAW if model is None else model)
         self.stated_model = None if model is None else self.law.name

@@ -58,8 +58,9 @@ def solve(
 ) -> Any:
     """Compute quantities of the nomenclature from whatever is known of the scene.
 
-    Bare numbers: what was assumed, which limits of the model do not hold, and what a material's source says of its values is left
-    out, and so is the uncertainty that a shipped material states. `jkroll.answer` has them, for one scene.
+    Bare numbers: what was assumed, which limits of the model do not hold, and what a material's source says of its
+    values is left out, and so is the uncertainty that a shipped material states. `jkroll.answer` has them, for one
+    scene.
 
     Parameters
     ----------
@@ -67,8 +68,8 @@ def solve(
         A name of the nomenclature, or several. The word of an option and a symbol are taken for names: "gamma" is
         "surface_energy", "P_c" is "pull_off_force".
     material, material2
-        Materials, or their names or aliases; `material2` for sphere 2, which is otherwise like sphere 1. A property given
-        by name overrides the material's.
+        Materials, or their names or aliases; `material2` for sphere 2, which is otherwise like sphere 1. A property
+        given by name overrides the material's.
     materials
         Where materials are looked up: `Materials("mine.toml")` for some of your own besides the shipped ones.
     model
@@ -78,10 +79,9 @@ def solve(
         Arrays broadcast. `radius2` may be infinite (a plane), and one Young's modulus too (a rigid body).
         Single values may be uncertain: `Measured`, `Interval`, "25±5 mJ/m2", "20 to 30 mJ/m2", or a pint Measurement.
 
-    Returns
-    -------
-    The value of a single wanted name, or a dict of name to value. SI numbers: floats, arrays, or pint Quantities if
-    any input was one. A result has the shape of the arrays on which it depends: that of `yield_force` is a float for many radii. If a given value is uncertain, so are the results: `Measured` or `Interval` in SI units.
+    Returns ------- The value of a single wanted name, or a dict of name to value. SI numbers: floats, arrays, or pint
+    Quantities if any input was one. A result has the shape of the arrays on which it depends: that of `yield_force` is
+    a float for many radii. If a given value is uncertain, so are the results: `Measured` or `Interval` in SI units.
 
     Raises
     ------

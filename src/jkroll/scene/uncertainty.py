@@ -1,10 +1,10 @@
 """The uncertainty of results, from those of the inputs: standard uncertainties in quadrature, ranges by their extremes.
 
-Every source is moved over the whole of its uncertainty, and the quantities are computed anew there. No derivatives are taken, so
-that a result may respond differently to either side, or have a turning point inside a range.
+Every source is moved over the whole of its uncertainty, and the quantities are computed anew there. No derivatives are
+taken, so that a result may respond differently to either side, or have a turning point inside a range.
 
-Floats define an error bar. Arrays give the same where the values at the ends of the sources decide; elsewhere an element is open, and is
-to be computed by itself.
+Floats define an error bar. Arrays give the same where the values at the ends of the sources decide; elsewhere an
+element is open, and is to be computed by itself.
 """
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -97,9 +97,9 @@ Found = dict[str, Propagated | JkrollError]  # by the quantity; an error is the 
 def sources_of(scene: Scene, used: Collection[str], measured: Sequence[Source] = ()) -> Sources:
     """Return the sources that enter quantities, given the inputs that these depend on, and measured values if any.
 
-    A value that sphere 2 takes over from sphere 1 moves with it; so do both values of a material that is named twice. All
-    must be of one kind. It is that of the values that were stated; where none was, ± if some material has one. Raises MixedKinds or
-    TooManyRanges.
+    A value that sphere 2 takes over from sphere 1 moves with it; so do both values of a material that is named twice.
+    All must be of one kind. It is that of the values that were stated; where none was, ± if some material has one.
+    Raises MixedKinds or TooManyRanges.
     """
     stated = [*measured, *(source for source in _stated(scene) if not set(used).isdisjoint(source.names))]
     of_materials = [source for source in _of_materials(scene) if not set(used).isdisjoint(source.names)]
@@ -141,8 +141,8 @@ def sources_of_results(scene: Scene, names: Sequence[str]) -> Sources:
 def uncertainties(scene: Scene, names: Sequence[str]) -> tuple[Found, Sources]:
     """Return the uncertainties of quantities of a scene, and their sources.
 
-    A quantity without a finite value, or one on which no source has an influence, is left out. An error is the reason why a
-    quantity has no value at one end of a source.
+    A quantity without a finite value, or one on which no source has an influence, is left out. An error is the reason
+    why a quantity has no value at one end of a source.
     """
     values = {name: value for name, value in scene.numbers(*names).items() if isfinite(value)}
     sources = sources_of_results(scene, names)

@@ -1,8 +1,9 @@
 """The inverse problem of two unknowns: the values of two inputs at which two quantities have their measured values.
 
-The second input is scanned. At each of its values all values of the first input are looked for that give the first quantity, as for one
-unknown. So the pairs that give this quantity lie on branches, and the second quantity is a function of the second input on each. Its
-crossings are found as for one unknown, too, and improved by Newton's method in the logarithms of all four.
+The second input is scanned. At each of its values all values of the first input are looked for that give the first
+quantity, as for one unknown. So the pairs that give this quantity lie on branches, and the second quantity is a
+function of the second input on each. Its crossings are found as for one unknown, too, and improved by Newton's method
+in the logarithms of all four.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -222,7 +223,8 @@ def check_two(names: Sequence[str], quantities: Sequence[str], scene: Scene) -> 
 def _orders(names: Sequence[str], quantities: Sequence[str], scene: Scene) -> list[tuple[str, str, str, str]]:
     """Return in which order inputs can be found: one from a quantity, then the other from the other quantity.
 
-    The best stand first: there the first quantity does not depend on the second input. Raises Unseparated if there is none.
+    The best stand first: there the first quantity does not depend on the second input. Raises Unseparated if there is
+    none.
     """
     filled = with_inputs(scene, largest(names))
     depends = {quantity: [name for name in names if name in filled.inputs_of(quantity)] for quantity in quantities}
@@ -316,7 +318,8 @@ class _Branches:
     def crossings(self) -> Iterator[dict[str, float]]:
         """Iterate over the pairs on all branches at which the second quantity has its measured value.
 
-        A branch is the first, second and so on of so many roots; where their number changes, branches end and others begin.
+        A branch is the first, second and so on of so many roots; where their number changes, branches end and others
+        begin.
         """
         for count in sorted({len(self.at(place)) for place in self.places}):
             for number in range(count):
@@ -372,8 +375,8 @@ def _is_flat(values: Sequence[float]) -> bool:
 class _Place:
     """Values of the two inputs, the quantities there, and how these change.
 
-    Inputs and quantities count in logarithms. A load counts in parts of its size, or of the pull-off force where that is larger, and a quantity
-    that was measured to be zero in parts of what the inputs change it.
+    Inputs and quantities count in logarithms. A load counts in parts of its size, or of the pull-off force where that
+    is larger, and a quantity that was measured to be zero in parts of what the inputs change it.
     """
 
     def __init__(self, problem: Problem, values: Values) -> None:

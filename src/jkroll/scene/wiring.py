@@ -2,8 +2,8 @@
 
 Where a quantity can be had by several formulas, the law of attraction and what is given decide (`laws`).
 
-What belongs to sphere 2 (`mass2`) comes from the same formula as for sphere 1 (`mass`), and an input of sphere 2 that was
-not given is that of sphere 1, unless sphere 2 has a material of its own that should have had it.
+What belongs to sphere 2 (`mass2`) comes from the same formula as for sphere 1 (`mass`), and an input of sphere 2 that
+was not given is that of sphere 1, unless sphere 2 has a material of its own that should have had it.
 """
 
 from collections.abc import Collection, Iterable, Mapping
