@@ -402,7 +402,7 @@ HEADERS = {
     "radius [nm],status": "header: there is a column 'status' already; rename it",
     "radius [nm],doubt": "header: there is a column 'doubt' already; rename it, or write --no-doubt",
     "radius [nm],r_min [m]": "header: there is a column 'r_min [m]' already; rename it, or choose --quantities",
-    "poisson_ratio,x": "pull_off_force needs surface energy per surface and radius of sphere 1; give --gamma 25mJ/m2 and a radius such as 100nm or --work-of-adhesion 50mJ/m2",
+    "poisson_ratio,x": "pull_off_force needs radius of sphere 1 and surface energy per surface; give --gamma 25mJ/m2 and a radius such as 100nm or --work-of-adhesion 50mJ/m2",
     "name,x": "header: no column is an input; a row is a contact, and its inputs have columns such as radius [nm]. Write --column 'HEADER=INPUT [UNIT]'",
     "# grains of 2020,x": "header: the first line is a comment; take out the lines before the columns' names, and the # before these",
     '"radius [nm],x': "header: has a quote that is not closed",

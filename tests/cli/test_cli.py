@@ -82,7 +82,7 @@ MESSAGES = {
     "pull-off quartz 5 pints": (2, "radius: '5 pints' is a volume; expected a length such as 100nm"),
     "pull-off": (
         2,
-        f"pull_off_force needs surface energy per surface and radius of sphere 1; {GIVE}",
+        f"pull_off_force needs radius of sphere 1 and surface energy per surface; {GIVE}",
     ),
     "pull-off 100nm --gamma 1J/m2 --work-of-adhesion 1J/m2": (2, "--gamma and --work-of-adhesion exclude each other"),
     "pull-off quartz 100nm --radius2 1kg": (2, "radius2: '1kg' is a mass; expected a length such as 1um, or plane"),
@@ -442,11 +442,15 @@ def test_ranges_over_many_orders(run: Run) -> None:
 
 
 def test_a_unit_that_a_double_cannot_express(run: Run) -> None:
-    ran = run("pull-off", "quartz", "100nm", "--to", "N ym12 Ym-12", "--json")
+    words = ("pull-off", "quartz", "100nm", "--to", "N ym12 Ym-12")
+    reason = "no value in N ym12 Ym-12 that a double can hold"
+    ran = run(*words, "--json", "--model", "maugis")
     assert ran.code == 0
     result = json.loads(ran.out)["results"][0]
-    assert result["value"] is None
-    assert result["reason"] == "no value in N ym12 Ym-12 that a double can hold"
+    assert (result["value"], result["reason"], result["model"]) == (None, reason, "maugis")
+    plain = run(*words)
+    assert (plain.code, plain.out) == (0, "")
+    assert plain.err.startswith(f"note: P_c, P_DMT: {reason}\n")
 
 
 @pytest.mark.parametrize(

@@ -15,7 +15,7 @@ from jkroll.errors import JkrollError
 from jkroll.quantities.errors import OutOfRange
 from jkroll.quantities.nomenclature import OF_MAUGIS
 from jkroll.scene.failures import MissingInput
-from jkroll.scene.scene import LEAST, MAY_BE_ZERO, MOST, SMALLEST, Scene, with_nan
+from jkroll.scene.scene import LEAST, MAY_BE_ZERO, MOST, SMALLEST, Scene, check_range, outside, with_nan
 from jkroll.scene.wiring import Plan, formula_of
 from maugis_reference import Exact, digits, mpf
 from reference import BOUND, conditions, exact, exact_results, ulp_error
@@ -82,6 +82,19 @@ def test_a_number_beyond_the_range_is_refused(name: str, value: float) -> None:
     for given in (value, np.array([1.0, value]), np.full(40_000, value)):
         with pytest.raises(OutOfRange, match=r"must lie between 1e-60 and 1e60 in SI units"):
             solve("yield_moment", **{**GIVEN, name: given})
+
+
+@pytest.mark.parametrize("name", ["radius", "radius2", "load", "load_margin", "poisson_ratio", "youngs_modulus"])
+def test_an_array_takes_what_a_number_takes(name: str) -> None:
+    edges = [0.0, 0.5, -0.5, 0.7, LEAST, LEAST / 2, -LEAST / 2, MOST, 2 * MOST, math.inf, -math.inf, math.nan]
+    refused = []
+    for edge in edges:
+        try:
+            check_range(name, edge)
+            refused.append(False)
+        except OutOfRange:
+            refused.append(True)
+    assert outside(name, np.array(edges)).tolist() == refused
 
 
 def test_zero_and_infinity_stay_where_they_mean_something() -> None:

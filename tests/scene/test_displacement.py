@@ -104,7 +104,7 @@ def test_words() -> None:
     assert "no measurement supports it here: polystyrene has 42 nm at 5 µm" in words(of("quartz", 1e-5), "r_min").text
     small = words(of("silica-dry", PAIR["radius"]), "yield_force")
     assert small._replace(size=None) == Note(
-        "displacement", "ξ = 200 pm (--xi) is the paper's; by forces on SiO2 Q × 1.1–1.6", "yield_displacement"
+        "displacement", "ξ = 200 pm (--xi) is the paper's; by forces on SiO2 Q × 1.1–1.6"
     )
 
 

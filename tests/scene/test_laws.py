@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 import maugis_reference as reference
 from harness import Run
 from jkroll import FORMULAS, NOMENCLATURE, JkrollError, solve
-from jkroll.answers.answer import answer
+from jkroll.answers.answer import Answer
 from jkroll.answers.curve import STATES_OF_LAW, curve
 from jkroll.answers.questions import QUESTIONS
 from jkroll.materials.library import known_materials
@@ -218,7 +218,7 @@ def test_an_error_names_the_pull_off_force_of_the_law(model: str) -> None:
 
 
 def test_a_load_that_only_maugis_holds_is_said() -> None:
-    found = answer(QUESTIONS["moment"], Scene({"radius": 1e-7, "load": -1.3e-8}, known_materials()["quartz"]))
+    found = Answer(QUESTIONS["moment"], Scene({"radius": 1e-7, "load": -1.3e-8}, known_materials()["quartz"]))
     assert "--model maugis" in str(found.failure)
     assert solve("contact_radius_at_load", model="maugis", **QUARTZ, load=-1.3e-8) > 0
 
@@ -229,7 +229,7 @@ def test_spheres_can_be_bound_without_touching() -> None:
     assert found["load"] < 0 < found["zone_radius"]
     with pytest.raises(BeyondFold):
         solve("load", model="maugis", **QUARTZ, approach_at_load=-1e-9)
-    shown = answer(
+    shown = Answer(
         QUESTIONS["contact"],
         Scene({"radius": 1e-7, "approach_at_load": -3e-10}, known_materials()["quartz"], model="maugis"),
     )
@@ -338,7 +338,7 @@ def test_a_curve_rises_in_its_approach_and_has_its_largest_tension_at_pull_off(m
 
 
 def test_beside_a_headline_of_jkr_stands_what_maugis_says() -> None:
-    found = answer(QUESTIONS["yield-force"], Scene({"radius": 1e-7}, known_materials()["quartz"]))
+    found = Answer(QUESTIONS["yield-force"], Scene({"radius": 1e-7}, known_materials()["quartz"]))
     (verdict,) = [each for each in found.validity if each.name == "tabor_parameter"]
     assert (
         verdict.text
@@ -384,7 +384,7 @@ def test_for_energies_below_a_jump_no_correction_is_named(run: Run) -> None:
 
 
 def test_a_result_of_another_law_says_so() -> None:
-    found = answer(QUESTIONS["yield-force"], Scene({"radius": 1e-7}, known_materials()["quartz"], model="maugis"))
+    found = Answer(QUESTIONS["yield-force"], Scene({"radius": 1e-7}, known_materials()["quartz"], model="maugis"))
     results = {result.name: result for result in found.results}
     assert results["yield_force"].law == ("maugis", "Maugis 1992", solve("yield_force", **QUARTZ))
     assert results["yield_angle"].law is None
@@ -394,14 +394,14 @@ def test_a_result_of_another_law_says_so() -> None:
 
 def test_a_sticking_energy_that_the_spacing_decides_is_a_range() -> None:
     quartz = known_materials()["quartz"]
-    found = answer(QUESTIONS["contact"], Scene({"radius": 1e-7}, quartz, model="maugis"))
+    found = Answer(QUESTIONS["contact"], Scene({"radius": 1e-7}, quartz, model="maugis"))
     (result,) = [each for each in found.results if each.name == "sticking_energy"]
     assert result.value is None
     assert result.reason == "from 8.50556e-23 J at z0 = 400 pm to 2.72178 zJ at z0 = 200 pm; give --z0"
-    energies = answer(QUESTIONS["energies"], Scene({"radius": 1e-7}, quartz, model="maugis"))
+    energies = Answer(QUESTIONS["energies"], Scene({"radius": 1e-7}, quartz, model="maugis"))
     (speed,) = [each for each in energies.results if each.name == "sticking_speed"]
     assert speed.reason == "from 0.00558921 m/s at z0 = 400 pm to 0.0316174 m/s at z0 = 200 pm; give --z0"
-    said = answer(QUESTIONS["contact"], Scene({"radius": 1e-7, "atomic_spacing": 4e-10}, quartz, model="maugis"))
+    said = Answer(QUESTIONS["contact"], Scene({"radius": 1e-7, "atomic_spacing": 4e-10}, quartz, model="maugis"))
     assert said.value("sticking_energy") == solve("sticking_energy", model="maugis", **QUARTZ, atomic_spacing=4e-10)
 
 

@@ -9,13 +9,13 @@ from math import log
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..errors import JkrollError, NoResult
-from ..quantities.formatting import amount, in_words
+from ..quantities.formatting import Format, amount, in_words
 from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, XI
 from ..rows.columns import Row, Wanted, outcomes
 from ..scene.effects import Effect, between_of
 from ..scene.failures import BeyondPullOff, MissingInput, NoContact, OfIdenticalSpheres, RestsOnSpacing, reason_of
-from ..scene.limits import JUMP, LEAST_EFFECT, Judgement, Verdict, against_limit, judged, of_any_scene, sentence
+from ..scene.limits import JUMP, LEAST_EFFECT, Judgement, Verdict, against_limit, judged, sentence
 from ..scene.scene import Scene
 from ..scene.wiring import depends_on
 from .displacement import Worth, about_displacement, worth
@@ -158,6 +158,11 @@ class Answer:
         """Return the value of a result, or None."""
         return next((result.value for result in self.results if result.name == name), None)
 
+    def in_units(self, form: Format) -> "Answer":
+        """Take the values that no double holds in their unit from the results, and return the answer."""
+        self.results = tuple(result.in_unit(form) for result in self.results)
+        return self
+
     @property
     def has_no_headline(self) -> bool:
         """True if no quantity that the command is named after has a value."""
@@ -256,7 +261,7 @@ class Answer:
     def doubts(self) -> list[Note]:
         """Return a note for each limit of the model that does not hold."""
         return [
-            Note("doubt", sentence(one), of_any_scene(one), against_limit(one), bool(one.sentence), one.size)
+            Note("doubt", sentence(one), against_limit(one), bool(one.sentence), one.size)
             for one in sorted(self.validity, key=lambda one: -one.size)
             if not one.holds
         ]
@@ -304,11 +309,6 @@ class Answer:
         if fatal is not None:
             return with_force_by_maugis(fatal, self.scene) if isinstance(fatal, BeyondPullOff) else fatal
         return None if self._known else next(iter(self.errors.values()), OfIdenticalSpheres())
-
-
-def answer(question: Question, scene: Scene) -> Answer:
-    """Return the answer to a question about a scene."""
-    return Answer(question, scene)
 
 
 def _width(result: Result) -> float:

@@ -79,14 +79,14 @@ def about_displacement(found: Worth, headline: Collection[str]) -> Note:
     """Return the note on what ξ is worth for the results that a command is named after, or else for all: short where that is little."""
     shown = {name: ends for name, ends in found.factors.items() if name in headline} or found.factors
     if found.here is None:
-        return Note("displacement", f"{_PAPERS}; no measurement supports it here: {ABOVE}", XI, size=found.size)
+        return Note("displacement", f"{_PAPERS}; no measurement supports it here: {ABOVE}", size=found.size)
     factors = ", ".join(_worded(shown))
     if found.size < LARGE:
-        return Note("displacement", f"{_PAPERS}; by forces on {SOLID} {factors}", XI, size=found.size)
+        return Note("displacement", f"{_PAPERS}; by forces on {SOLID} {factors}", size=found.size)
     text = f"{_PAPERS}; forces on {SOLID} of 1 µm mean {_range(found.at_pair)}"
     if abs(log(found.radius / PAIR["radius"])) > _AT_PAIR:
         text += f", {_range(found.here)} here by our scalings, R^(2/3) to R"
-    return Note("displacement", f"{text}: {factors}", XI, size=found.size)
+    return Note("displacement", f"{text}: {factors}", size=found.size)
 
 
 def about_displacement_of_rows(scene: Scene) -> Note:

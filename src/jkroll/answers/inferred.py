@@ -17,6 +17,7 @@ from ..scene.scene import Scene
 from ..scene.unknowns import Pair, scan_in_words, solved
 from .answer import Answer, Difference, about_uncertainties
 from .displacement import Worth
+from .notes import about_missing
 from .questions import Question
 from .results import Note, Result
 
@@ -121,6 +122,7 @@ class Inferred(Answer):
         return (
             *self._proofs(),
             *(note for note in self.forward.notes if note.kind != "roughness"),
+            *about_missing([*self.results], {}),
             *(about_uncertainties(found, sources) if sources is not None else ()),
         )
 

@@ -99,7 +99,7 @@ def _about_hamaker(scene: Scene) -> Note:
     )
     other = min(CUTOFFS, key=lambda one: one == scene["cutoff"])
     far = amount("work_of_adhesion", scene.replace(cutoff=other)["work_of_adhesion"])
-    return Note("result", f"{found}; at D0 = {amount('cutoff', other)}, w = {far}", "w")
+    return Note("result", f"{found}; at D0 = {amount('cutoff', other)}, w = {far}")
 
 
 def _about_shear(scene: Scene, steps: Collection[str]) -> Iterator[str]:
@@ -155,13 +155,13 @@ def about_results(results: list[Result], scene: Scene, noted: Collection[str] = 
     notes = [*_about_noted(known, noted)]
     notes += about_conventions(scene, [name for name in names if name not in noted])
     if "n_grav" in names and not scene.is_identical:
-        carries = "N_grav is what the first contact, on body 2, carries"
-        notes.append(Note("result", f"{carries}; {_between_spheres_1(scene)}", carries))
+        carried = f"N_grav is what the first contact, on body 2, carries; {_between_spheres_1(scene)}"
+        notes.append(Note("result", carried))
     if "n_roll" in names and IMPACT.isdisjoint(scene.stated):
         whose = "" if scene.law.is_default else " of JKR"
         ratios = scene.numbers("energy_over_sticking").values()  # none in a law without U_stick
         size = "".join(f" is {one:.3g} U_stick, the largest energy that sticks" for one in ratios)
-        notes += [Note("result", f"W0 = P_cδ0{whose}{size}", "W0")] if whose or size else []
+        notes += [Note("result", f"W0 = P_cδ0{whose}{size}")] if whose or size else []
     if "disruption_energy" in names:
         as_many = "" if "contacts" in scene.given else "; n_c = N (--contacts)"
         notes.insert(0, Note("result", f"N and n_c are of each of two equal aggregates{as_many}"))
@@ -187,7 +187,7 @@ def _about_hysteresis(scene: Scene, names: Collection[str]) -> list[Note]:
     else:
         found = scene.numbers(XI) if XI not in names else {}
         text = "".join(f"this Δw stands for ξ = {amount(XI, value)}" for value in found.values())
-    return [Note("model", text, "ξ and Δw")] if text else []
+    return [Note("model", text)] if text else []
 
 
 def about_conventions(scene: Scene, names: Sequence[str]) -> list[Note]:
@@ -206,7 +206,7 @@ def _about_noted(results: Iterable[Result], noted: Collection[str]) -> Iterator[
         if result.name in noted and result.value is not None:
             note, symbol = NOMENCLATURE[result.name].note, symbol_of(result.name)
             value = amount(result.name, result.propagated.uncertainty if result.propagated else result.value)
-            yield Note("result", f"{symbol} = {value}: {note}", f"{symbol}: {note}")
+            yield Note("result", f"{symbol} = {value}: {note}")
 
 
 def _first_to_yield(scene: Scene) -> Note:
@@ -219,7 +219,7 @@ def _first_to_yield(scene: Scene) -> Note:
     turned = "rolls it before it twists it" if bend < twist else "twists it before it rolls it"
     ratio = f"M_twist = {twist / bend:.3g} M" if bend < twist else f"M = {bend / twist:.3g} M_twist"
     text = f"{pushed} (T_peel = {amount('peeling_force', peel)}); a moment {turned} ({ratio})"
-    return Note("result", text, f"{pushed}; a moment {turned}")
+    return Note("result", text)
 
 
 def model_error(name: str, scene: Scene) -> float | None:
@@ -273,7 +273,7 @@ def about_missing(results: list[Result], errors: Mapping[str, JkrollError]) -> l
         shortest = min(group, key=lambda result: len(result.reason))
         error = errors.get(shortest.name)
         reason = error.reason_of_several() if isinstance(error, MissingInput) and names[1:] else shortest.reason
-        notes.append(Note("missing", f"{first_symbols(names)}: {reason}", " ".join(names)))
+        notes.append(Note("missing", f"{first_symbols(names)}: {reason}"))
     return notes
 
 

@@ -71,7 +71,9 @@ class Result(NamedTuple):
         numbers = filter(None, (self.value, beside, *self.sides().values(), *self.by_law.values()))
         if all(form.holds(self.name, number) for number in numbers):
             return self
-        return Result(self.name, None, self.reason or OutOfUnit(self.name, form.unit(self.name)).reason())
+        reason = self.reason or OutOfUnit(self.name, form.unit(self.name)).reason()
+        law = self.law and self.law._replace(equation="", jkr=None)
+        return self._replace(value=None, reason=reason, error=None, by_law={}, propagated=None, law=law)
 
     def sides(self) -> dict[str, float]:
         """Return the numbers of the uncertainty by name: minus and plus, or low and high; none if there is no uncertainty."""
@@ -100,7 +102,6 @@ class Note(NamedTuple):
 
     kind: Kind
     text: str
-    matter: str = ""  # the same for all scenes that have such a note; by default the text
     brief: str = ""  # of a doubt: the number and the limit that it exceeds
     is_sentence: bool = False  # a doubt that says by itself what is doubtful
     size: float | None = None  # of what makes numbers doubtful: the logarithm of a factor
@@ -161,6 +162,6 @@ def remarks(scene: Scene, names: Collection[str]) -> Iterator[Note]:
                 f"M: {amount('yield_moment', moment)}, {moment / jkr['yield_moment']:.3g} times JKR's, at the adhesion "
                 "hysteresis that JKR has at this ξ; ξ is not the same number in every law"
             )
-            yield Note("result", text, "M at equal hysteresis")
+            yield Note("result", text)
     if "contact_radius_at_load" in names and scene["contact_radius_at_load"] == 0:
         yield Note("result", "a: the spheres are bound without touching")

@@ -20,9 +20,8 @@ from ..scene.inverse import SIZES, AlreadyGiven, CannotInfer, Observed, largest,
 from ..text import quoted, say_wrapped
 from .commands import Call
 from .question import check_count, exit_code, unless_failed, write_answers, write_columns
-from .request import form_of, format_name, request_of
+from .request import form_of, format_name, is_table, request_of
 
-TABLES = (".csv", ".tsv", ".ndjson", ".parquet", ".gz", ".zst")
 MAX_ANSWERS = 10_000  # that are explained one by one
 MAX_PAIRS = 1_000  # scenes in which two inputs are looked for, which takes up to seconds in each
 
@@ -57,7 +56,7 @@ def run_infer(call: Call) -> int:
     if not call.words:
         raise BadRequest(f"infer needs an input: one of {', '.join(SIZES)}")
     names = _names(call.words[0])
-    if tables := [word for word in call.words[1:] if word.endswith(TABLES)]:
+    if tables := [word for word in call.words[1:] if is_table(word)]:
         if len(names) > 1:
             raise BadRequest(
                 "infer reads no tables, and batch infers one input; lists and ranges have commas and colons"

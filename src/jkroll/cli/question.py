@@ -163,7 +163,7 @@ def write_answers(answers: Iterable[Answer], count: int, kind: str, form: Format
                 if count == 1 and kind not in ("explain", "cite") and one.has_no_headline:
                     raise one.failure
                 failures.append(one.failure)
-            yield one
+            yield one.in_units(form)
 
     every = watched()
     if kind == "explain":

@@ -88,7 +88,18 @@ class Request:
             for mistake in self.materials.mistakes.values():
                 say_wrapped(f"note: left out: {mistake}", sys.stderr)
             return list(self.materials.materials.values())
+        if (word := next(filter(is_table, words.split(",")), None)) is not None:
+            raise BadRequest(f"{quoted(word)} is a table; jkroll batch {word} reads it")
         return [self.materials[word] for word in words.split(",")]
+
+
+def is_table(word: str) -> bool:
+    """Return whether a word is the name of a file that holds a table."""
+    if "." not in word:
+        return False
+    from ..batch.formats import format_of_name
+
+    return format_of_name(word) is not None
 
 
 def materials_of(option: str | None) -> Materials:

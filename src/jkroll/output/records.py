@@ -277,13 +277,16 @@ def write_plain(answer: "Answer", out: TextIO, form: Format) -> None:
     """Write a line `name value unit` for each result of a scene, and for each side of its uncertainty."""
     if "model" in answer.inputs:
         say(f"model {answer.inputs['model']}", out)
-    for result in (each.in_unit(form) for each in answer.results):
+    for result in answer.results:
         if result.value is not None:
             numbers = {result.name: result.value} | {
                 f"{result.name}_{side}": number for side, number in result.sides().items()
             }
             for name, number in numbers.items():
-                say(f"{name} {form.text(result.name, number)} {form.unit(result.name)}".removesuffix(" 1"), out)
+                say(
+                    f"{name} {spelled(form.number(result.name, number))} {form.unit(result.name)}".removesuffix(" 1"),
+                    out,
+                )
 
 
 def write_json(answers: "Iterable[Answer]", count: int, out: TextIO, form: Format) -> None:
@@ -300,7 +303,7 @@ def as_object(answer: "Answer", form: Format) -> dict[str, Any]:
     found: dict[str, Any] = {"inputs": dict(answer.inputs)}
     if answer.uncertain:
         found["uncertainties"] = {name: one.as_object() for name, one in answer.uncertain.items()}
-    found["results"] = [_result_object(result.in_unit(form), form) for result in answer.results]
+    found["results"] = [_result_object(result, form) for result in answer.results]
     if answer.condition is not None:
         found["condition"] = answer.condition
     if answer.laws and answer.scene.law.is_default:

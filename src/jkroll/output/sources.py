@@ -67,7 +67,7 @@ def write_explanation(answers: Iterable[Answer], out: TextIO, form: Format) -> N
             if not is_first:
                 say("", out)
             is_first = False
-            for line in _explanation(result.in_unit(form), answer.scene, form):
+            for line in _explanation(result, answer.scene, form):
                 say_wrapped(line, out, _STEP_INDENT if line.startswith("    ") else _INDENT)
         for line in every_line(answer):
             say_wrapped(line, out)
@@ -138,10 +138,8 @@ def _formula_of(step: Step) -> str:
 def _meaning(name: str, scene: Scene) -> str:
     """Return the meaning of an input, with the material and file it comes from, or that it was assumed."""
     sentence = NOMENCLATURE[name].sentence
-    of_sphere_2 = name.endswith("2")
-    for material, of_material in scene.data_used([name]):
-        if of_material == name.removesuffix("2") and (material is scene.material2 or not of_sphere_2):
-            return f"{sentence} ({material.name}, {material.title})"
+    for material, _ in scene.data_used([name]):
+        return f"{sentence} ({material.name}, {material.title})"
     return sentence if name in scene.given else f"{sentence} (assumed)"
 
 

@@ -34,16 +34,11 @@ BETWEEN = 3  # two columns
 
 def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
     """Write the inputs of one scene, and its results below each other, or in a grid if all of them are JKR's and it fits."""
-    results = [result.in_unit(form) for result in answer.results]
     say(_inputs({**answer.inputs, **answer.uncertain}, form, assumed=answer.assumed), out)
     grid = answer.question.grid
-    if (
-        grid
-        and not any(result.law for result in results)
-        and _print(_grid_table(grid, answer, results, out, form), out)
-    ):
+    if grid and not any(result.law for result in answer.results) and _print(_grid_table(grid, answer, out, form), out):
         return
-    results = [result for result in results if result.value is None or result.name not in answer.question.noted]
+    results = [one for one in answer.results if one.value is None or one.name not in answer.question.noted]
     rows = [_result_row(result, form) for result in results]
     # Dimmed is what stands beside a headline, or has no value.
     styles = ["dim" if NOMENCLATURE[result.name].note or result.value is None else "" for result in results]
@@ -62,10 +57,10 @@ def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
         say(" ".join(cell for cell in row[1:4] if cell), out)
 
 
-def _grid_table(grid: "Grid", answer: "Answer", results: "Sequence[Result]", out: TextIO, form: Format) -> Table:
+def _grid_table(grid: "Grid", answer: "Answer", out: TextIO, form: Format) -> Table:
     """Return the table of a grid; the quantities of a cell stand below each other."""
     found: dict[str, Any] = {**answer.inputs, **answer.uncertain}
-    found |= {result.name: result.propagated.uncertainty if result.propagated else result.value for result in results}
+    found |= {one.name: one.propagated.uncertainty if one.propagated else one.value for one in answer.results}
 
     def cell(names: tuple[str, ...]) -> str:
         values = ((name, found.get(name)) for name in names)

@@ -55,11 +55,17 @@ QUANTITY_SYNONYMS = {
     "critical_rolling_displacement": "yield_displacement",
     "diameter": "radius",
     "elastic_modulus": "youngs_modulus",
+    "elasticity": "youngs_modulus",
     "force": "pull_off_force",
     "fragmentation_speed": "disruption_speed",
     "fragmentation_velocity": "disruption_speed",
     "friction": "yield_force",
     "friction_force": "sliding_force",
+    "impact_speed": "speed",
+    "impact_velocity": "speed",
+    "indentation": "approach_at_load",
+    "overlap": "approach_at_load",
+    "penetration": "approach_at_load",
     "porosity": "filling_factor",
     "rolling_energy": "roll_energy",
     "rolling_force": "yield_force",
@@ -78,6 +84,9 @@ QUANTITY_SYNONYMS = {
 }
 
 
+ALIKE = 0.65  # from here on, a word may be meant for another: "moment" for "yield_moment", but not "restitution" for "friction"
+
+
 def nearest(word: str, names: Collection[str] = NOMENCLATURE) -> str | None:
     """Return the quantity among `names` that a word is likely to mean; None if there is none.
 
@@ -90,7 +99,7 @@ def nearest(word: str, names: Collection[str] = NOMENCLATURE) -> str | None:
     letters = name.replace("_", "")
     begun = (one for one in names if letters and one.replace("_", "").startswith(letters))
     meant = next(iter(with_symbol(word, names)), None) or meanings.get(name) or next(begun, None)
-    return meant or meanings.get(closest(name, meanings) or "")
+    return meant or meanings.get(closest(name, meanings, ALIKE) or "")
 
 
 class OutOfRange(JkrollError):

@@ -6,7 +6,6 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
 
 from ..errors import NoResult
-from ..text import spelled
 from .nomenclature import INFINITY, NOMENCLATURE, header, word_for_infinity
 from .units import Unit, convert
 
@@ -56,10 +55,6 @@ class Format(NamedTuple):
     def holds(self, name: str, value: float) -> bool:
         """Return whether a double holds a value in its unit."""
         return not value or name not in self.units or 0 < abs(convert(value, self.units[name][1])) < INFINITY
-
-    def text(self, name: str, value: float | str) -> str:
-        """Return a value as text for a program."""
-        return value if isinstance(value, str) else spelled(self.number(name, value))
 
     def header(self, name: str) -> str:
         """Return a column header: name and unit."""

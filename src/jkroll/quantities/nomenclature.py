@@ -5,7 +5,7 @@ Parsing, help, tables, CSV headers, JSON and error messages all read this table.
 
 from collections.abc import Collection, Mapping
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from ..text import ascii_text
 from .laws import LAWS, routes_anywhere
@@ -41,11 +41,11 @@ class Range(NamedTuple):
     high_allowed: bool
     words: str
 
-    def admits(self, value: float) -> bool:
-        """Return whether a number lies in the range; nan lies in none."""
+    def admits(self, value: Any) -> Any:
+        """Return whether a number, or each element of an array, lies in the range; nan lies in none."""
         above = value >= self.low if self.low_allowed else value > self.low
         below = value <= self.high if self.high_allowed else value < self.high
-        return above and below
+        return above & below
 
 
 # --- Quantities that Maugis' law alone has ----------------------------------------------------------------------------

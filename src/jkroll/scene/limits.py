@@ -214,15 +214,13 @@ NOT_JUDGED = 1 << len(_DOUBTS)
 
 
 class Told(NamedTuple):
-    """A doubt in words that fit any scene: its code, what it means, and its limit."""
+    """A doubt in words that fit any scene: its code, and what it means."""
 
     code: str
     consequence: str
-    limit: str
 
 
-TOLD = tuple(Told(limit.code(doubt), doubt.consequence.partition(";")[0], limit.name) for limit, doubt in _DOUBTS)
-_CONSEQUENCES = {told.code: told.consequence for told in TOLD}
+TOLD = tuple(Told(limit.code(doubt), doubt.consequence.partition(";")[0]) for limit, doubt in _DOUBTS)
 
 
 def judged(scene: Scene, names: Collection[str]) -> Judgement:
@@ -283,11 +281,6 @@ def codes(bits: int) -> str:
 def sentence(verdict: Verdict) -> str:
     """Return a verdict with its number: "μ = 0.14, between DMT and JKR: neither is exact"."""
     return verdict.sentence or f"{NOMENCLATURE[verdict.name].symbol} = {verdict.value:.3g}, {verdict.text}"
-
-
-def of_any_scene(verdict: Verdict) -> str:
-    """Return a doubt without the number of a scene: "a/z0<3, elasticity is in doubt"."""
-    return f"{verdict.code}, {_CONSEQUENCES.get(verdict.code) or verdict.text.partition(': ')[2]}"
 
 
 def against_limit(verdict: Verdict) -> str:

@@ -35,17 +35,17 @@ def check_range(name: str, value: Any) -> None:
     if name not in NOMENCLATURE:
         raise UnknownQuantity(name)
     limits = RANGES.get(NOMENCLATURE[name].range)
-    if isinstance(value, NUMBER):
-        if limits is not None and not limits.admits(value):
-            raise OutOfRange(name, value, limits.words)
-        if not _has_magnitude(name, value):
-            raise OutOfRange(name, value, MAGNITUDE)
-        return
-    refused = outside(name, value)
-    if refused.any():
-        place = [places[0].item() for places in refused.nonzero()]
-        first = value[tuple(place)].item()
-        raise OutOfRange(name, first, limits.words if limits and not limits.admits(first) else MAGNITUDE, place)
+    first, place = value, ()
+    if not isinstance(value, NUMBER):
+        refused = outside(name, value)
+        if not refused.any():
+            return
+        place = tuple(places[0].item() for places in refused.nonzero())
+        first = value[place].item()
+    if limits is not None and not limits.admits(first):
+        raise OutOfRange(name, first, limits.words, place)
+    if not _has_magnitude(name, first):
+        raise OutOfRange(name, first, MAGNITUDE, place)
 
 
 def outside(name: str, values: Any) -> Any:
@@ -54,17 +54,14 @@ def outside(name: str, values: Any) -> Any:
 
     if name in _SCALED and values.size and values.min() >= LEAST and values.max() <= MOST:
         return numpy.zeros(values.shape, dtype=bool)
-    size = abs(values)
-    admitted = (name in _OF_ANY_SIZE) | (size >= LEAST) & (size <= MOST) | (size == 0) | (size == INFINITY)
     limits = RANGES.get(NOMENCLATURE[name].range)
-    if limits is not None:
-        admitted &= values >= limits.low if limits.low_allowed else values > limits.low
-        admitted &= values <= limits.high if limits.high_allowed else values < limits.high
-    return ~admitted
+    return ~(_has_magnitude(name, values) & (limits is None or limits.admits(values)))
 
 
-def _has_magnitude(name: str, value: float) -> bool:
-    return LEAST <= abs(value) <= MOST or value in (0, INFINITY) or name in _OF_ANY_SIZE
+def _has_magnitude(name: str, value: Any) -> Any:
+    """Return whether a number, or each element of an array, is of a size from which no formula leaves the doubles."""
+    size = abs(value)
+    return (size >= LEAST) & (size <= MOST) | (value == 0) | (value == INFINITY) | (name in _OF_ANY_SIZE)
 
 
 _OF_ANY_SIZE = ("poisson_ratio", "poisson_ratio2")  # only 1 − ν² enters a formula
@@ -239,7 +236,7 @@ class Scene:
     def uncertainty_of(self, name: str) -> Uncertain | None:
         """Return the uncertainty of an input, whether it was stated or is that of a material; None if it has none."""
         for material, of_material in self.data_used([name]):
-            if name in (of_material, of_material + "2") and of_material in material.uncertainties:
+            if of_material in material.uncertainties:
                 return material.uncertainties[of_material]
         return self.uncertain.get(name)
 

@@ -337,10 +337,7 @@ def _of_numbers(formula: Callable[..., Any]) -> Callable[..., Any]:
     @wraps(formula)
     def call(**arguments: Any) -> Any:
         return formula(
-            **{
-                name: value if isinstance(value, float) or hasattr(value, "m_as") else as_floats(name, value)
-                for name, value in arguments.items()
-            }
+            **{name: value if hasattr(value, "m_as") else as_floats(name, value) for name, value in arguments.items()}
         )
 
     return call

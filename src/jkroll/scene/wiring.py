@@ -63,9 +63,7 @@ def plan_for(wanted: tuple[str, ...], known: frozenset[str], own_material2: bool
         path = _Path(known, own_material2, by_law, dict(steps))
         source = path.visit(name)
         if path.missing or path.lacking:
-            missing[name] = Missing(
-                *(tuple(dict.fromkeys(each)) for each in (path.missing, path.instead, path.lacking))
-            )
+            missing[name] = Missing(*map(in_order, (path.missing, path.instead, path.lacking)))
         else:
             found[name] = source
             steps = path.steps
