@@ -215,6 +215,43 @@ def test_the_time_step_keeps_the_energy(run: Run, lammps: Any) -> None:
     assert largest < 1.01 * speed
 
 
+@pytest.mark.parametrize("model", ["jkr", "dmt"])
+def test_collisions_create_no_energy(run: Run, lammps: Any, model: str) -> None:
+    """Of a gas of beads, which collide in all directions and again and again; friction takes energy, and nothing gives it."""
+    bead = "silica-humid 50um --gamma 0.2122mJ/m2 --young 725MPa --xi 10nm"
+    ran = run(*f"export lammps {bead} --quiet".split(), "--model", model)
+    commands = [line for line in ran.out.splitlines() if not line.startswith("#")]
+    side, speed = 6e-4, 0.1
+    code = lammps.lammps(cmdargs=["-log", "none", "-screen", "none", "-nocite"])
+    code.commands_list(
+        [
+            "units si",
+            "atom_style sphere",
+            "boundary p p p",
+            "comm_modify vel yes",
+            f"region box block 0 {side} 0 {side} 0 {side}",
+            "create_box 1 box",
+            "lattice sc 1.2e-4",
+            "create_atoms 1 box",
+            "set type 1 diameter 1e-4 density 2203",
+            *commands,
+            "neighbor 2e-5 bin",
+            *(f"variable v{axis} atom {speed}*normal(0,1,{seed})" for seed, axis in enumerate("xyz", 1)),
+            "velocity all set v_vx v_vy v_vz",
+            "fix moving all nve/sphere",
+            "compute turning all erotate/sphere",
+            "compute moving all ke",
+            "thermo_style custom step c_moving c_turning",
+        ]
+    )
+    energies = []
+    for _ in range(4):
+        code.command("run 15000 post no")
+        energies.append(sum(code.extract_compute(name, 0, 0) for name in ("moving", "turning")))
+    assert energies == sorted(energies, reverse=True)
+    code.close()
+
+
 # --- LAMMPS at both ends of Maugis -------------------------------------------------------------------------------------
 
 

@@ -11,7 +11,7 @@ from jkroll import solve
 
 NUMBER = r"([-+.e\d]+)"
 COEFFICIENTS = re.compile(
-    rf"pair_coeff (\d \d) (jkr|dmt) {NUMBER} 0 0 {NUMBER} tangential mindlin {NUMBER} 0 {NUMBER} rolling sds {NUMBER} 0 {NUMBER}"
+    rf"pair_coeff (\d \d) (jkr|dmt) {NUMBER} 0 0 {NUMBER} tangential mindlin_rescale {NUMBER} 0 {NUMBER} rolling sds {NUMBER} 0 {NUMBER}"
 )
 TWISTING = re.compile(rf" twisting sds {NUMBER} 0 {NUMBER}")
 
@@ -56,7 +56,7 @@ def test_dmt(run: Run) -> None:
     for load in (0.0, 5e-9):
         text = run(f"export lammps quartz 100nm --model dmt --load {load}N").out
         assert "pair_coeff 1 1 dmt " in text
-        assert "tangential mindlin 50441361916.8 0 1000000000 " in text
+        assert "tangential mindlin_rescale 50441361916.8 0 1000000000 " in text
         assert "twisting" not in text.partition("timestep")[0]
         [(*_, rolling, cap)] = coefficients(text).values()
         assert rolling == pytest.approx(pull_off / 5e-8, rel=1e-11)
@@ -134,8 +134,8 @@ def test_doubts_and_the_caveat_are_in_the_file_or_beside_it(run: Run, program: s
 
 def test_each_word_of_lammps_is_explained(run: Run) -> None:
     for options, words in (
-        ("", ["jkr", "mindlin", "rolling sds", "twisting sds"]),
-        (" --model dmt", ["dmt", "mindlin"]),
+        ("", ["jkr", "mindlin_rescale", "rolling sds", "twisting sds"]),
+        (" --model dmt", ["dmt", "mindlin_rescale"]),
     ):
         text = run(f"export lammps quartz 100nm{options} --quiet").out
         comments = [line for line in text.partition("timestep")[2].splitlines() if line.startswith("#")]

@@ -23,10 +23,12 @@ THRESHOLDS = ("sliding_force", "twisting_stiffness", "twisting_moment")  # of JK
 
 _REMARKS = (
     "# Legend, SI units. {law}: 2E* [Pa], damping 0, Poisson's ratio 0, gamma per surface [J/m^2].",
-    "# tangential mindlin: 8G* [Pa], damping 0, coefficient of friction [1]{friction}.",
+    "# tangential mindlin_rescale: 8G* [Pa], damping 0, coefficient of friction [1]{friction}.",
+    "# Without _rescale, the spring of sliding gives energy to spheres that collide.",
     "# rolling sds: stiffness [N/m], damping 0, coefficient M/(R(P + 2P_c)) [1], M the moment at which it rolls.",
     "# E = 2E*, nu = 0: only E* enters the normal force. The tangential constant is 8G*, Mindlin's for these solids.",
-    "# The time step is a twentieth of the period of sliding with rotation; it is stable up to 40 contacts a sphere.",
+    "# The time step is a twentieth of the period of sliding with rotation, stable up to 40 contacts a sphere, at the P above.",
+    "# A harder impact is stiffer: for its time step give its largest force as --load.",
     "# Damping is left out. No damping coeff_restitution here: with adhesion it gives nan (LAMMPS issue 4180).",
 )
 _REMARKS_ON = {
@@ -35,6 +37,8 @@ _REMARKS_ON = {
         "# LAMMPS lets go at the pull-off force, 3 pi gamma R; jkroll's curve goes on to the fold, where fixed grips let go.",
         "# LAMMPS has one stiffness of rolling and of twisting for all loads, and thresholds linear in P: jkroll's at the P above.",
         "# It slides at pi a^2 tau and twists at (2/3) pi a^3 tau, tau = {shear_strength:.6g} Pa; a contact may peel before.",
+        "# The friction is adhesion's at the P above, and LAMMPS multiplies it with every load: where contacts are pushed",
+        "# harder, give their --load, or write your solid's coefficient of friction.",
     ),
     "dmt": (
         "# P_c is 4 pi gamma R here. timestep in s.",
@@ -85,9 +89,14 @@ def lammps_input(scene: Scene) -> Iterator[str]:
         except MissingInput as error:
             yield f"# {command.partition(' {')[0]} needs {error.needs()}"
     yield f"timestep {min(steps):.12g}"
-    friction = " F_slide/(P + 2P_c)" if scene.law.is_default else ""
+    friction = f" F_slide/(P + 2P_c) = {_friction(scene):.3g}" if scene.law.is_default else ""
     yield from (remark.format(law=model, friction=friction) for remark in _REMARKS)
     yield from (remark.format(**whole) for remark in _REMARKS_ON[model])
+
+
+def _friction(pair: Scene) -> float:
+    """Return the coefficient of friction with which a contact slides at its own load."""
+    return float(pair["sliding_force"] / (pair["load"] + 2 * pair["pull_off_force"]))
 
 
 def pair_of(scene: Scene, suffix: str) -> Scene:
@@ -107,10 +116,10 @@ def _coefficients(pair: Scene) -> str:
     """Return the words and numbers that describe a contact in `pair_coeff` and `fix wall/gran`."""
     radius, load = pair["reduced_radius"], pair["load"]
     capped = load + 2 * pair["pull_off_force"]
-    slip = pair["sliding_force"] / capped if pair.law.is_default else NO_SLIP
+    slip = _friction(pair) if pair.law.is_default else NO_SLIP
     numbers: dict[str, tuple[float, ...]] = {
         pair.law.name: (2 * pair["contact_modulus"], 0, 0, pair["work_of_adhesion"] / 2),
-        "tangential mindlin": (8 * pair["contact_shear_modulus"], 0, slip),
+        "tangential mindlin_rescale": (8 * pair["contact_shear_modulus"], 0, slip),
         "rolling sds": (pair["rolling_stiffness"] / radius**2, 0, pair["yield_moment"] / (radius * capped)),
     }
     if pair.law.is_default:

@@ -123,7 +123,7 @@ def time_step(*, sliding_frequency: Frequency) -> Time:
         Δt = 1/(20 f_slide)
 
     Source:   Verlet's method is stable up to 2/ω; the fastest mode of spheres with n contacts has ω ≤ √n 2πf_slide.
-    Valid:    Stable up to 40 contacts a sphere.
+    Valid:    Stable up to 40 contacts a sphere, at the load: a contact that is pushed harder is stiffer.
     Accuracy: 1 ulp.
 
     >>> time_step(sliding_frequency=0.5)
