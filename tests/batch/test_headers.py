@@ -364,6 +364,17 @@ def test_a_column_of_labels_asks_for_what_the_others_allow(run: Run) -> None:
     assert first.startswith("A,1,25,1.178097245096172")
 
 
+def test_a_chosen_column_has_the_unit_of_its_header(run: Run) -> None:
+    Path("x.csv").write_text("Kraft [nN],E_mod (GPa),sd_nN\n310.5,70,5\n", encoding="utf-8")
+    chosen = ("Kraft [nN]=pull_off_force", "E_mod (GPa)=young", "sd_nN=pull_off_force_err")
+    words = "batch x.csv --radius 5um --infer gamma --measured pull_off_force -o out.csv".split()
+    ran = run(*words, *(f"--column={one}" for one in chosen))
+    assert ran.code == 0
+    assert ran.err.startswith(
+        'read: youngs_modulus [GPa] from "E_mod (GPa)", pull_off_force [nN] from Kraft [nN] ± sd_nN\n'
+    )
+
+
 # --- What divides columns ---------------------------------------------------------------------------------------------
 
 PLAIN = ["name,R (um),gamma [mJ/m2],E [GPa],nu", "a,1.5,25.0,54,0.17", "b,2,3e1,70.5,0.2", "c,x,25,70,0.2"]
@@ -396,6 +407,20 @@ def test_columns_are_divided_by_what_is_said(run: Run, word: str, mark: str, end
     assert [[cell.replace(point, ".") for cell in row[5:7]] for row in found] == expected
     assert [row[:5] for row in found] == [row.split(mark) for row in text[1:]]
     assert point in found[0][5]
+
+
+@pytest.mark.parametrize("quote", ["", '"'])
+def test_a_point_among_decimal_commas_is_refused(run: Run, quote: str) -> None:
+    """It may be one of thousands."""
+    cells = ["2,5;1200,5", "2,5;1.200", "2.5;1200", "2,5;1.200,5", "2,5;1200"]
+    rows = [f"{quote}{row}{quote}".replace(";", f"{quote};{quote}") for row in cells]
+    Path("x.csv").write_text("\n".join(["radius [um];gamma [mJ/m2]", *rows, ""]), encoding="utf-8")
+    ran = run("batch x.csv --delimiter ; --quantities pull_off_force --no-doubt -o out.csv")
+    assert ran.code == 1
+    written = Path("out.csv").read_text(encoding="utf-8")
+    forces = [line.replace('"', "").split(";")[2] for line in written.splitlines()[1:]]
+    assert [bool(force) for force in forces] == [True, False, False, False, True]
+    assert "'1.200' has a point, and this table has decimal commas: write numbers without marks of thousands" in written
 
 
 @pytest.mark.parametrize(

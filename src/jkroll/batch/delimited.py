@@ -30,6 +30,7 @@ _MISTAKEN = (
     (" ", "blanks", "--delimiter blank"),
 )
 _DECIMAL_COMMA = re.compile(rb"\s*[-+]?\d*,\d+(?:[eE][-+]?\d+)?(?: ?[^\d,.]+)?\s*")
+_DECIMAL_POINT = re.compile(rb"\s*[-+]?\d*\.\d")
 MAX_NUMBERS = 200_000  # that are computed together: more do not stay in the cache
 STRIP = 128  # rows written at once: their text stays in the cache
 _NUMBER = rb"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
@@ -164,6 +165,7 @@ DELIMITED = {
     "tab": DIALECTS["tsv"],
     "blank": Blanks("tsv", b"\t"),
 }
+DELIMITED |= dict(zip(",;|\t ", DELIMITED.values(), strict=True))  # by the mark itself
 
 
 class Rows(NamedTuple):
@@ -199,6 +201,7 @@ class Delimited:
         lines, cells, odd, starts, rest = self._quickly(text) or self._carefully(text)
         if self.has_commas:
             names = [name for name in cells if name not in MATERIALS]
+            odd = {**dict(_with_decimal_points(cells[name] for name in names)), **odd}
             cells = {**cells, **dict(zip(names, with_points([cells[name] for name in names]), strict=True))}
         pieces: list[bytes] = []
         tally = Tally()
@@ -301,6 +304,18 @@ class Delimited:
             status = self.dialect.joined([columns.status(row).encode()])
             remarks[row] = doubts(int(columns.doubts[row])) + separator + status + self.line_end
         return remarks
+
+
+def _with_decimal_points(columns: Iterable[Sequence[bytes]]) -> Iterator[tuple[int, str]]:
+    """Iterate over the rows in which a number has a point, decimal or of thousands, and what is wrong with that."""
+    for column in columns:
+        for row, cell in enumerate(column if b"." in b"".join(column) else ()):
+            if _DECIMAL_POINT.match(cell):
+                text = quoted(cell.decode("utf-8", "replace"))
+                yield (
+                    row,
+                    f"{text} has a point, and this table has decimal commas: write numbers without marks of thousands",
+                )
 
 
 def with_points(rows: Iterable[Sequence[bytes]]) -> list[list[bytes]]:

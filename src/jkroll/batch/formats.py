@@ -51,7 +51,7 @@ def stated(text: str) -> FileFormat:
 def with_delimiter(word: str, found: FileFormat | None) -> FileFormat:
     """Return the format that `--delimiter` asks for, compressed as the name of the file says."""
     if word not in DELIMITED:
-        raise BadTable(f"--delimiter: {quoted(word)} is none of {', '.join(DELIMITED)}")
+        raise BadTable(f"--delimiter: {quoted(word)} is none of {', '.join(filter(str.isalpha, DELIMITED))}")
     return FileFormat(DELIMITED[word].name, found.compression if found else "")
 
 

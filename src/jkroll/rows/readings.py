@@ -145,10 +145,8 @@ def _cuts(text: str) -> Iterator[tuple[str, str, str]]:
 
 def _behind(word: str, mark: str, rest: str) -> Reading | None:
     """Return the meaning of a word with a unit behind a mark; None if it is no input."""
-    if mark == "_" and rest in _NO_UNITS:
-        return None
     name = _named(word)
-    for unit_text in _spellings(rest) if mark == "_" else (rest,):
+    for unit_text in _units_behind(mark, rest):
         if name and fits(unit_text, name):
             return Reading(name, unit_text)
         is_index = mark == "_" and len(unit_text) == 1  # as in R_m
@@ -156,6 +154,26 @@ def _behind(word: str, mark: str, rest: str) -> Reading | None:
         if found and (found.name or found.problem):
             return found
     return None
+
+
+def unit_in(text: str, name: str) -> str | None:
+    """Return the unit of a quantity that stands in a header, whatever else does; None if there is none.
+
+    >>> unit_in("Kraft [nN]", "load"), unit_in("F_nN", "load"), unit_in("Kraft [nm]", "load")
+    ('nN', 'nN', None)
+    """
+    found = _BRACKETS.fullmatch(text) or _PARENTHESES.fullmatch(text)
+    cuts = [("", found[2].strip())] if found else [(mark, rest) for _, mark, rest in _cuts(text)]
+    units = (unit_text for mark, rest in cuts for unit_text in _units_behind(mark, rest))
+    return next((unit_text for unit_text in units if fits(unit_text, name)), None)
+
+
+def _units_behind(mark: str, rest: str) -> Iterator[str]:
+    """Iterate over the units that a text behind a mark may mean."""
+    if mark != "_":
+        yield rest
+    elif rest not in _NO_UNITS:
+        yield from _spellings(rest)
 
 
 def _spellings(rest: str) -> Iterator[str]:
