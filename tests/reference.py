@@ -153,6 +153,7 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
             "mean_rolling_force": mean_M / R1,
             "r_min": R1 * R2 / xi,
             "n_grav": sqrt(M / (m1 * g * R1)),
+            "bond_number": P_c / (m1 * g),
             "rolling_frequency": sqrt(k / I) / (2 * pi),
             "rolling_frequency_as_printed": 3 / (2 * pi) * sqrt(gamma / (5 * R1**3 * rho1)),
             "rolling_frequency_no_slip": sqrt(4 * P_c * x / (R * m_eff)) / (2 * pi),
@@ -449,6 +450,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     # chains
     "r_min": lambda R1, R2, xi: R1 * R2 / xi,
     "n_grav": lambda M, m1, g, R1: sqrt(M / (m1 * g * R1)),
+    "bond_number": lambda P_c, m1, g: P_c / (m1 * g),
     # vibrations
     "vertical_frequency": lambda K, m: sqrt(K / m) / (2 * pi),
     "rolling_frequency": lambda k, I: sqrt(k / I) / (2 * pi),  # noqa: E741

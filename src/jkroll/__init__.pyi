@@ -114,6 +114,7 @@ from .physics.pair import reduced_moment_of_inertia as reduced_moment_of_inertia
 from .physics.pair import reduced_radius as reduced_radius
 from .physics.pair import rolling_mass as rolling_mass
 from .physics.pair import work_of_adhesion as work_of_adhesion
+from .physics.rolling import bond_number as bond_number
 from .physics.rolling import fixed_approach_moment as fixed_approach_moment
 from .physics.rolling import half_circles_moment as half_circles_moment
 from .physics.rolling import mean_rolling_force as mean_rolling_force

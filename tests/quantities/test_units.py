@@ -39,6 +39,7 @@ def test_one_length_in_many_spellings_is_one_double(text: str) -> None:
         ("5eV", "energy", 5 * 1.602176634e-19),
         ("1.62 m/s/s", "gravity", 1.62),
         ("1 standard_gravity", "gravity", 9.80665),
+        ("1000g", "gravity", 9806.65),
         ("17 %", "poisson_ratio", 0.17),
         ("0.17", "poisson_ratio", 0.17),
         ("rigid", "youngs_modulus", float("inf")),

@@ -167,7 +167,7 @@ def about_results(results: list[Result], scene: Scene, noted: Collection[str] = 
         notes.insert(0, Note("result", f"N and n_c are of each of two equal aggregates{as_many}"))
     if {"yield_force", "sliding_force", "peeling_force", "twisting_moment"} <= {*names}:
         notes.append(_first_to_yield(scene))
-    if "pull_off_force" in names and scene.values.get("radius", 0.0) >= ROUGH:
+    if not {"pull_off_force", "bond_number"}.isdisjoint(names) and scene.values.get("radius", 0.0) >= ROUGH:
         notes.append(Note("roughness", _ROUGHNESS, size=log(_SMOOTH)))
     if "sticking_speed" in names:
         notes.insert(0, Note("result", _STICKING))

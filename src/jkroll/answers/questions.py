@@ -45,7 +45,7 @@ _QUESTIONS = {
         ),
     ),
     "r-min": Question(("r_min",), ("r_min",)),
-    "n-grav": Question(("n_grav",), ("n_grav",)),
+    "n-grav": Question(("n_grav",), ("n_grav", "bond_number")),
     "frequencies": Question(
         ("vertical_frequency", "rolling_frequency"),
         (

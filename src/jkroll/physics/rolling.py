@@ -242,10 +242,25 @@ def n_grav(*, yield_moment: Moment, mass: Mass, gravity: Acceleration, radius: L
         N = √(M/(m1 g R1)) = √(9γRξ/(R1⁴ρg)), which is √(9γξ/(2R1³ρg)) for identical spheres
 
     Source:   Eqs (29) and (30).
-    Valid:    A straight chain, all of one mass. Below 1, not even one sphere holds.
+    Valid:    A straight chain, all of one mass. Below 1, even one sphere rolls down; it falls off where Bo is below 1.
     Accuracy: 3 ulp above M and m1.
 
     >>> round(n_grav(yield_moment=9.42478e-18, mass=1.0891e-17, gravity=9.80665, radius=1e-7), 1)
     939.4
     """
     return sqrt(yield_moment / radius / gravity) / sqrt(mass)  # n² may leave the doubles
+
+
+def bond_number(*, pull_off_force: Force, mass: Mass, gravity: Acceleration) -> Number:
+    """Return the Bond number: the acceleration at which sphere 1 is torn off, over gravity.
+
+        Bo = P_c/(m1 g)
+
+    Source:   Definition.
+    Valid:    A sphere that hangs from body 2.
+    Accuracy: 1.5 ulp above P_c and m1.
+
+    >>> bond_number(pull_off_force=1e-8, mass=1e-15, gravity=10.0)
+    1000000.0
+    """
+    return pull_off_force / mass / gravity

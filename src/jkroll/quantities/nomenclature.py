@@ -280,7 +280,8 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "mean_rolling_force": Quantity("⟨Q⟩", "N", "mean force against steady rolling", "44"),
         # chains
         "r_min": Quantity("R_min", "m", "smallest curvature radius of a chain", "28"),
-        "n_grav": Quantity("N_grav", "1", "spheres that the first contact carries", "30"),
+        "n_grav": Quantity("N_grav", "1", "spheres of the longest level chain", "30"),
+        "bond_number": Quantity("Bo", "1", "pull-off force over the weight of sphere 1"),
         "adhesion_hysteresis": Quantity(
             "Δw", "J/m^2", "work of adhesion as it opens less that as it closes", range="positive",
             option="--adhesion-hysteresis", example="5mJ/m2"

@@ -51,9 +51,14 @@ def parse_quantity(text: str, name: str) -> float:
 def unit_of(text: str, name: str) -> Unit:
     """Read a unit for a quantity of the nomenclature. Raises a `QuantityError`; a unit of another dimension is not an error."""
     try:
-        return parse_unit(text)
+        return _unit_meant(text, dimension_of(NOMENCLATURE[name].unit))
     except BadUnit as error:
         raise error_about(name, text, error) from None
+
+
+def _unit_meant(text: str, dimension: Dimension) -> Unit:
+    """Read a unit. Of an acceleration, g is standard gravity and not the gram."""
+    return parse_unit("standard_gravity" if text == "g" and dimension == dimension_of("m/s^2") else text)
 
 
 def parse_value(text: str, dimension: Dimension) -> float:
@@ -70,7 +75,7 @@ def unit_in(text: str, dimension: Dimension) -> Unit:
     """Read a unit of a dimension. Raises a `BadUnit`."""
     if not text and any(dimension):
         raise NoUnit("has no unit")
-    unit = parse_unit(text)
+    unit = _unit_meant(text, dimension)
     if unit.dimension != dimension:
         raise BadUnit(f"is {kind_of(unit.dimension)}")
     return unit

@@ -158,8 +158,8 @@ LIMITS = (
     ),
     Limit(
         "n_grav", frozenset({"n_grav"}), "<",
-        (Doubt(1.0, "below 1", "the contact does not carry even one sphere"),),
-        "above 1: the contact carries a sphere",
+        (Doubt(1.0, "below 1", "held out level, even one sphere rolls down; it falls off where Bo is below 1"),),
+        "above 1: a sphere stands out level",
     ),
     Limit(
         "energy_over_yield", _TURNS, "<=",
