@@ -12,9 +12,17 @@ from ..errors import JkrollError, NoResult
 from ..quantities.formatting import Format, amount, in_words
 from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, XI
-from ..rows.columns import Row, Wanted, outcomes
+from ..rows.columns import NO_END, Row, Wanted, outcomes
 from ..scene.effects import Effect, between_of
-from ..scene.failures import BeyondPullOff, MissingInput, NoContact, OfIdenticalSpheres, RestsOnSpacing, reason_of
+from ..scene.failures import (
+    BeyondPullOff,
+    MissingInput,
+    NoContact,
+    OfIdenticalSpheres,
+    RestsOnSpacing,
+    grouped,
+    reason_of,
+)
 from ..scene.limits import JUMP, LEAST_EFFECT, Judgement, Verdict, against_limit, judged, sentence
 from ..scene.scene import Scene
 from ..scene.wiring import depends_on
@@ -326,14 +334,8 @@ def stated_by(sources: "Sources", inputs: Collection[str]) -> "dict[str, Uncerta
 
 def about_uncertainties(found: Mapping[str, "Propagated | JkrollError"], sources: "Sources") -> list[Note]:
     """Return notes on uncertainties that do not exist, and on sources that are left out."""
-    failures: dict[str, list[str]] = {}
-    for name, one in found.items():
-        if isinstance(one, MissingInput | NoResult):
-            failures.setdefault(reason_of(name, one), []).append(name)
-    notes = [
-        Note("missing", f"{first_symbols(names)}: no uncertainty, as there is no value at an end of an input: {reason}")
-        for reason, names in failures.items()
-    ]
+    failures = {name: one for name, one in found.items() if isinstance(one, JkrollError)}
+    notes = [Note("missing", f"{first_symbols(names)}: {NO_END}{reason}") for names, reason in grouped(failures)]
     left_out: dict[str, list[str]] = {}
     for source in sources.left_out:
         reason = "ranges are left out beside ±" if source.given.kind == "range" else "± is left out beside ranges"

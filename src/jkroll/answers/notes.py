@@ -7,13 +7,13 @@ from ..errors import JkrollError
 from ..materials.library import Material
 from ..quantities.formatting import amount, significant
 from ..quantities.nomenclature import NOMENCLATURE, XI
-from ..scene.failures import MissingInput
+from ..scene.failures import MissingInput, grouped
 from ..scene.limits import IMPACT, Judgement, judged, limits_of
 from ..scene.scene import DEFAULTS, IN_ITS_PLACE, Scene
 from ..scene.wiring import depends_on
 from ..text import first_of
 from .displacement import about_displacement_of_rows
-from .results import Note, Result, remarks
+from .results import Note, NoValue, Result, remarks
 
 MAX_NAMES = 3  # of quantities in a note
 CUTOFFS = (4e-10, 1.65e-10)  # the spacing of solids, and the convention: w at the one that was not given
@@ -256,25 +256,14 @@ def about_limits(limits: Judgement) -> list[Note]:
     ]
 
 
-def about_missing(results: list[Result], errors: Mapping[str, JkrollError]) -> list[Note]:
-    """Return a note for each reason why values are missing, with the names of all that it concerns.
-
-    Values that lack the same inputs have one note, though some of them may be had in another way too.
-    """
-    groups: dict[object, list[Result]] = {}
+def about_missing(results: Iterable[Result], errors: Mapping[str, JkrollError]) -> list[Note]:
+    """Return a note for each reason why values are missing, with the names of all that it concerns."""
+    reasons: dict[str, JkrollError] = {}
     for result in results:
         if result.value is None:
             error = errors.get(result.name)
-            lacked = error.missing if isinstance(error, MissingInput) else ()
-            groups.setdefault(lacked or result.reason, []).append(result)
-    notes = []
-    for group in groups.values():
-        names = [result.name for result in group]
-        shortest = min(group, key=lambda result: len(result.reason))
-        error = errors.get(shortest.name)
-        reason = error.reason_of_several() if isinstance(error, MissingInput) and names[1:] else shortest.reason
-        notes.append(Note("missing", f"{first_symbols(names)}: {reason}"))
-    return notes
+            reasons[result.name] = error if isinstance(error, MissingInput) else NoValue(result.name, result.reason)
+    return [Note("missing", f"{first_symbols(names)}: {reason}") for names, reason in grouped(reasons)]
 
 
 def first_symbols(names: list[str]) -> str:

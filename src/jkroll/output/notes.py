@@ -7,10 +7,10 @@ from typing import Any, NamedTuple, get_args
 from ..answers.answer import Answer
 from ..answers.notes import first_symbols, notes_on_rows
 from ..answers.results import Kind, Note
-from ..errors import JkrollError, NoResult
+from ..errors import JkrollError
 from ..rows.columns import NO_END, ROW, UNCERTAINTY, Columns, Reasons, of_quantities
 from ..rows.sweep import Pair
-from ..scene.failures import MissingInput, reason_of
+from ..scene.failures import grouped
 from ..scene.limits import told
 from ..scene.scene import Scene
 
@@ -193,21 +193,7 @@ def _about_reasons(reasons: Reasons) -> list[tuple[str, str]]:
 
 
 def _about_quantities(reasons: Reasons, lead: str) -> list[tuple[str, str]]:
-    groups: dict[object, list[str]] = {}
-    for name, error in reasons.items():
-        lacked = error.missing if isinstance(error, MissingInput) else ()
-        groups.setdefault(lacked or _reason(name, error), []).append(name)
-    texts = []
-    for names in groups.values():
-        shortest = min(names, key=lambda name: len(str(reasons[name])))
-        error = reasons[shortest]
-        several = error.reason_of_several() if names[1:] and isinstance(error, MissingInput) else ""
-        texts.append((lead + " ".join(names), f"{first_symbols(names)}: {lead}{several or _reason(shortest, error)}"))
-    return texts
-
-
-def _reason(name: str, error: JkrollError) -> str:
-    return reason_of(name, error) if isinstance(error, MissingInput | NoResult) else str(error)
+    return [(lead + " ".join(names), f"{first_symbols(names)}: {lead}{reason}") for names, reason in grouped(reasons)]
 
 
 def _rows(runs: list[list[int]]) -> str:

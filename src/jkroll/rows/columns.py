@@ -577,7 +577,7 @@ def _clauses(errors: Mapping[str, JkrollError], lead: str = "") -> list[str]:
     joined = _joined([*lacking.values()])
     reasons: dict[str, list[str]] = {}
     for name, error in errors.items():
-        reason = joined if name in lacking else reason_of(name, error)  # type: ignore[arg-type]
+        reason = joined if name in lacking else reason_of(name, error)
         reasons.setdefault(reason, []).append(name)
     return [f"{first_of(names, MOST_NAMES)}: {lead}{reason}" for reason, names in reasons.items()]
 

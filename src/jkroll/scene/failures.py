@@ -3,7 +3,7 @@
 Below: the numbers for which the physics gives a formula no result, with the error that says why.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from math import isinf
 from typing import Any, NamedTuple
 
@@ -249,11 +249,27 @@ def written_outcome(name: str, outcome: Any) -> Any:
     return InfiniteValue(name) if isinstance(outcome, float) and isinf(outcome) else outcome
 
 
-def reason_of(name: str, error: MissingInput | NoResult) -> str:
+def reason_of(name: str, error: JkrollError) -> str:
     """Return why a quantity has no value, without its name."""
-    if isinstance(error, MissingInput) or error.name == name:
+    if isinstance(error, MissingInput) or (isinstance(error, NoResult) and error.name == name):
         return error.reason()
     return str(error)
+
+
+def grouped(errors: Mapping[str, JkrollError]) -> Iterator[tuple[list[str], str]]:
+    """Iterate over the quantities that have no value for one reason, and the reason.
+
+    Those that lack the same inputs have one, in the shortest words, though some may be had in another way too.
+    """
+    groups: dict[object, list[str]] = {}
+    for name, error in errors.items():
+        lacked = error.missing if isinstance(error, MissingInput) else ()
+        groups.setdefault(lacked or reason_of(name, error), []).append(name)
+    for names in groups.values():
+        reasons = {reason_of(name, errors[name]): errors[name] for name in names}
+        reason = min(reasons, key=len)
+        error = reasons[reason]
+        yield names, error.reason_of_several() if names[1:] and isinstance(error, MissingInput) else reason
 
 
 # --- Numbers for which the physics has no result ----------------------------------------------------------------------
