@@ -592,6 +592,32 @@ def test_the_curve_has_its_states(run: Run) -> None:
     assert approaches[fold:] == sorted(approaches[fold:])
 
 
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("quartz", "100±10nm"),
+        ("ice-cold", "100nm"),
+        ("quartz", "90 to 110nm", "--model", "maugis"),
+        ("quartz", "1um", "--gamma", "25±5mJ/m2", "--radius2", "plane", "--model", "dmt"),
+    ],
+)
+def test_a_curve_has_the_same_numbers_as_columns_and_as_objects(run: Run, words: tuple[str, ...]) -> None:
+    rows = list(csv.DictReader(io.StringIO(run("contact", *words, "--curve", "--csv").out)))
+    objects = json.loads(run("contact", *words, "--curve", "--json").out)
+    assert len(rows) == len(objects)
+    is_uncertain = False
+    for row, one in zip(rows, objects, strict=True):
+        assert row["state"] == one["inputs"]["state"]
+        for result in one["results"]:
+            name, bars = result["name"], result.get("uncertainty", {"kind": ""})
+            is_uncertain |= bool(bars["kind"])
+            found = {"": result["value"]} | {f"_{side}": value for side, value in bars.items() if side != "kind"}
+            for side, value in found.items():
+                cell = row[f"{name}{side} [{result['unit']}]"]
+                assert (float(cell) if cell else None) == value
+    assert is_uncertain
+
+
 def test_every_answer_says_how_far_it_can_be_trusted(run: Run) -> None:
     validity = {one["name"]: one for one in json.loads(run("report quartz 100nm --json").out)["validity"]}
     modulus = 54e9 / (2 * (1 - 0.17**2))

@@ -15,7 +15,7 @@ import maugis_reference as reference
 from harness import Run
 from jkroll import FORMULAS, NOMENCLATURE, JkrollError, solve
 from jkroll.answers.answer import Answer
-from jkroll.answers.curve import STATES_OF_LAW, curve
+from jkroll.answers.curve import STATES_OF_LAW, AtState, at_states
 from jkroll.answers.questions import QUESTIONS
 from jkroll.materials.library import known_materials
 from jkroll.quantities.laws import LAWS, Law, UnknownLaw
@@ -309,7 +309,7 @@ def test_a_law_without_states_of_its_own_has_them_by_load(monkeypatch: pytest.Mo
     monkeypatch.delitem(STATES_OF_LAW, "dmt")
     scene = Scene({"radius": 1e-7}, known_materials()["quartz"], model="dmt")
     force, radius, modulus = (scene[name] for name in ("pull_off_force", "reduced_radius", "contact_modulus"))
-    rows = [*curve([scene])]
+    rows = [*map(AtState, at_states([scene]))]
     loads = [row.state.value for row in rows]
     assert {row.state.given for row in rows} == {"load"}
     assert loads == sorted(loads)
@@ -324,7 +324,7 @@ def test_a_law_without_states_of_its_own_has_them_by_load(monkeypatch: pytest.Mo
 @pytest.mark.parametrize("model", ["maugis", "dmt"])
 def test_a_curve_rises_in_its_approach_and_has_its_largest_tension_at_pull_off(model: str, radius: float) -> None:
     quartz = known_materials()["quartz"]
-    rows = [*curve([Scene({"radius": radius}, quartz, model=model)])]
+    rows = [*map(AtState, at_states([Scene({"radius": radius}, quartz, model=model)]))]
     held = [row for row in rows if row.state.name != "unstable"]
     places: list[Any] = [row.inputs.get("approach_at_load", row.value("approach_at_load")) for row in held]
     assert len(held) > 15

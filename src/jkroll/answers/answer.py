@@ -6,13 +6,13 @@ Where the law of attraction is in doubt, its results stand beside those of Maugi
 from collections.abc import Collection, Mapping, Sequence
 from functools import cached_property
 from math import log
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from ..errors import JkrollError, NoResult
 from ..quantities.formatting import Format, amount, in_words
 from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, XI
-from ..rows.columns import NO_END, Row, Wanted, outcomes
+from ..rows.columns import NO_END, outcomes
 from ..scene.effects import Effect, between_of
 from ..scene.failures import (
     BeyondPullOff,
@@ -41,7 +41,7 @@ from .notes import (
     symbol_of,
 )
 from .questions import Question
-from .results import Note, NoValue, Result, at_half_spacing, over_spacing, with_law
+from .results import Note, Result, at_half_spacing, over_spacing, with_law
 
 if TYPE_CHECKING:
     from ..quantities.values import Uncertain
@@ -219,25 +219,6 @@ class Answer:
         """The inputs that are uncertain."""
         _, sources = self._uncertainties
         return stated_by(sources, self.inputs) if sources is not None else {}
-
-    def sides(self) -> dict[str, Collection[str]]:
-        """Return by result the sides of its uncertainty, of those that have one."""
-        return {result.name: result.sides().keys() for result in self.results if result.propagated is not None}
-
-    def row(self, wanted: Wanted) -> Row:
-        """Return the answer as a row of columns."""
-        results = {result.name: result for result in self.results}
-        numbers: dict[str, Any] = {name: self.inputs.get(name) for name in wanted.names}
-        for name, result in results.items():
-            numbers[name] = result.value
-            numbers |= {f"{name}_{side}": number for side, number in result.sides().items()}
-        reasons = {name: NoValue(name, one.reason) for name, one in results.items() if one.value is None}
-        return Row(
-            {name: self.uncertain.get(name, self.inputs.get(name)) for name in wanted.inputs},
-            [float("nan") if (number := numbers.get(key)) is None else number for key in wanted.keys],
-            0,
-            reasons,
-        )
 
     @cached_property
     def laws(self) -> tuple[Difference, ...]:

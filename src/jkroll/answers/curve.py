@@ -2,20 +2,22 @@
 
 from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
-from typing import NamedTuple
+from math import nan
+from typing import Any, NamedTuple
 
 from ..errors import BadRequest, NoResult
 from ..physics.elementary import cbrt
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import parse_quantity
-from ..rows.columns import Wanted
+from ..rows.columns import Row, Wanted, by_floats
+from ..rows.sweep import entering
 from ..scene.failures import MissingInput
 from ..scene.limits import Verdict
 from ..scene.scene import Scene
 from ..text import quoted
 from .answer import Answer, Difference
 from .questions import Question
-from .results import Result
+from .results import NoValue, Result
 
 FORCE_CURVE = Question(
     ("approach_at_load", "load"),
@@ -137,13 +139,29 @@ def _of_loads(scene: Scene, loads: Loads | None, steps: int) -> list[State]:
 STATES_OF_LAW = {"jkr": _of_jkr, "maugis": _of_maugis, "dmt": _of_dmt}
 
 
+At = tuple[State, Scene]  # a state of a force curve, and the scene at it
+
+
+def at_states(scenes: Iterable[Scene], loads: Loads | None = None) -> Iterator[At]:
+    """Iterate over the states of each scene, under its own law."""
+    for scene in scenes:
+        for state in states(scene, loads):
+            yield state, scene.replace(**{**scene.uncertain, state.given: state.value})
+
+
+def _known(state: State) -> dict[str, float | NoValue]:
+    """Return the results at a state of which rounding alone would decide."""
+    if state.name == NAMED[FOLD]:
+        return {"stiffness": NoValue("stiffness", "infinite at the fold")}
+    return {"approach_at_load": 0.0} if state.name == NAMED[JUMP_IN] else {}
+
+
 class AtState(Answer):
     """The answer at a state of the force curve."""
 
-    def __init__(self, scene: Scene, state: State) -> None:
-        """`scene`: at that state."""
+    def __init__(self, at: At) -> None:
+        self.state, scene = at
         super().__init__(FORCE_CURVE, scene)
-        self.state = state
 
     @cached_property
     def inputs(self) -> Mapping[str, float | str]:
@@ -152,8 +170,9 @@ class AtState(Answer):
 
     @cached_property
     def results(self) -> tuple[Result, ...]:
-        """The results, without numbers that rounding alone decides on."""
-        return tuple(_at_state(self.state, result) for result in super().results)
+        """The results, without numbers of which rounding alone would decide."""
+        known = _known(self.state)
+        return tuple(one if one.name not in known else _as_known(one, known[one.name]) for one in super().results)
 
     @cached_property
     def laws(self) -> tuple[Difference, ...]:
@@ -166,39 +185,34 @@ class AtState(Answer):
         return ()
 
 
-def curve(scenes: Iterable[Scene], loads: Loads | None = None) -> Iterator[AtState]:
-    """Iterate over the answers at the states of each scene, under its own law."""
-    for scene in scenes:
-        for state in states(scene, loads):
-            yield AtState(scene.replace(**{state.given: state.value}), state)
+def _as_known(result: Result, value: float | NoValue) -> Result:
+    if isinstance(value, NoValue):
+        return result._replace(value=None, reason=value.reason(), propagated=None)
+    return result._replace(value=value, propagated=None)
 
 
-def wanted_of_curve(samples: Iterable[AtState], *, is_bare: bool) -> Wanted:
-    """Return the columns of curves: the inputs, the name of the state and the results; the headline alone if bare.
+class OfCurve(Wanted):
+    """The columns of force curves: the inputs, the name of the state and the results."""
 
-    `samples`: the curve of a scene of each kind.
-    """
-    if is_bare:
-        return Wanted(FORCE_CURVE.headline, named=FORCE_CURVE.headline, doubts=False)
-    inputs: set[str] = set()
-    sides: dict[str, set[str]] = {}
-    for one in samples:
-        inputs.update(one.inputs)
-        for name, own in one.sides().items():
-            sides.setdefault(name, set()).update(own)
-    return Wanted(
-        FORCE_CURVE.quantities,
-        named=FORCE_CURVE.quantities,
-        inputs=[name for name in NOMENCLATURE if name in inputs.difference(FORCE_CURVE.quantities)],
-        sides=sides,
-        doubts=False,
-    )
+    @classmethod
+    def of(cls, scenes: Iterable[Scene]) -> "OfCurve":
+        """Return the columns of scenes at their states."""
+        names = FORCE_CURVE.quantities
+        inputs, sides = entering(scenes, lambda _: names, names)
+        shown = [name for name in NOMENCLATURE if name in {*inputs, "state"}.difference(names)]
+        return cls(names, named=names, inputs=shown, sides=sides, doubts=False)
 
-
-def _at_state(state: State, result: Result) -> Result:
-    """Return a result at a state: the stiffness is infinite at the fold, and the approach at the jump-in is zero, but for rounding."""
-    if state.name == NAMED[FOLD] and result.name == "stiffness":
-        return result._replace(value=None, reason="infinite at the fold")
-    if state.name == NAMED[JUMP_IN] and result.name == "approach_at_load":
-        return result._replace(value=0.0, propagated=None)
-    return result
+    def row(self, at: Any) -> Row:
+        """Return the row of a state."""
+        state, scene = at
+        found = by_floats(self, scene)
+        numbers, reasons = dict(zip(self.keys, found.numbers, strict=True)), {**found.reasons}
+        for name, value in _known(state).items():
+            for key in (name, *self.sides_of(name).values()):
+                numbers[key] = nan
+                reasons.pop(key, None)
+            if isinstance(value, NoValue):
+                reasons[name] = value
+            else:
+                numbers[name] = value
+        return Row({**found.inputs, "state": state.name}, [numbers[key] for key in self.keys], 0, reasons)

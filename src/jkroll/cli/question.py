@@ -206,23 +206,26 @@ def run_contact(call: Call) -> int:
 
 def _write_curve(call: Call) -> int:
     """Write the force curve of every scene; return the exit code."""
-    from ..answers.curve import curve, states, wanted_of_curve
+    from ..answers.curve import FORCE_CURVE, AtState, OfCurve, at_states
 
     _, kind, form = checked(call)
     if kind in ("explain", "cite"):
         raise BadRequest(f"--curve and --{kind} exclude each other")
     request, loads = curve_request(call)
     check_count(len(request.sweep), "curve")
-    samples = [*curve(request.sweep.kinds, loads)]
-    if (failure := samples[0].failure) is not None and all(one.failure is not None for one in samples):
+    samples = [*at_states(request.sweep.kinds, loads)]
+    failure = AtState(samples[0]).failure
+    if failure is not None and all(AtState(one).failure is not None for one in samples):
         raise failure
-    answers = curve(request.sweep.scenes(), loads)
+    at = at_states(request.sweep.scenes(), loads)
     if kind == "json":
-        count = sum(len(states(scene, loads)) for scene in request.sweep.scenes())
-        return write_answers(answers, count, kind, form, sys.stdout, quiet=call.quiet)
-    wanted = wanted_of_curve(samples, is_bare=kind == "bare")
+        every = [*at]
+        return write_answers(map(AtState, every), len(every), kind, form, sys.stdout, quiet=call.quiet)
+    headline = FORCE_CURVE.headline
+    bare = OfCurve(headline, named=headline, doubts=False)
+    wanted = bare if kind == "bare" else OfCurve.of(scene for _, scene in samples)
     size = MAX_TABLE if kind == "table" else CURVE_BLOCK
-    blocks = iter(lambda: [one.row(wanted) for one in islice(answers, size)], [])
+    blocks = iter(lambda: [wanted.row(one) for one in islice(at, size)], [])
     notes = note_lines.OfRows()
     columns = (in_units(Columns.of_rows(wanted, rows), form) for rows in blocks)
     write_columns(wanted, notes.watch(columns), kind, form, call)

@@ -5,7 +5,7 @@ imported.
 """
 
 from bisect import bisect
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property, partial
 from itertools import accumulate, chain, product
 from math import prod
@@ -84,18 +84,10 @@ class Sweep:
 
         Raises OfIdenticalSpheres where none does.
         """
-        inputs: set[str] = set()
-        shown: set[str] = set(named)
-        sides: dict[str, set[str]] = {}
-        for scene in self.kinds:
-            own = self.shown(scene, quantities, named)
-            shown.update(own)
-            inputs.update(scene.echo(scene.inputs_used(quantities, own)))
-            if scene.is_uncertain:
-                for name, of_name in _sides(scene, own).items():
-                    sides.setdefault(name, set()).update(of_name)
+        shown = {*named, *chain.from_iterable(self.shown(scene, quantities, named) for scene in self.kinds)}
         if not shown:
             raise OfIdenticalSpheres
+        inputs, sides = entering(self.kinds, lambda scene: self.shown(scene, quantities, named), quantities)
         return Wanted(
             [name for name in quantities if name in shown],
             named=named,
@@ -190,6 +182,21 @@ class _Rows:
         given = {name: self.sweep.value(name, int(places[row])) for name, places in self.inputs.items()}
         pair, model = self.cases[self.case(row)]
         return self.sweep.scene(given, *pair, model=model)
+
+
+def entering(
+    scenes: Iterable[Scene], shown: Callable[[Scene], Sequence[str]], quantities: Sequence[str]
+) -> tuple[set[str], dict[str, set[str]]]:
+    """Return the inputs that enter the quantities which some scenes show, and the sides of the uncertainties of these."""
+    inputs: set[str] = set()
+    sides: dict[str, set[str]] = {}
+    for scene in scenes:
+        own = shown(scene)
+        inputs.update(scene.echo(scene.inputs_used(quantities, own)))
+        if scene.is_uncertain:
+            for name, of_name in _sides(scene, own).items():
+                sides.setdefault(name, set()).update(of_name)
+    return inputs, sides
 
 
 def _of_each_kind(name: str, spreads: Sequence[Spread]) -> list[Any]:
