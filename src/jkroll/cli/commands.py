@@ -105,24 +105,22 @@ _INSTEAD = "Show the derivation or the BibTeX entry instead of results"
 MATERIALS = Option("materials", "--materials", str, "FILE", "Read materials from your own file as well")
 NO_DOUBT = Option("no_doubt", "--no-doubt", bool, "", "Omit the column of doubts")
 QUIET = Option("quiet", "--quiet", bool, "", "Suppress notes")
-EXPLAIN = Option("explain", "--explain", bool, "", _INSTEAD)
-CITE_ANSWER = Option("cite", "--cite", bool, "", _INSTEAD)
-RESULTS = (
+_OUTPUT = (
     Option("to", "--to", str, "UNIT", "Unit of the results; several with commas"),
     Option("digits", "--digits", int, "N", "Significant digits", 1, 17),
     Option("bare", "--bare", bool, "", _FORMAT),
     Option("json", "--json", bool, "", _FORMAT),
     Option("csv", "--csv", bool, "", _FORMAT),
+    Option("target", "-o", str, "OUT", _FORMAT),
+    NO_DOUBT._replace(hidden=True),
+    Option("explain", "--explain", bool, "", _INSTEAD),
+    Option("cite", "--cite", bool, "", _INSTEAD),
+    MATERIALS,
+    QUIET,
 )
 OUTPUT = (
     Option("quantities", "--quantities", str, "NAMES", "Show these quantities instead, separated by commas"),
-    *RESULTS,
-    Option("target", "-o", str, "OUT", _FORMAT),
-    NO_DOUBT._replace(hidden=True),
-    EXPLAIN,
-    CITE_ANSWER,
-    MATERIALS,
-    QUIET,
+    *_OUTPUT,
 )
 MEASURED = Option(
     "measured",
@@ -364,15 +362,7 @@ _COMMANDS = (
         "infer",
         "Find the input at which a quantity has its measured value.",
         Words("INPUT [MATERIAL] [RADIUS]...", INFINITY),
-        lambda: (
-            MEASURED,
-            *_any_input(),
-            *RESULTS,
-            EXPLAIN,
-            CITE_ANSWER,
-            MATERIALS,
-            QUIET,
-        ),
+        lambda: (MEASURED, *_any_input(), *_OUTPUT),
         "infer:run_infer",
         "gamma quartz 2um --radius2 plane --measured pull_off_force=300±20nN",
     ),

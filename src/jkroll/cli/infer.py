@@ -1,28 +1,24 @@
 """Runner of `infer`: from measured values back to one input or two."""
 
-import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from ..answers.inferred import Inferred, InferredOne, InferredPair
 from ..answers.questions import quantity_named
 from ..errors import BadRequest
 from ..materials.library import Material
-from ..output import notes as note_lines
-from ..output.records import in_units
-from ..quantities.formatting import Format
 from ..quantities.nomenclature import named
 from ..quantities.values import Spread, spreads_of
 from ..rows.columns import Wanted
 from ..rows.inferred import Sought, SoughtOne
 from ..rows.sweep import Sweep
 from ..scene.inverse import SIZES, AlreadyGiven, CannotInfer, Observed, largest, observed, with_inputs
-from ..text import quoted, say_wrapped
+from ..scene.scene import Scene
+from ..text import quoted
 from .commands import Call
-from .question import check_count, exit_code, unless_failed, write_answers, write_columns
-from .request import form_of, format_name, is_table, request_of
+from .question import checked_format, write_asked
+from .request import form_of, is_table, request_of
 
-MAX_ANSWERS = 10_000  # that are explained one by one
 MAX_PAIRS = 1_000  # scenes in which two inputs are looked for, which takes up to seconds in each
 
 
@@ -30,7 +26,7 @@ class _Inverse:
     """Unknowns of the rows of a sweep: an input by a measured quantity, or two by two."""
 
     def __init__(self, names: Sequence[str], quantities: Sequence[str]) -> None:
-        self.names, self.quantities = names, quantities
+        self.names, self.headline, self.quantities = names, names, quantities
         self.is_pair = len(names) > 1
         self.sought = Sought if self.is_pair else SoughtOne
 
@@ -46,9 +42,13 @@ class _Inverse:
         """Return the columns of the rows."""
         return self.sought.of(self.names, self.quantities, sweep.kinds)
 
-    def numbers(self, *, doubts: bool) -> Wanted:
+    def bare(self, *, doubts: bool) -> Wanted:
         """Return the columns of the values alone."""
         return self.sought(self.names, self.quantities, doubts=doubts)
+
+    def kinds(self, sweep: Sweep, wanted: Wanted) -> Iterable[tuple[Scene, Sequence[str]]]:  # noqa: ARG002
+        """Return a scene of each kind of rows, with the measured quantities."""
+        return [(with_inputs(row.scene, largest(self.names)), self.quantities) for row in sweep.kinds]
 
 
 def run_infer(call: Call) -> int:
@@ -65,7 +65,7 @@ def run_infer(call: Call) -> int:
         line = f"jkroll batch {tables[0]} --infer {call.words[0]} --measured {quantity}"
         raise BadRequest(f"infer reads no tables; write {line}")
     measured = _measured(call.measured, names)
-    kind = format_name(call)
+    kind = checked_format(call)
     form = form_of(call, names)
     request = request_of(call._replace(words=call.words[1:]))
     for quantity in measured:
@@ -75,35 +75,7 @@ def run_infer(call: Call) -> int:
     sweep = Sweep(request.pairs, {**request.spreads, **measured}, request.models, inverse.row)
     if inverse.is_pair and len(sweep) > MAX_PAIRS:
         raise BadRequest(f"{len(sweep)} scenes are more than {MAX_PAIRS}, in which two inputs are looked for")
-    wanted = inverse.wanted(sweep)
-    is_one = len(sweep) == 1 and kind in ("plain", "table")
-    if is_one or kind in ("json", "explain", "cite"):
-        check_count(len(sweep), kind, MAX_ANSWERS)
-        answers = map(inverse.answer, sweep.scenes())
-        shown = (one.explained for one in answers) if kind in ("explain", "cite") else answers
-        return write_answers(shown, len(sweep), kind, form, sys.stdout, quiet=call.quiet)
-    return _write_rows(inverse, wanted, sweep, kind, form, call)
-
-
-def _write_rows(inverse: _Inverse, wanted: Wanted, sweep: Sweep, kind: str, form: Format, call: Call) -> int:
-    """Write a row for each scene and measured value; return the exit code."""
-    if kind == "bare":
-        wanted = inverse.numbers(doubts=not call.quiet)
-    blocks = sweep.columns(wanted, one_by_one=inverse.is_pair)
-    if len(sweep) == 1:
-        blocks = iter([unless_failed(next(blocks), inverse.names)])
-    notes = note_lines.OfRows()
-    write_columns(wanted, notes.watch(in_units(columns, form) for columns in blocks), kind, form, call)
-    if call.quiet:
-        found = []
-    elif len(sweep) == 1:
-        found = note_lines.of_answer(inverse.answer(next(sweep.scenes())))
-    else:
-        kinds = [(with_inputs(row.scene, largest(inverse.names)), inverse.quantities) for row in sweep.kinds]
-        found = notes.lines(sweep.pairs, kinds)
-    for line in found:
-        say_wrapped(line, sys.stderr)
-    return exit_code(notes, len(sweep))
+    return write_asked(inverse, sweep, kind, form, call, is_slow=True)
 
 
 def _names(text: str) -> list[str]:

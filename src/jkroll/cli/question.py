@@ -4,7 +4,7 @@ import sys
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain, islice
 from math import isnan
-from typing import TextIO
+from typing import Any, Protocol, TextIO
 
 from ..answers.answer import Answer
 from ..answers.questions import QUESTIONS, Question, question_about
@@ -15,37 +15,93 @@ from ..quantities.formatting import Format
 from ..quantities.nomenclature import NOMENCLATURE
 from ..rows.columns import Columns, Wanted
 from ..rows.sweep import Sweep
+from ..scene.scene import Scene
 from ..scene.wiring import formula_of
 from ..text import fitting, quoted, say_wrapped
 from .commands import Call
 from .request import PICTURES, curve_request, ending, form_of, format_name, is_json, request_of
 
 MAX_OBJECTS = 1_000_000  # answers that are written one by one
+MAX_SLOW = 10_000  # of these, where each takes milliseconds
 MAX_TABLE = 10_000  # rows of a table on a terminal
+MAX_SLOW_TABLE = 500
 CURVE_BLOCK = 500  # rows of force curves that are computed before they are written
+
+
+class Asked(Protocol):
+    """What is asked of the rows of a sweep."""
+
+    headline: Sequence[str]  # quantities without which a single row fails
+
+    def answer(self, scene: Any) -> Answer:
+        """Return the answer for a row."""
+
+    def wanted(self, sweep: Sweep) -> Wanted:
+        """Return the columns of the rows. Raises what is wrong with all of them."""
+
+    def bare(self, *, doubts: bool) -> Wanted:
+        """Return the columns of the headline alone."""
+
+    def kinds(self, sweep: Sweep, wanted: Wanted) -> Iterable[tuple[Scene, Sequence[str]]]:
+        """Return a scene of each kind of rows, with the quantities that it shows."""
+
+
+class _OfQuestion:
+    """The question of a command, or about quantities that were named."""
+
+    def __init__(self, question: Question) -> None:
+        self.question = question
+        self.headline: Sequence[str] = question.headline
+
+    def answer(self, scene: Scene) -> Answer:
+        return Answer(self.question, scene)
+
+    def wanted(self, sweep: Sweep) -> Wanted:
+        return sweep.wanted(self.question.quantities, self.question.named)
+
+    def bare(self, *, doubts: bool) -> Wanted:
+        shown = [name for name in self.headline if name in self.question.named or not NOMENCLATURE[name].of_identical]
+        return Wanted(self.headline, named=shown, doubts=doubts)
+
+    def kinds(self, sweep: Sweep, wanted: Wanted) -> Iterable[tuple[Scene, Sequence[str]]]:
+        return [(scene, sweep.shown(scene, wanted.names, wanted.named)) for scene in sweep.kinds]
 
 
 def run_question(call: Call) -> int:
     """Answer the question of a command for every scene that was described; return the exit code."""
     question, kind, form = checked(call)
-    request = request_of(call)
+    sweep = request_of(call).sweep
     if call.quantities:
-        _refuse_inputs(question, request.sweep)
-    count = len(request.sweep)
+        _refuse_inputs(question, sweep)
+    return write_asked(_OfQuestion(question), sweep, kind, form, call)
+
+
+def write_asked(asked: Asked, sweep: Sweep, kind: str, form: Format, call: Call, *, is_slow: bool = False) -> int:
+    """Write what is asked, as answers or as rows; return the exit code. `is_slow`: an answer takes milliseconds."""
+    count = len(sweep)
     is_one = count == 1 and kind in ("plain", "table") and call.target is None
-    if is_one or kind in ("json", "explain", "cite"):
-        check_count(count, kind)
-        if count > 1:
-            # What is wrong with rows is raised before one is written.
-            request.sweep.wanted(question.quantities, question.named)
-        answers = (Answer(question, scene) for scene in request.sweep.scenes())
-        with text_output(call.target or "-") as out:
-            return write_answers(answers, count, kind, form, out, quiet=call.quiet)
-    return _write_rows(question, request.sweep, kind, form, call)
+    if not is_one and kind not in ("json", "explain", "cite"):
+        return _write_rows(asked, sweep, kind, form, call, is_slow=is_slow)
+    check_count(count, kind, MAX_SLOW if is_slow else MAX_OBJECTS)
+    if count > 1:
+        asked.wanted(sweep)  # what is wrong with rows is raised before one is written
+    answers = map(asked.answer, sweep.scenes())
+    with text_output(call.target or "-") as out:
+        return write_answers(answers, count, kind, form, out, quiet=call.quiet)
 
 
 def checked(call: Call) -> tuple[Question, str, Format]:
     """Return the question of a call, and the name and the units of the output format; raise BadRequest for a mistake."""
+    kind = checked_format(call)
+    question = question_of(call)
+    if kind == "bare":
+        question = question._replace(quantities=question.headline)
+    form = form_of(call, question.quantities)
+    return question, kind, form
+
+
+def checked_format(call: Call) -> str:
+    """Return the name of the output format; raise BadRequest for one that does not go with `-o`."""
     kind = format_name(call)
     if call.target is not None and not is_json(call.target):
         if ending(call.target) in PICTURES:
@@ -53,11 +109,7 @@ def checked(call: Call) -> tuple[Question, str, Format]:
             raise BadRequest(f"-o: {quoted(call.target)} is a picture; {remedy}")
         if kind in ("bare", "json", "explain", "cite"):
             raise BadRequest(f"-o and --{kind} exclude each other; for that output write > FILE")
-    question = question_of(call)
-    if kind == "bare":
-        question = question._replace(quantities=question.headline)
-    form = form_of(call, question.quantities)
-    return question, kind, form
+    return kind
 
 
 def question_of(call: Call) -> Question:
@@ -82,27 +134,22 @@ def check_count(count: int, kind: str, most: int = MAX_OBJECTS) -> None:
 # --- Rows -------------------------------------------------------------------------------------------------------------
 
 
-def _write_rows(question: Question, sweep: Sweep, kind: str, form: Format, call: Call) -> int:
+def _write_rows(asked: Asked, sweep: Sweep, kind: str, form: Format, call: Call, *, is_slow: bool) -> int:
     """Write a row for each scene; return the exit code."""
-    if kind == "bare":
-        named = [name for name in question.headline if name in question.named or not NOMENCLATURE[name].of_identical]
-        wanted = Wanted(question.headline, named=named, doubts=not call.quiet)
-    else:
-        wanted = sweep.wanted(question.quantities, question.named)
-    is_shown = kind == "table" and call.target is None and len(sweep) <= MAX_TABLE
+    wanted = asked.bare(doubts=not call.quiet) if kind == "bare" else asked.wanted(sweep)
+    is_shown = kind == "table" and call.target is None and len(sweep) <= (MAX_SLOW_TABLE if is_slow else MAX_TABLE)
     blocks = sweep.columns(wanted, one_by_one=is_shown)
     if len(sweep) == 1:
-        headline = [name for name in question.headline if name in wanted.names and name not in sweep.spreads]
+        headline = [name for name in asked.headline if name in wanted.names and name not in sweep.spreads]
         blocks = iter([unless_failed(next(blocks), headline)])
     notes = note_lines.OfRows()
     write_columns(wanted, notes.watch(in_units(columns, form) for columns in blocks), kind, form, call)
     if call.quiet:
         found = []
     elif len(sweep) == 1:
-        found = note_lines.of_answer(Answer(question, next(sweep.scenes())))
+        found = note_lines.of_answer(asked.answer(next(sweep.scenes())))
     else:
-        kinds = [(scene, sweep.shown(scene, wanted.names, wanted.named)) for scene in sweep.kinds]
-        found = notes.lines(sweep.pairs, kinds)
+        found = notes.lines(sweep.pairs, asked.kinds(sweep, wanted))
     for line in found:
         say_wrapped(line, sys.stderr)
     return exit_code(notes, len(sweep))
@@ -169,11 +216,11 @@ def write_answers(answers: Iterable[Answer], count: int, kind: str, form: Format
     if kind == "explain":
         from ..output.sources import write_explanation
 
-        write_explanation(every, out, form)
+        write_explanation((one.explained for one in every), out, form)
     elif kind == "cite":
         from ..output.sources import write_citations
 
-        write_citations(every, out)
+        write_citations((one.explained for one in every), out)
     elif kind == "json":
         write_json(every, count, out, form)
     elif is_shown:

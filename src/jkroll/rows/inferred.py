@@ -81,6 +81,10 @@ class Sought(Wanted):
         """Return whether a scene lacks an input without which the quantities have no value."""
         return bool(with_inputs(scene.scene, largest(self.names)).missing(self.quantities))
 
+    def work(self, scene: Observed) -> int:  # noqa: ARG002
+        """Return how many formulas take as long as a row by itself: none, as arrays cannot do it."""
+        return 0
+
     def check(self, scene: Scene) -> None:
         """Raise the error of inputs that cannot be inferred from these quantities, whatever their values are."""
         check_sought(self.names, self.quantities, scene)
