@@ -5,7 +5,7 @@ a gap that no frequent reason explains, or an uncertainty needs a search, the ro
 """
 
 from collections.abc import Callable, Collection, Hashable, Iterable, Mapping, Sequence
-from functools import partial
+from functools import cached_property, partial
 from math import isnan
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -138,8 +138,6 @@ class Columns:
         """`inputs`: columns by name; `numbers`: a column for each of Wanted.keys; `reasons`: by the place of a row."""
         self.wanted, self.inputs, self.numbers, self.doubts = wanted, inputs, numbers, doubts
         self.reasons: dict[int, Reasons] = reasons
-        found = ((row, lack(own)) for row, own in reasons.items())
-        self.lost = {row: error for row, error in found if error is not None}  # rows of which nothing is to be trusted
 
     @classmethod
     def of_rows(cls, wanted: Wanted, rows: Sequence[Row]) -> "Columns":
@@ -165,18 +163,11 @@ class Columns:
         self.numbers[:, row] = one.numbers
         self.doubts[row] = one.doubts
         self.reasons.pop(row, None)
-        self.lost.pop(row, None)
         if one.reasons:
-            self.explain(row, one.reasons)
+            self.reasons[row] = one.reasons
         for name, column in self.inputs.items():
             value = one.inputs.get(name)
             column[row] = value.value if is_uncertain(value) and not isinstance(column, list) else value
-
-    def explain(self, row: int, reasons: Reasons) -> None:
-        """Say why cells of a row are empty."""
-        self.reasons[row] = reasons
-        if (error := lack(reasons)) is not None:
-            self.lost[row] = error
 
     def put_sides(self, found: "Mapping[str, Elements]") -> Any:
         """Take the columns of uncertainties of arrays, and return the rows in which they are open."""
@@ -189,6 +180,11 @@ class Columns:
                     self.column(key)[...] = one.sides[side]
             again |= one.is_open & ~numpy.isnan(self.column(name))
         return again
+
+    @cached_property
+    def lost(self) -> dict[int, JkrollError]:
+        """Why nothing of some rows is to be trusted; to be asked when all rows are known."""
+        return {row: error for row, own in self.reasons.items() if (error := lack(own)) is not None}
 
     def failed(self) -> list[int]:
         """Return the rows that fail: those without a contact or without any value. One that no double holds in its unit is a value."""
@@ -429,7 +425,7 @@ class _Arrays:
             if lacking := self.columns.reasons.get(row, {}):
                 mixed = {**reasons, **lacking}
                 reasons = {name: mixed[name] for name in self.wanted.names if name in mixed}
-            self.columns.explain(row, reasons)
+            self.columns.reasons[row] = reasons
         return again
 
     def add_sides(self) -> Any:

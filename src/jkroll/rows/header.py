@@ -26,13 +26,6 @@ _PREFIXES = ("n", "u", "m", "", "k", "M", "G")
 class BadTable(JkrollError):
     """Error raised for a header, a format or a file that makes no table of scenes."""
 
-    def __init__(self, problem: str) -> None:
-        super().__init__(problem)
-        self.problem = problem
-
-    def __str__(self) -> str:
-        return self.problem
-
 
 class BadRow(JkrollError):
     """Error raised for the first row that fails, with `--strict`. Its line is counted from the beginning of the block, or of the table."""

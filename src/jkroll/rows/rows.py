@@ -24,13 +24,6 @@ _EMPTY, _PLAIN, _SPECIAL, _MEASURED, _INTERVAL = range(5)  # kinds of cells
 class BadRecord(JkrollError):
     """Error raised for a record of a file that is no row."""
 
-    def __init__(self, problem: str) -> None:
-        super().__init__(problem)
-        self.problem = problem
-
-    def __str__(self) -> str:
-        return self.problem
-
 
 class Block(NamedTuple):
     """Rows that are computed together."""
@@ -95,7 +88,6 @@ def _put(columns: Columns, rows: Codes, part: Columns) -> None:
         for place, value in zip(places, own if isinstance(own, list) else own.tolist(), strict=True):
             column[place] = value
     columns.reasons.update((places[row], reasons) for row, reasons in part.reasons.items())
-    columns.lost.update((places[row], error) for row, error in part.lost.items())
 
 
 def groups(block: Block) -> Iterator[tuple[Codes, dict[str, Any]]]:

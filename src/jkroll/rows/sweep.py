@@ -132,56 +132,33 @@ class Sweep:
         from .rows import evaluated
 
         size = len(self)
-        cases = [(pair, model) for pair in self.pairs for model in self.models]
-        fixed = {name: self.value(name, 0) for name, starts in self.starts.items() if starts[-1] == 1}
         for start in range(0, size, BLOCK):
-            rows = numpy.arange(start, min(start + BLOCK, size))
-            pairs, *places, laws = numpy.unravel_index(rows, self.sizes)
-            of_cases = pairs * len(self.models) + laws
-            inputs = dict(zip(self.spreads, places, strict=True))
-            numbers = {
-                name: _values(partial(self.value, name), own) for name, own in inputs.items() if name not in fixed
-            }
-            yield evaluated(wanted, _Rows(self, fixed, inputs, of_cases, cases).block(numbers))
+            yield evaluated(wanted, self._block(numpy.arange(start, min(start + BLOCK, size))))
 
+    def _block(self, rows: "Codes") -> "Block":
+        """Return some rows as a block."""
+        import numpy
 
-class _Rows:
-    """Some rows of a sweep."""
-
-    def __init__(
-        self,
-        sweep: Sweep,
-        fixed: Mapping[str, Any],
-        inputs: Mapping[str, "Codes"],
-        of_cases: "Codes",
-        cases: Sequence[tuple[Pair, str | None]],
-    ) -> None:
-        """`fixed`: inputs that are the same in all rows; `inputs`: the places of the rows in the lists of each input.
-
-        `of_cases`: their places in the cases, of materials and law.
-        """
-        self.sweep, self.fixed, self.inputs, self.of_cases, self.cases = sweep, fixed, inputs, of_cases, cases
-
-    def block(self, numbers: Mapping[str, "Numbers"]) -> "Block":
-        """Return the rows as a block."""
         from .rows import Block
 
-        return Block(len(self.of_cases), numbers, [self.of_cases], self.scene, self.one, self.case)
+        pairs, *places, laws = numpy.unravel_index(rows, self.sizes)
+        inputs = dict(zip(self.spreads, places, strict=True))
+        cases = [(pair, model) for pair in self.pairs for model in self.models]
+        of_cases = pairs * len(self.models) + laws
+        case = of_cases.item  # of a row
+        fixed = {name: self.value(name, 0) for name, starts in self.starts.items() if starts[-1] == 1}
 
-    def case(self, row: int) -> int:
-        """Return the place of a row's case."""
-        return int(self.of_cases[row])
+        def scene(given: Mapping[str, Any], rows: "Codes") -> Any:
+            pair, model = cases[case(int(rows[0]))]
+            return self.scene({**fixed, **given}, *pair, model=model)
 
-    def scene(self, given: Mapping[str, Any], rows: "Codes") -> Any:
-        """Return the scene of rows of one case."""
-        pair, model = self.cases[self.case(int(rows[0]))]
-        return self.sweep.scene({**self.fixed, **given}, *pair, model=model)
+        def one(row: int) -> Any:
+            given = {name: self.value(name, int(places[row])) for name, places in inputs.items()}
+            pair, model = cases[case(row)]
+            return self.scene(given, *pair, model=model)
 
-    def one(self, row: int) -> Any:
-        """Return the scene of a row."""
-        given = {name: self.sweep.value(name, int(places[row])) for name, places in self.inputs.items()}
-        pair, model = self.cases[self.case(row)]
-        return self.sweep.scene(given, *pair, model=model)
+        numbers = {name: _values(partial(self.value, name), own) for name, own in inputs.items() if name not in fixed}
+        return Block(len(rows), numbers, [of_cases], scene, one, case)
 
 
 def entering(
