@@ -4,7 +4,7 @@ From the bottom up:
 
 lines, delimited, ndjson    the formats whose records are lines: what they have in common; CSV and TSV; NDJSON
 formats, settings           the registry of formats and compressions; the options of a run
-source, output              the input as blocks of whole records; a file that appears when it is whole
+files                       the input as blocks of whole records; a file that appears when it is whole
 progress, workers, run      the bar; processes; the loop that takes blocks through a converter into the output, in order
 parquet, one                Parquet; a table of any format
 many, cluster               many tables; Dask

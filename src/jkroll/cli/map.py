@@ -1,7 +1,4 @@
-"""Runners of `map`, `figure` and `contact --curve -o`: from words and option values to a drawing.
-
-From the words and options of `map` to a map or curves.
-"""
+"""Runners of `map`, `figure` and `contact --curve -o`: from words and option values to a drawing."""
 
 import sys
 from collections.abc import Iterable, Sequence

@@ -82,7 +82,7 @@ def unit_in(text: str, dimension: Dimension) -> Unit:
 
 
 def has_uncertainty(text: str) -> bool:
-    """Return whether a text may state an uncertainty or a range: `quantities.values` reads such texts.
+    """Return whether a text may state an uncertainty or a range.
 
     >>> has_uncertainty("25±5 mJ/m2"), has_uncertainty("20 to 30 nm"), has_uncertainty("25 mJ/m2"), has_uncertainty("1e+3 nm")
     (True, True, False, False)
@@ -91,8 +91,8 @@ def has_uncertainty(text: str) -> bool:
 
 
 def is_uncertain(value: Any) -> "TypeGuard[Uncertain]":
-    """Return whether a value read from a text has an uncertainty, without an import of the types that have one."""
-    return isinstance(value, tuple)
+    """Return whether a value has an uncertainty."""
+    return isinstance(value, (Measured, Interval))
 
 
 def error_about(

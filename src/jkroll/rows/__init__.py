@@ -1,10 +1,15 @@
-"""The meaning of a table of scenes: its header, the cells of a block of rows as numbers, and the results and the status of each row.
+"""Scenes that are asked together: the rows of a list or a table, and the results, doubts and reasons of each.
 
 From the bottom up:
 
-columns, cells, materials      the header; a column of texts as SI numbers; a column of materials
-task, blocks                   the quantities to compute; a block of rows, and the results of rows
-groups, evaluated, evaluator   the rows of a block that share a scene; the results of a scene; those of a whole block
+columns            what is wanted of rows, and their columns: by floats, which defines them, and by arrays
+inferred           the same where an input is sought
+rows               a block of rows, which are scenes of arrays as far as they are alike
+sweep              the rows of lists and ranges
+readings, header   the meaning of one header, and of all of a table
+cells              a column of texts as SI numbers
+table              the rows of a table
+infer              the rows of arrays from Python, where an input is sought
 
 No file is opened here: `batch` reads and writes.
 """

@@ -296,7 +296,7 @@ def _number(name: str, value: Any) -> Any:
         return value_of(value, name)
     if hasattr(value, "std_dev"):
         return measured(value, name)
-    if is_uncertain(value) and hasattr(value, "kind"):
+    if is_uncertain(value):
         return checked(value, name, str(value.value))
     if isinstance(value, list | tuple):
         value = [_number(name, item) for item in value]
