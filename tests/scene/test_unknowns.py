@@ -18,9 +18,9 @@ from harness import Run
 from jkroll import Interval, JkrollError, Measured, infer, known_materials
 from jkroll.quantities.formatting import amount
 from jkroll.scene.failures import Contradiction, MissingInput, TwoRigidBodies
-from jkroll.scene.inverse import AlreadyGiven, CannotInfer
+from jkroll.scene.inverse import AlreadyGiven, CannotInfer, Solution
 from jkroll.scene.scene import Scene
-from jkroll.scene.unknowns import NoPair, Pair, Problem, SeveralPairs, Unseparated
+from jkroll.scene.unknowns import NoPair, Problem, SeveralPairs, Unseparated
 from scenes import log_uniform
 
 PLANE: dict[str, Any] = {"radius": 2e-6, "radius2": math.inf, "poisson_ratio": 0.17}
@@ -28,7 +28,9 @@ NAMES = ("surface_energy", "youngs_modulus")
 MEASURED = {"pull_off_force": 3e-7, "stiffness": 1e3}
 
 
-def found(names: tuple[str, ...], measured: dict[str, float], given: dict[str, Any], model: str | None = None) -> Pair:
+def found(
+    names: tuple[str, ...], measured: dict[str, float], given: dict[str, Any], model: str | None = None
+) -> Solution:
     return Problem(names, measured, Scene(given, model=model)).solution()
 
 

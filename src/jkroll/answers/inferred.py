@@ -14,7 +14,7 @@ from ..scene.failures import MissingInput, reason_of
 from ..scene.inverse import Observed, Solution, largest, with_inputs
 from ..scene.limits import Verdict
 from ..scene.scene import Scene
-from ..scene.unknowns import Pair, scan_in_words, solved
+from ..scene.unknowns import scan_in_words, solved
 from .answer import Answer, Difference, about_uncertainties
 from .displacement import Worth
 from .notes import about_missing
@@ -29,9 +29,12 @@ _REPLACED = {"work_of_adhesion": ("surface_energy",)}
 
 
 class Inferred(Answer):
-    """An answer that follows from measured values: `InferredOne`, or `InferredPair`. `forward` is that about what was measured."""
+    """The answer that one input or two have the values at which quantities of a scene have their measured values.
 
-    solution: Solution | Pair | None = None  # None where `failure` says why
+    `forward` is the answer about what was measured.
+    """
+
+    solution: Solution | None = None  # None where `failure` says why
 
     def __init__(self, names: Sequence[str], observed: Observed) -> None:
         """Look for the inputs. Raises the errors that hold for every scene, and others are the answer."""
@@ -61,20 +64,25 @@ class Inferred(Answer):
             return tuple(Result(name, None, reason) for name in self.names)
         assert self.solution is not None
         return tuple(
-            self._with_growth(
-                Result(
-                    name,
-                    value,
-                    by_law={law: other.values[name] for law, other in self._by_law.items()},
-                    propagated=one if isinstance(one := self._uncertainties[0].get(name), tuple) else None,
-                )
-            )
-            for name, value in self.solution.values.items()
+            self._result(name, value, self.solution.growths[name]) for name, value in self.solution.values.items()
         )
 
-    def _with_growth(self, result: Result) -> Result:
-        """Return a result with the factor by which errors of what was measured enter it."""
-        raise NotImplementedError
+    def _result(self, name: str, value: float, growth: float) -> Result:
+        """Return an inferred value. The factor by which errors of what was measured enter it is the condition of one input."""
+        is_one, growth_or_none = len(self.names) == 1, growth if isfinite(growth) else None
+        return Result(
+            name,
+            value,
+            condition=growth_or_none if is_one else None,
+            growth=None if is_one else growth_or_none,
+            by_law={law: other.values[name] for law, other in self._by_law.items()},
+            propagated=one if isinstance(one := self._uncertainties[0].get(name), tuple) else None,
+        )
+
+    @property
+    def condition(self) -> float | None:  # type: ignore[override]
+        """The condition number of two inputs together."""
+        return self.solution.condition if self.solution is not None and len(self.names) > 1 else None
 
     @cached_property
     def _uncertainties(self) -> "tuple[Mapping[str, Propagated | JkrollError], Sources | None]":
@@ -85,10 +93,10 @@ class Inferred(Answer):
         return inferred_uncertainties(self.solution.values, self.observed)
 
     @cached_property
-    def _by_law(self) -> dict[str, Solution | Pair]:
+    def _by_law(self) -> dict[str, Solution]:
         """The solution under each other law of attraction that has the measured quantities by other formulas."""
         own = self.scene.plan(*self.observed.measured).steps
-        found: dict[str, Solution | Pair] = {}
+        found: dict[str, Solution] = {}
         for law in LAWS:
             other = self.observed.scene.under(law)
             try:
@@ -127,7 +135,15 @@ class Inferred(Answer):
         )
 
     def _proofs(self) -> list[Note]:
-        raise NotImplementedError
+        """Return what of the materials is not used, and the proof of the values, with what they are under other laws."""
+        assert self.solution is not None
+        unused = [note for name in self.names for note in _unused(name, [*self.observed.measured], self.scene)]
+        texts = (
+            _proof(self.solution, self._by_law)
+            if self.condition is None
+            else _proof_of_two(self.solution, self._by_law)
+        )
+        return [*unused, *(Note("model", text) for text in texts)]
 
     @cached_property
     def explained(self) -> Answer:
@@ -139,30 +155,23 @@ class Inferred(Answer):
         return explained
 
 
-class InferredOne(Inferred):
-    """The answer that an input has the value at which a quantity of a scene has its measured value."""
+def _proof(found: Solution, by_law: Mapping[str, Solution]) -> list[str]:
+    """Return the proof of one value, with how errors grow, and the values under other laws."""
+    (name,), (quantity,) = found.values, found.forward
+    symbol, of_measured = NOMENCLATURE[name].symbol, NOMENCLATURE[quantity].symbol
+    proof = f"{_equal(found.values)} gives {_equal(found.forward)}"
+    growth = f"κ = |d ln {symbol}/d ln {of_measured}| = {found.condition:.3g}"
+    others = [f"{amount(name, other.values[name])} under {LAWS[law].title}" for law, other in by_law.items()]
+    return ["; ".join(filter(None, (proof, growth, ", ".join(others))))]
 
-    solution: Solution | None
 
-    def _with_growth(self, result: Result) -> Result:
-        assert self.solution is not None
-        return result._replace(condition=_if_finite(self.solution.condition))
-
-    def _proofs(self) -> list[Note]:
-        """Return what of the materials is not used, how errors grow, and the proof of the value."""
-        found, (name,), (quantity,) = self.solution, self.names, self.observed.measured
-        assert found is not None
-        symbol, of_measured = NOMENCLATURE[name].symbol, NOMENCLATURE[quantity].symbol
-        proof = (
-            f"{symbol} = {amount(name, found.value)} gives {of_measured} = {amount(quantity, found.forward)}; "
-            f"κ = |d ln {symbol}/d ln {of_measured}| = {found.condition:.3g}"
-        )
-        if self._by_law:
-            others = (
-                f"{amount(name, other.values[name])} under {LAWS[law].title}" for law, other in self._by_law.items()
-            )
-            proof += f"; {', '.join(others)}"
-        return [*_unused(name, [quantity], found.scene), Note("model", proof)]
+def _proof_of_two(found: Solution, by_law: Mapping[str, Solution]) -> list[str]:
+    """Return the proof of two values, those under other laws, and where they were looked for."""
+    return [
+        f"{_equal(found.values)} give {_equal(found.forward)}; κ = {found.condition:.3g}",
+        *(f"{_equal(other.values)} under {LAWS[law].title}" for law, other in by_law.items()),
+        f"scanned: {scan_in_words(found.values)}",
+    ]
 
 
 def _unused(name: str, quantities: Sequence[str], found: Scene) -> list[Note]:
@@ -175,37 +184,6 @@ def _unused(name: str, quantities: Sequence[str], found: Scene) -> list[Note]:
         for each in _REPLACED.get(name, (name,))
         if each in material.properties and all(one.name != material.name or other != each for one, other in used)
     ]
-
-
-# --- Two inputs -------------------------------------------------------------------------------------------------------
-
-
-class InferredPair(Inferred):
-    """The answer that two inputs have the values at which two quantities of a scene have their measured values."""
-
-    solution: Pair | None
-
-    @property
-    def condition(self) -> float | None:  # type: ignore[override]
-        """The condition number of both together."""
-        return self.solution.condition if self.solution is not None else None
-
-    def _with_growth(self, result: Result) -> Result:
-        assert self.solution is not None
-        return result._replace(growth=_if_finite(self.solution.growths[result.name]))
-
-    def _proofs(self) -> list[Note]:
-        """Return what of the materials is not used, the proof of the values, what they are under other laws, and where they were looked for."""
-        found = self.solution
-        assert found is not None
-        texts = [f"{_equal(found.values)} give {_equal(found.forward)}; κ = {found.condition:.3g}"]
-        texts += [f"{_equal(other.values)} under {LAWS[law].title}" for law, other in self._by_law.items()]
-        unused = [note for name in self.names for note in _unused(name, [*self.observed.measured], self.scene)]
-        return [*unused, *(Note("model", text) for text in (*texts, f"scanned: {scan_in_words(self.names)}"))]
-
-
-def _if_finite(number: float) -> float | None:
-    return number if isfinite(number) else None
 
 
 def _equal(values: Mapping[str, float]) -> str:

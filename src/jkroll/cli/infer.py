@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from ..answers.inferred import Inferred, InferredOne, InferredPair
+from ..answers.inferred import Inferred
 from ..answers.questions import quantity_named
 from ..errors import BadRequest
 from ..materials.library import Material
@@ -36,7 +36,7 @@ class _Inverse:
 
     def answer(self, row: Any) -> Inferred:
         """Return the answer for a row."""
-        return (InferredPair if self.is_pair else InferredOne)(self.names, row)
+        return Inferred(self.names, row)
 
     def wanted(self, sweep: Sweep) -> Wanted:
         """Return the columns of the rows."""

@@ -325,18 +325,15 @@ class SeveralSolutions(NoResult):
 
 
 class Solution(NamedTuple):
-    """The value of an input, and what proves it."""
+    """The values of one input or two, and what proves them."""
 
-    name: str
-    value: float
-    condition: float  # |d ln input / d ln quantity|: the factor by which a relative error of the measured value grows
-    scene: Scene  # with this value in it
-    forward: float  # the measured quantity in this scene
-
-    @property
-    def values(self) -> dict[str, float]:
-        """The value by the name of the input."""
-        return {self.name: self.value}
+    values: Mapping[str, float]
+    condition: float  # of the logarithms of the measured values as functions of those of the inputs
+    growths: Mapping[
+        str, float
+    ]  # by input, the largest factor by which relative errors of the measured values enter it
+    scene: Scene  # with these values in it
+    forward: Mapping[str, float]  # the measured quantities in this scene
 
 
 def solution(name: str, quantity: str, measured: float, scene: Scene) -> Solution:
@@ -360,7 +357,8 @@ def solution(name: str, quantity: str, measured: float, scene: Scene) -> Solutio
         raise failure(name, quantity, scene)
     value = found_by(_value(name, quantity, measured, pieces), outcome)
     found = with_inputs(scene, {name: value})
-    return Solution(name, value, _condition(name, quantity, value, scene), found, float(found[quantity]))
+    condition = _condition(name, quantity, value, scene)
+    return Solution({name: value}, condition, {name: condition}, found, {quantity: float(found[quantity])})
 
 
 def solutions(name: str, quantity: str, measured: Any, scene: Scene) -> list[float | NoResult | None]:

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import permutations, product
 from math import exp, hypot, inf, isclose, isnan, nan, sqrt
-from typing import Any, NamedTuple
+from typing import Any
 
 from ..errors import JkrollError, NoResult
 from ..quantities.formatting import amount
@@ -122,16 +122,6 @@ def _equal(values: Values) -> str:
 # --- Problems ---------------------------------------------------------------------------------------------------------
 
 
-class Pair(NamedTuple):
-    """The values of two inputs, and what proves them."""
-
-    values: Values
-    condition: float  # of the logarithms of the measured values as functions of those of the inputs
-    growths: Values  # by input, the largest factor by which relative errors of the measured values enter it
-    scene: Scene  # with these values in it
-    forward: Values  # the measured quantities in this scene
-
-
 class Problem:
     """Two inputs of a scene that lacks them, and the measured values of two quantities."""
 
@@ -149,10 +139,10 @@ class Problem:
                 raise value
         return {name: nan if isinstance(value, NoResult) else value for name, value in found.items()}
 
-    def solution(self) -> Pair:
+    def solution(self) -> Solution:
         """Return the one pair. Raises NoPair, SeveralPairs or Unseparated, or the reason why a quantity has no value anywhere."""
         branches = self._branches()
-        found: list[Pair] = []
+        found: list[Solution] = []
         for values in branches.crossings():
             place = _improved(_Place(self, values))
             pair = place.pair()
@@ -176,7 +166,7 @@ class Problem:
         remark = f"{quantity} does not depend on {NOMENCLATURE[first].symbol} here"
         raise Unseparated(self.names, tuple(self.measured), inf, remark)
 
-    def near(self, values: Values) -> Pair:
+    def near(self, values: Values) -> Solution:
         """Return the pair to which Newton's method leads from some values, or else that of the whole scan."""
         place = _improved(_Place(self, values))
         is_scanned = all(
@@ -185,7 +175,7 @@ class Problem:
         return place.pair() if place.distance <= _NEAR and is_scanned else self.solution()
 
 
-def solved(names: Sequence[str], observed: Observed) -> Solution | Pair:
+def solved(names: Sequence[str], observed: Observed) -> Solution:
     """Return the one input, or the two, with which a scene has the measured values."""
     if len(names) > 1:
         return Problem(names, observed.values, observed.scene).solution()
@@ -456,7 +446,7 @@ class _Place:
         part = min(1.0, _LONGEST / (hypot(*steps) or 1.0))
         return {name: part * step for name, step in zip(self.values, steps, strict=True)}
 
-    def pair(self) -> Pair:
+    def pair(self) -> Solution:
         """Return the pair with its condition number. Raises Unseparated if that is too large."""
         (a, b), (c, d) = self.matrix
         determinant, squares = abs(a * d - b * c), a * a + b * b + c * c + d * d
@@ -465,7 +455,7 @@ class _Place:
         if not condition <= MAX_CONDITION:
             raise Unseparated([*self.values], [*self.forward], condition, self.left_open())
         growths = (hypot(b, d) / determinant, hypot(a, c) / determinant)
-        return Pair(
+        return Solution(
             self.values,
             _rounded(condition),
             {name: _rounded(growth * self._part(name)) for name, growth in zip(self.values, growths, strict=True)},
