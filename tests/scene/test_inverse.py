@@ -64,7 +64,7 @@ def test_all_solutions_are_named() -> None:
     scene = Scene({"load": 5e-8}, known_materials()["quartz"])
     with pytest.raises(SeveralSolutions) as caught:
         solution("radius", "approach_at_load", 3e-10, scene)
-    for radius in caught.value.values:
+    for radius in (one["radius"] for one in caught.value.found):
         assert scene.replace(radius=radius)["approach_at_load"] == pytest.approx(3e-10, rel=1e-14)
     assert str(caught.value) == "radius: 352.067 nm and 846.302 nm all give approach_at_load = 300 pm"
 
@@ -74,7 +74,7 @@ def test_two_solutions_between_two_points_of_the_scan_are_found() -> None:
     least = min(scene.replace(radius=1e-9 * radius)["approach_at_load"] for radius in range(400, 700))
     with pytest.raises(SeveralSolutions) as caught:
         solution("radius", "approach_at_load", 1.00001 * least, scene)
-    low, high = caught.value.values
+    low, high = (one["radius"] for one in caught.value.found)
     assert 1 < high / low < 1.1
 
 
@@ -95,7 +95,7 @@ def test_a_solution_at_a_value_of_the_scan_hides_no_other() -> None:
     scene = Scene({"load": 5e-8 * 1.03e-6 / least}, quartz)
     with pytest.raises(SeveralSolutions) as caught:
         solution("radius", "approach_at_load", scene.replace(radius=1e-6)["approach_at_load"], scene)
-    low, high = caught.value.values
+    low, high = (one["radius"] for one in caught.value.found)
     assert low == pytest.approx(1e-6, rel=1e-9)
     assert 1.05 < high / low < 1.08
 
@@ -160,7 +160,7 @@ def test_refusals(name: str, quantity: str, given: dict[str, float], error: type
 
 
 def test_nothing_is_extrapolated() -> None:
-    with pytest.raises(NoSolution, match=r"it lies between 18.8496 pN and 18.8496 mN for 1 µJ/m² to 1 kJ/m²"):
+    with pytest.raises(NoSolution, match=r"it lies between 18.8496 pN and 18.8496 mN for γ1 = 1 µJ/m² to 1 kJ/m²"):
         infer("gamma", measured={"pull_off_force": "3 N"}, **PLANE)
 
 
@@ -229,7 +229,7 @@ def test_the_command(run: Run) -> None:
     assert table.out.splitlines() == [
         "material,radius [m],radius2 [m],pull_off_force [N],surface_energy [J/m^2],doubt,status",
         "quartz,2e-6,plane,3e-7,0.015915494309189534,law>5%,",
-        "quartz,2e-6,plane,3.0,,,surface_energy: no value gives pull_off_force = 3 N; it lies between 18.8496 pN and 18.8496 mN for 1 µJ/m² to 1 kJ/m²",
+        "quartz,2e-6,plane,3.0,,,surface_energy: no value gives pull_off_force = 3 N; it lies between 18.8496 pN and 18.8496 mN for γ1 = 1 µJ/m² to 1 kJ/m²",
     ]
     assert "note: doubtful: law>5%, Maugis–Dugdale differs by more than 5 %: row 1" in table.err.splitlines()
     assert (table.code, table.err.splitlines()[-1]) == (1, "jkroll: 1 of 2 rows failed")

@@ -11,10 +11,10 @@ from ..quantities.formatting import amount, in_words
 from ..quantities.laws import LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.failures import MissingInput, reason_of
-from ..scene.inverse import Observed, Solution, largest, with_inputs
+from ..scene.inverse import PER_DECADE, Observed, Solution, largest, sizes_in_words, with_inputs
 from ..scene.limits import Verdict
 from ..scene.scene import Scene
-from ..scene.unknowns import scan_in_words, solved
+from ..scene.unknowns import solved
 from .answer import Answer, Difference, about_uncertainties
 from .displacement import Worth
 from .notes import about_missing
@@ -170,7 +170,7 @@ def _proof_of_two(found: Solution, by_law: Mapping[str, Solution]) -> list[str]:
     return [
         f"{_equal(found.values)} give {_equal(found.forward)}; κ = {found.condition:.3g}",
         *(f"{_equal(other.values)} under {LAWS[law].title}" for law, other in by_law.items()),
-        f"scanned: {scan_in_words(found.values)}",
+        f"scanned: {sizes_in_words(found.values)}, {PER_DECADE} values a decade",
     ]
 
 

@@ -78,15 +78,17 @@ def infer(
     material, material2, materials, model, **given
         The rest of the scene, as `solve` takes it. Values that a material has of the inputs are not used.
 
-    Returns ------- A float in SI units; an array if a value was one; `Measured` or `Interval` if a given or measured
-    value is uncertain. For two inputs, a dict of these by name. Its attribute `condition` is the condition number of
-    the logarithms of the measured quantities as functions of those of the inputs.
+    Returns
+    -------
+    A float in SI units; an array if a value was one; `Measured` or `Interval` if a given or measured value is
+    uncertain. For two inputs, a dict of these by name. Its attribute `condition` is the condition number of the
+    logarithms of the measured quantities as functions of those of the inputs.
 
     Raises
     ------
     AlreadyGiven, CannotInfer, MissingInput, QuantityError, UnknownMaterial, UnknownQuantity
         An input is wrong, or one is missing.
-    NoDependence, NoSolution, SeveralSolutions; of two inputs NoPair, SeveralPairs, Unseparated
+    NoDependence, NoSolution, SeveralSolutions; of two inputs Unseparated
         No value gives the measured one, or several do; or the condition number is above 1e8. Arrays hold nan there
         instead.
 

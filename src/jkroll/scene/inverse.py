@@ -19,6 +19,8 @@ from ..quantities.values import is_uncertain
 from ..text import quoted
 from .scene import EXCLUSIVE, Scene
 
+Values = Mapping[str, float]  # by name
+
 
 class Observed(NamedTuple):
     """A scene that lacks inputs, and the measured values of as many of its quantities; all may be arrays."""
@@ -294,46 +296,68 @@ class NoDependence(NoResult):
 
 
 class NoSolution(NoResult):
-    """Error raised where no value of the input gives the measured value."""
+    """Error raised where no values of the inputs give the measured values."""
 
-    def __init__(self, name: str, quantity: str, measured: float, span: tuple[float, float]) -> None:
-        super().__init__(name, quantity, measured, span)
-        self.name, self.quantity, self.measured, self.span = name, quantity, measured, span
+    def __init__(self, names: Sequence[str], measured: Values, quantity: str, span: tuple[float, float]) -> None:
+        """`measured`: as far as the search came; `span`: of the quantity at which it ended."""
+        super().__init__(tuple(names), dict(measured), quantity, span)
+        self.name, self.names, self.measured = ",".join(names), tuple(names), measured
+        self.quantity, self.span = quantity, span
 
     def reason(self) -> str:
         """Return the values that the quantity can have."""
+        what = "value" if len(self.names) == 1 else "pair of values"
         low, high = (amount(self.quantity, value) for value in self.span)
-        least, most = (amount(self.name, size) for size in SIZES[self.name])
-        sizes = f"{least} to {most}" + (" of either sign" if self.name == "load" else "")
+        others = {name: value for name, value in self.measured.items() if name != self.quantity}
+        lies = f"where {equal(others)}, {self.quantity} lies" if others else "it lies"
         return (
-            f"no value gives {self.quantity} = {amount(self.quantity, self.measured)}; "
-            f"it lies between {low} and {high} for {sizes}"
+            f"no {what} gives {equal(self.measured)}; {lies} between {low} and {high} for {sizes_in_words(self.names)}"
         )
 
 
 class SeveralSolutions(NoResult):
-    """Error raised where several values of the input give the measured value."""
+    """Error raised where several values of the inputs give the measured values."""
 
-    def __init__(self, name: str, quantity: str, measured: float, values: Sequence[float]) -> None:
-        super().__init__(name, quantity, measured, tuple(values))
-        self.name, self.quantity, self.measured, self.values = name, quantity, measured, tuple(values)
+    def __init__(self, names: Sequence[str], measured: Values, found: Sequence[Values]) -> None:
+        super().__init__(tuple(names), dict(measured), tuple(found))
+        self.name, self.names, self.measured, self.found = ",".join(names), tuple(names), measured, tuple(found)
 
     def reason(self) -> str:
-        """Return all the values."""
-        values = " and ".join(amount(self.name, value) for value in self.values)
-        return f"{values} all give {self.quantity} = {amount(self.quantity, self.measured)}"
+        """Return all of them."""
+        texts = [", ".join(amount(*item) for item in one.items()) for one in self.found]
+        words = _and(texts) if len(self.names) == 1 else f"the pairs {', '.join(f'({text})' for text in texts)}"
+        return f"{words} all give {equal(self.measured)}"
+
+
+def sizes_in_words(names: Iterable[str]) -> str:
+    """Return the values of inputs among which solutions are looked for."""
+    spans = []
+    for name in names:
+        least, most = (amount(name, size) for size in SIZES[name])
+        sign = " of either sign" if name == "load" else ""
+        spans.append(f"{NOMENCLATURE[name].symbol} = {least} to {most}{sign}")
+    return _and(spans)
+
+
+def equal(values: Values) -> str:
+    """Return what quantities are equal to, in words."""
+    return _and(f"{name} = {amount(name, value)}" for name, value in values.items())
+
+
+def _and(words: Iterable[str]) -> str:
+    return " and ".join(words)
 
 
 class Solution(NamedTuple):
     """The values of one input or two, and what proves them."""
 
-    values: Mapping[str, float]
+    values: Values
     condition: float  # of the logarithms of the measured values as functions of those of the inputs
     growths: Mapping[
         str, float
     ]  # by input, the largest factor by which relative errors of the measured values enter it
     scene: Scene  # with these values in it
-    forward: Mapping[str, float]  # the measured quantities in this scene
+    forward: Values  # the measured quantities in this scene
 
 
 def solution(name: str, quantity: str, measured: float, scene: Scene) -> Solution:
@@ -476,9 +500,9 @@ def _value(name: str, quantity: str, measured: float, pieces: Sequence[Piece]) -
     """Return the one value of an input at which a quantity has its measured value; raise NoSolution or SeveralSolutions."""
     found, outcomes = yield from _all_values(measured, pieces)
     if not found:
-        raise NoSolution(name, quantity, measured, (min(outcomes), max(outcomes)))
+        raise NoSolution([name], {quantity: measured}, quantity, (min(outcomes), max(outcomes)))
     if len(found) > 1:
-        raise SeveralSolutions(name, quantity, measured, found)
+        raise SeveralSolutions([name], {quantity: measured}, [{name: value} for value in found])
     return found[0]
 
 

@@ -79,9 +79,11 @@ def solve(
         Arrays broadcast. `radius2` may be infinite (a plane), and one Young's modulus too (a rigid body).
         Single values may be uncertain: `Measured`, `Interval`, "25±5 mJ/m2", "20 to 30 mJ/m2", or a pint Measurement.
 
-    Returns ------- The value of a single wanted name, or a dict of name to value. SI numbers: floats, arrays, or pint
-    Quantities if any input was one. A result has the shape of the arrays on which it depends: that of `yield_force` is
-    a float for many radii. If a given value is uncertain, so are the results: `Measured` or `Interval` in SI units.
+    Returns
+    -------
+    The value of a single wanted name, or a dict of name to value. SI numbers: floats, arrays, or pint Quantities if any
+    input was one. A result has the shape of the arrays on which it depends: that of `yield_force` is a float for many
+    radii. If a given value is uncertain, so are the results: `Measured` or `Interval` in SI units.
 
     Raises
     ------

@@ -13,20 +13,22 @@ from math import exp, hypot, inf, isclose, isnan, nan, sqrt
 from typing import Any
 
 from ..errors import JkrollError, NoResult
-from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE
 from .failures import Contradiction
 from .inverse import (
-    PER_DECADE,
     SIZES,
     CannotInfer,
     NoDependence,
+    NoSolution,
     Observed,
     Search,
+    SeveralSolutions,
     Solution,
+    Values,
     check,
     check_given,
     crossings,
+    equal,
     failure,
     found_by,
     found_by_all,
@@ -50,8 +52,6 @@ _SAME = 1e-9  # relative difference of two pairs that were found twice, on two b
 _DIGITS = 1e-13  # of the quantities, where rounding ends
 _LEFT_OPEN = 1e-4  # an exponent as small as this is none
 
-Values = Mapping[str, float]  # by name
-
 
 # --- Errors -----------------------------------------------------------------------------------------------------------
 
@@ -68,55 +68,7 @@ class Unseparated(NoResult):
     def reason(self) -> str:
         """Return what does not separate what."""
         size = f"κ = {self.condition:.2g} is above 1e8" if self.condition < inf else "κ is above 1e8"
-        return f"{_and(self.quantities)} do not separate them: {self.remark} ({size})"
-
-
-class NoPair(NoResult):
-    """Error raised where no values of two inputs give the measured values."""
-
-    def __init__(self, names: Sequence[str], measured: Values, quantity: str, span: tuple[float, float]) -> None:
-        """`measured`: as far as the search came; `span`: of the quantity at which it ended."""
-        super().__init__(tuple(names), dict(measured), quantity, span)
-        self.name, self.names, self.measured = ",".join(names), tuple(names), measured
-        self.quantity, self.span = quantity, span
-
-    def reason(self) -> str:
-        """Return the values that the quantity can have."""
-        low, high = (amount(self.quantity, value) for value in self.span)
-        others = {name: value for name, value in self.measured.items() if name != self.quantity}
-        lies = f"where {_equal(others)}, {self.quantity} lies" if others else "it lies"
-        return f"no pair of values gives {_equal(self.measured)}; {lies} between {low} and {high} for {scan_in_words(self.names)}"
-
-
-class SeveralPairs(NoResult):
-    """Error raised where several pairs of values of two inputs give the measured values."""
-
-    def __init__(self, names: Sequence[str], measured: Values, pairs: Sequence[Values]) -> None:
-        super().__init__(tuple(names), dict(measured), tuple(pairs))
-        self.name, self.names, self.measured, self.pairs = ",".join(names), tuple(names), measured, tuple(pairs)
-
-    def reason(self) -> str:
-        """Return all pairs."""
-        found = ", ".join(f"({', '.join(amount(*item) for item in pair.items())})" for pair in self.pairs)
-        return f"the pairs {found} all give {_equal(self.measured)}"
-
-
-def scan_in_words(names: Iterable[str]) -> str:
-    """Return the values of inputs among which solutions are looked for."""
-    spans = []
-    for name in names:
-        least, most = (amount(name, size) for size in SIZES[name])
-        sign = " of either sign" if name == "load" else ""
-        spans.append(f"{NOMENCLATURE[name].symbol} = {least} to {most}{sign}")
-    return f"{_and(spans)}, {PER_DECADE} values a decade"
-
-
-def _and(words: Iterable[str]) -> str:
-    return " and ".join(words)
-
-
-def _equal(values: Values) -> str:
-    return _and(f"{name} = {amount(name, value)}" for name, value in values.items())
+        return f"{' and '.join(self.quantities)} do not separate them: {self.remark} ({size})"
 
 
 # --- Problems ---------------------------------------------------------------------------------------------------------
@@ -140,7 +92,7 @@ class Problem:
         return {name: nan if isinstance(value, NoResult) else value for name, value in found.items()}
 
     def solution(self) -> Solution:
-        """Return the one pair. Raises NoPair, SeveralPairs or Unseparated, or the reason why a quantity has no value anywhere."""
+        """Return the one pair. Raises NoSolution, SeveralSolutions or Unseparated, or the reason why a quantity has no value anywhere."""
         branches = self._branches()
         found: list[Solution] = []
         for values in branches.crossings():
@@ -152,7 +104,7 @@ class Problem:
             raise branches.failure()
         if len(found) > 1:
             pairs = sorted((pair.values for pair in found), key=lambda values: [*values.values()])
-            raise SeveralPairs(self.names, self.measured, pairs)
+            raise SeveralSolutions(self.names, self.measured, pairs)
         return found[0]
 
     def _branches(self) -> "_Branches":
@@ -345,13 +297,13 @@ class _Branches:
             return failure(self.first, self.quantity, with_inputs(self.problem.scene, largest([self.second])))
         reached = {self.quantity: measured[self.quantity]}
         if not (self.heights or self.flat):
-            return NoPair(names, reached, self.quantity, (min(self.spans), max(self.spans)))
+            return NoSolution(names, reached, self.quantity, (min(self.spans), max(self.spans)))
         for pair, height in self.flat:
             if not self.heights or _is_flat([height, measured[self.beside]]):
-                held = f"{_equal({self.beside: height})} wherever {_equal(reached)}"
+                held = f"{equal({self.beside: height})} wherever {equal(reached)}"
                 direction = _Place(self.problem, pair).left_open()
                 return Unseparated(names, tuple(measured), inf, f"{held}; {direction}")
-        return NoPair(names, measured, self.beside, (min(self.heights), max(self.heights)))
+        return NoSolution(names, measured, self.beside, (min(self.heights), max(self.heights)))
 
 
 def _is_flat(values: Sequence[float]) -> bool:
