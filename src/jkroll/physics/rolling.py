@@ -263,4 +263,4 @@ def bond_number(*, pull_off_force: Force, mass: Mass, gravity: Acceleration) -> 
     >>> bond_number(pull_off_force=1e-8, mass=1e-15, gravity=10.0)
     1000000.0
     """
-    return pull_off_force / mass / gravity
+    return pull_off_force / gravity / mass  # P_c/m1 may leave the doubles
