@@ -231,7 +231,9 @@ def test_the_command(run: Run) -> None:
         "quartz,2e-6,plane,3e-7,0.015915494309189534,law>5%,",
         "quartz,2e-6,plane,3.0,,,surface_energy: no value gives pull_off_force = 3 N; it lies between 18.8496 pN and 18.8496 mN for γ1 = 1 µJ/m² to 1 kJ/m²",
     ]
-    assert "note: doubtful: law>5%, Maugis–Dugdale differs by more than 5 %: row 1" in table.err.splitlines()
+    assert (
+        "note: doubtful: law>5%, by Maugis–Dugdale a result differs by more than 5 %: row 1" in table.err.splitlines()
+    )
     assert (table.code, table.err.splitlines()[-1]) == (1, "jkroll: 1 of 2 rows failed")
 
 

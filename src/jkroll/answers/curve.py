@@ -12,7 +12,7 @@ from ..quantities.values import parse_quantity
 from ..rows.columns import Row, Wanted, by_floats
 from ..rows.sweep import entering
 from ..scene.failures import MissingInput
-from ..scene.limits import Verdict
+from ..scene.limits import Verdict, doubts
 from ..scene.scene import Scene
 from ..text import quoted
 from .answer import Answer, Difference
@@ -23,6 +23,7 @@ FORCE_CURVE = Question(
     ("approach_at_load", "load"),
     ("approach_at_load", "load", "contact_radius_at_load", "stiffness"),
 )
+OF_CURVE = Question(("pull_off_force",), ("pull_off_force",))
 FOLD, PULL_OFF, JUMP_IN, EQUILIBRIUM = 1 / 6, 1 / 2, 2 / 3, 1.0
 NAMED = {FOLD: "fold", PULL_OFF: "pull-off", JUMP_IN: "jump-in", EQUILIBRIUM: "equilibrium"}
 STEPS = 40  # of √â/√â_fold in JKR
@@ -139,14 +140,32 @@ def _of_loads(scene: Scene, loads: Loads | None, steps: int) -> list[State]:
 STATES_OF_LAW = {"jkr": _of_jkr, "maugis": _of_maugis, "dmt": _of_dmt}
 
 
-At = tuple[State, Scene]  # a state of a force curve, and the scene at it
+class WholeCurve(Answer):
+    """The answer that a whole force curve is in doubt as: its pull-off force."""
+
+    def __init__(self, scene: Scene) -> None:
+        super().__init__(OF_CURVE, scene)
+
+    @cached_property
+    def bits(self) -> int:
+        """The doubts as bits."""
+        return int(doubts(self.scene, self.shown))
+
+
+class At(NamedTuple):
+    """A state of a force curve, and the scene at it."""
+
+    state: State
+    scene: Scene
+    curve: WholeCurve
 
 
 def at_states(scenes: Iterable[Scene], loads: Loads | None = None) -> Iterator[At]:
     """Iterate over the states of each scene, under its own law."""
     for scene in scenes:
+        curve = WholeCurve(scene)
         for state in states(scene, loads):
-            yield state, scene.replace(**{**scene.uncertain, state.given: state.value})
+            yield At(state, scene.replace(**{**scene.uncertain, state.given: state.value}), curve)
 
 
 def _known(state: State) -> dict[str, float | NoValue]:
@@ -160,7 +179,7 @@ class AtState(Answer):
     """The answer at a state of the force curve."""
 
     def __init__(self, at: At) -> None:
-        self.state, scene = at
+        self.state, scene, self.curve = at
         super().__init__(FORCE_CURVE, scene)
 
     @cached_property
@@ -176,13 +195,13 @@ class AtState(Answer):
 
     @cached_property
     def laws(self) -> tuple[Difference, ...]:
-        """None: a curve is of one law."""
-        return ()
+        """The differences of Maugis' law from that of the curve."""
+        return self.curve.laws
 
     @cached_property
     def validity(self) -> tuple[Verdict, ...]:
-        """None: the answer of `contact` judges the limits."""
-        return ()
+        """The limits of the model for the whole curve."""
+        return self.curve.validity
 
 
 def _as_known(result: Result, value: float | NoValue) -> Result:
@@ -200,12 +219,17 @@ class OfCurve(Wanted):
         names = FORCE_CURVE.quantities
         inputs, sides = entering(scenes, lambda _: names, names)
         shown = [name for name in NOMENCLATURE if name in {*inputs, "state"}.difference(names)]
-        return cls(names, named=names, inputs=shown, sides=sides, doubts=False)
+        return cls(names, named=names, inputs=shown, sides=sides)
+
+    @cached_property
+    def _of_state(self) -> Wanted:
+        """The same columns without doubts, which are those of the whole curve."""
+        return Wanted(self.names, named=self.named, inputs=self.inputs, sides=self.sides, doubts=False)
 
     def row(self, at: Any) -> Row:
         """Return the row of a state."""
-        state, scene = at
-        found = by_floats(self, scene)
+        state, scene, curve = at
+        found = by_floats(self._of_state, scene)
         numbers, reasons = dict(zip(self.keys, found.numbers, strict=True)), {**found.reasons}
         for name, value in _known(state).items():
             for key in (name, *self.sides_of(name).values()):
@@ -215,4 +239,5 @@ class OfCurve(Wanted):
                 reasons[name] = value
             else:
                 numbers[name] = value
-        return Row({**found.inputs, "state": state.name}, [numbers[key] for key in self.keys], 0, reasons)
+        inputs = {**found.inputs, "state": state.name}
+        return Row(inputs, [numbers[key] for key in self.keys], curve.bits if self.doubts else 0, reasons)

@@ -106,6 +106,11 @@ class Note(NamedTuple):
     is_sentence: bool = False  # a doubt that says by itself what is doubtful
     size: float | None = None  # of what makes numbers doubtful: the logarithm of a factor
 
+    @property
+    def worded(self) -> str:
+        """The text as it stands alone."""
+        return f"doubtful: {self.text}" if self.kind == "doubt" and not self.is_sentence else self.text
+
 
 # --- Other laws of attraction -----------------------------------------------------------------------------------------
 

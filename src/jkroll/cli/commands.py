@@ -130,7 +130,7 @@ MEASURED = Option(
     "Measured quantity, twice for two inputs; an error bar as in 300±20nN",
     repeats=True,
 )
-CURVE = Option("curve", "--curve", bool, "", "Whole force curve; with -o as a picture")
+CURVE = Option("curve", "--curve", bool, "", "Whole force curve; with -o x.svg a picture")
 MARKED = Option(
     "yield_displacement", "--xi", str, "2angstrom", "Displacement that the panel of moments marks", hidden=True
 )

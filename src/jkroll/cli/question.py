@@ -14,7 +14,7 @@ from ..output.records import in_units, lines, text_output, write_json, write_pla
 from ..quantities.formatting import Format
 from ..quantities.nomenclature import NOMENCLATURE
 from ..rows.columns import Columns, Wanted
-from ..rows.sweep import Sweep
+from ..rows.sweep import Pair, Sweep
 from ..scene.scene import Scene
 from ..scene.wiring import formula_of
 from ..text import fitting, quoted, say_wrapped
@@ -243,7 +243,7 @@ def write_answers(answers: Iterable[Answer], count: int, kind: str, form: Format
 
 def run_contact(call: Call) -> int:
     """Answer the question of the command, or write or draw the force curve; return the exit code."""
-    is_drawn = call.curve and call.target is not None
+    is_drawn = call.curve and call.target is not None and ending(call.target) in PICTURES
     if is_drawn or call.width is not None or call.style is not None or call.uncaptioned or call.panel:
         from .map import draw_contact
 
@@ -267,13 +267,28 @@ def _write_curve(call: Call) -> int:
     at = at_states(request.sweep.scenes(), loads)
     if kind == "json":
         every = [*at]
-        return write_answers(map(AtState, every), len(every), kind, form, sys.stdout, quiet=call.quiet)
+        with text_output(call.target or "-") as out:
+            return write_answers(map(AtState, every), len(every), kind, form, out, quiet=call.quiet)
     headline = FORCE_CURVE.headline
     bare = OfCurve(headline, named=headline, doubts=False)
-    wanted = bare if kind == "bare" else OfCurve.of(scene for _, scene in samples)
+    wanted = bare if kind == "bare" else OfCurve.of(one.scene for one in samples)
     size = MAX_TABLE if kind == "table" else CURVE_BLOCK
-    blocks = iter(lambda: [wanted.row(one) for one in islice(at, size)], [])
+    pairs: list[Pair] = []  # of each row
+
+    def columns() -> Iterator[Columns]:
+        while some := [*islice(at, size)]:
+            pairs.extend((one.scene.material, one.scene.material2) for one in some)
+            yield in_units(Columns.of_rows(wanted, [wanted.row(one) for one in some]), form)
+
     notes = note_lines.OfRows()
-    columns = (in_units(Columns.of_rows(wanted, rows), form) for rows in blocks)
-    write_columns(wanted, notes.watch(columns), kind, form, call)
+    write_columns(wanted, notes.watch(columns()), kind, form, call)
+    curves = [*dict.fromkeys(one.curve for one in samples)]
+    if call.quiet:
+        found = []
+    elif len(request.sweep) == 1:
+        found = note_lines.of_answer(curves[0])
+    else:
+        found = notes.lines(pairs, [(curve.scene, curve.shown) for curve in curves])
+    for line in found:
+        say_wrapped(line, sys.stderr)
     return exit_code(notes, notes.count)

@@ -34,9 +34,11 @@ HINTS: Mapping[str, str] = {
     "convert": "jkroll batch adds results to each row of a table, --to is the unit of results",
     "plot": "jkroll map draws a quantity, jkroll figure a figure of the paper, jkroll contact --curve a force curve",
     "--format": "write --json, --csv or --bare",
+    "--gamma12": "the energy of an interface stands in the work of adhesion: --work-of-adhesion, γ1 + γ2 - γ12",
     "--diameter": "a radius, half of it, stands alone: jkroll pull-off quartz 100nm",
     "--material": "a material stands alone: jkroll pull-off quartz 100nm",
     "--ndjson": "write --json; jkroll batch reads and writes NDJSON",
+    "-R": "a radius stands alone: jkroll pull-off quartz 100nm",
     "--radius": "a radius stands alone: jkroll pull-off quartz 100nm",
 }
 # Words of a scene that may be given by name, too.
@@ -234,7 +236,9 @@ class UnknownOption(JkrollError):
             return f"{quoted(self.flag)} {problem}"
         name = self.flag.lstrip("-").replace("-", "_").casefold()
         takers = {flag: command.name for command in reversed([*COMMANDS.values()]) for flag in command.flags()}
-        own = None if self.flag in takers else _meant(name, flags_of(self.command))
+        flags = flags_of(self.command)
+        by_symbol = _option(f"--{self.flag.lstrip('-')}", flags)
+        own = None if self.flag in takers else by_symbol.flag if by_symbol else _meant(name, flags)
         guess = _meant(name, takers)
         if self.flag in HINTS or own or not guess:
             program = f"jkroll {self.command}" if self.command else "jkroll"

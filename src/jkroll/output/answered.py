@@ -83,7 +83,7 @@ class Answered:
 
     def __str__(self) -> str:
         values = [f"{name} = {value}" for name, value in self.values.items()]
-        doubts = [note.text if note.is_sentence else f"doubtful: {note.text}" for note in self._found.doubts()]
+        doubts = [note.worded for note in self._found.doubts()]
         return "\n".join([*values, *doubts, *self.notes])
 
 

@@ -9,8 +9,10 @@ from itertools import groupby, pairwise
 from math import inf, pi
 from typing import Any
 
-from ..answers.curve import EQUILIBRIUM, MAX_LOAD, NAMED, PULL_OFF, Loads, states
+from ..answers.answer import Answer
+from ..answers.curve import EQUILIBRIUM, MAX_LOAD, NAMED, OF_CURVE, PULL_OFF, Loads, states
 from ..answers.notes import MOMENTS
+from ..answers.questions import Question
 from ..materials.library import Materials
 from ..physics.any_law import pull_off_force_lennard_jones, transition_parameter
 from ..physics.contact import pressure
@@ -30,6 +32,7 @@ POINTS = 401
 _SAME = 1e-9  # relative difference of curves that coincide
 AREA_AND_PRESSURES = ("contact_radius_at_load", "hertz_pressure", "boussinesq_pressure")
 _FORCE = ("approach_at_load", "load")
+_OF_MOMENT = Question(("yield_moment",), ("yield_moment",))
 _NO_LOAD = "P = 0"
 _BRANCHES = ("stable", "fixed grips", "unstable", "without contact")  # of force curves, each with its own colour
 
@@ -156,7 +159,10 @@ PANELS: Mapping[str, _Panel] = {
 def curves_of_contact(
     scenes: Sequence[Scene], loads: Loads | None, panel: str | None
 ) -> tuple[Picture, tuple[str, ...]]:
-    """Return the panels of a contact under one law or several, or one of them, and notes, first on laws that lack one."""
+    """Return the panels of a contact under one law or several, or one of them, and notes.
+
+    First on laws that lack a panel; then what is in doubt, unless several laws can be compared.
+    """
     is_one = len(scenes) == 1
     varied = ("load",) if is_one else ("load", "yield_displacement")
     panels: list[Panel] = []
@@ -182,7 +188,9 @@ def curves_of_contact(
     is_whole = is_one and len(panels) == len(PANELS)
     shown = ("Both branches of the force curve; pressure; moment without load.",) if is_whole else ()
     caption = (*shown, *fixed_inputs([*held]))
-    return Picture("", tuple(panels), caption), (*(f"no curve: {error}" for error in missing), *notes)
+    about = _OF_MOMENT if panel == "moment" else OF_CURVE
+    doubtful = [note.worded for note in Answer(about, scenes[0]).doubts()] if is_one else []
+    return Picture("", tuple(panels), caption), (*(f"no curve: {error}" for error in missing), *doubtful, *notes)
 
 
 def _in_colour(panel: Panel, colour: int) -> Panel:
