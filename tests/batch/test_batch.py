@@ -647,8 +647,9 @@ def test_a_table_without_a_radius_says_so(run: Run, tmp_path: Path) -> None:
     assert ran.err.splitlines() == [
         "read: yield_displacement [nm] from xi [nm]; passed through: size_um",
         "note: no column and no option gives a radius; what needs one is left out",
+        "note: ? in 1 of 1 rows: some limits need inputs that are not given, such as Young's modulus",
     ]
     assert (tmp_path / "out.csv").read_text(encoding="utf-8").splitlines()[
         0
     ] == "size_um,xi [nm],yield_force [N],doubt,status"
-    assert "note" not in run("batch sizes.csv --material quartz --quantities yield_force -o out.csv").err
+    assert "no column" not in run("batch sizes.csv --material quartz --quantities yield_force -o out.csv").err

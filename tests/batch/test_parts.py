@@ -78,9 +78,10 @@ def test_resume_leaves_out_what_is_done(run: Run, grains: list[str]) -> None:
     reading, _, said = ran.err.partition("\n")
     assert reading.startswith("read: material, ")
     assert reading.endswith(": 4 of 5 files")
-    directory, doubtful, failed = said.splitlines()
+    directory, doubtful, not_judged, failed = said.splitlines()
     assert (ran.code, directory) == (2, f"jkroll: '{grains[3]}': Is a directory")
     assert doubtful.startswith("note: 58 of 87 rows are doubtful (law>×2 in 34, ")
+    assert not_judged.startswith("note: ? in ")
     assert failed == "jkroll: 18 of 87 rows failed; column status says why"
     assert sorted(whole_names("forces")) == ["manifest.json", *(f"part-{place}.csv" for place in (0, 1, 2, 4))]
     failed = json.loads(Path("forces/manifest.json").read_text())["files"][3]

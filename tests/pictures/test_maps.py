@@ -460,7 +460,10 @@ def test_limits_that_cannot_be_shown_are_said_to_be_missing(run: Run) -> None:
         ("map pull-off 1nm:1um:25 --x gamma=1mJ/m2:1J/m2", "25 scenes are more than the 24 curves"),
         ("map pull-off quartz,iron --x radius=1nm:1um:500001", "2 x 500001 points are more than 1000000"),
         ("map pull-off quartz --x radius=1nm:1um -o picture.gif", ".svg, .pdf or .png; --data FILE writes the numbers"),
-        ("contact quartz 100nm --curve --panel force -o curve.csv", ".svg, .pdf or .png; --csv > FILE writes the numbers"),
+        (
+            "contact quartz 100nm --curve --panel force -o curve.csv",
+            ".svg, .pdf or .png; --csv > FILE writes the numbers",
+        ),
         ("map pull-off quartz --x radius=1nm:1um --width 5N", "is a force"),
         ("map pull-off quartz --x radius=1nm:1um --width 1nm", "is not between"),
         ("map load --x load=1nN:2nN", "it cannot be an axis"),

@@ -35,6 +35,11 @@ def run(path: str, settings: Settings, inputs: Mapping[str, str], known: Materia
             f"note: {tally.doubtful} of {tally.rows} rows are doubtful ({counted}{more}); column {DOUBT} says why",
             sys.stderr,
         )
+    if tally.not_judged and not settings.quiet:
+        some = f"{tally.not_judged} of {tally.rows} rows"
+        say_wrapped(
+            f"note: ? in {some}: some limits need inputs that are not given, such as Young's modulus", sys.stderr
+        )
     if tally.without_error_bars and not settings.quiet:
         some = f"{tally.without_error_bars} of {tally.rows} rows have"
         say(f"note: {some} error bars that the first rows have not; --uncertainty adds their columns", sys.stderr)

@@ -21,11 +21,12 @@ _NONE: Counter[str] = Counter()
 
 
 class Tally(NamedTuple):
-    """The rows of a run, and those of them that failed, exceed a limit of the model, or have error bars that are not shown."""
+    """The rows of a run, and those of them that failed, exceed a limit, cannot be judged, or have error bars that are not shown."""
 
     rows: int = 0
     failed: int = 0
     doubtful: int = 0
+    not_judged: int = 0  # for some limit
     without_error_bars: int = 0
     codes: Counter[str] = _NONE  # of doubts, by their rows
     inferred: tuple[Floats, ...] = ()  # the values of an input that was sought, in parts
@@ -34,11 +35,12 @@ class Tally(NamedTuple):
     @classmethod
     def of(cls, columns: Columns, failed: Sequence[int]) -> "Tally":
         """Return the counts of some rows."""
-        doubts = numpy.asarray(columns.doubts) & ~NOT_JUDGED
+        bits = numpy.asarray(columns.doubts)
+        doubts, not_judged = bits & ~NOT_JUDGED, int(numpy.count_nonzero(bits & NOT_JUDGED))
         doubtful, of_codes = int(numpy.count_nonzero(doubts)), _rows_of_codes(doubts)
         wanted = columns.wanted
         inferred = (numpy.asarray(columns.column(wanted.name)).copy(),) if isinstance(wanted, SoughtOne) else ()
-        return cls(len(columns), len(failed), doubtful, columns.without_sides(), of_codes, inferred)
+        return cls(len(columns), len(failed), doubtful, not_judged, columns.without_sides(), of_codes, inferred)
 
     def plus(self, other: "Tally") -> "Tally":
         """Return the counts with those of some more rows."""
