@@ -28,17 +28,15 @@ from ..scene.scene import Scene
 from ..scene.wiring import depends_on
 from .displacement import Worth, about_displacement, worth
 from .notes import (
-    about_assumed,
-    about_data,
-    about_idle,
+    about_given,
     about_limits,
     about_missing,
     about_results,
     assumed,
-    assumptions,
     first_symbols,
     model_error,
     symbol_of,
+    with_spacing,
 )
 from .questions import Question
 from .results import Note, Result, at_half_spacing, over_spacing, with_law
@@ -269,7 +267,7 @@ class Answer:
     def assumed(self) -> list[str]:
         """The names of inputs that were assumed, with the atomic spacing if it enters a limit."""
         of_limits = self.scene.inputs_of(*(verdict.name for verdict in self.validity))
-        return assumed(self.scene, {*self.inputs, *{"atomic_spacing"}.intersection(of_limits)})
+        return assumed(self.scene, with_spacing(self.inputs, of_limits))
 
     @cached_property
     def notes(self) -> tuple[Note, ...]:
@@ -283,13 +281,9 @@ class Answer:
         lacking = [name for name, error in self.errors.items() if isinstance(error, MissingInput)]
         lacking += [name for names in self._judgement.missing.values() for name in names]
         displaced = [] if self.worth is None else [about_displacement(self.worth, self.question.headline)]
-        entering_any = {*self.inputs, *of_limits, *depends_on(lacking, [scene.law.name])}
+        entering = {*self.inputs, *of_limits, *depends_on(lacking, [scene.law.name])}
         return (
-            *displaced,
-            *about_assumed([name for name in self.assumed if not (name == XI and displaced)]),
-            *assumptions(scene, self.inputs, planned),
-            *about_idle(scene, entering_any),
-            *about_data(scene, self.inputs),
+            *about_given(scene, planned, with_spacing(self.inputs, of_limits), entering, displaced),
             *about_results([*self.results], scene, self.question.noted),
             *about_missing([*self.results], self.errors),
             *about_limits(self._judgement),

@@ -39,18 +39,34 @@ def notes_on_rows(scene: Scene, names: Sequence[str]) -> list[Note]:
         return []
     every = [*names, *(limit.name for limit in limits_of(scene, planned))]
     of_limits = scene.inputs_of(*_planned(scene, every))
-    spacing = {"atomic_spacing"}.intersection(of_limits)  # which enters no answer
-    inputs = {*scene.inputs_of(*planned), *spacing}
+    inputs = with_spacing(scene.inputs_of(*planned), of_limits)
     entering = {*of_limits, *depends_on(scene.missing(every), [scene.law.name])}
     displaced = [about_displacement_of_rows(scene)] if XI in inputs and XI not in scene.given else []
     return [
-        *displaced,
-        *about_assumed([name for name in assumed(scene, inputs) if not (name == XI and displaced)]),
-        *assumptions(scene, inputs, planned),
-        *about_idle(scene, entering),
-        *(note for note in about_data(scene, inputs) if note.kind != "material"),
+        *(note for note in about_given(scene, planned, inputs, entering, displaced) if note.kind != "material"),
         *about_conventions(scene, planned),
         *about_limits(judged(scene, planned)),
+    ]
+
+
+def with_spacing(inputs: Collection[str], of_limits: Collection[str]) -> set[str]:
+    """Return the inputs of some results, with the atomic spacing if it enters a limit: it enters few answers."""
+    return {*inputs, *{"atomic_spacing"}.intersection(of_limits)}
+
+
+def about_given(
+    scene: Scene, names: list[str], inputs: Collection[str], entering: Collection[str], displaced: Sequence[Note] = ()
+) -> list[Note]:
+    """Return the notes that follow from what is given, with those on the displacement that is assumed first.
+
+    `inputs`: on which the quantities depend; `entering`: on which anything depends, or would if more were given.
+    """
+    return [
+        *displaced,
+        *about_assumed([name for name in assumed(scene, inputs) if not (name == XI and displaced)]),
+        *assumptions(scene, inputs, names),
+        *about_idle(scene, entering),
+        *about_data(scene, inputs),
     ]
 
 

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
-from ..answers.notes import about_assumed, about_data, about_idle, assumed, assumptions, symbol_of
+from ..answers.notes import about_given, about_idle, symbol_of
 from ..answers.results import equation_of
 from ..errors import BadRequest, NoResult
 from ..materials.library import Materials
@@ -225,8 +225,7 @@ def inputs_as_texts(scene: Scene, names: Iterable[str]) -> tuple[str, ...]:
 
 def notes_on(scene: Scene, inputs: Collection[str], names: Sequence[str]) -> list[str]:
     """Return notes on the assumptions and the data from which quantities follow."""
-    found = (*about_assumed(assumed(scene, inputs)), *assumptions(scene, inputs, [*names]), *about_data(scene, inputs))
-    return [note.text for note in found]
+    return [note.text for note in about_given(scene, [*names], inputs, scene.stated)]
 
 
 def _first_sentence(quantity: str, scenes: Sequence[Scene]) -> str:
