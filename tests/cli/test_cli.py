@@ -153,6 +153,15 @@ MESSAGES = {
     "contact quartz 100nm --laod 5nN": (2, "no such option '--laod'; did you mean --load?"),
     "pull-off 100nm --surface-tension 25mJ/m2": (2, "no such option '--surface-tension'; did you mean --gamma?"),
     "pull-off 100nm -gamma 25mJ/m2": (2, "no such option '-gamma'; did you mean --gamma?"),
+    "pull-off 100nm -E 70GPa": (2, "no such option '-E'; did you mean --young?"),
+    "pull-off --gamma 25mJ/m2 -R 100nm": (
+        2,
+        "no such option '-R'; a radius stands alone: jkroll pull-off quartz 100nm",
+    ),
+    "pull-off quartz 100nm --gamma12 3mJ/m2": (
+        2,
+        "no such option '--gamma12'; the energy of an interface stands in the work of adhesion: --work-of-adhesion, γ1 + γ2 - γ12",
+    ),
     "pull-off quartz 100nm --dig 3": (2, "no such option '--dig'; did you mean --digits?"),
     "quantities --radius 100nm": (
         2,
