@@ -107,6 +107,26 @@ def test_many_rows_are_what_infer_makes_of_arrays(run: Run, model: str) -> None:
     np.testing.assert_allclose(found, expected, rtol=1e-12)
 
 
+@pytest.mark.parametrize("name", ["surface_energy", "youngs_modulus"])
+@pytest.mark.parametrize("materials", [["quartz"], ["iron"], ["quartz", "iron", "ice-warm"]])
+def test_what_is_inferred_is_of_both_spheres_where_they_are_of_one_material(
+    run: Run, name: str, materials: list[str]
+) -> None:
+    random = Random(7)
+    rows = [(random.choice(materials), random.uniform(12, 20)) for _ in range(12)]
+    lines = [f"{material},100,0,{size}\n" for material, size in rows]
+    Path("pairs.csv").write_text("".join(["material,R1 [nm],load [nN],a [nm]\n", *lines]), encoding="utf-8")
+    words = f"--infer {name} --measured contact_radius_at_load"
+    run(f"batch pairs.csv -o out.csv {words} --material2 quartz")
+    found = [float(row[next(key for key in row if key.startswith(name))]) for row in results("out.csv")]
+    for (material, size), value in zip(rows, found, strict=True):
+        expected = infer(
+            name, measured={"contact_radius_at_load": size * 1e-9},
+            material=material, material2="quartz", radius=1e-7, load=0.0,
+        )  # fmt: skip
+        assert value == pytest.approx(expected, rel=1e-12), material
+
+
 def test_the_column_may_be_named_and_files_be_many(run: Run) -> None:
     Path("runs").mkdir()
     for name, force in (("a", 200), ("b", 300), ("c", 400)):

@@ -203,9 +203,9 @@ class Lookup:
         return numpy.array(self._kinds)[codes]
 
     def together(self, codes: Codes) -> Material | None:
-        """Return the materials of rows of one kind as one whose properties are arrays; a special one as it is."""
+        """Return the materials of rows of one kind as one without a name whose properties are arrays; a single one as it is."""
         first = self.known[int(codes[0])]
-        if first is None or not first.properties or _is_special(first):
+        if first is None or not first.properties or _is_special(first) or (codes == codes[0]).all():
             return first
         properties: Any = {
             name: numpy.array([one.properties.get(name, numpy.nan) if one else numpy.nan for one in self.known])[codes]

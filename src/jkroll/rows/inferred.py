@@ -6,7 +6,7 @@ from math import nan
 from typing import TYPE_CHECKING, Any, Self
 
 from ..errors import JkrollError, NoResult
-from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
 from ..quantities.values import is_uncertain
 from ..scene.failures import MissingInput
 from ..scene.inverse import SIZES, Observed, computed, failure, largest, solutions, with_inputs
@@ -163,8 +163,8 @@ class SoughtOne(Sought):
         """Return the columns of arrays of measured values; `one` returns a row by itself."""
         import numpy
 
-        if self._left_out(scene) is not None:
-            raise NotShown  # each row by itself says what it leaves out
+        if self._left_out(scene) is not None or self._may_be_of_both(scene.scene):
+            raise NotShown  # each row by itself says what it leaves out, and of which spheres the input is
         measured = numpy.broadcast_to(scene.values[self.quantity], size)
         found = solutions(self.name, self.quantity, measured, scene.scene)
         values = numpy.array([each if isinstance(each, float) else nan for each in found])
@@ -187,6 +187,11 @@ class SoughtOne(Sought):
         if self.known_sides and scene.is_uncertain:
             self._add_sides(columns, scene, one)
         return columns
+
+    def _may_be_of_both(self, scene: Scene) -> bool:
+        """Return whether the input is that of both spheres in some rows: the materials of many rows together have no name."""
+        both = (scene.material, scene.material2)
+        return self.name in PROPERTIES and None not in both and not all(one.name for one in both if one is not None)
 
     def _add_sides(self, columns: Columns, scene: Observed, one: Callable[[int], Any]) -> None:
         """Add the columns of the uncertainty; rows in which it needs a search are computed by themselves."""
