@@ -351,6 +351,21 @@ def test_a_curve_is_doubted_as_its_pull_off_force_wherever_it_is_written(run: Ru
     assert "law>25%, by Maugis–Dugdale a result differs by more than 25 %: rows 1-43" in listed.err
 
 
+def test_a_curve_has_the_quantities_and_the_units_that_are_asked_for(run: Run) -> None:
+    head, *_, last = run("contact quartz 100nm --curve --quantities hertz_pressure,load --to nN --csv").out.splitlines()
+    load, pressure = (
+        float(last.split(",")[head.split(",").index(name)]) for name in ("load [nN]", "hertz_pressure [Pa]")
+    )
+    single = run(f"contact quartz 100nm --load {load}nN --quantities hertz_pressure --bare --quiet").out
+    assert pressure == pytest.approx(float(single), rel=1e-12)
+    answers = json.loads(run("contact quartz 100nm --curve --quantities hertz_pressure --json").out)
+    assert answers[-1]["results"][0]["value"] == pressure
+    bare = run("contact quartz 100nm --curve --bare --to nN --quiet").out.splitlines()[-1]
+    assert float(bare.split()[-1]) == load
+    refused = run("contact quartz 100nm --curve --to J")
+    assert (refused.code, "which are in: m, N, N/m" in refused.err) == (2, True)
+
+
 # --- What an answer says ------------------------------------------------------------------------------------------------
 
 

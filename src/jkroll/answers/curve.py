@@ -1,19 +1,19 @@
 """The force curve of a contact as rows: both branches, and the named states on them."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from math import nan
 from typing import Any, NamedTuple
 
 from ..errors import BadRequest, NoResult
 from ..physics.elementary import cbrt
-from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import parse_quantity
 from ..rows.columns import Row, Wanted, by_floats
 from ..rows.sweep import entering
 from ..scene.failures import MissingInput
 from ..scene.limits import Verdict, doubts
 from ..scene.scene import Scene
+from ..scene.wiring import in_order
 from ..text import quoted
 from .answer import Answer, Difference
 from .questions import Question
@@ -178,9 +178,9 @@ def _known(state: State) -> dict[str, float | NoValue]:
 class AtState(Answer):
     """The answer at a state of the force curve."""
 
-    def __init__(self, at: At) -> None:
+    def __init__(self, at: At, question: Question = FORCE_CURVE) -> None:
         self.state, scene, self.curve = at
-        super().__init__(FORCE_CURVE, scene)
+        super().__init__(question, scene)
 
     @cached_property
     def inputs(self) -> Mapping[str, float | str]:
@@ -214,11 +214,10 @@ class OfCurve(Wanted):
     """The columns of force curves: the inputs, the name of the state and the results."""
 
     @classmethod
-    def of(cls, scenes: Iterable[Scene]) -> "OfCurve":
-        """Return the columns of scenes at their states."""
-        names = FORCE_CURVE.quantities
+    def of(cls, scenes: Iterable[Scene], names: Sequence[str]) -> "OfCurve":
+        """Return the columns of quantities of scenes at their states."""
         inputs, sides = entering(scenes, lambda _: names, names)
-        shown = [name for name in NOMENCLATURE if name in {*inputs, "state"}.difference(names)]
+        shown = in_order({*inputs, "state"}.difference(names))
         return cls(names, named=names, inputs=shown, sides=sides)
 
     @cached_property
@@ -232,6 +231,8 @@ class OfCurve(Wanted):
         found = by_floats(self._of_state, scene)
         numbers, reasons = dict(zip(self.keys, found.numbers, strict=True)), {**found.reasons}
         for name, value in _known(state).items():
+            if name not in self.names:
+                continue
             for key in (name, *self.sides_of(name).values()):
                 numbers[key] = nan
                 reasons.pop(key, None)

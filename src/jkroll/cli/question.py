@@ -255,23 +255,27 @@ def _write_curve(call: Call) -> int:
     """Write the force curve of every scene; return the exit code."""
     from ..answers.curve import FORCE_CURVE, AtState, OfCurve, at_states
 
-    _, kind, form = checked(call)
+    kind = checked_format(call)
     if kind in ("explain", "cite"):
         raise BadRequest(f"--curve and --{kind} exclude each other")
+    question = question_about(call.quantities) if call.quantities else FORCE_CURVE
+    shown = question.headline if kind == "bare" else question.quantities
+    form = form_of(call, shown)
     request, loads = curve_request(call)
-    check_count(len(request.sweep), "curve")
+    if (count := len(request.sweep)) > MAX_OBJECTS:
+        raise BadRequest(f"--curve: {count} scenes are more than {MAX_OBJECTS}")
     samples = [*at_states(request.sweep.kinds, loads)]
-    failure = AtState(samples[0]).failure
-    if failure is not None and all(AtState(one).failure is not None for one in samples):
-        raise failure
+    failures = [AtState(one, question).failure for one in samples]
+    if failures[0] is not None and None not in failures:
+        raise failures[0]
     at = at_states(request.sweep.scenes(), loads)
     if kind == "json":
         every = [*at]
         with text_output(call.target or "-") as out:
-            return write_answers(map(AtState, every), len(every), kind, form, out, quiet=call.quiet)
-    headline = FORCE_CURVE.headline
-    bare = OfCurve(headline, named=headline, doubts=False)
-    wanted = bare if kind == "bare" else OfCurve.of(one.scene for one in samples)
+            answers = (AtState(one, question) for one in every)
+            return write_answers(answers, len(every), kind, form, out, quiet=call.quiet)
+    bare = OfCurve(shown, named=shown, doubts=False)
+    wanted = bare if kind == "bare" else OfCurve.of((one.scene for one in samples), shown)
     size = MAX_TABLE if kind == "table" else CURVE_BLOCK
     pairs: list[Pair] = []  # of each row
 

@@ -6,13 +6,14 @@ from math import nan
 from typing import TYPE_CHECKING, Any, Self
 
 from ..errors import JkrollError, NoResult
-from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
+from ..quantities.nomenclature import PROPERTIES
 from ..quantities.values import is_uncertain
 from ..scene.failures import MissingInput
 from ..scene.inverse import SIZES, Observed, computed, failure, largest, solutions, with_inputs
 from ..scene.limits import doubts
 from ..scene.scene import Scene
 from ..scene.unknowns import check_sought, solved
+from ..scene.wiring import in_order
 from .columns import (
     ROW,
     UNCERTAINTY,
@@ -67,7 +68,7 @@ class Sought(Wanted):
             inputs |= one.echo(names).keys()
         if errors[0] is not None and all(errors):
             raise errors[0]
-        return cls(names, quantities, inputs=[each for each in NOMENCLATURE if each in inputs], sides=sides)
+        return cls(names, quantities, inputs=in_order(inputs), sides=sides)
 
     def with_sides(self, sides: Collection[str]) -> Self:
         """Return the same inputs with columns for some sides of their uncertainties."""

@@ -16,6 +16,7 @@ from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import Spread
 from ..scene.failures import OfIdenticalSpheres
 from ..scene.scene import FOLLOWS, Scene
+from ..scene.wiring import in_order
 from .columns import Columns, Wanted
 
 if TYPE_CHECKING:
@@ -91,7 +92,7 @@ class Sweep:
         return Wanted(
             [name for name in quantities if name in shown],
             named=named,
-            inputs=[name for name in NOMENCLATURE if name in inputs - shown],
+            inputs=in_order(inputs - shown),
             sides=sides,
         )
 

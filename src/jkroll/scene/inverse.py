@@ -445,9 +445,7 @@ def largest(names: Iterable[str]) -> dict[str, float]:
 
 def names_in(scene: Scene, name: str) -> tuple[str, ...]:
     """Return the names of an input that is inferred: those of both spheres if one material was named for both."""
-    is_shared = (
-        scene.material2 is not None and scene.material is not None and scene.material2.key == scene.material.key
-    )
+    is_shared = scene.material2 is not None and scene.material is not None and scene.material2.key == scene.material.key
     return (name, name + "2") if is_shared and name in PROPERTIES and name + "2" not in scene.stated else (name,)
 
 
