@@ -20,8 +20,8 @@ from jkroll.quantities.values import (
     has_uncertainty,
     measured,
     parse_quantity,
-    parse_uncertain,
     unit_of,
+    value_of,
 )
 
 SPELLINGS = """25±5 mJ/m2; 25 ± 5 mJ/m2; 25+-5mJ/m2; 25 +/- 5 mJ/m2; 25+−5 mJ/m2; 25(5)mJ/m2; 25mJ/m2±20%; 25 mJ/m2 ± 5 mJ/m2;
@@ -31,7 +31,7 @@ SPELLINGS = """25±5 mJ/m2; 25 ± 5 mJ/m2; 25+-5mJ/m2; 25 +/- 5 mJ/m2; 25+−5 m
 @pytest.mark.parametrize("text", [text.strip() for text in SPELLINGS.split(";")])
 def test_one_uncertainty_in_many_spellings(text: str) -> None:
     assert has_uncertainty(text)
-    assert parse_uncertain(text, "surface_energy") == Measured(0.025, 0.005, 0.005)
+    assert value_of(text, "surface_energy") == Measured(0.025, 0.005, 0.005)
 
 
 @pytest.mark.parametrize(
@@ -55,7 +55,7 @@ def test_one_uncertainty_in_many_spellings(text: str) -> None:
     ],
 )
 def test_what_is_read(text: str, name: str, found: object) -> None:
-    assert parse_uncertain(text, name) == found
+    assert value_of(text, name) == found
 
 
 REFUSED = {
@@ -84,15 +84,15 @@ REFUSED = {
 @pytest.mark.parametrize("text", REFUSED)
 def test_what_is_refused_and_how(text: str) -> None:
     with pytest.raises(QuantityError) as error:
-        parse_uncertain(text, "surface_energy")
+        value_of(text, "surface_energy")
     assert str(error.value) == f"surface_energy: '{text}' {REFUSED[text]}"
 
 
 def test_the_ends_of_a_poisson_ratio_are_possible_ones() -> None:
     with pytest.raises(QuantityError, match="at both ends"):
-        parse_uncertain("0.49±0.05", "poisson_ratio")
+        value_of("0.49±0.05", "poisson_ratio")
     with pytest.raises(QuantityError, match="% that can be read in two ways"):
-        parse_uncertain("17%±1%", "poisson_ratio")
+        value_of("17%±1%", "poisson_ratio")
 
 
 @pytest.mark.parametrize("text", ["25±5 mJ/m2", "25(5) mJ/m2", "25+-5 mJ/m2", "25 mJ/m2 ± 20%", "20 to 30 mJ/m2"])
@@ -109,16 +109,16 @@ def test_every_number_is_rounded_once(value: Decimal, other: Decimal, unit: str)
     factor = {"nm": "1e-9", "um": "1e-6", "ft": "0.3048"}[unit]
     low, high = (float(one * Decimal(factor)) for one in sorted((value, other)))
     if 3 * min(value, other) < max(value, other):
-        found = parse_uncertain(f"{max(value, other)}±{min(value, other)} {unit}", "radius")
+        found = value_of(f"{max(value, other)}±{min(value, other)} {unit}", "radius")
         assert found == Measured(high, low, low)
-        interval = parse_uncertain(f"{min(value, other)} to {max(value, other)} {unit}", "radius")
+        interval = value_of(f"{min(value, other)} to {max(value, other)} {unit}", "radius")
         assert interval == Interval(float((value + other) * Decimal(factor) / 2), low, high)
 
 
 @given(st.text(alphabet="0123456789.eE+-±()/% nmto", max_size=30) | st.text(max_size=90))
 def test_nothing_but_the_declared_errors_escapes(text: str) -> None:
     try:
-        found = parse_uncertain(text, "radius")
+        found = value_of(text, "radius")
     except QuantityError as error:
         assert "\n" not in str(error)
         return
@@ -205,10 +205,10 @@ def test_no_array_is_made_of_an_uncertain_value_by_accident(found: tuple[object,
     ],
 )
 def test_what_is_written_and_read_again(text: str, name: str, written: str) -> None:
-    found = parse_uncertain(text, name)
+    found = value_of(text, name)
     assert isinstance(found, Measured | Interval)
     assert amount(name, found) == written
-    again = parse_uncertain(written, name)
+    again = value_of(written, name)
     assert isinstance(again, Measured | Interval)
     assert again.value == pytest.approx(found.value, rel=1e-3)
 

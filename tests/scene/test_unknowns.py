@@ -346,7 +346,7 @@ def test_arrays_broadcast_and_hold_nan_where_there_is_no_pair() -> None:
         (["gamma", "gravity"], MEASURED, "'gravity' cannot be inferred"),
         (["gamma", "young"], {"stiffness": 1e3}, "is not two quantities and their values"),
         ("gamma", MEASURED, "is not one quantity and its value"),
-        (["gamma", "young"], {"P_c": 3e-7, "pull_off_force": 3e-7}, "P_c and pull_off_force exclude each other"),
+        (["gamma", "young"], {"P_c": 3e-7, "pull_off_force": 3e-7}, "P_c and pull_off_force are one quantity"),
         (["gamma", "young"], {"P_c": "300±20 nN", "stiffness": [1e3]}, "stands beside an uncertain value"),
     ],
 )

@@ -147,9 +147,9 @@ def amount(name: str, value: "float | str | Uncertain", form: Format = AS_USUAL)
 
     >>> amount("yield_displacement", 2e-10)
     '200 pm'
-    >>> from .values import parse_uncertain
+    >>> from .values import value_of
     >>> texts = ("25±5 mJ/m2", "25 +6/-4 mJ/m2", "20 to 30 mJ/m2")
-    >>> [amount("surface_energy", parse_uncertain(text, "surface_energy")) for text in texts]
+    >>> [amount("surface_energy", value_of(text, "surface_energy")) for text in texts]
     ['25.0 ± 5.0 mJ/m²', '25.0 +6.0/-4.0 mJ/m²', '20 to 30 mJ/m²']
     """
     number, unit = form.rounded(name, value)

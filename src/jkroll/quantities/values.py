@@ -19,7 +19,7 @@ from .units import MAX_TEXT, BadUnit, Dimension, Unit, dimension_of, kind_of, no
 # --- Texts to numbers -------------------------------------------------------------------------------------------------
 
 _NUMBER = re.compile(r"([+-]?)([0-9]*)(?:\.([0-9]*))?(?:[eE]([+-]?[0-9]+))?")
-_MARKS = ("±", "(", "+-", "+−", "/-", "/−", " to ")  # /- as in +/- and in +6/-4
+_MARKS = ("±", "(", "+-", "+−", "/-", "/−", "/ -", "/ −", " to ")  # /- as in +/- and in +6/-4
 
 
 class NoUnit(BadUnit):
@@ -252,16 +252,18 @@ def _checked_number(owner: str, value: object) -> float:
     raise BadRequest(f"{owner}: {quoted(str(value))} is not a number in SI units; a text with a unit needs no {owner}")
 
 
-def parse_uncertain(text: str, name: str) -> float | Uncertain:
+def value_of(text: str, name: str) -> float | Uncertain:
     """Read the value of a quantity of the nomenclature, with its uncertainty if the text states one, in SI units.
 
-    >>> parse_uncertain("25±5 mJ/m2", "surface_energy")
+    >>> value_of("25±5 mJ/m2", "surface_energy")
     Measured(value=0.025, minus=0.005, plus=0.005, kind='standard')
-    >>> parse_uncertain("20 to 30 nm", "radius")
+    >>> value_of("20 to 30 nm", "radius")
     Interval(value=2.5e-08, low=2e-08, high=3e-08, kind='range')
 
     Raises a `QuantityError` that names the quantity, quotes the text and shows the right form.
     """
+    if not has_uncertainty(text):
+        return parse_quantity(text, name)
     try:
         found = _read(normalized(text).replace("+/-", "±").replace("+-", "±"), dimension_of(NOMENCLATURE[name].unit))
     except BadUnit as error:
@@ -420,13 +422,6 @@ class Spread:
             value = self.low ** (1 - part) * self.high**part
         is_nothing = abs(value) < 1e-15 * max(abs(self.low), abs(self.high)) and not self.is_log
         return 0.0 if is_nothing else float(f"{value:.15g}")
-
-
-def value_of(text: str, name: str) -> float | Uncertain:
-    """Read one value of a quantity of the nomenclature, with its uncertainty if the text states one, in SI units."""
-    if not has_uncertainty(text):
-        return parse_quantity(text, name)
-    return parse_uncertain(text, name)
 
 
 def spreads_of(text: str, name: str) -> list[Spread]:

@@ -11,7 +11,7 @@ from ..materials.library import Material, Materials
 from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import named
 from ..quantities.values import is_uncertain
-from ..scene.failures import Contradiction
+from ..scene.failures import GivenTwice
 from ..scene.inverse import SIZES, CannotInfer, Observed, observed
 from ..scene.scene import check_range
 from ..scene.solver import broadcast, in_si, materials_of, refuse_arrays, with_uncertainty
@@ -112,7 +112,7 @@ def infer(
         )
     known, _ = in_si({named(str(word)): value for word, value in measured.items()})
     if len(known) < len(measured):
-        raise Contradiction([*map(str, measured)])
+        raise GivenTwice([*map(str, measured)])
     described, _ = in_si(given)
     for each, value in {**known, **described}.items():
         check_range(each, value.value if is_uncertain(value) else value)

@@ -102,6 +102,13 @@ class Contradiction(JkrollError):
         return f"{' and '.join(self.names)} exclude each other: one follows from the other"
 
 
+class GivenTwice(Contradiction):
+    """Error raised for words that all stand for one quantity."""
+
+    def __str__(self) -> str:
+        return f"{' and '.join(self.names)} are one quantity; give it once"
+
+
 class ShapeMismatch(JkrollError):
     """Error raised for arrays that do not broadcast."""
 

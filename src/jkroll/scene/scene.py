@@ -1,9 +1,8 @@
 """From what is given to what is asked: a scene evaluates the formulas that its questions need, and says what is missing.
 
 The assumptions of a scene are stated here, once: sphere 2 is like sphere 1 in everything that is not said of it, and
-the names in DEFAULTS have values if nothing else is said. A scene takes numbers in the range of their quantity, of
-magnitudes from which no formula leaves the doubles. It gives results that doubles hold with all digits, and zeros where
-the physics has them.
+the names in DEFAULTS have values if nothing else is said. A scene takes numbers in the range of their quantity, from
+1e-60 to 1e60 in SI units. It gives results that doubles hold with all digits, and zeros where the physics has them.
 """
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
@@ -59,7 +58,7 @@ def outside(name: str, values: Any) -> Any:
 
 
 def _has_magnitude(name: str, value: Any) -> Any:
-    """Return whether a number, or each element of an array, is of a size from which no formula leaves the doubles."""
+    """Return whether a number, or each element of an array, is of a size that a scene takes."""
     size = abs(value)
     return (size >= LEAST) & (size <= MOST) | (value == 0) | (value == INFINITY) | (name in _OF_ANY_SIZE)
 
@@ -72,7 +71,10 @@ _SCALED = {name for name, one in NOMENCLATURE.items() if one.range not in RANGES
 # --- Numbers that a scene gives ---------------------------------------------------------------------------------------
 
 SMALLEST = 2.2250738585072014e-308  # of the doubles that have all their digits
-MAY_BE_INFINITE = frozenset(name for name, quantity in NOMENCLATURE.items() if quantity.range == "up to infinite")
+_OF_A_PLANE = [
+    name for name, one in NOMENCLATURE.items()
+    if one.range == "up to infinite" and name.endswith("2") and formula_of(name) is not None
+]  # fmt: skip
 MAY_BE_ZERO = frozenset(name for name, quantity in NOMENCLATURE.items() if quantity.may_be_zero)
 
 
@@ -84,7 +86,7 @@ def is_answer(name: str, value: float) -> bool:
 def are_answers(name: str, values: Any) -> Any:
     """Return which elements of an array doubles hold with all digits, or are the zero that the quantity may be."""
     size = abs(values)
-    fine = (size >= SMALLEST) & ((size < INFINITY) | (name in MAY_BE_INFINITE))
+    fine = (size >= SMALLEST) & ((size < INFINITY) | (name in _OF_A_PLANE))
     return fine | (size == 0) if name in MAY_BE_ZERO else fine
 
 
@@ -116,7 +118,6 @@ _SAYS = {
 }  # what says the same as a default
 
 # The quantities of sphere 2 that are infinite for a plane, such as its mass.
-_OF_A_PLANE = [name for name in MAY_BE_INFINITE if name.endswith("2") and formula_of(name) is not None]
 
 # The values of inputs from which more follows than from others: a plane, a rigid body, no load.
 FOLLOWS: Mapping[str, tuple[float, Mapping[str, float]]] = {

@@ -13,7 +13,7 @@ from ..quantities.errors import QuantityError, UnknownQuantity
 from ..quantities.nomenclature import NOMENCLATURE, canonical, named
 from ..quantities.values import Uncertain, checked, is_uncertain, measured, value_of
 from ..text import MAX_QUOTED
-from .failures import Contradiction, ShapeMismatch
+from .failures import GivenTwice, ShapeMismatch
 from .scene import Scene
 from .wiring import Plan
 
@@ -272,7 +272,7 @@ def in_si(given: Mapping[str, Any]) -> tuple[dict[str, Any], Any]:
         if name not in NOMENCLATURE:
             raise UnknownQuantity(word)
         if words.setdefault(name, word) != word:
-            raise Contradiction((words[name], word))
+            raise GivenTwice((words[name], word))
         if isinstance(value, float):
             values[name] = float(value)
             continue
