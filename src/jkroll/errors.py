@@ -36,14 +36,14 @@ class NoResult(JkrollError):
     """Error raised when a quantity has no value for the given inputs."""
 
     exit_code = 1
-    name = ""  # the quantity that has no value, or whose value rules a contact out
+    name = ""  # the quantity that has no value, or whose value rules a contact out, if it is a single one
 
     def reason(self) -> str:
         """Return why there is no answer, without the name of the quantity."""
         return ""
 
     def __str__(self) -> str:
-        return f"{self.name}: {self.reason()}"
+        return f"{self.name}: {self.reason()}" if self.name else self.reason()
 
 
 class BadRequest(JkrollError):

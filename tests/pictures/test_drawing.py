@@ -483,6 +483,8 @@ def test_rows_of_a_curve_are_within_its_loads(run: Run, model: str) -> None:
         ("figure 3a --data nowhere/figure.csv", "cannot write 'nowhere/figure.csv': No such"),
         ("n-grav quartz 1um -o nowhere/sweep.csv", "cannot write 'nowhere/sweep.csv"),
         ("figure 2 --mark quartz@1nm", "takes no --mark"),
+        ("figure 9 --plain", "takes no --plain"),
+        ("figure laws --as-printed", "takes no --as-printed"),
         ("figure 3a --as-printed", "for 6b"),
         ("contact quartz 100nm --curve --panel tides -o contact.svg", "there are force, pressure, moment"),
     ],

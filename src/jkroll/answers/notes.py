@@ -9,7 +9,7 @@ from ..quantities.formatting import amount, significant
 from ..quantities.nomenclature import NOMENCLATURE, XI
 from ..scene.failures import MissingInput, grouped
 from ..scene.limits import IMPACT, Judgement, judged, limits_of
-from ..scene.scene import DEFAULTS, IN_ITS_PLACE, Scene
+from ..scene.scene import DEFAULTS, IN_ITS_PLACE, OF_AREA, Scene
 from ..scene.wiring import depends_on
 from ..text import first_of
 from .displacement import about_displacement_of_rows
@@ -130,6 +130,7 @@ def _about_shear(scene: Scene, steps: Collection[str]) -> Iterator[str]:
 
 def about_idle(scene: Scene, entering: Collection[str]) -> list[Note]:
     """Return a note on the inputs that were given though nothing depends on them; `entering` are those that enter."""
+    entering = {*entering, *(OF_AREA if scene.is_rigid else ())}  # which refuses, and so changes something
     idle = [NOMENCLATURE[name].option or name for name in scene.stated if name not in entering]
     return [Note("result", f"{' and '.join(idle)} change{'' if idle[1:] else 's'} nothing here")] if idle else []
 

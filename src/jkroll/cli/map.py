@@ -88,13 +88,13 @@ def run_figure(call: Call) -> int:
         raise BadRequest(f"{given}; there are {', '.join(FIGURE_NAMES)}")
     name = call.words[0]
     materials = materials_of(call.materials)
+    if name in PROFILES or name == "laws":
+        of_maps = {"--as-printed": call.as_printed, "--plain": call.plain, "--mark": name in PROFILES and call.mark}
+        for flag in (flag for flag, is_given in of_maps.items() if is_given):
+            raise BadRequest(f"figure {name} takes no {flag}")
     if name in PROFILES:
-        if call.mark or call.as_printed:
-            raise BadRequest(f"figure {name} takes no {'--mark' if call.mark else '--as-printed'}")
         return _deliver(PROFILES[name](materials), (), call)
     if name == "laws":
-        if call.as_printed:
-            raise BadRequest("figure laws takes no --as-printed")
         return _deliver(figure_laws(materials, marks_of(call.mark)), (), call)
     size = OF_PAPER if call.target else ON_SCREEN
     drawn = figure(name, materials, size, as_printed=call.as_printed, is_plain=call.plain)

@@ -15,6 +15,7 @@ from ..errors import BadRequest, JkrollError
 from ..materials.library import Material, Materials, MaterialsFileError, UnclearMaterial, UnknownMaterial
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, header
 from ..quantities.values import Uncertain, is_uncertain, value_of
+from ..scene.failures import MissingInput
 from ..scene.inverse import check, observed
 from ..scene.scene import EXCLUSIVE, Scene
 from ..text import first_of, quoted, say, say_wrapped
@@ -224,7 +225,13 @@ def wanted_of(columns: Header, rows: Sequence[Sequence[str]], fill: Fill, asked:
     for name in explicit:
         if name in columns.names or name in fill.fixed:
             raise BadRequest(f"--quantities: {name} is an input here")
-        scene.plan(name)
+        try:
+            scene.plan(name)
+        except MissingInput as error:
+            if not labels:
+                raise
+            texts = [message or f"material: {quoted(text)} is not known" for text, message in unknown.items()]
+            raise BadTable("; ".join([*texts[:1], str(error)])) from None
     missing = scene.missing(offered)
     possible = [
         name

@@ -175,8 +175,6 @@ class TooMuchHysteresis(NoResult):
 class TwoRigidBodies(NoResult):
     """Error raised where both bodies are rigid: JKR's contact has no area then."""
 
-    name = "contact_modulus"
-
     def reason(self) -> str:
         """Return what a contact area needs."""
         return "both bodies are rigid; a contact area needs one that yields"
@@ -208,11 +206,9 @@ class NoChain(NoResult):
 class OfIdenticalSpheres(NoResult):
     """Error raised where all that is asked for is known of identical spheres only, and sphere 2 differs."""
 
-    name = "sphere 2"
-
     def reason(self) -> str:
         """Return what is wrong with sphere 2."""
-        return "differs from sphere 1; this is known of identical spheres only"
+        return "sphere 2 differs from sphere 1; this is known of identical spheres only"
 
 
 class NotHeld(NoResult):

@@ -141,7 +141,7 @@ _MAY_CONTRADICT = frozenset(name for names in EXCLUSIVE for name in names)
 _OF_SOLID_2 = frozenset(name + "2" for name in PROPERTIES)
 
 # What decides on whether a body yields, so that a contact has an area.
-_OF_AREA = ("youngs_modulus", "youngs_modulus2", "poisson_ratio", "poisson_ratio2", "contact_modulus")
+OF_AREA = ("youngs_modulus", "youngs_modulus2", "poisson_ratio", "poisson_ratio2", "contact_modulus")
 
 # What rests on a contact area, and has none where both bodies are rigid; everything else of JKR follows from these.
 _ON_AREA = frozenset({"contact_modulus", "pull_off_force", "load_factor", "rolling_frequency_as_printed"})
@@ -388,7 +388,7 @@ class Scene:
                 failures[name] = next(failures[source] for _, source in arguments if source in failures)
                 continue
             may_be_rigid = self._has_area is not True and name in _ON_AREA
-            if may_be_rigid and self._has_area is False:
+            if may_be_rigid and self.is_rigid:
                 failures[name] = TwoRigidBodies()
                 continue
             try:
@@ -407,7 +407,7 @@ class Scene:
     def _take_over(self, other: "Scene") -> None:
         """Take the results of another scene of the same inputs, as far as they do not follow from those that differ."""
         differ = {name for name in self.known if self.values[name] is not other.values[name]}
-        if not differ.isdisjoint(_OF_AREA):
+        if not differ.isdisjoint(OF_AREA):
             differ.update(_ON_AREA)
         self._plan = other._plan
         for name, _, arguments in other._plan.steps:
@@ -434,6 +434,11 @@ class Scene:
     def has_arrays(self) -> bool:
         """True if an input is an array."""
         return not all(isinstance(value, NUMBER) for value in self.given.values())
+
+    @property
+    def is_rigid(self) -> bool:
+        """True if both bodies are rigid."""
+        return self._has_area is False
 
     @property
     def has_rigid_elements(self) -> bool:
