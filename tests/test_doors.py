@@ -33,7 +33,7 @@ from harness import Run
 from jkroll import solve
 from jkroll.cli.question import question_of
 from jkroll.errors import JkrollError, NoResult
-from jkroll.quantities.nomenclature import NOMENCLATURE, header, word_for_infinity
+from jkroll.quantities.nomenclature import NOMENCLATURE, header
 from jkroll.quantities.values import value_of
 from jkroll.rows.columns import DOUBT, ROW, STATUS
 from jkroll.scene.failures import InfiniteValue, MissingInput, OfIdenticalSpheres, RestsOnSpacing, reason_of
@@ -306,7 +306,8 @@ def _read(cell: Any, head: str) -> Any:
     """Return a cell of any output: a number, a text or None; a word for an infinite input as the number that Parquet has."""
     if cell in ("", None):
         return None
-    if cell == word_for_infinity(head.partition(" ")[0]) if head.partition(" ")[0] in NOMENCLATURE else False:
+    name = head.partition(" ")[0]
+    if name in NOMENCLATURE and cell and cell == NOMENCLATURE[name].infinity:
         return math.inf
     try:
         return float(cell)

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from ..materials.library import Displacement
 from ..quantities.formatting import amount, significant
-from ..quantities.nomenclature import NOMENCLATURE, XI
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE, XI
 from ..quantities.values import Interval
 from ..scene.scene import DEFAULTS, IN_ITS_PLACE, Scene
 from ..scene.wiring import depends_on
@@ -36,7 +36,7 @@ class Worth(NamedTuple):
     def size(self) -> float:
         """The size of the doubt, as the logarithm of a factor."""
         if self.here is None:
-            return float("inf")
+            return INFINITY
         return max((abs(log(factor)) for ends in self.factors.values() for factor in ends), default=0.0)
 
 

@@ -34,11 +34,11 @@ MOMENTS = ("yield_moment", "unloaded_moment", "half_circles_moment", "fixed_appr
 
 def notes_on_rows(scene: Scene, names: Sequence[str]) -> list[Note]:
     """Return the notes that follow from what is given, and not from numbers: they are the same for all rows of a kind."""
-    planned = _planned(scene, names)
+    planned = scene.planned(names)
     if not planned:
         return []
     every = [*names, *(limit.name for limit in limits_of(scene, planned))]
-    of_limits = scene.inputs_of(*_planned(scene, every))
+    of_limits = scene.inputs_of(*scene.planned(every))
     inputs = with_spacing(scene.inputs_of(*planned), of_limits)
     entering = {*of_limits, *depends_on(scene.missing(every), [scene.law.name])}
     displaced = [about_displacement_of_rows(scene)] if XI in inputs and XI not in scene.given else []
@@ -68,12 +68,6 @@ def about_given(
         *about_idle(scene, entering),
         *about_data(scene, inputs),
     ]
-
-
-def _planned(scene: Scene, names: Sequence[str]) -> list[str]:
-    """Return those of some quantities to which the scene's inputs lead."""
-    missing = scene.missing(names)
-    return [name for name in names if name not in missing]
 
 
 def assumed(scene: Scene, inputs: Collection[str]) -> list[str]:
@@ -140,10 +134,9 @@ def about_data(scene: Scene, inputs: Collection[str]) -> list[Note]:
     used = scene.data_used(inputs)
     shadows = [Note("material", f"{material.name}: {text}") for material, _ in used for text in material.remarks]
     remarks = [
+        # A property whose origin is stated says what is against it.
         Note(
-            "caveat"
-            if name in material.origins
-            else "data",  # a property whose origin is stated says what is against it
+            "caveat" if name in material.origins else "data",
             f"{material.name}: {NOMENCLATURE[name].sentence}: {material.notes[name]}",
         )
         for material, name in used

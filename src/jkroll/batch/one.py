@@ -10,7 +10,7 @@ from itertools import chain
 from ..answers.questions import quantities_named
 from ..errors import missing_extra
 from ..output.records import lines
-from ..quantities.formatting import Format as Units
+from ..quantities.formatting import Format
 from ..rows.columns import Columns, Wanted
 from ..rows.header import BadTable, chosen, understood, with_unit
 from ..rows.table import Fill, Inverse, Table, say_reading, table_of
@@ -126,7 +126,7 @@ def output_format(settings: Settings, of_input: FileFormat) -> FileFormat:
 
 
 def write_columns(
-    wanted: Wanted, blocks: Iterable[Columns], units: Units, target: str, *, doubt: bool, quiet: bool
+    wanted: Wanted, blocks: Iterable[Columns], units: Format, target: str, *, doubt: bool, quiet: bool
 ) -> None:
     """Write columns to a file in the format that its name says. Raises BadRequest for one that is not for columns."""
     form = format_of_name(target) or unnamed(target, "csv", quiet=quiet)

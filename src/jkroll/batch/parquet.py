@@ -15,8 +15,8 @@ import pyarrow.parquet
 
 from ..errors import BadRequest
 from ..output.records import middles, names_of_columns
-from ..quantities.formatting import Format as Units
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE, word_for_infinity
+from ..quantities.formatting import Format
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..rows.cells import Floats, Numbers, Reader
 from ..rows.columns import DOUBT, STATUS, Columns, Wanted
 from ..rows.header import BadTable, chosen, is_input
@@ -115,7 +115,7 @@ class _File:
         )
 
 
-def write_columns(wanted: Wanted, blocks: Iterable[Columns], units: Units, target: str, *, doubt: bool) -> None:
+def write_columns(wanted: Wanted, blocks: Iterable[Columns], units: Format, target: str, *, doubt: bool) -> None:
     """Write columns, in a file that gets its name when it is whole."""
     remarks = (DOUBT, STATUS) if doubt and wanted.doubts else (STATUS,)
     texts = {name for name in wanted.inputs if not NOMENCLATURE[name].unit} | {*remarks}
@@ -135,7 +135,7 @@ def write_columns(wanted: Wanted, blocks: Iterable[Columns], units: Units, targe
         _write(target, schema, map(batch, blocks), bar)
 
 
-def _changed(key: str, columns: Columns, units: Units) -> Floats:
+def _changed(key: str, columns: Columns, units: Format) -> Floats:
     """Return a column in the unit and with the digits in which it is written."""
     numbers = numpy.asarray(columns.column(key), dtype=float)
     name = next(name for name in columns.wanted.names if key in (name, *columns.wanted.sides_of(name).values()))
@@ -222,7 +222,7 @@ def _text(value: object, name: str = "") -> str:
     if isinstance(value, bytes):
         return value.decode(errors="replace")
     if value == INFINITY and name in NOMENCLATURE:
-        return word_for_infinity(name) or str(value)
+        return NOMENCLATURE[name].infinity or str(value)
     return "" if value is None or (isinstance(value, float) and isnan(value)) else str(value)
 
 

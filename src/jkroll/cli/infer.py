@@ -7,12 +7,11 @@ from ..answers.inferred import Inferred
 from ..answers.questions import quantity_named
 from ..errors import BadRequest
 from ..materials.library import Material
-from ..quantities.nomenclature import named
 from ..quantities.values import Spread, spreads_of
 from ..rows.columns import Wanted
 from ..rows.inferred import Sought, SoughtOne
 from ..rows.sweep import Sweep
-from ..scene.inverse import SIZES, AlreadyGiven, CannotInfer, Observed, largest, observed, with_inputs
+from ..scene.inverse import SIZES, AlreadyGiven, Observed, input_named, largest, observed, with_inputs
 from ..scene.scene import Scene
 from ..text import quoted
 from .commands import Call
@@ -81,10 +80,7 @@ def run_infer(call: Call) -> int:
 def _names(text: str) -> list[str]:
     """Read the inputs that are sought."""
     words = text.split(",")
-    names = [named(word) for word in words]
-    for word, name in zip(words, names, strict=True):
-        if name not in SIZES:
-            raise CannotInfer(word)
+    names = [*map(input_named, words)]
     if len(names) > 2:
         raise BadRequest(f"infer finds one input or two, not {len(names)}")
     if len(set(names)) < len(names):

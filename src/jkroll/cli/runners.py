@@ -7,7 +7,6 @@ import sys
 
 from ..answers.questions import quantity_named
 from ..errors import BadRequest
-from ..quantities.nomenclature import named
 from ..text import say_wrapped
 from .commands import Call
 from .request import format_name, materials_of
@@ -41,12 +40,9 @@ def _inverse(call: Call) -> tuple[str, str]:
         )
     if call.quantities:
         raise BadRequest("--infer and --quantities exclude each other")
-    from ..scene.inverse import SIZES, CannotInfer
+    from ..scene.inverse import input_named
 
-    name = named(call.infer)
-    if name not in SIZES:
-        raise CannotInfer(call.infer)
-    return name, quantity_named(call.measured[0])
+    return input_named(call.infer), quantity_named(call.measured[0])
 
 
 def run_materials(call: Call) -> int:

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from math import pi
 
 from ..errors import JkrollError
-from ..quantities.nomenclature import INFINITY, PROPERTIES, STATE
+from ..quantities.nomenclature import INFINITY, PROPERTIES, STATE, STATE_OR_LOAD
 from ..scene.failures import MissingInput, OfIdenticalSpheres
 from ..scene.scene import Scene
 
@@ -47,7 +47,6 @@ _REMARKS_ON = {
         "# The contact does not slip: for the 1e9, write your coefficient of friction. Twisting is left out.",
     ),
 }
-_STATE = STATE | {"load"}
 MODELS = tuple(_REMARKS_ON)
 
 
@@ -101,7 +100,9 @@ def _friction(pair: Scene) -> float:
 
 def pair_of(scene: Scene, suffix: str) -> Scene:
     """Return the pair of two spheres like sphere 1, or like sphere 2, without load."""
-    stated = {name: value for name, value in scene.stated.items() if not name.endswith("2") and name not in _STATE}
+    stated = {
+        name: value for name, value in scene.stated.items() if not name.endswith("2") and name not in STATE_OR_LOAD
+    }
     own = {name.removesuffix("2"): value for name, value in scene.stated.items() if name.endswith("2")}
     if scene.material2 is not None:
         stated.pop("work_of_adhesion", None)  # of the two materials

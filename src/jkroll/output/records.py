@@ -9,12 +9,12 @@ from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from io import TextIOWrapper
 from itertools import groupby
-from math import isnan
+from math import isnan, nan
 from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple, TextIO
 
 from ..quantities.formatting import Format, OutOfUnit, in_words
 from ..quantities.laws import BETWEEN
-from ..quantities.nomenclature import NOMENCLATURE, header
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE, header
 from ..quantities.values import is_uncertain
 from ..rows.columns import DOUBT, STATUS, Columns, Wanted, heads
 from ..scene.limits import codes
@@ -156,7 +156,7 @@ def numbers_in_lines(columns: Any, separator: bytes, gap: bytes, end: bytes = b"
 
 def _inputs(columns: Columns, style: Style) -> Iterator[Any]:
     for name, column in columns.inputs.items():
-        if isinstance(column, list) or (abs(column) == float("inf")).any():
+        if isinstance(column, list) or (abs(column) == INFINITY).any():
             yield [_cell(in_words(name, value), style) for value in _listed(middles(column))]
         else:
             yield column
@@ -186,7 +186,7 @@ def in_units(columns: Columns, form: Format) -> Columns:
         for row, numbers in enumerate(zip(*map(_listed, own), strict=True)):
             if not all(isnan(number) or form.holds(name, number) for number in numbers):
                 for column in own:
-                    column[row] = float("nan")
+                    column[row] = nan
                 columns.reasons[row] = {**columns.reasons.get(row, {}), name: OutOfUnit(name, form.unit(name))}
     return columns
 

@@ -88,12 +88,17 @@ def span(transition: Any, at: Shape) -> Any:
     return 1 / (half + sqrt(half * half + transition / 2 * g1(at)))
 
 
+def half_width(transition: Any) -> Any:
+    """Return b = 8λ/3π, which is T at the fold of spheres that do not touch."""
+    return 8 / (3 * pi) * transition
+
+
 def span_apart(transition: Any, approach: Any) -> Any:
     """Return T of spheres that attract without contact, where it is c.
 
-    c²/2 − bc = δ + 2/(πλ), b = 8λ/3π; fixed grips hold the larger root.
+    c²/2 − bc = δ + 2/(πλ); fixed grips hold the larger root.
     """
-    b = 8 / (3 * pi) * transition
+    b = half_width(transition)
     square = b * b + 2 * (approach + 2 / (pi * transition))
     return b + sqrt(at_least(square, 0.0))
 
@@ -122,7 +127,7 @@ def unloaded_approach(transition: Any, at: Shape, span: Any) -> Any:
 
 def approach_apart(transition: Any, span: Any) -> Any:
     """Return δ of spheres that attract without contact."""
-    b = 8 / (3 * pi) * transition
+    b = half_width(transition)
     return span * (span / 2 - b) - 2 / (pi * transition)
 
 
@@ -199,7 +204,7 @@ def lowest_approach(transition: Any) -> Any:
     """Return δ at the fold, in contact or apart."""
     v = fold_ratio(transition)
     at = shape(v)
-    b = 8 / (3 * pi) * transition
+    b = half_width(transition)
     apart = -b * b / 2 - 2 / (pi * transition)
     return where(v == 0, apart, approach(transition, at, span(transition, at)))
 

@@ -126,6 +126,16 @@ def smaller_and_larger(value: Any, value2: Any) -> tuple[Any, Any]:
     return numpy.minimum(value, value2), numpy.maximum(value, value2)
 
 
+def in_series(value: Any, value2: Any) -> Any:
+    """Return 1/(1/x + 1/y) of two positive values, of which one may be infinite.
+
+    >>> in_series(1.0, 3.0)
+    0.75
+    """
+    smaller, larger = smaller_and_larger(value, value2)
+    return smaller / (1 + smaller / larger)
+
+
 def where(condition: Any, value: Any, otherwise: Any) -> Any:
     """Return the one value or the other, element by element for arrays.
 

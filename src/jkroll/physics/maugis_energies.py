@@ -149,7 +149,7 @@ def sticking_energy_maugis(
     """
     unit = _energy(work_of_adhesion, reduced_radius, contact_modulus)
     small = at_most(transition_parameter, dugdale.JUMP_WITHOUT_CONTACT)
-    b = 8 / (3 * pi) * small
+    b = dugdale.half_width(small)
     apart = 17 / 24 * pi * unit * small * b * b * b * b  # in this order, no product underflows before the result
     met = _held_to(transition_parameter, -2 / (pi * transition_parameter))
     fold = _held_to(transition_parameter, dugdale.lowest_approach(transition_parameter))

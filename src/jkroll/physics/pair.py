@@ -7,7 +7,7 @@ infinite).
 from __future__ import annotations
 
 from .dimensions import Density, Inertia, Length, Mass, Number, PerLength, Stress, SurfaceEnergy
-from .elementary import cube, pi, smaller_and_larger, sqrt
+from .elementary import cube, in_series, pi, sqrt
 
 
 def work_of_adhesion(*, surface_energy: SurfaceEnergy, surface_energy2: SurfaceEnergy) -> SurfaceEnergy:
@@ -57,8 +57,7 @@ def reduced_radius(*, radius: Length, radius2: Length) -> Length:
     >>> reduced_radius(radius=1.0, radius2=3.0)
     0.75
     """
-    smaller, larger = smaller_and_larger(radius, radius2)
-    return smaller / (1 + smaller / larger)
+    return in_series(radius, radius2)
 
 
 def contact_modulus(
@@ -168,8 +167,7 @@ def reduced_mass(*, mass: Mass, mass2: Mass) -> Mass:
     >>> reduced_mass(mass=2.0, mass2=2.0)
     1.0
     """
-    smaller, larger = smaller_and_larger(mass, mass2)
-    return smaller / (1 + smaller / larger)
+    return in_series(mass, mass2)
 
 
 def moment_of_inertia(*, mass: Mass, radius: Length) -> Inertia:
@@ -201,8 +199,7 @@ def reduced_moment_of_inertia(*, moment_of_inertia: Inertia, moment_of_inertia2:
     >>> reduced_moment_of_inertia(moment_of_inertia=2.0, moment_of_inertia2=2.0)
     1.0
     """
-    smaller, larger = smaller_and_larger(moment_of_inertia, moment_of_inertia2)
-    return smaller / (1 + smaller / larger)
+    return in_series(moment_of_inertia, moment_of_inertia2)
 
 
 def rolling_mass(*, mass: Mass, mass2: Mass, radius_ratio: Number) -> Mass:

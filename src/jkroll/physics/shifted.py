@@ -5,7 +5,7 @@ The centre of the circle, X = 0, lags by ξ behind the contact point, x = X − 
 
 from __future__ import annotations
 
-from .contact import boussinesq_pressure_at_approach, pressure
+from .contact import boussinesq_pressure_at_approach, hertz_pressure, pressure
 from .dimensions import Length, Number, Stress, SurfaceEnergy
 from .elementary import cbrt, pi, sqrt
 
@@ -64,7 +64,9 @@ def half_circle_pressure(
     ...                            reduced_radius=1.0), 12)
     1.0
     """
-    hertz = 2 / pi * contact_modulus * (half_circle_radius / reduced_radius)
+    hertz = hertz_pressure(
+        contact_modulus=contact_modulus, contact_radius_at_load=half_circle_radius, reduced_radius=reduced_radius
+    )
     punch = boussinesq_pressure_at_approach(
         approach_at_load=approach_at_load,
         contact_radius_at_load=half_circle_radius,

@@ -4,7 +4,7 @@ from collections.abc import Collection, Sequence
 
 from ..errors import JkrollError
 from ..text import closest, quoted
-from .nomenclature import NOMENCLATURE, OPTION_WORDS, with_symbol, word_for_infinity
+from .nomenclature import NOMENCLATURE, OPTION_WORDS, with_symbol
 from .units import dimension_of, kind_of
 
 
@@ -122,6 +122,6 @@ def expectation(name: str) -> str:
     'a length such as 1um, or plane'
     """
     quantity = NOMENCLATURE[name]
-    word = word_for_infinity(name)
+    word = quantity.infinity
     example = f" such as {quantity.example}" if quantity.example else ""
     return kind_of(dimension_of(quantity.unit)) + example + (f", or {word}" if word else "")

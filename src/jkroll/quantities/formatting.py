@@ -6,7 +6,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
 
 from ..errors import NoResult
-from .nomenclature import INFINITY, NOMENCLATURE, header, word_for_infinity
+from .nomenclature import INFINITY, NOMENCLATURE, header
 from .units import Unit, convert
 
 if TYPE_CHECKING:
@@ -204,4 +204,4 @@ def in_words(name: str, value: float | str) -> float | str:
     """
     if value != INFINITY:
         return value
-    return word_for_infinity(name) or "infinite"
+    return NOMENCLATURE[name].infinity or "infinite"

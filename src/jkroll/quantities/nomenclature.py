@@ -156,6 +156,7 @@ RANGES: Mapping[str, Range] = MappingProxyType(
 
 # The state of the contact follows from the load unless one of these is given.
 STATE = frozenset({"approach_at_load", "load_factor", "edge_ratio"})
+STATE_OR_LOAD = STATE | {"load"}
 
 _PER_SPHERE = {
     "radius": Quantity("R1", "m", "radius of sphere 1", range="positive", example="100nm"),
@@ -272,7 +273,7 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "yield_force": Quantity("Q", "N", "force that starts sphere 1 rolling", "26"),
         "yield_force_fixed_load": Quantity(
             "Q_P", "N", "the same under a load of fixed direction", "26",
-            note="for a load that keeps its direction; that of Q turns with the line of centres", shown_with=[*STATE, "load"],
+            note="for a load that keeps its direction; that of Q turns with the line of centres", shown_with=STATE_OR_LOAD,
         ),
         "yield_force_ratio": Quantity("Q/P_c", "1", "yield force over pull-off force", "27"),
         "yield_angle": Quantity("δ_α", "rad", "angle at which rolling starts", "28"),
@@ -414,11 +415,6 @@ def canonical(word: str) -> str:
         return word
     name = word.strip().lstrip("-").replace("-", "_")
     return name if name in NOMENCLATURE else OPTION_WORDS.get(name, word)
-
-
-def word_for_infinity(name: str) -> str | None:
-    """Return the word for an infinite value of a quantity, such as "plane" for a radius; None if it has none."""
-    return NOMENCLATURE[name].infinity or None
 
 
 XI = "yield_displacement"  # decides on every rolling quantity

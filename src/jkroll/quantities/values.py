@@ -13,7 +13,7 @@ from typing import Any, Literal, NamedTuple, Self, TypeGuard
 from ..errors import BadRequest
 from ..text import quoted
 from .errors import BareNumber, QuantityError
-from .nomenclature import INFINITY, NOMENCLATURE, RANGES, word_for_infinity
+from .nomenclature import INFINITY, NOMENCLATURE, RANGES
 from .units import MAX_TEXT, BadUnit, Dimension, Unit, dimension_of, kind_of, normalized, parse_unit
 
 # --- Texts to numbers -------------------------------------------------------------------------------------------------
@@ -35,8 +35,8 @@ def parse_quantity(text: str, name: str) -> float:
     Raises a `QuantityError` that names the quantity, quotes the text and shows the right form.
     """
     quantity = NOMENCLATURE[name]
-    word = word_for_infinity(name)
-    if word is not None and text.strip().lower() == word:
+    word = quantity.infinity
+    if word and text.strip().lower() == word:
         return INFINITY
     try:
         value = parse_value(text, dimension_of(quantity.unit))

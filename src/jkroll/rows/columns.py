@@ -6,7 +6,7 @@ a gap that no frequent reason explains, or an uncertainty needs a search, the ro
 
 from collections.abc import Callable, Collection, Hashable, Iterable, Mapping, Sequence
 from functools import cached_property, partial
-from math import isnan
+from math import isnan, nan
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..errors import JkrollError
@@ -110,8 +110,7 @@ class Wanted:
 
     def work(self, scene: Any) -> int:
         """Return how many formulas take as long as a row by itself."""
-        missing = scene.missing(self.names)
-        return _BESIDE + len(scene.plan(*(name for name in self.names if name not in missing)).steps)
+        return _BESIDE + len(scene.plan(*scene.planned(self.names)).steps)
 
     def row(self, scene: Any) -> "Row":
         """Return the row of a scene of numbers."""
@@ -235,13 +234,10 @@ def by_floats(wanted: Wanted, scene: Scene) -> Row:
             put_sides(wanted, bars, numbers, reasons)
     return Row(
         inputs,
-        [numbers.get(key, _NAN) for key in wanted.keys],
+        [numbers.get(key, nan) for key in wanted.keys],
         doubts(scene, [*values]) if wanted.doubts and values else 0,
         reasons,
     )
-
-
-_NAN = float("nan")
 
 
 def outcomes(scene: Scene, names: Sequence[str], named: Collection[str]) -> dict[str, Any]:
@@ -326,7 +322,7 @@ def put_one(columns: Columns, row: int, scene: Callable[[], Any]) -> None:
 
 def lose(columns: Columns, row: int, error: JkrollError) -> None:
     """Empty a row, for one reason."""
-    columns.put(row, Row({}, [_NAN] * len(columns.wanted.keys), 0, {ROW: error}))
+    columns.put(row, Row({}, [nan] * len(columns.wanted.keys), 0, {ROW: error}))
 
 
 class _Arrays:

@@ -12,14 +12,13 @@ from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import named
 from ..quantities.values import is_uncertain
 from ..scene.failures import GivenTwice
-from ..scene.inverse import SIZES, CannotInfer, Observed, observed
+from ..scene.inverse import Observed, input_named, observed
 from ..scene.scene import check_range
 from ..scene.solver import broadcast, in_si, materials_of, refuse_arrays, with_uncertainty
 from ..scene.unknowns import solved
 from ..text import MAX_QUOTED
 from .inferred import SoughtOne
-
-_BLOCK = 1 << 13  # values that are inferred at once
+from .sweep import BLOCK
 
 
 class InferredValues(dict[str, Any]):
@@ -144,13 +143,10 @@ def infer(
 def _names(wanted: str | Sequence[str]) -> list[str]:
     """Return the names of one input, or of two."""
     words = [*map(str, wanted)] if isinstance(wanted, list | tuple) else [str(wanted)]
-    names = [*map(named, words)]
+    names = [*map(input_named, words)]
     if isinstance(wanted, list | tuple) and len({*names}) != 2:
         remedy = 'write "gamma" or ["gamma", "young"]'
         raise QuantityError("wanted", str(wanted)[:MAX_QUOTED], "cannot be inferred: one input can, or two", remedy)
-    for word, name in zip(words, names, strict=True):
-        if name not in SIZES:
-            raise CannotInfer(word)
     return names
 
 
@@ -178,8 +174,8 @@ def _each(wanted: SoughtOne, arrays: Mapping[str, Any], row: Callable[[Mapping[s
     shape = broadcast(arrays)
     flat = {name: numpy.broadcast_to(value, shape).ravel() for name, value in arrays.items()}
     found = numpy.full(prod(shape), numpy.nan)
-    for start in range(0, len(found), _BLOCK):
-        part = slice(start, start + _BLOCK)
+    for start in range(0, len(found), BLOCK):
+        part = slice(start, start + BLOCK)
         some = {name: values[part] for name, values in flat.items()}
         found[part] = _block(wanted, some, row)
     return found.reshape(shape)

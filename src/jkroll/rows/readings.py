@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from functools import cache, lru_cache
 from typing import NamedTuple
 
-from ..quantities.errors import QuantityError
+from ..quantities.errors import QUANTITY_SYNONYMS, QuantityError
 from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS
 from ..quantities.units import dimension_of, similar_unit
 from ..quantities.values import unit_of
@@ -24,7 +24,7 @@ _PARENTHESES = re.compile(r"([^()]*?)\s*\(([^()]*)\)?")
 _CUT = re.compile(r"\s*[,/]\s*|\s+in\s+|_")  # between a name and a unit that stands in no brackets
 _BLANKS = re.compile(r"[\s(_/,:\[]+|$")  # between a name and what may be a unit
 _PHRASES = {"young_modulus": "youngs_modulus", "poissons_ratio": "poisson_ratio"}
-_SYNONYMS = {"elastic_modulus": "youngs_modulus", "velocity": "speed", "surface_tension": "surface_energy"}
+_SYNONYMS = {word: QUANTITY_SYNONYMS[word] for word in ("elastic_modulus", "velocity", "surface_tension")}
 _LENGTHS, _PRESSURES = "m", "Pa"
 _DIAMETER = (_LENGTHS, "a diameter? A radius is half of it.")
 _CONTACT_MODULUS = (_PRESSURES, "the modulus of a contact? --young and --poisson are those of the materials.")

@@ -191,8 +191,7 @@ def _sides(scene: Scene, names: Sequence[str]) -> dict[str, set[str]]:
     """Return by quantity the sides of the uncertainty that it can have."""
     from ..scene.uncertainty import sources_of
 
-    missing = scene.missing(names)
-    inputs = {name: {*scene.inputs_of(name)} for name in names if name not in missing}
+    inputs = {name: {*scene.inputs_of(name)} for name in scene.planned(names)}
     entering = sources_of(scene, set().union(*inputs.values())).entering
     sides = {
         name: {side for one in entering if own & {*one.names} for side in one.given.sides}

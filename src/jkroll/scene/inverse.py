@@ -14,7 +14,7 @@ from ..errors import JkrollError, NoResult
 from ..materials.library import Material
 from ..quantities.errors import nearest
 from ..quantities.formatting import amount
-from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
+from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, named
 from ..quantities.values import is_uncertain
 from ..text import quoted
 from .scene import EXCLUSIVE, Scene
@@ -76,7 +76,7 @@ _SEARCHES = 45  # steps of it: they leave 4e-10 of an interval, and all digits o
 _HALVINGS = 200  # more than lead from any interval to neighbouring doubles
 _JUMP = 1e-6  # part of the values around it that a change of sign may leave, if it is a crossing and no jump
 _DIGITS = 1e-14  # of a value: a difference as small as this comes from rounding, and is no jump
-_STEP = 1e-6  # relative, of the differences that give a slope
+STEP = 1e-6  # relative, of the differences that give a slope
 
 Found = TypeVar("Found")
 Search = Generator[float, Any, Found]  # yields a place, and is sent the value there, which is nan where there is none
@@ -224,7 +224,7 @@ def logarithmic_slope(outcome: Callable[[float], float], value: float) -> float:
     It is infinite where the outcome is zero, and nan where there is no outcome on either side.
     """
     points = []
-    for factor in (1 / (1 + _STEP), 1.0, 1 + _STEP):
+    for factor in (1 / (1 + STEP), 1.0, 1 + STEP):
         try:
             points.append((log(factor), outcome(value * factor)))
         except JkrollError:
@@ -431,6 +431,13 @@ def _side_by_side(name: str, quantity: str, measured: Any, scene: Scene) -> list
     for row, value in found_by_all(searches, outcome).items():
         found[row] = value
     return found
+
+
+def input_named(word: str) -> str:
+    """Return the input that a word stands for; raise CannotInfer if it cannot be inferred."""
+    if (name := named(word)) not in SIZES:
+        raise CannotInfer(word)
+    return name
 
 
 def with_inputs(scene: Scene, values: Mapping[str, Any]) -> Scene:

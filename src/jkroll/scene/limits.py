@@ -3,13 +3,13 @@
 import operator
 from collections.abc import Collection, Iterator, Mapping
 from functools import cache
-from math import log
+from math import log, nan
 from typing import Any, Literal, NamedTuple
 
 from ..errors import JkrollError
 from ..physics.elementary import where
 from ..quantities.laws import BETWEEN, LAWS
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE, STATE
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE, STATE_OR_LOAD
 from .effects import Effect, effects, largest
 from .failures import MissingInput, NotInLaw
 from .scene import Scene
@@ -94,7 +94,6 @@ class Judgement(NamedTuple):
     effects: Mapping[str, Effect]
 
 
-_NAN = float("nan")
 _COMPARISONS = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
 _ELASTICITY = frozenset({"work_of_adhesion"})
 _DISPLACEMENT = frozenset({"yield_displacement"})
@@ -124,7 +123,7 @@ LIMITS = (
         "load_margin", frozenset({"load_factor"}), "<=",
         (Doubt(0.0, "at or beyond pull-off", "only fixed grips hold this state"),),
         "stable at its load",
-        STATE | {"load"},
+        STATE_OR_LOAD,
     ),
     Limit(
         "displacement_ratio", _DISPLACEMENT, ">=",
@@ -229,8 +228,6 @@ def judged(scene: Scene, names: Collection[str]) -> Judgement:
     missing: dict[str, list[str]] = {}
     of_law: Mapping[str, Effect] = {}
     for limit, value in _touching(scene, names):
-        if isinstance(value, NotInLaw):
-            continue
         if isinstance(value, MissingInput):
             missing.setdefault(value.needs(), []).append(limit.name)
         elif not isinstance(value, JkrollError):
@@ -246,14 +243,14 @@ def doubts(scene: Scene, names: Collection[str]) -> Any:
         if not isinstance(value, JkrollError):
             level = limit.level(_effect_where(value, scene, names) if limit.by_effect else value)
             found = found | (1 << level >> 1) << _FIRST.get((limit.name, limit.laws), 0)
-        elif isinstance(value, MissingInput) and not isinstance(value, NotInLaw):
+        elif isinstance(value, MissingInput):
             found = found | NOT_JUDGED
     return found
 
 
 def _effect_where(number: Any, scene: Scene, names: Collection[str]) -> Any:
     """Return the largest effect of the law where there is a number beside which it is told, and nan elsewhere."""
-    return where(number == number, largest(effects(scene, names)), _NAN)  # noqa: PLR0124
+    return where(number == number, largest(effects(scene, names)), nan)  # noqa: PLR0124
 
 
 def possible_doubts(scene: Scene, names: Collection[str]) -> int:
@@ -262,7 +259,7 @@ def possible_doubts(scene: Scene, names: Collection[str]) -> int:
     for limit, value in _touching(scene, names):
         if not isinstance(value, JkrollError):
             found |= (1 << len(limit.doubts)) - 1 << _FIRST.get((limit.name, limit.laws), 0)
-        elif isinstance(value, MissingInput) and not isinstance(value, NotInLaw):
+        elif isinstance(value, MissingInput):
             found |= NOT_JUDGED
     return found
 
@@ -302,8 +299,9 @@ def limits_of(scene: Scene, names: Collection[str]) -> list[Limit]:
 
 
 def _touching(scene: Scene, names: Collection[str]) -> Iterator[tuple[Limit, Any]]:
-    """Iterate over the limits of these names, with the number of each or the error that says why there is none."""
+    """Iterate over the limits of these names that the law has, with the number of each or the error that says why there is none."""
     touching = limits_of(scene, names)
     values = scene.evaluate([limit.name for limit in touching])
     for limit in touching:
-        yield limit, values[limit.name]
+        if not isinstance(values[limit.name], NotInLaw):
+            yield limit, values[limit.name]

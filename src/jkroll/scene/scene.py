@@ -307,10 +307,15 @@ class Scene:
             used |= {"radius", "radius2"}  # by which a material's is scaled
         return in_order(used & (self.given.keys() | DEFAULTS.keys()))
 
+    def planned(self, names: Iterable[str]) -> list[str]:
+        """Return those of some quantities to which the scene's inputs lead."""
+        names = [*names]
+        missing = self.missing(names)
+        return [name for name in names if name not in missing]
+
     def inputs_used(self, names: Sequence[str], shown: Sequence[str]) -> Collection[str]:
         """Return the inputs on which quantities depend, as far as the scene allows them; `shown`: those that concern it."""
-        missing = self.missing(shown)
-        if planned := [name for name in shown if name not in missing]:
+        if planned := self.planned(shown):
             return self.inputs_of(*planned)
         return depends_on(names) & self.given.keys()
 

@@ -134,8 +134,7 @@ def _of_materials(scene: Scene) -> Iterable[Source]:
 
 def sources_of_results(scene: Scene, names: Sequence[str]) -> Sources:
     """Return the sources that enter quantities of a scene, as far as it allows them."""
-    missing = scene.missing(names)
-    return sources_of(scene, scene.inputs_of(*(name for name in names if name not in missing)))
+    return sources_of(scene, scene.inputs_of(*scene.planned(names)))
 
 
 def uncertainties(scene: Scene, names: Sequence[str]) -> tuple[Found, Sources]:

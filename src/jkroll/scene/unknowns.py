@@ -17,6 +17,7 @@ from ..quantities.nomenclature import NOMENCLATURE
 from .failures import Contradiction
 from .inverse import (
     SIZES,
+    STEP,
     CannotInfer,
     NoDependence,
     NoSolution,
@@ -43,7 +44,6 @@ from .inverse import (
 from .scene import EXCLUSIVE, Scene
 
 MAX_CONDITION = 1e8  # beyond which rounding leaves the differences that the condition number is made of too few digits
-_STEP = 1e-6  # relative, of these differences
 _ROUNDS = 40  # of Newton's method
 _HALVINGS = 8  # of a step that leads further away
 _LONGEST = 1.0  # of a step, in logarithms
@@ -67,7 +67,8 @@ class Unseparated(NoResult):
 
     def reason(self) -> str:
         """Return what does not separate what."""
-        size = f"κ = {self.condition:.2g} is above 1e8" if self.condition < inf else "κ is above 1e8"
+        most = f"{MAX_CONDITION:.0e}".replace("+0", "")
+        size = f"κ = {self.condition:.2g} is above {most}" if self.condition < inf else f"κ is above {most}"
         return f"{' and '.join(self.quantities)} do not separate them: {self.remark} ({size})"
 
 
@@ -344,7 +345,7 @@ class _Place:
         """The derivatives of the quantities, a row for each, by central differences, or one-sided ones at an end."""
         columns = []
         for name in self.values:
-            sides = [(step, self.moved({name: step}).forward) for step in (-_STEP, _STEP)]
+            sides = [(step, self.moved({name: step}).forward) for step in (-STEP, STEP)]
             column = []
             for quantity, here in self.forward.items():
                 known = [(step, one[quantity]) for step, one in sides if not isnan(one[quantity])]
