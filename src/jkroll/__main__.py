@@ -17,9 +17,7 @@ SELDOM = 50_000  # new objects until the next search for cycles: what imports ma
 
 def run() -> None:
     """Run the command line and exit with its code; an interrupt exits silently with 130."""
-    os.environ.setdefault(
-        "OPENBLAS_NUM_THREADS", "1"
-    )  # no matrices are multiplied: do not start a thread for each core
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # no matrices are multiplied: no thread for each core
     try:
         import signal
 

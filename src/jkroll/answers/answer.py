@@ -272,10 +272,8 @@ class Answer:
     @cached_property
     def notes(self) -> tuple[Note, ...]:
         """The sentences about the answer, but for doubts."""
-        scene, planned = (
-            self.scene,
-            [name for name in self.shown if not isinstance(self.errors.get(name), MissingInput)],
-        )
+        scene = self.scene
+        planned = [name for name in self.shown if not isinstance(self.errors.get(name), MissingInput)]
         of_limits = scene.inputs_of(*(verdict.name for verdict in self.validity))
         found, sources = self._uncertainties
         lacking = [name for name, error in self.errors.items() if isinstance(error, MissingInput)]

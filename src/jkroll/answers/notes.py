@@ -227,8 +227,8 @@ def _first_to_yield(scene: Scene) -> Note:
     rolls = "rolls before it slides" if roll < min(slide, peel) else f"{breaks} before it rolls"
     pushed = f"pushed, it {rolls}; where it cannot roll, it {breaks} before it {yields}"
     turned = "rolls it before it twists it" if bend < twist else "twists it before it rolls it"
-    ratio = f"M_twist = {twist / bend:.3g} M" if bend < twist else f"M = {bend / twist:.3g} M_twist"
-    text = f"{pushed} (T_peel = {amount('peeling_force', peel)}); a moment {turned} ({ratio})"
+    moments = f"M_twist = {twist / bend:.3g} M" if bend < twist else f"M = {bend / twist:.3g} M_twist"
+    text = f"{pushed} (T_peel = {amount('peeling_force', peel)}); a moment {turned} ({moments})"
     return Note("result", text)
 
 

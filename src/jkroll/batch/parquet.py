@@ -18,7 +18,7 @@ from ..output.records import middles, names_of_columns
 from ..quantities.formatting import Format
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..rows.cells import Floats, Numbers, Reader
-from ..rows.columns import DOUBT, STATUS, Columns, Wanted
+from ..rows.columns import DOUBT, STATUS, Columns, Wanted, remarks_of
 from ..rows.header import BadTable, chosen, is_input
 from ..rows.readings import Reading
 from ..rows.rows import Block, evaluated
@@ -117,7 +117,7 @@ class _File:
 
 def write_columns(wanted: Wanted, blocks: Iterable[Columns], units: Format, target: str, *, doubt: bool) -> None:
     """Write columns, in a file that gets its name when it is whole."""
-    remarks = (DOUBT, STATUS) if doubt and wanted.doubts else (STATUS,)
+    remarks = remarks_of(wanted, doubt=doubt)
     texts = {name for name in wanted.inputs if not NOMENCLATURE[name].unit} | {*remarks}
     kinds = {name: pyarrow.string() if name in texts else pyarrow.float64() for name in (*wanted.inputs, *wanted.keys)}
     heads = [*names_of_columns(wanted, units), *remarks]

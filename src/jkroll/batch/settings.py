@@ -26,8 +26,8 @@ class Settings(NamedTuple):
     quiet: bool = False
     columns: tuple[str, ...] = ()  # what headers mean, as `--column` has it
     doubt: bool = True  # whether there is a column of doubts
-    infer: str = ""  # the input that is sought, and
-    measured: str = ""  # the quantity whose measured values a column has
+    infer: str = ""  # the input that is sought
+    measured: str = ""  # the quantity from which it follows, whose measured values a column has
     uncertainty: bool = False  # whether there are columns of uncertainties, though the first rows have none
 
     @property

@@ -3,7 +3,6 @@
 A process ends with the one that started it, at once. No lock is shared, so a process may be ended at any moment.
 """
 
-import copyreg
 import gc
 import os
 import signal
@@ -15,7 +14,6 @@ from itertools import cycle
 from multiprocessing import connection, get_context, parent_process
 from threading import Thread
 from time import sleep
-from types import MappingProxyType
 from typing import Any
 
 from ..errors import JkrollError
@@ -23,13 +21,6 @@ from ..errors import JkrollError
 PATIENCE = 5.0  # seconds for a process to remove what it has begun
 CONTEXT = get_context("spawn")  # safe beside threads, and the same on every system
 
-
-def _read_only(values: dict[str, Any]) -> MappingProxyType[str, Any]:
-    return MappingProxyType(values)
-
-
-# The properties of materials are read-only mappings, which do not pickle by themselves.
-copyreg.pickle(MappingProxyType, lambda mapping: (_read_only, (dict(mapping),)))
 
 Answer = Callable[[Any], Any]
 

@@ -474,18 +474,18 @@ def _checked(entry: Entry) -> Material:
     general = strings(table.get("references", []), f"{name}.references")
     cited = dict.fromkeys([*general, *(origin.reference for origin in origins.values() if origin.reference)])
     return Material(
-        name,
-        MappingProxyType(properties),
-        aliases,
-        MappingProxyType(notes),
-        remarks,
-        tuple(_reference(key, name, file) for key in cited),
-        string(table.get("source", file.title), f"{name}.source"),
-        file.path,
-        string(table.get("state", ""), f"{name}.state"),
-        MappingProxyType(uncertainties),
-        MappingProxyType(origins),
-        displacement,
+        name=name,
+        properties=MappingProxyType(properties),
+        aliases=aliases,
+        notes=MappingProxyType(notes),
+        remarks=remarks,
+        references=tuple(_reference(key, name, file) for key in cited),
+        title=string(table.get("source", file.title), f"{name}.source"),
+        path=file.path,
+        state=string(table.get("state", ""), f"{name}.state"),
+        uncertainties=MappingProxyType(uncertainties),
+        origins=MappingProxyType(origins),
+        displacement=displacement,
     )
 
 
@@ -535,7 +535,7 @@ def _as_text(number: float, where: str) -> str:
 
 
 def _property(key: str, value: object, name: str, where: str) -> float | Uncertain:
-    """Return the SI value of a property: a text with a unit or, for a property without a unit, a number. `where`: it stands in the file."""
+    """Return the SI value of a property: a text with a unit or, for a property without a unit, a number. `where`: its place in the file."""
     if isinstance(value, (int, float)) and not isinstance(value, bool) and NOMENCLATURE[key].unit == "1":
         value = _as_text(value, where)
     text = string(value, where)

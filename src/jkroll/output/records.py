@@ -16,7 +16,7 @@ from ..quantities.formatting import Format, OutOfUnit, in_words
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, header
 from ..quantities.values import is_uncertain
-from ..rows.columns import DOUBT, STATUS, Columns, Wanted, heads
+from ..rows.columns import DOUBT, STATUS, Columns, Wanted, heads, remarks_of
 from ..scene.limits import codes
 from ..text import fitting, json_text, say, spelled
 
@@ -105,7 +105,7 @@ def lines(kind: str, wanted: Wanted, blocks: Iterable[Columns], form: Format, *,
     `doubt`: whether doubts have a column, if they are judged.
     """
     style = STYLES[kind]
-    remarks = ([DOUBT] if doubt and wanted.doubts else []) + [STATUS] if style.has_remarks else []
+    remarks = remarks_of(wanted, doubt=doubt) if style.has_remarks else ()
     names = [*names_of_columns(wanted, form), *remarks]
     if style.has_header:
         yield style.separator.join(_quoted(name, style) for name in names).encode() + b"\n"

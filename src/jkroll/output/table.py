@@ -29,7 +29,7 @@ _COLUMNS_BY_CONVENTION: Sequence[tuple[int, ...]] = ((0, 1, 2, 3, 5, 6), (0, 1, 
 _TEXTS = ("quantity", "definition", "reference")  # which may be broken into lines, the last columns first
 MAX_ACROSS = 20  # scenes that are tried as columns
 MIN_WRAPPED = 16  # characters of a column of texts on a narrow terminal
-BETWEEN = 3  # two columns
+GAP = 3  # between two columns
 
 
 def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
@@ -241,7 +241,7 @@ def _table(
 def _print(table: Table, out: TextIO, *, anyway: bool = False) -> bool:
     """Print a table if the terminal is wide enough for it, or anyway, and return whether it was printed."""
     console = Console(file=out, width=columns(), highlight=False, markup=False, emoji=False)
-    width = sum(_least_width(column, console) for column in table.columns) + BETWEEN * (len(table.columns) - 1)
+    width = sum(_least_width(column, console) for column in table.columns) + GAP * (len(table.columns) - 1)
     if width > console.width and not anyway:
         return False
     console.width = max(width, console.width)

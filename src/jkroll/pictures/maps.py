@@ -1,6 +1,6 @@
 """Maps and curves as data: a quantity over two inputs, its contours, the regions and marks on it; panels of curves and points.
 
-Nothing is drawn here. Everything is computed by `solve`, on whole arrays. In the regions of a map, the model has no
+Nothing is drawn here. Everything is computed on whole arrays. In the regions of a map, the model has no
 meaning or is not exact.
 """
 

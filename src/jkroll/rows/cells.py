@@ -1,8 +1,7 @@
 """Columns of texts as SI numbers and as materials.
 
-Numbers: orjson reads them all at once, with the power of ten of the unit in the number's own text.
-
-So each number is rounded once, as in a one-liner. A cell that is no plain number with a decimal unit is read by itself.
+orjson reads all numbers at once, with the power of ten of the unit in the number's own text: so each is rounded once,
+as in a one-liner. A cell that is no plain number with a decimal unit is read by itself.
 """
 
 from __future__ import annotations

@@ -130,6 +130,11 @@ class Row(NamedTuple):
     reasons: Reasons
 
 
+def remarks_of(wanted: Wanted, *, doubt: bool) -> tuple[str, ...]:
+    """Return the columns of remarks, which stand last. `doubt`: whether doubts have one, if they are judged."""
+    return (DOUBT, STATUS) if doubt and wanted.doubts else (STATUS,)
+
+
 class Columns:
     """The columns of some rows: arrays where there are many rows, else lists. Writers index them and iterate."""
 

@@ -12,7 +12,7 @@ from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
 from ..quantities.units import Unit, dimension_of, kind_of
 from ..quantities.values import Uncertain, parse_quantity, split_number, unit_of, value_of
 from ..text import MAX_WORD, closest, first_of, quoted, shown
-from .readings import INPUTS, MATERIALS, Reading, fits, is_of_directions, measured_reading, reading_of, unit_in
+from .readings import INPUTS, MATERIALS, Reading, fits, is_of_directions, measured_reading, reading_of, unit_in_header
 
 _PER_CENT = re.compile(r"(.*?)((?:±|\+/?-)[^±]*%)?", re.DOTALL)  # 25±20 % of the value
 _EASY = re.compile(r"[\w*.-]+( \[[^\[\] ]*\])?")  # a header that needs no quotes in a sentence
@@ -207,7 +207,7 @@ def choices(texts: Iterable[str], measured: str = "") -> dict[str, Reading]:
         if head.strip() in found:
             raise BadRequest(f"--column: {quoted(head)} is given more than once")
         if reading.name and reading.name not in MATERIALS and reading.unit_text is None:
-            reading = reading._replace(unit_text=unit_in(head.strip(), reading.name))
+            reading = reading._replace(unit_text=unit_in_header(head.strip(), reading.name))
         found[head.strip()] = reading if meaning.strip() else Reading()
     return found
 

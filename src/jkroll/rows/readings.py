@@ -156,10 +156,10 @@ def _behind(word: str, mark: str, rest: str) -> Reading | None:
     return None
 
 
-def unit_in(text: str, name: str) -> str | None:
+def unit_in_header(text: str, name: str) -> str | None:
     """Return the unit of a quantity that stands in a header, whatever else does; None if there is none.
 
-    >>> unit_in("Kraft [nN]", "load"), unit_in("F_nN", "load"), unit_in("Kraft [nm]", "load")
+    >>> unit_in_header("Kraft [nN]", "load"), unit_in_header("F_nN", "load"), unit_in_header("Kraft [nm]", "load")
     ('nN', 'nN', None)
     """
     found = _BRACKETS.fullmatch(text) or _PARENTHESES.fullmatch(text)

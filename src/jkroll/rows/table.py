@@ -20,7 +20,7 @@ from ..scene.inverse import check, observed
 from ..scene.scene import EXCLUSIVE, Scene
 from ..text import first_of, quoted, say, say_wrapped
 from .cells import LABEL, Codes, Lookup, Reader
-from .columns import DOUBT, SIDES, STATUS, BadCells, Wanted, heads
+from .columns import DOUBT, SIDES, STATUS, BadCells, Wanted, heads, remarks_of
 from .header import BadTable, Column, Header, check_first, check_inputs
 from .inferred import SoughtOne
 from .readings import MATERIALS
@@ -76,10 +76,8 @@ class Table:
         for column in self.inputs:
             self.places |= column.places
         self.numbers = [head for name in wanted.names for head in heads(name, header(name), wanted.sides_of(name))]
-        self.said = (
-            {"model": fill.model} if fill.model is not None else {}
-        )  # columns of text that are the same in all rows
-        self.remarks = (DOUBT, STATUS) if doubt else (STATUS,)  # columns of text after the results, empty in most rows
+        self.said = {"model": fill.model} if fill.model is not None else {}  # columns of text, the same in all rows
+        self.remarks = remarks_of(wanted, doubt=doubt)
         self.readers = [Reader(column) for column in self.inputs]
         self.lookups = {
             name: Lookup(fill.known, material) for name, material in zip(MATERIALS, fill.spheres, strict=True)

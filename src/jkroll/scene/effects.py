@@ -13,7 +13,7 @@ from .wiring import depends_on
 
 
 class Effect(NamedTuple):
-    """An answer under the law that holds, over that under the law in use: numbers, or arrays. It is 0 where only the latter has one.
+    """An answer under the law that holds, over that under the law in use: numbers, or arrays. It is 0 where only the law in use has an answer.
 
     `readings`: of a rolling quantity, the ratio at equal displacement and at equal hysteresis of adhesion.
     `lennard_jones`: of a pull-off force, the ratio by the fit for Lennard-Jones' law.
@@ -93,9 +93,8 @@ def _other_reading(scene: Scene, between: Scene) -> Scene | None:
         forces, radii = (own[name] / theirs[name] for name in needed)
         displacement = displacement * forces / radii
     is_known = (displacement >= LEAST) & (displacement <= MOST)
-    displacement = where(
-        is_known, displacement, own[XI] if is_at_displacement else DEFAULTS[XI]
-    )  # where there is no contact
+    where_none = own[XI] if is_at_displacement else DEFAULTS[XI]  # where there is no contact
+    displacement = where(is_known, displacement, where_none)
     return between.replace(**{**dict.fromkeys(IN_ITS_PLACE), XI: displacement})
 
 

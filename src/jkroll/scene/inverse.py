@@ -353,9 +353,7 @@ class Solution(NamedTuple):
 
     values: Values
     condition: float  # of the logarithms of the measured values as functions of those of the inputs
-    growths: Mapping[
-        str, float
-    ]  # by input, the largest factor by which relative errors of the measured values enter it
+    growths: Mapping[str, float]  # by input, the largest factor by which relative errors of measured values enter it
     scene: Scene  # with these values in it
     forward: Values  # the measured quantities in this scene
 

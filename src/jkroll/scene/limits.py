@@ -27,7 +27,7 @@ class Limit(NamedTuple):
     """A number that limits the model, the quantities whose use it touches, and the words for either side.
 
     A value is in doubt where it is, for example, "<" a threshold. Several doubts of one number stand in the order in
-    which a value meets them. The law of adhesion is judged by its effect on the answers, beside which the number is
+    which a value meets them. The law of attraction is judged by its effect on the answers, beside which the number is
     told.
     """
 
@@ -266,17 +266,17 @@ def possible_doubts(scene: Scene, names: Collection[str]) -> int:
 
 def told(bits: int) -> list[Told]:
     """Return the doubts that bits stand for."""
-    return [told for place, told in enumerate(TOLD) if bits >> place & 1]
+    return [one for place, one in enumerate(TOLD) if bits >> place & 1]
 
 
 @cache  # many rows have the same doubts
 def codes(bits: int) -> str:
     """Return the codes of the doubts that bits stand for, and "?" if there are limits that could not be judged."""
-    return " ".join([*(told.code for told in told(bits)), *(["?"] if bits & NOT_JUDGED else [])])
+    return " ".join([*(one.code for one in told(bits)), *(["?"] if bits & NOT_JUDGED else [])])
 
 
 def sentence(verdict: Verdict) -> str:
-    """Return a verdict with its number: "μ = 0.14, between DMT and JKR: neither is exact"."""
+    """Return a verdict with its number: "a/z0 = 2.15, few atoms in the contact: elasticity is in doubt"."""
     return verdict.sentence or f"{NOMENCLATURE[verdict.name].symbol} = {verdict.value:.3g}, {verdict.text}"
 
 

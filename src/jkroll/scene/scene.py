@@ -491,7 +491,7 @@ def _assumed(given: Mapping[str, Any], others: Sequence[str]) -> dict[str, Any]:
 def _with_displacement(material: Material, material2: Material | None, stated: Mapping[str, Any]) -> Material:
     """Return the material of sphere 1 with the yield displacement of this contact, unless that is stated or sphere 2 is another solid.
 
-    It is one, too, where a property of its own is stated.
+    Sphere 2 is another solid where a property of its own is stated, too.
     """
     material = _without_displacement(material)
     is_alike = stated.keys().isdisjoint(_OF_SOLID_2) and (material2 is None or material2.key == material.key)

@@ -201,9 +201,8 @@ class _Branches:
         self.places = grid(self.second)
         self.spans: list[float] = []  # ends of what the first quantity can be
         self.heights: list[float] = []  # what the second quantity is on the branches
-        self.flat: list[
-            tuple[dict[str, float], float]
-        ] = []  # a pair and the value, of branches on which it is the same
+        # A pair and the value, of branches on which it is the same.
+        self.flat: list[tuple[dict[str, float], float]] = []
         self.roots: dict[float, list[float]] = {}  # of the first input, by the second one
         self.is_idle = False  # whether the first quantity has values, and is the same for all of the first input
         self._scan(self.places[:1] if self.is_straight else self.places)
@@ -403,8 +402,10 @@ class _Place:
         """Return the pair with its condition number. Raises Unseparated if that is too large."""
         (a, b), (c, d) = self.matrix
         determinant, squares = abs(a * d - b * c), a * a + b * b + c * c + d * d
-        largest = (squares + sqrt(max(squares * squares - 4 * determinant * determinant, 0.0))) / 2
-        condition = largest / determinant if determinant > 0 else inf
+        square = (
+            squares + sqrt(max(squares * squares - 4 * determinant * determinant, 0.0))
+        ) / 2  # of the largest growth
+        condition = square / determinant if determinant > 0 else inf
         if not condition <= MAX_CONDITION:
             raise Unseparated([*self.values], [*self.forward], condition, self.left_open())
         growths = (hypot(b, d) / determinant, hypot(a, c) / determinant)
