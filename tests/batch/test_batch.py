@@ -240,7 +240,7 @@ def test_a_bare_number_among_cells_with_units_is_none(unit: str) -> None:
 # --- Rows that go wrong ---------------------------------------------------------------------------------------------------
 
 STATUS = {
-    "x,unobtainium,100,0": "material: 'unobtainium' is not known; known are gold, graphite, ice-cold, ice-model, ice-pencil, ice-warm, iron, polystyrene, polystyrene-glassy, quartz, silica-dry, silica-humid, tholin",
+    "x,unobtainium,100,0": "material: 'unobtainium' is not known; known materials are gold, graphite, ice-cold, ice-model, ice-pencil, ice-warm, iron, polystyrene, polystyrene-glassy, quartz, silica-dry, silica-humid, tholin",
     "x,quartz,,0": "contact_radius_at_load: needs radius of sphere 1; give a radius such as 100nm",
     "x,quartz,0,0": "radius: '0 nm' must be positive; expected a length such as 100nm",
     "x,quartz,1N,0": "radius: '1N' is a force; expected a length such as 100nm",
@@ -309,7 +309,7 @@ def test_a_target_that_cannot_be_is_named(run: Run) -> None:
     assert run("batch", name, "-o", "nowhere/out.csv", "--quiet").err == (
         "jkroll: cannot write 'nowhere/out.csv': No such file or directory\n"
     )
-    message = "jkroll: -o: 'forces' is a directory; 'forces/' is where a file for each table goes\n"
+    message = "jkroll: -o: 'forces' is a directory; to write a file for each table there, give 'forces/'\n"
     assert run("batch", name, "-o", "forces", "--quiet").err == message
     message = "jkroll: 'forces' is a directory; name its tables, as in 'forces/*.csv'\n"
     assert run("batch", "forces", "-o", "out.csv").err == message
@@ -377,7 +377,7 @@ def test_a_row_with_other_cells_keeps_what_it_has(run: Run, cells: str, kept: st
 
 def mistaken(text: str, meant: str) -> str:
     return (
-        f"header: '{text}' is no input; did you mean {meant}? "
+        f"header: '{text}' is not an input; did you mean {meant}? "
         f"Write --column '{text}={meant}', or '{text}=' to pass it through"
     )
 

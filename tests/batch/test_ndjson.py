@@ -53,7 +53,7 @@ def test_lines_that_are_no_objects(run: Run, monkeypatch: pytest.MonkeyPatch) ->
         None,
         "is not a JSON object",
         "is not a JSON object",
-        "has 'load [nN]', which the first line has not",
+        "has 'load [nN]', which the first line does not have",
         "r_min: needs radius of sphere 1; give a radius such as 100nm",
     ]
     assert [one["r_min [m]"] for one in found] == [4.999999999999999e-05, None, None, None, None]

@@ -94,7 +94,7 @@ def test_what_is_no_parquet(run: Run) -> None:
     name = write({"radius [nm]": [100.0]})
     assert run("batch", name).err == "jkroll: Parquet is read from a file and written to a file: -o FILE\n"
     assert run("batch", name, "-o", "y.csv").err == (
-        "jkroll: -o: a table of parquet stays one; write 'y.parquet', and convert it with another program\n"
+        "jkroll: -o: the output has the format of the input, parquet; write 'y.parquet', and convert it with another program\n"
     )
     assert run("batch", name, "-o", name).err == f"jkroll: -o: '{name}' is the input; it is not overwritten\n"
     assert not Path("y.parquet").exists()
@@ -119,7 +119,7 @@ def test_what_cannot_be_read(run: Run) -> None:
     ran = run("batch", write({"radius [nm]": [1.0], "material": [b"iron"]}), "-o", "out.parquet", "--quiet")
     assert ran.code == 0
     Path("there.parquet").mkdir()
-    message = "jkroll: -o: 'there.parquet' is a directory; 'there.parquet/' is where a file for each table goes\n"
+    message = "jkroll: -o: 'there.parquet' is a directory; to write a file for each table there, give 'there.parquet/'\n"
     assert run("batch", name, "-o", "there.parquet", "--quiet").err == message
 
 

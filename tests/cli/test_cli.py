@@ -56,11 +56,11 @@ GOLD_2 = "gold has none in Table 1; give --young2 10GPa --poisson2 0.3"
 MESSAGES = {
     "pull-off quarz 100nm": (
         2,
-        "material: 'quarz' is not known; did you mean quartz? known are gold, graphite, ice-cold, ice-model, ice-pencil, ice-warm, iron, polystyrene, polystyrene-glassy, quartz, silica-dry, silica-humid, tholin",
+        "material: 'quarz' is not known; did you mean quartz? known materials are gold, graphite, ice-cold, ice-model, ice-pencil, ice-warm, iron, polystyrene, polystyrene-glassy, quartz, silica-dry, silica-humid, tholin",
     ),
     "pull-off unobtainium 100nm": (
         2,
-        "material: 'unobtainium' is not known; known are gold, graphite, ice-cold, ice-model, ice-pencil, ice-warm, iron, polystyrene, polystyrene-glassy, quartz, silica-dry, silica-humid, tholin",
+        "material: 'unobtainium' is not known; known materials are gold, graphite, ice-cold, ice-model, ice-pencil, ice-warm, iron, polystyrene, polystyrene-glassy, quartz, silica-dry, silica-humid, tholin",
     ),
     "pull-off quartz 100nn": (2, "radius: '100nn' has an unknown unit 'nn'; did you mean nm?"),
     "pull-off quartz 100N": (2, "radius: '100N' is a force; expected a length such as 100nm"),
@@ -135,7 +135,7 @@ MESSAGES = {
     ),
     "pull-off quartz iron 100nm": (
         2,
-        "two materials, 'quartz' and 'iron'; a list has commas, a second sphere has --material2",
+        "two materials, 'quartz' and 'iron'; for a list write quartz,iron; for sphere 2, --material2 iron",
     ),
     "n-roll quartz 100nm --energy 1eV --speed 1m/s": (
         2,
@@ -184,7 +184,7 @@ MESSAGES = {
     "pull-off quartz 100nm --materials .": (2, "materials file '.': is not a regular file"),
     "materials lead": (
         2,
-        "material: 'lead' is not known; known are gold, graphite, ice-cold, ice-model, ice-pencil, ice-warm, iron, polystyrene, polystyrene-glassy, quartz, silica-dry, silica-humid, tholin",
+        "material: 'lead' is not known; known materials are gold, graphite, ice-cold, ice-model, ice-pencil, ice-warm, iron, polystyrene, polystyrene-glassy, quartz, silica-dry, silica-humid, tholin",
     ),
 }
 

@@ -473,7 +473,7 @@ def test_rows_of_a_curve_are_within_its_loads(run: Run, model: str) -> None:
     [
         ("contact quartz 100nm -o contact.svg", "add --curve"),
         ("contact quartz 100nm --curve --csv -o contact.svg", "-o and --csv exclude each other"),
-        ("contact quartz,iron 100nm --curve -o contact.svg", "2 scenes"),
+        ("contact quartz,iron 100nm --curve -o contact.svg", "shows one contact; 2"),
         ("contact quartz 100nm --curve --approach 1nm -o contact.svg", "it takes none"),
         ("contact quartz 100nm --curve --load 1nN -o contact.svg", "give --load as FROM:TO"),
         ("contact quartz 100nm --curve --load 1nN:-1nN -o contact.svg", "does not rise"),

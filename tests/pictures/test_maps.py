@@ -430,7 +430,7 @@ def test_a_material_that_is_left_out_is_named_in_the_caption(run: Run) -> None:
 
 def test_limits_that_cannot_be_shown_are_said_to_be_missing(run: Run) -> None:
     ran = run("map pull-off --x radius=1nm:1um --y gamma=1mJ/m2:1J/m2")
-    assert "its limits are not shown: a/z0 needs Young's modulus" in ran.err
+    assert "the limits are not shown: a/z0 needs Young's modulus" in ran.err
     line = "map contact-radius-at-load quartz --x radius=10nm:1um --y load=0nN:50nN:lin"
     assert "everywhere JKR is off by more than 5 %" in run(line).out
 

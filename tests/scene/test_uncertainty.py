@@ -169,7 +169,9 @@ def test_a_material_named_twice_moves_together() -> None:
 
 def test_what_cannot_be_combined_is_refused() -> None:
     mixed: dict[str, Uncertain] = {"radius": Interval(1e-7, 5e-8, 2e-7), "surface_energy": relative(0.025, 0.1)}
-    with pytest.raises(MixedKinds, match=r"γ1 has a standard uncertainty .±. and R1 a range; give both of one kind"):
+    with pytest.raises(
+        MixedKinds, match=r"γ1 has a standard uncertainty .±. and R1 a range; give both as ± or both as ranges"
+    ):
         found("pull_off_force", QUARTZ, mixed)
     more = {"radius2": 1e-7, "youngs_modulus2": 1e10, "surface_energy2": 0.02, "density2": 1e3, "load": 1e-9}
     many = {name: Interval(value, 0.9 * value, 1.1 * value) for name, value in {**QUARTZ, **more}.items()}

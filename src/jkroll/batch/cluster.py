@@ -28,7 +28,7 @@ def on_cluster(order: Order, parts: list[Part], jobs: int) -> Iterator[tuple[Par
             try:
                 done = future.result()
             except KilledWorker as error:
-                done = Done(Tally(), f"the workers that had it ended, {error.allowed_failures + 1} times", 1)
+                done = Done(Tally(), f"its worker ended {error.allowed_failures + 1} times", 1)
             yield futures[future], done
 
 

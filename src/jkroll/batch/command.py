@@ -42,7 +42,7 @@ def run(path: str, settings: Settings, inputs: Mapping[str, str], known: Materia
         )
     if tally.without_error_bars and not settings.quiet:
         some = f"{tally.without_error_bars} of {tally.rows} rows have"
-        say(f"note: {some} error bars that the first rows have not; --uncertainty adds their columns", sys.stderr)
+        say(f"note: {some} error bars that the first rows do not have; --uncertainty adds their columns", sys.stderr)
     if tally.failed:
         say(f"jkroll: {tally.failed} of {tally.rows} rows failed; column {STATUS} says why", sys.stderr)
     return code or (ROWS_FAILED if tally.failed else 0)

@@ -96,7 +96,7 @@ def _end_of_lines(text: bytes) -> int:
     """Return where the last line ends that is within CHUNK bytes, or else the first line. Raises BadTable for one that is too long."""
     end = text.rfind(b"\n", 0, CHUNK) + 1 or text.find(b"\n") + 1
     if not end and len(text) >= MAX_RECORD:
-        raise BadTable(f"a line is longer than {MAX_RECORD >> 20} MiB: this is no table")
+        raise BadTable(f"a line is longer than {MAX_RECORD >> 20} MiB: this is not a table")
     return end or len(text)
 
 
@@ -110,7 +110,7 @@ def output_to(target: str) -> Iterator[BinaryIO]:
         return
     if os.path.isdir(target):
         raise BadRequest(
-            f"-o: {quoted(target)} is a directory; {quoted(target + os.sep)} is where a file for each table goes"
+            f"-o: {quoted(target)} is a directory; to write a file for each table there, give {quoted(target + os.sep)}"
         )
     with whole_file(target) as stream:
         yield stream

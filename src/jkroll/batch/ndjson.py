@@ -90,7 +90,7 @@ class NdjsonConverter:
             for name in one
             if name in others and (name in self.added or holds_input(name, _text(one[name]), chosen))
         )
-        return next((f"has {name!r}, which the first line has not" for name in surprises), "")
+        return next((f"has {name!r}, which the first line does not have" for name in surprises), "")
 
     def _members(self, columns: Columns) -> Iterator[bytes]:
         """Iterate over the members that the rows get, each with the end of the object."""

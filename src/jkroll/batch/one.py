@@ -120,7 +120,7 @@ def output_format(settings: Settings, of_input: FileFormat) -> FileFormat:
     if found.kind != of_input.kind:
         name = os.path.basename(settings.target).partition(".")[0]
         raise BadTable(
-            f"-o: a table of {of_input.kind} stays one; write {quoted(f'{name}.{of_input.kind}')}, and convert it with another program"
+            f"-o: the output has the format of the input, {of_input.kind}; write {quoted(f'{name}.{of_input.kind}')}, and convert it with another program"
         )
     return found
 

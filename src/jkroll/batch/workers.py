@@ -35,7 +35,7 @@ class LostWorker(JkrollError):
         self.how = f"was ended by signal {-exit_code}" if exit_code < 0 else f"ended with exit code {exit_code}"
 
     def __str__(self) -> str:
-        return f"a working process {self.how}; the table that it worked at was not written"
+        return f"a worker process {self.how}; the table it was working on was not written"
 
 
 class Worker:

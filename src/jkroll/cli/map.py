@@ -114,7 +114,7 @@ def draw_contact(call: Call) -> int:
         raise BadRequest(f"{flag} and --{kind} exclude each other")
     request, loads = curve_request(call)
     if (count := len(request.sweep) // len(request.models)) > 1:
-        raise BadRequest(f"{count} scenes are more than one picture of a contact")
+        raise BadRequest(f"a picture shows one contact; {count} were given")
     drawn, notes = curves_of_contact([*request.sweep.scenes()], loads, call.panel)
     return _deliver(drawn, notes, call)
 

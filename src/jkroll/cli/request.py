@@ -38,7 +38,7 @@ class Request:
         named = [word for word in words if _is_material(word)]
         if len(named) > 1:
             raise BadRequest(
-                f"two materials, {quoted(named[0])} and {quoted(named[1])}; a list has commas, a second sphere has --material2"
+                f"two materials, {quoted(named[0])} and {quoted(named[1])}; for a list write quartz,iron; for sphere 2, --material2 iron"
             )
         self.material_words = named[0] if named else ""
         self.material2_words = self.options.pop("material2", "")

@@ -283,7 +283,9 @@ class UnknownMaterial(JkrollError):
 
     def __str__(self) -> str:
         hint = f"did you mean {self.guess}? " if self.guess else ""
-        return f"material: {quoted(self.name)} is not known; {hint}known are {first_of(self.known, MAX_LISTED)}"
+        return (
+            f"material: {quoted(self.name)} is not known; {hint}known materials are {first_of(self.known, MAX_LISTED)}"
+        )
 
 
 class UnclearMaterial(JkrollError):

@@ -184,7 +184,7 @@ class Context:
             except NotInLaw:
                 continue
             except MissingInput as error:
-                notes.append(f"its limits are not shown: {NOMENCLATURE[error.wanted].symbol} {error.reason()}")
+                notes.append(f"the limits are not shown: {NOMENCLATURE[error.wanted].symbol} {error.reason()}")
         names = [quantity, *(bound.name for bound in self.bounds)]
         inputs = self.scene.inputs_of(*names)
         self.inputs = inputs_as_texts(self.scene, [name for name in inputs if name not in values])

@@ -473,5 +473,5 @@ def between(first: str, last: str, count: str, scale: str = "", *, name: str, te
     if scale == "log" and not is_positive:
         raise QuantityError(name, text, "has an end that is not positive", "leave :log out: the steps are equal then")
     if max(abs(low), abs(high)) == INFINITY:
-        raise QuantityError(name, text, "has no end")
+        raise QuantityError(name, text, "has an infinite end; a range needs two finite ends")
     return Spread(low, high, size, is_log=is_positive and scale != "lin")

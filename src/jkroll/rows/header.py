@@ -195,7 +195,7 @@ def choices(texts: Iterable[str], measured: str = "") -> dict[str, Reading]:
     for text in texts:
         head, is_pair, meaning = text.rpartition("=")
         if not is_pair or not head.strip():
-            raise BadRequest(f"--column: {quoted(text)} is no choice; write HEADER=INPUT, as in 'R2 (nm)=radius2 [nm]'")
+            raise BadRequest(f"--column: {quoted(text)} is not of the form HEADER=INPUT, as in 'R2 (nm)=radius2 [nm]'")
         reading = (measured and measured_reading(meaning, measured)) or reading_of(meaning)
         if meaning.strip() and (not reading.name or reading.is_symbol):
             meant = (
@@ -203,7 +203,7 @@ def choices(texts: Iterable[str], measured: str = "") -> dict[str, Reading]:
                 if reading.meant
                 else "; write a name with its unit, as in radius [nm]"
             )
-            raise BadRequest(f"--column: {quoted(meaning)} is no input{meant}")
+            raise BadRequest(f"--column: {quoted(meaning)} is not an input{meant}")
         if head.strip() in found:
             raise BadRequest(f"--column: {quoted(head)} is given more than once")
         if reading.name and reading.name not in MATERIALS and reading.unit_text is None:
@@ -267,7 +267,7 @@ def _no_input(text: str, reading: Reading, cells: Sequence[str]) -> BadTable:
     """Return the error of a column that looks like a mistyped input."""
     meant = _meant(reading.meant, cells)
     is_wrong = f"; did you mean {meant}?" if meant else f": {reading.problem}"
-    return BadTable(f"header: {quoted(text)} is no input{is_wrong} {_remedy({text: meant or 'INPUT [UNIT]'})}")
+    return BadTable(f"header: {quoted(text)} is not an input{is_wrong} {_remedy({text: meant or 'INPUT [UNIT]'})}")
 
 
 def _check_new(text: str, key: str, seen: dict[str, str]) -> None:
@@ -293,7 +293,7 @@ def _add_parts(
                     f"header: {quoted(used[0])} and {quoted(second)} are both uncertainties of {name}; one must go"
                 )
         if lost := [text for text in own.values() if text.strip() in chosen]:
-            raise BadTable(f"--column: {quoted(lost[0])} is no uncertainty of {name}: {_PARTS}")
+            raise BadTable(f"--column: {quoted(lost[0])} is not an uncertainty of {name}: {_PARTS}")
         yield from own.values()
 
 

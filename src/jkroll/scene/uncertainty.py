@@ -40,7 +40,7 @@ class MixedKinds(JkrollError):
         self.measured, self.interval = measured, interval
 
     def __str__(self) -> str:
-        return f"{self.measured} has a standard uncertainty (±) and {self.interval} a range; give both of one kind"
+        return f"{self.measured} has a standard uncertainty (±) and {self.interval} a range; give both as ± or both as ranges"
 
 
 class TooManyRanges(JkrollError):
