@@ -144,15 +144,9 @@ def _write_rows(asked: Asked, sweep: Sweep, kind: str, form: Format, call: Call,
         blocks = iter([unless_failed(next(blocks), headline)])
     notes = note_lines.OfRows()
     write_columns(wanted, notes.watch(in_units(columns, form) for columns in blocks), kind, form, call)
-    if call.quiet:
-        found = []
-    elif len(sweep) == 1:
-        found = note_lines.of_answer(asked.answer(next(sweep.scenes())))
-    else:
-        found = notes.lines(sweep.pairs, asked.kinds(sweep, wanted))
-    for line in found:
-        say_wrapped(line, sys.stderr)
-    return exit_code(notes, len(sweep))
+    if len(sweep) == 1 and not call.quiet:
+        return _ended(notes, note_lines.of_answer(asked.answer(next(sweep.scenes()))))
+    return _ended(notes, [] if call.quiet else notes.lines(sweep.pairs, asked.kinds(sweep, wanted)))
 
 
 def unless_failed(columns: Columns, headline: Sequence[str]) -> Columns:
@@ -184,9 +178,11 @@ def write_columns(wanted: Wanted, blocks: Iterable[Columns], kind: str, form: Fo
     sys.stdout.flush()
 
 
-def exit_code(notes: note_lines.OfRows, count: int) -> int:
-    """Print how many of `count` rows failed, if any did; return the exit code."""
-    return _failed(notes.failed, count, notes.failure)
+def _ended(notes: note_lines.OfRows, lines: Iterable[str]) -> int:
+    """Print the notes on rows, and how many of them failed, if any did; return the exit code."""
+    for line in lines:
+        say_wrapped(line, sys.stderr)
+    return _failed(notes.failed, notes.count, notes.failure)
 
 
 def _failed(failed: int, count: int, first: JkrollError | None) -> int:
@@ -287,12 +283,6 @@ def _write_curve(call: Call) -> int:
     notes = note_lines.OfRows()
     write_columns(wanted, notes.watch(columns()), kind, form, call)
     curves = [*dict.fromkeys(one.curve for one in samples)]
-    if call.quiet:
-        found = []
-    elif len(request.sweep) == 1:
-        found = note_lines.of_answer(curves[0])
-    else:
-        found = notes.lines(pairs, [(curve.scene, curve.shown) for curve in curves])
-    for line in found:
-        say_wrapped(line, sys.stderr)
-    return exit_code(notes, notes.count)
+    if len(request.sweep) == 1 and not call.quiet:
+        return _ended(notes, note_lines.of_answer(curves[0]))
+    return _ended(notes, [] if call.quiet else notes.lines(pairs, [(curve.scene, curve.shown) for curve in curves]))
