@@ -239,6 +239,8 @@ PARTS = {
     ("gamma_mJ_m2=25", "gamma_mJ_m2_sd=5"): "25±5 mJ/m2",
     ("gamma [mJ/m2]=25", "± gamma [J/m2]=0.005"): "25±5 mJ/m2",
     ("gamma [mJ/m2]=25", "gamma ± (%)=20"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "±=5"): "25±5 mJ/m2",
+    ("gamma (mJ/m2)=25", "+/-=5"): "25±5 mJ/m2",
     ("gamma [mJ/m2]=25", "gamma_err_percent=20"): "25±5 mJ/m2",
     ("gamma=25 mJ/m2", "gamma_err=5 mJ/m2"): "25±5 mJ/m2",
     ("gamma [mJ/m2]=25", "gamma_minus [mJ/m2]=4", "gamma_plus [mJ/m2]=6"): "25 +6/-4 mJ/m2",
@@ -249,6 +251,14 @@ PARTS = {
     ("gamma_mJ_m2_low=20", "gamma_mJ_m2_high=30"): "20 to 30 mJ/m2",
     ("gamma [mJ/m2]=25", "gamma_err [mJ/m2]="): "25 mJ/m2",
 }  # fmt: skip
+
+
+def test_a_column_of_plus_or_minus_is_of_the_input_at_its_left() -> None:
+    header = understood(["label", "±", "R1 [nm]", "note", "gamma [mJ/m2]", "+/-"])
+    assert {column.name: [side.place for side in column.sides] for column in header.inputs} == {
+        "radius": [],
+        "surface_energy": [5],
+    }
 
 
 @pytest.mark.parametrize("ending", ["csv", "ndjson", "parquet"])

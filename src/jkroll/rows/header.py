@@ -12,7 +12,17 @@ from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
 from ..quantities.units import Unit, dimension_of, kind_of
 from ..quantities.values import Uncertain, parse_quantity, split_number, unit_of, value_of
 from ..text import MAX_WORD, closest, first_of, quoted, shown
-from .readings import INPUTS, MATERIALS, Reading, fits, is_of_directions, measured_reading, reading_of, unit_in_header
+from .readings import (
+    ALONE,
+    INPUTS,
+    MATERIALS,
+    Reading,
+    fits,
+    is_of_directions,
+    measured_reading,
+    reading_of,
+    unit_in_header,
+)
 
 _PER_CENT = re.compile(r"(.*?)((?:±|\+/?-)[^±]*%)?", re.DOTALL)  # 25±20 % of the value
 _EASY = re.compile(r"[\w*.-]+( \[[^\[\] ]*\])?")  # a header that needs no quotes in a sentence
@@ -227,6 +237,8 @@ def understood(
     for place, text in enumerate(texts):
         cells = [row[place] for row in rows]
         reading = chosen.get(text.strip()) or reading_of(text)
+        if text.strip() in ALONE and inputs and inputs[-1].place == place - 1:
+            reading = Reading(inputs[-1].name, part="both")  # of the column at its left
         name = reading.name
         if reading.is_symbol and not reading.part and not _have_units(name, cells):
             alike.append(text)
