@@ -390,8 +390,8 @@ def holds_input(text: str, cell: str, chosen: Mapping[str, Reading]) -> bool:
 
 
 def is_input(text: str, chosen: Mapping[str, Reading] = MappingProxyType({})) -> bool:
-    """Return whether a header is that of an input; a symbol without a unit is one if its cells have units."""
-    return bool((chosen.get(text.strip()) or reading_of(text)).name)
+    """Return whether a header may be that of an input; a symbol without a unit is one if its cells have units."""
+    return text.strip() in ALONE or bool((chosen.get(text.strip()) or reading_of(text)).name)
 
 
 def _column(place: int, name: str, unit_text: str | None, text: str) -> Column:
