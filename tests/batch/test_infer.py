@@ -127,6 +127,63 @@ def test_what_is_inferred_is_of_both_spheres_where_they_are_of_one_material(
         assert value == pytest.approx(expected, rel=1e-12), material
 
 
+MATERIALS = ["quartz", "iron", "ice-warm", "polystyrene", "silica-dry", "gold"]
+# What is inferred from what, with the unit and the decades of its values.
+PROBLEMS = {
+    ("surface_energy", "pull_off_force"): ("nN", 0, 4), ("surface_energy", "contact_radius"): ("nm", 0, 2),
+    ("surface_energy", "yield_force"): ("pN", 0, 4), ("youngs_modulus", "stiffness"): ("N/m", 1, 3),
+    ("youngs_modulus", "contact_radius"): ("nm", 0, 2), ("radius", "pull_off_force"): ("nN", 0, 4),
+    ("load", "contact_radius_at_load"): ("nm", 0.3, 2), ("load", "approach_at_load"): ("nm", -1.5, 0.5),
+    ("yield_displacement", "yield_force"): ("pN", 0, 4), ("density", "vertical_frequency"): ("MHz", 1, 3.5),
+    ("work_of_adhesion", "pull_off_force"): ("nN", 0, 4), ("radius2", "pull_off_force"): ("nN", 0, 4),
+}  # fmt: skip
+OPTIONS = {"material2": "--material2 {}", "radius2 [nm]": "--radius2 {}", "load [nN]": "--load={}nN"}
+
+
+@pytest.mark.parametrize("count", [12, pytest.param(150, marks=pytest.mark.slow)])
+def test_random_tables_have_what_infer_finds_for_each_row(run: Run, count: int) -> None:
+    """Materials of either sphere, planes, loads, laws and error bars: values, their sides and doubts are the same."""
+    random = Random(count)
+    compared = 0
+    for _ in range(count):
+        (name, quantity), (unit, *decades) = random.choice([*PROBLEMS.items()])
+        columns = {
+            "material": lambda: random.choice(MATERIALS),
+            "R1 [nm]": lambda: f"{10 ** random.uniform(1, 3.5):.4g}",
+            "material2": lambda: random.choice([*MATERIALS, ""]),
+            "radius2 [nm]": lambda: random.choice(["", "plane", "300"]),
+            "load [nN]": lambda: f"{random.uniform(-5, 50):.4g}",
+        }
+        used = [
+            head for place, head in enumerate(columns)
+            if not head.startswith(f"{name} ") and (name, head) != ("radius", "R1 [nm]") and (place < 2 or random.random() < 0.4)
+        ]  # fmt: skip
+        rows = [{head: columns[head]() for head in used} for _ in range(4)]
+        measured = [f"{10 ** random.uniform(*decades):.5g}" for _ in rows]
+        bars = [f"{0.08 * float(value):.3g}" for value in measured] if random.random() < 0.3 else [""] * len(rows)
+        law = random.choice(["", "", "--model maugis", "--model dmt"])
+        heads = [*used, f"{quantity} [{unit}]", "±"]
+        lines = [",".join([*row.values(), *both]) for row, *both in zip(rows, measured, bars, strict=True)]
+        Path("random.csv").write_text("\n".join([",".join(heads), *lines, ""]), encoding="utf-8")
+        if run(f"batch random.csv -o out.csv --infer {name} --measured {quantity} {law}").code == 2:
+            continue  # it is refused as a whole
+        for row, value, bar, found in zip(rows, measured, bars, results("out.csv"), strict=True):
+            words = ["infer", name, row["material"], *([f"{row['R1 [nm]']}nm"] if "R1 [nm]" in row else [])]
+            for head, option in OPTIONS.items():
+                if row.get(head):
+                    words += option.format(f"{row[head]}nm" if row[head] == "300" else row[head]).split()
+            words += ["--measured", f"{quantity}={value}{bar and '±'}{bar}{unit}", *law.split(), "--csv"]
+            single = next(csv.DictReader(run(*words).out.splitlines()), {})
+            for head in [head for head in found if head.startswith(name) and head not in row] + ["doubt"]:
+                here, there = found[head], single.get(head, "")
+                if head != "doubt" and here and there:
+                    assert float(here) == pytest.approx(float(there), rel=1e-9), words
+                    compared += 1
+                elif head != "doubt" or found[next(head for head in found if head.startswith(f"{name} ["))]:
+                    assert here == there, words
+    assert compared > 2 * count
+
+
 def test_the_column_may_be_named_and_files_be_many(run: Run) -> None:
     Path("runs").mkdir()
     for name, force in (("a", 200), ("b", 300), ("c", 400)):
