@@ -452,6 +452,8 @@ def _in_arrays_of_solve(ask: Ask, floats: Rows) -> Iterator[str]:
                 value, reason = floats.values[row].get(name), floats.reasons[row].get(name)
                 if (value is None) != math.isnan(element) and is_at_its_end(scenes[row]):
                     continue
+                if is_special and math.isnan(element) and scenes[row].is_rigid:
+                    continue  # a number from which more follows needs no contact
                 if value is None:
                     if reason is not None and not (
                         math.isinf(element) if isinstance(reason, InfiniteValue) else math.isnan(element)

@@ -16,17 +16,21 @@ SELDOM = 50_000  # new objects until the next search for cycles: what imports ma
 
 
 def run() -> None:
-    """Run the command line and exit with its code; an interrupt exits silently with 130."""
+    """Run the command line and exit with its code; an interrupt exits silently with 130, and SIGTERM puts files away first."""
+    is_terminated = False
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # no matrices are multiplied: no thread for each core
     try:
         import signal
 
-        def unwind(_number: int, frame: "FrameType | None") -> None:
+        def unwind(number: int, frame: "FrameType | None") -> None:
             """Raise KeyboardInterrupt once, so that files are put away; the next interrupt, or an alarm, exits at once.
 
             It waits for the end of an import: a library that is interrupted in the midst of its own may crash.
             """
+            nonlocal is_terminated
+            is_terminated = is_terminated or number == signal.SIGTERM
             signal.signal(signal.SIGINT, _end)
+            signal.signal(signal.SIGTERM, signal.SIG_DFL)
             if hasattr(signal, "alarm"):  # not on Windows
                 if _is_importing(frame):
                     signal.signal(signal.SIGALRM, unwind)
@@ -37,6 +41,7 @@ def run() -> None:
             raise KeyboardInterrupt
 
         signal.signal(signal.SIGINT, unwind)
+        signal.signal(signal.SIGTERM, unwind)
         gc.set_threshold(SELDOM)
         sys.unraisablehook = _end_if_interrupted
         if os.environ.get("_JKROLL_COMPLETE") or sys.argv[1:] in (["--install-completion"], ["--show-completion"]):
@@ -53,6 +58,8 @@ def run() -> None:
         signal.signal(signal.SIGINT, _end)
     except KeyboardInterrupt:
         code = INTERRUPTED
+    if is_terminated:  # by a signal that ends this process now, as whoever sent it expects
+        signal.raise_signal(signal.SIGTERM)
     # Everything is written. An orderly shutdown of the interpreter would take a tenth of a call, and could be interrupted.
     os._exit(code)
 

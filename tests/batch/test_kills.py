@@ -98,17 +98,18 @@ def test_a_kill_leaves_no_half_of_a_file(words: str, end: str, kills: int, *, wh
     assert {path: path.read_bytes() for path in begun(out.name)} == left
 
 
+@pytest.mark.parametrize(("number", "code"), [(signal.SIGINT, 130), (signal.SIGTERM, -signal.SIGTERM)])
 @pytest.mark.parametrize("words", ["batch grains.csv --material quartz --jobs 1", SWEEP])
-def test_an_interrupt_leaves_nothing(words: str) -> None:
+def test_an_interrupt_leaves_nothing(words: str, number: int, code: int) -> None:
     tables()
     before = {*os.listdir(), "__pycache__"}
     while True:
         command = [sys.executable, "small.py", *words.split(), "-o", "out.csv"]
         process = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
         wait_until(lambda: any(path.stat().st_size for path in begun("out.csv")), process)
-        process.send_signal(signal.SIGINT)
+        process.send_signal(number)
         _, message = process.communicate()
-        if process.returncode == 130:
+        if process.returncode == code:
             break
         assert process.returncode == 1  # it was done before the signal came
         Path("out.csv").unlink()
