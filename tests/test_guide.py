@@ -11,7 +11,7 @@ import pytest
 from harness import Run
 from jkroll.cli.commands import COMMANDS
 from jkroll.output.manual import page, topics
-from transcripts import commands, copied, exit_code, transcript, transcripts, with_file
+from transcripts import copied, exit_code, printed, rounded, transcripts
 
 FORCE_CURVE = Path(__file__).parent / "data" / "force_curve.csv"
 PAGES = {topic: page(topic) for topic in topics()}
@@ -23,7 +23,7 @@ PAGES = {topic: page(topic) for topic in topics()}
     ids=lambda text: text.splitlines()[0],
 )
 def test_transcript(topic: str, block: str) -> None:
-    assert block == "".join(transcript(command) for command in commands(with_file(block))), topic
+    assert rounded(block) == rounded(printed(block)), topic
 
 
 COPIED = [*dict.fromkeys(command for text in PAGES.values() for command in copied(text))]

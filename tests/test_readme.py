@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from jkroll.output.manual import page
-from transcripts import commands, copied, exit_code, transcript, transcripts, with_file
+from transcripts import commands, copied, exit_code, printed, rounded, transcripts
 
 README = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
 MOST = 12_000  # bytes
@@ -17,7 +17,7 @@ MOST_LINES_OF_A_RECIPE = 8
 
 @pytest.mark.parametrize("block", transcripts(README), ids=lambda block: commands(block)[0])
 def test_transcript(block: str) -> None:
-    assert block == "".join(transcript(command) for command in commands(with_file(block)))
+    assert rounded(block) == rounded(printed(block))
 
 
 @pytest.mark.parametrize("command", [*dict.fromkeys(copied(README))])

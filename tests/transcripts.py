@@ -24,6 +24,7 @@ CONSOLE = re.compile(r"```console\n(.*?)```", re.DOTALL)
 _COPIED = re.compile(r"```sh-session\n(.*?)```", re.DOTALL)
 _BLOCK = re.compile(r"```.*?```", re.DOTALL)
 _IN_TEXT = re.compile(r"`(jkroll [^`]+)`")
+_ALL_DIGITS = re.compile(r"\d+\.\d{14,}")  # of a number that is written for programs
 _NOT_RUN = (
     "jkroll bench",
     "jkroll verify",
@@ -61,6 +62,16 @@ def transcript(command: str) -> str:
     return "\n".join([f"$ {command}", *lines]) + "\n"
 
 
+def rounded(text: str) -> str:
+    """Return a text whose numbers with all digits have 13: the last ones depend on the machine's numpy."""
+    return _ALL_DIGITS.sub(lambda number: f"{float(number[0]):.13g}", text)
+
+
+def printed(block: str) -> str:
+    """Return what the commands of a console block print, with the commands, beside the file with whose text it begins."""
+    return "".join(map(transcript, commands(with_file(block))))
+
+
 def transcripts(text: str) -> list[str]:
     """Return the console blocks of a text."""
     return CONSOLE.findall(text)
@@ -88,9 +99,7 @@ def exit_code(command: str) -> int:
 
 def renewed(text: str) -> str:
     """Return a text with its transcripts as they are now."""
-    return CONSOLE.sub(
-        lambda match: "```console\n" + "".join(map(transcript, commands(with_file(match[1])))) + "```", text
-    )
+    return CONSOLE.sub(lambda match: f"```console\n{printed(match[1])}```", text)
 
 
 if __name__ == "__main__":
