@@ -423,6 +423,20 @@ def _in_solve(ask: Ask, floats: Rows) -> Iterator[str]:
                     yield f"row {row}: {name}: {error} and {other}"
 
 
+def _is_element(scene: Scene, name: str, found: Any, element: float, *, is_special: bool) -> bool:
+    """Return whether an element of an array is right for the value of a row, or for the error of one that has none.
+
+    `is_special`: whether the arrays have numbers from which more follows, and which need no contact then.
+    """
+    is_gap = math.isnan(element)
+    if is_gap and is_special and scene.is_rigid:
+        return True
+    if isinstance(found, float):
+        return is_at_its_end(scene) if is_gap else agree(scene, name, found, element)
+    is_right = math.isinf(element) if isinstance(found, InfiniteValue) else is_gap
+    return found is None or is_right or (not is_gap and is_at_its_end(scene))
+
+
 def _in_arrays_of_solve(ask: Ask, floats: Rows) -> Iterator[str]:
     """Iterate over what differs between rows and elements of arrays, which are nan where there is no value."""
     groups: dict[tuple[str | None, ...], list[int]] = {}
@@ -449,15 +463,6 @@ def _in_arrays_of_solve(ask: Ask, floats: Rows) -> Iterator[str]:
                         yield f"row {row}: {name}: {expected} and {error}"
                 continue
             for row, element in zip(places, elements, strict=True):
-                value, reason = floats.values[row].get(name), floats.reasons[row].get(name)
-                if (value is None) != math.isnan(element) and is_at_its_end(scenes[row]):
-                    continue
-                if is_special and math.isnan(element) and scenes[row].is_rigid:
-                    continue  # a number from which more follows needs no contact
-                if value is None:
-                    if reason is not None and not (
-                        math.isinf(element) if isinstance(reason, InfiniteValue) else math.isnan(element)
-                    ):
-                        yield f"row {row}: {name}: {reason} and {element}"
-                elif not agree(scenes[row], name, value, element):
-                    yield f"row {row}: {name} = {value!r} and {element!r}"
+                found = floats.values[row].get(name, floats.reasons[row].get(name))
+                if not _is_element(scenes[row], name, found, element, is_special=is_special):
+                    yield f"row {row}: {name} = {found!r} and {element!r}"
