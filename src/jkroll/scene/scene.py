@@ -144,6 +144,7 @@ _OF_SOLID_2 = frozenset(name + "2" for name in PROPERTIES)
 OF_AREA = ("youngs_modulus", "youngs_modulus2", "poisson_ratio", "poisson_ratio2", "contact_modulus")
 
 # What rests on a contact area, and has none where both bodies are rigid; everything else of JKR follows from these.
+_NOTHING: frozenset[str] = frozenset()
 _ON_AREA = frozenset({"contact_modulus", "pull_off_force", "load_factor", "rolling_frequency_as_printed"})
 
 
@@ -384,6 +385,7 @@ class Scene:
     def _run(self, steps: Iterable[Step]) -> None:
         """Evaluate formulas one after the other, and note those that fail."""
         values, failures = self.values, self._failures
+        may_be_rigid = _NOTHING if self._has_area is True else _ON_AREA
         for name, formula, arguments in steps:
             if name in values or name in failures:
                 continue
@@ -392,15 +394,17 @@ class Scene:
             except KeyError:  # an argument that failed
                 failures[name] = next(failures[source] for _, source in arguments if source in failures)
                 continue
-            may_be_rigid = self._has_area is not True and name in _ON_AREA
-            if may_be_rigid and self.is_rigid:
+            if name in may_be_rigid and self.is_rigid:
                 failures[name] = TwoRigidBodies()
                 continue
             try:
                 value = formula(**given)
             except (ArithmeticError, ValueError):
                 value = INFINITY
-            if may_be_rigid and self.has_rigid_elements:
+            if isinstance(value, float) and SMALLEST <= value < INFINITY:  # as nearly always
+                values[name] = value
+                continue
+            if name in may_be_rigid and self.has_rigid_elements:
                 value = self._where_it_yields(value)
             if not isinstance(value, NUMBER):
                 values[name] = self._with_gaps(name, value, [source for _, source in arguments])
