@@ -84,7 +84,7 @@ def at_least(value: Any, bound: Any) -> Any:
     >>> at_least(-1.0, 0.0)
     0.0
     """
-    if isinstance(value, NUMBER):
+    if isinstance(value, NUMBER) and isinstance(bound, NUMBER):
         return max(value, bound)
     import numpy
 
@@ -97,7 +97,7 @@ def at_most(value: Any, bound: Any) -> Any:
     >>> at_most(1.0, 0.0)
     0.0
     """
-    if isinstance(value, NUMBER):
+    if isinstance(value, NUMBER) and isinstance(bound, NUMBER):
         return min(value, bound)
     import numpy
 
@@ -119,11 +119,7 @@ def smaller_and_larger(value: Any, value2: Any) -> tuple[Any, Any]:
     >>> smaller_and_larger(3.0, 1.0)
     (1.0, 3.0)
     """
-    if isinstance(value, NUMBER) and isinstance(value2, NUMBER):
-        return (value, value2) if value <= value2 else (value2, value)
-    import numpy
-
-    return numpy.minimum(value, value2), numpy.maximum(value, value2)
+    return at_most(value, value2), at_least(value, value2)
 
 
 def in_series(value: Any, value2: Any) -> Any:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from .dimensions import Angle, Energy, Force, Length, Moment, Number, Stiffness, Stress, SurfaceEnergy
-from .elementary import cbrt, cube, pi, smaller_and_larger, sqrt, within
+from .elementary import at_least, cbrt, cube, pi, sqrt, within
 
 
 def shear_strength(
@@ -28,7 +28,7 @@ def shear_strength(
     '584.5 MPa'
     """
     compliances = (1 + poisson_ratio) / youngs_modulus, (1 + poisson_ratio2) / youngs_modulus2
-    return 1 / (8 * pi**2) / smaller_and_larger(*compliances)[1]
+    return 1 / (8 * pi**2) / at_least(*compliances)
 
 
 def sliding_force(*, shear_strength: Stress, contact_radius_at_load: Length) -> Force:

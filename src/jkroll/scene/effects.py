@@ -1,11 +1,11 @@
 """How far answers under a law of attraction are from those under the law that holds between JKR and DMT."""
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from functools import reduce
 from typing import Any, NamedTuple
 
 from ..errors import JkrollError
-from ..physics.elementary import smaller_and_larger, where
+from ..physics.elementary import at_least, at_most, where
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, routes
 from ..quantities.nomenclature import INFINITY, XI
 from .scene import DEFAULTS, IN_ITS_PLACE, LEAST, MOST, Scene
@@ -24,26 +24,28 @@ class Effect(NamedTuple):
     lennard_jones: Any = None
 
     @property
+    def ratios(self) -> tuple[Any, ...]:
+        """All of them."""
+        own = self.readings or (self.ratio,)
+        return own if self.lennard_jones is None else (*own, self.lennard_jones)
+
+    @property
     def factor(self) -> Any:
         """How far the answers are apart by the farthest of these, as a factor of at least 1."""
-        others = (*(self.readings or ()), *([] if self.lennard_jones is None else [self.lennard_jones]))
-        return reduce(_larger, map(_apart, (self.ratio, *others)))
-
-
-def _apart(ratio: Any) -> Any:
-    """Return a ratio or its inverse, whichever is larger; infinite where the answers differ in sign."""
-    is_positive = ratio > 0
-    positive = where(is_positive, ratio, 1.0)
-    return where(is_positive, _larger(positive, 1 / positive), INFINITY)
+        return _apart(self.ratios)
 
 
 def largest(found: Mapping[str, Effect]) -> Any:
     """Return the largest factor of some effects; 1 if there are none."""
-    return reduce(_larger, (effect.factor for effect in found.values()), 1.0)
+    ratios = [ratio for effect in found.values() for ratio in effect.ratios]
+    return _apart(ratios) if ratios else 1.0
 
 
-def _larger(value: Any, other: Any) -> Any:
-    return smaller_and_larger(value, other)[1]
+def _apart(ratios: Sequence[Any]) -> Any:
+    """Return the one of some ratios that is farthest from 1, or its inverse if that is larger; infinite where answers differ in sign."""
+    least, most = reduce(at_most, ratios), reduce(at_least, ratios)
+    is_positive = least > 0
+    return where(is_positive, at_least(most, 1 / where(is_positive, least, 1.0)), INFINITY)
 
 
 def effects(scene: Scene, names: Collection[str]) -> dict[str, Effect]:
@@ -73,7 +75,7 @@ def effects(scene: Scene, names: Collection[str]) -> dict[str, Effect]:
 
 def between_of(scene: Scene) -> Scene:
     """Return a scene under the law that holds, with the atomic spacing that was given or is assumed."""
-    return scene.under(BETWEEN).replace(atomic_spacing=scene["atomic_spacing"])
+    return scene.under(BETWEEN, atomic_spacing=scene["atomic_spacing"])
 
 
 def _is_at_displacement(scene: Scene) -> bool:

@@ -225,9 +225,9 @@ class Scene:
         spheres = [one and one._replace(properties=some(one.properties)) for one in (self.material, self.material2)]
         return Scene(some(self.stated), *spheres, model=self.stated_model)
 
-    def under(self, model: str) -> "Scene":
-        """Return the scene under another law of attraction, without uncertainties."""
-        return Scene(self.stated, self.material, self.material2, model=model)
+    def under(self, model: str, **values: Any) -> "Scene":
+        """Return the scene under another law of attraction, with other values of some inputs, without uncertainties."""
+        return Scene({**self.stated, **values}, self.material, self.material2, model=model)
 
     @property
     def is_uncertain(self) -> bool:
