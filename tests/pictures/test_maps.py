@@ -13,14 +13,12 @@ import pytest
 
 from harness import Run, Stream
 from jkroll import known_materials, solve
-from jkroll.cli.map import show_progress as progress
 from jkroll.pictures.axes import Axis, round_values
-from jkroll.pictures.maps import Map, axis_around, evaluate
+from jkroll.pictures.maps import Map, axis_around
 from jkroll.pictures.request import FIGURES, figure
 from jkroll.pictures.styles import LOOKS
 from jkroll.pictures.terminal import CONTOUR, RAMP, ink_on, screen_of, shade, stacked
 from jkroll.quantities.nomenclature import NOMENCLATURE
-from jkroll.scene.scene import Scene
 from jkroll.scene.wiring import depends_on
 
 SIZE = (61, 61)
@@ -496,36 +494,6 @@ def test_no_value_anywhere_is_a_failure(run: Run) -> None:
         assert ran.err.startswith(
             "jkroll: yield_force has no value anywhere on these axes: load: -500 nN is beyond pull-off;"
         )
-
-
-def test_progress_of_a_long_map_and_of_no_short_one() -> None:
-    scene = Scene({"surface_energy": 0.025})
-    reported: list[float] = []
-    evaluate(
-        scene,
-        "yield_force_ratio",
-        Axis("radius", 1e-9, 1e-6, size=1000),
-        Axis("yield_displacement", 1e-10, 1e-9, size=1000),
-        reported.append,
-    )
-    assert reported == []
-    evaluate(
-        scene,
-        "yield_force_ratio",
-        Axis("radius", 1e-9, 1e-6, size=2000),
-        Axis("yield_displacement", 1e-10, 1e-9, size=2000),
-        reported.append,
-    )
-    assert reported == sorted(reported)
-    assert (reported[0], reported[-1], len(reported)) == (0.0, 1.0, 9)
-
-
-def test_progress_leaves_nothing_on_the_line(monkeypatch: pytest.MonkeyPatch) -> None:
-    err = Stream(terminal=True)
-    monkeypatch.setattr("sys.stderr", err)
-    progress(0.5)
-    progress(1.0)
-    assert err.text() == "\r 50 %\r\r     \r"
 
 
 _EXAMPLES = {

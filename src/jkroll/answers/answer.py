@@ -264,24 +264,31 @@ class Answer:
         return min(map(_width, self.results), default=0.0)
 
     @cached_property
+    def _of_limits(self) -> Sequence[str]:
+        return self.scene.inputs_of(*(verdict.name for verdict in self.validity))
+
+    @cached_property
+    def _entering(self) -> set[str]:
+        """The inputs of the results, with the atomic spacing if it enters a limit."""
+        return with_spacing(self.inputs, self._of_limits)
+
+    @cached_property
     def assumed(self) -> list[str]:
         """The names of inputs that were assumed, with the atomic spacing if it enters a limit."""
-        of_limits = self.scene.inputs_of(*(verdict.name for verdict in self.validity))
-        return assumed(self.scene, with_spacing(self.inputs, of_limits))
+        return assumed(self.scene, self._entering)
 
     @cached_property
     def notes(self) -> tuple[Note, ...]:
         """The sentences about the answer, but for doubts."""
         scene = self.scene
         planned = [name for name in self.shown if not isinstance(self.errors.get(name), MissingInput)]
-        of_limits = scene.inputs_of(*(verdict.name for verdict in self.validity))
         found, sources = self._uncertainties
         lacking = [name for name, error in self.errors.items() if isinstance(error, MissingInput)]
         lacking += [name for names in self._judgement.missing.values() for name in names]
         displaced = [] if self.worth is None else [about_displacement(self.worth, self.question.headline)]
-        entering = {*self.inputs, *of_limits, *depends_on(lacking, [scene.law.name])}
+        entering = {*self.inputs, *self._of_limits, *depends_on(lacking, [scene.law.name])}
         return (
-            *about_given(scene, planned, with_spacing(self.inputs, of_limits), entering, displaced),
+            *about_given(scene, planned, self._entering, entering, displaced),
             *about_results([*self.results], scene, self.question.noted),
             *about_missing([*self.results], self.errors),
             *about_limits(self._judgement),

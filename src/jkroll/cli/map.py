@@ -1,12 +1,12 @@
 """Runners of `map`, `figure` and `contact --curve -o`: from words and option values to a drawing."""
 
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from math import isnan
 
 from ..answers.questions import quantity_named
 from ..errors import BadRequest, missing_extra
-from ..output.records import text_output, whole_file
+from ..output.records import text_output, whole_file, write_records
 from ..pictures.axes import Axis
 from ..pictures.curves import PANELS, PROFILES, curves_of_contact, figure_laws
 from ..pictures.maps import Map, Picture, rows_of
@@ -20,7 +20,7 @@ from ..quantities.units import BadUnit, dimension_of
 from ..quantities.values import between, error_about, parse_value
 from ..scene.scene import Scene
 from ..scene.wiring import depends_on
-from ..text import quoted, say_wrapped, spelled
+from ..text import quoted, say, say_wrapped
 from .commands import Call
 from .request import PICTURES, Request, curve_request, ending, format_name, materials_of, request_of
 
@@ -76,7 +76,7 @@ def run_map(call: Call) -> int:
     if request.y is None:
         drawn, notes = curves_of(request, ALONG)
     else:
-        drawn, notes = map_of(request, IN_FILE if call.target else ON_SCREEN, show_progress)
+        drawn, notes = map_of(request, IN_FILE if call.target else ON_SCREEN)
     return _deliver(drawn, notes, call)
 
 
@@ -152,38 +152,25 @@ def _deliver(drawn: Map | Picture, notes: Iterable[str], call: Call) -> int:
 
 
 def _write_data(drawn: Map | Picture, path: str) -> None:
-    """Write the numbers as CSV into a file, or to stdout for "-"."""
-    import csv
-
+    """Write the numbers as CSV into a file, or to stdout for "-". An empty line separates panels; a cell without a value is empty."""
     with text_output(path) as out:
-        csv.writer(out, lineterminator="\n").writerows(_table(drawn))
+        if isinstance(drawn, Map):
+            heads = (drawn.x.header(), drawn.y.header(), header(drawn.quantity))
+            write_records(heads, ([*map(_known, row)] for row in rows_of(drawn)), "csv", out)
+            return
+        for number, panel in enumerate(drawn.panels):
+            if number > 0:
+                say("", out)
+            rows = (
+                (curve.text, _known(x), _known(y))
+                for curve in panel.curves
+                for x, y in zip(curve.x.tolist(), curve.y.tolist(), strict=True)
+            )
+            write_records(("curve", panel.x.header(), panel.y.header()), rows, "csv", out)
 
 
-def _table(drawn: Map | Picture) -> Iterable[Sequence[str]]:
-    """Iterate over the rows with a header. An empty line separates panels; a cell without a value is empty."""
-    if isinstance(drawn, Map):
-        yield [drawn.x.header(), drawn.y.header(), header(drawn.quantity)]
-        for row in rows_of(drawn):
-            yield [_cell(value) for value in row]
-        return
-    for number, panel in enumerate(drawn.panels):
-        if number > 0:
-            yield []
-        yield ["curve", panel.x.header(), panel.y.header()]
-        for curve in panel.curves:
-            for x, y in zip(curve.x.tolist(), curve.y.tolist(), strict=True):
-                yield [curve.text, _cell(x), _cell(y)]
-
-
-def _cell(value: float) -> str:
-    return "" if isnan(value) else spelled(value)
-
-
-def show_progress(part: float) -> None:
-    """Show the finished part of a long map on a terminal, and erase it at the end."""
-    if sys.stderr.isatty():
-        sys.stderr.write(f"\r{100 * part:3.0f} %\r" if part < 1 else "\r     \r")
-        sys.stderr.flush()
+def _known(value: float) -> float | None:
+    return None if isnan(value) else value
 
 
 # --- Map request ------------------------------------------------------------------------------------------------------

@@ -261,9 +261,9 @@ def _write_curve(call: Call) -> int:
     if (count := len(request.sweep)) > MAX_OBJECTS:
         raise BadRequest(f"--curve: {count} scenes are more than {MAX_OBJECTS}")
     samples = [*at_states(request.sweep.kinds, loads)]
-    failures = [AtState(one, question).failure for one in samples]
-    if failures[0] is not None and None not in failures:
-        raise failures[0]
+    failures = (AtState(one, question).failure for one in samples)
+    if (first := next(failures)) is not None and None not in failures:
+        raise first
     at = at_states(request.sweep.scenes(), loads)
     if kind == "json":
         every = [*at]

@@ -216,7 +216,7 @@ def _figures() -> Iterable[str]:
 
 def _programs() -> Iterable[str]:
     """Return the programs that contacts are exported to."""
-    from .export import PROGRAMS
+    from ..output.exports import PROGRAMS
 
     return PROGRAMS
 

@@ -8,10 +8,12 @@ A plane is a wall, whose coefficients mean the same. Comments are ASCII, as LAMM
 The contact of two spheres as input of DustSimulation, whose thresholds are those of this program, and of LIGGGHTS.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from math import pi
+from typing import NamedTuple
 
 from ..errors import JkrollError
+from ..quantities.laws import DEFAULT_LAW
 from ..quantities.nomenclature import INFINITY, PROPERTIES, STATE, STATE_OR_LOAD
 from ..scene.failures import MissingInput, OfIdenticalSpheres
 from ..scene.scene import Scene
@@ -47,7 +49,6 @@ _REMARKS_ON = {
         "# The contact does not slip: for the 1e9, write your coefficient of friction. Twisting is left out.",
     ),
 }
-MODELS = tuple(_REMARKS_ON)
 
 
 def lammps_input(scene: Scene) -> Iterator[str]:
@@ -130,10 +131,8 @@ def _coefficients(pair: Scene) -> str:
 
 # --- DustSimulation and LIGGGHTS --------------------------------------------------------------------------------------
 
-DUST_SIMULATION = ("pull_off_force", "contact_modulus", "density", "yield_displacement")
-LIGGGHTS = ("pull_off_force", "contact_modulus", "density")
 _DAMPING = ("1e-06", "1.25e-11")
-ABOUT_DUST_SIMULATION = (
+_ABOUT_DUST_SIMULATION = (
     "the lines are version, name, R1 [cm], density [g/cm³], γ per surface [mJ/m²], Poisson's ratio, Young's modulus [dyn/cm²], ξ [cm], damping "
     "factor, viscous time [s], and the modifiers of rolling, sliding and twisting; "
     f"damping factor {_DAMPING[0]} and viscous time {_DAMPING[1]} s are those of the code's own Silicate.mat; "
@@ -154,7 +153,7 @@ class NotInProgram(JkrollError):
 
 def dust_simulation_material(scene: Scene) -> Iterator[str]:
     """Iterate over the lines of a material file of Lumajord/DustSimulation, in cgs units, with modifiers of 1."""
-    scene.plan(*DUST_SIMULATION)
+    scene.plan("pull_off_force", "contact_modulus", "density", "yield_displacement")
     _refuse_state(scene, "dust-simulation")
     if not scene.is_identical:
         raise OfIdenticalSpheres
@@ -178,7 +177,7 @@ def dust_simulation_material(scene: Scene) -> Iterator[str]:
 
 def liggghts_input(scene: Scene) -> Iterator[str]:
     """Iterate over the lines of an input of LIGGGHTS: Hertz' force less kA with the pull-off force of JKR."""
-    scene.plan(*LIGGGHTS)
+    scene.plan("pull_off_force", "contact_modulus", "density")
     _refuse_state(scene, "liggghts")
     at_wall = scene.values.get("radius2") == INFINITY
     suffixes = ("",) if scene.is_identical else ("", "2")
@@ -217,3 +216,25 @@ def _refuse_state(scene: Scene, program: str) -> None:
     """Raise NotInProgram for a load or an approach: a file is for all of them."""
     if not STATE.isdisjoint(scene.stated) or scene.values["load"]:
         raise NotInProgram(program, "finds the load by itself; give none")
+
+
+# --- The registry -----------------------------------------------------------------------------------------------------
+
+
+class Program(NamedTuple):
+    """A program that takes contacts: its title, how its input is written, the quantities in it, and the laws it has."""
+
+    title: str
+    lines: Callable[[Scene], Iterator[str]]
+    quantities: tuple[str, ...]
+    models: tuple[str, ...] = (DEFAULT_LAW,)
+    note: str = ""  # on the input, which has no comments: all that is to be said goes to stderr
+
+
+PROGRAMS: Mapping[str, Program] = {
+    "lammps": Program("LAMMPS", lammps_input, (*QUANTITIES, *THRESHOLDS), tuple(_REMARKS_ON)),
+    "liggghts": Program("LIGGGHTS", liggghts_input, ("pull_off_force", "time_step")),
+    "dust-simulation": Program(
+        "DustSimulation", dust_simulation_material, (*QUANTITIES, *THRESHOLDS), note=_ABOUT_DUST_SIMULATION
+    ),
+}

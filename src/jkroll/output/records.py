@@ -8,7 +8,7 @@ import sys
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from io import TextIOWrapper
-from itertools import groupby
+from itertools import chain, groupby
 from math import isnan, nan
 from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple, TextIO
 
@@ -18,7 +18,7 @@ from ..quantities.nomenclature import INFINITY, NOMENCLATURE, header
 from ..quantities.values import is_uncertain
 from ..rows.columns import DOUBT, STATUS, Columns, Wanted, heads, remarks_of
 from ..scene.limits import codes
-from ..text import fitting, json_text, say, spelled
+from ..text import json_text, say, spelled
 
 if TYPE_CHECKING:
     from ..answers.answer import Answer, Difference
@@ -34,39 +34,22 @@ def write_records(heads: Sequence[str], records: Iterable[Sequence[Cell]], kind:
 
     A cell without a value is None. It is written as "—", "-", an empty cell or null.
     """
-    _WRITERS[kind](heads, records, out)
+    if kind == "json":
+        say(json_text([dict(zip(heads, record, strict=True)) for record in records], out), out)
+    elif kind == "table":
+        from .table import write_rows
 
-
-def _write_plain(heads: Sequence[str], records: Iterable[Sequence[Cell]], out: TextIO) -> None:
-    say("\t".join(heads), out)
-    for record in records:
-        say("\t".join("-" if cell is None else _text(cell) for cell in record), out)
-
-
-def _write_csv(heads: Sequence[str], records: Iterable[Sequence[Cell]], out: TextIO) -> None:
-    import csv
-
-    writer = csv.writer(out, lineterminator="\n")
-    writer.writerow([fitting(head, out) for head in heads])
-    for record in records:
-        writer.writerow(["" if cell is None else fitting(_text(cell), out) for cell in record])
-
-
-def _write_json(heads: Sequence[str], records: Iterable[Sequence[Cell]], out: TextIO) -> None:
-    say(json_text([dict(zip(heads, record, strict=True)) for record in records], out), out)
-
-
-def _write_table(heads: Sequence[str], records: Iterable[Sequence[Cell]], out: TextIO) -> None:
-    from .table import write_rows
-
-    write_rows(heads, [["—" if cell is None else _text(cell) for cell in record] for record in records], out)
+        write_rows(heads, [["—" if cell is None else _text(cell) for cell in record] for record in records], out)
+    else:
+        style = STYLES[kind]
+        for record in chain([heads], records):
+            say(
+                style.separator.join(style.gap if cell is None else _quoted(_text(cell), style) for cell in record), out
+            )
 
 
 def _text(cell: str | float) -> str:
     return spelled(cell) if isinstance(cell, float) else str(cell)
-
-
-_WRITERS = {"table": _write_table, "plain": _write_plain, "csv": _write_csv, "json": _write_json}
 
 
 # --- Columns ----------------------------------------------------------------------------------------------------------

@@ -4,7 +4,7 @@ Nothing is drawn here. Everything is computed on whole arrays. In the regions of
 meaning or is not exact.
 """
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from math import log10
 from typing import Any, NamedTuple
 
@@ -21,14 +21,11 @@ from ..scene.wiring import has_law
 from .axes import Axis, bracketed, contour_values, in_units, round_values
 from .styles import BORDER, EVERYWHERE
 
-CHUNK = 500_000  # points between two reports of progress
 MAX_CONTOURS = 12
 NEIGHBOURS = ((0, 1), (0, -1), (1, 0), (-1, 0))  # steps of rows and columns
 _WIDE = 30.0  # ratio of the ends from which contours are logarithmic
 _FARTHEST = 1e3  # factor between laws that has a place on a map
 _HALVINGS = 40  # of an interval that holds an edge: its place is known to 1e-12 of a cell
-
-Progress = Callable[[float], None]
 
 
 class Region(NamedTuple):
@@ -215,22 +212,12 @@ def coordinate(axis: Axis, scene: Scene) -> float | None:
     return value if axis.low <= value <= axis.high else None
 
 
-def evaluate(scene: Scene, quantity: str, x: Axis, y: Axis, progress: Progress | None = None) -> Any:
+def evaluate(scene: Scene, quantity: str, x: Axis, y: Axis) -> Any:
     """Return a quantity over two axes, a row for each value of y; nan where it has no value."""
     import numpy
 
-    across, up = x.values()[None, :], y.values()[:, None]
-    values = numpy.empty((y.size, x.size))
-    rows = max(1, CHUNK // x.size)
-    progress = progress if y.size > 4 * rows else None
-    for start in range(0, y.size, rows):
-        if progress is not None:
-            progress(start / y.size)
-        here = {**x.inputs(across), **y.inputs(up[start : start + rows])}
-        values[start : start + rows] = solved(scene, [quantity], here)[quantity]
-    if progress is not None:
-        progress(1.0)
-    return values
+    here = {**x.inputs(x.values()[None, :]), **y.inputs(y.values()[:, None])}
+    return numpy.broadcast_to(solved(scene, [quantity], here)[quantity], (y.size, x.size))
 
 
 def along(scene: Scene, quantity: str, x: Axis) -> Any:
@@ -309,7 +296,7 @@ class Bound(NamedTuple):
 
     name: str
     value: float
-    is_least: bool
+    sign: str  # "<" or ">": on which side of the value the model has no meaning
     beyond: str
     line: str = ""  # what a line at the value stands for, where that is drawn instead of the region beyond it
     effect_on: str = ""  # a quantity, where the number is the factor by which that is off under the law of attraction
@@ -323,7 +310,7 @@ class Bound(NamedTuple):
             has_value = numpy.isfinite(values_of(here, [self.effect_on])[self.effect_on])
             return numpy.where(has_value, numpy.log10(self.value / factor), numpy.nan)
         ratio = numpy.log10(values_of(here, [self.name])[self.name] / self.value)
-        return ratio if self.is_least else -ratio
+        return ratio if self.sign == "<" else -ratio
 
 
 def bounds(quantity: str) -> tuple[Bound, ...]:
@@ -392,10 +379,9 @@ def margin_along(scene: Scene, bound: Bound, x: Axis) -> Any:
 def _bound(limit: Limit) -> Bound:
     """Return the outermost doubt of a limit of the model as a bound."""
     doubt = limit.doubts[-1]
-    is_least = limit.sign.startswith("<")
-    sign = "<" if is_least else ">"
+    sign = limit.sign[0]
     beyond = f"{NOMENCLATURE[limit.name].symbol} {sign} {doubt.threshold:g}: {doubt.consequence}"
-    return Bound(limit.name, doubt.threshold, is_least, beyond)
+    return Bound(limit.name, doubt.threshold, sign, beyond)
 
 
 def _of_effect(limit: Limit, place: int, quantity: str, law: str) -> Bound:
@@ -404,7 +390,7 @@ def _of_effect(limit: Limit, place: int, quantity: str, law: str) -> Bound:
     beyond = f"{LAWS[law].title} is {doubt.condition}"
     side = "smaller" if law == DEFAULT_LAW else "larger"
     line = "" if place else f"{beyond} where μ is {side} than on this line"
-    return Bound(limit.name, doubt.threshold, False, beyond, line, quantity)
+    return Bound(limit.name, doubt.threshold, ">", beyond, line, quantity)
 
 
 # --- Panels of curves -------------------------------------------------------------------------------------------------

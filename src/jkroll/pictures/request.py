@@ -27,7 +27,6 @@ from .maps import (
     Mark,
     Panel,
     Picture,
-    Progress,
     Region,
     along,
     axis_around,
@@ -45,7 +44,7 @@ from .maps import (
 )
 from .styles import EVERYWHERE
 
-MAX_POINTS = 25_000_000  # of a map
+MAX_POINTS = 4_000_000  # of a map
 MAX_ALONG = 1_000_000  # points of all curves together
 
 
@@ -92,9 +91,7 @@ def sized(axis: Axis, size: int) -> Axis:
     return axis if axis.size else axis._replace(size=size)
 
 
-def map_of(
-    request: PlotRequest, size: tuple[int, int], progress: Progress | None = None
-) -> tuple[Map, tuple[str, ...]]:
+def map_of(request: PlotRequest, size: tuple[int, int]) -> tuple[Map, tuple[str, ...]]:
     """Return the map of a request, by default with `size` points across and up, and notes on it."""
     assert request.y is not None
     quantity, scene = request.quantity, request.scenes[0][1]
@@ -103,7 +100,7 @@ def map_of(
         raise BadRequest(f"{x.size} x {y.size} points are more than {MAX_POINTS}")
     at_an_end = {**x.inputs(x.high), **y.inputs(y.high)}  # what a quantity needs is the same all along an axis
     context = Context(quantity, scene, at_an_end, is_plain=request.is_plain)
-    values = evaluate(scene, quantity, x, y, progress)
+    values = evaluate(scene, quantity, x, y)
     if not has_values(values):
         raise NothingToDraw(quantity, context.scene.evaluate([quantity])[quantity])
     marks = tuple(mark_at(text, request.materials, scene, x, y) for text in request.marks)
