@@ -9,7 +9,7 @@ import pytest
 from jkroll import known_materials, solve
 from jkroll.physics import shifted
 from jkroll.physics.cylinder import symmetric_pressure
-from jkroll.pictures.curves import figure_2, figure_9
+from jkroll.pictures.figures import figure_2, figure_9
 
 
 def test_the_exact_pressure_bears_the_load_and_the_moment_of_eq_25() -> None:
@@ -49,7 +49,7 @@ def test_the_strip_without_load_meets_griffiths_criterion() -> None:
 
 
 def test_fig_2_is_two_half_circles_on_a_shifted_one() -> None:
-    view, along = figure_2(known_materials()).panels
+    view, along = figure_2(known_materials(), ()).panels
     circle, behind, ahead = view.curves
     a = solve("contact_radius", material="quartz", radius=2e-8)
     np.testing.assert_allclose(np.hypot(circle.x + 2e-10, circle.y), a, rtol=1e-12)
@@ -65,7 +65,7 @@ def test_fig_2_is_two_half_circles_on_a_shifted_one() -> None:
 
 
 def test_fig_9_says_how_far_the_half_strips_are_off() -> None:
-    drawn = figure_9(known_materials())
+    drawn = figure_9(known_materials(), ())
     ratio = re.search(r"lower by (\d\.\d+)", " ".join(drawn.remarks))
     assert ratio
     a = float(next(re.finditer(r"a = ([\d.]+) nm", " ".join(drawn.remarks)))[1]) * 1e-9

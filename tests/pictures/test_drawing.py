@@ -21,9 +21,10 @@ from jkroll.cli.commands import Call
 from jkroll.cli.map import MAX_CURVES, OF_PAPER, map_request
 from jkroll.cli.process import main
 from jkroll.pictures.axes import described
-from jkroll.pictures.curves import PROFILES, curves_of_contact
+from jkroll.pictures.curves import curves_of_contact
+from jkroll.pictures.figures import PAPER_MAPS, PROFILES, paper_map
 from jkroll.pictures.maps import Curve, Map, Picture, label_of
-from jkroll.pictures.request import FIGURES, figure, map_of
+from jkroll.pictures.request import map_of
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.scene.scene import Scene
 
@@ -41,13 +42,13 @@ SVG_TEXT = re.compile(r"<!-- (.*?) -->", re.DOTALL)  # letters are paths; their 
 
 
 # The figures of the paper; of those that differ in their numbers alone, one in the fast run.
-OF_EACH_KIND = [pytest.param(name, marks=pytest.mark.slow) if name not in ("6b", "8") else name for name in FIGURES]
+OF_EACH_KIND = [pytest.param(name, marks=pytest.mark.slow) if name not in ("6b", "8") else name for name in PAPER_MAPS]
 
 
 @cache
 def in_a_column(name: str, width: int = 85) -> tuple[Map, Figure]:
     """Return a figure of the paper, and its page at the width of a journal's column in mm; drawn once for all tests."""
-    drawn = figure(name, known_materials(), OF_PAPER, as_printed=True)
+    drawn = paper_map(name, known_materials(), OF_PAPER, as_printed=True)
     with settings(PAPER):
         return drawn, figure_of(drawn, width / 25.4, PAPER, has_caption=True)
 
@@ -73,7 +74,7 @@ def contours(drawn: Map, page: Figure) -> list[tuple[float, Any]]:
 @pytest.mark.parametrize("name", OF_EACH_KIND)
 def test_a_contour_of_the_paper_is_its_formula(name: str) -> None:
     drawn, page = in_a_column(name)
-    declared = FIGURES[name]
+    declared = PAPER_MAPS[name]
     sampled = 0
     for value, (x, y) in contours(drawn, page):
         given: dict[str, Any] = {**declared.given, **drawn.x.inputs(x), "radius": y}
@@ -113,7 +114,8 @@ def test_the_same_bytes_every_time(run: Run, tmp_path: Path, kind: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "name", ["8", "9", *(pytest.param(name, marks=pytest.mark.slow) for name in (*FIGURES, "2", "laws") if name != "8")]
+    "name",
+    ["8", "9", *(pytest.param(name, marks=pytest.mark.slow) for name in (*PAPER_MAPS, "2", "laws") if name != "8")],
 )
 def test_every_figure_is_drawn_and_says_what_it_is(run: Run, tmp_path: Path, name: str) -> None:
     ran = run("figure", name, "-o", "figure.svg", "--width", "85mm", "--style", "dark")
@@ -291,16 +293,16 @@ def test_each_contour_has_its_label_on_its_line_and_on_no_other(name: str, width
         "3d",
         "8",
         "contact",
-        *(pytest.param(name, marks=pytest.mark.slow) for name in (*FIGURES, *PROFILES) if name not in ("3d", "8")),
+        *(pytest.param(name, marks=pytest.mark.slow) for name in (*PAPER_MAPS, *PROFILES) if name not in ("3d", "8")),
     ],
 )
 def test_a_caption_has_three_lines_in_a_column(name: str) -> None:
     materials = known_materials()
     drawn: Map | Picture
-    if name in FIGURES:
-        drawn = figure(name, materials, OF_PAPER)
+    if name in PAPER_MAPS:
+        drawn = paper_map(name, materials, OF_PAPER)
     elif name in PROFILES:
-        drawn = PROFILES[name](materials)
+        drawn = PROFILES[name](materials, ())
     else:
         drawn, _ = curves_of_contact([Scene({"radius": 1e-7}, materials["quartz"])], None, None)
     with settings(PAPER):

@@ -14,15 +14,15 @@ import pytest
 from harness import Run, Stream
 from jkroll import known_materials, solve
 from jkroll.pictures.axes import Axis, round_values
+from jkroll.pictures.figures import PAPER_MAPS, paper_map
 from jkroll.pictures.maps import Map, axis_around
-from jkroll.pictures.request import FIGURES, figure
 from jkroll.pictures.styles import LOOKS
 from jkroll.pictures.terminal import CONTOUR, RAMP, ink_on, screen_of, shade, stacked
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.scene.wiring import depends_on
 
 SIZE = (61, 61)
-MAPS = {name: figure(name, known_materials(), SIZE, as_printed=True) for name in FIGURES}
+MAPS = {name: paper_map(name, known_materials(), SIZE, as_printed=True) for name in PAPER_MAPS}
 FILES = {"3a", "3b", "3c", "3d", "6a", "6b", "8"}
 SOFT: dict[str, Any] = {"youngs_modulus": 1e10, "poisson_ratio": 0.0}
 
@@ -35,7 +35,7 @@ def at(drawn: Map, x: float, y: float) -> float:
 
 
 def test_the_papers_maps_are_there() -> None:
-    assert set(FIGURES) == FILES
+    assert set(PAPER_MAPS) == FILES
 
 
 @pytest.mark.parametrize(

@@ -8,9 +8,10 @@ from ..answers.questions import quantity_named
 from ..errors import BadRequest, missing_extra
 from ..output.records import text_output, whole_file, write_records
 from ..pictures.axes import Axis
-from ..pictures.curves import PANELS, PROFILES, curves_of_contact, figure_laws
+from ..pictures.curves import PANELS, curves_of_contact
+from ..pictures.figures import FIGURE_NAMES, PROFILES, WITHOUT_MARKS, paper_map
 from ..pictures.maps import Map, Picture, rows_of
-from ..pictures.request import FIGURES, PlotRequest, curves_of, figure, map_of, mark_at
+from ..pictures.request import PlotRequest, curves_of, map_of, mark_at
 from ..pictures.styles import STYLES
 from ..quantities.errors import QuantityError
 from ..quantities.formatting import amount
@@ -28,7 +29,6 @@ ON_SCREEN = (241, 121)  # points of a map that is drawn in cells
 IN_FILE = (201, 201)
 OF_PAPER = (21, 21)  # its contours are of powers, straight on logarithmic axes: few points draw them exactly
 ALONG = 1001  # points of a curve
-FIGURE_NAMES = tuple(sorted({*FIGURES, *PROFILES, "laws"}))
 
 
 def check_picture(call: Call, path: str | None, flag: str = "-o", numbers: str = "--data FILE") -> None:
@@ -88,16 +88,17 @@ def run_figure(call: Call) -> int:
         raise BadRequest(f"{given}; there are {', '.join(FIGURE_NAMES)}")
     name = call.words[0]
     materials = materials_of(call.materials)
-    if name in PROFILES or name == "laws":
-        of_maps = {"--as-printed": call.as_printed, "--plain": call.plain, "--mark": name in PROFILES and call.mark}
-        for flag in (flag for flag, is_given in of_maps.items() if is_given):
-            raise BadRequest(f"figure {name} takes no {flag}")
     if name in PROFILES:
-        return _deliver(PROFILES[name](materials), (), call)
-    if name == "laws":
-        return _deliver(figure_laws(materials, marks_of(call.mark)), (), call)
+        refused = {
+            "--as-printed": call.as_printed,
+            "--plain": call.plain,
+            "--mark": name in WITHOUT_MARKS and call.mark,
+        }
+        for flag in (flag for flag, is_given in refused.items() if is_given):
+            raise BadRequest(f"figure {name} takes no {flag}")
+        return _deliver(PROFILES[name](materials, marks_of(call.mark)), (), call)
     size = OF_PAPER if call.target else ON_SCREEN
-    drawn = figure(name, materials, size, as_printed=call.as_printed, is_plain=call.plain)
+    drawn = paper_map(name, materials, size, as_printed=call.as_printed, is_plain=call.plain)
     if call.as_printed and drawn.printed is None:
         raise BadRequest(f"figure {name} is as printed; --as-printed is for 6b")
     marks = [mark_at(text, materials, drawn.scene, drawn.x, drawn.y) for text in marks_of(call.mark)]

@@ -209,7 +209,7 @@ def _inputs() -> list[str]:
 
 def _figures() -> Iterable[str]:
     """Return the figures that can be drawn."""
-    from .map import FIGURE_NAMES
+    from ..pictures.figures import FIGURE_NAMES
 
     return FIGURE_NAMES
 

@@ -1,32 +1,23 @@
-"""Curves of one contact: force, pressure and moment, in JKR or by several laws of attraction.
-
-Figs. 2 and 9 show the shifted contact; another figure, the pull-off force by each law against the parameter of the
-transition.
-"""
+"""Curves of one contact: force, pressure and moment, in JKR or by several laws of attraction."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import groupby, pairwise
-from math import inf, pi
+from math import inf
 from typing import Any
 
 from ..answers.answer import Answer
 from ..answers.curve import EQUILIBRIUM, MAX_LOAD, NAMED, OF_CURVE, PULL_OFF, Loads, states
 from ..answers.notes import MOMENTS
 from ..answers.questions import Question
-from ..materials.library import Materials
-from ..physics.any_law import pull_off_force_lennard_jones, transition_parameter
 from ..physics.contact import pressure
-from ..physics.cylinder import asymmetric_pressure, contact_point_moment, half_strips_moment, symmetric_pressure
-from ..physics.maugis import pull_off_force_maugis
-from ..physics.shifted import exact_pressure, half_circle_pressure, unloaded_half_width
 from ..quantities.formatting import amount
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.failures import BeyondPullOff, NotInLaw
-from ..scene.scene import DEFAULTS, Scene
+from ..scene.scene import Scene
 from .axes import Axis
 from .maps import Curve, Mark, Panel, Picture, axis_around, clipped, has_values, solved
-from .request import fixed_inputs, inputs_as_texts, mark_at, notes_on
+from .request import fixed_inputs, inputs_as_texts, notes_on
 
 POINTS = 401
 _SAME = 1e-9  # relative difference of curves that coincide
@@ -225,140 +216,3 @@ def pressure_panel(curves: Sequence[Curve], highest: float, title: str) -> Panel
     """Return a panel of pressures, which diverge at a rim: its axis ends at 2.5 times the highest one of Hertz."""
     x = axis_around("position_across", [curve.x for curve in curves], is_log=False)
     return Panel(x, Axis("pressure_across", -2.5 * highest, 1.5 * highest, is_log=False), tuple(curves), (), title)
-
-
-# --- Figs. 2 and 9: the shifted contact in three and two dimensions ---------------------------------------------------
-
-SIZE = {"radius": 2e-8}  # of the spheres of Fig. 2, small enough that ξ is visible
-
-
-def figure_2(materials: Materials) -> Picture:
-    """Return Fig. 2: the shifted contact from above with its half-circles, and its pressure, exact and simplified."""
-    import numpy
-
-    scene = Scene(SIZE, materials["quartz"])
-    names = (
-        *AREA_AND_PRESSURES,
-        "contact_modulus",
-        "reduced_radius",
-        "approach_at_load",
-        "yield_moment",
-        "half_circles_moment",
-    )
-    state = solved(scene, names, {})
-    shift = float(scene["yield_displacement"])
-    a = state["contact_radius_at_load"]
-    angle = numpy.linspace(-numpy.pi, numpy.pi, POINTS)
-    outlines = [Curve("contact, shifted by ξ", a * numpy.cos(angle) - shift, a * numpy.sin(angle), 0)]
-    half = numpy.linspace(numpy.pi / 2, 3 * numpy.pi / 2, POINTS)
-    outlines += [
-        Curve("half-circle a + ξ", (a + shift) * numpy.cos(half), (a + shift) * numpy.sin(half), 1, is_dashed=True),
-        Curve("half-circle a − ξ", -(a - shift) * numpy.cos(half), (a - shift) * numpy.sin(half), 2, is_dashed=True),
-    ]
-    reach = 1.5 * (a + shift)
-    view = Panel(
-        Axis("position_across", -reach, reach, is_log=False), Axis("position_beside", -reach, reach, is_log=False),
-        tuple(outlines), (Mark("contact point", 0.0, 0.0),), "from above, rolling to the right", is_true_to_scale=True,
-    )  # fmt: skip
-    given = {"contact_modulus": state["contact_modulus"], "reduced_radius": state["reduced_radius"]}
-    parts = {name: state[name] for name in AREA_AND_PRESSURES}
-    centred, shifted = across(-a, a), across(-a - shift, a - shift)
-    left, right = across(-a - shift, 0.0), across(0.0, a - shift)
-    at = {"approach_at_load": state["approach_at_load"], **given}
-    curves = [
-        Curve("exact", shifted, exact_pressure(position_in_circle=shifted + shift, yield_displacement=shift, **parts, **given), 0),
-        Curve("half-circle a + ξ", left, half_circle_pressure(distance=-left, half_circle_radius=a + shift, **at), 1, is_dashed=True),
-        Curve("half-circle a − ξ", right, half_circle_pressure(distance=right, half_circle_radius=a - shift, **at), 2, is_dashed=True),
-        Curve("not shifted", centred, pressure(distance=abs(centred), **parts), 3),
-    ]  # fmt: skip
-    along = pressure_panel(curves, state["hertz_pressure"], "pressure along the way")
-    exact, simple = (amount(name, state[name]) for name in ("yield_moment", "half_circles_moment"))
-    caption = (
-        f"Two quartz spheres of 20 nm that have rolled by ξ = {amount('yield_displacement', shift)}, without load.",
-        f"Moment: exact {exact}, Eq (25); half-circles {simple}, Eq (19).",
-    )
-    remarks = (
-        "The circle stays behind the contact point.",
-        (
-            "Exact: Hertz, flat punch and tilted flat punch on one circle at a fixed load. Half-circles: Eq (16) at a fixed approach, "
-            "not continuous at x = 0. Ahead the pull at the rim is weaker, behind it is stronger."
-        ),
-    )
-    return Picture("Fig. 2: the shifted contact", (view, along), caption, remarks)
-
-
-def figure_9(materials: Materials) -> Picture:
-    """Return Fig. 9: the pressure of a cylinder on a rigid plane, symmetric and shifted, exact and simplified."""
-    quartz = materials["quartz"].properties
-    modulus = quartz["youngs_modulus"] / (1 - quartz["poisson_ratio"] ** 2)
-    radius = SIZE["radius"]
-    size = {"cylinder_radius": radius, "plane_strain_modulus": modulus}
-    a = unloaded_half_width(work_of_adhesion=2 * quartz["surface_energy"], **size)
-    shift = float(Scene(SIZE).values["yield_displacement"])
-    size["load_constant"] = 0.0
-    centred, shifted = across(-a, a), across(-a - shift, a - shift)
-    left, right = across(-a - shift, 0.0), across(0.0, a - shift)
-    exact = asymmetric_pressure(
-        position_in_strip=shifted + shift, contact_half_width=a, yield_displacement=shift, **size
-    )
-    behind = symmetric_pressure(position=left, contact_half_width=a + shift, **size)
-    ahead = symmetric_pressure(position=right, contact_half_width=a - shift, **size)
-    highest = modulus * a / (2 * radius)
-    symmetric = Curve("exact, Eq (56)", centred, symmetric_pressure(position=centred, contact_half_width=a, **size))
-    curves = [
-        Curve("exact, Eq (64)", shifted, exact),
-        Curve("half-strip a + ξ", left, behind, 1, is_dashed=True),
-        Curve("half-strip a − ξ", right, ahead, 2, is_dashed=True),
-    ]
-    moments = [
-        moment(contact_half_width=a, yield_displacement=shift, **size)
-        for moment in (contact_point_moment, half_strips_moment)
-    ]
-    caption = (
-        (
-            f"Quartz cylinder of 20 nm on a rigid plane without load (C = 0), shifted by ξ = {amount('yield_displacement', shift)}: "
-            "exact, Eq (64), and two halves of symmetric strips, Eq (71)."
-        ),
-    )
-    remarks = (
-        f"Griffith's criterion gives a = {amount('contact_radius', a)}. The half-strips are not continuous at x = 0.",
-        (
-            f"Moment per length about the contact point: exact {moments[0]:.3g} N, Eq (70) with its sign corrected; "
-            f"half-strips {moments[1]:.3g} N, Eq (77): lower by {moments[0] / moments[1]:.3f}, π/2 where ξ ≪ a."
-        ),
-    )
-    panels = (pressure_panel([symmetric], highest, "symmetric"), pressure_panel(curves, highest, "shifted by ξ"))
-    return Picture("Fig. 9: the line contact", panels, caption, remarks)
-
-
-PROFILES = {"2": figure_2, "9": figure_9}  # figures of the paper
-
-
-# --- The pull-off force by each law -----------------------------------------------------------------------------------
-
-_TABOR = Axis("tabor_parameter", 1e-2, 1e2, size=POINTS)
-_RATIO = Axis("pull_off_force_ratio", 1.45, 2.05, is_log=False)
-_LENNARD_JONES = Axis("tabor_parameter", 0.01, 2.0, size=POINTS)  # the range of its fit
-_UNIT = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0}  # in which forces are those over πwR
-
-
-def figure_laws(materials: Materials, marks: Sequence[str]) -> Picture:
-    """Return the pull-off force over πwR against μ by JKR, DMT, Maugis' law and that of Lennard-Jones, with grains as marks."""
-    import numpy
-
-    tabor, near = _TABOR.values(), _LENNARD_JONES.values()
-    maugis = pull_off_force_maugis(transition_parameter=transition_parameter(tabor_parameter=tabor), **_UNIT)
-    ends = numpy.array([_TABOR.low, _TABOR.high])
-    curves = (
-        Curve("Maugis–Dugdale", tabor, maugis, 0),
-        Curve("Lennard-Jones", near, pull_off_force_lennard_jones(tabor_parameter=near, **_UNIT), 1),
-        Curve("DMT", ends, numpy.array([2.0, 2.0]), 2),
-        Curve("JKR", ends, numpy.array([1.5, 1.5]), 3),
-    )
-    points = tuple(mark_at(text, materials, Scene({}, model="maugis"), _TABOR, _RATIO) for text in marks)
-    spacing = amount("atomic_spacing", DEFAULTS["atomic_spacing"])
-    caption = (
-        "Pull-off force over πwR by each law; Lennard-Jones' by a fit to numerical solutions, within 0.3 % for 0.01 ≤ μ ≤ 2.",
-        *((f"Grains at Maugis–Dugdale with z0 = {spacing}: μ falls as 1/z0.",) if points else ()),
-    )
-    return Picture("", (Panel(_TABOR, _RATIO, curves, points),), caption)

@@ -1,0 +1,328 @@
+"""The figures of the paper: its maps, the shifted contact of Figs. 2 and 9, and the pull-off force by each law.
+
+The paper's other figures carry no data.
+"""
+
+from collections.abc import Callable, Collection, Mapping, Sequence
+from math import pi
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+from ..answers.results import equation_of
+from ..materials.library import Materials
+from ..physics.any_law import pull_off_force_lennard_jones, transition_parameter
+from ..physics.contact import pressure
+from ..physics.cylinder import asymmetric_pressure, contact_point_moment, half_strips_moment, symmetric_pressure
+from ..physics.maugis import pull_off_force_maugis
+from ..physics.shifted import exact_pressure, half_circle_pressure, rolled_over_displacement, unloaded_half_width
+from ..quantities.formatting import amount
+from ..quantities.nomenclature import NOMENCLATURE
+from ..scene.scene import DEFAULTS, Scene
+from ..scene.wiring import depends_on
+from ..text import capitalized
+from .axes import Axis
+from .curves import AREA_AND_PRESSURES, POINTS, across, pressure_panel
+from .maps import (
+    Bound,
+    Curve,
+    Map,
+    Mark,
+    Panel,
+    Picture,
+    Region,
+    bounds,
+    evaluate,
+    label_of,
+    material_marks,
+    regions,
+    solved,
+)
+from .request import mark_at
+
+# --- Maps: Figs. 3, 6 and 8 ---------------------------------------------------------------------------------------------
+
+
+class PaperMap(NamedTuple):
+    """A map of the paper: its quantity, its axes, what it assumes, and what the paper's text reads off it."""
+
+    quantity: str
+    x: Axis
+    given: Mapping[str, float]
+    remark: str
+    has_log_labels: bool = True
+    guide: tuple[float, str] | None = None  # a radius that the text speaks of
+    point: tuple[float, float, str] | None = None  # (x, R1) that the text speaks of
+    printed: str = ""
+    shades_no_rolling: bool = False  # where spheres roll by less than ξ
+
+
+RADII = Axis("radius", 5e-10, 1e-3)
+_ENERGIES = Axis("surface_energy", 1e-3, 1e1)
+# E1* = E1/(1 - ν1²) is 10 GPa in Fig. 6a; elsewhere it enters only where the model has no meaning.
+_SOFT = {"youngs_modulus": 1e10, "poisson_ratio": 0.0}
+_LIGHT = {**_SOFT, "density": 2000.0}
+
+PAPER_MAPS: Mapping[str, PaperMap] = MappingProxyType(
+    {
+        "3a": PaperMap("pull_off_force", _ENERGIES, _SOFT, "P_c = 3πγR with R = R1/2: JKR; small, hard spheres tend to 4πγR."),
+        "3b": PaperMap(
+            "yield_force_ratio",
+            _ENERGIES,
+            _SOFT,
+            "It does not depend on γ. The forces are equal (contour 0) at R1 = 4ξ = 0.8 nm; the text has 1 nm. There, "
+            "as the text warns, elasticity holds no longer.",
+            guide=(1e-9, "1 nm"),
+        ),
+        "3c": PaperMap(
+            "r_min",
+            _ENERGIES,
+            _SOFT,
+            "It does not depend on γ: R1²/ξ. At R1 = 100 nm it is 50 µm (log: −4.3), 500 times the radius.",
+            guide=(1e-7, "100 nm"),
+        ),
+        "3d": PaperMap(
+            "n_grav",
+            _ENERGIES,
+            _LIGHT,
+            "About a thousand (contour 3) spheres of 100 nm stand at γ = 25 mJ/m². A single sphere (contour 0) rolls from "
+            "8 µm (polystyrene) to 52 µm (iron) on; the text has about 100 µm.",
+            guide=(1e-4, "100 µm"),
+            point=(0.025, 1e-7, "1071"),
+        ),
+        "6a": PaperMap(
+            "vertical_frequency",
+            _ENERGIES,
+            _LIGHT,
+            "GHz (contour 9) at R1 = 35 nm (γ = 1 mJ/m²) to 130 nm (10 J/m²): almost independent of γ, which enters by its power 1/6.",
+        ),
+        "6b": PaperMap(
+            "rolling_frequency",
+            _ENERGIES,
+            _LIGHT,
+            "Eq (40) as it follows. The paper's curves are Eq (41), 2.5 times lower (0.4 in the logarithm). At R1 = 100 nm and "
+            "γ = 100 mJ/m² it is 5.3 times slower than the vertical vibration; the text has one to two orders.",
+            printed="rolling_frequency_as_printed",
+        ),
+        "8": PaperMap(
+            "n_roll",
+            Axis("modulus_over_energy", 1e9, 1e13, beside={"surface_energy": 1.0}),  # γ may be any
+            {},
+            "For W0 = P_cδ0; in general these are n_roll/(W0/P_cδ0). An energy balance gives 7/2 of Eq (49). Below 10 nm, spheres "
+            "with E*/γ above 3·10¹² m⁻¹ do not roll; below 100 nm a full turn takes E*/γ below 1.5·10⁹ m⁻¹.",
+            has_log_labels=False,
+            guide=(1e-8, "10 nm"),
+            shades_no_rolling=True,
+        ),
+    }
+)  # fmt: skip
+
+
+def paper_map(
+    name: str, materials: Materials, size: tuple[int, int], *, as_printed: bool = False, is_plain: bool = False
+) -> Map:
+    """Return a map of the paper with `size` points across and up. `is_plain`: without the limits of the model."""
+    declared = PAPER_MAPS[name]
+    scene = Scene(declared.given)
+    x, y = declared.x._replace(size=size[0]), RADII._replace(size=size[1])
+    values = evaluate(scene, declared.quantity, x, y)
+    printed = evaluate(scene, declared.printed, x, y) if as_printed and declared.printed else None
+    limits = () if is_plain else bounds(declared.quantity)
+    shaded = (_no_rolling(scene, values, x, y),) if declared.shades_no_rolling and limits else ()
+    marks, others = material_marks(materials, x, y)
+    points = (Mark(declared.point[2], *declared.point[:2]),) if declared.point else ()
+    return Map(
+        declared.quantity,
+        scene,
+        x,
+        y,
+        values,
+        (*shaded, *regions(scene, limits, x, y, values)),
+        (*marks, *points),
+        f"Fig. {name}: {label_of(declared.quantity, has_log_labels=declared.has_log_labels)}",
+        (*_caption(declared, limits, as_printed=printed is not None), *others),
+        declared.has_log_labels,
+        printed,
+        (Mark(declared.guide[1], None, declared.guide[0]),) if declared.guide else (),
+        (declared.remark,),
+    )
+
+
+def _no_rolling(scene: Scene, turns: Any, x: Axis, y: Axis) -> Region:
+    """Return the region in which spheres roll by less than ξ, given their turns."""
+    import numpy
+
+    shift = scene.values["yield_displacement"]
+    rolled = rolled_over_displacement(n_roll=turns, radius=y.values()[:, None], yield_displacement=shift)
+    return Region("2πR1 n_roll < ξ: it does not roll", x, y, numpy.log10(rolled), "rolled_over_displacement")
+
+
+def _caption(declared: PaperMap, limits: Collection[Bound], *, as_printed: bool) -> tuple[str, ...]:
+    """Return the caption: the quantity and its equation, and the assumptions."""
+    quantity = NOMENCLATURE[declared.quantity]
+    at_a_corner = {RADII.name: RADII.high, **declared.x.inputs(declared.x.low)}
+    scene = Scene({**declared.given, **at_a_corner})
+    shown = f"{capitalized(quantity.sentence)} {quantity.symbol}, Eq ({equation_of(scene, declared.quantity)})."
+    if as_printed:
+        shown += f" Dashed: Eq ({NOMENCLATURE[declared.printed].equation}) as printed."
+    used = _assumed(scene, declared, {declared.quantity})
+    of_limits = _assumed(scene, declared, {bound.name for bound in limits}) if limits else []
+    elsewhere = [text for text in of_limits if text not in used]
+    parts = [", ".join(["identical spheres", *used]), f"hatches: {', '.join(elsewhere)}" if elsewhere else ""]
+    return shown, f"Assumed: {'; '.join(filter(None, parts))}."
+
+
+def _assumed(scene: Scene, declared: PaperMap, names: Collection[str]) -> list[str]:
+    """Return the assumed inputs of these quantities, as texts."""
+    used = {*scene.inputs_of(*names), *(name for name in ("load", "energy_ratio") if name in depends_on(names))}
+    texts = []
+    for name, value in {**DEFAULTS, **declared.given}.items():
+        if name in used and name != "poisson_ratio":
+            symbol = "E1/(1 − ν1²)" if name == "youngs_modulus" else NOMENCLATURE[name].symbol
+            texts.append(f"{symbol} = {amount(name, value)}")
+    return texts
+
+
+# --- Figs. 2 and 9: the shifted contact in three and two dimensions ---------------------------------------------------
+
+SIZE = {"radius": 2e-8}  # of the spheres of Fig. 2, small enough that ξ is visible
+
+
+def figure_2(materials: Materials, _: Sequence[str]) -> Picture:
+    """Return Fig. 2: the shifted contact from above with its half-circles, and its pressure, exact and simplified."""
+    import numpy
+
+    scene = Scene(SIZE, materials["quartz"])
+    names = (
+        *AREA_AND_PRESSURES,
+        "contact_modulus",
+        "reduced_radius",
+        "approach_at_load",
+        "yield_moment",
+        "half_circles_moment",
+    )
+    state = solved(scene, names, {})
+    shift = float(scene["yield_displacement"])
+    a = state["contact_radius_at_load"]
+    angle = numpy.linspace(-numpy.pi, numpy.pi, POINTS)
+    outlines = [Curve("contact, shifted by ξ", a * numpy.cos(angle) - shift, a * numpy.sin(angle), 0)]
+    half = numpy.linspace(numpy.pi / 2, 3 * numpy.pi / 2, POINTS)
+    outlines += [
+        Curve("half-circle a + ξ", (a + shift) * numpy.cos(half), (a + shift) * numpy.sin(half), 1, is_dashed=True),
+        Curve("half-circle a − ξ", -(a - shift) * numpy.cos(half), (a - shift) * numpy.sin(half), 2, is_dashed=True),
+    ]
+    reach = 1.5 * (a + shift)
+    view = Panel(
+        Axis("position_across", -reach, reach, is_log=False), Axis("position_beside", -reach, reach, is_log=False),
+        tuple(outlines), (Mark("contact point", 0.0, 0.0),), "from above, rolling to the right", is_true_to_scale=True,
+    )  # fmt: skip
+    given = {"contact_modulus": state["contact_modulus"], "reduced_radius": state["reduced_radius"]}
+    parts = {name: state[name] for name in AREA_AND_PRESSURES}
+    centred, shifted = across(-a, a), across(-a - shift, a - shift)
+    left, right = across(-a - shift, 0.0), across(0.0, a - shift)
+    at = {"approach_at_load": state["approach_at_load"], **given}
+    curves = [
+        Curve("exact", shifted, exact_pressure(position_in_circle=shifted + shift, yield_displacement=shift, **parts, **given), 0),
+        Curve("half-circle a + ξ", left, half_circle_pressure(distance=-left, half_circle_radius=a + shift, **at), 1, is_dashed=True),
+        Curve("half-circle a − ξ", right, half_circle_pressure(distance=right, half_circle_radius=a - shift, **at), 2, is_dashed=True),
+        Curve("not shifted", centred, pressure(distance=abs(centred), **parts), 3),
+    ]  # fmt: skip
+    along = pressure_panel(curves, state["hertz_pressure"], "pressure along the way")
+    exact, simple = (amount(name, state[name]) for name in ("yield_moment", "half_circles_moment"))
+    caption = (
+        f"Two quartz spheres of 20 nm that have rolled by ξ = {amount('yield_displacement', shift)}, without load.",
+        f"Moment: exact {exact}, Eq (25); half-circles {simple}, Eq (19).",
+    )
+    remarks = (
+        "The circle stays behind the contact point.",
+        (
+            "Exact: Hertz, flat punch and tilted flat punch on one circle at a fixed load. Half-circles: Eq (16) at a fixed approach, "
+            "not continuous at x = 0. Ahead the pull at the rim is weaker, behind it is stronger."
+        ),
+    )
+    return Picture("Fig. 2: the shifted contact", (view, along), caption, remarks)
+
+
+def figure_9(materials: Materials, _: Sequence[str]) -> Picture:
+    """Return Fig. 9: the pressure of a cylinder on a rigid plane, symmetric and shifted, exact and simplified."""
+    quartz = materials["quartz"].properties
+    modulus = quartz["youngs_modulus"] / (1 - quartz["poisson_ratio"] ** 2)
+    radius = SIZE["radius"]
+    size = {"cylinder_radius": radius, "plane_strain_modulus": modulus}
+    a = unloaded_half_width(work_of_adhesion=2 * quartz["surface_energy"], **size)
+    shift = float(Scene(SIZE).values["yield_displacement"])
+    size["load_constant"] = 0.0
+    centred, shifted = across(-a, a), across(-a - shift, a - shift)
+    left, right = across(-a - shift, 0.0), across(0.0, a - shift)
+    exact = asymmetric_pressure(
+        position_in_strip=shifted + shift, contact_half_width=a, yield_displacement=shift, **size
+    )
+    behind = symmetric_pressure(position=left, contact_half_width=a + shift, **size)
+    ahead = symmetric_pressure(position=right, contact_half_width=a - shift, **size)
+    highest = modulus * a / (2 * radius)
+    symmetric = Curve("exact, Eq (56)", centred, symmetric_pressure(position=centred, contact_half_width=a, **size))
+    curves = [
+        Curve("exact, Eq (64)", shifted, exact),
+        Curve("half-strip a + ξ", left, behind, 1, is_dashed=True),
+        Curve("half-strip a − ξ", right, ahead, 2, is_dashed=True),
+    ]
+    moments = [
+        moment(contact_half_width=a, yield_displacement=shift, **size)
+        for moment in (contact_point_moment, half_strips_moment)
+    ]
+    caption = (
+        (
+            f"Quartz cylinder of 20 nm on a rigid plane without load (C = 0), shifted by ξ = {amount('yield_displacement', shift)}: "
+            "exact, Eq (64), and two halves of symmetric strips, Eq (71)."
+        ),
+    )
+    remarks = (
+        f"Griffith's criterion gives a = {amount('contact_radius', a)}. The half-strips are not continuous at x = 0.",
+        (
+            f"Moment per length about the contact point: exact {moments[0]:.3g} N, Eq (70) with its sign corrected; "
+            f"half-strips {moments[1]:.3g} N, Eq (77): lower by {moments[0] / moments[1]:.3f}, π/2 where ξ ≪ a."
+        ),
+    )
+    panels = (pressure_panel([symmetric], highest, "symmetric"), pressure_panel(curves, highest, "shifted by ξ"))
+    return Picture("Fig. 9: the line contact", panels, caption, remarks)
+
+
+# --- The pull-off force by each law -----------------------------------------------------------------------------------
+
+_TABOR = Axis("tabor_parameter", 1e-2, 1e2, size=POINTS)
+_RATIO = Axis("pull_off_force_ratio", 1.45, 2.05, is_log=False)
+_LENNARD_JONES = Axis("tabor_parameter", 0.01, 2.0, size=POINTS)  # the range of its fit
+_UNIT = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0}  # in which forces are those over πwR
+
+
+def figure_laws(materials: Materials, marks: Sequence[str]) -> Picture:
+    """Return the pull-off force over πwR against μ by JKR, DMT, Maugis' law and that of Lennard-Jones, with grains as marks."""
+    import numpy
+
+    tabor, near = _TABOR.values(), _LENNARD_JONES.values()
+    maugis = pull_off_force_maugis(transition_parameter=transition_parameter(tabor_parameter=tabor), **_UNIT)
+    ends = numpy.array([_TABOR.low, _TABOR.high])
+    curves = (
+        Curve("Maugis–Dugdale", tabor, maugis, 0),
+        Curve("Lennard-Jones", near, pull_off_force_lennard_jones(tabor_parameter=near, **_UNIT), 1),
+        Curve("DMT", ends, numpy.array([2.0, 2.0]), 2),
+        Curve("JKR", ends, numpy.array([1.5, 1.5]), 3),
+    )
+    points = tuple(mark_at(text, materials, Scene({}, model="maugis"), _TABOR, _RATIO) for text in marks)
+    spacing = amount("atomic_spacing", DEFAULTS["atomic_spacing"])
+    caption = (
+        "Pull-off force over πwR by each law; Lennard-Jones' by a fit to numerical solutions, within 0.3 % for 0.01 ≤ μ ≤ 2.",
+        *((f"Grains at Maugis–Dugdale with z0 = {spacing}: μ falls as 1/z0.",) if points else ()),
+    )
+    return Picture("", (Panel(_TABOR, _RATIO, curves, points),), caption)
+
+
+# --- All of them ------------------------------------------------------------------------------------------------------
+
+# Figures of curves; each draws the marks of a list, except those without a place for them.
+PROFILES: Mapping[str, Callable[[Materials, Sequence[str]], Picture]] = {
+    "2": figure_2,
+    "9": figure_9,
+    "laws": figure_laws,
+}
+WITHOUT_MARKS = ("2", "9")
+FIGURE_NAMES = tuple(sorted({*PAPER_MAPS, *PROFILES}))
