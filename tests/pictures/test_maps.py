@@ -205,7 +205,7 @@ def test_an_axis_of_one_unit_and_one_of_many() -> None:
 
 
 def test_the_axis_around_the_largest_numbers_ends_among_them() -> None:
-    axis = axis_around("sticking_energy", [np.array([3e-320, 1.2e308])], is_log=True)
+    axis = axis_around("sticking_energy", [np.array([3e-320, 1.2e308])], may_be_log=True)
     assert 0 < axis.low <= 3e-320
     assert axis.high == 1e308
 

@@ -46,8 +46,8 @@ def _force(scenes: Sequence[Scene], loads: Loads | None) -> Panel:
         points = [point for point in points if point.y is not None and loads.low <= point.y <= loads.high]
         if not curves:
             raise BeyondPullOff(loads.high, least)
-    x = axis_around("approach_at_load", [curve.x for curve in curves], is_log=False)
-    y = axis_around("load", [curve.y for curve in curves], is_log=False, margin=0.08)
+    x = axis_around("approach_at_load", [curve.x for curve in curves])
+    y = axis_around("load", [curve.y for curve in curves], margin=0.08)
     ends = Axis("load", *loads, is_log=False) if loads is not None else y
     return Panel(x, ends, tuple(curves), tuple(points), _titled("force, Eqs (5) and (6)", "force", scenes))
 
@@ -117,7 +117,7 @@ def _moment(scenes: Sequence[Scene], _: Loads | None) -> Panel:
     )
     curves = [curve._replace(colour=number) for number, curve in enumerate(found, first)]
     x = Axis("yield_displacement", 0.0, limit, is_log=False)
-    y = axis_around("yield_moment", [shifts[:1], *(curve.y for curve in curves)], is_log=False, margin=0.0)
+    y = axis_around("yield_moment", [shifts[:1], *(curve.y for curve in curves)], margin=0.0)
     return Panel(x, y, tuple(curves), tuple(points), _titled("moment, up to ξ_max", "moment without load", scenes))
 
 
@@ -214,5 +214,5 @@ def across(first: float, last: float) -> Any:
 
 def pressure_panel(curves: Sequence[Curve], highest: float, title: str) -> Panel:
     """Return a panel of pressures, which diverge at a rim: its axis ends at 2.5 times the highest one of Hertz."""
-    x = axis_around("position_across", [curve.x for curve in curves], is_log=False)
+    x = axis_around("position_across", [curve.x for curve in curves])
     return Panel(x, Axis("pressure_across", -2.5 * highest, 1.5 * highest, is_log=False), tuple(curves), (), title)

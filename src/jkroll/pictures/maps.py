@@ -429,13 +429,13 @@ class Picture(NamedTuple):
     remarks: tuple[str, ...] = ()  # are said beside the picture, and do not stand on it
 
 
-def axis_around(name: str, values: Iterable[Any], *, is_log: bool | None = None, margin: float = 0.05) -> Axis:
-    """Return an axis that holds all finite values, with a margin; logarithmic where they are of different orders."""
+def axis_around(name: str, values: Iterable[Any], *, may_be_log: bool = False, margin: float = 0.05) -> Axis:
+    """Return an axis that holds all finite values, with a margin; logarithmic if it may be and they are of different orders."""
     import numpy
 
     known = numpy.concatenate([numpy.ravel(one) for one in values])
     low, high = extent(known)
-    if is_log if is_log is not None else is_wide(known):
+    if may_be_log and is_wide(known):
         room = log10(high / low) * margin
         return Axis(name, 10.0 ** max(log10(low) - room, _FIRST), 10.0 ** min(log10(high) + room, _LAST))
     room = (high - low) * margin if high > low else abs(high) * 0.05 or 1.0

@@ -126,7 +126,7 @@ def curves_of(request: PlotRequest, size: int) -> tuple[Picture, tuple[str, ...]
         raise next(iter(missing.values()))
     if not any(has_values(curve.y) for curve in curves):
         raise NothingToDraw(request.quantity, contexts[0].scene.evaluate([request.quantity])[request.quantity])
-    y = axis_around(request.quantity, [curve.y for curve in curves])
+    y = axis_around(request.quantity, [curve.y for curve in curves], may_be_log=True)
     points = [mark_at(text, request.materials, request.scenes[0][1], x, y) for text in request.marks]
     shared = [text for text in contexts[0].inputs if all(text in context.inputs for context in contexts)]
     caption = (
