@@ -108,6 +108,7 @@ def test_fig_8_what_does_not_roll_at_10_nm_and_what_turns_at_100_nm() -> None:
     assert 2 * math.pi * 1e-8 * turns(2.6e12, 1e-8) == pytest.approx(2e-10, rel=0.03)
     assert turns(1.5e9, 1e-7) == pytest.approx(1, rel=0.03)
     shaded = MAPS["8"].regions[0]
+    assert shaded.look is not None
     assert LOOKS[shaded.look].shade > 0
     row = int(np.argmin(abs(np.log(shaded.y.values() / 1e-8))))
     inside = shaded.x.values()[shaded.margin[row] < 0]
@@ -123,6 +124,7 @@ def test_regions_end_where_the_limits_are(name: str) -> None:
     assert all(text in texts for text in ("a/z0 < 3", "ξ/ξ_max > 1"))
     assert ("JKR is off by more than 5 % where" in texts) == (drawn.quantity != "r_min")
     for region in drawn.regions:
+        assert region.look is not None
         if LOOKS[region.look].shade:
             continue
         x, y = np.meshgrid(region.x.values(), region.y.values())

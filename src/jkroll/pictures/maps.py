@@ -19,7 +19,7 @@ from ..scene.scene import Scene
 from ..scene.solver import values_of
 from ..scene.wiring import has_law
 from .axes import Axis, bracketed, contour_values, in_units, round_values
-from .styles import BORDER, EVERYWHERE
+from .styles import BORDER
 
 MAX_CONTOURS = 12
 NEIGHBOURS = ((0, 1), (0, -1), (1, 0), (-1, 0))  # steps of rows and columns
@@ -29,13 +29,16 @@ _HALVINGS = 40  # of an interval that holds an edge: its place is known to 1e-12
 
 
 class Region(NamedTuple):
-    """Part of a map: the points with a value and a negative margin. `look` is a key of `styles.LOOKS`."""
+    """Part of a map: the points with a value and a negative margin.
+
+    `look` is a key of `styles.LOOKS`; None for a region that is the whole map, which is mentioned and not drawn.
+    """
 
     text: str
     x: Axis
     y: Axis
     margin: Any
-    look: str
+    look: str | None
 
 
 class Mark(NamedTuple):
@@ -364,7 +367,7 @@ def regions(scene: Scene, bounds: Iterable[Bound], x: Axis, y: Axis, values: Any
             found.append(Region(bound.line or bound.beyond, x, y, margin, look))
         else:
             settled.add(bound.name)
-            found.append(Region(f"everywhere {bound.beyond}", x, y, margin, EVERYWHERE))
+            found.append(Region(f"everywhere {bound.beyond}", x, y, margin, None))
     return found
 
 

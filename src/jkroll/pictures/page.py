@@ -17,7 +17,7 @@ from matplotlib.patches import Patch  # type: ignore[import-not-found,unused-ign
 from .. import __version__
 from .maps import Map, Panel, Picture
 from .page_axes import draw_map, draw_panel, label_map, label_panel, line_of, thin_out, typeset, typeset_lines
-from .styles import EVERYWHERE, LETTER, LOOKS, SIZE, STYLES, Style
+from .styles import LETTER, LOOKS, SIZE, STYLES, Style
 
 _ONE_PANEL, _MORE_PANELS = 120 / 25.4, 180 / 25.4  # default widths in inches
 _NARROWEST = 2.0  # width of a panel beside others
@@ -221,8 +221,8 @@ def _keys_of_map(drawn: Map, style: Style, letters: int) -> list[Any]:
     keys: list[Any] = []
     for region in drawn.regions:
         text = "\n".join(typeset_lines(region.text, letters))
-        look = LOOKS[region.look]
-        if region.look == EVERYWHERE:
+        look = LOOKS[region.look] if region.look is not None else None
+        if look is None:
             keys.append(Patch(label=text, facecolor="none", edgecolor="none"))
         elif look.is_line:
             keys.append(Line2D([], [], color=style.ink, linewidth=look.line[0], linestyle=look.line[1], label=text))

@@ -18,7 +18,7 @@ from matplotlib.transforms import Bbox  # type: ignore[import-not-found,unused-i
 from ..quantities.nomenclature import NOMENCLATURE
 from .axes import Axis
 from .maps import NEIGHBOURS, Curve, Map, Mark, Panel, Region, shifted
-from .styles import DASHES, EVERYWHERE, LETTER, LOOKS, SIZE, Style
+from .styles import DASHES, LETTER, LOOKS, SIZE, Look, Style
 
 # --- Axes -------------------------------------------------------------------------------------------------------------
 
@@ -48,8 +48,8 @@ def draw_map(axes: Any, drawn: Map, inches: float, aspect: float, style: Style) 
         look = {"colors": style.ink, "linewidths": width, "linestyles": dashes}
         axes.contour(mesh.x, mesh.y, field, levels=heights, **look).set_gid(gid)
     for region in drawn.regions:
-        if region.look != EVERYWHERE:
-            _draw_region(axes, region, style, edge)
+        if region.look is not None:
+            _draw_region(axes, region, LOOKS[region.look], style, edge)
     for guide in drawn.guides:
         axes.axhline(drawn.y.place(guide.y), color=style.ink, linewidth=0.6, linestyle=(0, (1, 2)))
     for mark in (*drawn.guides, *drawn.marks):
@@ -85,11 +85,10 @@ def _draw_edge(axes: Any, outline: Any, style: Style) -> None:
         axes.plot(x, y, color=style.ink, linewidth=0.8, solid_capstyle="round")
 
 
-def _draw_region(axes: Any, region: Region, style: Style, edge: Any) -> None:
+def _draw_region(axes: Any, region: Region, look: Look, style: Style, edge: Any) -> None:
     """Draw a region hatched or shaded, with its border, or the border alone; nothing beyond the edge of the map's values."""
     x, y = region.x.place(region.x.values()), region.y.place(region.y.values())
     margin = _grown(region.margin)
-    look = LOOKS[region.look]
     width, dashes = look.line
     parts = [axes.contour(x, y, margin, levels=[0], colors=style.ink, linewidths=width, linestyles=dashes)]
     if not look.is_line:

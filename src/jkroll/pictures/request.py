@@ -33,10 +33,10 @@ from .maps import (
     regions,
     unit_of_labels,
 )
-from .styles import EVERYWHERE
 
 MAX_POINTS = 4_000_000  # of a map
 MAX_ALONG = 1_000_000  # points of all curves together
+_EVERYWHERE = "everywhere"  # the part of a curve that is all of it
 
 
 class PlotRequest(NamedTuple):
@@ -147,7 +147,7 @@ def _doubts_along(x: Axis, curves: Sequence[Curve], contexts: "Sequence[Context]
         for doubt, where in context.doubts(x, curve.y):
             doubts.setdefault(doubt, []).append((curve.text, where))
     for doubt, places in doubts.items():
-        if places == [(curve.text, EVERYWHERE) for curve in curves]:
+        if places == [(curve.text, _EVERYWHERE) for curve in curves]:
             yield f"Everywhere {doubt}."
         else:
             yield f"{'; '.join(', '.join(filter(None, place)) for place in places)}: {doubt}."
@@ -196,7 +196,7 @@ class Context:
             where = x.values()[is_beyond]
             if (is_beyond == has_value).all():
                 settled.add(bound.name)
-                yield bound.beyond, EVERYWHERE
+                yield bound.beyond, _EVERYWHERE
             elif where.size:
                 ends = (amount(x.name, float(f"{end:.2g}")) for end in (where[0], where[-1]))
                 yield bound.beyond, f"{NOMENCLATURE[x.name].symbol} = {' to '.join(ends)}"

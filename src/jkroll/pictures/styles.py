@@ -36,7 +36,6 @@ class Look(NamedTuple):
         return not (self.hatch or self.shade)
 
 
-EVERYWHERE = "everywhere"  # the look of a region that is the whole map: it is mentioned, and nothing is drawn
 BORDER = "border"
 # A pattern belongs to one limit on every map. No two patterns together look like a third, and no sign is one of the bands'.
 LOOKS: Mapping[str, Look] = MappingProxyType(
@@ -46,7 +45,6 @@ LOOKS: Mapping[str, Look] = MappingProxyType(
         "tabor_parameter": Look("|", hatch="||||"),
         "rolled_over_displacement": Look("^", shade=0.25),
         BORDER: Look("'", line=(0.9, "dashdot")),
-        EVERYWHERE: Look(" "),
     }
 )
 

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple, TextIO
 from ..text import columns, fitting, rows, say, wrapped
 from .axes import Axis
 from .maps import Curve, Level, Map, Mark, Panel, Picture, Region, sampled
-from .styles import EVERYWHERE, LOOKS, Colour, blended
+from .styles import LOOKS, Colour, blended
 
 # --- Canvas -----------------------------------------------------------------------------------------------------------
 
@@ -165,7 +165,10 @@ def draw_map(drawn: Map, out: TextIO) -> None:
     levels = drawn.bands(BAND_STEPS)
     canvas = Canvas(axis.width, axis.height)
     _paint(canvas, drawn, levels, screen)
-    legend = [f"{LOOKS[region.look].sign} {region.text}".strip() for region in _hatch(canvas, drawn)]
+    legend = [
+        f"{LOOKS[region.look].sign} {region.text}" if region.look is not None else region.text
+        for region in _hatch(canvas, drawn)
+    ]
     if drawn.has_gaps:
         legend.append("? no value" if not screen.colours else "blank: no value")
     if not screen.colours:
@@ -316,13 +319,14 @@ def _hatch(canvas: Canvas, drawn: Map) -> list[Region]:
     known = numpy.isfinite(_sampled(drawn.values, canvas.width, canvas.height))
     seen = []
     for region in drawn.regions:
+        if region.look is None:
+            seen.append(region)
+            continue
         look = LOOKS[region.look]
         inside = _sampled(region.margin, canvas.width, canvas.height) < 0
         marked = known & (_edge(inside) & ~_edge(known) if look.is_line else inside)
-        if region.look == EVERYWHERE or marked.any():
+        if marked.any():
             seen.append(region)
-        if region.look == EVERYWHERE:
-            continue
         for row, line in enumerate(marked.tolist()):
             signs[row] = [here + look.sign * is_here for here, is_here in zip(signs[row], line, strict=True)]
     for row, line in enumerate(signs):
