@@ -81,7 +81,7 @@ def test_fig_3b_the_forces_cross_at_0_8_nm_within_the_map() -> None:
 def test_fig_3c_50_um_at_100_nm() -> None:
     assert at(MAPS["3c"], 1e-2, 1e-7) == pytest.approx(solve("r_min", radius=1e-7), rel=0.3)
     assert math.log10(solve("r_min", radius=1e-7)) == pytest.approx(-4.3, abs=0.005)
-    assert MAPS["3c"].guides[0].y == 1e-7
+    assert MAPS["3c"].guides == ((1e-7, "100 nm"),)
 
 
 def test_fig_3d_a_thousand_spheres_and_a_single_one() -> None:

@@ -142,7 +142,7 @@ def paper_map(
         (*_caption(declared, limits, as_printed=printed is not None), *others),
         declared.has_log_labels,
         printed,
-        (Mark(declared.guide[1], None, declared.guide[0]),) if declared.guide else (),
+        (declared.guide,) if declared.guide else (),
         (declared.remark,),
     )
 

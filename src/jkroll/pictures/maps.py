@@ -78,7 +78,7 @@ class Map(NamedTuple):
     caption: tuple[str, ...]
     has_log_labels: bool = False
     printed: Any = None  # the same quantity as the paper prints it
-    guides: tuple[Mark, ...] = ()  # straight lines across
+    guides: tuple[tuple[float, str], ...] = ()  # values of y, each with the text of a straight line across
     remarks: tuple[str, ...] = ()  # are said beside the picture, and do not stand on it
 
     @property

@@ -50,9 +50,9 @@ def draw_map(axes: Any, drawn: Map, inches: float, aspect: float, style: Style) 
     for region in drawn.regions:
         if region.look is not None:
             _draw_region(axes, region, LOOKS[region.look], style, edge)
-    for guide in drawn.guides:
-        axes.axhline(drawn.y.place(guide.y), color=style.ink, linewidth=0.6, linestyle=(0, (1, 2)))
-    for mark in (*drawn.guides, *drawn.marks):
+    for value, _ in drawn.guides:
+        axes.axhline(drawn.y.place(value), color=style.ink, linewidth=0.6, linestyle=(0, (1, 2)))
+    for mark in (*(Mark(text, None, value) for value, text in drawn.guides), *drawn.marks):
         _draw_tick(axes, drawn.x, drawn.y, mark, style)
     _set_axes(axes, drawn.x, drawn.y, inches, aspect)
 

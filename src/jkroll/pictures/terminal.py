@@ -173,8 +173,8 @@ def draw_map(drawn: Map, out: TextIO) -> None:
         legend.append("? no value" if not screen.colours else "blank: no value")
     if not screen.colours:
         _draw_contours(canvas, drawn.values, levels)
-    for guide in drawn.guides:
-        _across(canvas, drawn.y, guide)
+    for value, text in drawn.guides:
+        _across(canvas, drawn.y, value, text)
     above = []
     for mark in drawn.marks:
         if mark.x is not None and mark.y is None:
@@ -347,13 +347,12 @@ def _edge(is_above: Any) -> Any:
     return edge
 
 
-def _across(canvas: Canvas, y: Axis, guide: Mark) -> None:
-    """Draw a dotted line across, with its text at the right end."""
-    if guide.y is not None:
-        row = canvas.height - 1 - _cell(y, guide.y, canvas.height)
-        for column in range(0, canvas.width, 2):
-            canvas.hatch(column, row, "-")
-        canvas.write(canvas.width - len(guide.text) - 2, row, f" {guide.text} ")
+def _across(canvas: Canvas, y: Axis, value: float, text: str) -> None:
+    """Draw a dotted line across at a value, with its text at the right end."""
+    row = canvas.height - 1 - _cell(y, value, canvas.height)
+    for column in range(0, canvas.width, 2):
+        canvas.hatch(column, row, "-")
+    canvas.write(canvas.width - len(text) - 2, row, f" {text} ")
 
 
 def _point(canvas: Canvas, x: Axis, y: Axis, mark: Mark) -> None:
