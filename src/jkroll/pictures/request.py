@@ -176,11 +176,11 @@ class Context:
         names = [quantity, *(bound.name for bound in self.bounds)]
         inputs = self.scene.inputs_of(*names)
         self.inputs = inputs_as_texts(self.scene, [name for name in inputs if name not in values])
-        note = NOMENCLATURE[quantity].note
+        remark = NOMENCLATURE[quantity].note
         idle = [note.text for note in about_idle(self.scene, inputs)]
         data = notes_on(self.scene, inputs, names)
         self.notes = tuple(
-            dict.fromkeys([*notes[:1], *idle, *data, *([f"{symbol_of(quantity)}: {note}"] if note else [])])
+            dict.fromkeys([*notes[:1], *idle, *data, *([f"{symbol_of(quantity)}: {remark}"] if remark else [])])
         )
 
     def doubts(self, x: Axis, y: Any) -> Iterable[tuple[str, str]]:
