@@ -1,4 +1,4 @@
-"""Text for people and programs: ASCII replacements, lines, JSON, the size of the terminal, suggestions, quoted user text, lists."""
+"""Text for people and programs: ASCII replacements, lines, JSON, the size of the terminal, suggestions, quoted user text, names of files, lists."""
 
 import codecs
 import os
@@ -195,6 +195,16 @@ def first_of(texts: Sequence[str], most: int) -> str:
     """
     rest = len(texts) - most
     return ", ".join(texts[:most]) + (f" and {rest} more" if rest > 0 else "")
+
+
+def ending(path: str) -> str:
+    """Return the ending of a file name, in lower case and without its point.
+
+    >>> ending("a/Map.SVG"), ending("svg")
+    ('svg', '')
+    """
+    _, point, end = path.rpartition(".")
+    return end.casefold() if point else ""
 
 
 def capitalized(sentence: str) -> str:

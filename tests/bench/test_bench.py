@@ -286,7 +286,7 @@ def test_a_plot(tmp_path: Path) -> None:
     file = tmp_path / "bench.svg"
     file.write_bytes(b"before")
     with file.open("rb") as old:
-        plot_bench(list(rows().values()), Plot(file))
+        plot_bench(list(rows().values()), Plot(str(file)))
         assert old.read() == b"before"  # it was replaced when it was whole
     assert file.stat().st_size > 1000
     assert not list(tmp_path.glob(".*"))

@@ -19,7 +19,7 @@ from .. import __version__
 from ..output.records import Cell, whole_file, write_records
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.solver import BLOCK, solve
-from ..text import json_text, say
+from ..text import ending, json_text, say
 from .points import REGIONS, Arrays, digits, each, exact, inputs_of, references, regions, scenes
 from .ways import OTHER_WAYS, QUANTITIES, by_hand, own_way
 
@@ -280,7 +280,7 @@ _NEAREST, _ALL_DIGITS = 0.1, 2.0**53  # ulp: least error that is drawn, and an e
 class Plot(NamedTuple):
     """A file to be drawn, its width in inches, None for the usual one, and a key of `styles.STYLES`."""
 
-    path: str | Path
+    path: str
     inches: float | None = None
     style: str = "paper"
     has_caption: bool = True
@@ -422,9 +422,8 @@ def plot_bench(rows: Sequence[Row], plot: Plot) -> None:
     """Draw error against cost into a file; needs matplotlib."""
     from ..pictures.page import draw
 
-    kind = Path(plot.path).suffix[1:].lower()
-    content = draw(picture_of(rows), kind, plot.inches, plot.style, has_caption=plot.has_caption)
-    with whole_file(str(plot.path)) as stream:
+    content = draw(picture_of(rows), ending(plot.path), plot.inches, plot.style, has_caption=plot.has_caption)
+    with whole_file(plot.path) as stream:
         stream.write(content)
 
 

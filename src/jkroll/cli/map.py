@@ -21,9 +21,9 @@ from ..quantities.units import BadUnit, dimension_of
 from ..quantities.values import between, error_about, parse_value
 from ..scene.scene import Scene
 from ..scene.wiring import depends_on
-from ..text import quoted, say, say_wrapped
+from ..text import ending, quoted, say, say_wrapped
 from .commands import Call
-from .request import PICTURES, Request, curve_request, ending, format_name, materials_of, request_of
+from .request import PICTURES, Request, curve_request, format_name, materials_of, request_of
 
 ON_SCREEN = (241, 121)  # points of a map that is drawn in cells
 IN_FILE = (201, 201)

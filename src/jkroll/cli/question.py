@@ -17,9 +17,9 @@ from ..rows.columns import Columns, Wanted
 from ..rows.sweep import Pair, Sweep
 from ..scene.scene import Scene
 from ..scene.wiring import formula_of
-from ..text import fitting, quoted, say_wrapped
+from ..text import ending, fitting, quoted, say_wrapped
 from .commands import Call
-from .request import PICTURES, curve_request, ending, form_of, format_name, is_json, request_of
+from .request import PICTURES, curve_request, form_of, format_name, is_json, request_of
 
 MAX_OBJECTS = 1_000_000  # answers that are written one by one
 MAX_SLOW = 10_000  # of these, where each takes milliseconds

@@ -15,7 +15,7 @@ from ..quantities.units import BadUnit, Unit, dimension_of, parse_unit
 from ..quantities.values import Spread, error_about, spreads_of
 from ..rows.sweep import Pair, Sweep
 from ..scene.scene import EXCLUSIVE, check_range
-from ..text import quoted, say_wrapped
+from ..text import ending, quoted, say_wrapped
 from .commands import Call
 
 if TYPE_CHECKING:
@@ -184,16 +184,6 @@ def form_of(call: Call, quantities: Sequence[str]) -> Format:
             )
         units |= dict.fromkeys(fitting, (" ".join(text.split()), unit))
     return Format(units, call.digits)
-
-
-def ending(path: str) -> str:
-    """Return the ending of a file name, in lower case and without its point.
-
-    >>> ending("a/Map.SVG"), ending("svg")
-    ('svg', '')
-    """
-    _, point, end = path.rpartition(".")
-    return end.casefold() if point else ""
 
 
 def is_json(target: str | None) -> bool:
