@@ -66,17 +66,22 @@ class Row(NamedTuple):
     quantity: str
     way: str
     cost: float  # ns a point
-    yardsticks: float  # cost in cube roots of numpy
+    root: float  # ns, of a cube root of numpy
     errors: Mapping[str, Error]  # by region; none where the quantity has no points
     on_front: bool = False
 
     @property
-    def worst(self) -> float:
+    def yardsticks(self) -> float:
+        """The cost in cube roots of numpy."""
+        return self.cost / self.root
+
+    @property
+    def worst_stated(self) -> float:
         """The worst error anywhere, in ulp/(1 + κ)."""
         return max(error.worst for error in self.errors.values())
 
     @property
-    def error(self) -> float:
+    def worst_ulp(self) -> float:
         """The worst error anywhere, in ulp."""
         return max(error.worst_ulp for error in self.errors.values())
 
@@ -108,14 +113,14 @@ def measure(size: Size, quantities: Sequence[str] = QUANTITIES) -> Iterator[list
     """Measure every way to the quantities; iterate over the rows of each."""
     points = regions(size.points)
     roots = numpy.linspace(1, 2, size.elements)
-    yardstick = _best({"cbrt": lambda: numpy.cbrt(roots)}, size.repeats)["cbrt"] / size.elements
+    root = _best({"cbrt": lambda: numpy.cbrt(roots)}, size.repeats)["cbrt"] / size.elements
     for quantity in quantities:
         with numpy.errstate(all="ignore"):
-            rows = _measure_quantity(quantity, points, size, yardstick)
+            rows = _measure_quantity(quantity, points, size, root)
         yield with_front(rows)
 
 
-def _measure_quantity(quantity: str, points: Mapping[str, Arrays], size: Size, yardstick: float) -> list[Row]:
+def _measure_quantity(quantity: str, points: Mapping[str, Arrays], size: Size, root: float) -> list[Row]:
     ways = OTHER_WAYS[quantity].values()
     names = dict.fromkeys(name for way in (references()[quantity], *ways) for name in inputs_of(way))
     given = {
@@ -133,7 +138,7 @@ def _measure_quantity(quantity: str, points: Mapping[str, Arrays], size: Size, y
     for one in candidates:
         errors = {region: _errors(one.run(one.prepare(at)), *wanted[region]) for region, at in given.items()}
         cost = times[one.name] / (size.elements if one.is_of_arrays else len(each(few)))
-        rows.append(Row(quantity, one.name, cost, cost / yardstick, errors))
+        rows.append(Row(quantity, one.name, cost, root, errors))
     return rows
 
 
@@ -209,7 +214,7 @@ def with_front(rows: Sequence[Row]) -> list[Row]:
 def beats(one: Row, two: Row) -> bool:
     """Return whether one way is cheaper and no less accurate than another, or more accurate and no dearer."""
     cheaper, dearer = one.cost * _SAME_COST < two.cost, one.cost > two.cost * _SAME_COST
-    return (cheaper and one.error <= two.error) or (one.error < two.error and not dearer)
+    return (cheaper and one.worst_ulp <= two.worst_ulp) or (one.worst_ulp < two.worst_ulp and not dearer)
 
 
 def compare(size: Size) -> list[Ratio]:
@@ -371,7 +376,7 @@ def _with_progress(measured: Iterable[list[Row]]) -> Iterator[list[Row]]:
 def _row(row: Row) -> list[Any]:
     errors = [row.errors.get(region) for region in REGIONS]
     pairs = [cell for error in errors for cell in (error[:2] if error else (None, None))]
-    return [row.quantity, row.way, *map(_finite, (row.cost, row.yardsticks, *pairs, row.error)), row.on_front]
+    return [row.quantity, row.way, *map(_finite, (row.cost, row.yardsticks, *pairs, row.worst_ulp)), row.on_front]
 
 
 def _finite(cell: Any) -> Any:
@@ -381,7 +386,14 @@ def _finite(cell: Any) -> Any:
 def _table_row(row: Row) -> list[Cell]:
     errors = [row.errors.get(region) for region in REGIONS]
     cells = [f"{_short(error.median)} {_short(error.worst)}" if error else None for error in errors]
-    return [row.way, _short(row.cost), _short(row.yardsticks), *cells, _short(row.error), "*" if row.on_front else ""]
+    return [
+        row.way,
+        _short(row.cost),
+        _short(row.yardsticks),
+        *cells,
+        _short(row.worst_ulp),
+        "*" if row.on_front else "",
+    ]
 
 
 def _short(value: float) -> str:
@@ -399,11 +411,11 @@ def off_front(rows: Sequence[Row]) -> list[str]:
     for row in rows:
         if row.way == DEFAULT and not row.on_front:
             better = [other for other in rows if other.quantity == row.quantity and beats(other, row)]
-            found = min(better, key=lambda other: (other.error, other.cost))
-            words = "within 1 ulp of" if row.error - found.error <= 1 else "better than"
+            found = min(better, key=lambda other: (other.worst_ulp, other.cost))
+            words = "within 1 ulp of" if row.worst_ulp - found.worst_ulp <= 1 else "better than"
             lines.append(
                 f"{row.quantity}: {words} the default: {found.way}, {_short(found.cost)} ns and "
-                f"{_short(found.error)} ulp for {_short(row.cost)} ns and {_short(row.error)} ulp"
+                f"{_short(found.worst_ulp)} ulp for {_short(row.cost)} ns and {_short(row.worst_ulp)} ulp"
             )
     return lines
 
@@ -451,7 +463,8 @@ def _panel(title: str, rows: Sequence[Row]) -> "Panel":
     line = Curve("promise", numpy.array([x.low, x.high]), numpy.array([promise, promise]), is_dashed=True)
     ways = sorted(rows, key=lambda row: row.cost)
     points = (
-        Mark(str(n), row.cost * 1e-9, min(max(row.worst, _NEAREST), _ALL_DIGITS)) for n, row in enumerate(ways, 1)
+        Mark(str(n), row.cost * 1e-9, min(max(row.worst_stated, _NEAREST), _ALL_DIGITS))
+        for n, row in enumerate(ways, 1)
     )
     keys = (f"{n}  {row.way}" for n, row in enumerate(ways, 1))
     return Panel(x, y, (line,), tuple(points), title, keys=tuple(keys))
