@@ -232,7 +232,9 @@ def test_the_cost_of_solve_is_compared() -> None:
 @pytest.fixture
 def _small(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("jkroll.bench.report.QUICK", SMALL._replace(points=20))
-    monkeypatch.setattr("jkroll.bench.report.measure", lambda size: measure(size, [*PLOTTED, "approach_at_load"]))
+    monkeypatch.setattr(
+        "jkroll.bench.report.measure", lambda size, show: measure(size, [*PLOTTED, "approach_at_load"], show)
+    )
     monkeypatch.setenv("COLUMNS", "200")
 
 

@@ -6,7 +6,7 @@ They are measured, and written as tables, plain lines, CSV, JSON or a plot.
 import math
 import platform
 import sys
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from datetime import date
 from functools import partial
 from pathlib import Path
@@ -109,14 +109,18 @@ class _Candidate(NamedTuple):
     is_of_arrays: bool = True
 
 
-def measure(size: Size, quantities: Sequence[str] = QUANTITIES) -> Iterator[list[Row]]:
-    """Measure every way to the quantities; iterate over the rows of each."""
+def measure(
+    size: Size, quantities: Sequence[str] = QUANTITIES, show: Callable[[str], None] = lambda _: None
+) -> Iterator[list[Row]]:
+    """Measure every way to the quantities; iterate over the rows of each. `show` is told which is measured."""
     points = regions(size.points)
     roots = numpy.linspace(1, 2, size.elements)
     root = _best({"cbrt": lambda: numpy.cbrt(roots)}, size.repeats)["cbrt"] / size.elements
-    for quantity in quantities:
+    for number, quantity in enumerate(quantities, 1):
+        show(f"{number} of {len(quantities)}: {quantity}")
         with numpy.errstate(all="ignore"):
             rows = _measure_quantity(quantity, points, size, root)
+        show("")
         yield with_front(rows)
 
 
@@ -301,12 +305,14 @@ def write_bench(out: TextIO, kind: str, quick: bool, plot: Plot | None = None) -
         facts = (f"{name} {fact}" for name, fact in zip(MACHINE_HEADS[1:], machine[1:], strict=True))
         say(", ".join((machine[0], *facts)), out)
         say(LEGEND.format(PROMISE, PROMISE_OF_MAUGIS), out)
-    for of_quantity in _with_progress(measure(size)):
+    for of_quantity in measure(size, show=_show):
         rows += of_quantity
         if is_table:
             write_records((of_quantity[0].quantity, *TABLE_HEADS), map(_table_row, of_quantity), kind, out)
             say("", out)
+    _show("jkroll.solve beside plain programs")
     ratios = compare(size)
+    _show("")
     if plot is not None:
         plot_bench(rows, plot)
     if is_table:
@@ -353,24 +359,11 @@ def _processor() -> str:
     return next(names, platform.processor() or platform.machine())
 
 
-def _with_progress(measured: Iterable[list[Row]]) -> Iterator[list[Row]]:
-    """Iterate over what is measured; a terminal shows which quantity it is."""
-    is_shown = sys.stderr.isatty()
-
-    def show(text: str) -> None:
-        if is_shown:
-            sys.stderr.write(f"\r{text:<60}\r")
-            sys.stderr.flush()
-
-    results = iter(measured)
-    for number, quantity in enumerate(QUANTITIES, 1):
-        show(f"{number} of {len(QUANTITIES)}: {quantity}")
-        rows = next(results, None)
-        show("")
-        if rows is None:
-            return
-        yield rows
-    show("jkroll.solve beside plain programs")
+def _show(text: str) -> None:
+    """Show on a terminal what is measured, in place of what it showed before."""
+    if sys.stderr.isatty():
+        sys.stderr.write(f"\r{text:<60}\r")
+        sys.stderr.flush()
 
 
 def _row(row: Row) -> list[Any]:
