@@ -245,23 +245,6 @@ def _radius_by_cos(R1: Any, R2: Any, w: Any, E: Any, z0: Any, P: Any) -> Any:
     return unloaded * cbrt(3 / 4 * pi * w * R**2 / E * spread**2)
 
 
-WAYS_OF_MAUGIS: Mapping[str, Mapping[str, Callable[..., Any]]] = {
-    "contact_radius_maugis": {
-        "JKR": _radius_by_jkr,
-        "DMT": _radius_by_dmt,
-        "COS 1999": _radius_by_cos,
-    },
-    "approach_maugis": {
-        "JKR": _approach_by_jkr,
-        "DMT": lambda R1, R2, w, E, P: _radius_by_dmt(R1, R2, w, E, P) ** 2 / _reduced(R1, R2),
-    },
-    "stiffness_maugis": {
-        "JKR": _stiffness_by_jkr,
-        "DMT": lambda R1, R2, w, E, P: 2 * E * _radius_by_dmt(R1, R2, w, E, P),
-    },
-}
-
-
 # --- All of them ------------------------------------------------------------------------------------------------------
 
 OTHER_WAYS: Mapping[str, Mapping[str, Way]] = {
@@ -310,7 +293,19 @@ OTHER_WAYS: Mapping[str, Mapping[str, Way]] = {
         "table in δ": lambda delta, delta0: interp(delta / delta0, *_table()),
         "table in √(δ−δ_fold)": lambda delta, delta0: interp(sqrt(delta / delta0 - FOLD_APPROACH), *_root_table()),
     },
-    **WAYS_OF_MAUGIS,
+    "contact_radius_maugis": {
+        "JKR": _radius_by_jkr,
+        "DMT": _radius_by_dmt,
+        "COS 1999": _radius_by_cos,
+    },
+    "approach_maugis": {
+        "JKR": _approach_by_jkr,
+        "DMT": lambda R1, R2, w, E, P: _radius_by_dmt(R1, R2, w, E, P) ** 2 / _reduced(R1, R2),
+    },
+    "stiffness_maugis": {
+        "JKR": _stiffness_by_jkr,
+        "DMT": lambda R1, R2, w, E, P: 2 * E * _radius_by_dmt(R1, R2, w, E, P),
+    },
     "yield_moment": {
         "s = √(1+P/P_c)": lambda R1, R2, w, xi, P, P_c: 2 * _force(R1, R2, w) * xi * (1 + _margin(P, P_c)),
         "half-circles, Eq 19": _half_circles,
