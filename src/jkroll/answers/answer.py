@@ -12,7 +12,7 @@ from ..errors import JkrollError, NoResult
 from ..quantities.formatting import Format, amount, in_words
 from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, XI
-from ..rows.columns import NO_END, outcomes
+from ..rows.columns import outcomes
 from ..scene.effects import Effect, between_of
 from ..scene.failures import (
     BeyondPullOff,
@@ -20,7 +20,6 @@ from ..scene.failures import (
     NoContact,
     OfIdenticalSpheres,
     RestsOnSpacing,
-    grouped,
     reason_of,
 )
 from ..scene.limits import JUMP, LEAST_EFFECT, Judgement, Verdict, against_limit, judged, sentence
@@ -32,10 +31,9 @@ from .notes import (
     about_limits,
     about_missing,
     about_results,
+    about_uncertainties,
     assumed,
-    first_symbols,
     model_error,
-    symbol_of,
     with_spacing,
 )
 from .questions import Question
@@ -315,15 +313,3 @@ def _width(result: Result) -> float:
 def stated_by(sources: "Sources", inputs: Collection[str]) -> "dict[str, Uncertain]":
     """Return the values of sources by those of their names that are among the inputs."""
     return {name: source.given for source in sources.entering for name in source.names if name in inputs}
-
-
-def about_uncertainties(found: Mapping[str, "Propagated | JkrollError"], sources: "Sources") -> list[Note]:
-    """Return notes on uncertainties that do not exist, and on sources that are left out."""
-    failures = {name: one for name, one in found.items() if isinstance(one, JkrollError)}
-    notes = [Note("missing", f"{first_symbols(names)}: {NO_END}{reason}") for names, reason in grouped(failures)]
-    left_out: dict[str, list[str]] = {}
-    for source in sources.left_out:
-        reason = "ranges are left out beside ±" if source.given.kind == "range" else "± is left out beside ranges"
-        name = source.names[0]
-        left_out.setdefault(reason, []).append(f"{symbol_of(name)} = {amount(name, source.given)}")
-    return notes + [Note("result", f"{reason}: {', '.join(texts)}") for reason, texts in left_out.items()]

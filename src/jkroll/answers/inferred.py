@@ -15,9 +15,9 @@ from ..scene.inverse import PER_DECADE, Observed, Solution, largest, sizes_in_wo
 from ..scene.limits import Verdict
 from ..scene.scene import Scene
 from ..scene.unknowns import solved
-from .answer import Answer, Difference, about_uncertainties
+from .answer import Answer, Difference
 from .displacement import Worth
-from .notes import about_missing
+from .notes import about_missing, about_uncertainties
 from .questions import Question
 from .results import Note, Result
 

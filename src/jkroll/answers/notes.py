@@ -2,11 +2,13 @@
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from math import log
+from typing import TYPE_CHECKING
 
 from ..errors import JkrollError
 from ..materials.library import Material
 from ..quantities.formatting import amount, significant
 from ..quantities.nomenclature import NOMENCLATURE, XI
+from ..rows.columns import NO_END
 from ..scene.failures import MissingInput, grouped
 from ..scene.limits import IMPACT, Judgement, judged, limits_of
 from ..scene.scene import DEFAULTS, IN_ITS_PLACE, OF_AREA, Scene
@@ -14,6 +16,9 @@ from ..scene.wiring import depends_on
 from ..text import first_of
 from .displacement import about_displacement_of_rows
 from .results import Note, NoValue, Result, remarks
+
+if TYPE_CHECKING:
+    from ..scene.uncertainty import Propagated, Sources
 
 MAX_NAMES = 3  # of quantities in a note
 CUTOFFS = (4e-10, 1.65e-10)  # the spacing of solids, and the convention: w at the one that was not given
@@ -274,6 +279,18 @@ def about_missing(results: Iterable[Result], errors: Mapping[str, JkrollError]) 
             error = errors.get(result.name)
             reasons[result.name] = error if isinstance(error, MissingInput) else NoValue(result.name, result.reason)
     return [Note("missing", f"{first_symbols(names)}: {reason}") for names, reason in grouped(reasons)]
+
+
+def about_uncertainties(found: Mapping[str, "Propagated | JkrollError"], sources: "Sources") -> list[Note]:
+    """Return notes on uncertainties that do not exist, and on sources that are left out."""
+    failures = {name: one for name, one in found.items() if isinstance(one, JkrollError)}
+    notes = [Note("missing", f"{first_symbols(names)}: {NO_END}{reason}") for names, reason in grouped(failures)]
+    left_out: dict[str, list[str]] = {}
+    for source in sources.left_out:
+        reason = "ranges are left out beside ±" if source.given.kind == "range" else "± is left out beside ranges"
+        name = source.names[0]
+        left_out.setdefault(reason, []).append(f"{symbol_of(name)} = {amount(name, source.given)}")
+    return notes + [Note("result", f"{reason}: {', '.join(texts)}") for reason, texts in left_out.items()]
 
 
 def first_symbols(names: list[str]) -> str:
