@@ -112,7 +112,7 @@ def _about_hamaker(scene: Scene) -> Note:
     found = ", ".join(
         f"{symbol_of(name)} = {amount(name, scene[name])}" for name in ("work_of_adhesion", "atomic_spacing")
     )
-    other = min(CUTOFFS, key=lambda one: one == scene["cutoff"])
+    other = next(one for one in CUTOFFS if one != scene["cutoff"])
     far = amount("work_of_adhesion", scene.replace(cutoff=other)["work_of_adhesion"])
     return Note("result", f"{found}; at D0 = {amount('cutoff', other)}, w = {far}")
 
