@@ -8,7 +8,7 @@ from typing import Any, TextIO
 from .. import __version__
 from ..answers.answer import Answer
 from ..answers.results import Result
-from ..errors import JkrollError
+from ..errors import BadRequest, JkrollError
 from ..quantities.formatting import Format, amount, in_words
 from ..quantities.laws import LAWS
 from ..quantities.nomenclature import NOMENCLATURE
@@ -22,13 +22,6 @@ _SECTIONS = ("Source", "Valid", "Accuracy")
 _INDENT = 12  # of the texts, and of those beside the values of inputs and steps
 _STEP_INDENT = 27
 _LARGEST_DENOMINATOR = 12  # of an exponent shown as a fraction
-
-
-class NoDocstrings(JkrollError):
-    """Error raised where Python runs without docstrings."""
-
-    def __str__(self) -> str:
-        return "--explain is worded from docstrings, which python -OO drops"
 
 
 def docstring_fields(formula: Any) -> dict[str, str]:
@@ -60,7 +53,7 @@ def docstring_fields(formula: Any) -> dict[str, str]:
 def write_explanation(answers: Iterable[Answer], out: TextIO, form: Format) -> None:
     """Write for each result its formula, inputs, steps, value, source, validity, accuracy and power law."""
     if not docstring_fields(power_law)["summary"]:
-        raise NoDocstrings
+        raise BadRequest("--explain is worded from docstrings, which python -OO drops")
     is_first = True
     for answer in answers:
         for result in answer.results:
