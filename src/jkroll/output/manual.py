@@ -1,7 +1,6 @@
 """The manual: pages of Markdown, set by rich on a terminal, and as they are in a pipe."""
 
 import os
-from collections.abc import Mapping
 from typing import TextIO
 
 from ..errors import JkrollError
@@ -48,11 +47,6 @@ def _written(topic: str) -> str:
         return file.read()
 
 
-def titles() -> Mapping[str, str]:
-    """Return the title of each page."""
-    return {topic: _written(topic).partition("\n")[0].removeprefix("# ") for topic in topics()}
-
-
 def write_page(topic: str, out: TextIO) -> None:
     """Write the page of a topic."""
     text = page(topic)
@@ -66,6 +60,8 @@ def write_page(topic: str, out: TextIO) -> None:
 
 def write_topics(out: TextIO) -> None:
     """Write the topics, each with the title of its page."""
-    width = max(map(len, topics()))
-    for topic, title in titles().items():
+    names = topics()
+    width = max(map(len, names))
+    for topic in names:
+        title = _written(topic).partition("\n")[0].removeprefix("# ")
         say(f"{topic:{width}}  {title}", out)
