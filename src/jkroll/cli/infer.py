@@ -24,6 +24,9 @@ MAX_PAIRS = 1_000  # scenes in which two inputs are looked for, which takes up t
 class _Inverse:
     """Unknowns of the rows of a sweep: an input by a measured quantity, or two by two."""
 
+    most = 10_000  # each takes milliseconds
+    most_in_table = 500
+
     def __init__(self, names: Sequence[str], quantities: Sequence[str]) -> None:
         self.names, self.headline, self.quantities = names, names, quantities
         self.is_pair = len(names) > 1
@@ -74,7 +77,7 @@ def run_infer(call: Call) -> int:
     sweep = Sweep(request.pairs, {**request.spreads, **measured}, request.models, inverse.row)
     if inverse.is_pair and len(sweep) > MAX_PAIRS:
         raise BadRequest(f"{len(sweep)} scenes are more than {MAX_PAIRS}, in which two inputs are looked for")
-    return write_asked(inverse, sweep, kind, form, call, is_slow=True)
+    return write_asked(inverse, sweep, kind, form, call)
 
 
 def _names(text: str) -> list[str]:

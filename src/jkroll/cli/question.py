@@ -22,9 +22,7 @@ from .commands import Call
 from .request import PICTURES, curve_request, form_of, format_name, is_json, request_of
 
 MAX_OBJECTS = 1_000_000  # answers that are written one by one
-MAX_SLOW = 10_000  # of these, where each takes milliseconds
 MAX_TABLE = 10_000  # rows of a table on a terminal
-MAX_SLOW_TABLE = 500
 CURVE_BLOCK = 500  # rows of force curves that are computed before they are written
 
 
@@ -32,6 +30,8 @@ class Asked(Protocol):
     """What is asked of the rows of a sweep."""
 
     headline: Sequence[str]  # quantities without which a single row fails
+    most: int  # rows that are answered one by one
+    most_in_table: int  # rows that are computed one by one for a table on a terminal
 
     def answer(self, scene: Any) -> Answer:
         """Return the answer for a row."""
@@ -48,6 +48,9 @@ class Asked(Protocol):
 
 class _OfQuestion:
     """The question of a command, or about quantities that were named."""
+
+    most = MAX_OBJECTS
+    most_in_table = MAX_TABLE
 
     def __init__(self, question: Question) -> None:
         self.question = question
@@ -76,13 +79,13 @@ def run_question(call: Call) -> int:
     return write_asked(_OfQuestion(question), sweep, kind, form, call)
 
 
-def write_asked(asked: Asked, sweep: Sweep, kind: str, form: Format, call: Call, *, is_slow: bool = False) -> int:
-    """Write what is asked, as answers or as rows; return the exit code. `is_slow`: an answer takes milliseconds."""
+def write_asked(asked: Asked, sweep: Sweep, kind: str, form: Format, call: Call) -> int:
+    """Write what is asked, as answers or as rows; return the exit code."""
     count = len(sweep)
     is_one = count == 1 and kind in ("plain", "table") and call.target is None
     if not is_one and kind not in ("json", "explain", "cite"):
-        return _write_rows(asked, sweep, kind, form, call, is_slow=is_slow)
-    check_count(count, kind, MAX_SLOW if is_slow else MAX_OBJECTS)
+        return _write_rows(asked, sweep, kind, form, call)
+    check_count(count, kind, asked.most)
     if count > 1:
         asked.wanted(sweep)  # what is wrong with rows is raised before one is written
     answers = map(asked.answer, sweep.scenes())
@@ -125,7 +128,7 @@ def _refuse_inputs(question: Question, sweep: Sweep) -> None:
             raise BadRequest(f"--quantities: {name} is an input here")
 
 
-def check_count(count: int, kind: str, most: int = MAX_OBJECTS) -> None:
+def check_count(count: int, kind: str, most: int) -> None:
     """Raise BadRequest if there are more scenes than are answered one by one."""
     if count > most:
         raise BadRequest(f"--{kind}: {count} scenes are more than {most}; --csv writes any number")
@@ -134,10 +137,10 @@ def check_count(count: int, kind: str, most: int = MAX_OBJECTS) -> None:
 # --- Rows -------------------------------------------------------------------------------------------------------------
 
 
-def _write_rows(asked: Asked, sweep: Sweep, kind: str, form: Format, call: Call, *, is_slow: bool) -> int:
+def _write_rows(asked: Asked, sweep: Sweep, kind: str, form: Format, call: Call) -> int:
     """Write a row for each scene; return the exit code."""
     wanted = asked.bare(doubts=not call.quiet) if kind == "bare" else asked.wanted(sweep)
-    is_shown = kind == "table" and call.target is None and len(sweep) <= (MAX_SLOW_TABLE if is_slow else MAX_TABLE)
+    is_shown = kind == "table" and call.target is None and len(sweep) <= asked.most_in_table
     blocks = sweep.columns(wanted, one_by_one=is_shown)
     if len(sweep) == 1:
         headline = [name for name in asked.headline if name in wanted.names and name not in sweep.spreads]
