@@ -23,7 +23,7 @@ from ..scene.scene import Scene
 from ..scene.wiring import depends_on
 from ..text import ending, quoted, say, say_wrapped
 from .commands import Call
-from .request import PICTURES, Request, curve_request, format_name, materials_of, request_of
+from .request import PICTURES, Request, curve_request, format_name, known_materials_of, request_of
 
 ON_SCREEN = (241, 121)  # points of a map that is drawn in cells
 IN_FILE = (201, 201)
@@ -87,7 +87,7 @@ def run_figure(call: Call) -> int:
         given = f"{quoted(' '.join(call.words))} is not a figure with data" if call.words else "figure needs a name"
         raise BadRequest(f"{given}; there are {', '.join(FIGURE_NAMES)}")
     name = call.words[0]
-    materials = materials_of(call.materials)
+    materials = known_materials_of(call.materials)
     if name in PROFILES:
         refused = {
             "--as-printed": call.as_printed,

@@ -1,8 +1,8 @@
 """From words and options to scenes, one for each element of a list or range, and to the format of what is said of them."""
 
 import sys
-from collections.abc import Callable, Mapping, Sequence
-from functools import cached_property, partial
+from collections.abc import Mapping, Sequence
+from functools import cached_property
 from itertools import product
 from typing import TYPE_CHECKING
 
@@ -25,13 +25,14 @@ if TYPE_CHECKING:
 class Request:
     """The words and options of one call, read as far as they are needed."""
 
-    def __init__(self, words: Sequence[str], options: Mapping[str, str], known: Callable[[], Materials]) -> None:
+    def __init__(self, words: Sequence[str], options: Mapping[str, str], file: str | None = None) -> None:
         """Sort words into materials and radii.
 
-        `options` are texts by the names of inputs; `known` returns the known materials, once some are needed.
+        `options` are texts by the names of inputs; `file` is that of `--materials`, which is checked, needed or not.
         """
         self.options = dict(options)
-        self._known = known
+        if file is not None:
+            self.materials = known_materials_of(file)
         if "plane" in map(str.casefold, words):
             raise BadRequest("a plane is sphere 2: write --radius2 plane")
         radii = [word for word in words if not _is_material(word)]
@@ -40,10 +41,8 @@ class Request:
             raise BadRequest(
                 f"two materials, {quoted(named[0])} and {quoted(named[1])}; for a list write quartz,iron; for sphere 2, --material2 iron"
             )
-        self.material_words = named[0] if named else ""
-        self.material2_words = self.options.pop("material2", "")
-        if options.get("material2") == "":
-            raise BadRequest("--material2 is empty")
+        self.material_words = named[0] if named else None
+        self.material2_words = self.options.pop("material2", None)
         models = self.options.pop("model", None)
         self.models = [law_named(name).name for name in models.split(",")] if models is not None else [None]
         if len(set(self.models)) < len(self.models):
@@ -60,7 +59,7 @@ class Request:
     @cached_property
     def materials(self) -> Materials:
         """The known materials."""
-        return self._known()
+        return known_materials_of(None)
 
     @cached_property
     def spreads(self) -> dict[str, list[Spread]]:
@@ -81,8 +80,8 @@ class Request:
         """The rows: a scene for each combination of materials and values."""
         return Sweep(self.pairs, self.spreads, self.models)
 
-    def _materials(self, words: str) -> list[Material | None]:
-        if not words:
+    def _materials(self, words: str | None) -> list[Material | None]:
+        if words is None:
             return [None]
         if words.casefold() == "all":
             for mistake in self.materials.mistakes.values():
@@ -102,7 +101,7 @@ def is_table(word: str) -> bool:
     return format_of_name(word) is not None
 
 
-def materials_of(option: str | None) -> Materials:
+def known_materials_of(option: str | None) -> Materials:
     """Return the known materials with those of the user's files, and say which names these take from others."""
     found = materials_of_user(option)
     for text in found.overrides:
@@ -112,10 +111,7 @@ def materials_of(option: str | None) -> Materials:
 
 def request_of(call: Call) -> Request:
     """Return the request of the words and inputs of a call, with the user's materials files."""
-    if call.materials is None:
-        return Request(call.words, call.inputs, partial(materials_of, None))
-    known = materials_of(call.materials)  # a file that was named is checked, needed or not
-    return Request(call.words, call.inputs, lambda: known)
+    return Request(call.words, call.inputs, call.materials)
 
 
 def curve_request(call: Call) -> "tuple[Request, Loads | None]":

@@ -9,7 +9,7 @@ from ..answers.questions import quantity_named
 from ..errors import BadRequest
 from ..text import say_wrapped
 from .commands import Call
-from .request import format_name, materials_of
+from .request import format_name, known_materials_of
 
 
 def run_batch(call: Call) -> int:
@@ -25,7 +25,7 @@ def run_batch(call: Call) -> int:
     same = {name: getattr(call, name) for name in Settings._fields if name in Call._fields}
     own = {"target": call.target or "-", "doubt": not call.no_doubt, "infer": infer, "measured": measured}
     settings = Settings(**{**same, **own}, **call.settings)
-    return run(call.words[0], settings, call.inputs, materials_of(call.materials))
+    return run(call.words[0], settings, call.inputs, known_materials_of(call.materials))
 
 
 def _inverse(call: Call) -> tuple[str, str]:
@@ -50,7 +50,7 @@ def run_materials(call: Call) -> int:
     from ..output.catalogue import write_materials
 
     kind = format_name(call)
-    materials = materials_of(call.materials)
+    materials = known_materials_of(call.materials)
     lists_all = not call.words or call.words[0].casefold() == "all"
     chosen = [*materials.materials.values()] if lists_all else [materials[word] for word in call.words[0].split(",")]
     write_materials(chosen, sys.stdout, kind, whole=not lists_all and len(chosen) == 1)
