@@ -63,13 +63,9 @@ def _json(value: Any, text_of: Callable[[str], str], line_end: str) -> str:
     inner = line_end + "  "
     if isinstance(value, dict):
         members = [f"{text_of(str(key))}: {_json(each, text_of, inner)}" for key, each in value.items()]
-        return "{" + inner + f",{inner}".join(members) + line_end + "}" if members else "{}"
+        return _between("{", members, "}", line_end)
     if isinstance(value, list | tuple):
-        return (
-            "[" + inner + f",{inner}".join(_json(each, text_of, inner) for each in value) + line_end + "]"
-            if value
-            else "[]"
-        )
+        return _between("[", [_json(each, text_of, inner) for each in value], "]", line_end)
     if value is None or isinstance(value, bool):
         return {None: "null", True: "true", False: "false"}[value]
     if isinstance(value, float):
@@ -77,6 +73,14 @@ def _json(value: Any, text_of: Callable[[str], str], line_end: str) -> str:
             raise ValueError(f"{value} is not in JSON")
         return spelled(value)
     return str(value) if isinstance(value, int) else text_of(value)
+
+
+def _between(start: str, members: list[str], end: str, line_end: str) -> str:
+    """Return the members of a JSON object or array between its brackets, each on a line of its own."""
+    if not members:
+        return start + end
+    inner = line_end + "  "
+    return start + inner + f",{inner}".join(members) + line_end + end
 
 
 def spelled(number: float) -> str:

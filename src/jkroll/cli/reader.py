@@ -210,15 +210,18 @@ class UnknownCommand(JkrollError):
         name = self.word.replace("-", "_").casefold()
         if name in NOMENCLATURE:
             return f"{quoted(self.word)} is a quantity, not a command; jkroll quantities {name} lists the commands that show it"
-        hint = HINTS.get(name)
-        if guess := closest(name.replace("_", "-"), COMMANDS):
-            hint = hint or f"did you mean {guess}?"
-        elif quantity := nearest(name):
-            hint = (
-                hint
-                or f"did you mean the quantity {quantity}? jkroll quantities {quantity} lists the commands that show it"
-            )
-        return f"no such command {quoted(self.word)}; {hint or 'see jkroll --help'}"
+        return f"no such command {quoted(self.word)}; {_hint(name)}"
+
+
+def _hint(name: str) -> str:
+    """Return what may be meant by a word that is not a command."""
+    if name in HINTS:
+        return HINTS[name]
+    if guess := closest(name.replace("_", "-"), COMMANDS):
+        return f"did you mean {guess}?"
+    if quantity := nearest(name):
+        return f"did you mean the quantity {quantity}? jkroll quantities {quantity} lists the commands that show it"
+    return "see jkroll --help"
 
 
 class UnknownOption(JkrollError):
@@ -238,12 +241,17 @@ class UnknownOption(JkrollError):
         takers = {flag: command.name for command in reversed([*COMMANDS.values()]) for flag in command.flags()}
         flags = flags_of(self.command)
         by_symbol = _option(f"--{self.flag.lstrip('-')}", flags)
-        own = None if self.flag in takers else by_symbol.flag if by_symbol else _meant(name, flags)
+        own = None  # what the command takes that may be meant
+        if self.flag not in takers:
+            own = by_symbol.flag if by_symbol else _meant(name, flags)
         guess = _meant(name, takers)
-        if self.flag in HINTS or own or not guess:
+        if self.flag in HINTS:
+            return f"no such option {quoted(self.flag)}; {HINTS[self.flag]}"
+        if own:
+            return f"no such option {quoted(self.flag)}; did you mean {own}?"
+        if not guess:
             program = f"jkroll {self.command}" if self.command else "jkroll"
-            hint = HINTS.get(self.flag) or (f"did you mean {own}?" if own else f"see {program} --help")
-            return f"no such option {quoted(self.flag)}; {hint}"
+            return f"no such option {quoted(self.flag)}; see {program} --help"
         if self.command is None:
             return f"{guess} goes behind a command: jkroll {takers[guess]} ... {guess}"
         others = [command.name for command in COMMANDS.values() if guess in command.flags()]

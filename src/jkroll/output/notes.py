@@ -39,9 +39,12 @@ def _lines(every: Iterable[Note], width: float = 0.0) -> list[str]:
     left = sum(map(len, of_kinds.values()))
     for kind, notes in [*of_kinds.items()][:MAX_LINES]:
         every_text = [note.text for note in notes]
-        worded = (
-            every_text if kind == "missing" else every_text[:MAX_DOUBTS] if kind == "doubt" else _fitting(every_text)
-        )
+        if kind == "missing":
+            worded = every_text
+        elif kind == "doubt":
+            worded = every_text[:MAX_DOUBTS]
+        else:
+            worded = _fitting(every_text)
         briefly = [note.brief for note in notes[len(worded) :] if note.brief]
         left -= len(worded) + len(briefly)
         texts = [*worded, f"also {', '.join(briefly)}: jkroll guide models"] if briefly else worded
