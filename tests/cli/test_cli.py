@@ -175,6 +175,8 @@ MESSAGES = {
     "pull-off --\x1b[31m": (2, "no such option '--?[31m'; see jkroll pull-off --help"),
     "--bare pull-off quartz 100nm": (2, "--bare goes behind a command: jkroll pull-off ... --bare"),
     "pul-off quartz 100nm": (2, "no such command 'pul-off'; did you mean pull-off?"),
+    "help pul-off": (2, "no such command 'pul-off'; did you mean pull-off?"),
+    "--help xyzzy": (2, "no such command 'xyzzy'; see jkroll --help"),
     "helper": (2, "no such command 'helper'; see jkroll --help"),
     "sticking-speed quartz 1um": (
         2,

@@ -60,10 +60,20 @@ def read(words: Sequence[str]) -> Action:
         raise UnknownCommand(first)
     _, given = _read([first], flags_of(None))
     if "help" in given:
-        return partial(_print_help, rest[0] if rest and rest[0] in COMMANDS else None)
+        return partial(_print_help, _command_meant(rest[0]) if rest else None)
     if "version" in given:
         return print_version
     raise BadRequest(f"{first} stands alone: jkroll {first}")
+
+
+def _command_meant(word: str) -> str | None:
+    """Return the command of which help is wanted; None for the program, as another of its options stands for that."""
+    name = SYNONYMS.get(word, word).partition(" ")[0]
+    if name in COMMANDS:
+        return name
+    if name.startswith("-"):
+        return None
+    raise UnknownCommand(word)
 
 
 def _action(command: Command, words: Sequence[str]) -> Action:
