@@ -15,6 +15,7 @@ import jkroll.batch.delimited
 import jkroll.batch.one
 import jkroll.rows.sweep
 from harness import Ran, Run
+from jkroll.answers.questions import QUESTIONS
 from jkroll.cli.commands import Call
 from jkroll.cli.question import question_of
 from jkroll.cli.reader import read
@@ -99,7 +100,7 @@ def scenes_of(ask: Ask) -> list[Scene]:
 def of_list(ask: Ask, *, by_arrays: bool) -> Rows:
     """Return the rows of a list."""
     call = call_of(ask)
-    sweep, question = request_of(call).sweep, question_of(call)
+    sweep, question = request_of(call).sweep, question_of(call, QUESTIONS[call.command])
     with computed(by_arrays=by_arrays):
         return rows_of([*sweep.columns(sweep.wanted(question.quantities, question.named))])
 

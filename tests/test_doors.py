@@ -31,6 +31,7 @@ from doors import (
 )
 from harness import Run
 from jkroll import solve
+from jkroll.answers.questions import QUESTIONS
 from jkroll.cli.question import question_of
 from jkroll.errors import JkrollError, NoResult
 from jkroll.quantities.nomenclature import NOMENCLATURE, header
@@ -277,7 +278,8 @@ def _in_outputs(run: Run, ask: Ask, rows: Rows, unit: str, forms: Sequence[str],
 
 def _in_bare(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
     """Iterate over the bare numbers that are not those of rows. Inputs, which are no columns of rows, are among them."""
-    names = question_of(call_of(ask)).headline
+    call = call_of(ask)
+    names = question_of(call, QUESTIONS[call.command]).headline
     lines = answered(run, *ask.words("--bare")).out.splitlines()
     for row, line in enumerate(lines):
         for name, cell in zip(names, line.split("\t"), strict=True):

@@ -172,6 +172,14 @@ MESSAGES = {
         "no such option '--diameter'; a radius, half of it, stands alone: jkroll pull-off quartz 100nm",
     ),
     "n-roll quartz 100nm --velocity 1m/s": (2, "no such option '--velocity'; did you mean --speed?"),
+    "pull-off quartz 100nm --quantities=": (
+        2,
+        "--quantities is empty; name some, such as --quantities pull_off_force,r_min",
+    ),
+    "contact quartz 100nm --curve --quantities=": (
+        2,
+        "--quantities is empty; name some, such as --quantities pull_off_force,r_min",
+    ),
     "pull-off --\x1b[31m": (2, "no such option '--?[31m'; see jkroll pull-off --help"),
     "--bare pull-off quartz 100nm": (2, "--bare goes behind a command: jkroll pull-off ... --bare"),
     "pul-off quartz 100nm": (2, "no such command 'pul-off'; did you mean pull-off?"),

@@ -91,7 +91,7 @@ class Call(NamedTuple):
     as_printed: bool = False
     plain: bool = False
     # of tables
-    quantities: str = ""
+    quantities: str | None = None
     infer: str = ""
     no_doubt: bool = False
     settings: Mapping[str, Any] = MappingProxyType({})  # of `batch` alone: fields of its Settings

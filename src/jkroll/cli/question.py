@@ -96,7 +96,7 @@ def write_asked(asked: Asked, sweep: Sweep, kind: str, form: Format, call: Call)
 def checked(call: Call) -> tuple[Question, str, Format]:
     """Return the question of a call, and the name and the units of the output format; raise BadRequest for a mistake."""
     kind = checked_format(call)
-    question = question_of(call)
+    question = question_of(call, QUESTIONS[call.command])
     if kind == "bare":
         question = question._replace(quantities=question.headline)
     form = form_of(call, question.quantities)
@@ -115,9 +115,13 @@ def checked_format(call: Call) -> str:
     return kind
 
 
-def question_of(call: Call) -> Question:
-    """Return the question of the command, or about the quantities that `--quantities` lists."""
-    return question_about(call.quantities) if call.quantities else QUESTIONS[call.command]
+def question_of(call: Call, usual: Question) -> Question:
+    """Return the question about the quantities that `--quantities` lists, or the usual one without it."""
+    if call.quantities is None:
+        return usual
+    if not call.quantities.strip():
+        raise BadRequest("--quantities is empty; name some, such as --quantities pull_off_force,r_min")
+    return question_about(call.quantities)
 
 
 def _refuse_inputs(question: Question, sweep: Sweep) -> None:
@@ -257,7 +261,7 @@ def _write_curve(call: Call) -> int:
     kind = checked_format(call)
     if kind in ("explain", "cite"):
         raise BadRequest(f"--curve and --{kind} exclude each other")
-    question = question_about(call.quantities) if call.quantities else FORCE_CURVE
+    question = question_of(call, FORCE_CURVE)
     shown = question.headline if kind == "bare" else question.quantities
     form = form_of(call, shown)
     request, loads = curve_request(call)
