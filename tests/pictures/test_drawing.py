@@ -475,6 +475,13 @@ def test_rows_of_a_curve_are_within_its_loads(run: Run, model: str) -> None:
     [
         ("contact quartz 100nm -o contact.svg", "add --curve"),
         ("contact quartz 100nm --curve --csv -o contact.svg", "-o and --csv exclude each other"),
+        ("contact quartz 100nm --curve -o contact.svg --to nN", "-o and --to exclude each other"),
+        ("contact quartz 100nm --curve --panel force --digits 2", "--panel and --digits exclude each other"),
+        ("contact quartz 100nm --curve --panel force --no-doubt", "--panel and --no-doubt exclude each other"),
+        (
+            "contact quartz 100nm --curve --panel force --quantities pull_off_force",
+            "--panel and --quantities exclude each other",
+        ),
         ("contact quartz,iron 100nm --curve -o contact.svg", "shows one contact; 2"),
         ("contact quartz 100nm --curve --approach 1nm -o contact.svg", "it takes none"),
         ("contact quartz 100nm --curve --load 1nN -o contact.svg", "give --load as FROM:TO"),

@@ -113,6 +113,14 @@ def draw_contact(call: Call) -> int:
         raise BadRequest(f"{flag} draws the curve: add --curve")
     if (kind := format_name(call)) not in ("table", "plain"):
         raise BadRequest(f"{flag} and --{kind} exclude each other")
+    of_numbers = {
+        "--quantities": call.quantities,
+        "--to": call.to,
+        "--digits": call.digits,
+        "--no-doubt": call.no_doubt,
+    }
+    for option in (option for option, value in of_numbers.items() if value):
+        raise BadRequest(f"{flag} and {option} exclude each other")
     request, loads = curve_request(call)
     if (count := len(request.sweep) // len(request.models)) > 1:
         raise BadRequest(f"a picture shows one contact; {count} were given")
