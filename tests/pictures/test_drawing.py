@@ -474,6 +474,11 @@ def test_rows_of_a_curve_are_within_its_loads(run: Run, model: str) -> None:
     ("line", "message"),
     [
         ("contact quartz 100nm -o contact.svg", "add --curve"),
+        ("contact quartz 100nm --curve -o contact.jpg", "does not end in .svg, .pdf or .png; --csv > FILE writes"),
+        ("contact quartz 100nm --curve -o contact.EPS", "does not end in .svg, .pdf or .png; --csv > FILE writes"),
+        ("pull-off quartz 100nm -o contact.jpg", "'contact.jpg' is a picture"),
+        ("contact quartz 100nm --curve -o contact.xlsx", "'contact.xlsx' is a spreadsheet; write a table"),
+        ("pull-off quartz 100nm -o forces.ods", "'forces.ods' is a spreadsheet; write a table"),
         ("contact quartz 100nm --curve --csv -o contact.svg", "-o and --csv exclude each other"),
         ("contact quartz 100nm --curve -o contact.svg --to nN", "-o and --to exclude each other"),
         ("contact quartz 100nm --curve --panel force --digits 2", "--panel and --digits exclude each other"),
@@ -503,7 +508,7 @@ def test_what_cannot_be_drawn(run: Run, tmp_path: Path, line: str, message: str)
     assert ran.code == (1 if "cannot write" in message else 2)
     assert message in ran.err
     assert len(ran.err.splitlines()) == 1
-    assert not list(tmp_path.glob("*.svg"))
+    assert not {path.name for path in tmp_path.iterdir()} & {*line.split()}
 
 
 def test_a_picture_that_cannot_be_written_leaves_the_old_one(

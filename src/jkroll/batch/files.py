@@ -11,10 +11,11 @@ from typing import BinaryIO
 from ..errors import BadRequest
 from ..output.records import whole_file
 from ..rows.header import BadTable
-from ..text import quoted, say
+from ..text import ending, quoted, say
 from .formats import CHUNK, FileFormat, decompressed
 
 MAX_RECORD = 1 << 24
+SPREADSHEETS = ("xlsx", "xls", "ods")  # are not written
 
 Cut = Callable[[bytes], int]  # number of bytes of whole records at the beginning of a text
 
@@ -117,7 +118,12 @@ def output_to(target: str) -> Iterator[BinaryIO]:
 
 
 def unnamed(target: str, kind: str, *, quiet: bool) -> FileFormat:
-    """Return the format of an output whose name says none, and say which one it is where the name ends as if it said one."""
+    """Return the format of an output whose name says none, and say which one it is where the name ends as if it said one.
+
+    Raises BadRequest for a format that is another program's.
+    """
+    if ending(target) in SPREADSHEETS:
+        raise BadRequest(f"-o: {quoted(target)} is a spreadsheet; write a table that it opens, such as .csv")
     if os.path.splitext(target)[1] and not quiet:
         say(f"note: {quoted(target)} is written as {kind}: its name says no format", sys.stderr)
     return FileFormat(kind)

@@ -19,7 +19,7 @@ from ..scene.scene import Scene
 from ..scene.wiring import formula_of
 from ..text import ending, fitting, quoted, say_wrapped
 from .commands import Call
-from .request import PICTURES, curve_request, form_of, format_name, is_json, request_of
+from .request import OTHER_PICTURES, PICTURES, curve_request, form_of, format_name, is_json, request_of
 
 MAX_OBJECTS = 1_000_000  # answers that are written one by one
 MAX_TABLE = 10_000  # rows of a table on a terminal
@@ -107,12 +107,17 @@ def checked_format(call: Call) -> str:
     """Return the name of the output format; raise BadRequest for one that does not go with `-o`."""
     kind = format_name(call)
     if call.target is not None and not is_json(call.target):
-        if ending(call.target) in PICTURES:
+        if _is_picture(call.target):
             remedy = "add --curve to contact, or see jkroll map --help"
             raise BadRequest(f"-o: {quoted(call.target)} is a picture; {remedy}")
         if kind in ("bare", "json", "explain", "cite"):
             raise BadRequest(f"-o and --{kind} exclude each other; redirect the output: > FILE")
     return kind
+
+
+def _is_picture(path: str) -> bool:
+    """Return whether the name of a file is that of a picture, be it one that is drawn or not."""
+    return ending(path) in (*PICTURES, *OTHER_PICTURES)
 
 
 def question_of(call: Call, usual: Question) -> Question:
@@ -246,7 +251,7 @@ def write_answers(answers: Iterable[Answer], count: int, kind: str, form: Format
 
 def run_contact(call: Call) -> int:
     """Answer the question of the command, or write or draw the force curve; return the exit code."""
-    is_drawn = call.curve and call.target is not None and ending(call.target) in PICTURES
+    is_drawn = call.curve and call.target is not None and _is_picture(call.target)
     if is_drawn or call.width is not None or call.style is not None or call.uncaptioned or call.panel:
         from .map import draw_contact
 

@@ -138,6 +138,7 @@ def _is_material(word: str) -> bool:
 
 FORMATS = ("bare", "json", "csv", "explain", "cite")
 PICTURES = ("svg", "pdf", "png")
+OTHER_PICTURES = ("jpg", "jpeg", "gif", "tif", "tiff", "eps", "ps", "svgz", "bmp", "webp")  # are not drawn
 
 
 def format_name(call: Call) -> str:
