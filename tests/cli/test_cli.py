@@ -611,6 +611,15 @@ def test_the_curve_has_its_states(run: Run) -> None:
     assert approaches[fold:] == sorted(approaches[fold:])
 
 
+@pytest.mark.parametrize(("model", "given"), [("jkr", "load_factor"), ("dmt", "approach_at_load [m]")])
+def test_the_rows_of_a_curve_differ_by_what_sets_their_states(run: Run, model: str, given: str) -> None:
+    words = f"contact quartz 100nm --curve --model {model} --quantities pull_off_force"
+    values = [row[given] for row in csv.DictReader(io.StringIO(run(f"{words} --csv").out))]
+    assert len({*values}) == len(values) > 40
+    objects = json.loads(run(f"{words} --json").out)
+    assert [one["inputs"][given.partition(" ")[0]] for one in objects] == [*map(float, values)]
+
+
 @pytest.mark.parametrize(
     "words",
     [

@@ -184,8 +184,9 @@ class AtState(Answer):
 
     @cached_property
     def inputs(self) -> Mapping[str, float | str]:
-        """The inputs as understood, with the name of the state."""
-        return {**super().inputs, "state": self.state.name}
+        """The inputs as understood, with the one that sets the state, and the name of the state."""
+        given, value, name = self.state
+        return {**super().inputs, given: value, "state": name}
 
     @cached_property
     def results(self) -> tuple[Result, ...]:
@@ -211,13 +212,13 @@ def _as_known(result: Result, value: float | NoValue) -> Result:
 
 
 class OfCurve(Wanted):
-    """The columns of force curves: the inputs, the name of the state and the results."""
+    """The columns of force curves: the inputs, among them those that set the states, the names of these, and the results."""
 
     @classmethod
-    def of(cls, scenes: Iterable[Scene], names: Sequence[str]) -> "OfCurve":
-        """Return the columns of quantities of scenes at their states."""
-        inputs, sides = entering(scenes, lambda _: names, names)
-        shown = in_order({*inputs, "state"}.difference(names))
+    def of(cls, samples: Sequence[At], names: Sequence[str]) -> "OfCurve":
+        """Return the columns of quantities at states."""
+        inputs, sides = entering((one.scene for one in samples), lambda _: names, names)
+        shown = in_order({*inputs, *(one.state.given for one in samples), "state"}.difference(names))
         return cls(names, named=names, inputs=shown, sides=sides)
 
     @cached_property
@@ -240,5 +241,5 @@ class OfCurve(Wanted):
                 reasons[name] = value
             else:
                 numbers[name] = value
-        inputs = {**found.inputs, "state": state.name}
+        inputs = {**found.inputs, state.given: state.value, "state": state.name}
         return Row(inputs, [numbers[key] for key in self.keys], curve.bits if self.doubts else 0, reasons)

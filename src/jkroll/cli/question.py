@@ -283,7 +283,7 @@ def _write_curve(call: Call) -> int:
             answers = (AtState(one, question) for one in every)
             return write_answers(answers, len(every), kind, form, out, quiet=call.quiet)
     bare = OfCurve(shown, named=shown, doubts=False)
-    wanted = bare if kind == "bare" else OfCurve.of((one.scene for one in samples), shown)
+    wanted = bare if kind == "bare" else OfCurve.of(samples, shown)
     size = MAX_TABLE if kind == "table" else CURVE_BLOCK
     pairs: list[Pair] = []  # of each row
 
