@@ -26,6 +26,7 @@ from jkroll.pictures.figures import PAPER_MAPS, PROFILES, paper_map
 from jkroll.pictures.maps import Curve, Map, Picture, label_of
 from jkroll.pictures.request import map_of
 from jkroll.quantities.nomenclature import NOMENCLATURE
+from jkroll.quantities.values import parse_quantity
 from jkroll.scene.scene import Scene
 
 pytest.importorskip("matplotlib")
@@ -466,8 +467,25 @@ def test_rows_of_a_curve_are_within_its_loads(run: Run, model: str) -> None:
     ran = run(f"contact quartz 100nm --curve --model {model} --load=-5nN:20nN --csv")
     loads = [float(row["load [N]"]) for row in csv.DictReader(ran.out.splitlines())]
     assert len(loads) > 10
-    assert min(loads) >= -5e-9
+    assert math.isclose(min(loads), -5e-9, rel_tol=1e-9)
     assert math.isclose(max(loads), 2e-8, rel_tol=1e-9)
+
+
+@pytest.mark.parametrize("model", ["jkr", "maugis", "dmt"])
+@pytest.mark.parametrize(("first", "last"), [("1nN", "2nN"), ("0nN", "5nN"), ("-1nN", "1nN"), ("-1uN", "1uN")])
+def test_rows_of_a_curve_fill_its_loads(run: Run, model: str, first: str, last: str) -> None:
+    """The stable branch has as many rows in any range, from its first load, or from pull-off, to its last."""
+    ran = run(f"contact quartz 100nm --curve --model {model} --load={first}:{last} --csv")
+    rows = [*csv.DictReader(ran.out.splitlines())]
+    ends = [max(parse_quantity(first, "load"), -solve("pull_off_force", material="quartz", radius=1e-7, model=model))]
+    ends.append(parse_quantity(last, "load"))
+    held = [row for row in rows if row["state"] not in ("unstable", "fixed grips", "without contact", "fold")]
+    loads = [float(row["load [N]"]) for row in held]
+    np.testing.assert_allclose([loads[0], loads[-1]], ends, rtol=1e-9, atol=1e-22)
+    assert 41 <= len(loads) <= 44
+    assert loads == sorted(loads)
+    approaches = [float(row["approach_at_load [m]"]) for row in held]
+    assert approaches == sorted(approaches)
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
-from math import nan
+from math import isfinite, nan
 from typing import Any, NamedTuple
 
 from ..errors import BadRequest, NoResult
@@ -73,8 +73,36 @@ def states(scene: Scene, loads: Loads | None = None, steps: int = STEPS) -> list
         return [State("load", loads.high, "stable") if loads else State("load", 0.0, NAMED[EQUILIBRIUM])]
     if loads is None:
         return found
-    high = loads.high + 1e-12 * abs(loads.high)  # the load of the last state comes back but for rounding
-    return [state for state in found if loads.low <= scene.replace(**{state.given: state.value})["load"] <= high]
+    slack = 1e-12 * max(abs(end) for end in loads if isfinite(end))  # the load of a state comes back but for rounding
+    return [
+        state
+        for state in found
+        if loads.low - slack <= scene.replace(**{state.given: state.value})["load"] <= loads.high + slack
+    ]
+
+
+def states_between(scene: Scene, loads: Loads) -> list[State]:
+    """Return the states of a force curve between two loads, the stable ones from the first load to the last."""
+    found = states(scene, loads)
+    try:
+        stable = _stable(scene, loads)
+    except (MissingInput, NoResult):
+        return found
+    others = [state for state in found if state.name != "stable"]
+    given = stable[0].given
+    by_value = {float(f"{state.value:.12g}"): state for state in (*stable, *others) if state.given == given}
+    apart = (state for state in others if state.given != given)
+    return [*apart, *(by_value[value] for value in sorted(by_value))]
+
+
+def _stable(scene: Scene, loads: Loads) -> list[State]:
+    """Return the states of the stable branch at loads that are closer to each other where its slope is steep, near pull-off."""
+    given, name = _OF_LOAD.get(scene.law.name, ("load", "load"))
+    pull_off = -scene["pull_off_force"]
+    least = max(loads.low, pull_off)
+    steps = range(1 if least == pull_off else 0, STEPS + 1)  # pull-off has a state with a name
+    held = (least + (loads.high - least) * (step / STEPS) ** 2 for step in steps)
+    return [State(given, scene.replace(load=load)[name], "stable") for load in held]
 
 
 def _largest(scene: Scene, loads: Loads | None) -> float:
@@ -138,6 +166,12 @@ def _of_loads(scene: Scene, loads: Loads | None, steps: int) -> list[State]:
 
 
 STATES_OF_LAW = {"jkr": _of_jkr, "maugis": _of_maugis, "dmt": _of_dmt}
+# The input that sets a state in contact, and the quantity that has its value at a load.
+_OF_LOAD = {
+    "jkr": ("load_factor", "load_factor"),
+    "maugis": ("edge_ratio", "edge_ratio_at_load"),
+    "dmt": ("approach_at_load", "approach_at_load"),
+}
 
 
 class WholeCurve(Answer):
@@ -164,7 +198,7 @@ def at_states(scenes: Iterable[Scene], loads: Loads | None = None) -> Iterator[A
     """Iterate over the states of each scene, under its own law."""
     for scene in scenes:
         curve = WholeCurve(scene)
-        for state in states(scene, loads):
+        for state in states_between(scene, loads) if loads is not None else states(scene):
             yield At(state, scene.replace(**{**scene.uncertain, state.given: state.value}), curve)
 
 
