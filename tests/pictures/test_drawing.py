@@ -508,7 +508,7 @@ def test_rows_of_a_curve_fill_its_loads(run: Run, model: str, first: str, last: 
         ("contact quartz,iron 100nm --curve -o contact.svg", "shows one contact; 2"),
         ("contact quartz 100nm --curve --approach 1nm -o contact.svg", "it takes none"),
         ("contact quartz 100nm --curve --load 1nN -o contact.svg", "give --load as FROM:TO"),
-        ("contact quartz 100nm --curve --load 1nN:-1nN -o contact.svg", "does not rise"),
+        ("contact quartz 100nm --curve --load 1nN:-1nN -o contact.svg", "does not rise; write FROM:TO"),
         ("contact quartz 100nm --curve --model dmt --panel pressure -o contact.svg", "not in DMT"),
         ("figure 3a -o svg", "-o: 'svg' does not end in .svg, .pdf or .png"),
         ("figure 3a -o nowhere/figure.svg", "cannot write 'nowhere/figure.svg': No such"),

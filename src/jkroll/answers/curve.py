@@ -57,7 +57,7 @@ def loads_of(text: str) -> Loads:
         raise BadRequest("--curve goes through many loads; give --load as FROM:TO, such as -5nN:20nN")
     loads = Loads(parse_quantity(first, "load"), parse_quantity(last, "load"))
     if not loads.low < loads.high:
-        raise BadRequest(f"--load: {quoted(text)} does not rise")
+        raise BadRequest(f"--load: {quoted(text)} does not rise; write FROM:TO with FROM below TO")
     return loads
 
 

@@ -206,7 +206,7 @@ def axis_of(text: str, option: str) -> Axis:
         raise QuantityError(name, values, "is not a range", "write FROM:TO, with :lin for equal steps")
     spread = between(first, last, count, *scale, name=name, text=values)
     if not spread.low < spread.high:
-        raise QuantityError(name, values, "does not rise")
+        raise QuantityError(name, values, "does not rise", "write FROM:TO with FROM below TO")
     return Axis(name, spread.low, spread.high, spread.is_log, spread.size if has_count else 0)
 
 
