@@ -526,13 +526,13 @@ def test_any_quantity_over_any_input_is_drawn_or_refused_in_a_line(run: Run) -> 
     [
         (
             "jkr",
-            "Pull-off force P_c, Eq (1), under JKR.",
+            "Pull-off force, P_c, Eq (1), under JKR.",
             ["a/z0 < 3", "JKR is off by more than 5 % where μ is smaller"],
         ),
-        ("maugis", "Pull-off force P_c, Maugis 1992, under Maugis–Dugdale.", ["a/z0 < 3"]),
+        ("maugis", "Pull-off force, P_c, Maugis 1992, under Maugis–Dugdale.", ["a/z0 < 3"]),
         (
             "dmt",
-            "Pull-off force P_c, Eq (1), under DMT.",
+            "Pull-off force, P_c, Eq (1), under DMT.",
             ["a/z0 < 3", "DMT is off by more than 5 % where μ is larger"],
         ),
     ],
@@ -544,7 +544,12 @@ def test_a_map_names_its_law_and_is_judged_by_it(run: Run, model: str, sentence:
     assert "its limits are not shown" not in ran.err
 
 
+def test_a_symbol_does_not_run_into_the_sentence_before_it(run: Run) -> None:
+    ran = run("map moment quartz --x radius=1nm:1um")
+    assert "Rolling moment at the displacement ξ, M, Eq (25)." in ran.out
+
+
 def test_curves_of_several_laws_have_no_equation_of_one(run: Run) -> None:
     ran = run("map pull-off quartz --x radius=1nm:1mm --model maugis,dmt")
-    assert "Pull-off force P_c." in ran.out
+    assert "Pull-off force, P_c." in ran.out
     assert re.search(r"quartz, DMT, R1 = \S+ nm to 1 mm: DMT is off by more than 5 %\.", " ".join(ran.out.split()))

@@ -161,7 +161,7 @@ def _caption(declared: PaperMap, limits: Collection[Bound], *, as_printed: bool)
     quantity = NOMENCLATURE[declared.quantity]
     at_a_corner = {RADII.name: RADII.high, **declared.x.inputs(declared.x.low)}
     scene = Scene({**declared.given, **at_a_corner})
-    shown = f"{capitalized(quantity.sentence)} {quantity.symbol}, Eq ({equation_of(scene, declared.quantity)})."
+    shown = f"{capitalized(quantity.sentence)}, {quantity.symbol}, Eq ({equation_of(scene, declared.quantity)})."
     if as_printed:
         shown += f" Dashed: Eq ({NOMENCLATURE[declared.printed].equation}) as printed."
     used = _assumed(scene, declared, {declared.quantity})

@@ -219,7 +219,7 @@ def notes_on(scene: Scene, inputs: Collection[str], names: Sequence[str]) -> lis
 def _first_sentence(quantity: str, scenes: Sequence[Scene]) -> str:
     """Return the first sentence of a caption: the quantity, and its equation and the law that was named, if there is one."""
     entry = NOMENCLATURE[quantity]
-    parts = [f"{capitalized(entry.sentence)} {entry.symbol}"]
+    parts = [capitalized(entry.sentence), entry.symbol]
     equations = {equation_of(scene, quantity) for scene in scenes}
     laws = {scene.law.title for scene in scenes if scene.stated_model is not None}
     if len(equations) == 1 and (equation := equations.pop()):
