@@ -456,7 +456,16 @@ def test_limits_that_cannot_be_shown_are_said_to_be_missing(run: Run) -> None:
         ("map yield-force quartz,iron --x xi=1nm:2nm --y load=0N:1nN:lin", "more than one map"),
         ("map frequencies gold --x radius=1nm:1um", "gold has none"),
         ("map pull-off quartz --x radius=1nm:1um --mark quarz@1nm", "did you mean quartz?"),
-        ("map pull-off quartz --x radius=1nm:1um --mark quartz@1m", "nowhere on"),
+        (
+            "map pull-off quartz --x radius=1nm:1um --mark quartz@1m",
+            "nowhere on radius, which is drawn from 1 nm to 1 µm",
+        ),
+        ("figure 3a --mark iron@5m", "--mark 'iron@5m' is nowhere on radius, which is drawn from 500 pm to 1 mm"),
+        ("figure laws --mark quartz@1km", "nowhere on tabor_parameter, which is drawn from 0.01 to 100"),
+        (
+            "map pull-off --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2 --mark quartz@5m",
+            "nowhere on radius, which is drawn from 1 nm to 1 mm",
+        ),
         ("map pull-off --x radius=1nm:1um:100000 --y gamma=1mJ/m2:1J/m2:100000", "are more than"),
         ("map pull-off 1nm:1um:25 --x gamma=1mJ/m2:1J/m2", "25 scenes are more than the 24 curves"),
         ("map pull-off quartz,iron --x radius=1nm:1um:500001", "2 x 500001 points are more than 1000000"),

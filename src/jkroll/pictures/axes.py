@@ -46,6 +46,10 @@ class Axis(NamedTuple):
         """Return the inputs of a scene at values on the axis."""
         return {**self.beside, self.name: values}
 
+    def has(self, value: float) -> bool:
+        """Return whether a value lies between the ends."""
+        return self.low <= value <= self.high
+
     def header(self) -> str:
         """Return the column header of the values: name and unit."""
         return header(self.name, quantity_of(self.name).unit)

@@ -206,13 +206,18 @@ def solved(scene: Scene, names: Sequence[str], values: Mapping[str, Any]) -> dic
     return values_of(scene.replace(**values), names)
 
 
-def coordinate(axis: Axis, scene: Scene) -> float | None:
-    """Return the place of a scene on an axis; None if the scene does not determine it or it is beyond the ends."""
+def value_on(axis: Axis, scene: Scene) -> float | None:
+    """Return the value that a scene has on an axis, perhaps beyond its ends; None if the scene does not determine it."""
     try:
-        value = scene[axis.name]
+        return float(scene[axis.name])
     except (MissingInput, NoResult):
         return None
-    return value if axis.low <= value <= axis.high else None
+
+
+def _coordinate(axis: Axis, scene: Scene) -> float | None:
+    """Return the value of a scene between the ends of an axis; None if there is none."""
+    value = value_on(axis, scene)
+    return value if value is not None and axis.has(value) else None
 
 
 def evaluate(scene: Scene, quantity: str, x: Axis, y: Axis) -> Any:
@@ -241,7 +246,7 @@ def material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[tuple[Mark, 
         if material.state:
             continue
         scene = Scene({}, material)
-        mark = Mark(material.name, coordinate(x, scene), coordinate(y, scene))
+        mark = Mark(material.name, _coordinate(x, scene), _coordinate(y, scene))
         if mark.x is None and mark.y is None:
             others.append(material.name + (_lacking(scene, x) or _lacking(scene, y)))
         else:

@@ -24,7 +24,6 @@ from .maps import (
     along,
     axis_around,
     bounds_of,
-    coordinate,
     evaluate,
     has_values,
     lacking,
@@ -32,6 +31,7 @@ from .maps import (
     material_marks,
     regions,
     unit_of_labels,
+    value_on,
 )
 
 MAX_POINTS = 4_000_000  # of a map
@@ -71,9 +71,13 @@ def mark_at(text: str, materials: Materials, scene: Scene, x: Axis, y: Axis) -> 
     material = materials[name] if name else None
     values = {"radius": parse_quantity(radius, "radius")} if radius else {}
     there = Scene({**scene.stated, **values}, material or scene.material, scene.material2, model=scene.stated_model)
-    mark = Mark(text, coordinate(x, there), coordinate(y, there))
+    mark = Mark(text, value_on(x, there), value_on(y, there))
     if mark.x is None and mark.y is None:
         raise BadRequest(f"--mark {quoted(text)} is nowhere on {x.name} and {y.name} as they are drawn")
+    for axis, value in ((x, mark.x), (y, mark.y)):
+        if value is not None and not axis.has(value):
+            low, high = (amount(axis.name, float(f"{end:.3g}")) for end in (axis.low, axis.high))
+            raise BadRequest(f"--mark {quoted(text)} is nowhere on {axis.name}, which is drawn from {low} to {high}")
     return mark
 
 
