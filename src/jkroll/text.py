@@ -115,18 +115,33 @@ def say_wrapped(text: str, out: TextIO, indent: int = 2) -> None:
     out.write(fitted + "\n")
 
 
+NO_BREAK_SPACE = "\N{NO-BREAK SPACE}"
+
+
 def wrapped(text: str, width: int, indent: int = 0) -> list[str]:
     """Return the lines of a sentence, broken at spaces, but not between a number and its unit; those after the first indented.
 
     >>> wrapped("P = 0 N", 5), wrapped("P = 0 N", 6, 2)
     (['P =', '0 N'], ['P =', '  0 N'])
     """
-    import re
     from textwrap import wrap
 
-    joined = re.sub(r"(?<=\d) (?=[^\W\d]|%)", "\xa0", text)
-    lines = wrap(joined, width, subsequent_indent=" " * indent, break_long_words=False, break_on_hyphens=False)
-    return [line.replace("\xa0", " ") for line in lines]
+    lines = wrap(
+        with_units_joined(text), width, subsequent_indent=" " * indent, break_long_words=False, break_on_hyphens=False
+    )
+    return [line.replace(NO_BREAK_SPACE, " ") for line in lines]
+
+
+def with_units_joined(text: str) -> str:
+    """Return a text with no-break spaces between a number and its unit, and within a unit.
+
+    >>> with_units_joined("M [fN m] is 5 fN m, 0.3 % less").replace(NO_BREAK_SPACE, "_")
+    'M [fN_m] is 5_fN_m, 0.3_% less'
+    """
+    import re
+
+    joined = re.sub(r"(?<=\d) (?=[^\W\d]|%)", NO_BREAK_SPACE, text)
+    return re.sub(r"(?<=[NJg]) (?=m(?:\b|[²^/]))", NO_BREAK_SPACE, joined)  # N m, kg m²
 
 
 MAX_SIZE = 1000  # a table or a picture of this size still fits into memory

@@ -28,6 +28,7 @@ from jkroll.pictures.request import map_of
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.quantities.values import parse_quantity
 from jkroll.scene.scene import Scene
+from jkroll.text import wrapped
 
 pytest.importorskip("matplotlib")
 from matplotlib.figure import Figure
@@ -235,6 +236,20 @@ def test_every_symbol_is_typeset_and_can_be_drawn() -> None:
 
 def test_lines_are_broken_before_typesetting_and_not_before_a_unit() -> None:
     assert typeset_lines("a radius R1 = 100 nm of spheres", 18) == ["a radius", "$R_{1}$ = 100 nm of", "spheres"]
+
+
+@pytest.mark.parametrize(
+    ("text", "kept"),
+    [
+        ("rolling moment, M [fN m]", "[fN m]"),
+        ("numerical solutions, within 0.3 % for 0.01", "0.3 %"),
+        ("it is 5 nN m here", "5 nN m"),
+    ],
+)
+def test_a_unit_stays_on_the_line_of_its_number(text: str, kept: str) -> None:
+    for width in range(8, len(text)):
+        assert any(kept in line.replace("$M$", "M") for line in typeset_lines(text, width)), width
+        assert any(kept in line for line in wrapped(text, width)), width
 
 
 def test_labels_without_a_unit_have_it_in_the_title() -> None:

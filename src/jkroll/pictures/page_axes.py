@@ -16,6 +16,7 @@ from matplotlib.patheffects import withStroke  # type: ignore[import-not-found,u
 from matplotlib.transforms import Bbox  # type: ignore[import-not-found,unused-ignore]
 
 from ..quantities.nomenclature import NOMENCLATURE
+from ..text import NO_BREAK_SPACE, with_units_joined
 from .axes import Axis
 from .maps import NEIGHBOURS, Curve, Map, Mark, Panel, Region, shifted
 from .styles import DASHES, LETTER, LOOKS, SIZE, Look, Style
@@ -178,9 +179,7 @@ def typeset_lines(text: str, width: int) -> list[str]:
     unit, or its symbol: "P = 0 N" stays together.
     """
     unbroken = re.sub(
-        r"(?<=\d) (?=[^\W\d])| (?=−)|(?<=−) | (?=\[)| (?=[=<>] [-−\d])|(?<= [=<>]) (?=[-−\d])",
-        "\N{NO-BREAK SPACE}",
-        text,
+        r" (?=−)|(?<=−) | (?=\[)| (?=[=<>] [-−\d])|(?<= [=<>]) (?=[-−\d])", NO_BREAK_SPACE, with_units_joined(text)
     )
     lines = [line.split() for line in wrap(unbroken, width, break_long_words=False, break_on_hyphens=False)]
     words = iter(_typeset_words(text.split()))
