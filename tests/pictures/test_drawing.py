@@ -327,6 +327,15 @@ def test_a_caption_has_three_lines_in_a_column(name: str) -> None:
     assert 1 <= len(caption.get_text().splitlines()) <= 3
 
 
+def test_a_mark_on_the_edge_is_a_whole_dot() -> None:
+    request = map_request(Call(words=("pull-off",), x="radius=100nm:1um", y="gamma=1mJ/m2:1J/m2", mark="quartz@100nm"))
+    drawn, _ = map_of(request, (21, 21))
+    (axes,) = figure_of(drawn, 4.0, PAPER, has_caption=False).axes
+    dots = [line for line in axes.lines if line.get_marker() == "o"]
+    assert [np.ravel(line.get_xdata()).tolist() for line in dots] == [[0.0]]
+    assert not dots[0].get_clip_on()
+
+
 @pytest.mark.parametrize("name", ["3a", "8"])
 def test_letters_and_their_subscripts_have_six_points(name: str) -> None:
     _, page = in_a_column(name)

@@ -317,7 +317,8 @@ def _draw_points(axes: Any, x: Axis, y: Axis, marks: Sequence[Mark], style: Styl
     radius = 3 * axes.figure.dpi / 72
     boxes = []
     for _, at in _points(x, y, marks):
-        axes.plot(*at, "o", zorder=4, markersize=3.5, color=style.ink, markeredgecolor=style.paper, markeredgewidth=0.6)
+        look = {"color": style.ink, "markeredgecolor": style.paper, "markeredgewidth": 0.6}
+        axes.plot(*at, "o", zorder=4, markersize=3.5, clip_on=False, **look)  # whole on the edge, too
         boxes.append(_box(axes.transData.transform(at), radius))
     return boxes
 
