@@ -553,6 +553,21 @@ def test_a_map_names_its_law_and_is_judged_by_it(run: Run, model: str, sentence:
     assert "its limits are not shown" not in ran.err
 
 
+@pytest.mark.parametrize(
+    ("line", "has_load"),
+    [
+        ("map pull-off quartz --x radius=1nm:1mm", False),
+        ("map tabor_parameter quartz --x radius=1nm:1mm --y gamma=1mJ/m2:1J/m2", False),
+        ("map pull-off quartz --x radius=1nm:1mm --load 1nN", True),
+        ("map contact_radius_at_load quartz --x radius=1nm:1mm", True),
+    ],
+)
+def test_a_load_that_is_assumed_is_named_where_the_quantity_depends_on_it(run: Run, line: str, has_load: bool) -> None:
+    ran = run(line)
+    assert ("P = " in " ".join(ran.out.split()).partition("Held: ")[2].partition(". ")[0]) is has_load
+    assert ("assumed P = 0 N" in ran.err) is (has_load and "--load" not in line)
+
+
 def test_a_symbol_does_not_run_into_the_sentence_before_it(run: Run) -> None:
     ran = run("map moment quartz --x radius=1nm:1um")
     assert "Rolling moment at the displacement ξ, M, Eq (25)." in ran.out

@@ -179,10 +179,13 @@ class Context:
                 notes.append(f"the limits are not shown: {NOMENCLATURE[error.wanted].symbol} {error.reason()}")
         names = [quantity, *(bound.name for bound in self.bounds)]
         inputs = self.scene.inputs_of(*names)
-        self.inputs = inputs_as_texts(self.scene, [name for name in inputs if name not in values])
+        used = {*self.scene.inputs_of(quantity)}
+        # The limits are judged at an assumed load, which is no assumption about a quantity that does not depend on it.
+        shown = [name for name in inputs if name in used or name != "load" or name in self.scene.given]
+        self.inputs = inputs_as_texts(self.scene, [name for name in shown if name not in values])
         remark = NOMENCLATURE[quantity].note
         idle = [note.text for note in about_idle(self.scene, inputs)]
-        data = notes_on(self.scene, inputs, names)
+        data = notes_on(self.scene, shown, names)
         self.notes = tuple(
             dict.fromkeys([*notes[:1], *idle, *data, *([f"{symbol_of(quantity)}: {remark}"] if remark else [])])
         )
