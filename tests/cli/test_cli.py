@@ -183,6 +183,12 @@ MESSAGES = {
     "pull-off --\x1b[31m": (2, "no such option '--?[31m'; see jkroll pull-off --help"),
     "--bare pull-off quartz 100nm": (2, "--bare goes behind a command: jkroll pull-off ... --bare"),
     "pul-off quartz 100nm": (2, "no such command 'pul-off'; did you mean pull-off?"),
+    "map pull-off --x radius=1nm:1um --csv": (2, "map takes no '--csv'; --data FILE writes the numbers as CSV"),
+    "export lammps quartz 100nm -o x": (2, "export takes no '-o'; it writes to standard output: add > FILE"),
+    "export lammps quartz 100nm --output=x": (
+        2,
+        "export takes no '--output'; it writes to standard output: add > FILE",
+    ),
     "help pul-off": (2, "no such command 'pul-off'; did you mean pull-off?"),
     "--help xyzzy": (2, "no such command 'xyzzy'; see jkroll --help"),
     "helper": (2, "no such command 'helper'; see jkroll --help"),

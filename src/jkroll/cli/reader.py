@@ -41,6 +41,11 @@ HINTS: Mapping[str, str] = {
     "-R": "a radius stands alone: jkroll pull-off quartz 100nm",
     "--radius": "a radius stands alone: jkroll pull-off quartz 100nm",
 }
+# The same, of one command.
+HINTS_OF: Mapping[str, Mapping[str, str]] = {
+    **dict.fromkeys(("map", "figure"), dict.fromkeys(("--csv", "--json"), "--data FILE writes the numbers as CSV")),
+    "export": dict.fromkeys(("-o", "--output", "--out"), "it writes to standard output: add > FILE"),
+}
 # Words of a scene that may be given by name, too.
 NAMED = {
     "MATERIAL": Option("material", "--material", str, "quartz"),
@@ -255,13 +260,15 @@ class UnknownOption(JkrollError):
         if self.flag not in takers:
             own = by_symbol.flag if by_symbol else _meant(name, flags)
         guess = _meant(name, takers)
-        if self.flag in HINTS:
-            return f"no such option {quoted(self.flag)}; {HINTS[self.flag]}"
-        if own:
-            return f"no such option {quoted(self.flag)}; did you mean {own}?"
-        if not guess:
-            program = f"jkroll {self.command}" if self.command else "jkroll"
-            return f"no such option {quoted(self.flag)}; see {program} --help"
+        if hint := HINTS_OF.get(self.command or "", {}).get(self.flag):
+            return f"{self.command} takes no {quoted(self.flag)}; {hint}"
+        hint = HINTS.get(self.flag)
+        if not hint and own:
+            hint = f"did you mean {own}?"
+        elif not hint and not guess:
+            hint = f"see jkroll {self.command} --help" if self.command else "see jkroll --help"
+        if hint or guess is None:
+            return f"no such option {quoted(self.flag)}; {hint}"
         if self.command is None:
             return f"{guess} goes behind a command: jkroll {takers[guess]} ... {guess}"
         others = [command.name for command in COMMANDS.values() if guess in command.flags()]
