@@ -50,8 +50,15 @@ def test_error_bars_and_units() -> None:
     assert "pull_off_force = 11.8 ± 2.4 nN" in str(found)
 
 
+def test_an_answer_is_shown_in_a_line() -> None:
+    found = jkroll.answer("pull-off", material="quartz", radius="100 nm")
+    assert repr(found) == "<Answered: P_c = 11.781 nN, P_DMT = 15.708 nN>"
+    assert "P_c = 11.8 ± 2.4 nN" in repr(jkroll.answer("pull-off", radius="100 nm", gamma="25±5 mJ/m2"))
+
+
 def test_a_result_without_a_value_has_a_reason() -> None:
     found = jkroll.answer("report", gamma=0.025, radius=1e-7)
+    assert "a = no value, " in repr(found)
     assert found["pull_off_force"].value is not None
     assert found["contact_radius_at_load"].value is None
     assert "Young's modulus" in str(found["contact_radius_at_load"])

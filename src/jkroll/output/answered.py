@@ -40,7 +40,7 @@ class Answered:
     """
 
     def __init__(self, found: Answer) -> None:
-        """Take an answer, and compute what is asked of it."""
+        """Show an answer; what is not asked of it is not computed."""
         self._found = found
 
     @cached_property
@@ -80,6 +80,13 @@ class Answered:
     def __getitem__(self, name: str) -> Value:
         """Return the result of a name, or of a symbol."""
         return self.values[named(name, self.values)]
+
+    def __repr__(self) -> str:
+        texts = (
+            f"{NOMENCLATURE[name].symbol} = {'no value' if value.value is None else value}"
+            for name, value in self.values.items()
+        )
+        return f"<Answered: {', '.join(texts)}>"
 
     def __str__(self) -> str:
         values = [f"{name} = {value}" for name, value in self.values.items()]
