@@ -9,7 +9,7 @@ from contextlib import contextmanager, suppress
 from typing import BinaryIO
 
 from ..errors import BadRequest
-from ..output.records import whole_file
+from ..output.files import whole_file
 from ..rows.header import BadTable
 from ..text import ending, quoted, say
 from .formats import CHUNK, FileFormat, decompressed

@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 
 from .. import __version__
 from ..errors import BadRequest, JkrollError, MissingExtra
-from ..output.records import whole_file
+from ..output.files import whole_file
 from ..rows.header import BadTable
 from ..text import quoted, say, say_wrapped
 from .lines import Tally

@@ -16,7 +16,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
 import numpy
 
 from .. import __version__
-from ..output.records import Cell, whole_file, write_records
+from ..output.files import whole_file
+from ..output.records import Cell, write_records
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.solver import BLOCK, solve
 from ..text import ending, json_text, say

@@ -6,7 +6,8 @@ from math import isnan
 
 from ..answers.questions import quantity_named
 from ..errors import BadRequest, missing_extra
-from ..output.records import text_output, whole_file, write_records
+from ..output.files import text_output, whole_file
+from ..output.records import write_records
 from ..pictures.axes import Axis
 from ..pictures.curves import PANELS, curves_of_contact
 from ..pictures.figures import FIGURE_NAMES, PROFILES, WITHOUT_MARKS, paper_map

@@ -10,7 +10,8 @@ from ..answers.answer import Answer
 from ..answers.questions import QUESTIONS, Question, question_about
 from ..errors import ROWS_FAILED, BadRequest, JkrollError
 from ..output import notes as note_lines
-from ..output.records import in_units, lines, text_output, write_json, write_plain
+from ..output.files import text_output
+from ..output.records import in_units, lines, write_json, write_plain
 from ..quantities.formatting import Format
 from ..quantities.nomenclature import NOMENCLATURE
 from ..rows.columns import Columns, Wanted

@@ -3,14 +3,10 @@
 Text of a user or a file is never read as markup, and nothing is cut where it does not fit.
 """
 
-import os
-import sys
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager, suppress
-from io import TextIOWrapper
 from itertools import chain, groupby
 from math import isnan, nan
-from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple, TextIO
+from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
 
 from ..quantities.formatting import Format, OutOfUnit, in_words
 from ..quantities.laws import BETWEEN
@@ -204,53 +200,6 @@ def _json_text(text: str) -> bytes:
     from json.encoder import encode_basestring
 
     return encode_basestring(text).encode()
-
-
-# --- Files ------------------------------------------------------------------------------------------------------------
-
-
-@contextmanager
-def naming(path: str) -> Iterator[None]:
-    """Give the OSErrors of writing a file its name: that of a full disk has none, and others that of a temporary file."""
-    try:
-        yield
-    except OSError as error:
-        error.filename = path
-        raise
-
-
-@contextmanager
-def whole_file(path: str) -> Iterator[BinaryIO]:
-    """Open a temporary file that replaces `path` when it is complete; write to a device or a pipe directly."""
-    place = os.path.realpath(path)
-    with naming(path):
-        if os.path.exists(place) and not os.path.isfile(place):
-            with open(place, "wb") as stream:
-                yield stream
-            return
-        folder, name = os.path.split(place)
-        beside = os.path.join(folder, f".{name}.{os.urandom(4).hex()}")
-        begun = open(beside, "xb")
-        try:
-            with begun:
-                yield begun
-            if os.path.exists(place):
-                os.chmod(beside, os.stat(place).st_mode & 0o7777)
-            os.replace(beside, place)
-        finally:
-            with suppress(FileNotFoundError):
-                os.unlink(beside)
-
-
-@contextmanager
-def text_output(path: str) -> Iterator[TextIO]:
-    """Open a file as `whole_file` does, for text in UTF-8; "-" is stdout."""
-    if path == "-":
-        yield sys.stdout
-        sys.stdout.flush()
-        return
-    with whole_file(path) as stream, TextIOWrapper(stream, encoding="utf-8", newline="") as text:
-        yield text
 
 
 # --- Objects ----------------------------------------------------------------------------------------------------------
