@@ -37,10 +37,13 @@ def write_records(heads: Sequence[str], records: Iterable[Sequence[Cell]], kind:
 
         write_rows(heads, [["—" if cell is None else _text(cell) for cell in record] for record in records], out)
     else:
-        style = STYLES[kind]
+        line_format = LINE_FORMATS[kind]
         for record in chain([heads], records):
             say(
-                style.separator.join(style.gap if cell is None else _quoted(_text(cell), style) for cell in record), out
+                line_format.separator.join(
+                    line_format.gap if cell is None else _quoted(_text(cell), line_format) for cell in record
+                ),
+                out,
             )
 
 
@@ -51,7 +54,7 @@ def _text(cell: str | float) -> str:
 # --- Columns ----------------------------------------------------------------------------------------------------------
 
 
-class Style(NamedTuple):
+class LineFormat(NamedTuple):
     """The rules of a format whose rows are lines."""
 
     separator: str
@@ -61,12 +64,12 @@ class Style(NamedTuple):
     is_json: bool = False
 
 
-STYLES = {
-    "csv": Style(","),
-    "tsv": Style("\t"),
-    "plain": Style("\t", "-", has_remarks=False),
-    "bare": Style("\t", "-", has_header=False, has_remarks=False),
-    "ndjson": Style(",", "null", has_header=False, is_json=True),
+LINE_FORMATS = {
+    "csv": LineFormat(","),
+    "tsv": LineFormat("\t"),
+    "plain": LineFormat("\t", "-", has_remarks=False),
+    "bare": LineFormat("\t", "-", has_header=False, has_remarks=False),
+    "ndjson": LineFormat(",", "null", has_header=False, is_json=True),
 }
 
 
@@ -83,24 +86,24 @@ def lines(kind: str, wanted: Wanted, blocks: Iterable[Columns], form: Format, *,
 
     `doubt`: whether doubts have a column, if they are judged.
     """
-    style = STYLES[kind]
-    remarks = remarks_of(wanted, doubt=doubt) if style.has_remarks else ()
+    line_format = LINE_FORMATS[kind]
+    remarks = remarks_of(wanted, doubt=doubt) if line_format.has_remarks else ()
     names = [*names_of_columns(wanted, form), *remarks]
-    if style.has_header:
-        yield style.separator.join(_quoted(name, style) for name in names).encode() + b"\n"
-    separator = style.separator.encode()
+    if line_format.has_header:
+        yield line_format.separator.join(_quoted(name, line_format) for name in names).encode() + b"\n"
+    separator = line_format.separator.encode()
     for columns in blocks:
-        cells = [*_inputs(columns, style), *_results(columns, form, style)]
+        cells = [*_inputs(columns, line_format), *_results(columns, form, line_format)]
         if DOUBT in remarks:
-            cells.append([_cell(codes(bits), style) for bits in _listed(columns.doubts)])
+            cells.append([_cell(codes(bits), line_format) for bits in _listed(columns.doubts)])
         if STATUS in remarks:
-            cells.append([_cell(columns.status(row), style) for row in range(len(columns))])
-        if style.is_json:
+            cells.append([_cell(columns.status(row), line_format) for row in range(len(columns))])
+        if line_format.is_json:
             keys = [b"%b:" % _json_text(name) for name in names]
-            rows = zip(*(_cells(column, style.gap) for column in cells), strict=True)
+            rows = zip(*(_cells(column, line_format.gap) for column in cells), strict=True)
             text = [b"{" + b",".join(map(bytes.__add__, keys, row)) + b"}\n" for row in rows]
         else:
-            text = [line + b"\n" for line in joined(cells, separator, style.gap.encode())]
+            text = [line + b"\n" for line in joined(cells, separator, line_format.gap.encode())]
         yield b"".join(text)
 
 
@@ -133,10 +136,10 @@ def numbers_in_lines(columns: Any, separator: bytes, gap: bytes, end: bytes = b"
     return io.BytesIO(text).readlines()[: len(rows)]  # takes a third of the time of a split, which looks at every byte
 
 
-def _inputs(columns: Columns, style: Style) -> Iterator[Any]:
+def _inputs(columns: Columns, line_format: LineFormat) -> Iterator[Any]:
     for name, column in columns.inputs.items():
         if isinstance(column, list) or (abs(column) == INFINITY).any():
-            yield [_cell(in_words(name, value), style) for value in _listed(middles(column))]
+            yield [_cell(in_words(name, value), line_format) for value in _listed(middles(column))]
         else:
             yield column
 
@@ -146,12 +149,14 @@ def middles(column: Any) -> Any:
     return [one.value if is_uncertain(one) else one for one in column] if isinstance(column, list) else column
 
 
-def _results(columns: Columns, form: Format, style: Style) -> Iterator[Any]:
+def _results(columns: Columns, form: Format, line_format: LineFormat) -> Iterator[Any]:
     for name in columns.wanted.names:
         for key in (name, *columns.wanted.sides_of(name).values()):
             column = columns.column(key)
             if isinstance(column, list) or form.changes(name):
-                yield [_cell(None if isnan(value) else form.number(name, value), style) for value in _listed(column)]
+                yield [
+                    _cell(None if isnan(value) else form.number(name, value), line_format) for value in _listed(column)
+                ]
             else:
                 yield column
 
@@ -181,17 +186,17 @@ def _cells(column: Any, gap: str) -> list[bytes]:
     return [line[1:-1] for line in numbers_in_lines([column], b",", gap.encode())]
 
 
-def _cell(value: str | float | None, style: Style) -> bytes:
+def _cell(value: str | float | None, line_format: LineFormat) -> bytes:
     if value is None or value == "" or (not isinstance(value, str) and isnan(value)):
-        return style.gap.encode()
+        return line_format.gap.encode()
     if isinstance(value, str):
-        return _json_text(value) if style.is_json else _quoted(value, style).encode()
+        return _json_text(value) if line_format.is_json else _quoted(value, line_format).encode()
     return spelled(value + 0.0).encode()
 
 
-def _quoted(text: str, style: Style) -> str:
+def _quoted(text: str, line_format: LineFormat) -> str:
     """Return a text, in quotes where CSV needs them."""
-    if style.separator == "," and any(mark in text for mark in '",\r\n'):
+    if line_format.separator == "," and any(mark in text for mark in '",\r\n'):
         return '"' + text.replace('"', '""') + '"'
     return text
 
