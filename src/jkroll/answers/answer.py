@@ -167,7 +167,7 @@ class Answer:
         """The answer with all that `--explain` derives."""
         return self
 
-    def in_units(self, form: Format) -> "Answer":
+    def writable(self, form: Format) -> "Answer":
         """Take the values that no double holds in their unit from the results, and return the answer."""
         self.results = tuple(result.in_unit(form) for result in self.results)
         return self

@@ -161,7 +161,7 @@ def _results(columns: Columns, form: Format, line_format: LineFormat) -> Iterato
                 yield column
 
 
-def in_units(columns: Columns, form: Format) -> Columns:
+def writable(columns: Columns, form: Format) -> Columns:
     """Return columns in which values are gaps with that reason where no double holds them, or their uncertainty, in their unit."""
     for name in form.units:
         if name not in columns.wanted.places:
