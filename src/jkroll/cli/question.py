@@ -156,7 +156,7 @@ def _write_rows(asked: Asked, sweep: Sweep, kind: str, form: Format, call: Call)
         headline = [name for name in asked.headline if name in wanted.names and name not in sweep.spreads]
         blocks = iter([unless_failed(next(blocks), headline)])
     notes = note_lines.OfRows()
-    write_columns(wanted, notes.watch(writable(columns, form) for columns in blocks), kind, form, call)
+    deliver(wanted, notes.watch(writable(columns, form) for columns in blocks), kind, form, call)
     if len(sweep) == 1 and not call.quiet:
         return _ended(notes, note_lines.of_answer(asked.answer(next(sweep.scenes()))))
     return _ended(notes, [] if call.quiet else notes.lines(sweep.pairs, asked.kinds(sweep, wanted)))
@@ -170,7 +170,7 @@ def unless_failed(columns: Columns, headline: Sequence[str]) -> Columns:
     return columns
 
 
-def write_columns(wanted: Wanted, blocks: Iterable[Columns], kind: str, form: Format, call: Call) -> None:
+def deliver(wanted: Wanted, blocks: Iterable[Columns], kind: str, form: Format, call: Call) -> None:
     """Write columns to stdout, as a table on a terminal or as lines of text, or to a file."""
     if call.target is not None:
         from ..batch.one import write_columns as write_file
@@ -294,7 +294,7 @@ def _write_curve(call: Call) -> int:
             yield writable(Columns.of_rows(wanted, [wanted.row(one) for one in some]), form)
 
     notes = note_lines.OfRows()
-    write_columns(wanted, notes.watch(columns()), kind, form, call)
+    deliver(wanted, notes.watch(columns()), kind, form, call)
     curves = [*dict.fromkeys(one.curve for one in samples)]
     if len(request.sweep) == 1 and not call.quiet:
         return _ended(notes, note_lines.of_answer(curves[0]))
