@@ -147,7 +147,7 @@ class Inferred(Answer):
 
     @cached_property
     def explained(self) -> Answer:
-        """What was measured, computed with what is found, beside that: what `--explain` derives."""
+        """The answer with the measured quantities, computed from the inferred inputs, beside these, as `--explain` derives both."""
         if self.solution is None:
             return self
         explained = copy(self)

@@ -21,7 +21,7 @@ class Grid(NamedTuple):
 
 
 class Question(NamedTuple):
-    """The quantities of one question."""
+    """The quantities that answer a question, and how they are shown."""
 
     headline: tuple[str, ...]  # those that the command is named after; --bare writes them alone
     quantities: tuple[str, ...]  # all that are shown, in this order

@@ -28,7 +28,7 @@ CURVE_BLOCK = 500  # rows of force curves that are computed before they are writ
 
 
 class Asked(Protocol):
-    """What is asked of the rows of a sweep."""
+    """The question that the rows of a sweep answer: quantities of each, or inputs that are sought."""
 
     headline: Sequence[str]  # quantities without which a single row fails
     most: int  # rows that are answered one by one

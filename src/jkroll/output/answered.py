@@ -40,7 +40,6 @@ class Answered:
     """
 
     def __init__(self, found: Answer) -> None:
-        """Show an answer; what is not asked of it is not computed."""
         self._found = found
 
     @cached_property

@@ -91,7 +91,6 @@ class OfRows:
     """The notes of rows, each with the rows that it is about, collected while the columns are written."""
 
     def __init__(self) -> None:
-        """Begin with no rows."""
         self._notes: dict[tuple[Kind, str], _Noted] = {}
         self.count = 0
         self.failed = 0
