@@ -747,3 +747,19 @@ def test_what_a_note_tells_to_give_can_be_given(run: Run) -> None:
         assert {option.name for option in COMMANDS[name].options() if option.name in NOMENCLATURE} <= {
             option.name for option in takers.values()
         }
+
+
+def test_a_curve_is_doubted_as_its_pull_off_force_wherever_it_is_written(run: Run) -> None:
+    single = run("pull-off quartz 100nm --csv").out.splitlines()[1].split(",")[-2]
+    rows = list(csv.DictReader(run("contact quartz 100nm --curve --csv").out.splitlines()))
+    answers = json.loads(run("contact quartz 100nm --curve --json").out)
+    inexact = run("pull-off quartz 100nm").err.splitlines()[0]
+    assert "JKR is inexact here" in inexact
+    assert single == "law>25%"
+    assert {row["doubt"] for row in rows} == {single}
+    assert {verdict["code"] for answer in answers for verdict in answer["validity"]} == {single, None}
+    for options in ("--csv", "--bare", "-o curve.csv", "-o curve.svg", "--panel force"):
+        assert inexact in run(f"contact quartz 100nm --curve {options}").err.splitlines(), options
+    assert "inexact" not in run("contact quartz 100nm --curve --model jkr,maugis -o curve.svg").err
+    listed = run("contact quartz 100nm,10um --curve --csv")
+    assert "law>25%, by Maugis–Dugdale a result differs by more than 25 %: rows 1-43" in listed.err

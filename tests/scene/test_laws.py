@@ -1,6 +1,5 @@
 """Laws of attraction through the whole graph: Maugis' against his equations in 120 digits, and its limits JKR and DMT."""
 
-import csv
 import json
 import math
 import random
@@ -333,22 +332,6 @@ def test_a_curve_rises_in_its_approach_and_has_its_largest_tension_at_pull_off(m
     (pull_off,) = [row.value("load") for row in rows if row.state.name == "pull-off"]
     assert pull_off == min(row.value("load") or 0.0 for row in rows)
     assert math.isclose(-(pull_off or 0.0), solve("pull_off_force", model=model, material="quartz", radius=radius))
-
-
-def test_a_curve_is_doubted_as_its_pull_off_force_wherever_it_is_written(run: Run) -> None:
-    single = run("pull-off quartz 100nm --csv").out.splitlines()[1].split(",")[-2]
-    rows = list(csv.DictReader(run("contact quartz 100nm --curve --csv").out.splitlines()))
-    answers = json.loads(run("contact quartz 100nm --curve --json").out)
-    inexact = run("pull-off quartz 100nm").err.splitlines()[0]
-    assert "JKR is inexact here" in inexact
-    assert single == "law>25%"
-    assert {row["doubt"] for row in rows} == {single}
-    assert {verdict["code"] for answer in answers for verdict in answer["validity"]} == {single, None}
-    for options in ("--csv", "--bare", "-o curve.csv", "-o curve.svg", "--panel force"):
-        assert inexact in run(f"contact quartz 100nm --curve {options}").err.splitlines(), options
-    assert "inexact" not in run("contact quartz 100nm --curve --model jkr,maugis -o curve.svg").err
-    listed = run("contact quartz 100nm,10um --curve --csv")
-    assert "law>25%, by Maugis–Dugdale a result differs by more than 25 %: rows 1-43" in listed.err
 
 
 def test_a_curve_has_the_quantities_and_the_units_that_are_asked_for(run: Run) -> None:

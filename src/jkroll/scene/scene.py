@@ -401,14 +401,11 @@ class Scene:
                 value = formula(**given)
             except (ArithmeticError, ValueError):
                 value = INFINITY
-            if isinstance(value, float) and SMALLEST <= value < INFINITY:  # as nearly always
-                values[name] = value
-                continue
             if name in may_be_rigid and self.has_rigid_elements:
                 value = self._where_it_yields(value)
             if not isinstance(value, NUMBER):
                 values[name] = self._with_gaps(name, value, [source for _, source in arguments])
-            elif is_answer(name, value):
+            elif SMALLEST <= value < INFINITY or is_answer(name, value):  # the first holds nearly always
                 values[name] = value
             else:
                 failures[name] = failure_of(name, given) or NoFiniteValue(name, value)
