@@ -12,7 +12,7 @@ from ..errors import missing_extra
 from ..output.records import lines
 from ..quantities.formatting import Format
 from ..rows.columns import Columns, Wanted
-from ..rows.header import BadTable, chosen, understood, with_unit
+from ..rows.header import BadTable, check_measured, chosen, understood
 from ..rows.table import Fill, Inverse, Table, say_reading, table_of
 from ..text import quoted
 from .delimited import DELIMITED, Delimited
@@ -47,14 +47,12 @@ def table_with(names: tuple[str, ...], rows: list[list[str]], order: Order) -> T
     settings = order.settings
     fill = _fill(order)
     columns = understood(names, rows, chosen(names, settings.columns, settings.measured))
-    if settings.measured and settings.measured not in columns.names:
-        advice = f"--column 'HEADER={with_unit(settings.measured)}'"
-        raise BadTable(f"header: no column has the measured {settings.measured}; name it by {advice}")
+    if settings.measured:
+        check_measured(columns, settings.measured)
     asked = ([], []) if settings.infer else quantities_named(settings.quantities)
-    table = table_of(columns, rows, fill, asked, doubt=settings.doubt, uncertainty=settings.uncertainty)
     if not settings.quiet:
         say_reading(columns, rows, fill, settings.quantities)
-    return table
+    return table_of(columns, rows, fill, asked, doubt=settings.doubt, uncertainty=settings.uncertainty)
 
 
 def _convert_lines(path: str, form: FileFormat, compression: str, order: Order) -> Tally:

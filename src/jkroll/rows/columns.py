@@ -582,7 +582,8 @@ def _clauses(errors: Mapping[str, JkrollError], lead: str = "") -> list[str]:
 def _joined(errors: Sequence[MissingInput]) -> str:
     """Return the reason of quantities that lack inputs, with all that some of them need."""
     if len({error.missing for error in errors}) < 2:
-        return min((error.reason() for error in errors), key=len, default="")
+        reasons = (error.reason_of_several() if errors[1:] else error.reason() for error in errors)
+        return min(reasons, key=len, default="")
     missing = dict.fromkeys(name for error in errors for name in error.missing)
     instead = [name for name in errors[0].instead if all(name in error.instead for error in errors)]
     lacking = dict.fromkeys(filter(None, (text for error in errors for text in error.lacking.split(", "))))

@@ -28,11 +28,13 @@ _SYNONYMS = {word: QUANTITY_SYNONYMS[word] for word in ("elastic_modulus", "velo
 _LENGTHS, _PRESSURES = "m", "Pa"
 _DIAMETER = (_LENGTHS, "a diameter? A radius is half of it.")
 _CONTACT_MODULUS = (_PRESSURES, "the modulus of a contact? --young and --poisson are those of the materials.")
+NO_INPUTS = (_DIAMETER[1], _CONTACT_MODULUS[1])  # a choice of an input does not help: numbers or columns must change
 _UNCLEAR = {
     "r": (_LENGTHS, "a radius, or a distance?"),
     **dict.fromkeys(("d", "D", "diameter", "diam", "dia"), _DIAMETER),
     **dict.fromkeys(("E*", "E_star", "E_r"), _CONTACT_MODULUS),
 }
+_SIZES = re.compile(r"(?<![^\W_])(?:diam(?:eters?)?|dia|d_?(?:10|32|43|50|90))(?![^\W_])", re.IGNORECASE)
 _NO_UNITS = ("in", "bar")  # behind an underscore they may mean inside and mean
 _PARTS = {
     **dict.fromkeys(("±", "+/-", "err", "error", "std", "stdev", "sd", "unc", "uncertainty"), "both"),
@@ -169,6 +171,17 @@ def unit_in_header(text: str, name: str) -> str | None:
     return next((unit_text for unit_text in units if fits(unit_text, name)), None)
 
 
+def may_be_radius(text: str) -> str:
+    """Return the unit of a header that has the word radius in it, as in "grain radius (um)"; "" if it has none, or is a result's.
+
+    >>> may_be_radius("grain radius (um)"), may_be_radius("contact_radius [nm]")
+    ('um', '')
+    """
+    words = _plain(text[:MAX_WORD]).split("_")
+    is_result = any(name in _plain(text[:MAX_WORD]) for name in NOMENCLATURE if name.endswith("_radius"))
+    return (unit_in_header(text, "radius") or "") if "radius" in words and not is_result else ""
+
+
 def _units_behind(mark: str, rest: str) -> Iterator[str]:
     """Iterate over the units that a text behind a mark may mean."""
     if mark != "_":
@@ -220,6 +233,8 @@ def _mistaken(text: str) -> Reading | None:
             return Reading(meant=meant)
         if _plain(word) in _UNCLEAR and len(word) > 1 and (cut.end() == len(text) or _has_dimension(rest, _LENGTHS)):
             return Reading(problem=_UNCLEAR[_plain(word)][1])
+    if _SIZES.search(text, 0, MAX_WORD) and unit_in_header(text, "radius"):
+        return Reading(problem=_DIAMETER[1])
     brackets = _BRACKETS.fullmatch(text)
     guess = _similar(_plain(brackets[1] if brackets else text))
     return Reading(meant=f"{guess} [{brackets[2]}]" if brackets else guess) if guess else None

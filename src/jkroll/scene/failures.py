@@ -44,7 +44,8 @@ class MissingInput(JkrollError):
             f"a radius such as {NOMENCLATURE[name].example}" for name in self.missing if not NOMENCLATURE[name].option
         ]
         give = " and ".join([options, *radii] if options else radii)
-        instead = "".join(f" or {_as_typed(name)}" for name in self.instead)
+        others = " or ".join(map(_as_typed, self.instead))
+        instead = others and (f" or {others}" if len(self.missing) == 1 else f"; {others} may replace some")
         return f"{words}{self.lacking and '; ' + self.lacking}; give {give}{instead}"
 
 

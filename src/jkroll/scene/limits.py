@@ -111,7 +111,7 @@ LIMITS = (
     Limit(
         "tabor_parameter", _ELASTICITY, ">",
         tuple(
-            Doubt(factor, f"off by more than {text}", f"by {LAWS[BETWEEN].title} a result differs by more than {text}")
+            Doubt(factor, f"off by more than {text}", f"by {LAWS[BETWEEN].title} or Lennard-Jones a result differs by more than {text}")
             for factor, text in _EFFECTS.items()
         ),
         f"within {_EFFECTS[LEAST_EFFECT]} of {LAWS[BETWEEN].title}",

@@ -18,7 +18,16 @@ from ..quantities.errors import OutOfRange, UnknownQuantity
 from ..quantities.laws import DEFAULT_LAW, Law, law_named
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, RANGES, STATE, XI
 from ..quantities.values import Uncertain, is_uncertain
-from .failures import Contradiction, MissingInput, NoFiniteValue, NotInLaw, RestsOnSpacing, TwoRigidBodies, failure_of
+from .failures import (
+    Contradiction,
+    MissingInput,
+    NoFiniteValue,
+    NotInLaw,
+    OfIdenticalSpheres,
+    RestsOnSpacing,
+    TwoRigidBodies,
+    failure_of,
+)
 from .wiring import NO_PLAN, Missing, Plan, Step, depends_on, formula_of, in_order, plan_for
 
 # --- Numbers that a scene takes ---------------------------------------------------------------------------------------
@@ -180,8 +189,6 @@ class Scene:
         for names in () if _MAY_CONTRADICT.isdisjoint(given) else EXCLUSIVE:
             if len(both := [name for name in names if name in given]) > 1:
                 raise Contradiction(both)
-        if "cutoff" in given and "hamaker" not in given:
-            raise MissingInput("cutoff", ("hamaker",))
         if material2 is not None:
             material2 = _without_displacement(material2)  # that of another scene's contact
         self.material, self.material2 = material, material2
@@ -465,7 +472,18 @@ class Scene:
         if source in self._failures:
             return self._failures[source]
         value = self.values[source]
+        if NOMENCLATURE[name].of_identical:
+            return self._of_identical(value)
         return self._unless_open(name, value) if name in self.law.by_spacing else value
+
+    def _of_identical(self, value: Any) -> Any:
+        """Return a value that is known of identical spheres only: an error for others, or nan in arrays."""
+        is_known = self.is_identical
+        if isinstance(is_known, bool):
+            return value if is_known else OfIdenticalSpheres()
+        import numpy
+
+        return numpy.where(is_known, value, numpy.nan)
 
     def _unless_open(self, name: str, value: Any) -> Any:
         """Return a value, unless it rests on the atomic spacing and that was not given: an error then, or nan in arrays."""
