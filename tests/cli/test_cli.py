@@ -117,7 +117,7 @@ MESSAGES = {
     "pull-off quartz 100nm --model jkr,dmt,jkr": (2, "--model: 'jkr,dmt,jkr' names a law more than once"),
     "contact quartz 100nm --poisson 0.6": (
         2,
-        "poisson_ratio: '0.6' must lie between -1 and 0.5; expected a number such as 0.3",
+        "poisson_ratio: '0.6' must lie above -1, and be at most 0.5; expected a number such as 0.3",
     ),
     "r-min 100nm --radius2 plane": (1, "r_min: sphere 2 is a plane; a chain needs two spheres"),
     "r-min 1e-170m": (2, "radius: 1e-170 must lie between 1e-60 and 1e60 in SI units"),
@@ -762,4 +762,4 @@ def test_a_curve_is_doubted_as_its_pull_off_force_wherever_it_is_written(run: Ru
         assert inexact in run(f"contact quartz 100nm --curve {options}").err.splitlines(), options
     assert "inexact" not in run("contact quartz 100nm --curve --model jkr,maugis -o curve.svg").err
     listed = run("contact quartz 100nm,10um --curve --csv")
-    assert "law>25%, by Maugis–Dugdale a result differs by more than 25 %: rows 1-43" in listed.err
+    assert "law>25%, by Maugis–Dugdale or Lennard-Jones a result differs by more than 25 %: rows 1-43" in listed.err

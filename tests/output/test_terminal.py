@@ -158,8 +158,8 @@ def test_doubts_stand_by_size_unless_error_bars_are_wider(run: Run, words: str, 
 def test_every_law_has_its_own_doubt(run: Run) -> None:
     notes = run("pull-off quartz 100nm,100um --model jkr,dmt").err.splitlines()
     assert notes[0] == (
-        "note: doubtful: law>25%, by Maugis–Dugdale a result differs by more than 25 %: rows 1, 4; "
-        "law>5%, by Maugis–Dugdale a result differs by more than 5 %: row 3"
+        "note: doubtful: law>25%, by Maugis–Dugdale or Lennard-Jones a result differs by more than 25 %: rows 1, 4; "
+        "law>5%, by Maugis–Dugdale or Lennard-Jones a result differs by more than 5 %: row 3"
     )
 
 

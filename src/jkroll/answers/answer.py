@@ -12,9 +12,10 @@ from ..errors import JkrollError, NoResult
 from ..quantities.formatting import Format, amount, in_words
 from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, XI
-from ..rows.columns import NO_END, outcomes
+from ..rows.columns import outcomes
 from ..scene.effects import Effect, between_of
 from ..scene.failures import (
+    NO_END,
     BeyondPullOff,
     MissingInput,
     NoContact,

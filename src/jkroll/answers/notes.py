@@ -20,8 +20,8 @@ CUTOFFS = (4e-10, 1.65e-10)  # the spacing of solids, and the convention: w at t
 ROUGH = 1e-6  # radius from which most spheres are rough
 _SMOOTH = 4.0  # the factor by which forces on smooth glass lie below the computed ones
 _ROUGHNESS = (
-    "this is of smooth spheres: glass on smooth glass was measured at a half to a quarter of it with γ = 25 mJ/m², rough spheres and "
-    "grains in air one to two orders below"
+    "smooth spheres: glass on smooth glass was measured at a half to a quarter of this (γ = 25 mJ/m²), rough spheres and grains in air at "
+    "1/10 to 1/100"
 )
 _STICKING = (
     "v_stick is elastic theory's; measured ones are higher: plastic asperities (Paszun & Dominik 2008), or, of SiO2, a γ ten times "
@@ -163,6 +163,9 @@ def about_results(results: list[Result], scene: Scene, noted: Collection[str] = 
     known = [result for result in results if result.value is not None]
     names = [result.name for result in known]
     notes = [*_about_noted(known, noted)]
+    if not scene.is_identical and (unlike := [name for name in names if NOMENCLATURE[name].of_identical]):
+        text = f"{first_symbols(unlike)}: of identical spheres alone, and these differ: the number has no meaning here"
+        notes.append(Note("caveat", text))
     notes += about_conventions(scene, [name for name in names if name not in noted])
     if "n_grav" in names and not scene.is_identical:
         carried = f"N_grav is what the first contact, on body 2, carries; {_between_spheres_1(scene)}"

@@ -1,6 +1,7 @@
 """A table in one file, or from a pipe, into another; columns of rows into a file."""
 
 import os
+import sys
 from collections.abc import Iterable
 from contextlib import closing
 from dataclasses import replace
@@ -14,7 +15,8 @@ from ..quantities.formatting import Format
 from ..rows.columns import Columns, Wanted
 from ..rows.header import BadTable, check_measured, chosen, understood
 from ..rows.table import Fill, Inverse, Table, say_reading, table_of
-from ..text import quoted
+from ..scene.failures import MissingInput
+from ..text import quoted, say_wrapped
 from .delimited import DELIMITED, Delimited
 from .files import Input, blocks, output_to, unnamed
 from .formats import LINES, FileFormat, compressor, format_of_name, stated, with_delimiter
@@ -50,9 +52,14 @@ def table_with(names: tuple[str, ...], rows: list[list[str]], order: Order) -> T
     if settings.measured:
         check_measured(columns, settings.measured)
     asked = ([], []) if settings.infer else quantities_named(settings.quantities)
+    try:
+        table = table_of(columns, rows, fill, asked, doubt=settings.doubt, uncertainty=settings.uncertainty)
+    except MissingInput:
+        say_wrapped(columns.reading(), sys.stderr)  # a column may not be understood
+        raise
     if not settings.quiet:
         say_reading(columns, rows, fill, settings.quantities)
-    return table_of(columns, rows, fill, asked, doubt=settings.doubt, uncertainty=settings.uncertainty)
+    return table
 
 
 def _convert_lines(path: str, form: FileFormat, compression: str, order: Order) -> Tally:

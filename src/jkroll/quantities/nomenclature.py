@@ -147,7 +147,7 @@ RANGES: Mapping[str, Range] = MappingProxyType(
     {
         "positive": Range(0.0, INFINITY, False, False, "must be positive"),
         "up to infinite": Range(0.0, INFINITY, False, True, "must be positive"),
-        "poisson": Range(-1.0, 0.5, True, True, "must lie between -1 and 0.5"),
+        "poisson": Range(-1.0, 0.5, False, True, "must lie above -1, and be at most 0.5"),
         "loose": Range(0.0, 0.74, False, False, "must lie between 0 and 0.74, that of the closest packing"),
         "part": Range(0.0, 1.0, False, True, "must lie between 0 and 1, which is 100%"),
         "several": Range(2.0, INFINITY, True, False, "must be at least 2"),

@@ -13,7 +13,6 @@ from ..quantities.units import Unit, dimension_of, kind_of
 from ..quantities.values import Uncertain, parse_quantity, split_number, unit_of, value_of
 from ..text import MAX_WORD, closest, first_of, quoted, shown
 from .readings import (
-    ALONE,
     INPUTS,
     MATERIALS,
     NO_INPUTS,
@@ -23,6 +22,7 @@ from .readings import (
     may_be_radius,
     measured_reading,
     reading_of,
+    unit_alone,
     unit_in_header,
 )
 
@@ -93,7 +93,7 @@ class Column(NamedTuple):
         if self.is_range:
             return f"{first or _NO_END} to {others[0] or _NO_END}"
         if len(others) > 1:
-            minus, plus = (cell.lstrip("+-") or "0" for cell in others)
+            minus, plus = others[0].removeprefix("-") or "0", others[1].removeprefix("+") or "0"
             return f"{first} +{plus}/-{minus}"
         unit_text = self.sides[0].unit_text
         if unit_text in ("", "%"):
@@ -241,11 +241,12 @@ def understood(
     alike: list[str] = []
     unread: dict[str, str] = {}
     seen: dict[str, str] = {}
+    at_left = ""  # the input of the column before
     for place, text in enumerate(texts):
         cells = [row[place] for row in rows]
         reading = chosen.get(text.strip()) or reading_of(text)
-        if text.strip() in ALONE and inputs and inputs[-1].place == place - 1:
-            reading = Reading(inputs[-1].name, part="both")  # of the column at its left
+        if at_left and unit_alone(text) is not None and text.strip() not in chosen:
+            reading = Reading(at_left, part="both")
         name = reading.name
         if reading.is_symbol and not reading.part and not _have_units(name, cells):
             alike.append(text)
@@ -269,6 +270,7 @@ def understood(
             alike.append(text)
             if unit_text := may_be_radius(text):
                 unread[text] = f"radius [{unit_text}]"
+        at_left = "" if name in MATERIALS else name
         _check_new(text, f"{name} {reading.part}" if name else text, seen)
     others = [*alike, *_add_parts(parts, texts, inputs, chosen)]
     return Header(tuple(texts), tuple(inputs), tuple(materials), tuple(others), chosen, unread)
@@ -336,19 +338,21 @@ def _with_parts(
     kinds = ("both",) if "both" in places else ("minus", "plus") if base else ("low", "high")
     if not {*kinds} <= places.keys() or (base is None and kinds == ("both",)):
         return None
-    readings = {part: chosen.get(text.strip()) or reading_of(text) for part, text in texts.items()}
+    units = {
+        part: unit_alone(text) or (chosen.get(text.strip()) or reading_of(text)).unit_text
+        for part, text in texts.items()
+    }
     if base is None:
-        first = next(filter(None, (readings[part].unit_text for part in kinds)), None)
+        first = next(filter(None, (units[part] for part in kinds)), None)
         base = _column(places["low"], name, first, texts["low"])
     sides: list[Side] = []
     for part in kinds:
-        unit_text = readings[part].unit_text or base.unit_text
+        unit_text = units[part] or base.unit_text
         if unit_text == base.unit_text:
             unit_text = ""
         elif len(kinds) > 1:
-            raise BadTable(
-                f"header: {quoted(texts[part])}: its unit must be that of the other column, {base.unit_text}"
-            )
+            own = f", {base.unit_text}" if base.unit_text else "; that has none"
+            raise BadTable(f"header: {quoted(texts[part])}: its unit must be that of the other column{own}")
         elif unit_text != "%":
             _column(places[part], name, unit_text, texts[part])  # raises what is wrong with the unit
         sides.append(Side(part, places[part], unit_text))
@@ -406,7 +410,7 @@ def holds_input(text: str, cell: str, chosen: Mapping[str, Reading]) -> bool:
 
 def is_input(text: str, chosen: Mapping[str, Reading] = MappingProxyType({})) -> bool:
     """Return whether a header may be that of an input; a symbol without a unit is one if its cells have units."""
-    return text.strip() in ALONE or bool((chosen.get(text.strip()) or reading_of(text)).name)
+    return unit_alone(text) is not None or bool((chosen.get(text.strip()) or reading_of(text)).name)
 
 
 def _column(place: int, name: str, unit_text: str | None, text: str) -> Column:

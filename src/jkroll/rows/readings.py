@@ -28,13 +28,19 @@ _SYNONYMS = {word: QUANTITY_SYNONYMS[word] for word in ("elastic_modulus", "velo
 _LENGTHS, _PRESSURES = "m", "Pa"
 _DIAMETER = (_LENGTHS, "a diameter? A radius is half of it.")
 _CONTACT_MODULUS = (_PRESSURES, "the modulus of a contact? --young and --poisson are those of the materials.")
-NO_INPUTS = (_DIAMETER[1], _CONTACT_MODULUS[1])  # a choice of an input does not help: numbers or columns must change
+_LAW = "the law is an option: --model dmt."
+NO_INPUTS = (
+    _LAW,
+    _DIAMETER[1],
+    _CONTACT_MODULUS[1],
+)  # a choice of an input does not help: numbers or columns must change
 _UNCLEAR = {
     "r": (_LENGTHS, "a radius, or a distance?"),
     **dict.fromkeys(("d", "D", "diameter", "diam", "dia"), _DIAMETER),
     **dict.fromkeys(("E*", "E_star", "E_r"), _CONTACT_MODULUS),
+    "model": ("", _LAW),
 }
-_SIZES = re.compile(r"(?<![^\W_])(?:diam(?:eters?)?|dia|d_?(?:10|32|43|50|90))(?![^\W_])", re.IGNORECASE)
+_SIZES = re.compile(r"(?<![^\W_])(?:diam(?:eters?)?|dia)(?![^\W_])", re.IGNORECASE)
 _NO_UNITS = ("in", "bar")  # behind an underscore they may mean inside and mean
 _PARTS = {
     **dict.fromkeys(("±", "+/-", "err", "error", "std", "stdev", "sd", "unc", "uncertainty"), "both"),
@@ -43,7 +49,7 @@ _PARTS = {
     **dict.fromkeys(("min", "low", "lower"), "low"),
     **dict.fromkeys(("max", "high", "upper"), "high"),
 }
-ALONE = ("±", "+/-")  # headers of the uncertainty of the column at their left
+_ALONE = re.compile(r"(?:±|\+/?-)\s*(?:\[([^\[\]]*)\]|\(([^()]*)\)|(.*))")
 _LONGEST_UNIT = 24  # letters of a unit that is compared with others
 _PER_CENT = ("%", "percent", "pct")
 _OF_PART = re.compile(
@@ -80,6 +86,16 @@ def reading_of(text: str) -> Reading:
     if names := _symbols().get(_symbol(text)):
         return Reading(names[0], is_symbol=names[0] not in _RATIOS)
     return _with_unit(text) or _part(text) or _mistaken(text) or Reading(is_alike=_looks_like_a_quantity(text))
+
+
+def unit_alone(text: str) -> str | None:
+    """Return the unit, or "", of a header that is ± alone: the uncertainty of the column at its left; None for others.
+
+    >>> unit_alone("± [nm]"), unit_alone("+/-"), unit_alone("radius ±")
+    ('nm', '', None)
+    """
+    found = _ALONE.fullmatch(text.strip(), 0, MAX_WORD)
+    return None if found is None else next((unit for unit in found.groups() if unit), "")
 
 
 def is_of_directions(text: str) -> bool:

@@ -27,7 +27,7 @@ from .readings import MATERIALS
 from .rows import Block, groups
 
 _MOST_LABELS = 3  # that are named
-_RENAMED = {STATUS: "", DOUBT: ", or write --no-doubt"}  # besides another name
+_RENAMED = {STATUS: "", "model": "", DOUBT: ", or write --no-doubt"}  # besides another name
 _SOME = 0.25  # a value that any input can have
 Asked = tuple[Sequence[str], Sequence[str]]  # quantities by name, and those that may lack inputs
 
@@ -215,6 +215,11 @@ def wanted_of(columns: Header, rows: Sequence[Sequence[str]], fill: Fill, asked:
     labels = [name for name, own in cells.items() if own and own <= unknown.keys()]
     infinite = [column.name for column in columns.inputs if _is_infinite(column, rows)]
     scene = _as_known(columns, fill, labels, infinite)
+    if labels and scene.missing(
+        ["work_of_adhesion"]
+    ):  # they were meant as materials: their rows will say that they are unknown
+        labels = []
+        scene = _as_known(columns, fill, labels, infinite)
     if fill.inverse is not None:
         check(*fill.inverse, scene.scene)
         return SoughtOne([fill.inverse.name], [fill.inverse.quantity], sides=(), doubts=doubts)

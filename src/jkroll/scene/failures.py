@@ -248,6 +248,21 @@ class InfiniteValue(NoResult):
         return "infinite"
 
 
+NO_END = "no uncertainty, as there is no value at an end of an input: "  # the lead of its reason
+
+
+class NoUncertainty(NoResult):
+    """Error raised for a value whose uncertainty is wanted, and which has none."""
+
+    def __init__(self, name: str, error: JkrollError) -> None:
+        super().__init__(name, error)
+        self.name, self.error = name, error
+
+    def reason(self) -> str:
+        """Return why there is no uncertainty."""
+        return NO_END + reason_of(self.name, self.error)
+
+
 def written_outcome(name: str, outcome: Any) -> Any:
     """Return the outcome of a quantity for a reader of numbers: an infinite value is an InfiniteValue."""
     return InfiniteValue(name) if isinstance(outcome, float) and isinf(outcome) else outcome

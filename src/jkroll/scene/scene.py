@@ -18,16 +18,7 @@ from ..quantities.errors import OutOfRange, UnknownQuantity
 from ..quantities.laws import DEFAULT_LAW, Law, law_named
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, RANGES, STATE, XI
 from ..quantities.values import Uncertain, is_uncertain
-from .failures import (
-    Contradiction,
-    MissingInput,
-    NoFiniteValue,
-    NotInLaw,
-    OfIdenticalSpheres,
-    RestsOnSpacing,
-    TwoRigidBodies,
-    failure_of,
-)
+from .failures import Contradiction, MissingInput, NoFiniteValue, NotInLaw, RestsOnSpacing, TwoRigidBodies, failure_of
 from .wiring import NO_PLAN, Missing, Plan, Step, depends_on, formula_of, in_order, plan_for
 
 # --- Numbers that a scene takes ---------------------------------------------------------------------------------------
@@ -150,7 +141,7 @@ _MAY_CONTRADICT = frozenset(name for names in EXCLUSIVE for name in names)
 _OF_SOLID_2 = frozenset(name + "2" for name in PROPERTIES)
 
 # What decides on whether a body yields, so that a contact has an area.
-OF_AREA = ("youngs_modulus", "youngs_modulus2", "poisson_ratio", "poisson_ratio2", "contact_modulus")
+OF_AREA = ("youngs_modulus", "youngs_modulus2", "contact_modulus")
 
 # What rests on a contact area, and has none where both bodies are rigid; everything else of JKR follows from these.
 _NOTHING: frozenset[str] = frozenset()
@@ -472,18 +463,7 @@ class Scene:
         if source in self._failures:
             return self._failures[source]
         value = self.values[source]
-        if NOMENCLATURE[name].of_identical:
-            return self._of_identical(value)
         return self._unless_open(name, value) if name in self.law.by_spacing else value
-
-    def _of_identical(self, value: Any) -> Any:
-        """Return a value that is known of identical spheres only: an error for others, or nan in arrays."""
-        is_known = self.is_identical
-        if isinstance(is_known, bool):
-            return value if is_known else OfIdenticalSpheres()
-        import numpy
-
-        return numpy.where(is_known, value, numpy.nan)
 
     def _unless_open(self, name: str, value: Any) -> Any:
         """Return a value, unless it rests on the atomic spacing and that was not given: an error then, or nan in arrays."""
@@ -538,11 +518,9 @@ def _has_area(given: Mapping[str, Any], *, own_material2: bool) -> Any:
     """Return whether a body yields, so that a contact has an area, element by element for arrays."""
     if "contact_modulus" in given:
         return True
-    modulus, ratio = given.get("youngs_modulus"), given.get("poisson_ratio")
-    of_sphere_2 = (None, None) if own_material2 else (modulus, ratio)
-    modulus2 = given.get("youngs_modulus2", of_sphere_2[0])
-    ratio2 = given.get("poisson_ratio2", of_sphere_2[1])
-    yields = (modulus != INFINITY) & (ratio != -1) | (modulus2 != INFINITY) & (ratio2 != -1)
+    modulus = given.get("youngs_modulus")
+    modulus2 = given.get("youngs_modulus2", None if own_material2 else modulus)
+    yields = (modulus != INFINITY) | (modulus2 != INFINITY)
     return yields if hasattr(yields, "shape") else bool(yields)
 
 
