@@ -51,7 +51,7 @@ def test_reference_point(run: Run, name: str) -> None:
 # --- Messages, whole ------------------------------------------------------------------------------------------------
 
 GOLD = "gold has none in Table 1; give --young 10GPa --poisson 0.3"
-GIVE = "give --gamma 25mJ/m2 and a radius such as 100nm or --work-of-adhesion 50mJ/m2"
+GIVE = "give --gamma 25mJ/m2 and a radius such as 100nm; --work-of-adhesion 50mJ/m2 may replace some"
 GOLD_2 = "gold has none in Table 1; give --young2 10GPa --poisson2 0.3"
 MESSAGES = {
     "pull-off quarz 100nm": (
@@ -97,7 +97,10 @@ MESSAGES = {
         "pull_off_force needs surface energy per surface; give --gamma 25mJ/m2 or --work-of-adhesion 50mJ/m2",
     ),
     "contact gold 100nm": (2, f"contact_radius needs Young's modulus and Poisson's ratio; {GOLD}"),
-    "n-roll gold 100nm": (2, f"n_roll needs Young's modulus and Poisson's ratio; {GOLD} or --energy 1e-18J"),
+    "n-roll gold 100nm": (
+        2,
+        f"n_roll needs Young's modulus and Poisson's ratio; {GOLD}; --energy 1e-18J may replace some",
+    ),
     "contact quartz 100nm --material2 gold": (
         2,
         f"contact_radius needs Young's modulus of sphere 2 and Poisson's ratio of sphere 2; {GOLD_2}",

@@ -245,7 +245,7 @@ def understood(
     for place, text in enumerate(texts):
         cells = [row[place] for row in rows]
         reading = chosen.get(text.strip()) or reading_of(text)
-        if at_left and unit_alone(text) is not None and text.strip() not in chosen:
+        if at_left and not reading.name and unit_alone(text) is not None and text.strip() not in chosen:
             reading = Reading(at_left, part="both")
         name = reading.name
         if reading.is_symbol and not reading.part and not _have_units(name, cells):
@@ -338,10 +338,7 @@ def _with_parts(
     kinds = ("both",) if "both" in places else ("minus", "plus") if base else ("low", "high")
     if not {*kinds} <= places.keys() or (base is None and kinds == ("both",)):
         return None
-    units = {
-        part: unit_alone(text) or (chosen.get(text.strip()) or reading_of(text)).unit_text
-        for part, text in texts.items()
-    }
+    units = {part: _unit_in(text, chosen) for part, text in texts.items()}
     if base is None:
         first = next(filter(None, (units[part] for part in kinds)), None)
         base = _column(places["low"], name, first, texts["low"])
@@ -357,6 +354,12 @@ def _with_parts(
             _column(places[part], name, unit_text, texts[part])  # raises what is wrong with the unit
         sides.append(Side(part, places[part], unit_text))
     return base._replace(sides=tuple(sides))
+
+
+def _unit_in(text: str, chosen: Mapping[str, Reading]) -> str | None:
+    """Return the unit in the header of an input's uncertainty, which may be a mark alone."""
+    reading = chosen.get(text.strip()) or reading_of(text)
+    return reading.unit_text if reading.name else unit_alone(text)
 
 
 def with_unit(name: str, cells: Sequence[str] = (), part: str = "") -> str:

@@ -187,6 +187,11 @@ def unit_in_header(text: str, name: str) -> str | None:
     return next((unit_text for unit_text in units if fits(unit_text, name)), None)
 
 
+def may_be_diameter(text: str) -> bool:
+    """Return whether a header has the word diameter and a unit of length in it: "particle diameter [um]"."""
+    return bool(_SIZES.search(text, 0, MAX_WORD) and unit_in_header(text, "radius"))
+
+
 def may_be_radius(text: str) -> str:
     """Return the unit of a header that has the word radius in it, as in "grain radius (um)"; "" if it has none, or is a result's.
 
@@ -249,8 +254,6 @@ def _mistaken(text: str) -> Reading | None:
             return Reading(meant=meant)
         if _plain(word) in _UNCLEAR and len(word) > 1 and (cut.end() == len(text) or _has_dimension(rest, _LENGTHS)):
             return Reading(problem=_UNCLEAR[_plain(word)][1])
-    if _SIZES.search(text, 0, MAX_WORD) and unit_in_header(text, "radius"):
-        return Reading(problem=_DIAMETER[1])
     brackets = _BRACKETS.fullmatch(text)
     guess = _similar(_plain(brackets[1] if brackets else text))
     return Reading(meant=f"{guess} [{brackets[2]}]" if brackets else guess) if guess else None

@@ -23,7 +23,7 @@ from .cells import LABEL, Codes, Lookup, Reader
 from .columns import DOUBT, SIDES, STATUS, BadCells, Wanted, heads, remarks_of
 from .header import BadTable, Column, Header, check_first, check_inputs
 from .inferred import SoughtOne
-from .readings import MATERIALS
+from .readings import MATERIALS, may_be_diameter
 from .rows import Block, groups
 
 _MOST_LABELS = 3  # that are named
@@ -190,7 +190,9 @@ def say_reading(columns: Header, rows: Sequence[Sequence[str]], fill: Fill, quan
     if advice := columns.advice(given):
         say(advice, sys.stderr)  # in one line, to be copied
     if "radius" not in given and not quantities:
-        say("note: no column and no option gives a radius; what needs one is left out", sys.stderr)
+        size = next(filter(may_be_diameter, columns.texts), "")
+        half = f"; half of {quoted(size)} would be one" if size else ""
+        say(f"note: no column and no option gives a radius; what needs one is left out{half}", sys.stderr)
 
 
 def _labels(columns: Header, rows: Sequence[Sequence[str]], known: Materials) -> dict[str, str]:
