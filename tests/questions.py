@@ -202,7 +202,7 @@ class _Values:
         return self.random.random() < probability
 
     def _ratio(self) -> str:
-        return repr(self.random.choice([0.5, -1.0, 0.3, self.random.uniform(-0.9, 0.5)]))
+        return repr(self.random.choice([0.5, -0.99, 0.3, self.random.uniform(-0.9, 0.5)]))
 
     def _sizes(self, name: str, low: float, high: float, special: str = "") -> None:
         """Add values of any size, some of them with few digits, as those of sphere 1, or special."""

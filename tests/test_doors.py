@@ -170,7 +170,7 @@ FOUND = {
     ),
     "a zero of a quantity that has no value": Ask(
         "report",
-        {"material": ["graphite"], "radius": ["1e-7 m", "1e-8 m"], "poisson_ratio": ["-1"]},
+        {"material": ["graphite"], "radius": ["1e-7 m", "1e-8 m"], "youngs_modulus": ["rigid"]},
         "edge_ratio_at_fold",
         "dmt",
     ),
@@ -181,7 +181,7 @@ FOUND = {
     ),
     "two rigid bodies beyond pull-off, among others": Ask(
         "report",
-        {**PLAIN, "poisson_ratio": ["0.2", "-1"], "load": ["-1 N"], "adhesion_hysteresis": ["0.003 J/m^2"]},
+        {**PLAIN, "youngs_modulus": ["1e9 Pa", "rigid"], "load": ["-1 N"], "adhesion_hysteresis": ["0.003 J/m^2"]},
         model="dmt",
     ),
     "nothing that concerns the scene": Ask("aggregates", {**QUARTZ, "radius2": ["1e-6 m", "2e-6 m"]}),

@@ -129,11 +129,11 @@ def test_a_status_is_short(run: Run) -> None:
     assert run("batch", written(rows), "-o", "out.csv").code == 0
     first, second = (row["status"] for row in found())
     assert first == (
-        "pull_off_force, pull_off_force_dmt, yield_force_ratio and 30 more: needs radius of sphere 1; "
+        "pull_off_force, pull_off_force_dmt, yield_force_ratio and 30 more: need radius of sphere 1; "
         "give a radius such as 100nm"
     )
     assert second == (
         "pull_off_force, pull_off_force_dmt, yield_force and 28 more: need some of surface energy per surface and mass "
         "density and Young's modulus and Poisson's ratio; give --gamma 25mJ/m2 --density 1g/cm3 --young 10GPa "
-        "--poisson 0.3 or --work-of-adhesion 50mJ/m2"
+        "--poisson 0.3; --work-of-adhesion 50mJ/m2 may replace some"
     )

@@ -119,9 +119,7 @@ def test_what_cannot_be_read(run: Run) -> None:
     ran = run("batch", write({"radius [nm]": [1.0], "material": [b"iron"]}), "-o", "out.parquet", "--quiet")
     assert ran.code == 0
     Path("there.parquet").mkdir()
-    message = (
-        "jkroll: -o: 'there.parquet' is a directory; to write a file for each table there, give 'there.parquet/'\n"
-    )
+    message = "jkroll: -o: 'there.parquet' is a directory; name a file in it, such as 'there.parquet/x.csv'\n"
     assert run("batch", name, "-o", "there.parquet", "--quiet").err == message
 
 

@@ -51,7 +51,7 @@ def test_reference_point(run: Run, name: str) -> None:
 # --- Messages, whole ------------------------------------------------------------------------------------------------
 
 GOLD = "gold has none in Table 1; give --young 10GPa --poisson 0.3"
-GIVE = "give --gamma 25mJ/m2 and a radius such as 100nm or --work-of-adhesion 50mJ/m2"
+GIVE = "give --gamma 25mJ/m2 and a radius such as 100nm; --work-of-adhesion 50mJ/m2 may replace some"
 GOLD_2 = "gold has none in Table 1; give --young2 10GPa --poisson2 0.3"
 MESSAGES = {
     "pull-off quarz 100nm": (
@@ -97,7 +97,10 @@ MESSAGES = {
         "pull_off_force needs surface energy per surface; give --gamma 25mJ/m2 or --work-of-adhesion 50mJ/m2",
     ),
     "contact gold 100nm": (2, f"contact_radius needs Young's modulus and Poisson's ratio; {GOLD}"),
-    "n-roll gold 100nm": (2, f"n_roll needs Young's modulus and Poisson's ratio; {GOLD} or --energy 1e-18J"),
+    "n-roll gold 100nm": (
+        2,
+        f"n_roll needs Young's modulus and Poisson's ratio; {GOLD}; --energy 1e-18J may replace some",
+    ),
     "contact quartz 100nm --material2 gold": (
         2,
         f"contact_radius needs Young's modulus of sphere 2 and Poisson's ratio of sphere 2; {GOLD_2}",
@@ -117,7 +120,7 @@ MESSAGES = {
     "pull-off quartz 100nm --model jkr,dmt,jkr": (2, "--model: 'jkr,dmt,jkr' names a law more than once"),
     "contact quartz 100nm --poisson 0.6": (
         2,
-        "poisson_ratio: '0.6' must lie between -1 and 0.5; expected a number such as 0.3",
+        "poisson_ratio: '0.6' must lie above -1, and be at most 0.5; expected a number such as 0.3",
     ),
     "r-min 100nm --radius2 plane": (1, "r_min: sphere 2 is a plane; a chain needs two spheres"),
     "r-min 1e-170m": (2, "radius: 1e-170 must lie between 1e-60 and 1e60 in SI units"),
@@ -772,3 +775,19 @@ def test_what_a_note_tells_to_give_can_be_given(run: Run) -> None:
         assert {option.name for option in COMMANDS[name].options() if option.name in NOMENCLATURE} <= {
             option.name for option in takers.values()
         }
+
+
+def test_a_curve_is_doubted_as_its_pull_off_force_wherever_it_is_written(run: Run) -> None:
+    single = run("pull-off quartz 100nm --csv").out.splitlines()[1].split(",")[-2]
+    rows = list(csv.DictReader(run("contact quartz 100nm --curve --csv").out.splitlines()))
+    answers = json.loads(run("contact quartz 100nm --curve --json").out)
+    inexact = run("pull-off quartz 100nm").err.splitlines()[0]
+    assert "JKR is inexact here" in inexact
+    assert single == "law>25%"
+    assert {row["doubt"] for row in rows} == {single}
+    assert {verdict["code"] for answer in answers for verdict in answer["validity"]} == {single, None}
+    for options in ("--csv", "--bare", "-o curve.csv", "-o curve.svg", "--panel force"):
+        assert inexact in run(f"contact quartz 100nm --curve {options}").err.splitlines(), options
+    assert "inexact" not in run("contact quartz 100nm --curve --model jkr,maugis -o curve.svg").err
+    listed = run("contact quartz 100nm,10um --curve --csv")
+    assert "law>25%, by Maugis–Dugdale or Lennard-Jones a result differs by more than 25 %: rows 1-43" in listed.err

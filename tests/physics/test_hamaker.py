@@ -64,8 +64,6 @@ def test_it_excludes_a_surface_energy_but_not_that_of_a_material() -> None:
     for name in ("surface_energy", "surface_energy2", "work_of_adhesion"):
         with pytest.raises(Contradiction):
             solve("pull_off_force", **{**SILICA, name: 0.1})
-    with pytest.raises(MissingInput, match="cutoff needs Hamaker constant; give --hamaker"):
-        solve("pull_off_force", cutoff=2e-10, **QUARTZ)
     assert solve("work_of_adhesion", material="quartz", hamaker=6.5e-20) == solve("work_of_adhesion", **SILICA)
 
 

@@ -7,6 +7,7 @@ from typing import Any
 import numpy
 import pytest
 
+import jkroll
 import maugis_reference as reference
 import maugis_rivals as rivals
 from jkroll.physics import any_law, dugdale, maugis, maugis_energies
@@ -254,6 +255,17 @@ def test_load_and_stiffness_are_derivatives(transition: float) -> None:
                 stiffness = dugdale.stiffness(transition, at, span)
         assert math.isclose((energies[2] - energies[0]) / (2 * step), loads[1], rel_tol=1e-5, abs_tol=1e-6)
         assert math.isclose((loads[2] - loads[0]) / (2 * step), stiffness, rel_tol=1e-4)
+
+
+@pytest.mark.parametrize("radius", [1.0559497443981639e-06, 2e-7, 1e-6, 1e-5])
+def test_no_stiffness_at_the_fold_is_that_of_a_stable_contact(radius: float) -> None:
+    """Within rounding of the fold the slope has no limit, and no sign that doubles can tell."""
+    iron: dict[str, Any] = {"radius": radius, "atomic_spacing": 4e-10}
+    fold = jkroll.solve("fold_approach_maugis", model="maugis", material="iron", **iron)
+    near = fold + numpy.arange(-4, 40) * abs(math.ulp(fold))
+    stiffness = jkroll.solve("stiffness", model="maugis", material="iron", approach_at_load=near, **iron)
+    assert not (stiffness > 0).any()
+    assert (stiffness[10:] < 0).any()
 
 
 def test_the_stiffness_falls_without_limit_towards_the_fold() -> None:

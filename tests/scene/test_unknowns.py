@@ -400,7 +400,7 @@ def test_a_material_that_lacks_an_input_fails_its_rows_alone(run: Run, tmp_path:
     rows = [*csv.DictReader(ran.out.splitlines())]
     assert [row["youngs_modulus [Pa]"] != "" for row in rows] == [False, True]
     assert [row["poisson_ratio"] for row in rows] == ["", "0.3"]
-    assert "needs Poisson's ratio" in rows[0]["status"]
+    assert "need Poisson's ratio" in rows[0]["status"]
     assert (ran.code, run(words.replace(",stiff", "")).code) == (1, 2)
 
 

@@ -45,11 +45,10 @@ if TYPE_CHECKING:
 
 _SHOWN = 2  # differences in the sentence
 _NO_CHANGE = 0.005  # relative change that is no per cent
-# Energies of the well and the jumps: below the Tabor parameter of a jump Maugis' law is no correction for them, as it is for forces.
-_OF_WELL = (
-    "well_energy", "pull_off_work", "pull_off_work_at_dead_load", "sticking_energy", "sticking_speed", "disruption_energy",
-    "disruption_speed",
-)  # fmt: skip
+# Below the Tabor parameter of a jump, a well of Lennard-Jones is deeper still than Maugis', and to the energies of jumps his law is no
+# correction as it is to forces.
+_OF_WELL = ("well_energy", "pull_off_work", "disruption_energy", "disruption_speed")
+_OF_JUMPS = ("pull_off_work_at_dead_load", "sticking_energy", "sticking_speed")
 _MATTERS = 0.05  # relative change with the atomic spacing that is shown
 _BESIDE = 0.02  # relative difference of Lennard-Jones' law from Maugis' that is shown
 
@@ -88,12 +87,13 @@ def with_differences(verdict: Verdict, found: Sequence[Difference], scene: Scene
         return verdict
     if verdict.name == "tabor_parameter" and not verdict.verdict:
         lead = f"{scene.law.title} is inexact here (Tabor parameter μ = {verdict.value:.3g})"
-        corrected = [each for each in found if not (verdict.value < JUMP and each.name in _OF_WELL)]
+        has_jump = verdict.value >= JUMP
+        corrected = [each for each in found if has_jump or each.name not in _OF_JUMPS]
         if corrected:
-            text = _sentence(corrected, scene)
+            text = _sentence(corrected, scene, has_jump=has_jump)
             return verdict._replace(text=text, sentence=f"{lead}: {text}", size=corrected[0].size)
         if found:
-            text = f"for its energies {LAWS[BETWEEN].title} is no correction"
+            text = f"{LAWS[BETWEEN].title} is no better for energies of jumps"
             return verdict._replace(text=text, sentence=f"{lead}; {text}")
     if verdict.name == "hysteresis_ratio" and scene.law.is_default:
         between = scene.under(BETWEEN).numbers("zone_radius").get("zone_radius")
@@ -103,12 +103,18 @@ def with_differences(verdict: Verdict, found: Sequence[Difference], scene: Scene
     return verdict
 
 
-def _sentence(found: Sequence[Difference], scene: Scene) -> str:
-    """Return the largest differences: "by Maugis–Dugdale P_c is 27 % larger"; of rolling quantities both readings."""
+def _sentence(found: Sequence[Difference], scene: Scene, *, has_jump: bool) -> str:
+    """Return the largest differences: "by Maugis–Dugdale P_c is 27 % larger"; of rolling quantities both readings.
+
+    `has_jump`: whether a contact of Lennard-Jones' law jumps; if not, its well is deeper still.
+    """
     spacing = amount("atomic_spacing", scene["atomic_spacing"] / 2)
     parts = []
     rest = [] if found[0].effect.readings else found[1:_SHOWN]
-    for name, _, at_half, effect in [*found[:1], *(each for each in rest if each.size >= _NO_CHANGE)]:
+    for name, _, at_half, effect in [
+        found[0],
+        *(one for one in rest if one.size >= _NO_CHANGE and not one.effect.readings),
+    ]:
         symbol = NOMENCLATURE[name].symbol
         if effect.readings:
             at_displacement, at_hysteresis = map(_change, effect.readings)
@@ -119,7 +125,8 @@ def _sentence(found: Sequence[Difference], scene: Scene) -> str:
         if effect.lennard_jones is not None and abs(effect.lennard_jones / effect.ratio - 1) > _BESIDE:
             beside.append(f"{_change(effect.lennard_jones, effect.ratio)} by Lennard-Jones")
         in_brackets = f" ({', '.join(beside)})" if beside else ""
-        parts.append(f"{symbol} is {_change(effect.ratio)}{in_brackets}")
+        at_least = "" if has_jump or name not in _OF_WELL else "at least "
+        parts.append(f"{symbol} is {at_least}{_change(effect.ratio)}{in_brackets}")
     return f"by {LAWS[BETWEEN].title} {', '.join(parts)}; --model {BETWEEN}"
 
 
@@ -127,10 +134,16 @@ def _change(ratio: float, beside: float = 0.0) -> str:
     """Return a ratio in words: "27 % larger", "3.2 times as large"; without the words beside a ratio that has the same."""
     if abs(ratio - 1) < _NO_CHANGE:
         return "within 0.5 %"
-    if not 0.1 < ratio < 10:
+    if not _is_share(ratio):
         return f"{ratio:.2g} times as large"
     text = f"{100 * abs(ratio - 1):.0f} %"
-    return text if beside and (ratio > 1) == (beside > 1) else f"{text} {'larger' if ratio > 1 else 'smaller'}"
+    has_same = _is_share(beside) and (ratio > 1) == (beside > 1)
+    return text if has_same else f"{text} {'larger' if ratio > 1 else 'smaller'}"
+
+
+def _is_share(ratio: float) -> bool:
+    """Return whether a ratio is told in per cent."""
+    return 0.1 < ratio < 2
 
 
 def with_force_by_maugis(error: BeyondPullOff, scene: Scene) -> BeyondPullOff:

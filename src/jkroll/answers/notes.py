@@ -8,8 +8,7 @@ from ..errors import JkrollError
 from ..materials.library import Material
 from ..quantities.formatting import amount, significant
 from ..quantities.nomenclature import NOMENCLATURE, XI
-from ..rows.columns import NO_END
-from ..scene.failures import MissingInput, grouped
+from ..scene.failures import NO_END, MissingInput, grouped
 from ..scene.limits import IMPACT, Judgement, judged, limits_of
 from ..scene.scene import DEFAULTS, IN_ITS_PLACE, OF_AREA, Scene
 from ..scene.wiring import depends_on
@@ -23,14 +22,14 @@ if TYPE_CHECKING:
 MAX_NAMES = 3  # of quantities in a note
 CUTOFFS = (4e-10, 1.65e-10)  # the spacing of solids, and the convention: w at the one that was not given
 ROUGH = 1e-6  # radius from which most spheres are rough
-_SMOOTH = 3.0  # the factor within which forces on smooth glass lie
+_SMOOTH = 4.0  # the factor by which forces on smooth glass lie below the computed ones
 _ROUGHNESS = (
-    "smooth spheres: on smooth glass measured forces are within a factor of three of this, those of rough spheres and of grains in "
-    "air one to two orders below"
+    "smooth spheres: glass on smooth glass was measured at a half to a quarter of this (γ = 25 mJ/m²), rough spheres and grains in air at "
+    "1/10 to 1/100"
 )
 _STICKING = (
-    "v_stick is elastic theory's; measured ones are higher: plastic asperities (Paszun & Dominik 2008), or a γ ten times larger "
-    "in vacuum (Kimura et al. 2015)"
+    "v_stick is elastic theory's; measured ones are higher: plastic asperities (Paszun & Dominik 2008), or, of SiO2, a γ ten times "
+    "larger in vacuum than in air (Kimura et al. 2015)"
 )
 _ELASTIC = ("youngs_modulus", "poisson_ratio")
 # The models of the rolling moment.
@@ -168,6 +167,9 @@ def about_results(results: list[Result], scene: Scene, noted: Collection[str] = 
     known = [result for result in results if result.value is not None]
     names = [result.name for result in known]
     notes = [*_about_noted(known, noted)]
+    if not scene.is_identical and (unlike := [name for name in names if NOMENCLATURE[name].of_identical]):
+        text = f"{first_symbols(unlike)}: of identical spheres alone, and these differ: the number has no meaning here"
+        notes.append(Note("caveat", text))
     notes += about_conventions(scene, [name for name in names if name not in noted])
     if "n_grav" in names and not scene.is_identical:
         carried = f"N_grav is what the first contact, on body 2, carries; {_between_spheres_1(scene)}"

@@ -32,13 +32,13 @@ def run(path: str, settings: Settings, inputs: Mapping[str, str], known: Materia
         counted = ", ".join(f"{code} in {count}" for code, count in [*tally.counts()["codes"].items()][:MAX_CODES])
         more = " and more" if len(tally.codes) > MAX_CODES else ""
         say_wrapped(
-            f"note: {tally.doubtful} of {tally.rows} rows are doubtful ({counted}{more}); column {DOUBT} says why",
+            f"note: {tally.doubtful} of {tally.rows} rows {'is' if tally.doubtful == 1 else 'are'} doubtful ({counted}{more}); column {DOUBT} says why",
             sys.stderr,
         )
     if tally.not_judged and not settings.quiet:
         some = f"{tally.not_judged} of {tally.rows} rows"
         say_wrapped(
-            f"note: ? in {some}: some limits need inputs that are not given, such as Young's modulus", sys.stderr
+            f"note: ? in {some}: a limit could not be judged, as it needs an input that is not given", sys.stderr
         )
     if tally.without_error_bars and not settings.quiet:
         some = f"{tally.without_error_bars} of {tally.rows} rows have"

@@ -45,8 +45,14 @@ class Input:
         if compression:
             yield from decompressed(self.file, compression, self.path)
         else:
-            yield from iter(lambda: self.file.read(CHUNK), b"")
+            yield from iter(self._piece, b"")
         self.check_unchanged()
+
+    def _piece(self) -> bytes:
+        try:
+            return self.file.read(CHUNK)
+        except OSError as error:
+            raise BadTable(f"{quoted(self.path)}: {error.strerror}") from None
 
     def position(self) -> int:
         """Return the number of bytes read of a file; 0 of a pipe."""
@@ -111,7 +117,7 @@ def output_to(target: str) -> Iterator[BinaryIO]:
         return
     if os.path.isdir(target):
         raise BadRequest(
-            f"-o: {quoted(target)} is a directory; to write a file for each table there, give {quoted(target + os.sep)}"
+            f"-o: {quoted(target)} is a directory; name a file in it, such as {quoted(os.path.join(target, 'x.csv'))}"
         )
     with whole_file(target) as stream:
         yield stream

@@ -6,6 +6,7 @@ the first of them, and completed after the last.
 """
 
 import glob
+import hashlib
 import json
 import os
 import sys
@@ -90,7 +91,8 @@ def convert_many(path: str, order: Order, run: Runner) -> tuple[Tally, int]:
     """Convert all tables that a pattern names; return the counts, and the highest exit code of a table."""
     settings = order.settings
     directory = settings.target
-    if directory == "-" or os.path.isfile(directory.rstrip(os.sep)):
+    place = directory.rstrip(os.sep)
+    if directory == "-" or (os.path.exists(place) and not os.path.isdir(place)):
         raise BadRequest("several tables need a directory for the results: -o DIRECTORY/")
     parts = _parts(path, directory)
     folders = {os.path.dirname(part.path) or "." for part in parts}
@@ -171,12 +173,18 @@ def _tally(entry: Entry) -> Tally:
 
 
 def _options(order: Order) -> dict[str, Any]:
-    """Return the options that decide on the results, and the materials files."""
+    """Return the options that decide on the results, and the materials files with their contents."""
     plain = order.settings._replace(resume=False, jobs=0, quiet=False, target=Settings().target, dask="")
     chosen = {name: value for name, value in plain._asdict().items() if value != getattr(Settings(), name)}
     if order.settings.columns:
         chosen["columns"] = [*order.settings.columns]  # as JSON has them
-    return {**chosen, "inputs": dict(order.inputs)}
+    return {**chosen, "inputs": dict(order.inputs), "materials": {path: _digest(path) for path in order.known.paths}}
+
+
+def _digest(path: str) -> str:
+    """Return what tells the content of a file from that of another."""
+    with open(path, "rb") as file:
+        return hashlib.sha256(file.read()).hexdigest()
 
 
 def _parts(path: str, directory: str) -> list[Part]:
@@ -203,11 +211,13 @@ def _read(manifest: str) -> dict[str, Any]:
     try:
         with open(manifest, encoding="utf-8") as file:
             found = json.load(file)
-        if found.keys() >= {"version", "options", "files"} and all("input" in entry for entry in found["files"]):
+        if found.keys() >= {"version", "options", "files"}:
+            for entry in found["files"]:
+                _tally(entry | {"input": entry["input"]})
             return dict(found)
     except FileNotFoundError:
         return {}
-    except (ValueError, AttributeError, TypeError):
+    except (ValueError, AttributeError, LookupError, TypeError, RecursionError):
         pass
     raise BadRequest(f"-o: {quoted(manifest)} is not a manifest of jkroll; it is not replaced: move it away")
 

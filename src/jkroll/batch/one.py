@@ -1,6 +1,7 @@
 """A table in one file, or from a pipe, into another; columns of rows into a file."""
 
 import os
+import sys
 from collections.abc import Iterable
 from contextlib import closing
 from dataclasses import replace
@@ -12,9 +13,10 @@ from ..errors import missing_extra
 from ..output.records import lines
 from ..quantities.formatting import Format
 from ..rows.columns import Columns, Wanted
-from ..rows.header import BadTable, chosen, understood, with_unit
+from ..rows.header import BadTable, check_measured, chosen, understood
 from ..rows.table import Fill, Inverse, Table, say_reading, table_of
-from ..text import quoted
+from ..scene.failures import MissingInput
+from ..text import quoted, say_wrapped
 from .delimited import DELIMITED, Delimited
 from .files import Input, blocks, output_to, unnamed
 from .formats import LINES, FileFormat, compressor, format_of_name, stated, with_delimiter
@@ -47,11 +49,14 @@ def table_with(names: tuple[str, ...], rows: list[list[str]], order: Order) -> T
     settings = order.settings
     fill = _fill(order)
     columns = understood(names, rows, chosen(names, settings.columns, settings.measured))
-    if settings.measured and settings.measured not in columns.names:
-        advice = f"--column 'HEADER={with_unit(settings.measured)}'"
-        raise BadTable(f"header: no column has the measured {settings.measured}; name it by {advice}")
+    if settings.measured:
+        check_measured(columns, settings.measured)
     asked = ([], []) if settings.infer else quantities_named(settings.quantities)
-    table = table_of(columns, rows, fill, asked, doubt=settings.doubt, uncertainty=settings.uncertainty)
+    try:
+        table = table_of(columns, rows, fill, asked, doubt=settings.doubt, uncertainty=settings.uncertainty)
+    except MissingInput:
+        say_wrapped(columns.reading(), sys.stderr)  # a column may not be understood
+        raise
     if not settings.quiet:
         say_reading(columns, rows, fill, settings.quantities)
     return table

@@ -283,7 +283,7 @@ ordinary, pull-off, fold, δ = 0, extreme
 κ in    largest error in ulp, of a state that is known to all of its digits
 *       no other way is both as accurate (κ in) and, to 25 %, as cheap
 """
-PROMISE, PROMISE_OF_MAUGIS = 15, 25  # ulp/(1 + κ), of the guide
+PROMISE, PROMISE_OF_MAUGIS = 15, 40  # ulp/(1 + κ), of the guide
 _NEAREST, _ALL_DIGITS = 0.1, 2.0**53  # ulp: least error that is drawn, and an error as large as the value
 
 

@@ -63,6 +63,8 @@ def _report(error: Exception) -> int:
     """Print an error on stderr, in one line unless a terminal is narrower, and return the exit code."""
     if isinstance(error, JkrollError):
         message, code = str(error), error.exit_code
+    elif isinstance(error, MemoryError):
+        message, code = "there is not enough memory; ask for fewer rows or points", CANNOT_WRITE
     elif isinstance(error, OSError):
         file = f" {quoted(str(error.filename))}" if error.filename else ""
         message, code = f"cannot write{file}: {error.strerror or error}", CANNOT_WRITE

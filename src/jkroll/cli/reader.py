@@ -30,11 +30,17 @@ SYNONYMS: Mapping[str, str] = {
     "--units": "--to",
 }
 # What others type, and what may be meant by it.
+_NOT_MODELLED = "spheres are smooth, dry and elastic here: jkroll guide measurements says what that leaves out"
 HINTS: Mapping[str, str] = {
     "convert": "jkroll batch adds results to each row of a table, --to is the unit of results",
     "plot": "jkroll map draws a quantity, jkroll figure a figure of the paper, jkroll contact --curve a force curve",
     "--format": "write --json, --csv or --bare",
     "--gamma12": "the energy of an interface stands in the work of adhesion: --work-of-adhesion, γ1 + γ2 - γ12",
+    "--plane": "a plane is a sphere 2 without end: --radius2 plane",
+    "--roughness": _NOT_MODELLED,
+    "--rms": _NOT_MODELLED,
+    "--humidity": _NOT_MODELLED,
+    "--restitution": _NOT_MODELLED,
     "--diameter": "a radius, half of it, stands alone: jkroll pull-off quartz 100nm",
     "--material": "a material stands alone: jkroll pull-off quartz 100nm",
     "--ndjson": "write --json; jkroll batch reads and writes NDJSON",

@@ -315,7 +315,8 @@ class Materials:
         self._meanings: dict[str, list[Entry]] = {}  # of a name or alias, case folded
         is_one = isinstance(paths, str | bytes) or not isinstance(paths, Iterable)
         taking = [*map(path_of, [paths] if is_one else paths)]  # type: ignore[arg-type]
-        for path in dict.fromkeys((SHIPPED, *map(path_of, added), *taking)):
+        self.paths = tuple(dict.fromkeys((*map(path_of, added), *taking)))  # of the files besides the shipped one
+        for path in dict.fromkeys((SHIPPED, *self.paths)):
             for entry in entries_of(path):
                 self._add(entry, takes=path in taking)
 

@@ -21,8 +21,8 @@ def naming(path: str) -> Iterator[None]:
 @contextmanager
 def whole_file(path: str) -> Iterator[BinaryIO]:
     """Open a temporary file that replaces `path` when it is complete; write to a device or a pipe directly."""
-    place = os.path.realpath(path)
     with naming(path):
+        place = os.path.realpath(path)
         if os.path.exists(place) and not os.path.isfile(place):
             with open(place, "wb") as stream:
                 yield stream

@@ -8,9 +8,9 @@ from ..answers.answer import Answer
 from ..answers.notes import first_symbols, notes_on_rows
 from ..answers.results import Kind, Note
 from ..errors import JkrollError
-from ..rows.columns import NO_END, ROW, UNCERTAINTY, Columns, Reasons, of_quantities
+from ..rows.columns import ROW, UNCERTAINTY, Columns, Reasons, of_quantities
 from ..rows.sweep import Pair
-from ..scene.failures import grouped
+from ..scene.failures import NO_END, grouped
 from ..scene.limits import told
 from ..scene.scene import Scene
 

@@ -158,7 +158,7 @@ def compressive_strength(*, roll_energy_half_turn: Energy, radius: Length, filli
     Source:   As coded in danieljprice/phantom, porosity.f90, which has another E_roll; it tends to Kataoka et al. 2013,
               E_roll φ³/R1³, with E_roll as StephaneMichoulier/Pamdeas has it.
     Valid:    φ < 0.74. Static: an impact needs more.
-    Accuracy: 7 ulp above E_roll.
+    Accuracy: 8 ulp above E_roll.
 
     >>> round(compressive_strength(roll_energy_half_turn=1.0, radius=1.0, filling_factor=0.37), 6)
     0.405224

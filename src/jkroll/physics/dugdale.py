@@ -139,7 +139,7 @@ def stiffness(transition: Any, at: Shape, span: Any) -> Any:
 def stiffness_ratio(at: Shape, q: Any) -> Any:
     """Return dP/dδ over that of a flat punch of radius T: v without attraction, −∞ at the fold."""
     give = at.g3 - q * at.h
-    at_fold = give == 0
+    at_fold = abs(give) <= _ROUNDING * at.g3  # as near as doubles come, where the sign is chance
     return where(at_fold, -math.inf, (at.v * at.g3 - q * at.d) / where(at_fold, 1.0, give))
 
 

@@ -63,7 +63,7 @@ def well_energy_maugis(
 
     Source:   Integral of Maugis' solution along its curve.
     Valid:    Quasi-static; towards DMT it grows as 2/(πλ) πwR(π²w²R/K²)^(1/3).
-    Accuracy: 15 ulp.
+    Accuracy: 18 ulp.
 
     >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
     >>> round(well_energy_maugis(transition_parameter=1.0, **unit), 7)

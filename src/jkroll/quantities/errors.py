@@ -59,6 +59,7 @@ QUANTITY_SYNONYMS = {
     "force": "pull_off_force",
     "fragmentation_speed": "disruption_speed",
     "fragmentation_velocity": "disruption_speed",
+    "fragmentation": "disruption_speed",
     "friction": "yield_force",
     "friction_force": "sliding_force",
     "impact_speed": "speed",
@@ -80,6 +81,7 @@ QUANTITY_SYNONYMS = {
     "torque": "yield_moment",
     "torsion": "twisting_moment",
     "torsional_stiffness": "twisting_stiffness",
+    "v_frag": "disruption_speed",
     "velocity": "speed",
 }
 

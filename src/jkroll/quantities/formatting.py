@@ -17,7 +17,9 @@ DIGITS_OF_NARROW = 3  # of a range that is narrower than 1 %
 _NARROW = 0.01
 _PLAIN = 10**DIGITS  # numbers below have no exponent for want of digits
 _SMALL = 1e-3  # numbers below have too many zeros to share a unit with others
-_PREFIXES = dict(zip(range(-21, 18, 3), ("z", "a", "f", "p", "n", "µ", "m", "", "k", "M", "G", "T", "P"), strict=True))
+_PREFIXES = dict(
+    zip(range(-24, 18, 3), ("y", "z", "a", "f", "p", "n", "µ", "m", "", "k", "M", "G", "T", "P"), strict=True)
+)
 _PREFIXABLE = ("m", "N", "J", "Pa", "Hz", "rad", "N m", "N/m", "J/m^2", "N m/rad")
 
 

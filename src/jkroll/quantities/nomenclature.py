@@ -93,7 +93,7 @@ OF_DEM: Mapping[str, Quantity] = {
     "twisting_energy": Quantity("E_twist", "J", "elastic energy of torsion at which the contact twists"),
     "twisting_frequency": Quantity("f_twist", "Hz", "frequency of twisting (torsion)"),
     # aggregates
-    "monomers": Quantity("N", "1", "number of grains of an aggregate", range="positive", option="--monomers", example="1000"),
+    "monomers": Quantity("N", "1", "number of grains of an aggregate", range="several", option="--monomers", example="1000"),
     "contacts": Quantity("n_c", "1", "number of contacts of an aggregate", range="positive", option="--contacts", example="2500"),
     "filling_factor": Quantity("φ", "1", "filling factor of an aggregate", range="loose", option="--filling-factor", example="0.1"),
     "restructuring_energy": Quantity(
@@ -147,9 +147,10 @@ RANGES: Mapping[str, Range] = MappingProxyType(
     {
         "positive": Range(0.0, INFINITY, False, False, "must be positive"),
         "up to infinite": Range(0.0, INFINITY, False, True, "must be positive"),
-        "poisson": Range(-1.0, 0.5, True, True, "must lie between -1 and 0.5"),
+        "poisson": Range(-1.0, 0.5, False, True, "must lie above -1, and be at most 0.5"),
         "loose": Range(0.0, 0.74, False, False, "must lie between 0 and 0.74, that of the closest packing"),
         "part": Range(0.0, 1.0, False, True, "must lie between 0 and 1, which is 100%"),
+        "several": Range(2.0, INFINITY, True, False, "must be at least 2"),
         "finite": Range(-INFINITY, INFINITY, False, False, "must be finite"),
     }
 )

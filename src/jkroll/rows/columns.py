@@ -14,6 +14,7 @@ from ..quantities.formatting import OutOfUnit
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import is_uncertain
 from ..scene.failures import (
+    NO_END,
     MissingInput,
     NoContact,
     OfIdenticalSpheres,
@@ -37,7 +38,6 @@ _BESIDE = 15  # formulas that take as long as what else a row needs
 DOUBT = "doubt"  # the column of the limits of the model that a row exceeds, as codes
 STATUS = "status"  # the column of reasons
 MOST_NAMES = 3  # of quantities in a clause of a status
-NO_END = "no uncertainty, as there is no value at an end of an input: "  # the lead of its reason
 _NO_COLUMNS = "for which the table has no columns; --uncertainty adds them"
 
 Reasons = Mapping[str, JkrollError]  # why cells of a row are empty, by the names of their columns
@@ -582,7 +582,8 @@ def _clauses(errors: Mapping[str, JkrollError], lead: str = "") -> list[str]:
 def _joined(errors: Sequence[MissingInput]) -> str:
     """Return the reason of quantities that lack inputs, with all that some of them need."""
     if len({error.missing for error in errors}) < 2:
-        return min((error.reason() for error in errors), key=len, default="")
+        reasons = (error.reason_of_several() if errors[1:] else error.reason() for error in errors)
+        return min(reasons, key=len, default="")
     missing = dict.fromkeys(name for error in errors for name in error.missing)
     instead = [name for name in errors[0].instead if all(name in error.instead for error in errors)]
     lacking = dict.fromkeys(filter(None, (text for error in errors for text in error.lacking.split(", "))))

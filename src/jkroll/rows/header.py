@@ -13,14 +13,16 @@ from ..quantities.units import Unit, dimension_of, kind_of
 from ..quantities.values import Uncertain, parse_quantity, split_number, unit_of, value_of
 from ..text import MAX_WORD, closest, first_of, quoted, shown
 from .readings import (
-    ALONE,
     INPUTS,
     MATERIALS,
+    NO_INPUTS,
     Reading,
     fits,
     is_of_directions,
+    may_be_radius,
     measured_reading,
     reading_of,
+    unit_alone,
     unit_in_header,
 )
 
@@ -30,6 +32,7 @@ _PARTS = "values have a column of ± beside them, or two, of minus and plus; a r
 _MOST_SAID = 8  # columns that pass through and are named
 _NEEDED = ("radius", *PROPERTIES)  # of a contact; the other inputs have defaults, or serve few quantities
 _NO_END = "?"  # of a range
+_NOTHING = ("nan", "na", "n/a", "null", "none", "-", "--")  # cells without a value, as programs write them
 _PREFIXES = ("n", "u", "m", "", "k", "M", "G")
 
 
@@ -90,7 +93,7 @@ class Column(NamedTuple):
         if self.is_range:
             return f"{first or _NO_END} to {others[0] or _NO_END}"
         if len(others) > 1:
-            minus, plus = (cell.lstrip("+-") or "0" for cell in others)
+            minus, plus = others[0].removeprefix("-") or "0", others[1].removeprefix("+") or "0"
             return f"{first} +{plus}/-{minus}"
         unit_text = self.sides[0].unit_text
         if unit_text in ("", "%"):
@@ -108,6 +111,10 @@ class Column(NamedTuple):
         """Return the SI value of a cell, with its uncertainty if it states one. Its unit is its own or that of the column."""
         if self.is_range and _NO_END in text.split():
             raise QuantityError(self.name, text, "is a range without an end")
+        if text.lstrip().startswith("±"):
+            raise QuantityError(self.name, text, "is an error bar without a value")
+        if text.strip().casefold() in _NOTHING:
+            raise QuantityError(self.name, text, "is no number", "leave the cell empty if there is none")
         try:
             return value_of(text, self.name)
         except BareNumber:
@@ -136,7 +143,7 @@ class Header(NamedTuple):
     materials: tuple[tuple[str, int], ...]  # name and place of the columns that name materials
     alike: tuple[str, ...] = ()  # columns that pass through though they look like quantities
     chosen: Mapping[str, Reading] = MappingProxyType({})  # what `--column` says of headers
-    bare: Mapping[str, str] = MappingProxyType({})  # symbols without a unit, and what they may mean
+    unread: Mapping[str, str] = MappingProxyType({})  # columns that pass through, and the inputs that they may be
 
     @property
     def names(self) -> frozenset[str]:
@@ -159,11 +166,11 @@ class Header(NamedTuple):
 
     def advice(self, given: Collection[str]) -> str:
         """Return the note on columns that may be inputs which nothing else gives; an empty text if there are none."""
-        meant = {text: meaning for text, meaning in self.bare.items() if meaning.partition(" ")[0] not in given}
+        meant = {text: meaning for text, meaning in self.unread.items() if meaning.partition(" ")[0] not in given}
         if not meant:
             return ""
-        have = "has no unit; if it is an input" if len(meant) == 1 else "have no unit; if they are inputs"
-        return f"note: {', '.join(map(_easy, meant))} {have}, write {_columns(meant)}"
+        may_be = "is passed through; if it is an input" if len(meant) == 1 else "are passed through; if they are inputs"
+        return f"note: {', '.join(map(_easy, meant))} {may_be}, write {_columns(meant)}"
 
     def _reading_of(self, column: Column) -> str:
         """Return the name of an input with the headers that it is read from, if these are others."""
@@ -232,18 +239,19 @@ def understood(
     materials: list[tuple[str, int]] = []
     parts: dict[str, dict[str, int]] = {}  # the places of the parts of an input's uncertainty
     alike: list[str] = []
-    bare: dict[str, str] = {}
+    unread: dict[str, str] = {}
     seen: dict[str, str] = {}
+    at_left = ""  # the input of the column before
     for place, text in enumerate(texts):
         cells = [row[place] for row in rows]
         reading = chosen.get(text.strip()) or reading_of(text)
-        if text.strip() in ALONE and inputs and inputs[-1].place == place - 1:
-            reading = Reading(inputs[-1].name, part="both")  # of the column at its left
+        if at_left and not reading.name and unit_alone(text) is not None and text.strip() not in chosen:
+            reading = Reading(at_left, part="both")
         name = reading.name
         if reading.is_symbol and not reading.part and not _have_units(name, cells):
             alike.append(text)
             if name.removesuffix("2") in _NEEDED and _is_number(next(filter(str.strip, cells), "")):
-                bare[text] = with_unit(name, cells)
+                unread[text] = with_unit(name, cells)
             name = ""
         elif of_directions and name.removesuffix("2") == "youngs_modulus" and text.strip() not in chosen:
             problem = f"the modulus along a direction, as {quoted(of_directions)} beside it says?"
@@ -260,9 +268,12 @@ def understood(
             raise _no_input(text, reading, cells)
         elif reading.is_alike:
             alike.append(text)
+            if unit_text := may_be_radius(text):
+                unread[text] = f"radius [{unit_text}]"
+        at_left = "" if name in MATERIALS else name
         _check_new(text, f"{name} {reading.part}" if name else text, seen)
     others = [*alike, *_add_parts(parts, texts, inputs, chosen)]
-    return Header(tuple(texts), tuple(inputs), tuple(materials), tuple(others), chosen, bare)
+    return Header(tuple(texts), tuple(inputs), tuple(materials), tuple(others), chosen, unread)
 
 
 def _check_chosen(texts: Sequence[str], chosen: Mapping[str, Reading]) -> None:
@@ -279,7 +290,13 @@ def _no_input(text: str, reading: Reading, cells: Sequence[str]) -> BadTable:
     """Return the error of a column that looks like a mistyped input."""
     meant = _meant(reading.meant, cells)
     is_wrong = f"; did you mean {meant}?" if meant else f": {reading.problem}"
-    return BadTable(f"header: {quoted(text)} is not an input{is_wrong} {_remedy({text: meant or 'INPUT [UNIT]'})}")
+    is_none = reading.problem in NO_INPUTS
+    remedy = (
+        f"Write --column {_choice(text, '')} to pass it through"
+        if is_none
+        else _remedy({text: meant or "INPUT [UNIT]"})
+    )
+    return BadTable(f"header: {quoted(text)} is not an input{is_wrong} {remedy}")
 
 
 def _check_new(text: str, key: str, seen: dict[str, str]) -> None:
@@ -321,23 +338,28 @@ def _with_parts(
     kinds = ("both",) if "both" in places else ("minus", "plus") if base else ("low", "high")
     if not {*kinds} <= places.keys() or (base is None and kinds == ("both",)):
         return None
-    readings = {part: chosen.get(text.strip()) or reading_of(text) for part, text in texts.items()}
+    units = {part: _unit_in(text, chosen) for part, text in texts.items()}
     if base is None:
-        first = next(filter(None, (readings[part].unit_text for part in kinds)), None)
+        first = next(filter(None, (units[part] for part in kinds)), None)
         base = _column(places["low"], name, first, texts["low"])
     sides: list[Side] = []
     for part in kinds:
-        unit_text = readings[part].unit_text or base.unit_text
+        unit_text = units[part] or base.unit_text
         if unit_text == base.unit_text:
             unit_text = ""
         elif len(kinds) > 1:
-            raise BadTable(
-                f"header: {quoted(texts[part])}: its unit must be that of the other column, {base.unit_text}"
-            )
+            own = f", {base.unit_text}" if base.unit_text else "; that has none"
+            raise BadTable(f"header: {quoted(texts[part])}: its unit must be that of the other column{own}")
         elif unit_text != "%":
             _column(places[part], name, unit_text, texts[part])  # raises what is wrong with the unit
         sides.append(Side(part, places[part], unit_text))
     return base._replace(sides=tuple(sides))
+
+
+def _unit_in(text: str, chosen: Mapping[str, Reading]) -> str | None:
+    """Return the unit in the header of an input's uncertainty, which may be a mark alone."""
+    reading = chosen.get(text.strip()) or reading_of(text)
+    return reading.unit_text if reading.name else unit_alone(text)
 
 
 def with_unit(name: str, cells: Sequence[str] = (), part: str = "") -> str:
@@ -391,7 +413,7 @@ def holds_input(text: str, cell: str, chosen: Mapping[str, Reading]) -> bool:
 
 def is_input(text: str, chosen: Mapping[str, Reading] = MappingProxyType({})) -> bool:
     """Return whether a header may be that of an input; a symbol without a unit is one if its cells have units."""
-    return text.strip() in ALONE or bool((chosen.get(text.strip()) or reading_of(text)).name)
+    return unit_alone(text) is not None or bool((chosen.get(text.strip()) or reading_of(text)).name)
 
 
 def _column(place: int, name: str, unit_text: str | None, text: str) -> Column:
@@ -429,6 +451,16 @@ def check_first(column: Column, texts: Sequence[str], rows: Sequence[Sequence[st
     raise BadTable(f"header: {quoted(texts[column.place])} {lacks} {_remedy(meant)}")
 
 
+def check_measured(header: Header, quantity: str) -> None:
+    """Raise BadTable for a table without a column of the measured quantity, with the option that names one."""
+    if quantity in header.names:
+        return
+    likely = (text for text in header.texts if unit_in_header(text, quantity) and not is_input(text, header.chosen))
+    text = next(likely, "")
+    columns = _columns({text: quantity} if text else {"HEADER": with_unit(quantity)})
+    raise BadTable(f"header: no column has the measured {quantity}; name it by {columns}")
+
+
 def check_inputs(header: Header) -> None:
     """Raise BadTable for a table of which no column is an input: a row of it says nothing of a contact."""
     if header.names:
@@ -439,7 +471,7 @@ def check_inputs(header: Header) -> None:
         )
     if all(map(_is_number, header.texts)):
         raise BadTable(f"header: {quoted(header.texts[0])} is a number; begin with a line of the columns' names")
-    columns = _columns(header.bare or {"HEADER": "INPUT [UNIT]"})
+    columns = _columns(header.unread or {"HEADER": "INPUT [UNIT]"})
     raise BadTable(
         f"header: no column is an input; a row is a contact, and its inputs have columns such as radius [nm]. Write {columns}"
     )

@@ -136,7 +136,7 @@ def infer(
         from ..scene.uncertainty import inferred_uncertainties
 
         bars, _ = inferred_uncertainties(found.values, whole)
-        values = {name: with_uncertainty(value, bars.get(name)) for name, value in values.items()}
+        values = {name: with_uncertainty(name, value, bars.get(name)) for name, value in values.items()}
     return InferredValues(values, found.condition) if len(names) > 1 else values[names[0]]
 
 

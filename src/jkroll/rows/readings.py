@@ -28,11 +28,19 @@ _SYNONYMS = {word: QUANTITY_SYNONYMS[word] for word in ("elastic_modulus", "velo
 _LENGTHS, _PRESSURES = "m", "Pa"
 _DIAMETER = (_LENGTHS, "a diameter? A radius is half of it.")
 _CONTACT_MODULUS = (_PRESSURES, "the modulus of a contact? --young and --poisson are those of the materials.")
+_LAW = "the law is an option: --model dmt."
+NO_INPUTS = (
+    _LAW,
+    _DIAMETER[1],
+    _CONTACT_MODULUS[1],
+)  # a choice of an input does not help: numbers or columns must change
 _UNCLEAR = {
     "r": (_LENGTHS, "a radius, or a distance?"),
     **dict.fromkeys(("d", "D", "diameter", "diam", "dia"), _DIAMETER),
     **dict.fromkeys(("E*", "E_star", "E_r"), _CONTACT_MODULUS),
+    "model": ("", _LAW),
 }
+_SIZES = re.compile(r"(?<![^\W_])(?:diam(?:eters?)?|dia)(?![^\W_])", re.IGNORECASE)
 _NO_UNITS = ("in", "bar")  # behind an underscore they may mean inside and mean
 _PARTS = {
     **dict.fromkeys(("±", "+/-", "err", "error", "std", "stdev", "sd", "unc", "uncertainty"), "both"),
@@ -41,7 +49,7 @@ _PARTS = {
     **dict.fromkeys(("min", "low", "lower"), "low"),
     **dict.fromkeys(("max", "high", "upper"), "high"),
 }
-ALONE = ("±", "+/-")  # headers of the uncertainty of the column at their left
+_ALONE = re.compile(r"(?:±|\+/?-)\s*(?:\[([^\[\]]*)\]|\(([^()]*)\)|(.*))")
 _LONGEST_UNIT = 24  # letters of a unit that is compared with others
 _PER_CENT = ("%", "percent", "pct")
 _OF_PART = re.compile(
@@ -78,6 +86,16 @@ def reading_of(text: str) -> Reading:
     if names := _symbols().get(_symbol(text)):
         return Reading(names[0], is_symbol=names[0] not in _RATIOS)
     return _with_unit(text) or _part(text) or _mistaken(text) or Reading(is_alike=_looks_like_a_quantity(text))
+
+
+def unit_alone(text: str) -> str | None:
+    """Return the unit, or "", of a header that is ± alone: the uncertainty of the column at its left; None for others.
+
+    >>> unit_alone("± [nm]"), unit_alone("+/-"), unit_alone("radius ±")
+    ('nm', '', None)
+    """
+    found = _ALONE.fullmatch(text.strip(), 0, MAX_WORD)
+    return None if found is None else next((unit for unit in found.groups() if unit), "")
 
 
 def is_of_directions(text: str) -> bool:
@@ -167,6 +185,22 @@ def unit_in_header(text: str, name: str) -> str | None:
     cuts = [("", found[2].strip())] if found else [(mark, rest) for _, mark, rest in _cuts(text)]
     units = (unit_text for mark, rest in cuts for unit_text in _units_behind(mark, rest))
     return next((unit_text for unit_text in units if fits(unit_text, name)), None)
+
+
+def may_be_diameter(text: str) -> bool:
+    """Return whether a header has the word diameter and a unit of length in it: "particle diameter [um]"."""
+    return bool(_SIZES.search(text, 0, MAX_WORD) and unit_in_header(text, "radius"))
+
+
+def may_be_radius(text: str) -> str:
+    """Return the unit of a header that has the word radius in it, as in "grain radius (um)"; "" if it has none, or is a result's.
+
+    >>> may_be_radius("grain radius (um)"), may_be_radius("contact_radius [nm]")
+    ('um', '')
+    """
+    words = _plain(text[:MAX_WORD]).split("_")
+    is_result = any(name in _plain(text[:MAX_WORD]) for name in NOMENCLATURE if name.endswith("_radius"))
+    return (unit_in_header(text, "radius") or "") if "radius" in words and not is_result else ""
 
 
 def _units_behind(mark: str, rest: str) -> Iterator[str]:

@@ -23,11 +23,11 @@ from .cells import LABEL, Codes, Lookup, Reader
 from .columns import DOUBT, SIDES, STATUS, BadCells, Wanted, heads, remarks_of
 from .header import BadTable, Column, Header, check_first, check_inputs
 from .inferred import SoughtOne
-from .readings import MATERIALS
+from .readings import MATERIALS, may_be_diameter
 from .rows import Block, groups
 
 _MOST_LABELS = 3  # that are named
-_RENAMED = {STATUS: "", DOUBT: ", or write --no-doubt"}  # besides another name
+_RENAMED = {STATUS: "", "model": "", DOUBT: ", or write --no-doubt"}  # besides another name
 _SOME = 0.25  # a value that any input can have
 Asked = tuple[Sequence[str], Sequence[str]]  # quantities by name, and those that may lack inputs
 
@@ -190,7 +190,9 @@ def say_reading(columns: Header, rows: Sequence[Sequence[str]], fill: Fill, quan
     if advice := columns.advice(given):
         say(advice, sys.stderr)  # in one line, to be copied
     if "radius" not in given and not quantities:
-        say("note: no column and no option gives a radius; what needs one is left out", sys.stderr)
+        size = next(filter(may_be_diameter, columns.texts), "")
+        half = f"; half of {quoted(size)} would be one" if size else ""
+        say(f"note: no column and no option gives a radius; what needs one is left out{half}", sys.stderr)
 
 
 def _labels(columns: Header, rows: Sequence[Sequence[str]], known: Materials) -> dict[str, str]:
@@ -215,6 +217,11 @@ def wanted_of(columns: Header, rows: Sequence[Sequence[str]], fill: Fill, asked:
     labels = [name for name, own in cells.items() if own and own <= unknown.keys()]
     infinite = [column.name for column in columns.inputs if _is_infinite(column, rows)]
     scene = _as_known(columns, fill, labels, infinite)
+    if labels and scene.missing(
+        ["work_of_adhesion"]
+    ):  # they were meant as materials: their rows will say that they are unknown
+        labels = []
+        scene = _as_known(columns, fill, labels, infinite)
     if fill.inverse is not None:
         check(*fill.inverse, scene.scene)
         return SoughtOne([fill.inverse.name], [fill.inverse.quantity], sides=(), doubts=doubts)

@@ -44,7 +44,8 @@ class MissingInput(JkrollError):
             f"a radius such as {NOMENCLATURE[name].example}" for name in self.missing if not NOMENCLATURE[name].option
         ]
         give = " and ".join([options, *radii] if options else radii)
-        instead = "".join(f" or {_as_typed(name)}" for name in self.instead)
+        others = " or ".join(map(_as_typed, self.instead))
+        instead = others and (f" or {others}" if len(self.missing) == 1 else f"; {others} may replace some")
         return f"{words}{self.lacking and '; ' + self.lacking}; give {give}{instead}"
 
 
@@ -245,6 +246,21 @@ class InfiniteValue(NoResult):
     def reason(self) -> str:
         """Return what the value is."""
         return "infinite"
+
+
+NO_END = "no uncertainty, as there is no value at an end of an input: "  # the lead of its reason
+
+
+class NoUncertainty(NoResult):
+    """Error raised for a value whose uncertainty is wanted, and which has none."""
+
+    def __init__(self, name: str, error: JkrollError) -> None:
+        super().__init__(name, error)
+        self.name, self.error = name, error
+
+    def reason(self) -> str:
+        """Return why there is no uncertainty."""
+        return NO_END + reason_of(self.name, self.error)
 
 
 def written_outcome(name: str, outcome: Any) -> Any:

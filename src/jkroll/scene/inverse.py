@@ -74,6 +74,13 @@ def observed(
 _GOLDEN = 0.6180339887498949  # of an interval, the part that a step of the golden-section search keeps
 _SEARCHES = 45  # steps of it: they leave 4e-10 of an interval, and all digits of a value that is flat there
 _HALVINGS = 200  # more than lead from any interval to neighbouring doubles
+_NEAR_END = (
+    1e-6,
+    1e-4,
+    1e-2,
+    0.1,
+    0.3,
+)  # of the way from an end to the next place of a scan: a function may turn there
 _JUMP = 1e-6  # part of the values around it that a change of sign may leave, if it is a crossing and no jump
 _DIGITS = 1e-14  # of a value: a difference as small as this comes from rounding, and is no jump
 STEP = 1e-6  # relative, of the differences that give a slope
@@ -134,15 +141,23 @@ def pieces_of(places: Sequence[float], values: Sequence[float]) -> Search[list[P
     for start, stop in pairwise(cuts):
         if is_gap[start]:
             continue
-        piece = Piece([*places[start:stop]], [*values[start:stop]])
+        points = dict(zip(places[start:stop], values[start:stop], strict=True))
         if start > 0:
-            piece.places.insert(0, (yield from _end(places[start], places[start - 1])))
-            piece.values.insert(0, (yield piece.places[0]))
+            points |= yield from _to_end(places[start], places[start - 1])
         if stop < len(values):
-            piece.places.append((yield from _end(places[stop - 1], places[stop])))
-            piece.values.append((yield piece.places[-1]))
-        pieces.append(piece)
+            points |= yield from _to_end(places[stop - 1], places[stop])
+        pieces.append(Piece(*map(list, zip(*sorted(points.items()), strict=True))))
     return pieces
+
+
+def _to_end(inside: float, outside: float) -> Search[dict[float, float]]:
+    """Return places and values from one that has a value to the last that has, on the way to one that has none."""
+    end = yield from _end(inside, outside)
+    found = {}
+    for part in (0.0, *_NEAR_END):
+        place = end + part * (inside - end)
+        found[place] = yield place
+    return found
 
 
 def _end(inside: float, outside: float) -> Search[float]:

@@ -141,7 +141,7 @@ _MAY_CONTRADICT = frozenset(name for names in EXCLUSIVE for name in names)
 _OF_SOLID_2 = frozenset(name + "2" for name in PROPERTIES)
 
 # What decides on whether a body yields, so that a contact has an area.
-OF_AREA = ("youngs_modulus", "youngs_modulus2", "poisson_ratio", "poisson_ratio2", "contact_modulus")
+OF_AREA = ("youngs_modulus", "youngs_modulus2", "contact_modulus")
 
 # What rests on a contact area, and has none where both bodies are rigid; everything else of JKR follows from these.
 _NOTHING: frozenset[str] = frozenset()
@@ -180,8 +180,6 @@ class Scene:
         for names in () if _MAY_CONTRADICT.isdisjoint(given) else EXCLUSIVE:
             if len(both := [name for name in names if name in given]) > 1:
                 raise Contradiction(both)
-        if "cutoff" in given and "hamaker" not in given:
-            raise MissingInput("cutoff", ("hamaker",))
         if material2 is not None:
             material2 = _without_displacement(material2)  # that of another scene's contact
         self.material, self.material2 = material, material2
@@ -401,14 +399,11 @@ class Scene:
                 value = formula(**given)
             except (ArithmeticError, ValueError):
                 value = INFINITY
-            if isinstance(value, float) and SMALLEST <= value < INFINITY:  # as nearly always
-                values[name] = value
-                continue
             if name in may_be_rigid and self.has_rigid_elements:
                 value = self._where_it_yields(value)
             if not isinstance(value, NUMBER):
                 values[name] = self._with_gaps(name, value, [source for _, source in arguments])
-            elif is_answer(name, value):
+            elif SMALLEST <= value < INFINITY or is_answer(name, value):  # the first holds nearly always
                 values[name] = value
             else:
                 failures[name] = failure_of(name, given) or NoFiniteValue(name, value)
@@ -523,11 +518,9 @@ def _has_area(given: Mapping[str, Any], *, own_material2: bool) -> Any:
     """Return whether a body yields, so that a contact has an area, element by element for arrays."""
     if "contact_modulus" in given:
         return True
-    modulus, ratio = given.get("youngs_modulus"), given.get("poisson_ratio")
-    of_sphere_2 = (None, None) if own_material2 else (modulus, ratio)
-    modulus2 = given.get("youngs_modulus2", of_sphere_2[0])
-    ratio2 = given.get("poisson_ratio2", of_sphere_2[1])
-    yields = (modulus != INFINITY) & (ratio != -1) | (modulus2 != INFINITY) & (ratio2 != -1)
+    modulus = given.get("youngs_modulus")
+    modulus2 = given.get("youngs_modulus2", None if own_material2 else modulus)
+    yields = (modulus != INFINITY) | (modulus2 != INFINITY)
     return yields if hasattr(yields, "shape") else bool(yields)
 
 

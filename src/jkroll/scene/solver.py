@@ -13,7 +13,7 @@ from ..quantities.errors import QuantityError, UnknownQuantity
 from ..quantities.nomenclature import NOMENCLATURE, canonical, named
 from ..quantities.values import Uncertain, checked, is_uncertain, measured, value_of
 from ..text import MAX_QUOTED
-from .failures import GivenTwice, ShapeMismatch
+from .failures import GivenTwice, NoUncertainty, ShapeMismatch
 from .scene import Scene
 from .wiring import Plan
 
@@ -206,13 +206,13 @@ def _uncertain_answers(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
     from .uncertainty import uncertainties
 
     found, _ = uncertainties(scene, names)
-    return {name: with_uncertainty(value, found.get(name)) for name, value in _answers(scene, names).items()}
+    return {name: with_uncertainty(name, value, found.get(name)) for name, value in _answers(scene, names).items()}
 
 
-def with_uncertainty(value: float, found: "Propagated | JkrollError | None") -> float | Uncertain:
-    """Return a value with its uncertainty, if it has one; raise the reason why there is none."""
+def with_uncertainty(name: str, value: float, found: "Propagated | JkrollError | None") -> float | Uncertain:
+    """Return a value with its uncertainty, if it has one; raise NoUncertainty with the reason why there is none."""
     if isinstance(found, JkrollError):
-        raise found
+        raise NoUncertainty(name, found)
     return value if found is None else found.uncertainty
 
 
