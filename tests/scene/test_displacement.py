@@ -7,7 +7,7 @@ from math import log, pi, sqrt
 import pytest
 
 from harness import Run
-from jkroll.answers.displacement import FORCES, PAIR, SCALED, about_displacement, worth
+from jkroll.answers.displacement import FORCES, PAIR, SCALED, worth
 from jkroll.answers.results import Note
 from jkroll.materials.library import known_materials
 from jkroll.output.validation import MEASUREMENTS
@@ -89,7 +89,7 @@ def test_where_nothing_is_said_of_it() -> None:
 def words(scene: Scene, *names: str) -> Note:
     found = worth(scene, names)
     assert found is not None
-    return about_displacement(found, names)
+    return found.note(names)
 
 
 def test_words() -> None:

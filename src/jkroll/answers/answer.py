@@ -25,7 +25,6 @@ from ..scene.failures import (
 from ..scene.limits import JUMP, LEAST_EFFECT, Judgement, Verdict, against_limit, judged, sentence
 from ..scene.scene import Scene
 from ..scene.wiring import depends_on
-from .displacement import Worth, about_displacement, worth
 from .notes import (
     about_given,
     about_limits,
@@ -42,6 +41,7 @@ from .results import Note, Result, at_half_spacing, over_spacing, with_law
 if TYPE_CHECKING:
     from ..quantities.values import Uncertain
     from ..scene.uncertainty import Propagated, Sources
+    from .displacement import Worth
 
 _SHOWN = 2  # differences in the sentence
 _NO_CHANGE = 0.005  # relative change that is no per cent
@@ -242,9 +242,13 @@ class Answer:
         return differences(self.scene, {name: effect for name, effect in found.items() if name in compared})
 
     @cached_property
-    def worth(self) -> Worth | None:
+    def worth(self) -> "Worth | None":
         """The worth of the assumed displacement for these results."""
-        return worth(self.scene, self._known) if XI in self.inputs else None
+        if XI not in self.inputs:
+            return None
+        from .displacement import worth  # most answers rest on no ξ, or on one that was given
+
+        return worth(self.scene, self._known)
 
     @cached_property
     def _judgement(self) -> Judgement:
@@ -296,7 +300,7 @@ class Answer:
         found, sources = self._uncertainties
         lacking = [name for name, error in self.errors.items() if isinstance(error, MissingInput)]
         lacking += [name for names in self._judgement.missing.values() for name in names]
-        displaced = [] if self.worth is None else [about_displacement(self.worth, self.question.headline)]
+        displaced = [] if self.worth is None else [self.worth.note(self.question.headline)]
         entering = {*self.inputs, *self._of_limits, *depends_on(lacking, [scene.law.name])}
         return (
             *about_given(scene, planned, self._entering, entering, displaced),

@@ -39,6 +39,19 @@ class Worth(NamedTuple):
             return INFINITY
         return max((abs(log(factor)) for ends in self.factors.values() for factor in ends), default=0.0)
 
+    def note(self, headline: Collection[str]) -> Note:
+        """Return the note on it for the results that a command is named after, or else for all: short where it is little."""
+        shown = {name: ends for name, ends in self.factors.items() if name in headline} or self.factors
+        if self.here is None:
+            return Note("displacement", f"{_papers()}; no measurement supports it here: {ABOVE}", size=self.size)
+        factors = ", ".join(_worded(shown))
+        if self.size < LARGE:
+            return Note("displacement", f"{_papers()}; by forces on {SOLID} {factors}", size=self.size)
+        text = f"{_papers()}; forces on {SOLID} of 1 µm mean {_range(self.at_pair)}"
+        if abs(log(self.radius / PAIR["radius"])) > _AT_PAIR:
+            text += f", {_range(self.here)} here by our scalings, R^(2/3) to R"
+        return Note("displacement", f"{text}: {factors}", size=self.size)
+
 
 def worth(scene: Scene, names: Sequence[str]) -> Worth | None:
     """Return what ξ is worth for quantities of a scene; None where it is not assumed, enters none, or the spheres are small."""
@@ -75,27 +88,14 @@ def _at_pair(scene: Scene) -> tuple[float, float]:
     return low, high
 
 
-def about_displacement(found: Worth, headline: Collection[str]) -> Note:
-    """Return the note on what ξ is worth for the results that a command is named after, or else for all: short where that is little."""
-    shown = {name: ends for name, ends in found.factors.items() if name in headline} or found.factors
-    if found.here is None:
-        return Note("displacement", f"{_PAPERS}; no measurement supports it here: {ABOVE}", size=found.size)
-    factors = ", ".join(_worded(shown))
-    if found.size < LARGE:
-        return Note("displacement", f"{_PAPERS}; by forces on {SOLID} {factors}", size=found.size)
-    text = f"{_PAPERS}; forces on {SOLID} of 1 µm mean {_range(found.at_pair)}"
-    if abs(log(found.radius / PAIR["radius"])) > _AT_PAIR:
-        text += f", {_range(found.here)} here by our scalings, R^(2/3) to R"
-    return Note("displacement", f"{text}: {factors}", size=found.size)
-
-
-def about_displacement_of_rows(scene: Scene) -> Note:
+def note_of_rows(scene: Scene) -> Note:
     """Return the note where ξ is assumed for rows of a kind, of which the scene is one."""
-    text = f"{_PAPERS}; forces on {SOLID} of 1 µm mean {_range(_at_pair(scene))}, and it grows with the sphere"
+    text = f"{_papers()}; forces on {SOLID} of 1 µm mean {_range(_at_pair(scene))}, and it grows with the sphere"
     return Note("displacement", text)
 
 
-_PAPERS = f"ξ = {amount(XI, DEFAULTS[XI])} ({NOMENCLATURE[XI].option}) is the paper's"
+def _papers() -> str:
+    return f"ξ = {amount(XI, DEFAULTS[XI])} ({NOMENCLATURE[XI].option}) is the paper's"
 
 
 def _worded(factors: Mapping[str, tuple[float, float]]) -> list[str]:

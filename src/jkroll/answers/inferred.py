@@ -16,13 +16,13 @@ from ..scene.limits import Verdict
 from ..scene.scene import Scene
 from ..scene.unknowns import solved
 from .answer import Answer, Difference
-from .displacement import Worth
 from .notes import about_missing, about_uncertainties
 from .questions import Question
 from .results import Note, Result
 
 if TYPE_CHECKING:
     from ..scene.uncertainty import Propagated, Sources
+    from .displacement import Worth
 
 # The properties of a material that an inferred input takes the place of.
 _REPLACED = {"work_of_adhesion": ("surface_energy",)}
@@ -112,7 +112,7 @@ class Inferred(Answer):
         return ()
 
     @cached_property
-    def worth(self) -> Worth | None:
+    def worth(self) -> "Worth | None":
         """The worth of the assumed displacement for what was measured."""
         return self.forward.worth if self.solution is not None else None
 

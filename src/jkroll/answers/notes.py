@@ -13,7 +13,6 @@ from ..scene.limits import IMPACT, Judgement, judged, limits_of
 from ..scene.scene import DEFAULTS, IN_ITS_PLACE, OF_AREA, Scene
 from ..scene.wiring import depends_on
 from ..text import first_of
-from .displacement import about_displacement_of_rows
 from .results import Note, NoValue, Result, remarks
 
 if TYPE_CHECKING:
@@ -45,7 +44,11 @@ def notes_on_rows(scene: Scene, names: Sequence[str]) -> list[Note]:
     of_limits = scene.inputs_of(*scene.planned(every))
     inputs = with_spacing(scene.inputs_of(*planned), of_limits)
     entering = {*of_limits, *depends_on(scene.missing(every), [scene.law.name])}
-    displaced = [about_displacement_of_rows(scene)] if XI in inputs and XI not in scene.given else []
+    displaced = []
+    if XI in inputs and XI not in scene.given:
+        from .displacement import note_of_rows
+
+        displaced = [note_of_rows(scene)]
     return [
         *(note for note in about_given(scene, planned, inputs, entering, displaced) if note.kind != "material"),
         *about_conventions(scene, planned),
