@@ -266,3 +266,10 @@ def test_dust_simulation(run: Run, words: str) -> None:
         1e-3 * 4 / 3 * math.pi * radius**3 * density,
     ]
     assert own == pytest.approx(theirs, rel=1e-11)
+
+
+def test_the_middle_of_a_range_is_said_to_be_that(run: Run) -> None:
+    assert "# note: computed with the middle of gamma1 = 20 to 25 mJ/m^2\n" in run("export lammps silica-humid 5um").out
+    assert "middle" not in run("export lammps quartz 5um").out
+    drawn = run("map pull-off --gamma 25±5mJ/m2 --x radius=1um:10um --data out.csv")
+    assert "note: computed with the middle of γ1 = 25.0 ± 5.0 mJ/m²" in drawn.err.splitlines()

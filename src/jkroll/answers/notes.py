@@ -16,6 +16,7 @@ from ..text import first_of
 from .results import Note, NoValue, Result, remarks
 
 if TYPE_CHECKING:
+    from ..quantities.values import Uncertain
     from ..scene.uncertainty import Propagated, Sources
 
 MAX_NAMES = 3  # of quantities in a note
@@ -127,6 +128,12 @@ def _about_shear(scene: Scene, steps: Collection[str]) -> Iterator[str]:
         yield f"τ = G/4π² = {amount('shear_strength', strength)}{softer}, an order of magnitude (--shear-strength)"
     if "contact_shear_modulus" in steps and not are_alike:
         yield "k_s without Dundurs' coupling of unlike solids"
+
+
+def about_middles(uncertain: "Mapping[str, Uncertain]") -> list[Note]:
+    """Return the note where values have uncertainties and the results, of a picture or another program's input, have none."""
+    middles = ", ".join(f"{symbol_of(name)} = {amount(name, value)}" for name, value in uncertain.items())
+    return [Note("result", f"computed with the middle of {middles}")] if middles else []
 
 
 def about_idle(scene: Scene, entering: Collection[str]) -> list[Note]:

@@ -3,12 +3,11 @@
 import sys
 
 from ..answers.answer import Answer
-from ..answers.notes import symbol_of
+from ..answers.notes import about_middles
 from ..answers.questions import Question
 from ..errors import BadRequest
 from ..output.exports import PROGRAMS
 from ..output.notes import every_line
-from ..quantities.formatting import amount
 from ..text import ascii_text, quoted, say, say_wrapped, wrapped
 from .commands import Call
 from .request import request_of
@@ -36,10 +35,7 @@ def run_export(call: Call) -> int:
     lacking = scene.missing(program.quantities)
     names = tuple(name for name in program.quantities if name not in lacking)
     answer = Answer(Question(names, names), scene)
-    notes = every_line(answer)
-    if answer.uncertain:
-        middles = ", ".join(f"{symbol_of(name)} = {amount(name, value)}" for name, value in answer.uncertain.items())
-        notes.insert(0, f"note: the numbers are of the middle of {middles}")
+    notes = [*(f"note: {note.text}" for note in about_middles(answer.uncertain)), *every_line(answer)]
     if program.note:
         for line in (f"note: {program.note}", *notes):
             say_wrapped(line, sys.stderr)

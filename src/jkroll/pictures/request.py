@@ -3,7 +3,7 @@
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
-from ..answers.notes import about_given, about_idle, symbol_of
+from ..answers.notes import about_given, about_idle, about_middles, symbol_of
 from ..answers.results import equation_of
 from ..errors import BadRequest, NoResult
 from ..materials.library import Materials
@@ -186,8 +186,12 @@ class Context:
         remark = NOMENCLATURE[quantity].note
         idle = [note.text for note in about_idle(self.scene, inputs)]
         data = notes_on(self.scene, shown, names)
+        uncertain = {name: one for name in shown if name not in values and (one := scene.uncertainty_of(name))}
+        middles = [note.text for note in about_middles(uncertain)]
         self.notes = tuple(
-            dict.fromkeys([*notes[:1], *idle, *data, *([f"{symbol_of(quantity)}: {remark}"] if remark else [])])
+            dict.fromkeys(
+                [*middles, *notes[:1], *idle, *data, *([f"{symbol_of(quantity)}: {remark}"] if remark else [])]
+            )
         )
 
     def doubts(self, x: Axis, y: Any) -> Iterable[tuple[str, str]]:
