@@ -260,7 +260,7 @@ def test_load_and_stiffness_are_derivatives(transition: float) -> None:
 @pytest.mark.parametrize("radius", [1.0559497443981639e-06, 2e-7, 1e-6, 1e-5])
 def test_no_stiffness_at_the_fold_is_that_of_a_stable_contact(radius: float) -> None:
     """Within rounding of the fold the slope has no limit, and no sign that doubles can tell."""
-    given = {"model": "maugis", "material": "iron", "radius": radius, "atomic_spacing": 4e-10}
+    given: dict[str, Any] = {"model": "maugis", "material": "iron", "radius": radius, "atomic_spacing": 4e-10}
     fold = jkroll.solve("fold_approach_maugis", **given)
     near = fold + numpy.arange(-4, 40) * abs(math.ulp(fold))
     stiffness = jkroll.solve("stiffness", approach_at_load=near, **given)
