@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, overload
 from ..errors import JkrollError
 from ..materials.library import Material, Materials, known_materials
 from ..physics import FORMULAS as PLAIN_FORMULAS
+from ..physics.elementary import NUMBER
 from ..quantities.errors import QuantityError, UnknownQuantity
 from ..quantities.nomenclature import NOMENCLATURE, canonical, named
 from ..quantities.values import Uncertain, checked, is_uncertain, measured, value_of
@@ -311,8 +312,11 @@ def _number(name: str, value: Any) -> Any:
 
 def as_floats(name: str, value: Any) -> Any:
     """Return a float or an array of floats for a number, a sequence or an array of any number type."""
-    if isinstance(value, float):
-        return float(value)
+    if isinstance(value, NUMBER) and not isinstance(value, bool):
+        try:
+            return float(value)
+        except OverflowError:
+            raise QuantityError(name, "an integer", "is too large for a double") from None
     import numpy
 
     if numpy.ma.isMaskedArray(value):
