@@ -43,10 +43,7 @@ def state_energy_maugis(
     True
     """
     unit = dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
-    at, span = dugdale.shape(edge_ratio), zone_span / unit
-    touching = dugdale.approach(transition_parameter, at, span)
-    approach = where(edge_ratio > 0, touching, dugdale.approach_apart(transition_parameter, span))
-    phi = dugdale.energy(transition_parameter, at, span, approach)
+    phi = _of_state(transition_parameter, dugdale.shape(edge_ratio), zone_span / unit)
     return phi * _energy(work_of_adhesion, reduced_radius, contact_modulus)
 
 
@@ -91,7 +88,7 @@ def pull_off_work_maugis(
     >>> round(pull_off_work_maugis(transition_parameter=1e6, **unit) / 1.65096362, 5)
     1.27338
     """
-    fold = _held_to(transition_parameter, dugdale.lowest_approach(transition_parameter))
+    fold = _of(transition_parameter, dugdale.fold_ratio(transition_parameter))
     unit = _energy(work_of_adhesion, reduced_radius, contact_modulus)
     return (fold - _unloaded(transition_parameter)) * unit
 
@@ -152,7 +149,7 @@ def sticking_energy_maugis(
     b = dugdale.half_width(small)
     apart = 17 / 24 * pi * unit * small * b * b * b * b  # in this order, no product underflows before the result
     met = _held_to(transition_parameter, -2 / (pi * transition_parameter))
-    fold = _held_to(transition_parameter, dugdale.lowest_approach(transition_parameter))
+    fold = _of(transition_parameter, dugdale.fold_ratio(transition_parameter))
     return where(transition_parameter < dugdale.JUMP_WITHOUT_CONTACT, apart, (fold - met) * unit)
 
 
@@ -164,9 +161,21 @@ def _energy(work_of_adhesion: Any, reduced_radius: Any, contact_modulus: Any) ->
 
 def _unloaded(transition: Any) -> Any:
     """Return Φ without load, dimensionless."""
-    at = dugdale.shape(dugdale.ratio_at_load(transition, 0.0))
-    span = dugdale.span(transition, at)
-    return dugdale.energy(transition, at, span, dugdale.approach(transition, at, span))
+    return _of(transition, dugdale.ratio_at_load(transition, 0.0))
+
+
+def _of(transition: Any, edge_ratio: Any) -> Any:
+    """Return Φ of a contact, or at the fold of spheres that do not touch, dimensionless."""
+    at = dugdale.shape(edge_ratio)
+    span = where(at.v > 0, dugdale.span(transition, at), dugdale.half_width(transition))
+    return _of_state(transition, at, span)
+
+
+def _of_state(transition: Any, at: dugdale.Shape, span: Any) -> Any:
+    """Return Φ of a state, in contact or apart, dimensionless."""
+    touching = dugdale.approach(transition, at, span)
+    approach = where(at.v > 0, touching, dugdale.approach_apart(transition, span))
+    return dugdale.energy(transition, at, span, approach)
 
 
 def _held_to(transition: Any, approach: Any) -> Any:
