@@ -188,7 +188,10 @@ def _law_values(random: Random) -> Iterator[tuple[str, Any]]:
     work, radius, modulus = (log_uniform(random, low, high) for low, high in ranges)
     transition = log_uniform(random, *random.choice([(1e-6, 1e6), (0.1, 10)]))
     force, length = math.pi * work * radius, (3 / 4 * math.pi * work * radius**2 / modulus) ** (1 / 3)
-    tension, depth = dugdale.pull_off(transition)[1], -dugdale.lowest_approach(transition)
+    tension, depth = (
+        dugdale.pull_off(transition)[1],
+        -dugdale.lowest_approach(transition, dugdale.fold_ratio(transition)),
+    )
     nearly = 1 - log_uniform(random, 1e-13, 1)
     beyond = log_uniform(random, 1e-6, 1e6)
     stress = 2 * modulus * length * transition / (3 * radius)

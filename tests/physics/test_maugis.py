@@ -225,7 +225,7 @@ def test_constants() -> None:
 
 @pytest.mark.parametrize("transition", [0.2, 0.5, 0.7, 0.9, 0.937])
 def test_spheres_that_attract_without_contact(transition: float) -> None:
-    lowest = dugdale.lowest_approach(transition)
+    lowest = dugdale.lowest_approach(transition, dugdale.fold_ratio(transition))
     assert dugdale.fold_ratio(transition) == 0.0
     at = dugdale.shape(0.0)
     touch = dugdale.span(transition, at)
@@ -243,7 +243,7 @@ def test_spheres_that_attract_without_contact(transition: float) -> None:
 @pytest.mark.parametrize("transition", [0.05, 0.5, 0.9, 0.95, 5.0])
 def test_load_and_stiffness_are_derivatives(transition: float) -> None:
     step = 1e-5
-    lowest = dugdale.lowest_approach(transition)
+    lowest = dugdale.lowest_approach(transition, dugdale.fold_ratio(transition))
     for approach in (lowest + 0.05, lowest + 0.4, 0.3, 2.0):
         energies, loads = [], []
         for each in (approach - step, approach, approach + step):
@@ -309,7 +309,7 @@ def test_states_outside_the_domain() -> None:
     with pytest.raises(ValueError, match="domain"):
         dugdale.ratio_at_load(1.0, -1.61)
     with pytest.raises(ValueError, match="domain"):
-        dugdale.ratio_at_approach(0.5, dugdale.lowest_approach(0.5) - 1e-9)
+        dugdale.ratio_at_approach(0.5, dugdale.lowest_approach(0.5, dugdale.fold_ratio(0.5)) - 1e-9)
     ratios = dugdale.ratio_at_load(1.0, numpy.array([-1.61, 0.0]))
     assert numpy.isnan(ratios).tolist() == [True, False]
     spans = maugis.zone_span_at_approach(

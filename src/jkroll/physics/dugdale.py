@@ -200,13 +200,11 @@ def fold_ratio(transition: Any) -> Any:
     return where(beyond == 0, 0.0, v)
 
 
-def lowest_approach(transition: Any) -> Any:
-    """Return δ at the fold, in contact or apart."""
-    v = fold_ratio(transition)
-    at = shape(v)
-    b = half_width(transition)
-    apart = -b * b / 2 - 2 / (pi * transition)
-    return where(v == 0, apart, approach(transition, at, span(transition, at)))
+def lowest_approach(transition: Any, least: Any) -> Any:
+    """Return δ at the fold, in contact or apart, from its v."""
+    at = shape(least)
+    apart = approach_apart(transition, half_width(transition))
+    return where(least == 0, apart, approach(transition, at, span(transition, at)))
 
 
 def _step_to(transition: Any, at: Shape, q: Any, growth: Any) -> Any:
@@ -260,7 +258,7 @@ def ratio_at_approach(transition: Any, approach_in_units: Any) -> Any:
     least = fold_ratio(transition)
     at = shape(least)
     lowest = approach(transition, at, span(transition, at))
-    fold = lowest_approach(transition)
+    fold = lowest_approach(transition, least)
     is_held = approach_in_units >= fold - _ROUNDING * abs(fold)
     excess = at_least(within(is_held, approach_in_units - lowest), 0.0)
     aim = sqrt(excess)

@@ -433,4 +433,4 @@ def fold_approach_maugis(
     -636.6198
     """
     unit = dugdale.approach_unit(work_of_adhesion, reduced_radius, contact_modulus)
-    return dugdale.lowest_approach(transition_parameter) * unit
+    return dugdale.lowest_approach(transition_parameter, dugdale.fold_ratio(transition_parameter)) * unit
