@@ -11,6 +11,7 @@ import jkroll
 import maugis_reference as reference
 import maugis_rivals as rivals
 from jkroll.physics import any_law, dugdale, maugis, maugis_energies
+from jkroll.scene.wiring import parameters_of
 from maugis_boundary_elements import rolling_moment
 from maugis_reference import Exact, mpf
 
@@ -42,6 +43,14 @@ def state(transition: float, edge_ratio: Any) -> dict[str, Any]:
         "stiffness": dugdale.stiffness(transition, at, span),
         "energy": dugdale.energy(transition, at, span, approach),
     }
+
+
+def alone(formula: Any, transition: Any, unit: Any = UNIT) -> Any:
+    """Return the result of a formula that the transition parameter decides on, but for the unit."""
+    given = {**unit, "transition_parameter": transition}
+    if "unloaded_edge_ratio" in parameters_of(formula):
+        given["unloaded_edge_ratio"] = maugis.unloaded_edge_ratio(transition_parameter=transition)
+    return formula(**given)
 
 
 def exact_state(transition: Exact, a: Exact, t: Exact) -> dict[str, Exact]:
@@ -136,9 +145,9 @@ def test_the_approach_of_a_contact_whose_load_is_known(count: int) -> None:
         }
         bounds = {"approach": BOUND}
         if load == 0:
-            found["radius"] = maugis.unloaded_radius_maugis(**UNIT, transition_parameter=transition)
+            found["radius"] = alone(maugis.unloaded_radius_maugis, transition)
             bounds = {"approach": 6.0, "radius": 4.0}
-            unloaded = maugis.unloaded_approach_maugis(**UNIT, transition_parameter=transition)
+            unloaded = alone(maugis.unloaded_approach_maugis, transition)
             assert unloaded == pytest.approx(found["approach"], rel=3e-15)
         for name, value in found.items():
             condition = float(sum(abs(other[name] / exact[name] - 1) for other in others) / step)
@@ -208,9 +217,9 @@ def test_sticking_energy_where_neither_jump_touches(transition: float) -> None:
     [maugis_energies.sticking_energy_maugis, maugis_energies.pull_off_work_maugis, maugis_energies.well_energy_maugis],
 )
 def test_energies_are_continuous(energy: Any, edge: float) -> None:
-    below, above = (energy(**UNIT, transition_parameter=edge * (1 + side)) for side in (-1e-9, 1e-9))
+    below, above = (alone(energy, edge * (1 + side)) for side in (-1e-9, 1e-9))
     assert math.isclose(below, above, rel_tol=1e-7)
-    at = energy(**UNIT, transition_parameter=edge)
+    at = alone(energy, edge)
     assert math.isclose(at, below, rel_tol=1e-7)
 
 
@@ -288,14 +297,14 @@ def test_limit_of_jkr() -> None:
         (maugis_energies.pull_off_work_maugis, 6 / 5 + 2 / 15 * 6 ** (-1 / 3)),
         (maugis_energies.pull_off_work_at_dead_load_maugis, 6 / 5 - 2 / 5 * 2 ** (-1 / 3)),
     ):
-        assert math.isclose(energy(**UNIT, transition_parameter=transition), factor * unit, rel_tol=1e-7)
+        assert math.isclose(alone(energy, transition), factor * unit, rel_tol=1e-7)
     stick = (2 / 15 * 6 ** (-1 / 3) + 4 / 5 * (2 / 3) ** (1 / 3)) * unit
     value = maugis_energies.sticking_energy_maugis(**UNIT, transition_parameter=transition)
     assert math.isclose(value, stick * (1 - 0.666 / transition), rel_tol=1e-6)
 
 
 def test_limit_of_dmt() -> None:
-    work = maugis_energies.pull_off_work_at_dead_load_maugis(**UNIT, transition_parameter=1e-20)
+    work = alone(maugis_energies.pull_off_work_at_dead_load_maugis, 1e-20)
     assert math.isclose(work, 1.2 * 2 ** (2 / 3), rel_tol=1e-14)
     transition = 1e-4
     assert math.isclose(-state(transition, dugdale.pull_off_ratio(transition))["load"], 2.0, rel_tol=1e-6)
@@ -351,8 +360,8 @@ def test_arrays_give_the_numbers_of_floats() -> None:
         maugis_energies.pull_off_work_at_dead_load_maugis,
         maugis_energies.sticking_energy_maugis,
     ):
-        values = formula(**scenes, transition_parameter=transitions)
-        singles = [formula(**UNIT, transition_parameter=each) for each in transitions.tolist()]
+        values = alone(formula, transitions, scenes)
+        singles = [alone(formula, each) for each in transitions.tolist()]
         numpy.testing.assert_allclose(values, singles, rtol=1e-9, atol=1e-15)
 
 

@@ -49,6 +49,7 @@ def state_energy_maugis(
 
 def well_energy_maugis(
     *,
+    unloaded_edge_ratio: Number,
     work_of_adhesion: SurfaceEnergy,
     reduced_radius: Length,
     contact_modulus: Stress,
@@ -60,17 +61,21 @@ def well_energy_maugis(
 
     Source:   Integral of Maugis' solution along its curve.
     Valid:    Quasi-static; towards DMT it grows as 2/(πλ) πwR(π²w²R/K²)^(1/3).
-    Accuracy: 18 ulp.
+    Accuracy: 18 ulp, as at P = 0 an error of v changes nothing to the first order.
 
+    >>> from .maugis import unloaded_edge_ratio
     >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
-    >>> round(well_energy_maugis(transition_parameter=1.0, **unit), 7)
+    >>> v = unloaded_edge_ratio(transition_parameter=1.0)
+    >>> round(well_energy_maugis(unloaded_edge_ratio=v, transition_parameter=1.0, **unit), 7)
     2.3098211
     """
-    return -_unloaded(transition_parameter) * _energy(work_of_adhesion, reduced_radius, contact_modulus)
+    unit = _energy(work_of_adhesion, reduced_radius, contact_modulus)
+    return -_of(transition_parameter, unloaded_edge_ratio) * unit
 
 
 def pull_off_work_maugis(
     *,
+    unloaded_edge_ratio: Number,
     work_of_adhesion: SurfaceEnergy,
     reduced_radius: Length,
     contact_modulus: Stress,
@@ -84,17 +89,20 @@ def pull_off_work_maugis(
     Valid:    Quasi-static.
     Accuracy: 15 ulp.
 
+    >>> from .maugis import unloaded_edge_ratio
     >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
-    >>> round(pull_off_work_maugis(transition_parameter=1e6, **unit) / 1.65096362, 5)
+    >>> v = unloaded_edge_ratio(transition_parameter=1e6)
+    >>> round(pull_off_work_maugis(unloaded_edge_ratio=v, transition_parameter=1e6, **unit) / 1.65096362, 5)
     1.27338
     """
     fold = _of(transition_parameter, dugdale.fold_ratio(transition_parameter))
     unit = _energy(work_of_adhesion, reduced_radius, contact_modulus)
-    return (fold - _unloaded(transition_parameter)) * unit
+    return (fold - _of(transition_parameter, unloaded_edge_ratio)) * unit
 
 
 def pull_off_work_at_dead_load_maugis(
     *,
+    unloaded_edge_ratio: Number,
     work_of_adhesion: SurfaceEnergy,
     reduced_radius: Length,
     contact_modulus: Stress,
@@ -108,13 +116,15 @@ def pull_off_work_at_dead_load_maugis(
     Valid:    Quasi-static up to the jump.
     Accuracy: 15 ulp.
 
+    >>> from .maugis import unloaded_edge_ratio
     >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
-    >>> round(pull_off_work_at_dead_load_maugis(transition_parameter=1e6, **unit) / 1.65096362, 5)
+    >>> v = unloaded_edge_ratio(transition_parameter=1e6)
+    >>> work = pull_off_work_at_dead_load_maugis(unloaded_edge_ratio=v, transition_parameter=1e6, **unit)
+    >>> round(work / 1.65096362, 5)
     0.88252
     """
-    first = dugdale.ratio_at_load(transition_parameter, 0.0)
     last = dugdale.pull_off_ratio(transition_parameter)
-    middle, half = (last + first) / 2, (last - first) / 2
+    middle, half = (last + unloaded_edge_ratio) / 2, (last - unloaded_edge_ratio) / 2
     work = 0.0
     for place, weight in _EIGHT_POINTS:
         for edge_ratio in (middle - place * half, middle + place * half):
@@ -157,11 +167,6 @@ def _energy(work_of_adhesion: Any, reduced_radius: Any, contact_modulus: Any) ->
     """Return the unit of energies, πwR(π²w²R/K²)^(1/3)."""
     unit = dugdale.approach_unit(work_of_adhesion, reduced_radius, contact_modulus)
     return pi * work_of_adhesion * reduced_radius * unit
-
-
-def _unloaded(transition: Any) -> Any:
-    """Return Φ without load, dimensionless."""
-    return _of(transition, dugdale.ratio_at_load(transition, 0.0))
 
 
 def _of(transition: Any, edge_ratio: Any) -> Any:

@@ -58,6 +58,7 @@ OF_MAUGIS: Mapping[str, Quantity] = {
     "edge_ratio_at_approach": Quantity(
         "v", "1", "edge ratio at the approach", may_be_zero=True, variant_of="edge_ratio"
     ),
+    "unloaded_edge_ratio": Quantity("v0", "1", "edge ratio without load"),
     "edge_ratio_at_pull_off": Quantity("v_c", "1", "edge ratio at pull-off"),
     "edge_ratio_at_fold": Quantity("v_fold", "1", "edge ratio where fixed grips let go", may_be_zero=True),
     "zone_span": Quantity("T", "m", "span of the ring of attraction"),
