@@ -7,12 +7,13 @@ the names in DEFAULTS have values if nothing else is said. A scene takes numbers
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import reduce
+from math import nan
 from operator import and_
 from typing import Any
 
 from ..errors import JkrollError
 from ..materials.library import Material
-from ..physics.elementary import NUMBER
+from ..physics.elementary import NUMBER, where
 from ..physics.pair import reduced_radius
 from ..quantities.errors import OutOfRange, UnknownQuantity
 from ..quantities.laws import DEFAULT_LAW, Law, law_named
@@ -144,7 +145,6 @@ _OF_SOLID_2 = frozenset(name + "2" for name in PROPERTIES)
 OF_AREA = ("youngs_modulus", "youngs_modulus2", "contact_modulus")
 
 # What rests on a contact area, and has none where both bodies are rigid; everything else of JKR follows from these.
-_NOTHING: frozenset[str] = frozenset()
 _ON_AREA = frozenset({"contact_modulus", "pull_off_force", "load_factor", "rolling_frequency_as_printed"})
 
 
@@ -199,6 +199,8 @@ class Scene:
             self.values = {**values, **self.values}
         self._has_area = _has_area(self.given, own_material2=material2 is not None)
         self._failures: dict[str, JkrollError] = {}
+        if self.is_rigid:
+            self._failures |= {name: TwoRigidBodies() for name in _ON_AREA if name not in self.values}
         self._gaps: set[str] = set()  # quantities of which some elements are no answer
         self._plan = NO_PLAN
         self.known = frozenset(self.values)
@@ -383,7 +385,7 @@ class Scene:
     def _run(self, steps: Iterable[Step]) -> None:
         """Evaluate formulas one after the other, and note those that fail."""
         values, failures = self.values, self._failures
-        may_be_rigid = _NOTHING if self._has_area is True else _ON_AREA
+        has_rigid_elements = self.has_rigid_elements
         for name, formula, arguments in steps:
             if name in values or name in failures:
                 continue
@@ -392,15 +394,12 @@ class Scene:
             except KeyError:  # an argument that failed
                 failures[name] = next(failures[source] for _, source in arguments if source in failures)
                 continue
-            if name in may_be_rigid and self.is_rigid:
-                failures[name] = TwoRigidBodies()
-                continue
             try:
                 value = formula(**given)
             except (ArithmeticError, ValueError):
                 value = INFINITY
-            if name in may_be_rigid and self.has_rigid_elements:
-                value = self._where_it_yields(value)
+            if has_rigid_elements and name in _ON_AREA:
+                value = where(self._has_area, value, nan)
             if not isinstance(value, NUMBER):
                 values[name] = self._with_gaps(name, value, [source for _, source in arguments])
             elif SMALLEST <= value < INFINITY or is_answer(name, value):  # the first holds nearly always
@@ -448,12 +447,6 @@ class Scene:
     def has_rigid_elements(self) -> bool:
         """True if both bodies are rigid in some elements of the arrays that were given."""
         return not isinstance(self._has_area, bool) and not self._has_area.all()
-
-    def _where_it_yields(self, value: Any) -> Any:
-        """Return a value with nan where both bodies are rigid."""
-        import numpy
-
-        return numpy.where(self._has_area, value, numpy.nan)
 
     def _outcome(self, name: str, found: Plan) -> Any:
         """Return what became of a quantity once the steps of its plan were run."""
