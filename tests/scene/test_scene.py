@@ -2,6 +2,7 @@
 
 from typing import Any
 
+import numpy
 import pytest
 
 from jkroll.physics import FORMULAS
@@ -53,6 +54,16 @@ def test_a_number_that_leaves_the_doubles_takes_what_follows_with_it() -> None:
     for name in ("moment_of_inertia", "rolling_frequency"):
         assert isinstance(values[name], NoFiniteValue)
         assert "moment_of_inertia: no value that a double can hold" in str(values[name])
+
+
+def test_only_what_belongs_to_a_plane_may_be_infinite() -> None:
+    given = {**QUARTZ, "density": 1e3, "density2": 1e60}
+    with pytest.raises(NoFiniteValue):
+        Scene({**given, "radius2": 1e60})["rolling_frequency"]
+    radii = numpy.array([1e60, 1e-7, float("inf")])
+    found = Scene({**given, "radius2": radii}).evaluate(("rolling_frequency", "moment_of_inertia2"))
+    assert numpy.isnan(found["rolling_frequency"]).tolist() == [True, False, False]
+    assert numpy.isinf(found["moment_of_inertia2"]).tolist() == [False, False, True]
 
 
 def test_a_scene_with_other_inputs_is_another_scene() -> None:

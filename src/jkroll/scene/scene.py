@@ -79,26 +79,20 @@ _OF_A_PLANE = [
 MAY_BE_ZERO = frozenset(name for name, quantity in NOMENCLATURE.items() if quantity.may_be_zero)
 
 
-def is_answer(name: str, value: float) -> bool:
-    """Return whether a double holds a result with all digits, or it is the zero that its quantity may be."""
-    return SMALLEST <= abs(value) < INFINITY or (value == 0 and name in MAY_BE_ZERO)
+def is_answer(name: str, value: Any, radius2: Any = None) -> Any:
+    """Return whether a double, or each element of an array, is a result with all digits, or a zero or an infinity that the physics has."""
+    size = abs(value)
+    is_of_plane = name in _OF_A_PLANE and radius2 == INFINITY
+    is_zero = (value == 0) & (name in MAY_BE_ZERO)
+    return (size >= SMALLEST) & ((size < INFINITY) | is_of_plane) | is_zero
 
 
-def are_answers(name: str, values: Any) -> Any:
-    """Return which elements of an array doubles hold with all digits, or are the zero that the quantity may be."""
-    size = abs(values)
-    fine = (size >= SMALLEST) & ((size < INFINITY) | (name in _OF_A_PLANE))
-    return fine | (size == 0) if name in MAY_BE_ZERO else fine
-
-
-def with_nan(name: str, values: Any) -> Any:
+def with_nan(name: str, values: Any, radius2: Any = None) -> Any:
     """Return an array with nan in place of the elements that are no answer."""
-    import numpy
-
     size = abs(values)
     if size.size and size.min() >= SMALLEST and size.max() < INFINITY:
         return values
-    return numpy.where(are_answers(name, values), values, numpy.nan)
+    return where(is_answer(name, values, radius2), values, nan)
 
 
 # --- Scenes -----------------------------------------------------------------------------------------------------------
@@ -424,7 +418,7 @@ class Scene:
 
     def _with_gaps(self, name: str, value: Any, sources: Sequence[str]) -> Any:
         """Return an array with nan in place of the elements that are no answer, or whose formula has an argument that is none."""
-        found = with_nan(name, value)
+        found = with_nan(name, value, self.values.get("radius2"))
         for source in self._gaps.intersection(sources):  # which the formula may not have used
             import numpy
 
@@ -455,17 +449,8 @@ class Scene:
         source = found.found[name]
         if source in self._failures:
             return self._failures[source]
-        value = self.values[source]
-        return self._unless_open(name, value) if name in self.law.by_spacing else value
-
-    def _unless_open(self, name: str, value: Any) -> Any:
-        """Return a value, unless it rests on the atomic spacing and that was not given: an error then, or nan in arrays."""
         rests = self.rests_on_spacing(name)
-        if isinstance(rests, bool):
-            return RestsOnSpacing(name) if rests else value
-        import numpy
-
-        return numpy.where(rests, numpy.nan, value)
+        return RestsOnSpacing(name) if rests is True else where(rests, nan, self.values[source])
 
     def rests_on_spacing(self, name: str) -> Any:
         """Return whether the atomic spacing decides on a quantity and was not given, or in which elements of arrays."""
