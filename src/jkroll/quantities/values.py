@@ -271,14 +271,6 @@ def value_of(text: str, name: str) -> float | Uncertain:
     return parse_quantity(text, name) if found is None else checked(found, name, text)
 
 
-def measured(value: Any, name: str) -> float | Uncertain:
-    """Return the value of a number with `nominal_value` and `std_dev` in SI units, as the package `uncertainties` has them.
-
-    The magnitude of a `pint.Measurement` is such a number.
-    """
-    return checked(Measured(value.nominal_value, value.std_dev), name, str(value))
-
-
 def checked(found: Uncertain, name: str, text: str) -> float | Uncertain:
     """Return a value with an uncertainty if the quantity can have it, and a value alone if the uncertainty is 0."""
     limits = RANGES.get(NOMENCLATURE[name].range)

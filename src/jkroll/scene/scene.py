@@ -19,7 +19,16 @@ from ..quantities.errors import OutOfRange, UnknownQuantity
 from ..quantities.laws import DEFAULT_LAW, Law, law_named
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, RANGES, STATE, XI
 from ..quantities.values import Uncertain, is_uncertain
-from .failures import Contradiction, MissingInput, NoFiniteValue, NotInLaw, RestsOnSpacing, TwoRigidBodies, failure_of
+from .failures import (
+    Contradiction,
+    MissingInput,
+    NoFiniteValue,
+    NotInLaw,
+    RestsOnSpacing,
+    ShapeMismatch,
+    TwoRigidBodies,
+    failure_of,
+)
 from .wiring import NO_PLAN, Missing, Plan, Step, depends_on, formula_of, in_order, plan_for
 
 # --- Numbers that a scene takes ---------------------------------------------------------------------------------------
@@ -167,7 +176,8 @@ class Scene:
         """Take SI values by name, over those of the materials of sphere 1 and, if it has one of its own, of sphere 2.
 
         `model` is the law of attraction; None stands for the paper's, JKR. The scene computes with the middle of a
-        value that has an uncertainty; `scene.uncertainty` computes with the rest.
+        value that has an uncertainty; `scene.uncertainty` computes with the rest. Raises ShapeMismatch for arrays that
+        do not broadcast.
         """
         self.law = law_named(DEFAULT_LAW if model is None else model)
         self.stated_model = None if model is None else self.law.name
@@ -179,12 +189,15 @@ class Scene:
         self.material, self.material2 = material, material2
         self.uncertain: dict[str, Uncertain] = {name: one for name, one in given.items() if is_uncertain(one)}
         self.stated = {**given, **{name: one.value for name, one in self.uncertain.items()}}
+        self.arrays = {name: value for name, value in self.stated.items() if not isinstance(value, NUMBER)}
+        self.shape = broadcast(self.arrays)
         self._has_displacement = any(one.displacement is not None for one in (material, material2) if one is not None)
         if self._has_displacement and material is not None:
             self.material = material = _with_displacement(material, material2, self.stated)
         own = dict(material.properties) if material is not None else {}
         own2 = {name + "2": value for name, value in material2.properties.items()} if material2 is not None else {}
         self.given = {**own, **own2, **self.stated}
+        self._has_arrays = not all(isinstance(value, NUMBER) for value in self.given.values())
         for name, value in self.given.items():
             check_range(name, value)
         self.values = {**_assumed(self.given, others=(XI,) if self._has_displacement else ()), **self.given}
@@ -363,7 +376,7 @@ class Scene:
         has no answer is nan.
         """
         found = self._planned(names)
-        if self.has_arrays:
+        if self._has_arrays:
             import numpy
 
             with numpy.errstate(all="ignore"):
@@ -428,11 +441,6 @@ class Scene:
         return found
 
     @property
-    def has_arrays(self) -> bool:
-        """True if an input is an array."""
-        return not all(isinstance(value, NUMBER) for value in self.given.values())
-
-    @property
     def is_rigid(self) -> bool:
         """True if both bodies are rigid."""
         return self._has_area is False
@@ -457,6 +465,18 @@ class Scene:
         if name not in self.law.by_spacing or not self.given.keys().isdisjoint(("atomic_spacing", "hamaker")):
             return False
         return self["transition_parameter"] < 1
+
+
+def broadcast(arrays: Mapping[str, Any]) -> tuple[int, ...]:
+    """Return the shape of the arrays together; raise ShapeMismatch if they do not broadcast."""
+    if not arrays:
+        return ()
+    import numpy
+
+    try:
+        return numpy.broadcast_shapes(*(value.shape for value in arrays.values()))
+    except ValueError:
+        raise ShapeMismatch([(name, value.shape) for name, value in arrays.items()]) from None
 
 
 def _assumed(given: Mapping[str, Any], others: Sequence[str]) -> dict[str, Any]:
