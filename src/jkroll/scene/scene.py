@@ -136,6 +136,8 @@ EXCLUSIVE = (
     ("energy", "energy_ratio", "speed"),
     ("surface_energy", "work_of_adhesion", "hamaker"),
     ("surface_energy2", "work_of_adhesion", "hamaker"),
+    ("surface_energy", "work_of_adhesion", "hamaker2"),
+    ("surface_energy2", "work_of_adhesion", "hamaker2"),
     ("load", "approach_at_load", "load_factor", "edge_ratio"),
     IN_ITS_PLACE,
     ("contact_modulus", "modulus_over_energy"),
