@@ -13,7 +13,7 @@ from typing import Any, Literal, NamedTuple, Self, TypeGuard
 from ..errors import BadRequest
 from ..text import quoted
 from .errors import BareNumber, QuantityError
-from .nomenclature import INFINITY, NOMENCLATURE, RANGES
+from .nomenclature import INFINITY, NOMENCLATURE
 from .units import MAX_TEXT, BadUnit, Dimension, Unit, dimension_of, kind_of, normalized, parse_unit
 
 # --- Texts to numbers -------------------------------------------------------------------------------------------------
@@ -42,9 +42,8 @@ def parse_quantity(text: str, name: str) -> float:
         value = parse_value(text, dimension_of(quantity.unit))
     except BadUnit as error:
         raise error_about(name, text, error) from None
-    limits = RANGES.get(quantity.range)
-    if limits is not None and not limits.admits(value):
-        raise QuantityError(name, text, limits.words)
+    if not quantity.range.admits(value):
+        raise QuantityError(name, text, quantity.range.words)
     return value
 
 
@@ -273,15 +272,14 @@ def value_of(text: str, name: str) -> float | Uncertain:
 
 def checked(found: Uncertain, name: str, text: str) -> float | Uncertain:
     """Return a value with an uncertainty if the quantity can have it, and a value alone if the uncertainty is 0."""
-    limits = RANGES.get(NOMENCLATURE[name].range)
-    if limits is not None:
-        if not limits.admits(found.value):
-            raise QuantityError(name, text, limits.words)
-        is_positive = limits.low == 0
-        if isinstance(found, Measured) and is_positive and 2 * found.minus >= found.value:
-            raise QuantityError(name, text, "has an uncertainty of half the value or more", "give a range: FROM to TO")
-        if not (limits.admits(found.low) and limits.admits(found.high)):
-            raise QuantityError(name, text, f"{limits.words} at both ends")
+    limits = NOMENCLATURE[name].range
+    if not limits.admits(found.value):
+        raise QuantityError(name, text, limits.words)
+    is_positive = limits.low == 0
+    if isinstance(found, Measured) and is_positive and 2 * found.minus >= found.value:
+        raise QuantityError(name, text, "has an uncertainty of half the value or more", "give a range: FROM to TO")
+    if not (limits.admits(found.low) and limits.admits(found.high)):
+        raise QuantityError(name, text, f"{limits.words} at both ends")
     if isinstance(found, Measured) and found.minus == found.plus == 0:
         return found.value
     return found

@@ -17,7 +17,7 @@ from ..physics.elementary import NUMBER, where
 from ..physics.pair import reduced_radius
 from ..quantities.errors import OutOfRange, UnknownQuantity
 from ..quantities.laws import DEFAULT_LAW, Law, law_named
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, RANGES, STATE, XI
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE, UP_TO_INFINITE, XI
 from ..quantities.values import Uncertain, is_uncertain
 from .failures import (
     Contradiction,
@@ -43,18 +43,19 @@ def check_range(name: str, value: Any) -> None:
         return
     if name not in NOMENCLATURE:
         raise UnknownQuantity(name)
-    limits = RANGES.get(NOMENCLATURE[name].range)
     first, place = value, ()
-    if not isinstance(value, NUMBER):
+    if isinstance(value, NUMBER):
+        if _fits(name, value):
+            return
+    else:
         refused = outside(name, value)
         if not refused.any():
             return
         place = tuple(places[0].item() for places in refused.nonzero())
         first = value[place].item()
-    if limits is not None and not limits.admits(first):
-        raise OutOfRange(name, first, limits.words, place)
-    if not _has_magnitude(name, first):
-        raise OutOfRange(name, first, MAGNITUDE, place)
+    limits = NOMENCLATURE[name].range
+    words = "" if limits.admits(first) else limits.words
+    raise OutOfRange(name, first, words or MAGNITUDE, place)
 
 
 def outside(name: str, values: Any) -> Any:
@@ -63,19 +64,19 @@ def outside(name: str, values: Any) -> Any:
 
     if name in _SCALED and values.size and values.min() >= LEAST and values.max() <= MOST:
         return numpy.zeros(values.shape, dtype=bool)
-    limits = RANGES.get(NOMENCLATURE[name].range)
-    return ~(_has_magnitude(name, values) & (limits is None or limits.admits(values)))
+    return ~_fits(name, values)
 
 
-def _has_magnitude(name: str, value: Any) -> Any:
-    """Return whether a number, or each element of an array, is of a size that a scene takes."""
+def _fits(name: str, value: Any) -> Any:
+    """Return whether a quantity can have a number, or each element of an array, and a scene takes its size."""
     size = abs(value)
-    return (size >= LEAST) & (size <= MOST) | (value == 0) | (value == INFINITY) | (name in _OF_ANY_SIZE)
+    is_taken = (size >= LEAST) & (size <= MOST) | (value == 0) | (value == INFINITY) | (name in _OF_ANY_SIZE)
+    return is_taken & NOMENCLATURE[name].range.admits(value)
 
 
 _OF_ANY_SIZE = ("poisson_ratio", "poisson_ratio2")  # only 1 − ν² enters a formula
 # Any ordinary positive number is within their range.
-_SCALED = {name for name, one in NOMENCLATURE.items() if one.range not in RANGES or RANGES[one.range].high == INFINITY}
+_SCALED = {name for name, one in NOMENCLATURE.items() if one.range.low <= 0 and one.range.high == INFINITY}
 
 
 # --- Numbers that a scene gives ---------------------------------------------------------------------------------------
@@ -83,7 +84,7 @@ _SCALED = {name for name, one in NOMENCLATURE.items() if one.range not in RANGES
 SMALLEST = 2.2250738585072014e-308  # of the doubles that have all their digits
 _OF_A_PLANE = [
     name for name, one in NOMENCLATURE.items()
-    if one.range == "up to infinite" and name.endswith("2") and formula_of(name) is not None
+    if one.range is UP_TO_INFINITE and name.endswith("2") and formula_of(name) is not None
 ]  # fmt: skip
 MAY_BE_ZERO = frozenset(name for name, quantity in NOMENCLATURE.items() if quantity.may_be_zero)
 
