@@ -21,7 +21,7 @@ from jkroll.cli.reader import read
 from jkroll.cli.request import request_of
 from jkroll.errors import JkrollError
 from jkroll.quantities.nomenclature import INFINITY, NOMENCLATURE
-from jkroll.rows.columns import ROW, SIDES, Columns, Row, Wanted, by_floats
+from jkroll.rows.columns import ROW, SIDES, Columns, Row, Wanted
 from jkroll.rows.rows import Block, evaluated
 from jkroll.rows.table import table_of
 from jkroll.scene.failures import BeyondFold, BeyondPullOff
@@ -182,7 +182,7 @@ def _defined(wanted: Wanted, block: Block, place: int) -> tuple[Row, Scene | Non
     scene = None
     try:
         scene = block.one(place)
-        return by_floats(wanted, scene), scene
+        return wanted.row(scene), scene
     except JkrollError as error:
         return Row({}, [math.nan] * len(wanted.keys), 0, {ROW: error}), scene
 

@@ -118,21 +118,14 @@ class Sweep:
 
     def columns(self, wanted: Wanted, *, one_by_one: bool = False) -> Iterator[Columns]:
         """Iterate over the columns of the rows, a block after the other; `one_by_one`: inputs have their uncertainties."""
-        if not one_by_one and self.is_worth_arrays(wanted):
-            yield from self._by_arrays(wanted)
-        else:
+        size = len(self)
+        if one_by_one or size * wanted.work(self.kinds[0]) <= WORTH_ARRAYS:
             yield Columns.of_rows(wanted, [wanted.row(scene) for scene in self.scenes()])
-
-    def is_worth_arrays(self, wanted: Wanted) -> bool:
-        """Return whether the rows take longer one by one than numpy takes to be imported."""
-        return len(self) * wanted.work(self.kinds[0]) > WORTH_ARRAYS
-
-    def _by_arrays(self, wanted: Wanted) -> Iterator[Columns]:
+            return
         import numpy
 
         from .rows import evaluated
 
-        size = len(self)
         for start in range(0, size, BLOCK):
             yield evaluated(wanted, self._block(numpy.arange(start, min(start + BLOCK, size))))
 
