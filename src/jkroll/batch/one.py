@@ -13,7 +13,7 @@ from ..errors import missing_extra
 from ..output.records import lines
 from ..quantities.formatting import Format
 from ..rows.columns import Columns, Wanted
-from ..rows.header import BadTable, check_measured, chosen, understood
+from ..rows.header import BadTable, check_measured, stated_meanings, understood
 from ..rows.table import Fill, Inverse, Table, say_reading, table_of
 from ..scene.failures import MissingInput
 from ..text import quoted, say_wrapped
@@ -48,7 +48,7 @@ def table_with(names: tuple[str, ...], rows: list[list[str]], order: Order) -> T
     """Return the table with this header that the order asks for; `rows`: the cells of its first rows."""
     settings = order.settings
     fill = _fill(order)
-    columns = understood(names, rows, chosen(names, settings.columns, settings.measured))
+    columns = understood(names, rows, stated_meanings(names, settings.columns, settings.measured))
     if settings.measured:
         check_measured(columns, settings.measured)
     asked = ([], []) if settings.infer else quantities_named(settings.quantities)

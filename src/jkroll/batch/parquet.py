@@ -19,7 +19,7 @@ from ..quantities.formatting import Format
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..rows.cells import Floats, Numbers, Reader
 from ..rows.columns import DOUBT, STATUS, Columns, Wanted, remarks_of
-from ..rows.header import BadTable, chosen, is_input
+from ..rows.header import BadTable, is_input, stated_meanings
 from ..rows.readings import Reading
 from ..rows.rows import Block, evaluated
 from ..rows.table import Table
@@ -68,7 +68,7 @@ class _File:
         self.given, self.strict = given, order.settings.strict
         self.file = file = pyarrow.parquet.ParquetFile(given.file, buffer_size=BUFFER, pre_buffer=False)
         names = tuple(file.schema_arrow.names)
-        meanings = chosen(names, order.settings.columns, order.settings.measured)
+        meanings = stated_meanings(names, order.settings.columns, order.settings.measured)
         self.table = table = table_with(names, _first_rows(file, meanings), order)
         texts = {*table.said, *table.remarks}
         fields = [pyarrow.field(name, pyarrow.string() if name in texts else pyarrow.float64()) for name in table.added]

@@ -14,7 +14,7 @@ from ..errors import BadRequest
 from ..text import quoted
 from .errors import BareNumber, QuantityError
 from .nomenclature import INFINITY, NOMENCLATURE
-from .units import MAX_TEXT, BadUnit, Dimension, Unit, dimension_of, kind_of, normalized, parse_unit
+from .units import MAX_TEXT, BadUnit, Dimension, Unit, dimension_of, kind_of, normalized, parse_unit, power_of_ten
 
 # --- Texts to numbers -------------------------------------------------------------------------------------------------
 
@@ -126,7 +126,8 @@ def split_number(text: str) -> tuple[int, int, str]:
 
 def ratio(mantissa: int, exponent: int, unit: Unit) -> tuple[int, int]:
     """Return numerator and denominator of mantissa × 10^exponent × unit, in SI units."""
-    return mantissa * unit.numerator * 10 ** max(exponent, 0), unit.denominator * 10 ** max(-exponent, 0)
+    above, below = power_of_ten(exponent)
+    return mantissa * unit.numerator * above, unit.denominator * below
 
 
 def rounded(numerator: int, denominator: int) -> float:

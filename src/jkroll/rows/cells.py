@@ -18,9 +18,9 @@ import orjson
 from ..materials.library import Material, Materials, MaterialsFileError, UnclearMaterial, UnknownMaterial
 from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
-from ..quantities.units import dimension_of
+from ..quantities.units import dimension_of, exponent_of
 from ..quantities.values import Uncertain, has_uncertainty, unit_of
-from .header import Column, power_of_ten
+from .header import Column
 
 Floats = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.float64]]
 
@@ -132,7 +132,7 @@ def _exponent(unit_text: bytes, name: str) -> int | None:
         unit = None if has_uncertainty(text) else unit_of(text, name)
     except (QuantityError, UnicodeDecodeError):
         return None
-    return power_of_ten(unit) if unit and unit.dimension == dimension_of(NOMENCLATURE[name].unit) else None
+    return exponent_of(unit) if unit and unit.dimension == dimension_of(NOMENCLATURE[name].unit) else None
 
 
 def plain_numbers(text: bytes, exponent: int, count: int) -> Floats | None:

@@ -71,7 +71,7 @@ class Table:
     def __init__(self, columns: Header, fill: Fill, wanted: Wanted, *, doubt: bool) -> None:
         """`doubt`: whether there is a column of doubts."""
         self.inputs, self.materials_at, self.fill, self.wanted = columns.inputs, columns.materials, fill, wanted
-        self.chosen, self.reading = columns.chosen, columns.reading()
+        self.meanings, self.reading = columns.meanings, columns.reading()
         self.places = dict(self.materials_at)  # of the columns that are read
         for column in self.inputs:
             self.places |= column.places
