@@ -22,6 +22,7 @@ from ..rows.columns import DOUBT, STATUS, Columns, Wanted, remarks_of
 from ..rows.header import BadTable, is_input, stated_meanings
 from ..rows.readings import Reading
 from ..rows.rows import Block, evaluated
+from ..rows.sweep import BLOCK
 from ..rows.table import Table
 from ..scene.limits import codes
 from ..text import quoted, shown
@@ -31,7 +32,6 @@ from .progress import Bar
 from .settings import Order, Part
 
 BUFFER = 1 << 18  # bytes read at a time of each column
-BLOCK = 1 << 13  # rows computed together: what lies between two formulas stays in the cache
 BYTES = 1 << 24  # of the rows written together, and at most of those computed together, about
 
 Rows = tuple[Any, Tally]  # a batch of Arrow with results, and its counts

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from .cells import Codes, Numbers
     from .rows import Block
 
-BLOCK = 1 << 13  # rows computed together as arrays
+BLOCK = 1 << 13  # rows computed together as arrays: what lies between two formulas stays in the cache
 WORTH_ARRAYS = 30_000  # formulas, of all rows together, whose evaluation takes as long as to import numpy and orjson
 
 Pair = tuple[Material | None, Material | None]

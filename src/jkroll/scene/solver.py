@@ -21,8 +21,8 @@ from .wiring import Plan
 if TYPE_CHECKING:
     from .uncertainty import Propagated
 
-Place = tuple[slice, ...]  # of a block in an array
-BLOCK = 16384  # elements evaluated at once: few enough that what lies between two formulas stays in the cache
+Slices = tuple[slice, ...]  # of a block in an array
+ELEMENTS_AT_ONCE = 1 << 14  # few enough that what lies between two formulas stays in the cache
 
 
 @overload
@@ -159,7 +159,7 @@ def materials_of(
 
 def values_of(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
     """Return the values of quantities, for large arrays a block of elements at a time; raise the error of the first that has none."""
-    if math.prod(scene.shape) <= BLOCK or scene.has_rigid_elements:  # of which a block may have none
+    if math.prod(scene.shape) <= ELEMENTS_AT_ONCE or scene.has_rigid_elements:  # of which a block may have none
         return _answers(scene, names)
     return _in_blocks(names, scene)
 
@@ -224,9 +224,9 @@ def _shapes(plan: Plan, shapes: Mapping[str, tuple[int, ...]]) -> dict[str, tupl
     return {name: known[source] for name, source in plan.found.items() if source in known}
 
 
-def _blocks(shape: tuple[int, ...]) -> Iterator[Place]:
+def _blocks(shape: tuple[int, ...]) -> Iterator[Slices]:
     """Iterate over the blocks of an array, which are whole along its last axes as far as a block reaches."""
-    slices, room = [], BLOCK
+    slices, room = [], ELEMENTS_AT_ONCE
     for length in reversed(shape):
         step = max(1, min(length, room))
         slices.append([slice(start, start + step) for start in range(0, length, step)])
@@ -234,7 +234,7 @@ def _blocks(shape: tuple[int, ...]) -> Iterator[Place]:
     return product(*reversed(slices))
 
 
-def _part(array: Any, place: Place) -> Any:
+def _part(array: Any, place: Slices) -> Any:
     """Return the part of an array that broadcasts to a block."""
     own = place[len(place) - array.ndim :]
     return array[tuple(where if length > 1 else slice(1) for where, length in zip(own, array.shape, strict=True))]
