@@ -12,7 +12,7 @@ from ..scene.failures import MissingInput
 from ..scene.inverse import SIZES, Observed, computed, failure, largest, solutions, with_inputs
 from ..scene.limits import doubts
 from ..scene.scene import Scene
-from ..scene.unknowns import check_sought, solved
+from ..scene.unknowns import check, solved
 from ..scene.wiring import in_order
 from .columns import (
     ROW,
@@ -59,7 +59,7 @@ class Sought(Wanted):
         for one in kinds:
             errors.append(None)
             try:
-                plain.check(one.scene)
+                check(names, quantities, one.scene)
                 sides |= plain.sides_in(one)
             except MissingInput as error:
                 errors[-1] = error
@@ -85,10 +85,6 @@ class Sought(Wanted):
     def work(self, scene: Observed) -> int:  # noqa: ARG002
         """Return how many formulas take as long as a row by itself: none, as arrays cannot do it."""
         return 0
-
-    def check(self, scene: Scene) -> None:
-        """Raise the error of inputs that cannot be inferred from these quantities, whatever their values are."""
-        check_sought(self.names, self.quantities, scene)
 
     def row(self, scene: Observed) -> Row:
         """Return the row of measured numbers."""

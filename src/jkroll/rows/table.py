@@ -16,7 +16,7 @@ from ..materials.library import Material, Materials, MaterialsFileError, Unclear
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, header
 from ..quantities.values import Uncertain, is_uncertain, value_of
 from ..scene.failures import MissingInput
-from ..scene.inverse import check, observed
+from ..scene.inverse import check_one, observed
 from ..scene.scene import EXCLUSIVE, Scene
 from ..text import first_of, quoted, say, say_wrapped
 from .cells import LABEL, Codes, Lookup, Reader
@@ -223,7 +223,7 @@ def wanted_of(columns: Header, rows: Sequence[Sequence[str]], fill: Fill, asked:
         labels = []
         scene = _as_known(columns, fill, labels, infinite)
     if fill.inverse is not None:
-        check(*fill.inverse, scene.scene)
+        check_one(*fill.inverse, scene.scene)
         return SoughtOne([fill.inverse.name], [fill.inverse.quantity], sides=(), doubts=doubts)
     has_own_2 = any(name.endswith("2") for name in columns.names)
     explicit, offered = asked
