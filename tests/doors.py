@@ -239,7 +239,7 @@ def _ends(scene: Scene, name: str) -> Iterator[Scene]:
     """Iterate over the scene and those at the ends of the sources of uncertainty of a quantity."""
     yield scene.replace()
     for source in sources_of(scene, scene.inputs_of(name)).entering:
-        yield from (scene.replace(**source.at(end)) for end in (source.given.low, source.given.high))
+        yield from (scene.replace(**dict.fromkeys(source.names, end)) for end in (source.given.low, source.given.high))
 
 
 def bits_agree(scene: Scene, one: int, other: int) -> bool:

@@ -52,10 +52,13 @@ class MissingInput(JkrollError):
 class NotInLaw(MissingInput):
     """Error raised for a quantity that a law of attraction does not have."""
 
-    def __init__(self, wanted: str, lacking: Sequence[str], law: str) -> None:
-        JkrollError.__init__(self, wanted, tuple(lacking), law)
-        self.wanted, self.missing, self.instead, self.lacking = wanted, (), (), ""
-        self.absent, self.law = tuple(lacking), law
+    missing: tuple[str, ...] = ()
+    instead: tuple[str, ...] = ()
+    lacking = ""
+
+    def __init__(self, wanted: str, absent: Sequence[str], law: str) -> None:
+        JkrollError.__init__(self, wanted, tuple(absent), law)
+        self.wanted, self.absent, self.law = wanted, tuple(absent), law
 
     def __str__(self) -> str:
         return f"{self.wanted}: {self.reason()}"
