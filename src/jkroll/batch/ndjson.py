@@ -53,7 +53,7 @@ class NdjsonConverter:
 
     def __init__(self, head: Head, table: Table, *, strict: bool) -> None:
         """`strict`: whether the first row that fails is an error."""
-        self.head, self.table, self.strict = head.text, table, strict
+        self.header_line, self.table, self.strict = head.text, table, strict
         self.keys = {name: head.names[place] for name, place in table.places.items()}
         self.known = {*head.names}
         self.added = {*table.added}

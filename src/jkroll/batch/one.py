@@ -74,15 +74,15 @@ def _convert_lines(path: str, form: FileFormat, compression: str, order: Order) 
         head, rows = dialect.head(first)
         table = table_with(head.names, rows, order)
         converter = dialect.converter(head, table, strict=settings.strict, excel_safe=settings.excel_safe)
-        start = compressor(compression)(converter.head) if converter.head else b""
+        start = compressor(compression)(converter.header_line) if converter.header_line else b""
         tally = run(
             Work(
-                Converted(start),
-                head.text.count(b"\n"),
-                filter(None, chain([first[len(head.text) :]], texts)),
-                partial(_make_convert, converter, compression),
-                given.size,
-                given.position,
+                header_line=Converted(start),
+                lines_of_header=head.text.count(b"\n"),
+                blocks=filter(None, chain([first[len(head.text) :]], texts)),
+                make_convert=partial(_make_convert, converter, compression),
+                size=given.size,
+                position=given.position,
             ),
             settings,
         )

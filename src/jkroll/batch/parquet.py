@@ -103,15 +103,19 @@ class _File:
     def _block(self, batch: Any) -> Block:
         """Return the inputs of some rows."""
         table, places = self.table, self.table.places
-        codes = {}
+        materials = {}
         for name, place in table.materials_at:  # a text is looked up once, not in every row
             encoded = batch.column(place).dictionary_encode()
             texts = [*map(_text, encoded.dictionary.to_pylist()), ""]
             rows = encoded.indices.cast(pyarrow.int64()).fill_null(len(texts) - 1)
-            codes[name] = table.lookups[name].codes(texts)[rows.to_numpy()]
+            materials[name] = table.lookups[name].numbers(texts)[rows.to_numpy()]
         numbers = {reader.column.name: _numbers(batch, reader) for reader in table.readers}
         return table.block_of(
-            batch.num_rows, numbers, codes, {}, lambda row, name: _text(batch.column(places[name])[row].as_py(), name)
+            batch.num_rows,
+            numbers,
+            materials,
+            {},
+            lambda row, name: _text(batch.column(places[name])[row].as_py(), name),
         )
 
 

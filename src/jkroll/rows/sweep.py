@@ -20,7 +20,7 @@ from ..scene.wiring import in_order
 from .columns import Columns, Wanted
 
 if TYPE_CHECKING:
-    from .cells import Codes, Numbers
+    from .cells import Numbering, Numbers
     from .rows import Block
 
 BLOCK = 1 << 13  # rows computed together as arrays: what lies between two formulas stays in the cache
@@ -129,7 +129,7 @@ class Sweep:
         for start in range(0, size, BLOCK):
             yield evaluated(wanted, self._block(numpy.arange(start, min(start + BLOCK, size))))
 
-    def _block(self, rows: "Codes") -> "Block":
+    def _block(self, rows: "Numbering") -> "Block":
         """Return some rows as a block."""
         import numpy
 
@@ -142,7 +142,7 @@ class Sweep:
         case = of_cases.item  # of a row
         fixed = {name: self.value(name, 0) for name, starts in self.starts.items() if starts[-1] == 1}
 
-        def scene(given: Mapping[str, Any], rows: "Codes") -> Any:
+        def scene(given: Mapping[str, Any], rows: "Numbering") -> Any:
             pair, model = cases[case(int(rows[0]))]
             return self.scene({**fixed, **given}, *pair, model=model)
 
@@ -193,7 +193,7 @@ def _sides(scene: Scene, names: Sequence[str]) -> dict[str, set[str]]:
     return {name: own for name, own in sides.items() if own}
 
 
-def _values(value: Callable[[int], Any], places: "Codes") -> "Numbers":
+def _values(value: Callable[[int], Any], places: "Numbering") -> "Numbers":
     """Return the values at some places of an input's lists and ranges; `value` returns one."""
     import numpy
 

@@ -527,7 +527,7 @@ def _has_area(given: Mapping[str, Any], *, own_material2: bool) -> Any:
 
 def _implied(values: Mapping[str, Any], law: Law) -> dict[str, Mapping[str, float]]:
     """Return by each input the values that follow from it, or from its absence, and then need nothing else."""
-    implied = {name: follows for name, (value, follows) in FOLLOWS.items() if _is_number(values.get(name), value)}
+    implied = {name: follows for name, (value, follows) in FOLLOWS.items() if _equals(values.get(name), value)}
     if "radius2" not in values:
         implied["radius2"] = {"radius_ratio": 1.0}
     if "poisson_ratio2" not in values:
@@ -537,6 +537,6 @@ def _implied(values: Mapping[str, Any], law: Law) -> dict[str, Mapping[str, floa
     return implied
 
 
-def _is_number(value: Any, number: float) -> bool:
-    """Return whether a value is this number; an array is none."""
+def _equals(value: Any, number: float) -> bool:
+    """Return whether a value is a number, and this one."""
     return isinstance(value, NUMBER) and value == number
