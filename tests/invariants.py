@@ -11,11 +11,12 @@ from pathlib import Path
 from input_files import CONTENTS
 from jkroll.cli.process import main
 from jkroll.errors import JkrollError
-from jkroll.materials.library import MaterialsFileError, is_material_name, read
+from jkroll.materials.library import MaterialsFileError, is_material_name
 from jkroll.quantities.errors import QuantityError
 from jkroll.quantities.nomenclature import INFINITY, NOMENCLATURE
 from jkroll.quantities.units import MAX_TEXT, convert, dimension_of
 from jkroll.quantities.values import parse_quantity, unit_of
+from material_files import read
 
 CORPUS = Path(__file__).parent / "corpus"
 LONGEST_MESSAGE = 2000

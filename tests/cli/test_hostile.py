@@ -13,13 +13,14 @@ from hypothesis import strategies as st
 
 from invariants import CORPUS, TARGETS, TYPED
 from jkroll.errors import JkrollError
-from jkroll.materials.library import MAX_BYTES, MAX_DOTS, MaterialsFileError, read
+from jkroll.materials.library import MAX_BYTES, MAX_DOTS, MaterialsFileError
 from jkroll.quantities.errors import QuantityError
 from jkroll.quantities.formatting import Format
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.quantities.unit_table import PREFIXABLE, PREFIXES
 from jkroll.quantities.values import parse_quantity, unit_of
 from jkroll.text import closest, spelled
+from material_files import read
 from shapes import SHAPES, ordinary
 
 MEGABYTE = 1_000_000

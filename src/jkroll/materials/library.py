@@ -436,11 +436,6 @@ def _choice(materials: Sequence[Material]) -> str:
     return f"{', '.join(texts[:-1])} or {texts[-1]}: which?"
 
 
-def read(path: Path) -> list[Material]:
-    """Read and check a materials file as a whole; MaterialsFileError says what is wrong with it."""
-    return [_material(entry) for entry in entries_of(path_of(path))]
-
-
 def _material(entry: Entry) -> Material:
     """Read and check a material; MaterialsFileError if something is wrong with it."""
     try:
