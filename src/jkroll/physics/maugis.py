@@ -232,7 +232,6 @@ def load_maugis(
     edge_ratio  [1]  ≥ 0; 0 without contact
 
     Source:   Maugis 1992.
-    Valid:    Always.
     Accuracy: 5 ulp of the larger term, above v and T.
 
     >>> from math import pi
@@ -320,7 +319,6 @@ def unloaded_edge_ratio(*, transition_parameter: Number) -> Number:
         v where P = 0
 
     Source:   Maugis 1992, by Newton's method.
-    Valid:    Always.
     Accuracy: 8 ulp, times 1 plus its condition in λ.
 
     >>> round(unloaded_edge_ratio(transition_parameter=1.0), 7)
@@ -389,7 +387,6 @@ def edge_ratio_at_pull_off(*, transition_parameter: Number) -> Number:
         q = vG3/D, q = 4λ/(3T)
 
     Source:   Maugis 1992; in closed form at a given v.
-    Valid:    Always.
     Accuracy: 6 ulp.
 
     >>> round(edge_ratio_at_pull_off(transition_parameter=1.0), 7)
@@ -422,7 +419,6 @@ def edge_ratio_at_fold(*, transition_parameter: Number) -> Number:
         q = G3/h, q = 4λ/(3T), if λ > (9π/(16(π − 1)))^(1/3) = 0.938
 
     Source:   Maugis 1992; Johnson & Greenwood 1997; in closed form at a given v.
-    Valid:    Always.
     Accuracy: 4 ulp, times 1 plus its condition in λ.
 
     >>> edge_ratio_at_fold(transition_parameter=0.9)
@@ -443,7 +439,6 @@ def fold_approach_maugis(
         δ at q = G3/h, q = 4λ/(3T); −b²/2 − 2/(πλ), b = 8λ/3π, in the units of `dugdale`, if λ < 0.938
 
     Source:   Maugis 1992; Johnson & Greenwood 1997.
-    Valid:    Always.
     Accuracy: 8 ulp.
 
     >>> from math import pi
