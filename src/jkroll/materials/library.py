@@ -385,7 +385,7 @@ class Materials:
 
     @property
     def mistakes(self) -> Mapping[str, MaterialsFileError]:
-        """What is wrong with materials, by name."""
+        """The errors of materials with which something is wrong, by name."""
         found = {}
         for name in self._entries:
             try:

@@ -235,7 +235,7 @@ class Columns:
 
     @cached_property
     def lost(self) -> dict[int, JkrollError]:
-        """Why nothing of some rows is to be trusted; to be asked when all rows are known."""
+        """The reasons why nothing of some rows is to be trusted; to be asked when all rows are known."""
         return {row: error for row, own in self.reasons.items() if (error := lack(own)) is not None}
 
     def failed(self) -> list[int]:

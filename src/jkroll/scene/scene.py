@@ -82,6 +82,7 @@ _SCALED = {name for name, one in NOMENCLATURE.items() if one.range.low <= 0 and 
 # --- Numbers that a scene gives ---------------------------------------------------------------------------------------
 
 SMALLEST = 2.2250738585072014e-308  # of the doubles that have all their digits
+# The quantities of sphere 2 that are infinite for a plane, such as its mass.
 _OF_A_PLANE = [
     name for name, one in NOMENCLATURE.items()
     if one.range is UP_TO_INFINITE and name.endswith("2") and formula_of(name) is not None
@@ -116,13 +117,12 @@ DEFAULTS = {
     "atomic_spacing": 4e-10,
     "cutoff": 1.65e-10,
 }
+# What says the same as a default.
 _SAYS = {
     "load": STATE,
     XI: IN_ITS_PLACE,
     "atomic_spacing": ("hamaker",),
-}  # what says the same as a default
-
-# The quantities of sphere 2 that are infinite for a plane, such as its mass.
+}
 
 # The values of inputs from which more follows than from others: a plane, a rigid body, no load.
 FOLLOWS: Mapping[str, tuple[float, Mapping[str, float]]] = {

@@ -352,7 +352,7 @@ class _Place:
 
     @cached_property
     def sizes(self) -> list[float]:
-        """What counts as a change of each quantity by one."""
+        """The change of each quantity that counts as one."""
         return [
             abs(measured) or max(map(abs, row)) or 1.0
             for measured, row in zip(self.problem.measured.values(), self.slopes, strict=True)
