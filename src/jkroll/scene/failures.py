@@ -305,8 +305,11 @@ class Hold(NamedTuple):
     error: type[BeyondPullOff] | type[BeyondFold]
 
     def lets_go(self, value: Any) -> Any:
-        """Return whether there is no contact at a value, element by element for arrays."""
-        return value <= self.least if self.error is BeyondFold else value < self.least
+        """Return whether a value at which a formula has no result is one without a contact, element by element for arrays.
+
+        The least value itself is one where rounding puts it beyond the end.
+        """
+        return value <= self.least
 
 
 def _is_held_by_grips_alone(given: Mapping[str, Any]) -> bool:
