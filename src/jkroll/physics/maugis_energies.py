@@ -61,7 +61,7 @@ def well_energy_maugis(
 
     Source:   Integral of Maugis' solution along its curve.
     Valid:    Quasi-static; towards DMT it grows as 2/(πλ) πwR(π²w²R/K²)^(1/3).
-    Accuracy: 18 ulp, as at P = 0 an error of v changes nothing to the first order.
+    Accuracy: 18 ulp.
 
     >>> from .maugis import unloaded_edge_ratio
     >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
@@ -70,7 +70,7 @@ def well_energy_maugis(
     2.3098211
     """
     unit = _energy(work_of_adhesion, reduced_radius, contact_modulus)
-    return -_of(transition_parameter, unloaded_edge_ratio) * unit
+    return -_of(transition_parameter, unloaded_edge_ratio) * unit  # stationary in v, as dΦ = P dδ
 
 
 def pull_off_work_maugis(
