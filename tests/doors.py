@@ -22,7 +22,7 @@ from jkroll.cli.reader import read
 from jkroll.cli.request import request_of
 from jkroll.errors import JkrollError
 from jkroll.quantities.nomenclature import INFINITY, NOMENCLATURE
-from jkroll.rows.columns import ROW, SIDES, Columns, Row, Wanted, by_floats
+from jkroll.rows.columns import ROW, SIDES, Columns, Row, Wanted
 from jkroll.rows.rows import Block, evaluated
 from jkroll.rows.table import table_of
 from jkroll.scene.failures import BeyondFold, BeyondPullOff
@@ -183,7 +183,7 @@ def _defined(wanted: Wanted, block: Block, place: int) -> tuple[Row, Scene | Non
     scene = None
     try:
         scene = block.one(place)
-        return by_floats(wanted, scene), scene
+        return wanted.row(scene), scene
     except JkrollError as error:
         return Row({}, [math.nan] * len(wanted.keys), 0, {ROW: error}), scene
 
@@ -240,7 +240,7 @@ def _ends(scene: Scene, name: str) -> Iterator[Scene]:
     """Iterate over the scene and those at the ends of the sources of uncertainty of a quantity."""
     yield scene.replace()
     for source in sources_of(scene, scene.inputs_of(name)).entering:
-        yield from (scene.replace(**source.at(end)) for end in (source.given.low, source.given.high))
+        yield from (scene.replace(**dict.fromkeys(source.names, end)) for end in (source.given.low, source.given.high))
 
 
 def bits_agree(scene: Scene, one: int, other: int) -> bool:

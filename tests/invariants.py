@@ -11,11 +11,12 @@ from pathlib import Path
 from input_files import CONTENTS
 from jkroll.cli.process import main
 from jkroll.errors import JkrollError
-from jkroll.materials.library import MaterialsFileError, is_material_name, read
+from jkroll.materials.library import MaterialsFileError, is_material_name
 from jkroll.quantities.errors import QuantityError
-from jkroll.quantities.nomenclature import INFINITY, NOMENCLATURE, RANGES
+from jkroll.quantities.nomenclature import INFINITY, NOMENCLATURE
 from jkroll.quantities.units import MAX_TEXT, convert, dimension_of
 from jkroll.quantities.values import parse_quantity, unit_of
+from material_files import read
 
 CORPUS = Path(__file__).parent / "corpus"
 LONGEST_MESSAGE = 2000
@@ -42,9 +43,8 @@ def quantity(data: bytes) -> None:
     except QuantityError as error:
         assert is_one_line(str(error)), text
         return
-    limits = RANGES.get(NOMENCLATURE[name].range)
     assert len(text) <= MAX_TEXT, text
-    assert limits is None or limits.admits(value), text
+    assert NOMENCLATURE[name].range.admits(value), text
     if value != INFINITY:
         unit = NOMENCLATURE[name].unit
         assert parse_quantity(f"{value!r} {'' if unit == '1' else unit}", name) == value, text
@@ -79,7 +79,7 @@ def materials(data: bytes) -> None:
         assert all(is_material_name(word) for word in (material.name, *material.aliases)), data
         assert material.title.isprintable(), data
         for name, value in material.properties.items():
-            assert RANGES[NOMENCLATURE[name].range].admits(value), data
+            assert NOMENCLATURE[name].range.admits(value), data
 
 
 def words(data: bytes) -> None:

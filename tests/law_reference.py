@@ -13,7 +13,7 @@ from maugis_reference import Exact, cbrt, digits, mpf, pi, sqrt
 SYMBOLS = {
     "F_a": "adhesive_force", "Q": "yield_force", "c": "zone_radius", "dw": "adhesion_hysteresis", "part": "hysteresis_fraction",
     "mu": "tabor_parameter", "lambda_": "transition_parameter", "sigma0": "cohesive_stress",
-    "edge": "edge_ratio", "T": "zone_span",
+    "edge": "edge_ratio", "edge0": "unloaded_edge_ratio", "T": "zone_span",
 }  # fmt: skip
 
 
@@ -86,8 +86,8 @@ def state_energy(edge: Exact, T: Exact, w: Exact, R: Exact, E: Exact, lambda_: E
     return [energy_unit(w, R, E) * each for each in maugis.energy_terms(a, t, delta, lambda_)]
 
 
-def well(lambda_: Exact) -> Exact:
-    return -maugis.contact_energy(*maugis.at_load(lambda_, mpf(0)), lambda_)
+def well(edge0: Exact, lambda_: Exact) -> Exact:
+    return -maugis.contact_energy(maugis.radius_of(1 / edge0, lambda_), 1 / edge0, lambda_)
 
 
 def sticking(lambda_: Exact) -> Exact:
@@ -132,9 +132,13 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "zone_span_at_approach": lambda edge, delta, w, R, E, lambda_: (
         length_unit(w, R, E) * (span(edge, lambda_) if edge else maugis.zone_apart(lambda_, delta / approach_unit(w, R, E)))
     ),
-    "unloaded_radius_maugis": lambda w, R, E, lambda_: maugis.at_load(lambda_, mpf(0))[0] * length_unit(w, R, E),
-    "unloaded_approach_maugis": lambda w, R, E, lambda_: (
-        maugis.approach(*maugis.at_load(lambda_, mpf(0)), lambda_) * approach_unit(w, R, E)
+    "unloaded_edge_ratio": lambda lambda_: ratio(*maugis.at_load(lambda_, mpf(0))),
+    "unloaded_radius_maugis": lambda edge0, w, R, E, lambda_: (
+        cbrt(attraction(edge0, span(edge0, lambda_), lambda_ / 2)) * length_unit(w, R, E)
+    ),
+    "unloaded_approach_maugis": lambda edge0, w, R, E, lambda_: (
+        approach_unit(w, R, E)
+        * (attraction(edge0, T := span(edge0, lambda_), lambda_ / 2) / (edge0 * T) - 4 * lambda_ * T / 3)
     ),
     "edge_ratio_at_pull_off": lambda lambda_: ratio(*maugis.pull_off(lambda_)),
     "pull_off_force_maugis": lambda w, R, lambda_: -maugis.load(*maugis.pull_off(lambda_), lambda_) * pi * w * R,
@@ -155,12 +159,12 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "contact_displacement": lambda T, R, E, sigma0, xi: xi / (1 + E * T / (sigma0 * R)),
     # Maugis' law: energies
     "state_energy_maugis": lambda edge, T, w, R, E, lambda_: sum(state_energy(edge, T, w, R, E, lambda_)),
-    "well_energy_maugis": lambda w, R, E, lambda_: well(lambda_) * energy_unit(w, R, E),
-    "pull_off_work_maugis": lambda w, R, E, lambda_: (
-        (maugis.fold_energy(lambda_) + well(lambda_)) * energy_unit(w, R, E)
+    "well_energy_maugis": lambda edge0, w, R, E, lambda_: well(edge0, lambda_) * energy_unit(w, R, E),
+    "pull_off_work_maugis": lambda edge0, w, R, E, lambda_: (
+        (maugis.fold_energy(lambda_) + well(edge0, lambda_)) * energy_unit(w, R, E)
     ),
-    "pull_off_work_at_dead_load_maugis": lambda w, R, E, lambda_: (
-        (maugis.contact_energy(*maugis.pull_off(lambda_), lambda_) + well(lambda_)) * energy_unit(w, R, E)
+    "pull_off_work_at_dead_load_maugis": lambda edge0, w, R, E, lambda_: (
+        (maugis.contact_energy(*maugis.pull_off(lambda_), lambda_) + well(edge0, lambda_)) * energy_unit(w, R, E)
     ),
     "sticking_energy_maugis": lambda w, R, E, lambda_: sticking(lambda_) * energy_unit(w, R, E),
 }  # fmt: skip
@@ -175,8 +179,8 @@ TERMS: Mapping[str, Callable[..., Exact]] = {
         else max((edge * T) ** 2 / R, 2 * sigma0 * T / E)
     ),
     "load_maugis": lambda edge, T, R, E, sigma0: max(hertz(edge, T, R, E), attraction(edge, T, sigma0)),
-    "sticking_energy_maugis": lambda w, R, E, lambda_: (
-        (well(lambda_) if lambda_**3 > mpf(9) / 32 else sticking(lambda_)) * energy_unit(w, R, E)
+    "sticking_energy_maugis": lambda edge0, w, R, E, lambda_: (
+        (well(edge0, lambda_) if lambda_**3 > mpf(9) / 32 else sticking(lambda_)) * energy_unit(w, R, E)
     ),
     "state_energy_maugis": lambda edge, T, w, R, E, lambda_: max(map(abs, state_energy(edge, T, w, R, E, lambda_))),
 }
@@ -188,5 +192,6 @@ CONDITIONED: Mapping[str, tuple[str, ...]] = {
     "edge_ratio_at_approach": ("approach_at_load", "transition_parameter"),
     "zone_span_at_approach": ("approach_at_load", "transition_parameter"),
     "stiffness_maugis": ("edge_ratio", "zone_span", "cohesive_stress"),
+    "unloaded_edge_ratio": ("transition_parameter",),
     "edge_ratio_at_fold": ("transition_parameter",),
 }

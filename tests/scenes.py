@@ -48,7 +48,7 @@ def any_scene(random: Random) -> Scene:
     scene["yield_displacement"] = log_uniform(random, 1e-13, 1e-3)
     scene["gravity"] = log_uniform(random, 1e-3, 1e3)
     scene["rolling_angle"] = 1.6
-    scene["monomers"] = log_uniform(random, 1, 1e12)
+    scene["monomers"] = log_uniform(random, 2, 1e12)
     scene["filling_factor"] = log_uniform(random, 1e-4, 0.7)
     match random.choice(["none", "load", "approach"]):
         case "load":

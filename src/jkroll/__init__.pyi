@@ -93,6 +93,7 @@ from .physics.maugis import load_maugis as load_maugis
 from .physics.maugis import pull_off_force_maugis as pull_off_force_maugis
 from .physics.maugis import stiffness_maugis as stiffness_maugis
 from .physics.maugis import unloaded_approach_maugis as unloaded_approach_maugis
+from .physics.maugis import unloaded_edge_ratio as unloaded_edge_ratio
 from .physics.maugis import unloaded_radius_maugis as unloaded_radius_maugis
 from .physics.maugis import zone_radius as zone_radius
 from .physics.maugis import zone_span as zone_span

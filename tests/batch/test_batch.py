@@ -25,7 +25,7 @@ from jkroll.output.manual import page
 from jkroll.quantities.errors import QuantityError
 from jkroll.quantities.values import unit_of
 from jkroll.rows.cells import Reader
-from jkroll.rows.columns import ROW, Columns, Row, Wanted, by_floats
+from jkroll.rows.columns import ROW, Columns, Row, Wanted
 from jkroll.rows.header import Column, understood
 from jkroll.rows.rows import Block, evaluated
 from jkroll.scene.limits import TOLD
@@ -123,7 +123,7 @@ def test_a_row_is_the_one_liner(run: Run, line: str) -> None:
 def by_itself(wanted: Wanted, block: Block, row: int) -> Row:
     """Return a row of a block as a scene of its own."""
     try:
-        return by_floats(wanted, block.one(row))
+        return wanted.row(block.one(row))
     except JkrollError as error:
         return Row({}, [math.nan] * len(wanted.keys), 0, {ROW: error})
 

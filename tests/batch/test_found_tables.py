@@ -17,7 +17,7 @@ from harness import Ran, Run
 from jkroll.batch.delimited import DELIMITED
 from jkroll.quantities.errors import QuantityError
 from jkroll.quantities.values import Uncertain
-from jkroll.rows.header import Column, choices, understood
+from jkroll.rows.header import Column, column_options, understood
 
 
 class Found(NamedTuple):
@@ -101,7 +101,7 @@ def values(found: Found) -> dict[str, list[Any]]:
     options = dict(choice.removeprefix("--").split() for choice in chosen if choice.startswith("--"))
     dialect = DELIMITED[options.get("delimiter") or ("tab" if options.get("format") == "tsv" else "comma")]
     head, rows = dialect.head(dialect.prepared(found.text))
-    header = understood(head.names, rows, choices(choice for choice in chosen if not choice.startswith("--")))
+    header = understood(head.names, rows, column_options(choice for choice in chosen if not choice.startswith("--")))
     materials = {name: [row[place] for row in rows] for name, place in header.materials}
     return materials | {column.name: [value(column, row) for row in rows] for column in header.inputs}
 

@@ -10,7 +10,7 @@ import pytest
 
 from harness import Run
 from jkroll.errors import BadRequest
-from jkroll.rows.header import BadTable, Header, choices, understood
+from jkroll.rows.header import BadTable, Header, column_options, understood
 
 # The cell below is a plain number, as files have it.
 READ = {
@@ -118,7 +118,7 @@ TABLES = {
 
 def read(text: str, chosen: tuple[str, ...] = ()) -> tuple[Header, list[str]]:
     head, *lines = [line.split(",") for line in text.splitlines()]
-    return understood(head, lines, choices(chosen)), lines[0] if lines else []
+    return understood(head, lines, column_options(chosen)), lines[0] if lines else []
 
 
 @pytest.mark.parametrize("text", [text for text, inputs in TABLES.items() if inputs])
@@ -186,23 +186,23 @@ def test_many_files_take_chosen_columns_and_resume(run: Run) -> None:
 )
 def test_a_bad_choice_is_refused(column: str, problem: str) -> None:
     with pytest.raises(BadRequest, match=problem.replace("[", r"\[").replace("?", r"\?")):
-        choices([column])
+        column_options([column])
 
 
 def test_a_choice_is_for_a_column_of_the_table_and_its_unit_must_fit() -> None:
     with pytest.raises(BadTable, match="no column 'radius'; did you mean 'Radius'"):
-        understood(["Radius"], [], choices(["radius=radius [nm]"]))
+        understood(["Radius"], [], column_options(["radius=radius [nm]"]))
     with pytest.raises(BadTable, match="is a mass"):
-        understood(["size"], [], choices(["size=radius [kg]"]))
+        understood(["size"], [], column_options(["size=radius [kg]"]))
     with pytest.raises(BadRequest, match="more than once"):
-        choices(["size=radius [nm]", "size="])
+        column_options(["size=radius [nm]", "size="])
 
 
 @pytest.mark.parametrize("text", ["young GPa", "d [nm]", "elastic_modulus (GPa)"])
 def test_the_remedy_of_a_refusal_passes_the_column_through(text: str) -> None:
     with pytest.raises(BadTable, match="--column"):
         understood([text])
-    assert understood([text], [], choices([f"{text}="])).inputs == ()
+    assert understood([text], [], column_options([f"{text}="])).inputs == ()
 
 
 def test_a_symbol_in_a_later_object_is_a_surprise_only_with_a_unit(run: Run) -> None:
@@ -329,10 +329,10 @@ def test_an_uncertainty_in_another_unit_or_of_nothing_is_refused() -> None:
     with pytest.raises(BadTable, match="must be that of the other column, nN"):
         understood(["P [nN]", "P_plus [nN]", "P_minus [uN]"])
     with pytest.raises(BadTable, match="is a length"):
-        understood(["P [nN]", "P_err [nm]"], chosen=choices(["P_err [nm]=load_err [nm]"]))
+        understood(["P [nN]", "P_err [nm]"], meanings=column_options(["P_err [nm]=load_err [nm]"]))
     with pytest.raises(BadTable, match="not an uncertainty of surface_energy"):
-        understood(["dG", "R (nm)"], chosen=choices(["dG=surface_energy_err [mJ/m2]"]))
-    header = understood(["gamma [mJ/m2]", "dG"], chosen=choices(["dG=surface_energy_err [mJ/m2]"]))
+        understood(["dG", "R (nm)"], meanings=column_options(["dG=surface_energy_err [mJ/m2]"]))
+    header = understood(["gamma [mJ/m2]", "dG"], meanings=column_options(["dG=surface_energy_err [mJ/m2]"]))
     assert header.inputs[0].joined("25", "5") == "25±5"
 
 

@@ -37,7 +37,7 @@ from jkroll.bench.report import (
     write_bench,
 )
 from jkroll.bench.ways import OTHER_WAYS, QUANTITIES, by_hand
-from jkroll.scene.solver import BLOCK
+from jkroll.scene.solver import ELEMENTS_AT_ONCE
 from maugis_reference import approach, at_load, mpf, stiffness
 from reference import BOUND, conditions, exact_results, ulp_error
 
@@ -202,7 +202,7 @@ def test_by_hand_is_the_plain_program_of_the_rivals() -> None:
 
 
 def test_by_hand_in_blocks_is_by_hand() -> None:
-    many = scenes(BLOCK + 50)
+    many = scenes(ELEMENTS_AT_ONCE + 50)
     whole = by_hand(np.sqrt, np.cbrt, np.minimum, np.maximum, **many)
     for name, values in by_hand_in_blocks(many).items():
         np.testing.assert_array_equal(values, whole[name], err_msg=name)

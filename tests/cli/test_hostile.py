@@ -13,13 +13,14 @@ from hypothesis import strategies as st
 
 from invariants import CORPUS, TARGETS, TYPED
 from jkroll.errors import JkrollError
-from jkroll.materials.library import MAX_BYTES, MAX_DOTS, MaterialsFileError, read
+from jkroll.materials.library import MAX_BYTES, MAX_DOTS, MaterialsFileError
 from jkroll.quantities.errors import QuantityError
 from jkroll.quantities.formatting import Format
-from jkroll.quantities.nomenclature import NOMENCLATURE, RANGES
+from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.quantities.unit_table import PREFIXABLE, PREFIXES
 from jkroll.quantities.values import parse_quantity, unit_of
 from jkroll.text import closest, spelled
+from material_files import read
 from shapes import SHAPES, ordinary
 
 MEGABYTE = 1_000_000
@@ -185,5 +186,5 @@ def test_what_is_typed_in_any_unit_is_rounded_once(value: float, unit: str) -> N
 @given(st.sampled_from(TYPED), st.floats(min_value=0.0, max_value=0.5, exclude_min=True))
 def test_every_quantity_reads_its_own_unit(name: str, value: float) -> None:
     quantity = NOMENCLATURE[name]
-    value += max(0.0, RANGES[quantity.range].low) if quantity.range in RANGES else 0.0
+    value += max(0.0, quantity.range.low)
     assert parse_quantity(f"{value!r} {quantity.unit}".removesuffix(" 1"), name) == value

@@ -147,6 +147,7 @@ import sys
 import jkroll
 jkroll.solve(["pull_off_force", "n_roll"], radius="100 nm", gamma=0.025, young="54 GPa", poisson_ratio=0.17)
 jkroll.solve("r_min", radius="80 to 120 nm")
+jkroll.solve("r_min", radius=1)
 jkroll.infer("gamma", measured={"pull_off_force": "300±20 nN"}, radius=2e-6, radius2="plane")
 print(*sys.modules)
 """

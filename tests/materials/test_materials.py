@@ -19,9 +19,10 @@ from hypothesis import strategies as st
 import jkroll
 from harness import Run
 from jkroll.errors import JkrollError
-from jkroll.materials.library import SHIPPED, Material, Materials, MaterialsFileError, read
+from jkroll.materials.library import SHIPPED, Material, Materials, MaterialsFileError
 from jkroll.scene.scene import Scene
 from jkroll.text import quoted
+from material_files import read
 
 ICE = """
 title = "my measurements"

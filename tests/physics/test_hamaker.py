@@ -2,6 +2,7 @@
 
 import math
 from functools import partial
+from itertools import product
 from random import Random
 from typing import Any
 
@@ -57,13 +58,15 @@ def test_two_solids() -> None:
     with pytest.raises(MissingInput, match="Hamaker constant of sphere 2; give --hamaker2"):
         solve("pull_off_force", material2="iron", **SILICA)
     with pytest.raises(MissingInput, match="Hamaker constant; give --hamaker "):
-        solve("pull_off_force", hamaker2=1e-19, **QUARTZ)
+        solve("pull_off_force", hamaker2=1e-19, **ELASTIC)
 
 
 def test_it_excludes_a_surface_energy_but_not_that_of_a_material() -> None:
-    for name in ("surface_energy", "surface_energy2", "work_of_adhesion"):
-        with pytest.raises(Contradiction):
-            solve("pull_off_force", **{**SILICA, name: 0.1})
+    for name, constant in product(("surface_energy", "surface_energy2", "work_of_adhesion"), ("hamaker", "hamaker2")):
+        with pytest.raises(Contradiction, match=f"{name}.* and {constant} exclude each other"):
+            solve("pull_off_force", **{**ELASTIC, name: 0.1, constant: 6.5e-20})
+    with pytest.raises(MissingInput, match="Hamaker constant; give --hamaker "):
+        solve("pull_off_force", material="quartz", radius=1e-7, hamaker2=1e-19)
     assert solve("work_of_adhesion", material="quartz", hamaker=6.5e-20) == solve("work_of_adhesion", **SILICA)
 
 

@@ -11,6 +11,7 @@ import jkroll
 import maugis_reference as reference
 import maugis_rivals as rivals
 from jkroll.physics import any_law, dugdale, maugis, maugis_energies
+from jkroll.scene.wiring import parameters_of
 from maugis_boundary_elements import rolling_moment
 from maugis_reference import Exact, mpf
 
@@ -39,9 +40,22 @@ def state(transition: float, edge_ratio: Any) -> dict[str, Any]:
         "approach": approach,
         "load": dugdale.load(transition, at, span),
         "moment": transition * span * span * at.g3,
-        "stiffness": dugdale.stiffness(transition, at, span),
+        "stiffness": stiffness(transition, at, span),
         "energy": dugdale.energy(transition, at, span, approach),
     }
+
+
+def stiffness(transition: float, at: dugdale.Shape, span: Any) -> Any:
+    """Return dP/dδ, in contact or apart."""
+    return 1.5 * span * dugdale.stiffness_ratio(at, 4 / 3 * transition / span)
+
+
+def alone(formula: Any, transition: Any, unit: Any = UNIT) -> Any:
+    """Return the result of a formula that the transition parameter decides on, but for the unit."""
+    given = {**unit, "transition_parameter": transition}
+    if "unloaded_edge_ratio" in parameters_of(formula):
+        given["unloaded_edge_ratio"] = maugis.unloaded_edge_ratio(transition_parameter=transition)
+    return formula(**given)
 
 
 def exact_state(transition: Exact, a: Exact, t: Exact) -> dict[str, Exact]:
@@ -136,9 +150,9 @@ def test_the_approach_of_a_contact_whose_load_is_known(count: int) -> None:
         }
         bounds = {"approach": BOUND}
         if load == 0:
-            found["radius"] = maugis.unloaded_radius_maugis(**UNIT, transition_parameter=transition)
+            found["radius"] = alone(maugis.unloaded_radius_maugis, transition)
             bounds = {"approach": 6.0, "radius": 4.0}
-            unloaded = maugis.unloaded_approach_maugis(**UNIT, transition_parameter=transition)
+            unloaded = alone(maugis.unloaded_approach_maugis, transition)
             assert unloaded == pytest.approx(found["approach"], rel=3e-15)
         for name, value in found.items():
             condition = float(sum(abs(other[name] / exact[name] - 1) for other in others) / step)
@@ -208,9 +222,9 @@ def test_sticking_energy_where_neither_jump_touches(transition: float) -> None:
     [maugis_energies.sticking_energy_maugis, maugis_energies.pull_off_work_maugis, maugis_energies.well_energy_maugis],
 )
 def test_energies_are_continuous(energy: Any, edge: float) -> None:
-    below, above = (energy(**UNIT, transition_parameter=edge * (1 + side)) for side in (-1e-9, 1e-9))
+    below, above = (alone(energy, edge * (1 + side)) for side in (-1e-9, 1e-9))
     assert math.isclose(below, above, rel_tol=1e-7)
-    at = energy(**UNIT, transition_parameter=edge)
+    at = alone(energy, edge)
     assert math.isclose(at, below, rel_tol=1e-7)
 
 
@@ -225,7 +239,7 @@ def test_constants() -> None:
 
 @pytest.mark.parametrize("transition", [0.2, 0.5, 0.7, 0.9, 0.937])
 def test_spheres_that_attract_without_contact(transition: float) -> None:
-    lowest = dugdale.lowest_approach(transition)
+    lowest = dugdale.lowest_approach(transition, dugdale.fold_ratio(transition))
     assert dugdale.fold_ratio(transition) == 0.0
     at = dugdale.shape(0.0)
     touch = dugdale.span(transition, at)
@@ -235,7 +249,7 @@ def test_spheres_that_attract_without_contact(transition: float) -> None:
         zone = dugdale.span_apart(transition, approach)
         assert dugdale.ratio_at_approach(transition, approach) == 0.0
         assert math.isclose(dugdale.load(transition, at, zone), -math.pi * transition / 2 * zone**2, rel_tol=1e-14)
-        assert dugdale.stiffness(transition, at, zone) < 0
+        assert stiffness(transition, at, zone) < 0
     b = 8 * transition / (3 * math.pi)
     assert math.isclose(dugdale.span_apart(transition, lowest), b, rel_tol=1e-6)
 
@@ -243,7 +257,7 @@ def test_spheres_that_attract_without_contact(transition: float) -> None:
 @pytest.mark.parametrize("transition", [0.05, 0.5, 0.9, 0.95, 5.0])
 def test_load_and_stiffness_are_derivatives(transition: float) -> None:
     step = 1e-5
-    lowest = dugdale.lowest_approach(transition)
+    lowest = dugdale.lowest_approach(transition, dugdale.fold_ratio(transition))
     for approach in (lowest + 0.05, lowest + 0.4, 0.3, 2.0):
         energies, loads = [], []
         for each in (approach - step, approach, approach + step):
@@ -252,9 +266,9 @@ def test_load_and_stiffness_are_derivatives(transition: float) -> None:
             energies.append(dugdale.energy(transition, at, span, each))
             loads.append(dugdale.load(transition, at, span))
             if each == approach:
-                stiffness = dugdale.stiffness(transition, at, span)
+                slope = stiffness(transition, at, span)
         assert math.isclose((energies[2] - energies[0]) / (2 * step), loads[1], rel_tol=1e-5, abs_tol=1e-6)
-        assert math.isclose((loads[2] - loads[0]) / (2 * step), stiffness, rel_tol=1e-4)
+        assert math.isclose((loads[2] - loads[0]) / (2 * step), slope, rel_tol=1e-4)
 
 
 @pytest.mark.parametrize("radius", [1.0559497443981639e-06, 2e-7, 1e-6, 1e-5])
@@ -288,14 +302,14 @@ def test_limit_of_jkr() -> None:
         (maugis_energies.pull_off_work_maugis, 6 / 5 + 2 / 15 * 6 ** (-1 / 3)),
         (maugis_energies.pull_off_work_at_dead_load_maugis, 6 / 5 - 2 / 5 * 2 ** (-1 / 3)),
     ):
-        assert math.isclose(energy(**UNIT, transition_parameter=transition), factor * unit, rel_tol=1e-7)
+        assert math.isclose(alone(energy, transition), factor * unit, rel_tol=1e-7)
     stick = (2 / 15 * 6 ** (-1 / 3) + 4 / 5 * (2 / 3) ** (1 / 3)) * unit
     value = maugis_energies.sticking_energy_maugis(**UNIT, transition_parameter=transition)
     assert math.isclose(value, stick * (1 - 0.666 / transition), rel_tol=1e-6)
 
 
 def test_limit_of_dmt() -> None:
-    work = maugis_energies.pull_off_work_at_dead_load_maugis(**UNIT, transition_parameter=1e-20)
+    work = alone(maugis_energies.pull_off_work_at_dead_load_maugis, 1e-20)
     assert math.isclose(work, 1.2 * 2 ** (2 / 3), rel_tol=1e-14)
     transition = 1e-4
     assert math.isclose(-state(transition, dugdale.pull_off_ratio(transition))["load"], 2.0, rel_tol=1e-6)
@@ -309,7 +323,7 @@ def test_states_outside_the_domain() -> None:
     with pytest.raises(ValueError, match="domain"):
         dugdale.ratio_at_load(1.0, -1.61)
     with pytest.raises(ValueError, match="domain"):
-        dugdale.ratio_at_approach(0.5, dugdale.lowest_approach(0.5) - 1e-9)
+        dugdale.ratio_at_approach(0.5, dugdale.lowest_approach(0.5, dugdale.fold_ratio(0.5)) - 1e-9)
     ratios = dugdale.ratio_at_load(1.0, numpy.array([-1.61, 0.0]))
     assert numpy.isnan(ratios).tolist() == [True, False]
     spans = maugis.zone_span_at_approach(
@@ -351,8 +365,8 @@ def test_arrays_give_the_numbers_of_floats() -> None:
         maugis_energies.pull_off_work_at_dead_load_maugis,
         maugis_energies.sticking_energy_maugis,
     ):
-        values = formula(**scenes, transition_parameter=transitions)
-        singles = [formula(**UNIT, transition_parameter=each) for each in transitions.tolist()]
+        values = alone(formula, transitions, scenes)
+        singles = [alone(formula, each) for each in transitions.tolist()]
         numpy.testing.assert_allclose(values, singles, rtol=1e-9, atol=1e-15)
 
 

@@ -18,11 +18,11 @@ from jkroll.quantities.values import (
     Interval,
     Measured,
     has_uncertainty,
-    measured,
     parse_quantity,
     unit_of,
     value_of,
 )
+from jkroll.scene.solver import in_si
 
 SPELLINGS = """25±5 mJ/m2; 25 ± 5 mJ/m2; 25+-5mJ/m2; 25 +/- 5 mJ/m2; 25+−5 mJ/m2; 25(5)mJ/m2; 25mJ/m2±20%; 25 mJ/m2 ± 5 mJ/m2;
 25 mJ/m2 ± 5 erg/cm2; (25±5) mJ/m2; (25 +/- 5) mJ·m⁻²; (2.50+/-0.50)e-2 J/m2; 25e-3±5e-3 J/m2; 25(5)e-3 J/m2; 25 +5/-5 mJ/m2"""
@@ -137,10 +137,10 @@ class Ufloat(NamedTuple):
 
 
 def test_a_number_of_the_package_uncertainties() -> None:
-    assert measured(Ufloat(0.025, 0.005), "surface_energy") == Measured(0.025, 0.005, 0.005)
-    assert measured(Ufloat(0.025, 0.0), "surface_energy") == 0.025
+    assert in_si({"gamma": Ufloat(0.025, 0.005)})[0] == {"surface_energy": Measured(0.025, 0.005, 0.005)}
+    assert in_si({"gamma": Ufloat(0.025, 0.0)})[0] == {"surface_energy": 0.025}
     with pytest.raises(QuantityError, match="half the value"):
-        measured(Ufloat(0.025, 0.02), "surface_energy")
+        in_si({"gamma": Ufloat(0.025, 0.02)})
 
 
 @pytest.mark.parametrize("sides", [{"minus": 0.005}, {"plus": 0.005}, {"minus": 0.005, "plus": 0.005}])

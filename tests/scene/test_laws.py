@@ -300,7 +300,7 @@ def test_blocks_of_any_size_make_the_whole(size: int, monkeypatch: pytest.Monkey
     }
     names = ["pull_off_force", "r_min", "work_of_adhesion", "contact_modulus"]
     whole = solve(names, **given)
-    monkeypatch.setattr("jkroll.scene.solver.BLOCK", size)
+    monkeypatch.setattr("jkroll.scene.solver.ELEMENTS_AT_ONCE", size)
     for name, values in solve(names, **given).items():
         assert numpy.shape(values) == numpy.shape(whole[name])
         assert numpy.array_equal(values, whole[name]), name

@@ -2,11 +2,13 @@
 
 from typing import Any
 
+import numpy
 import pytest
 
+from jkroll.materials.library import known_materials
 from jkroll.physics import FORMULAS
 from jkroll.quantities.nomenclature import NOMENCLATURE
-from jkroll.scene.failures import BeyondPullOff, MissingInput, NoChain, NoFiniteValue
+from jkroll.scene.failures import BeyondPullOff, MissingInput, NoChain, NoFiniteValue, ShapeMismatch
 from jkroll.scene.limits import LIMITS
 from jkroll.scene.scene import Scene
 from jkroll.scene.wiring import Plan, depends_on, formula_of, plan_for
@@ -55,12 +57,30 @@ def test_a_number_that_leaves_the_doubles_takes_what_follows_with_it() -> None:
         assert "moment_of_inertia: no value that a double can hold" in str(values[name])
 
 
+def test_only_what_belongs_to_a_plane_may_be_infinite() -> None:
+    given = {**QUARTZ, "density": 1e3, "density2": 1e60}
+    with pytest.raises(NoFiniteValue):
+        Scene({**given, "radius2": 1e60})["rolling_frequency"]
+    radii = numpy.array([1e60, 1e-7, float("inf")])
+    found = Scene({**given, "radius2": radii}).evaluate(("rolling_frequency", "moment_of_inertia2"))
+    assert numpy.isnan(found["rolling_frequency"]).tolist() == [True, False, False]
+    assert numpy.isinf(found["moment_of_inertia2"]).tolist() == [False, False, True]
+
+
 def test_a_scene_with_other_inputs_is_another_scene() -> None:
     scene = Scene(QUARTZ)
     assert scene["pull_off_force"] > 0
     doubled = scene.replace(radius=2e-7)
     assert doubled["pull_off_force"] == 2 * scene["pull_off_force"]
     assert scene.values["radius"] == 1e-7
+
+
+@pytest.mark.parametrize("name", ["youngs_modulus2", "radius2"])
+def test_arrays_that_do_not_broadcast_are_no_scene(name: str) -> None:
+    """Also where they decide on what follows from the inputs: on rigid bodies, and on a material's displacement."""
+    arrays = {name.removesuffix("2"): numpy.ones(2), name: numpy.ones(3)}
+    with pytest.raises(ShapeMismatch, match=rf"do not broadcast: {name.removesuffix('2')} \(2,\), {name} \(3,\)"):
+        Scene(arrays, known_materials()["silica-dry"])
 
 
 def test_every_limit_is_a_result_and_touches_what_exists() -> None:

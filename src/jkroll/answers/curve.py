@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from ..errors import BadRequest, NoResult
 from ..physics.elementary import cbrt
 from ..quantities.values import parse_quantity
-from ..rows.columns import Row, Wanted, by_floats
+from ..rows.columns import Row, Wanted
 from ..rows.sweep import entering
 from ..scene.failures import MissingInput
 from ..scene.limits import Verdict, doubts
@@ -263,7 +263,7 @@ class OfCurve(Wanted):
     def row(self, at: Any) -> Row:
         """Return the row of a state."""
         state, scene, curve = at
-        found = by_floats(self._of_state, scene)
+        found = self._of_state.row(scene)
         numbers, reasons = dict(zip(self.keys, found.numbers, strict=True)), {**found.reasons}
         for name, value in _known(state).items():
             if name not in self.names:

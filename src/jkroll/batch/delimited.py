@@ -189,7 +189,7 @@ class Delimited:
         cells = [head.text.removeprefix(BOM).rstrip(b"\r\n"), *map(str.encode, table.added)]
         line = dialect.separator.join(cells) + self.line_end
         bom = BOM if head.text.startswith(BOM) else b""
-        self.head = bom + (dialect.safe(line) if excel_safe else line)
+        self.header_line = bom + (dialect.safe(line) if excel_safe else line)
         self.said = b"".join(dialect.separator + text.encode() for text in table.said.values())
         self.places = table.places
         self.has_commas = head.has_decimal_commas

@@ -123,7 +123,7 @@ def convert_many(path: str, order: Order, run: Runner) -> tuple[Tally, int]:
 
 
 class Manifest:
-    """What a directory of results says of itself: version, options, and the outcome of each table that is done."""
+    """The statement of a directory of results about itself: version, options, and the outcome of each table that is done."""
 
     def __init__(self, order: Order, parts: list[Part]) -> None:
         """Write it, with the outcomes of before that `--resume` keeps. Raises BadRequest for the manifest of another run."""

@@ -53,7 +53,7 @@ class NdjsonConverter:
 
     def __init__(self, head: Head, table: Table, *, strict: bool) -> None:
         """`strict`: whether the first row that fails is an error."""
-        self.head, self.table, self.strict = head.text, table, strict
+        self.header_line, self.table, self.strict = head.text, table, strict
         self.keys = {name: head.names[place] for name, place in table.places.items()}
         self.known = {*head.names}
         self.added = {*table.added}
@@ -84,11 +84,11 @@ class NdjsonConverter:
             return "is not a JSON object"
         if one.keys() == self.known:
             return ""
-        chosen, others = self.table.chosen, one.keys() - self.known
+        meanings, others = self.table.meanings, one.keys() - self.known
         surprises = (
             name
             for name in one
-            if name in others and (name in self.added or holds_input(name, _text(one[name]), chosen))
+            if name in others and (name in self.added or holds_input(name, _text(one[name]), meanings))
         )
         return next((f"has {name!r}, which the first line does not have" for name in surprises), "")
 

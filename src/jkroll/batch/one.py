@@ -13,7 +13,7 @@ from ..errors import missing_extra
 from ..output.records import lines
 from ..quantities.formatting import Format
 from ..rows.columns import Columns, Wanted
-from ..rows.header import BadTable, check_measured, chosen, understood
+from ..rows.header import BadTable, check_measured, stated_meanings, understood
 from ..rows.table import Fill, Inverse, Table, say_reading, table_of
 from ..scene.failures import MissingInput
 from ..text import quoted, say_wrapped
@@ -48,7 +48,7 @@ def table_with(names: tuple[str, ...], rows: list[list[str]], order: Order) -> T
     """Return the table with this header that the order asks for; `rows`: the cells of its first rows."""
     settings = order.settings
     fill = _fill(order)
-    columns = understood(names, rows, chosen(names, settings.columns, settings.measured))
+    columns = understood(names, rows, stated_meanings(names, settings.columns, settings.measured))
     if settings.measured:
         check_measured(columns, settings.measured)
     asked = ([], []) if settings.infer else quantities_named(settings.quantities)
@@ -74,15 +74,15 @@ def _convert_lines(path: str, form: FileFormat, compression: str, order: Order) 
         head, rows = dialect.head(first)
         table = table_with(head.names, rows, order)
         converter = dialect.converter(head, table, strict=settings.strict, excel_safe=settings.excel_safe)
-        start = compressor(compression)(converter.head) if converter.head else b""
+        start = compressor(compression)(converter.header_line) if converter.header_line else b""
         tally = run(
             Work(
-                Converted(start),
-                head.text.count(b"\n"),
-                filter(None, chain([first[len(head.text) :]], texts)),
-                partial(_make_convert, converter, compression),
-                given.size,
-                given.position,
+                header_line=Converted(start),
+                lines_of_header=head.text.count(b"\n"),
+                blocks=filter(None, chain([first[len(head.text) :]], texts)),
+                make_convert=partial(_make_convert, converter, compression),
+                size=given.size,
+                position=given.position,
             ),
             settings,
         )

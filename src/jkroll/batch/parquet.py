@@ -19,9 +19,10 @@ from ..quantities.formatting import Format
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..rows.cells import Floats, Numbers, Reader
 from ..rows.columns import DOUBT, STATUS, Columns, Wanted, remarks_of
-from ..rows.header import BadTable, chosen, is_input
+from ..rows.header import BadTable, is_input, stated_meanings
 from ..rows.readings import Reading
 from ..rows.rows import Block, evaluated
+from ..rows.sweep import BLOCK
 from ..rows.table import Table
 from ..scene.limits import codes
 from ..text import quoted, shown
@@ -31,7 +32,6 @@ from .progress import Bar
 from .settings import Order, Part
 
 BUFFER = 1 << 18  # bytes read at a time of each column
-BLOCK = 1 << 13  # rows computed together: what lies between two formulas stays in the cache
 BYTES = 1 << 24  # of the rows written together, and at most of those computed together, about
 
 Rows = tuple[Any, Tally]  # a batch of Arrow with results, and its counts
@@ -68,7 +68,7 @@ class _File:
         self.given, self.strict = given, order.settings.strict
         self.file = file = pyarrow.parquet.ParquetFile(given.file, buffer_size=BUFFER, pre_buffer=False)
         names = tuple(file.schema_arrow.names)
-        meanings = chosen(names, order.settings.columns, order.settings.measured)
+        meanings = stated_meanings(names, order.settings.columns, order.settings.measured)
         self.table = table = table_with(names, _first_rows(file, meanings), order)
         texts = {*table.said, *table.remarks}
         fields = [pyarrow.field(name, pyarrow.string() if name in texts else pyarrow.float64()) for name in table.added]
@@ -103,15 +103,19 @@ class _File:
     def _block(self, batch: Any) -> Block:
         """Return the inputs of some rows."""
         table, places = self.table, self.table.places
-        codes = {}
+        materials = {}
         for name, place in table.materials_at:  # a text is looked up once, not in every row
             encoded = batch.column(place).dictionary_encode()
             texts = [*map(_text, encoded.dictionary.to_pylist()), ""]
             rows = encoded.indices.cast(pyarrow.int64()).fill_null(len(texts) - 1)
-            codes[name] = table.lookups[name].codes(texts)[rows.to_numpy()]
+            materials[name] = table.lookups[name].numbers(texts)[rows.to_numpy()]
         numbers = {reader.column.name: _numbers(batch, reader) for reader in table.readers}
         return table.block_of(
-            batch.num_rows, numbers, codes, {}, lambda row, name: _text(batch.column(places[name])[row].as_py(), name)
+            batch.num_rows,
+            numbers,
+            materials,
+            {},
+            lambda row, name: _text(batch.column(places[name])[row].as_py(), name),
         )
 
 

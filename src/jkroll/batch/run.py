@@ -26,8 +26,8 @@ Convert = Callable[[bytes], Converted]
 class Work(NamedTuple):
     """A table to convert."""
 
-    head: Converted  # what the header becomes
-    head_lines: int  # of the header as read
+    header_line: Converted  # what the header becomes
+    lines_of_header: int  # of the header as read
     blocks: Iterator[bytes]
     make_convert: Callable[[], Convert]  # called in each process
     size: int  # bytes of the input, or 0 if that is unknown
@@ -84,7 +84,7 @@ def _path(output: BinaryIO) -> str:
 
 def _steps(work: Work, jobs: int, path: str) -> Iterator[tuple[Step, Fetch]]:
     """Iterate over the header and the converted blocks in their order. `path`: of the file into which they go, or an empty text."""
-    yield Step(len(work.head.output), work.head_lines), lambda _: work.head.output
+    yield Step(len(work.header_line.output), work.lines_of_header), lambda _: work.header_line.output
     convert = work.make_convert()
 
     def here(text: bytes) -> tuple[Step, Fetch]:

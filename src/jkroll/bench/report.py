@@ -19,7 +19,7 @@ from .. import __version__
 from ..output.files import whole_file
 from ..output.records import Cell, write_records
 from ..quantities.nomenclature import NOMENCLATURE
-from ..scene.solver import BLOCK, solve
+from ..scene.solver import ELEMENTS_AT_ONCE, solve
 from ..text import ending, json_text, say
 from .points import REGIONS, Arrays, digits, each, exact, inputs_of, references, regions, scenes
 from .ways import OTHER_WAYS, QUANTITIES, by_hand, own_way
@@ -252,8 +252,8 @@ def by_hand_in_blocks(many: Arrays) -> dict[str, Any]:
     """Return the usual quantities by plain numpy, in blocks as large as those of `solve`."""
     size = len(many["radius"])
     results = {name: numpy.empty(size) for name in USUAL}
-    for start in range(0, size, BLOCK):
-        place = slice(start, start + BLOCK)
+    for start in range(0, size, ELEMENTS_AT_ONCE):
+        place = slice(start, start + ELEMENTS_AT_ONCE)
         for name, values in by_hand(*_NUMPY, **{name: array[place] for name, array in many.items()}).items():
             results[name][place] = values
     return results

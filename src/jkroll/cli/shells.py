@@ -15,7 +15,7 @@ from typer.core import TyperArgument, TyperCommand, TyperGroup, TyperOption
 from ..errors import BadRequest, JkrollError
 from ..output.manual import topics
 from ..quantities.laws import LAWS
-from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS
+from ..quantities.nomenclature import ANY, NOMENCLATURE, OPTION_WORDS
 from . import process
 from .commands import COMMANDS, DEBUG, HELP, TITLE, VERSION, Action, Option, Words
 
@@ -196,7 +196,7 @@ def _results() -> list[str]:
     return [
         name
         for name, quantity in NOMENCLATURE.items()
-        if quantity.unit and not quantity.variant_of and (quantity.equation or not quantity.range)
+        if quantity.unit and not quantity.variant_of and (quantity.equation or quantity.range is ANY)
     ]
 
 
@@ -223,7 +223,7 @@ def _programs() -> Iterable[str]:
 
 def _axes() -> list[str]:
     """Return the quantities that an axis can have, each with the sign before its range."""
-    return [f"{name}=" for name, quantity in NOMENCLATURE.items() if quantity.range]
+    return [f"{name}=" for name, quantity in NOMENCLATURE.items() if quantity.range is not ANY]
 
 
 # By the kind of a word, or the name of an option.

@@ -385,7 +385,7 @@ class Materials:
 
     @property
     def mistakes(self) -> Mapping[str, MaterialsFileError]:
-        """What is wrong with materials, by name."""
+        """The errors of materials with which something is wrong, by name."""
         found = {}
         for name in self._entries:
             try:
@@ -434,11 +434,6 @@ def _choice(materials: Sequence[Material]) -> str:
         about = ", ".join([*known, *([material.title] if has_sets else [])])
         texts.append(f"{material.name} ({about})" if about else material.name)
     return f"{', '.join(texts[:-1])} or {texts[-1]}: which?"
-
-
-def read(path: Path) -> list[Material]:
-    """Read and check a materials file as a whole; MaterialsFileError says what is wrong with it."""
-    return [_material(entry) for entry in entries_of(path_of(path))]
 
 
 def _material(entry: Entry) -> Material:

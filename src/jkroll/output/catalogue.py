@@ -8,7 +8,7 @@ from ..answers.questions import QUESTIONS
 from ..materials.library import Material
 from ..quantities.errors import QUANTITY_SYNONYMS, UnknownQuantity
 from ..quantities.formatting import AS_USUAL, amount, in_words, pretty
-from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, RANGES, XI, header, named, with_symbol
+from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, header, named, with_symbol
 from ..rows.columns import heads
 from ..scene.wiring import depends_on, formula_of, parameters_of, suffix_of
 from ..text import first_of, json_text, say, say_wrapped
@@ -295,7 +295,7 @@ def _write_quantity(name: str, out: TextIO) -> None:
         "symbol": quantity.symbol,
         "unit": pretty(quantity.unit),
         "option": option or (f"a word: {quantity.example}" if quantity.example else ""),
-        "values": RANGES[quantity.range].words if quantity.range and quantity.example else "",
+        "values": quantity.range.words if quantity.example else "",
         "commands": first_of(commands_of(name), _MAX_NAMED) or "any, with --quantities " + name,
         "equation": quantity.equation,
         "formula": fields.get("formula", ""),

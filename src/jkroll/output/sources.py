@@ -82,7 +82,7 @@ def _explanation(result: Result, scene: Scene, form: Format) -> list[str]:
         lines.append("  steps")
     lines += [_line(step.name, scene, form, _formula_of(step)) for step in steps[:-1]]
     lines += _found(result, form)
-    lines += [f"  {key.lower():9} {fields[key]}" for key in _SECTIONS]
+    lines += [f"  {key.lower():9} {fields[key]}" for key in _SECTIONS if key in fields]
     lines.append(f"  power law {power_law(scene, result.name)}")
     if quantity.note:
         lines.append(f"  note      {quantity.note}")

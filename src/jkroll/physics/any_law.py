@@ -134,8 +134,6 @@ def adhesion_hysteresis_of_fraction(*, hysteresis_fraction: Number, work_of_adhe
 
     hysteresis_fraction  [1]  > 0, ≤ 1
 
-    Source:   Its definition.
-    Valid:    Always.
     Accuracy: 0.5 ulp above w.
 
     >>> adhesion_hysteresis_of_fraction(hysteresis_fraction=0.5, work_of_adhesion=3.0)
@@ -198,7 +196,6 @@ def transition_parameter(*, tabor_parameter: Number) -> Number:
         λ = 2σ0/(πwK²/R)^(1/3) = (32/(9√3))(9/16π)^(1/3) μ, with K = 4E*/3
 
     Source:   Maugis 1992, for the peak stress of the 3-9 law.
-    Valid:    Always.
     Accuracy: 1.5 ulp above μ.
 
     >>> round(transition_parameter(tabor_parameter=1.0), 7)

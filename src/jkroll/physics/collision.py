@@ -20,7 +20,6 @@ def energy(*, energy_ratio: Number, adhesion_energy: Energy) -> Energy:
         W0 = (W0/P_cδ0) P_cδ0
 
     Source:   Text below Eq (48).
-    Valid:    Always.
     Accuracy: 0.5 ulp above P_cδ0.
 
     >>> energy(energy_ratio=2.0, adhesion_energy=3.0)

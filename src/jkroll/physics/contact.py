@@ -45,8 +45,6 @@ def pull_off_force_ratio(*, pull_off_force: Force, work_of_adhesion: SurfaceEner
 
         P_c/(πwR)
 
-    Source:   Definition.
-    Valid:    Always.
     Accuracy: 2 ulp above P_c, w and R.
 
     >>> round(pull_off_force_ratio(pull_off_force=3 * pi, work_of_adhesion=2.0, reduced_radius=1.0), 12)

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from .dimensions import Angle, Energy, Mass, Moment, Speed
 from .elementary import pi, sqrt
+from .jkr import FOLD_APPROACH
 
 # In P_cδ0, which is (81π⁵)^(1/3) γ^(5/3)R^(4/3)/E*^(2/3).
-FOLD = 0.8254818122236567  # (9/16)^(1/3)
 STICKING_PASZUN_DOMINIK = 0.32895869205467987  # (8π/3) 1.07²/(81π⁵)^(1/3)
 STICKING_PENCIL_CODE = 0.6585009935846583  # 19.2/(81π⁵)^(1/3)
 
@@ -26,7 +26,7 @@ def fold_energy(*, adhesion_energy: Energy) -> Energy:
     >>> round(fold_energy(adhesion_energy=1.0), 7)
     0.8254818
     """
-    return FOLD * adhesion_energy
+    return -FOLD_APPROACH * adhesion_energy
 
 
 def break_energy_dust_simulation(*, fold_energy: Energy) -> Energy:

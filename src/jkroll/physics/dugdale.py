@@ -22,13 +22,16 @@ import math
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-from .elementary import arctan, at_least, at_most, cbrt, is_any, pi, sqrt, where, within
+from .elementary import arctan, at_least, at_most, cbrt, cube, pi, sqrt, where, within
 
 FOLD_WITHOUT_CONTACT = 0.9379474572107123  # (9π/(16(π − 1)))^(1/3): below, a vanishes before fixed grips let go
 JUMP_WITHOUT_CONTACT = 0.6551853485522241  # (9/32)^(1/3): below, approaching spheres attract before they touch
 
 _NARROW = 0.2
 _ROUNDING = 8 * 2.0**-52  # of a load or an approach that is itself computed as that of an extreme
+_STEPS = 3  # of Newton's method, each of which squares the error
+_FAR = 32.0  # √(1 + P/P_c) beyond which another start is taken, and twice as many steps
+_TINY = 1e-300  # in place of a slope of 0
 _LAG_COEFFICIENTS = tuple(4 * k / (4 * k * k - 1) for k in range(11, 0, -1))
 
 
@@ -106,7 +109,7 @@ def span_apart(transition: Any, approach: Any) -> Any:
 def load(transition: Any, at: Shape, span: Any) -> Any:
     """Return P, in contact or apart."""
     square = span * span
-    return square * (at.v * at.v * at.v * span - transition * at.g3)
+    return square * (cube(at.v) * span - transition * at.g3)
 
 
 def approach(transition: Any, at: Shape, span: Any) -> Any:
@@ -131,13 +134,8 @@ def approach_apart(transition: Any, span: Any) -> Any:
     return span * (span / 2 - b) - 2 / (pi * transition)
 
 
-def stiffness(transition: Any, at: Shape, span: Any) -> Any:
-    """Return dP/dδ, in contact or apart; it is 0 at pull-off, below 0 where only fixed grips hold the spheres."""
-    return 3 / 2 * span * stiffness_ratio(at, 4 / 3 * transition / span)
-
-
 def stiffness_ratio(at: Shape, q: Any) -> Any:
-    """Return dP/dδ over that of a flat punch of radius T: v without attraction, −∞ at the fold."""
+    """Return dP/dδ over that of a flat punch of radius T, in contact or apart: v without attraction, 0 at pull-off, −∞ at the fold."""
     give = at.g3 - q * at.h
     at_fold = abs(give) <= _ROUNDING * at.g3  # as near as doubles come, where the sign is chance
     return where(at_fold, -math.inf, (at.v * at.g3 - q * at.d) / where(at_fold, 1.0, give))
@@ -157,12 +155,6 @@ def energy(transition: Any, at: Shape, span: Any, approach: Any) -> Any:
     inner = 4 / 9 * transition * span * (v + 2 * n) * at.h * at.h
     return 3 / 4 * punch - outside * outside + transition * square * (square * ring / 4 + pull - inner)
 
-
-# --- States: roots by Newton's method ---------------------------------------------------------------------------------
-
-_STEPS = 3  # of Newton's method, each of which squares the error
-_FAR = 32.0  # √(1 + P/P_c) beyond which another start is taken, and twice as many steps
-_TINY = 1e-300  # in place of a slope of 0
 
 # --- Extremes -------------------------------------------------------------------------------------------------------
 
@@ -200,13 +192,11 @@ def fold_ratio(transition: Any) -> Any:
     return where(beyond == 0, 0.0, v)
 
 
-def lowest_approach(transition: Any) -> Any:
-    """Return δ at the fold, in contact or apart."""
-    v = fold_ratio(transition)
-    at = shape(v)
-    b = half_width(transition)
-    apart = -b * b / 2 - 2 / (pi * transition)
-    return where(v == 0, apart, approach(transition, at, span(transition, at)))
+def lowest_approach(transition: Any, least: Any) -> Any:
+    """Return δ at the fold, in contact or apart, from its v."""
+    at = shape(least)
+    apart = approach_apart(transition, half_width(transition))
+    return where(least == 0, apart, approach(transition, at, span(transition, at)))
 
 
 def _step_to(transition: Any, at: Shape, q: Any, growth: Any) -> Any:
@@ -236,8 +226,8 @@ def ratio_at_load(transition: Any, load_in_units: Any) -> Any:
     aim = sqrt(within(margin >= -_ROUNDING * tension, at_least(margin, 0.0)))
     reach = aim / sqrt(tension)
     root = sqrt(transition)
-    cube = root * transition
-    scale = cube / (cube + 0.65 + 1.2 * root / (1 + 9 * transition))
+    power_3_2 = root * transition
+    scale = power_3_2 / (power_3_2 + 0.65 + 1.2 * root / (1 + 9 * transition))
     power = (1 + 1 / ((1 + 0.82 * root) * (1 + 0.82 * root))) / 3
     start = least * (1 + reach / scale) ** power
 
@@ -248,7 +238,7 @@ def ratio_at_load(transition: Any, load_in_units: Any) -> Any:
         return load(transition, at, wide) + tension, slope
 
     is_far = reach > _FAR
-    if not is_any(is_far):
+    if not _is_any(is_far):
         return _root(curve, aim, start, least, power)
     start = where(is_far, _in_wide_contact(transition, cbrt(at_least(load_in_units, 0.0))), start)
     v = _root(curve, aim, start, least, power)
@@ -260,7 +250,7 @@ def ratio_at_approach(transition: Any, approach_in_units: Any) -> Any:
     least = fold_ratio(transition)
     at = shape(least)
     lowest = approach(transition, at, span(transition, at))
-    fold = lowest_approach(transition)
+    fold = lowest_approach(transition, least)
     is_held = approach_in_units >= fold - _ROUNDING * abs(fold)
     excess = at_least(within(is_held, approach_in_units - lowest), 0.0)
     aim = sqrt(excess)
@@ -278,6 +268,11 @@ def approach_slope(transition: Any, at: Shape, span: Any) -> Any:
     """Return dδ/dv of a contact."""
     q = 4 / 3 * transition / span
     return (at.g3 - q * at.h) * _stretch(transition, at, span, q)
+
+
+def _is_any(condition: Any) -> bool:
+    """Return whether a condition is met, by any element for arrays."""
+    return condition if isinstance(condition, bool) else bool(condition.any())
 
 
 def _in_wide_contact(transition: Any, radius: Any) -> Any:

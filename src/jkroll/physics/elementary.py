@@ -32,12 +32,12 @@ def cbrt(value: Any) -> Any:
     """
     if isinstance(value, NUMBER):
         root = math.cbrt(value)
-        return root - (root * root * root - value) / (3 * root * root) if root else root
+        return root - (cube(root) - value) / (3 * root * root) if root else root
     import numpy
 
     root = numpy.cbrt(value)
     slope = 3 * root * root
-    return root - (root * root * root - value) / (slope + (slope == 0))  # the root of 0 is exact
+    return root - (cube(root) - value) / (slope + (slope == 0))  # the root of 0 is exact
 
 
 def cube(value: Any) -> Any:
@@ -102,15 +102,6 @@ def at_most(value: Any, bound: Any) -> Any:
     import numpy
 
     return numpy.minimum(value, bound)
-
-
-def is_any(condition: Any) -> bool:
-    """Return whether a condition is met, by any element for arrays.
-
-    >>> is_any(1.0 > 2.0)
-    False
-    """
-    return condition if isinstance(condition, bool) else bool(condition.any())
 
 
 def smaller_and_larger(value: Any, value2: Any) -> tuple[Any, Any]:

@@ -232,7 +232,6 @@ def load_maugis(
     edge_ratio  [1]  ≥ 0; 0 without contact
 
     Source:   Maugis 1992.
-    Valid:    Always.
     Accuracy: 5 ulp of the larger term, above v and T.
 
     >>> from math import pi
@@ -314,8 +313,23 @@ def contact_displacement(
 # --- Named states: without load, at pull-off, and where fixed grips let go --------------------------------------------
 
 
+def unloaded_edge_ratio(*, transition_parameter: Number) -> Number:
+    """Return the edge ratio of the stable contact without load.
+
+        v where P = 0
+
+    Source:   Maugis 1992, by Newton's method.
+    Accuracy: 8 ulp, times 1 plus its condition in λ.
+
+    >>> round(unloaded_edge_ratio(transition_parameter=1.0), 7)
+    1.4102117
+    """
+    return dugdale.ratio_at_load(transition_parameter, 0.0)
+
+
 def unloaded_radius_maugis(
     *,
+    unloaded_edge_ratio: Number,
     work_of_adhesion: SurfaceEnergy,
     reduced_radius: Length,
     contact_modulus: Stress,
@@ -325,22 +339,24 @@ def unloaded_radius_maugis(
 
         a0 = (3R·2σ0T²G3/(4E*))^(1/3), where P = 0
 
-    Source:   Maugis 1992, by Newton's method.
+    Source:   Maugis 1992.
     Valid:    a0 ≪ R.
-    Accuracy: 6 ulp.
+    Accuracy: 6 ulp above v.
 
     >>> from math import pi
     >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
-    >>> round(unloaded_radius_maugis(transition_parameter=1.0, **unit), 7)
+    >>> v = unloaded_edge_ratio(transition_parameter=1.0)
+    >>> round(unloaded_radius_maugis(unloaded_edge_ratio=v, transition_parameter=1.0, **unit), 7)
     1.6360905
     """
-    at = dugdale.shape(dugdale.ratio_at_load(transition_parameter, 0.0))
+    at = dugdale.shape(unloaded_edge_ratio)
     unit = dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
     return dugdale.unloaded_radius(transition_parameter, at, dugdale.span(transition_parameter, at)) * unit
 
 
 def unloaded_approach_maugis(
     *,
+    unloaded_edge_ratio: Number,
     work_of_adhesion: SurfaceEnergy,
     reduced_radius: Length,
     contact_modulus: Stress,
@@ -350,16 +366,17 @@ def unloaded_approach_maugis(
 
         δ0 = (σ0T/E*)(3G3/(2v) − 2)
 
-    Source:   Maugis 1992, by Newton's method.
+    Source:   Maugis 1992.
     Valid:    a0 ≪ R.
-    Accuracy: 12 ulp.
+    Accuracy: 12 ulp above v.
 
     >>> from math import pi
     >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
-    >>> round(unloaded_approach_maugis(transition_parameter=1.0, **unit), 7)
+    >>> v = unloaded_edge_ratio(transition_parameter=1.0)
+    >>> round(unloaded_approach_maugis(unloaded_edge_ratio=v, transition_parameter=1.0, **unit), 7)
     1.1298939
     """
-    at = dugdale.shape(dugdale.ratio_at_load(transition_parameter, 0.0))
+    at = dugdale.shape(unloaded_edge_ratio)
     unit = dugdale.approach_unit(work_of_adhesion, reduced_radius, contact_modulus)
     return dugdale.unloaded_approach(transition_parameter, at, dugdale.span(transition_parameter, at)) * unit
 
@@ -370,7 +387,6 @@ def edge_ratio_at_pull_off(*, transition_parameter: Number) -> Number:
         q = vG3/D, q = 4λ/(3T)
 
     Source:   Maugis 1992; in closed form at a given v.
-    Valid:    Always.
     Accuracy: 6 ulp.
 
     >>> round(edge_ratio_at_pull_off(transition_parameter=1.0), 7)
@@ -403,7 +419,6 @@ def edge_ratio_at_fold(*, transition_parameter: Number) -> Number:
         q = G3/h, q = 4λ/(3T), if λ > (9π/(16(π − 1)))^(1/3) = 0.938
 
     Source:   Maugis 1992; Johnson & Greenwood 1997; in closed form at a given v.
-    Valid:    Always.
     Accuracy: 4 ulp, times 1 plus its condition in λ.
 
     >>> edge_ratio_at_fold(transition_parameter=0.9)
@@ -424,7 +439,6 @@ def fold_approach_maugis(
         δ at q = G3/h, q = 4λ/(3T); −b²/2 − 2/(πλ), b = 8λ/3π, in the units of `dugdale`, if λ < 0.938
 
     Source:   Maugis 1992; Johnson & Greenwood 1997.
-    Valid:    Always.
     Accuracy: 8 ulp.
 
     >>> from math import pi
@@ -433,4 +447,4 @@ def fold_approach_maugis(
     -636.6198
     """
     unit = dugdale.approach_unit(work_of_adhesion, reduced_radius, contact_modulus)
-    return dugdale.lowest_approach(transition_parameter) * unit
+    return dugdale.lowest_approach(transition_parameter, dugdale.fold_ratio(transition_parameter)) * unit

@@ -43,15 +43,13 @@ def state_energy_maugis(
     True
     """
     unit = dugdale.length_unit(work_of_adhesion, reduced_radius, contact_modulus)
-    at, span = dugdale.shape(edge_ratio), zone_span / unit
-    touching = dugdale.approach(transition_parameter, at, span)
-    approach = where(edge_ratio > 0, touching, dugdale.approach_apart(transition_parameter, span))
-    phi = dugdale.energy(transition_parameter, at, span, approach)
+    phi = _of_state(transition_parameter, dugdale.shape(edge_ratio), zone_span / unit)
     return phi * _energy(work_of_adhesion, reduced_radius, contact_modulus)
 
 
 def well_energy_maugis(
     *,
+    unloaded_edge_ratio: Number,
     work_of_adhesion: SurfaceEnergy,
     reduced_radius: Length,
     contact_modulus: Stress,
@@ -65,15 +63,19 @@ def well_energy_maugis(
     Valid:    Quasi-static; towards DMT it grows as 2/(πλ) πwR(π²w²R/K²)^(1/3).
     Accuracy: 18 ulp.
 
+    >>> from .maugis import unloaded_edge_ratio
     >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
-    >>> round(well_energy_maugis(transition_parameter=1.0, **unit), 7)
+    >>> v = unloaded_edge_ratio(transition_parameter=1.0)
+    >>> round(well_energy_maugis(unloaded_edge_ratio=v, transition_parameter=1.0, **unit), 7)
     2.3098211
     """
-    return -_unloaded(transition_parameter) * _energy(work_of_adhesion, reduced_radius, contact_modulus)
+    unit = _energy(work_of_adhesion, reduced_radius, contact_modulus)
+    return -_of(transition_parameter, unloaded_edge_ratio) * unit  # stationary in v, as dΦ = P dδ
 
 
 def pull_off_work_maugis(
     *,
+    unloaded_edge_ratio: Number,
     work_of_adhesion: SurfaceEnergy,
     reduced_radius: Length,
     contact_modulus: Stress,
@@ -87,17 +89,20 @@ def pull_off_work_maugis(
     Valid:    Quasi-static.
     Accuracy: 15 ulp.
 
+    >>> from .maugis import unloaded_edge_ratio
     >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
-    >>> round(pull_off_work_maugis(transition_parameter=1e6, **unit) / 1.65096362, 5)
+    >>> v = unloaded_edge_ratio(transition_parameter=1e6)
+    >>> round(pull_off_work_maugis(unloaded_edge_ratio=v, transition_parameter=1e6, **unit) / 1.65096362, 5)
     1.27338
     """
-    fold = _held_to(transition_parameter, dugdale.lowest_approach(transition_parameter))
+    fold = _of(transition_parameter, dugdale.fold_ratio(transition_parameter))
     unit = _energy(work_of_adhesion, reduced_radius, contact_modulus)
-    return (fold - _unloaded(transition_parameter)) * unit
+    return (fold - _of(transition_parameter, unloaded_edge_ratio)) * unit
 
 
 def pull_off_work_at_dead_load_maugis(
     *,
+    unloaded_edge_ratio: Number,
     work_of_adhesion: SurfaceEnergy,
     reduced_radius: Length,
     contact_modulus: Stress,
@@ -111,13 +116,15 @@ def pull_off_work_at_dead_load_maugis(
     Valid:    Quasi-static up to the jump.
     Accuracy: 15 ulp.
 
+    >>> from .maugis import unloaded_edge_ratio
     >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
-    >>> round(pull_off_work_at_dead_load_maugis(transition_parameter=1e6, **unit) / 1.65096362, 5)
+    >>> v = unloaded_edge_ratio(transition_parameter=1e6)
+    >>> work = pull_off_work_at_dead_load_maugis(unloaded_edge_ratio=v, transition_parameter=1e6, **unit)
+    >>> round(work / 1.65096362, 5)
     0.88252
     """
-    first = dugdale.ratio_at_load(transition_parameter, 0.0)
     last = dugdale.pull_off_ratio(transition_parameter)
-    middle, half = (last + first) / 2, (last - first) / 2
+    middle, half = (last + unloaded_edge_ratio) / 2, (last - unloaded_edge_ratio) / 2
     work = 0.0
     for place, weight in _EIGHT_POINTS:
         for edge_ratio in (middle - place * half, middle + place * half):
@@ -152,7 +159,7 @@ def sticking_energy_maugis(
     b = dugdale.half_width(small)
     apart = 17 / 24 * pi * unit * small * b * b * b * b  # in this order, no product underflows before the result
     met = _held_to(transition_parameter, -2 / (pi * transition_parameter))
-    fold = _held_to(transition_parameter, dugdale.lowest_approach(transition_parameter))
+    fold = _of(transition_parameter, dugdale.fold_ratio(transition_parameter))
     return where(transition_parameter < dugdale.JUMP_WITHOUT_CONTACT, apart, (fold - met) * unit)
 
 
@@ -162,11 +169,18 @@ def _energy(work_of_adhesion: Any, reduced_radius: Any, contact_modulus: Any) ->
     return pi * work_of_adhesion * reduced_radius * unit
 
 
-def _unloaded(transition: Any) -> Any:
-    """Return Φ without load, dimensionless."""
-    at = dugdale.shape(dugdale.ratio_at_load(transition, 0.0))
-    span = dugdale.span(transition, at)
-    return dugdale.energy(transition, at, span, dugdale.approach(transition, at, span))
+def _of(transition: Any, edge_ratio: Any) -> Any:
+    """Return Φ of a contact, or at the fold of spheres that do not touch, dimensionless."""
+    at = dugdale.shape(edge_ratio)
+    span = where(at.v > 0, dugdale.span(transition, at), dugdale.half_width(transition))
+    return _of_state(transition, at, span)
+
+
+def _of_state(transition: Any, at: dugdale.Shape, span: Any) -> Any:
+    """Return Φ of a state, in contact or apart, dimensionless."""
+    touching = dugdale.approach(transition, at, span)
+    approach = where(at.v > 0, touching, dugdale.approach_apart(transition, span))
+    return dugdale.energy(transition, at, span, approach)
 
 
 def _held_to(transition: Any, approach: Any) -> Any:

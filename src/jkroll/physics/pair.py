@@ -34,7 +34,6 @@ def radius_ratio(*, radius: Length, radius2: Length) -> Number:
     radius2  [m]  > 0; infinite for a plane
 
     Source:   Text below Eq (1).
-    Valid:    Positive radii.
     Accuracy: 0.5 ulp.
 
     >>> radius_ratio(radius=1e-7, radius2=2e-7)
@@ -90,7 +89,6 @@ def modulus_over_energy(*, contact_modulus: Stress, work_of_adhesion: SurfaceEne
         E*/γ = 2E*/w
 
     Source:   Eq (49).
-    Valid:    Always.
     Accuracy: 0.5 ulp above E* and w.
 
     >>> modulus_over_energy(contact_modulus=3.0, work_of_adhesion=2.0)
@@ -105,7 +103,6 @@ def contact_modulus_of_ratio(*, modulus_over_energy: PerLength, work_of_adhesion
         E* = (E*/γ) w/2
 
     Source:   Eq (49).
-    Valid:    Always.
     Accuracy: 0.5 ulp above w.
 
     >>> contact_modulus_of_ratio(modulus_over_energy=3.0, work_of_adhesion=2.0)

@@ -256,7 +256,6 @@ def bond_number(*, pull_off_force: Force, mass: Mass, gravity: Acceleration) -> 
 
         Bo = P_c/(m1 g)
 
-    Source:   Definition.
     Valid:    A sphere that hangs from body 2.
     Accuracy: 1.5 ulp above P_c and m1.
 

@@ -46,7 +46,6 @@ def displacement_ratio(*, yield_displacement: Length, displacement_limit: Length
         3ξ√â/a0
 
     Source:   As the limit.
-    Valid:    Always.
     Accuracy: 0.5 ulp above the limit.
 
     >>> displacement_ratio(yield_displacement=1.0, displacement_limit=2.0)
@@ -95,7 +94,6 @@ def displacement_over_contact_radius(*, yield_displacement: Length, contact_radi
         ξ/a
 
     Source:   Fig. 4: the circle lags behind by ξ.
-    Valid:    Always.
     Accuracy: 0.5 ulp above a.
 
     >>> displacement_over_contact_radius(yield_displacement=1.0, contact_radius_at_load=2.0)
@@ -140,7 +138,6 @@ def energy_over_yield(*, energy: Energy, yield_energy: Energy) -> Number:
         W0/(3πw â^(3/2) ξ²)
 
     Source:   As the yield energy.
-    Valid:    Always.
     Accuracy: 0.5 ulp above W0 and the yield energy.
 
     >>> energy_over_yield(energy=4.0, yield_energy=2.0)

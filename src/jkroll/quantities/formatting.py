@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from ..errors import NoResult
 from .nomenclature import INFINITY, NOMENCLATURE, header
-from .units import Unit, convert
+from .units import Unit, convert, power_of_ten
 
 if TYPE_CHECKING:
     from .values import Interval, Measured, Uncertain
@@ -67,7 +67,7 @@ class Format(NamedTuple):
         if isinstance(value, str):
             return value, ""
         if isinstance(value, tuple):
-            si = NOMENCLATURE[name].unit.removeprefix("1"), _power_of_ten(0)
+            si = NOMENCLATURE[name].unit.removeprefix("1"), Unit(1, 1, ())
             unit = self.common_unit(name, [value]) or si
             return self.in_unit(value, unit), unit[0]
         digits = self.digits or DIGITS
@@ -85,7 +85,7 @@ class Format(NamedTuple):
         if si in ("", "1") or not sizes:
             return None
         _, power = _power(sizes[(len(sizes) - 1) // 2], si, self.digits or DIGITS)
-        scale, prefix = _power_of_ten(power), _PREFIXES[power]
+        scale, prefix = Unit(*power_of_ten(power), ()), _PREFIXES[power]
         is_short = convert(sizes[0], scale) >= _SMALL and convert(sizes[-1], scale) < _PLAIN
         return (prefix + si, scale) if is_short else None
 
@@ -135,10 +135,6 @@ def pretty(unit: str) -> str:
     ('mJ/m²', 'm⁻¹')
     """
     return unit.replace("^2", "²").replace("^3", "³").replace("^-1", "⁻¹") if "^" in unit else unit
-
-
-def _power_of_ten(exponent: int) -> Unit:
-    return Unit(10 ** max(exponent, 0), 10 ** max(-exponent, 0), ())
 
 
 AS_USUAL = Format()

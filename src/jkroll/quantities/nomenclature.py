@@ -11,27 +11,6 @@ from ..text import ascii_text
 from .laws import LAWS, routes_anywhere
 
 
-class Quantity(NamedTuple):
-    """The meaning of a name, and the range of its values."""
-
-    symbol: str
-    unit: str  # SI; "1" for a number, "" for a text
-    sentence: str
-    equation: str = ""  # as the paper numbers it
-    range: str = ""  # a name in RANGES, of the values that a user may give
-    infinity: str = ""  # the word for an infinite value
-    option: str = ""  # of the command line
-    example: str = ""  # a value as a user types it
-    note: str = ""  # the reason why it is shown beside another quantity
-    definition: str = ""  # of one among several conventions: the factor, in units that are common to them
-    reference: str = ""  # of a convention: the paper or code where it stands
-    may_be_zero: bool = False  # a result of exactly 0 is its value, and no underflow
-    shown_with: Collection[str] = ()  # inputs; it is shown only where one of them was stated
-    hidden_with: Collection[str] = ()  # inputs; it is not shown where one of them was stated
-    of_identical: bool = False  # shown for identical spheres only
-    variant_of: str = ""  # the quantity that it is by another formula or on another way
-
-
 class Range(NamedTuple):
     """An interval of values that a user may give, with the words for an error."""
 
@@ -48,16 +27,49 @@ class Range(NamedTuple):
         return above & below
 
 
+INFINITY = float("inf")
+ANY = Range(-INFINITY, INFINITY, True, True, "")
+POSITIVE = Range(0.0, INFINITY, False, False, "must be positive")
+UP_TO_INFINITE = Range(0.0, INFINITY, False, True, "must be positive")
+POISSON = Range(-1.0, 0.5, False, True, "must lie above -1, and be at most 0.5")
+LOOSE = Range(0.0, 0.74, False, False, "must lie between 0 and 0.74, that of the closest packing")
+PART = Range(0.0, 1.0, False, True, "must lie between 0 and 1, which is 100%")
+SEVERAL = Range(2.0, INFINITY, True, False, "must be at least 2")
+FINITE = Range(-INFINITY, INFINITY, False, False, "must be finite")
+
+
+class Quantity(NamedTuple):
+    """The meaning of a name, and the range of its values."""
+
+    symbol: str
+    unit: str  # SI; "1" for a number, "" for a text
+    sentence: str
+    equation: str = ""  # as the paper numbers it
+    range: Range = ANY  # of the values that a user may give
+    infinity: str = ""  # the word for an infinite value
+    option: str = ""  # of the command line
+    example: str = ""  # a value as a user types it
+    note: str = ""  # the reason why it is shown beside another quantity
+    definition: str = ""  # of one among several conventions: the factor, in units that are common to them
+    reference: str = ""  # of a convention: the paper or code where it stands
+    may_be_zero: bool = False  # a result of exactly 0 is its value, and no underflow
+    shown_with: Collection[str] = ()  # inputs; it is shown only where one of them was stated
+    hidden_with: Collection[str] = ()  # inputs; it is not shown where one of them was stated
+    of_identical: bool = False  # shown for identical spheres only
+    variant_of: str = ""  # the quantity that it is by another formula or on another way
+
+
 # --- Quantities that Maugis' law alone has ----------------------------------------------------------------------------
 
 OF_MAUGIS: Mapping[str, Quantity] = {
     "transition_parameter": Quantity("λ", "1", "Maugis' parameter of the transition between JKR and DMT"),
     "cohesive_stress": Quantity("σ0", "Pa", "largest stress with which two surfaces attract"),
-    "edge_ratio": Quantity("v", "1", "contact radius over the span of the ring of attraction", range="positive"),
+    "edge_ratio": Quantity("v", "1", "contact radius over the span of the ring of attraction", range=POSITIVE),
     "edge_ratio_at_load": Quantity("v", "1", "edge ratio at the load", variant_of="edge_ratio"),
     "edge_ratio_at_approach": Quantity(
         "v", "1", "edge ratio at the approach", may_be_zero=True, variant_of="edge_ratio"
     ),
+    "unloaded_edge_ratio": Quantity("v0", "1", "edge ratio without load"),
     "edge_ratio_at_pull_off": Quantity("v_c", "1", "edge ratio at pull-off"),
     "edge_ratio_at_fold": Quantity("v_fold", "1", "edge ratio where fixed grips let go", may_be_zero=True),
     "zone_span": Quantity("T", "m", "span of the ring of attraction"),
@@ -78,9 +90,9 @@ _WADA = "Wada et al. 2007"
 _E_ROLL = "E_roll is that of 90 degrees, 6π²γRξ"
 
 OF_DEM: Mapping[str, Quantity] = {
-    "cutoff": Quantity("D0", "m", "cutoff distance of van der Waals' forces", range="positive", option="--cutoff", example="0.165nm"),
+    "cutoff": Quantity("D0", "m", "cutoff distance of van der Waals' forces", range=POSITIVE, option="--cutoff", example="0.165nm"),
     # sliding and twisting
-    "shear_strength": Quantity("τ", "Pa", "shear strength of the contact (friction)", range="positive", option="--shear-strength", example="12MPa"),
+    "shear_strength": Quantity("τ", "Pa", "shear strength of the contact (friction)", range=POSITIVE, option="--shear-strength", example="12MPa"),
     "sliding_force": Quantity("F_slide", "N", "tangential force at which the contact slides (friction)"),
     "sliding_displacement": Quantity("s_slide", "m", "elastic displacement at which the contact slides"),
     "sliding_energy": Quantity("E_slide", "J", "elastic energy at which the contact slides"),
@@ -93,9 +105,9 @@ OF_DEM: Mapping[str, Quantity] = {
     "twisting_energy": Quantity("E_twist", "J", "elastic energy of torsion at which the contact twists"),
     "twisting_frequency": Quantity("f_twist", "Hz", "frequency of twisting (torsion)"),
     # aggregates
-    "monomers": Quantity("N", "1", "number of grains of an aggregate", range="several", option="--monomers", example="1000"),
-    "contacts": Quantity("n_c", "1", "number of contacts of an aggregate", range="positive", option="--contacts", example="2500"),
-    "filling_factor": Quantity("φ", "1", "filling factor of an aggregate", range="loose", option="--filling-factor", example="0.1"),
+    "monomers": Quantity("N", "1", "number of grains of an aggregate", range=SEVERAL, option="--monomers", example="1000"),
+    "contacts": Quantity("n_c", "1", "number of contacts of an aggregate", range=POSITIVE, option="--contacts", example="2500"),
+    "filling_factor": Quantity("φ", "1", "filling factor of an aggregate", range=LOOSE, option="--filling-factor", example="0.1"),
     "restructuring_energy": Quantity(
         "E_restr", "J", "impact energy at which aggregates restructure", note=_E_ROLL,
         definition="5E_roll(π/2)", of_identical=True, reference="Dominik & Tielens 1997",
@@ -142,36 +154,23 @@ OF_DEM: Mapping[str, Quantity] = {
 
 # --- All quantities ---------------------------------------------------------------------------------------------------
 
-INFINITY = float("inf")
-RANGES: Mapping[str, Range] = MappingProxyType(
-    {
-        "positive": Range(0.0, INFINITY, False, False, "must be positive"),
-        "up to infinite": Range(0.0, INFINITY, False, True, "must be positive"),
-        "poisson": Range(-1.0, 0.5, False, True, "must lie above -1, and be at most 0.5"),
-        "loose": Range(0.0, 0.74, False, False, "must lie between 0 and 0.74, that of the closest packing"),
-        "part": Range(0.0, 1.0, False, True, "must lie between 0 and 1, which is 100%"),
-        "several": Range(2.0, INFINITY, True, False, "must be at least 2"),
-        "finite": Range(-INFINITY, INFINITY, False, False, "must be finite"),
-    }
-)
-
 # The state of the contact follows from the load unless one of these is given.
 STATE = frozenset({"approach_at_load", "load_factor", "edge_ratio"})
 STATE_OR_LOAD = STATE | {"load"}
 
 _PER_SPHERE = {
-    "radius": Quantity("R1", "m", "radius of sphere 1", range="positive", example="100nm"),
+    "radius": Quantity("R1", "m", "radius of sphere 1", range=POSITIVE, example="100nm"),
     "surface_energy": Quantity(
-        "γ1", "J/m^2", "surface energy per surface", range="positive", option="--gamma", example="25mJ/m2"
+        "γ1", "J/m^2", "surface energy per surface", range=POSITIVE, option="--gamma", example="25mJ/m2"
     ),
     "youngs_modulus": Quantity(
-        "E1", "Pa", "Young's modulus", range="up to infinite", infinity="rigid", option="--young", example="10GPa"
+        "E1", "Pa", "Young's modulus", range=UP_TO_INFINITE, infinity="rigid", option="--young", example="10GPa"
     ),
-    "poisson_ratio": Quantity("ν1", "1", "Poisson's ratio", range="poisson", option="--poisson", example="0.3"),
-    "density": Quantity("ρ1", "kg/m^3", "mass density", range="positive", option="--density", example="1g/cm3"),
-    "hamaker": Quantity("A1", "J", "Hamaker constant", range="positive", option="--hamaker", example="6.5e-20J"),
-    "mass": Quantity("m1", "kg", "mass of sphere 1", "41", range="up to infinite"),
-    "moment_of_inertia": Quantity("I1", "kg m^2", "moment of inertia of sphere 1", "39", range="up to infinite"),
+    "poisson_ratio": Quantity("ν1", "1", "Poisson's ratio", range=POISSON, option="--poisson", example="0.3"),
+    "density": Quantity("ρ1", "kg/m^3", "mass density", range=POSITIVE, option="--density", example="1g/cm3"),
+    "hamaker": Quantity("A1", "J", "Hamaker constant", range=POSITIVE, option="--hamaker", example="6.5e-20J"),
+    "mass": Quantity("m1", "kg", "mass of sphere 1", "41", range=UP_TO_INFINITE),
+    "moment_of_inertia": Quantity("I1", "kg m^2", "moment of inertia of sphere 1", "39", range=UP_TO_INFINITE),
 }
 
 
@@ -192,7 +191,7 @@ _BOTH_SPHERES = {
         "R2",
         "m",
         "radius of sphere 2, or plane",
-        range="up to infinite",
+        range=UP_TO_INFINITE,
         infinity="plane",
         option="--radius2",
         example="1um",
@@ -211,37 +210,37 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "state": Quantity("state", "", "state of the contact on its force curve"),
         "material2": Quantity("", "", "material of sphere 2", option="--material2", example="iron"),
         **_BOTH_SPHERES,
-        "yield_displacement": Quantity("ξ", "m", "yield displacement", range="positive", option="--xi", example="2angstrom", shown_with=["adhesion_hysteresis", "hysteresis_fraction"]),
-        "load": Quantity("P", "N", "load, tension negative", "5", range="finite", option="--load", example="-5nN", may_be_zero=True, shown_with=STATE),
-        "gravity": Quantity("g", "m/s^2", "gravity", range="positive", option="--gravity", example="1.62m/s2"),
-        "energy": Quantity("W0", "J", "impact energy of sphere 1", "48", range="positive", option="--energy", example="1e-18J"),
-        "energy_ratio": Quantity("W0/P_cδ0", "1", "W0 over P_cδ0", range="positive", option="--energy-ratio", example="1"),
-        "speed": Quantity("v", "m/s", "impact speed of sphere 1", range="positive", option="--speed", example="10cm/s"),
+        "yield_displacement": Quantity("ξ", "m", "yield displacement", range=POSITIVE, option="--xi", example="2angstrom", shown_with=["adhesion_hysteresis", "hysteresis_fraction"]),
+        "load": Quantity("P", "N", "load, tension negative", "5", range=FINITE, option="--load", example="-5nN", may_be_zero=True, shown_with=STATE),
+        "gravity": Quantity("g", "m/s^2", "gravity", range=POSITIVE, option="--gravity", example="1.62m/s2"),
+        "energy": Quantity("W0", "J", "impact energy of sphere 1", "48", range=POSITIVE, option="--energy", example="1e-18J"),
+        "energy_ratio": Quantity("W0/P_cδ0", "1", "W0 over P_cδ0", range=POSITIVE, option="--energy-ratio", example="1"),
+        "speed": Quantity("v", "m/s", "impact speed of sphere 1", range=POSITIVE, option="--speed", example="10cm/s"),
         # the pair
-        "work_of_adhesion": Quantity("w", "J/m^2", "work of adhesion, 2γ", "1", range="positive", option="--work-of-adhesion", example="50mJ/m2"),
+        "work_of_adhesion": Quantity("w", "J/m^2", "work of adhesion, 2γ", "1", range=POSITIVE, option="--work-of-adhesion", example="50mJ/m2"),
         "radius_ratio": Quantity("R1/R2", "1", "ratio of the radii", "1", may_be_zero=True),
-        "reduced_radius": Quantity("R", "m", "reduced radius", "1", range="positive"),
-        "contact_modulus": Quantity("E*", "Pa", "contact modulus", "2", range="positive"),
+        "reduced_radius": Quantity("R", "m", "reduced radius", "1", range=POSITIVE),
+        "contact_modulus": Quantity("E*", "Pa", "contact modulus", "2", range=POSITIVE),
         "contact_shear_modulus": Quantity("G*", "Pa", "contact shear modulus"),
-        "reduced_mass": Quantity("m", "kg", "reduced mass", "33", range="positive"),
+        "reduced_mass": Quantity("m", "kg", "reduced mass", "33", range=POSITIVE),
         "reduced_moment_of_inertia": Quantity("I", "kg m^2", "reduced moment of inertia", "39"),
         "rolling_mass": Quantity("m_eff", "kg", "effective mass of rolling without slip", "40"),
         # the contact
-        "pull_off_force": Quantity("P_c", "N", "pull-off force", "1", range="positive"),
+        "pull_off_force": Quantity("P_c", "N", "pull-off force", "1", range=POSITIVE),
         "pull_off_force_dmt": Quantity(
             "P_DMT", "N", "pull-off force of small, hard spheres", "1", note="small, hard spheres tend to it"
         ),
-        "contact_radius": Quantity("a0", "m", "contact radius without load", "2", range="positive"),
-        "approach": Quantity("δ0", "m", "approach of the centres without load", "3", range="positive"),
+        "contact_radius": Quantity("a0", "m", "contact radius without load", "2", range=POSITIVE),
+        "approach": Quantity("δ0", "m", "approach of the centres without load", "3", range=POSITIVE),
         "pull_off_force_lennard_jones": Quantity(
             "P_LJ", "N", "pull-off force by the 3-9 law of Lennard-Jones", "",
             note="a fit to numerical solutions, within 0.3 % for 0.01 ≤ μ ≤ 2; beyond, it tends to DMT and JKR",
         ),
         "load_margin": Quantity("s", "1", "√(1 + P/P_c)", "5", may_be_zero=True),
-        "load_factor": Quantity("x", "1", "â^(3/2), by which the load scales the rolling moment", "5", range="positive"),
+        "load_factor": Quantity("x", "1", "â^(3/2), by which the load scales the rolling moment", "5", range=POSITIVE),
         "contact_radius_at_load": Quantity("a", "m", "contact radius at the load", "5", may_be_zero=True),
         "approach_at_load": Quantity(
-            "δ", "m", "approach of the centres at the load", "6", range="finite", option="--approach", example="0.05nm",
+            "δ", "m", "approach of the centres at the load", "6", range=FINITE, option="--approach", example="0.05nm",
             may_be_zero=True,
         ),
         "load_at_factor": Quantity("P", "N", "load that holds the contact", "5", may_be_zero=True, variant_of="load"),
@@ -285,11 +284,11 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "n_grav": Quantity("N_grav", "1", "spheres of the longest level chain", "30"),
         "bond_number": Quantity("Bo", "1", "pull-off force over the weight of sphere 1"),
         "adhesion_hysteresis": Quantity(
-            "Δw", "J/m^2", "work of adhesion as it opens less that as it closes", range="positive",
+            "Δw", "J/m^2", "work of adhesion as it opens less that as it closes", range=POSITIVE,
             option="--adhesion-hysteresis", example="5mJ/m2"
         ),
         "hysteresis_fraction": Quantity(
-            "Δw/w", "1", "adhesion hysteresis as a part of the work of adhesion", range="part",
+            "Δw/w", "1", "adhesion hysteresis as a part of the work of adhesion", range=PART,
             option="--hysteresis-fraction", example="40%"
         ),
         "adhesive_force": Quantity("F_a", "N", "Hertz' load at the contact radius less the load", "25"),
@@ -309,7 +308,7 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "sliding_frequency": Quantity("f_slide", "Hz", "frequency of sliding with rotation"),
         "time_step": Quantity("Δt", "s", "time step for a simulation"),
         # validity
-        "atomic_spacing": Quantity("z0", "m", "atomic spacing", range="positive", option="--z0", example="4angstrom"),
+        "atomic_spacing": Quantity("z0", "m", "atomic spacing", range=POSITIVE, option="--z0", example="4angstrom"),
         "tabor_parameter": Quantity("μ", "1", "Tabor parameter", "1"),
         "displacement_limit": Quantity("ξ_max", "m", "largest meaningful displacement", "25"),
         "displacement_ratio": Quantity("ξ/ξ_max", "1", "displacement over its limit", "25"),
@@ -322,7 +321,7 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "energy_over_sticking": Quantity("W0/U_stick", "1", "energy over the largest that sticks", "48"),
         # ratios
         "pull_off_force_ratio": Quantity("P_c/πwR", "1", "pull-off force over πwR"),
-        "modulus_over_energy": Quantity("E*/γ", "m^-1", "contact modulus over surface energy", "49", range="positive"),
+        "modulus_over_energy": Quantity("E*/γ", "m^-1", "contact modulus over surface energy", "49", range=POSITIVE),
         # collisions
         "adhesion_energy": Quantity("P_cδ0", "J", "characteristic energy of adhesion", "48"),
         "kinetic_energy": Quantity("m1v²/2", "J", "kinetic energy of sphere 1", "45"),
@@ -345,7 +344,7 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
             note="no path of JKR from P = 0 takes as much; for SiO2 spheres of 1.9 µm diameter, Blum & Wurm 2000 (Icarus 143, 138) use a measured 1.3e-15 J",
             definition="1.8 F_cδ_c = 1.4859 P_cδ0", reference="code Lumajord/DustSimulation",
         ),
-        "rolling_angle": Quantity("θ", "rad", "turn of sphere 1, body 2 held", range="positive", option="--angle", example="90deg"),
+        "rolling_angle": Quantity("θ", "rad", "turn of sphere 1, body 2 held", range=POSITIVE, option="--angle", example="90deg"),
         "roll_energy": Quantity(
             "E_roll", "J", "energy to roll by the angle", note=_TRAILING, definition="4P_cξ θ = 12πγRξ θ", reference="work of the moment of Eq 26",
             shown_with=["rolling_angle"],

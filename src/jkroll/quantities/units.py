@@ -7,6 +7,7 @@ validated name, and only if the shipped table (made from pint) does not have it.
 import re
 from collections.abc import Collection, Iterable
 from functools import cache, lru_cache
+from math import gcd
 from typing import Any, NamedTuple
 
 from ..text import closest, quoted, shown
@@ -145,6 +146,26 @@ def convert(value: float, unit: Unit) -> float:
         return float("inf") if value > 0 else float("-inf")
 
 
+def power_of_ten(exponent: int) -> tuple[int, int]:
+    """Return the numerator and the denominator of a power of ten.
+
+    >>> power_of_ten(3), power_of_ten(-2)
+    ((1000, 1), (1, 100))
+    """
+    return 10 ** max(exponent, 0), 10 ** max(-exponent, 0)
+
+
+def exponent_of(unit: Unit) -> int | None:
+    """Return the exponent of a unit that is a power of ten times the SI unit.
+
+    >>> exponent_of(parse_unit("nm")), exponent_of(parse_unit("ft"))
+    (-9, None)
+    """
+    common = gcd(unit.numerator, unit.denominator)
+    above, below = str(unit.numerator // common), str(unit.denominator // common)
+    return len(above) - len(below) if above.rstrip("0") == below.rstrip("0") == "1" else None
+
+
 @lru_cache(maxsize=1000)  # many cells of a table may have the same mistake
 def similar_unit(word: str, dimensions: frozenset[Dimension]) -> str | None:
     """Return the unit of one of these dimensions that a mistyped word probably is; None if no unit is similar.
@@ -223,7 +244,8 @@ def _in_table(name: str) -> Unit | None:
         found = PREFIXABLE.get(name[length:])
         if exponent is not None and found is not None:
             numerator, denominator, dimension = found
-            return Unit(numerator * 10 ** max(exponent, 0), denominator * 10 ** max(-exponent, 0), dimension)
+            above, below = power_of_ten(exponent)
+            return Unit(numerator * above, denominator * below, dimension)
     return None
 
 

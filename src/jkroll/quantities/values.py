@@ -13,8 +13,8 @@ from typing import Any, Literal, NamedTuple, Self, TypeGuard
 from ..errors import BadRequest
 from ..text import quoted
 from .errors import BareNumber, QuantityError
-from .nomenclature import INFINITY, NOMENCLATURE, RANGES
-from .units import MAX_TEXT, BadUnit, Dimension, Unit, dimension_of, kind_of, normalized, parse_unit
+from .nomenclature import INFINITY, NOMENCLATURE
+from .units import MAX_TEXT, BadUnit, Dimension, Unit, dimension_of, kind_of, normalized, parse_unit, power_of_ten
 
 # --- Texts to numbers -------------------------------------------------------------------------------------------------
 
@@ -42,9 +42,8 @@ def parse_quantity(text: str, name: str) -> float:
         value = parse_value(text, dimension_of(quantity.unit))
     except BadUnit as error:
         raise error_about(name, text, error) from None
-    limits = RANGES.get(quantity.range)
-    if limits is not None and not limits.admits(value):
-        raise QuantityError(name, text, limits.words)
+    if not quantity.range.admits(value):
+        raise QuantityError(name, text, quantity.range.words)
     return value
 
 
@@ -127,7 +126,8 @@ def split_number(text: str) -> tuple[int, int, str]:
 
 def ratio(mantissa: int, exponent: int, unit: Unit) -> tuple[int, int]:
     """Return numerator and denominator of mantissa × 10^exponent × unit, in SI units."""
-    return mantissa * unit.numerator * 10 ** max(exponent, 0), unit.denominator * 10 ** max(-exponent, 0)
+    above, below = power_of_ten(exponent)
+    return mantissa * unit.numerator * above, unit.denominator * below
 
 
 def rounded(numerator: int, denominator: int) -> float:
@@ -271,25 +271,16 @@ def value_of(text: str, name: str) -> float | Uncertain:
     return parse_quantity(text, name) if found is None else checked(found, name, text)
 
 
-def measured(value: Any, name: str) -> float | Uncertain:
-    """Return the value of a number with `nominal_value` and `std_dev` in SI units, as the package `uncertainties` has them.
-
-    The magnitude of a `pint.Measurement` is such a number.
-    """
-    return checked(Measured(value.nominal_value, value.std_dev), name, str(value))
-
-
 def checked(found: Uncertain, name: str, text: str) -> float | Uncertain:
     """Return a value with an uncertainty if the quantity can have it, and a value alone if the uncertainty is 0."""
-    limits = RANGES.get(NOMENCLATURE[name].range)
-    if limits is not None:
-        if not limits.admits(found.value):
-            raise QuantityError(name, text, limits.words)
-        is_positive = limits.low == 0
-        if isinstance(found, Measured) and is_positive and 2 * found.minus >= found.value:
-            raise QuantityError(name, text, "has an uncertainty of half the value or more", "give a range: FROM to TO")
-        if not (limits.admits(found.low) and limits.admits(found.high)):
-            raise QuantityError(name, text, f"{limits.words} at both ends")
+    limits = NOMENCLATURE[name].range
+    if not limits.admits(found.value):
+        raise QuantityError(name, text, limits.words)
+    is_positive = limits.low == 0
+    if isinstance(found, Measured) and is_positive and 2 * found.minus >= found.value:
+        raise QuantityError(name, text, "has an uncertainty of half the value or more", "give a range: FROM to TO")
+    if not (limits.admits(found.low) and limits.admits(found.high)):
+        raise QuantityError(name, text, f"{limits.words} at both ends")
     if isinstance(found, Measured) and found.minus == found.plus == 0:
         return found.value
     return found

@@ -18,9 +18,9 @@ import orjson
 from ..materials.library import Material, Materials, MaterialsFileError, UnclearMaterial, UnknownMaterial
 from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
-from ..quantities.units import dimension_of
+from ..quantities.units import dimension_of, exponent_of
 from ..quantities.values import Uncertain, has_uncertainty, unit_of
-from .header import Column, power_of_ten
+from .header import Column
 
 Floats = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.float64]]
 
@@ -132,7 +132,7 @@ def _exponent(unit_text: bytes, name: str) -> int | None:
         unit = None if has_uncertainty(text) else unit_of(text, name)
     except (QuantityError, UnicodeDecodeError):
         return None
-    return power_of_ten(unit) if unit and unit.dimension == dimension_of(NOMENCLATURE[name].unit) else None
+    return exponent_of(unit) if unit and unit.dimension == dimension_of(NOMENCLATURE[name].unit) else None
 
 
 def plain_numbers(text: bytes, exponent: int, count: int) -> Floats | None:
@@ -168,7 +168,7 @@ def plain_numbers(text: bytes, exponent: int, count: int) -> Floats | None:
 
 LABEL = Material("", {}, (), {}, (), (), "", "")  # what a name that is no material's stands for: nothing is known of it
 
-Codes = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.int64]]
+Numbering = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.int64]]
 
 
 class Lookup:
@@ -178,15 +178,15 @@ class Lookup:
         """`otherwise`: the material of a row whose cell is empty."""
         self.materials = materials
         self.known: list[Material | None] = [otherwise]
-        self._numbers: dict[Hashable, int] = {_kind(otherwise): 0}  # of the kinds of materials
+        self._of_kinds: dict[Hashable, int] = {_kind(otherwise): 0}  # of the kinds of materials
         self._kinds = [0]
-        self._codes = Kept(self._code)
+        self._kept = Kept(self._number)
 
-    def codes(self, cells: Sequence[bytes | str]) -> Codes:
+    def numbers(self, cells: Sequence[bytes | str]) -> Numbering:
         """Return the numbers of the materials that cells name."""
-        return numpy.array([*map(self._codes.__getitem__, cells)], dtype=numpy.int64)
+        return numpy.array([*map(self._kept.__getitem__, cells)], dtype=numpy.int64)
 
-    def _code(self, cell: bytes | str) -> int:
+    def _number(self, cell: bytes | str) -> int:
         text = cell.decode(errors="replace") if isinstance(cell, bytes) else cell
         try:
             found = self.materials[text] if text.strip() else self.known[0]
@@ -194,20 +194,22 @@ class Lookup:
             found = LABEL
         if found not in self.known:
             self.known.append(found)
-            self._kinds.append(self._numbers.setdefault(_kind(found), len(self._numbers)))
+            self._kinds.append(self._of_kinds.setdefault(_kind(found), len(self._of_kinds)))
         return self.known.index(found)
 
-    def kinds(self, codes: Codes) -> Codes:
+    def kinds(self, numbers: Numbering) -> Numbering:
         """Return a number for each row, which is the same for materials that can be one scene's."""
-        return numpy.array(self._kinds)[codes]
+        return numpy.array(self._kinds)[numbers]
 
-    def together(self, codes: Codes) -> Material | None:
+    def together(self, numbers: Numbering) -> Material | None:
         """Return the materials of rows of one kind as one without a name whose properties are arrays; a single one as it is."""
-        first = self.known[int(codes[0])]
-        if first is None or not first.properties or _is_special(first) or (codes == codes[0]).all():
+        first = self.known[int(numbers[0])]
+        if first is None or not first.properties or _is_special(first) or (numbers == numbers[0]).all():
             return first
         properties: Any = {
-            name: numpy.array([one.properties.get(name, numpy.nan) if one else numpy.nan for one in self.known])[codes]
+            name: numpy.array([one.properties.get(name, numpy.nan) if one else numpy.nan for one in self.known])[
+                numbers
+            ]
             for name in first.properties
         }
         return LABEL._replace(properties=properties)

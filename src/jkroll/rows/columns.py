@@ -1,6 +1,6 @@
 """The columns of rows: values, uncertainties, doubts as bits, and the reasons of cells that are empty.
 
-`by_floats` is the definition of a row. `by_arrays` gives the same columns for many rows at once: where an array leaves
+`Wanted.row` is the definition of a row. `Wanted.columns` gives the same for many rows at once: where an array leaves
 a gap that no frequent reason explains, or an uncertainty needs a search, the row is computed again by floats.
 """
 
@@ -113,12 +113,60 @@ class Wanted:
         return _BESIDE + len(scene.plan(*scene.planned(self.names)).steps)
 
     def row(self, scene: Any) -> "Row":
-        """Return the row of a scene of numbers."""
-        return by_floats(self, scene)
+        """Return the row of a scene of numbers. Raises a JkrollError for uncertainties that do not go together."""
+        found = outcomes(scene, self.names, self.named)
+        reasons: dict[str, JkrollError] = {
+            name: outcome for name, outcome in found.items() if isinstance(outcome, JkrollError)
+        }
+        if not found:
+            reasons[ROW] = OfIdenticalSpheres()
+        values = {name: outcome for name, outcome in found.items() if name not in reasons}
+        numbers: dict[str, float] = dict(values)
+        inputs = scene.echo(scene.inputs_used(self.names, [*found])) if self.inputs else {}
+        if self.uncertainties and scene.is_uncertain:
+            from ..scene.uncertainty import uncertainties
 
-    def columns(self, scene: Any, size: int, one: Callable[[int], Any], kind: Callable[[int], Hashable]) -> "Columns":
-        """Return the columns of a scene of arrays, as `by_arrays` does."""
-        return by_arrays(self, scene, size, one, kind)
+            bars, sources = uncertainties(scene, [*found])
+            if (remark := left_out(self, scene, sources)) is not None:
+                reasons[UNCERTAINTY] = remark
+            else:
+                given = {name: source.given for source in sources.entering for name in source.names}
+                inputs |= {name: one for name, one in given.items() if name in inputs}
+                fill_sides(self, bars, numbers, reasons)
+        return Row(
+            inputs,
+            [numbers.get(key, nan) for key in self.keys],
+            doubts(scene, [*values]) if self.doubts and values else 0,
+            reasons,
+        )
+
+    def columns(
+        self, scene: Any, size: int, one: Callable[[int], Any], wording: Callable[[int], Hashable]
+    ) -> "Columns":
+        """Return the columns of a scene of arrays; `one` returns a row as a scene of numbers.
+
+        `wording` is the same for rows that lack inputs in the same words. Raises a JkrollError where each row is to be
+        computed by itself.
+        """
+        import numpy
+
+        found = _Arrays(self, scene, size)
+        columns = found.columns
+        if found.lacking:
+            of_kinds: dict[Hashable, Reasons] = {}
+            concerned = numpy.array([numpy.broadcast_to(found.shown[name], size) for name in found.lacking])
+            for row, is_shown in enumerate(concerned.T.tolist()):
+                if (own := (wording(row), *is_shown)) not in of_kinds:
+                    names = [name for name, is_one in zip(found.lacking, is_shown, strict=True) if is_one]
+                    of_kinds[own] = one(row).evaluate(names)
+                if of_kinds[own]:
+                    columns.reasons[row] = of_kinds[own]
+        again = found.explain()
+        if self.uncertainties and scene.is_uncertain:
+            again |= found.add_sides()
+        for row in numpy.flatnonzero(again).tolist():
+            put_one(columns, row, partial(one, row))
+        return columns
 
 
 class Row(NamedTuple):
@@ -187,7 +235,7 @@ class Columns:
 
     @cached_property
     def lost(self) -> dict[int, JkrollError]:
-        """Why nothing of some rows is to be trusted; to be asked when all rows are known."""
+        """The reasons why nothing of some rows is to be trusted; to be asked when all rows are known."""
         return {row: error for row, own in self.reasons.items() if (error := lack(own)) is not None}
 
     def failed(self) -> list[int]:
@@ -216,35 +264,6 @@ class Columns:
 # --- By floats --------------------------------------------------------------------------------------------------------
 
 
-def by_floats(wanted: Wanted, scene: Scene) -> Row:
-    """Return the row of a scene of numbers. Raises a JkrollError for uncertainties that do not go together."""
-    found = outcomes(scene, wanted.names, wanted.named)
-    reasons: dict[str, JkrollError] = {
-        name: outcome for name, outcome in found.items() if isinstance(outcome, JkrollError)
-    }
-    if not found:
-        reasons[ROW] = OfIdenticalSpheres()
-    values = {name: outcome for name, outcome in found.items() if name not in reasons}
-    numbers: dict[str, float] = dict(values)
-    inputs = scene.echo(scene.inputs_used(wanted.names, [*found])) if wanted.inputs else {}
-    if wanted.uncertainties and scene.is_uncertain:
-        from ..scene.uncertainty import uncertainties
-
-        bars, sources = uncertainties(scene, [*found])
-        if (remark := left_out(wanted, scene, sources)) is not None:
-            reasons[UNCERTAINTY] = remark
-        else:
-            given = {name: source.given for source in sources.entering for name in source.names}
-            inputs |= {name: one for name, one in given.items() if name in inputs}
-            put_sides(wanted, bars, numbers, reasons)
-    return Row(
-        inputs,
-        [numbers.get(key, nan) for key in wanted.keys],
-        doubts(scene, [*values]) if wanted.doubts and values else 0,
-        reasons,
-    )
-
-
 def outcomes(scene: Scene, names: Sequence[str], named: Collection[str]) -> dict[str, Any]:
     """Return the value of each quantity that concerns a scene of numbers, or the error that says why there is none.
 
@@ -254,7 +273,7 @@ def outcomes(scene: Scene, names: Sequence[str], named: Collection[str]) -> dict
     return {name: written_outcome(name, outcome) for name, outcome in found.items()}
 
 
-def put_sides(
+def fill_sides(
     wanted: Wanted,
     found: "Mapping[str, Propagated | JkrollError]",
     numbers: dict[str, float],
@@ -284,35 +303,6 @@ def left_out(wanted: Wanted, scene: Scene, sources: "Sources", stated: Sequence[
 
 
 # --- By arrays --------------------------------------------------------------------------------------------------------
-
-
-def by_arrays(
-    wanted: Wanted, scene: Scene, size: int, one: Callable[[int], Scene], kind: Callable[[int], Hashable]
-) -> Columns:
-    """Return the columns of a scene of arrays; `one` returns a row as a scene of numbers.
-
-    `kind` is the same for rows that lack inputs in the same words. Raises a JkrollError where each row is to be
-    computed by itself.
-    """
-    import numpy
-
-    found = _Arrays(wanted, scene, size)
-    columns = found.columns
-    if found.lacking:
-        of_kinds: dict[Hashable, Reasons] = {}
-        concerned = numpy.array([numpy.broadcast_to(found.shown[name], size) for name in found.lacking])
-        for row, is_shown in enumerate(concerned.T.tolist()):
-            if (own := (kind(row), *is_shown)) not in of_kinds:
-                names = [name for name, is_one in zip(found.lacking, is_shown, strict=True) if is_one]
-                of_kinds[own] = one(row).evaluate(names)
-            if of_kinds[own]:
-                columns.reasons[row] = of_kinds[own]
-    again = found.explain()
-    if wanted.uncertainties and scene.is_uncertain:
-        again |= found.add_sides()
-    for row in numpy.flatnonzero(again).tolist():
-        put_one(columns, row, partial(one, row))
-    return columns
 
 
 def put_one(columns: Columns, row: int, scene: Callable[[], Any]) -> None:
@@ -385,7 +375,7 @@ class _Arrays:
         """Return the columns of inputs for the quantities that are shown."""
         names = self.wanted.inputs
         inputs = self.scene.echo(self.scene.inputs_used(self.wanted.names, shown)) if names else {}
-        return {name: spread(inputs.get(name), self.size) for name in names}
+        return {name: repeated(inputs.get(name), self.size) for name in names}
 
     def _doubts(self) -> Any:
         """Return the doubts of each row, of the quantities that have a value there."""
@@ -490,7 +480,7 @@ class _Causes:
             return
         given = {parameter: values[source] for parameter, source in step.arguments}
         if (hold := hold_of(step.name, given)) is not None:
-            stated, least = (spread(value, self.size).tolist() for value in (given[hold.name], hold.least))
+            stated, least = (repeated(value, self.size).tolist() for value in (given[hold.name], hold.least))
             lets_go = hold.lets_go(given[hold.name]) & fails
             self._note(cause, lets_go, lambda row: hold.error(stated[row], least[row]))
 
@@ -526,10 +516,14 @@ class _Causes:
         return reasons
 
 
-def spread(value: Any, size: int) -> Any:
-    """Return a column of a value that is the same in all rows; a column as it is."""
+def repeated(value: Any, size: int) -> Any:
+    """Return a column of a value that is the same in all rows; a column as it is, of which each value may be uncertain."""
     import numpy
 
+    if is_uncertain(value):
+        parts = {"value": value.value, **value.sides}
+        rows = zip(*(numpy.broadcast_to(part, size).tolist() for part in parts.values()), strict=True)
+        return [value._replace(**dict(zip(parts, row, strict=True))) for row in rows]
     if isinstance(value, numpy.ndarray):
         return numpy.broadcast_to(value, size).copy()
     if isinstance(value, float | int):

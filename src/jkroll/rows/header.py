@@ -2,14 +2,14 @@
 
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from math import gcd, isfinite, log10
+from math import isfinite, log10
 from types import MappingProxyType
 from typing import NamedTuple
 
 from ..errors import BadRequest, JkrollError
 from ..quantities.errors import BareNumber, QuantityError
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
-from ..quantities.units import Unit, dimension_of, kind_of
+from ..quantities.units import Unit, dimension_of, exponent_of, kind_of
 from ..quantities.values import Uncertain, parse_quantity, split_number, unit_of, value_of
 from ..text import MAX_WORD, closest, first_of, quoted, shown
 from .readings import (
@@ -105,7 +105,7 @@ class Column(NamedTuple):
         """The unit as a power of ten of the SI unit; None if it is no power of ten, or if there is no unit."""
         if self.unit is None:
             return 0 if NOMENCLATURE[self.name].unit == "1" else None
-        return power_of_ten(self.unit)
+        return exponent_of(self.unit)
 
     def read(self, text: str) -> float | Uncertain:
         """Return the SI value of a cell, with its uncertainty if it states one. Its unit is its own or that of the column."""
@@ -124,17 +124,6 @@ class Column(NamedTuple):
             return value_of(f"{number} {self.unit_text}{per_cent or ''}", self.name)
 
 
-def power_of_ten(unit: Unit) -> int | None:
-    """Return the exponent of a unit that is a power of ten times the SI unit.
-
-    >>> power_of_ten(unit_of("nm", "radius")), power_of_ten(unit_of("ft", "radius"))
-    (-9, None)
-    """
-    common = gcd(unit.numerator, unit.denominator)
-    above, below = str(unit.numerator // common), str(unit.denominator // common)
-    return len(above) - len(below) if above.rstrip("0") == below.rstrip("0") == "1" else None
-
-
 class Header(NamedTuple):
     """The columns of a table."""
 
@@ -142,7 +131,7 @@ class Header(NamedTuple):
     inputs: tuple[Column, ...]
     materials: tuple[tuple[str, int], ...]  # name and place of the columns that name materials
     alike: tuple[str, ...] = ()  # columns that pass through though they look like quantities
-    chosen: Mapping[str, Reading] = MappingProxyType({})  # what `--column` says of headers
+    meanings: Mapping[str, Reading] = MappingProxyType({})  # what `--column` says of headers
     unread: Mapping[str, str] = MappingProxyType({})  # columns that pass through, and the inputs that they may be
 
     @property
@@ -196,14 +185,14 @@ def _easy(text: str) -> str:
     return shown(text) if _EASY.fullmatch(text) else f'"{shown(text)}"'
 
 
-def chosen(names: Iterable[str], texts: Iterable[str], measured: str = "") -> dict[str, Reading]:
+def stated_meanings(names: Iterable[str], texts: Iterable[str], measured: str = "") -> dict[str, Reading]:
     """Return the meaning of columns that options say: of those that `--column` names, and of those of a measured quantity."""
     of_measured = {name.strip(): measured_reading(name, measured) for name in names} if measured else {}
     found = {name: reading for name, reading in of_measured.items() if reading is not None}
-    return found | choices(texts, measured)
+    return found | column_options(texts, measured)
 
 
-def choices(texts: Iterable[str], measured: str = "") -> dict[str, Reading]:
+def column_options(texts: Iterable[str], measured: str = "") -> dict[str, Reading]:
     """Return what the values of `--column` say of headers: 'R2 (nm)=radius2 [nm]', or 'T (K)=' for no input. Raises BadRequest.
 
     `measured`: a quantity that columns have besides inputs.
@@ -230,10 +219,10 @@ def choices(texts: Iterable[str], measured: str = "") -> dict[str, Reading]:
 
 
 def understood(
-    texts: Sequence[str], rows: Sequence[Sequence[str]] = (), chosen: Mapping[str, Reading] = MappingProxyType({})
+    texts: Sequence[str], rows: Sequence[Sequence[str]] = (), meanings: Mapping[str, Reading] = MappingProxyType({})
 ) -> Header:
-    """Return the columns of a header, given the cells of its first rows and what is chosen for some. Raises BadTable."""
-    _check_chosen(texts, chosen)
+    """Return the columns of a header, given the cells of its first rows and what some are said to mean. Raises BadTable."""
+    _check_meanings(texts, meanings)
     of_directions = next(filter(is_of_directions, texts), "")
     inputs: list[Column] = []
     materials: list[tuple[str, int]] = []
@@ -244,16 +233,16 @@ def understood(
     at_left = ""  # the input of the column before
     for place, text in enumerate(texts):
         cells = [row[place] for row in rows]
-        reading = chosen.get(text.strip()) or reading_of(text)
-        if at_left and not reading.name and unit_alone(text) is not None and text.strip() not in chosen:
+        reading = meanings.get(text.strip()) or reading_of(text)
+        if at_left and not reading.name and unit_alone(text) is not None and text.strip() not in meanings:
             reading = Reading(at_left, part="both")
         name = reading.name
         if reading.is_symbol and not reading.part and not _have_units(name, cells):
             alike.append(text)
-            if name.removesuffix("2") in _NEEDED and _is_number(next(filter(str.strip, cells), "")):
+            if name.removesuffix("2") in _NEEDED and _is_number(_first(cells)):
                 unread[text] = with_unit(name, cells)
             name = ""
-        elif of_directions and name.removesuffix("2") == "youngs_modulus" and text.strip() not in chosen:
+        elif of_directions and name.removesuffix("2") == "youngs_modulus" and text.strip() not in meanings:
             problem = f"the modulus along a direction, as {quoted(of_directions)} beside it says?"
             raise _no_input(text, Reading(problem=problem), cells)
         elif name in MATERIALS:
@@ -272,14 +261,14 @@ def understood(
                 unread[text] = f"radius [{unit_text}]"
         at_left = "" if name in MATERIALS else name
         _check_new(text, f"{name} {reading.part}" if name else text, seen)
-    others = [*alike, *_add_parts(parts, texts, inputs, chosen)]
-    return Header(tuple(texts), tuple(inputs), tuple(materials), tuple(others), chosen, unread)
+    others = [*alike, *_add_parts(parts, texts, inputs, meanings)]
+    return Header(tuple(texts), tuple(inputs), tuple(materials), tuple(others), meanings, unread)
 
 
-def _check_chosen(texts: Sequence[str], chosen: Mapping[str, Reading]) -> None:
-    """Raise BadTable for a choice about a column that the table does not have."""
+def _check_meanings(texts: Sequence[str], meanings: Mapping[str, Reading]) -> None:
+    """Raise BadTable for the meaning of a column that the table does not have."""
     heads = {text.strip() for text in texts}
-    for text in chosen:
+    for text in meanings:
         if text not in heads:
             guess = closest(text, texts)
             meant = f"; did you mean {quoted(guess)}?" if guess else ""
@@ -292,7 +281,7 @@ def _no_input(text: str, reading: Reading, cells: Sequence[str]) -> BadTable:
     is_wrong = f"; did you mean {meant}?" if meant else f": {reading.problem}"
     is_none = reading.problem in NO_INPUTS
     remedy = (
-        f"Write --column {_choice(text, '')} to pass it through"
+        f"Write --column {_column_option(text, '')} to pass it through"
         if is_none
         else _remedy({text: meant or "INPUT [UNIT]"})
     )
@@ -309,19 +298,19 @@ def _check_new(text: str, key: str, seen: dict[str, str]) -> None:
 
 
 def _add_parts(
-    parts: Mapping[str, Mapping[str, int]], texts: Sequence[str], inputs: list[Column], chosen: Mapping[str, Reading]
+    parts: Mapping[str, Mapping[str, int]], texts: Sequence[str], inputs: list[Column], meanings: Mapping[str, Reading]
 ) -> Iterator[str]:
     """Add the columns of uncertainties to those of their inputs, and iterate over the texts of those that make none. Raises BadTable."""
     for name, places in parts.items():
         own = {part: texts[place] for part, place in places.items()}
-        if (found := _with_parts(name, places, own, inputs, chosen)) is not None:
+        if (found := _with_parts(name, places, own, inputs, meanings)) is not None:
             inputs[:] = [*(column for column in inputs if column.name != name), found]
             used = [own.pop(side.part) for side in found.sides]
             if second := own.get("minus", own.get("plus")):
                 raise BadTable(
                     f"header: {quoted(used[0])} and {quoted(second)} are both uncertainties of {name}; one must go"
                 )
-        if lost := [text for text in own.values() if text.strip() in chosen]:
+        if lost := [text for text in own.values() if text.strip() in meanings]:
             raise BadTable(f"--column: {quoted(lost[0])} is not an uncertainty of {name}: {_PARTS}")
         yield from own.values()
 
@@ -331,14 +320,14 @@ def _with_parts(
     places: Mapping[str, int],
     texts: Mapping[str, str],
     inputs: Sequence[Column],
-    chosen: Mapping[str, Reading],
+    meanings: Mapping[str, Reading],
 ) -> Column | None:
     """Return the column of an input with those of its uncertainty; None if these make none. Raises BadTable."""
     base = next((column for column in inputs if column.name == name), None)
     kinds = ("both",) if "both" in places else ("minus", "plus") if base else ("low", "high")
     if not {*kinds} <= places.keys() or (base is None and kinds == ("both",)):
         return None
-    units = {part: _unit_in(text, chosen) for part, text in texts.items()}
+    units = {part: _unit_in(text, meanings) for part, text in texts.items()}
     if base is None:
         first = next(filter(None, (units[part] for part in kinds)), None)
         base = _column(places["low"], name, first, texts["low"])
@@ -356,9 +345,9 @@ def _with_parts(
     return base._replace(sides=tuple(sides))
 
 
-def _unit_in(text: str, chosen: Mapping[str, Reading]) -> str | None:
+def _unit_in(text: str, meanings: Mapping[str, Reading]) -> str | None:
     """Return the unit in the header of an input's uncertainty, which may be a mark alone."""
-    reading = chosen.get(text.strip()) or reading_of(text)
+    reading = meanings.get(text.strip()) or reading_of(text)
     return reading.unit_text if reading.name else unit_alone(text)
 
 
@@ -375,16 +364,16 @@ def _meant(text: str, cells: Sequence[str] = ()) -> str:
 
 def _remedy(meant: Mapping[str, str]) -> str:
     """Return the sentence that says how to read columns as what they may mean, and, if it is one, how to pass it through."""
-    passing = [f", or {_choice(text, '')} to pass it through" for text in meant]
+    passing = [f", or {_column_option(text, '')} to pass it through" for text in meant]
     return f"Write {_columns(meant)}{passing[0] if len(passing) == 1 else ''}"
 
 
 def _columns(meant: Mapping[str, str]) -> str:
     """Return the options that read columns as what they may mean."""
-    return " ".join(f"--column {_choice(text, meaning)}" for text, meaning in meant.items())
+    return " ".join(f"--column {_column_option(text, meaning)}" for text, meaning in meant.items())
 
 
-def _choice(text: str, meaning: str) -> str:
+def _column_option(text: str, meaning: str) -> str:
     """Return the value of `--column` in the quotes of a shell."""
     value = shown(f"{text.strip()}={meaning}")
     return f'"{value}"' if "'" in value else f"'{value}'"
@@ -393,9 +382,15 @@ def _choice(text: str, meaning: str) -> str:
 def _have_units(name: str, cells: Sequence[str]) -> bool:
     """Return whether the first cell that is not empty is a value of an input, with its unit."""
     try:
-        return any(value_of(cell, name) is not None for cell in [cell for cell in cells if cell.strip()][:1])
+        value_of(_first(cells), name)
     except QuantityError:
         return False
+    return True
+
+
+def _first(cells: Sequence[str]) -> str:
+    """Return the first cell that is not empty, or an empty text if there is none."""
+    return next(filter(str.strip, cells), "")
 
 
 def _is_number(text: str) -> bool:
@@ -405,15 +400,15 @@ def _is_number(text: str) -> bool:
         return False
 
 
-def holds_input(text: str, cell: str, chosen: Mapping[str, Reading]) -> bool:
+def holds_input(text: str, cell: str, meanings: Mapping[str, Reading]) -> bool:
     """Return whether a header and its cell are those of an input."""
-    reading = chosen.get(text.strip()) or reading_of(text)
+    reading = meanings.get(text.strip()) or reading_of(text)
     return bool(reading.name) and (not reading.is_symbol or _have_units(reading.name, [cell]))
 
 
-def is_input(text: str, chosen: Mapping[str, Reading] = MappingProxyType({})) -> bool:
+def is_input(text: str, meanings: Mapping[str, Reading] = MappingProxyType({})) -> bool:
     """Return whether a header may be that of an input; a symbol without a unit is one if its cells have units."""
-    return unit_alone(text) is not None or bool((chosen.get(text.strip()) or reading_of(text)).name)
+    return unit_alone(text) is not None or bool((meanings.get(text.strip()) or reading_of(text)).name)
 
 
 def _column(place: int, name: str, unit_text: str | None, text: str) -> Column:
@@ -432,13 +427,13 @@ def _column(place: int, name: str, unit_text: str | None, text: str) -> Column:
 
 def check_first(column: Column, texts: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
     """Raise BadTable for a column that has a unit neither in its header nor in its first cell. `texts`: all headers; `rows`: the first ones."""
-    if column.unit is not None or column.exponent is not None:
-        return
     cells = [row[column.place] for row in rows]
-    first = next(filter(str.strip, cells), "")
+    first = _first(cells)
+    if not first or column.unit is not None or column.exponent is not None:
+        return
     try:
-        if not first or value_of(first, column.name) is not None:
-            return
+        value_of(first, column.name)
+        return
     except BareNumber:
         guess = f"{shown(first, MAX_WORD).strip()}: {_likely_unit(column.name, cells)}?"
         lacks = f"has no unit, and neither has its first cell {quoted(first)}; {guess}"
@@ -455,7 +450,7 @@ def check_measured(header: Header, quantity: str) -> None:
     """Raise BadTable for a table without a column of the measured quantity, with the option that names one."""
     if quantity in header.names:
         return
-    likely = (text for text in header.texts if unit_in_header(text, quantity) and not is_input(text, header.chosen))
+    likely = (text for text in header.texts if unit_in_header(text, quantity) and not is_input(text, header.meanings))
     text = next(likely, "")
     columns = _columns({text: quantity} if text else {"HEADER": with_unit(quantity)})
     raise BadTable(f"header: no column has the measured {quantity}; name it by {columns}")
@@ -480,7 +475,7 @@ def check_inputs(header: Header) -> None:
 def _likely_unit(name: str, cells: Sequence[str]) -> str:
     """Return the unit that stands in the first cell, or that in which the geometric mean of the cells is nearest to the quantity's example."""
     quantity = NOMENCLATURE[name]
-    first = next(filter(str.strip, cells), "").strip()
+    first = _first(cells).strip()
     if fits(first, name):
         return first
     if not quantity.example:

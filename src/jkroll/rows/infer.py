@@ -13,8 +13,8 @@ from ..quantities.nomenclature import named
 from ..quantities.values import is_uncertain
 from ..scene.failures import GivenTwice
 from ..scene.inverse import Observed, input_named, observed
-from ..scene.scene import check_range
-from ..scene.solver import broadcast, in_si, materials_of, refuse_arrays, with_uncertainty
+from ..scene.scene import broadcast, check_range
+from ..scene.solver import in_si, materials_of, refuse_arrays, with_uncertainty
 from ..scene.unknowns import solved
 from ..text import MAX_QUOTED
 from .inferred import SoughtOne

@@ -12,7 +12,7 @@ from ..scene.failures import MissingInput
 from ..scene.inverse import SIZES, Observed, computed, failure, largest, solutions, with_inputs
 from ..scene.limits import doubts
 from ..scene.scene import Scene
-from ..scene.unknowns import check_sought, solved
+from ..scene.unknowns import check, solved
 from ..scene.wiring import in_order
 from .columns import (
     ROW,
@@ -22,10 +22,10 @@ from .columns import (
     NotShown,
     Row,
     Wanted,
+    fill_sides,
     left_out,
     put_one,
-    put_sides,
-    spread,
+    repeated,
 )
 
 if TYPE_CHECKING:
@@ -59,7 +59,7 @@ class Sought(Wanted):
         for one in kinds:
             errors.append(None)
             try:
-                plain.check(one.scene)
+                check(names, quantities, one.scene)
                 sides |= plain.sides_in(one)
             except MissingInput as error:
                 errors[-1] = error
@@ -86,10 +86,6 @@ class Sought(Wanted):
         """Return how many formulas take as long as a row by itself: none, as arrays cannot do it."""
         return 0
 
-    def check(self, scene: Scene) -> None:
-        """Raise the error of inputs that cannot be inferred from these quantities, whatever their values are."""
-        check_sought(self.names, self.quantities, scene)
-
     def row(self, scene: Observed) -> Row:
         """Return the row of measured numbers."""
         gaps = [nan] * len(self.keys)
@@ -108,7 +104,7 @@ class Sought(Wanted):
         elif self.known_sides and scene.is_uncertain:
             from ..scene.uncertainty import inferred_uncertainties
 
-            put_sides(self, inferred_uncertainties(found.values, scene)[0], numbers, reasons)
+            fill_sides(self, inferred_uncertainties(found.values, scene)[0], numbers, reasons)
         bits = doubts(found.scene, self.quantities) if self.doubts else 0
         return Row(inputs, [numbers.get(key, nan) for key in self.keys], bits, reasons)
 
@@ -159,7 +155,7 @@ class SoughtOne(Sought):
         scene: Observed,
         size: int,
         one: Callable[[int], Any],
-        kind: Callable[[int], Hashable],  # noqa: ARG002
+        wording: Callable[[int], Hashable],  # noqa: ARG002
     ) -> Columns:
         """Return the columns of arrays of measured values; `one` returns a row by itself."""
         import numpy
@@ -184,7 +180,9 @@ class SoughtOne(Sought):
             reasons[row] = {
                 self.name: own if isinstance(own, NoResult) else failure(self.name, self.quantity, one(row).scene)
             }
-        columns = Columns(self, {name: _column(inputs.get(name), size) for name in self.inputs}, numbers, bits, reasons)
+        columns = Columns(
+            self, {name: repeated(inputs.get(name), size) for name in self.inputs}, numbers, bits, reasons
+        )
         if self.known_sides and scene.is_uncertain:
             self._add_sides(columns, scene, one)
         return columns
@@ -203,14 +201,3 @@ class SoughtOne(Sought):
         found = inferred_uncertainty_of_elements(self.name, columns.column(self.name), scene)
         for row in numpy.flatnonzero(columns.put_sides(found)).tolist():
             put_one(columns, row, partial(one, row))
-
-
-def _column(value: Any, size: int) -> Any:
-    """Return a column of inputs, of which each may be uncertain."""
-    if not is_uncertain(value):
-        return spread(value, size)
-    import numpy
-
-    parts = {"value": value.value, **value.sides}
-    rows = zip(*(numpy.broadcast_to(part, size).tolist() for part in parts.values()), strict=True)
-    return [value._replace(**dict(zip(parts, row, strict=True))) for row in rows]

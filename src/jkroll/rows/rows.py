@@ -14,7 +14,7 @@ import numpy
 from ..errors import JkrollError
 from ..quantities.values import Measured
 from ..scene.scene import FOLLOWS, outside
-from .cells import Codes, Numbers
+from .cells import Numbering, Numbers
 from .columns import Columns, Wanted, lose, put_one
 
 FEW = 4  # rows that are computed one by one no later than as arrays
@@ -31,8 +31,8 @@ class Block(NamedTuple):
 
     size: int
     numbers: Mapping[str, Numbers]  # by the name of the input
-    kinds: Sequence[Codes]  # rows with other whole numbers have other scenes; BAD stands for none
-    scene: Callable[[Mapping[str, Any], Codes], Any]  # of the inputs of rows that are alike, given their places
+    kinds: Sequence[Numbering]  # rows with other whole numbers have other scenes; BAD stands for none
+    scene: Callable[[Mapping[str, Any], Numbering], Any]  # of the inputs of rows that are alike, given their places
     one: Callable[[int], Any]  # of a row by itself; raises the error of what is wrong with it
     wording: Callable[[int], Hashable]  # the same for rows that lack inputs in the same words
     odd: Mapping[int, str] = MappingProxyType({})  # records that are no rows, and why
@@ -64,7 +64,7 @@ def evaluated(wanted: Wanted, block: Block) -> Columns:
     return found
 
 
-def _columns(wanted: Wanted, block: Block, rows: Codes, given: Mapping[str, Any]) -> Columns:
+def _columns(wanted: Wanted, block: Block, rows: Numbering, given: Mapping[str, Any]) -> Columns:
     """Return the columns of rows that are alike."""
     places = rows.tolist()
     return wanted.columns(
@@ -81,7 +81,7 @@ def _empty(wanted: Wanted, size: int) -> Columns:
     return Columns(wanted, inputs, numbers, numpy.zeros(size, dtype=numpy.int64), {})
 
 
-def _put(columns: Columns, rows: Codes, part: Columns) -> None:
+def _put(columns: Columns, rows: Numbering, part: Columns) -> None:
     """Take the columns of some rows."""
     columns.numbers[:, rows] = part.numbers
     columns.doubts[rows] = part.doubts
@@ -93,7 +93,7 @@ def _put(columns: Columns, rows: Codes, part: Columns) -> None:
     columns.reasons.update((places[row], reasons) for row, reasons in part.reasons.items())
 
 
-def groups(block: Block) -> Iterator[tuple[Codes, dict[str, Any]]]:
+def groups(block: Block) -> Iterator[tuple[Numbering, dict[str, Any]]]:
     """Iterate over rows that are alike, with their inputs. Rows that are BAD are in none."""
     kinds = {name: _kinds(name, column) for name, column in block.numbers.items()}
     of_rows = numpy.full(block.size, _PLAIN)
@@ -107,7 +107,7 @@ def groups(block: Block) -> Iterator[tuple[Codes, dict[str, Any]]]:
         )
 
 
-def _kinds(name: str, column: Numbers) -> Codes:
+def _kinds(name: str, column: Numbers) -> Numbering:
     """Return the kind of each cell of a column."""
     kinds = numpy.where(outside(name, column.values), BAD, _PLAIN)
     kinds[numpy.isnan(column.values)] = _EMPTY
@@ -120,7 +120,7 @@ def _kinds(name: str, column: Numbers) -> Codes:
     return kinds
 
 
-def _alike(rows: Codes, columns: list[Codes]) -> Iterator[Codes]:
+def _alike(rows: Numbering, columns: list[Numbering]) -> Iterator[Numbering]:
     """Iterate over the rows that have the same number in each column."""
     keys = numpy.zeros(len(rows), dtype=numpy.int64)
     for column in columns:
@@ -131,7 +131,7 @@ def _alike(rows: Codes, columns: list[Codes]) -> Iterator[Codes]:
         yield rows[keys == key]
 
 
-def _values(column: Numbers, rows: Codes, kind: int) -> Any:
+def _values(column: Numbers, rows: Numbering, kind: int) -> Any:
     """Return the values of cells of one kind: a number where it is special, else an array, with uncertainties if they have some."""
     found = column.values if len(rows) == len(column.values) else column.values[rows]
     if kind == _SPECIAL:

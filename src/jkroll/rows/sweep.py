@@ -20,10 +20,10 @@ from ..scene.wiring import in_order
 from .columns import Columns, Wanted
 
 if TYPE_CHECKING:
-    from .cells import Codes, Numbers
+    from .cells import Numbering, Numbers
     from .rows import Block
 
-BLOCK = 1 << 13  # rows computed together as arrays
+BLOCK = 1 << 13  # rows computed together as arrays: what lies between two formulas stays in the cache
 WORTH_ARRAYS = 30_000  # formulas, of all rows together, whose evaluation takes as long as to import numpy and orjson
 
 Pair = tuple[Material | None, Material | None]
@@ -118,25 +118,18 @@ class Sweep:
 
     def columns(self, wanted: Wanted, *, one_by_one: bool = False) -> Iterator[Columns]:
         """Iterate over the columns of the rows, a block after the other; `one_by_one`: inputs have their uncertainties."""
-        if not one_by_one and self.is_worth_arrays(wanted):
-            yield from self._by_arrays(wanted)
-        else:
+        size = len(self)
+        if one_by_one or size * wanted.work(self.kinds[0]) <= WORTH_ARRAYS:
             yield Columns.of_rows(wanted, [wanted.row(scene) for scene in self.scenes()])
-
-    def is_worth_arrays(self, wanted: Wanted) -> bool:
-        """Return whether the rows take longer one by one than numpy takes to be imported."""
-        return len(self) * wanted.work(self.kinds[0]) > WORTH_ARRAYS
-
-    def _by_arrays(self, wanted: Wanted) -> Iterator[Columns]:
+            return
         import numpy
 
         from .rows import evaluated
 
-        size = len(self)
         for start in range(0, size, BLOCK):
             yield evaluated(wanted, self._block(numpy.arange(start, min(start + BLOCK, size))))
 
-    def _block(self, rows: "Codes") -> "Block":
+    def _block(self, rows: "Numbering") -> "Block":
         """Return some rows as a block."""
         import numpy
 
@@ -149,7 +142,7 @@ class Sweep:
         case = of_cases.item  # of a row
         fixed = {name: self.value(name, 0) for name, starts in self.starts.items() if starts[-1] == 1}
 
-        def scene(given: Mapping[str, Any], rows: "Codes") -> Any:
+        def scene(given: Mapping[str, Any], rows: "Numbering") -> Any:
             pair, model = cases[case(int(rows[0]))]
             return self.scene({**fixed, **given}, *pair, model=model)
 
@@ -200,7 +193,7 @@ def _sides(scene: Scene, names: Sequence[str]) -> dict[str, set[str]]:
     return {name: own for name, own in sides.items() if own}
 
 
-def _values(value: Callable[[int], Any], places: "Codes") -> "Numbers":
+def _values(value: Callable[[int], Any], places: "Numbering") -> "Numbers":
     """Return the values at some places of an input's lists and ranges; `value` returns one."""
     import numpy
 

@@ -16,10 +16,10 @@ from ..materials.library import Material, Materials, MaterialsFileError, Unclear
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, header
 from ..quantities.values import Uncertain, is_uncertain, value_of
 from ..scene.failures import MissingInput
-from ..scene.inverse import check, observed
+from ..scene.inverse import check_one, observed
 from ..scene.scene import EXCLUSIVE, Scene
 from ..text import first_of, quoted, say, say_wrapped
-from .cells import LABEL, Codes, Lookup, Reader
+from .cells import LABEL, Lookup, Numbering, Reader
 from .columns import DOUBT, SIDES, STATUS, BadCells, Wanted, heads, remarks_of
 from .header import BadTable, Column, Header, check_first, check_inputs
 from .inferred import SoughtOne
@@ -71,7 +71,7 @@ class Table:
     def __init__(self, columns: Header, fill: Fill, wanted: Wanted, *, doubt: bool) -> None:
         """`doubt`: whether there is a column of doubts."""
         self.inputs, self.materials_at, self.fill, self.wanted = columns.inputs, columns.materials, fill, wanted
-        self.chosen, self.reading = columns.chosen, columns.reading()
+        self.meanings, self.reading = columns.meanings, columns.reading()
         self.places = dict(self.materials_at)  # of the columns that are read
         for column in self.inputs:
             self.places |= column.places
@@ -91,22 +91,24 @@ class Table:
     def block(self, size: int, cells: Mapping[str, Sequence[bytes]], odd: Mapping[int, str]) -> Block:
         """Return rows of texts, by the names of the columns. `odd`: records that are no rows, and why."""
         numbers = {reader.column.name: reader.numbers(cells) for reader in self.readers}
-        codes = {name: self.lookups[name].codes(cells[name]) for name, _ in self.materials_at}
-        return self.block_of(size, numbers, codes, odd, lambda row, name: cells[name][row].decode("utf-8", "replace"))
+        materials = {name: self.lookups[name].numbers(cells[name]) for name, _ in self.materials_at}
+        return self.block_of(
+            size, numbers, materials, odd, lambda row, name: cells[name][row].decode("utf-8", "replace")
+        )
 
     def block_of(
         self,
         size: int,
         numbers: Mapping[str, Any],
-        codes: Mapping[str, Codes],
+        materials: Mapping[str, Numbering],
         odd: Mapping[int, str],
         text: Callable[[int, str], str],
     ) -> Block:
-        """Return rows of numbers and of materials by their codes; `text` is that of a row's cell in a column."""
-        own = [codes.get(name, numpy.zeros(size, dtype=numpy.int64)) for name in self.lookups]
+        """Return rows of numbers and of materials by their numbers; `text` is that of a row's cell in a column."""
+        own = [materials.get(name, numpy.zeros(size, dtype=numpy.int64)) for name in self.lookups]
         lookups = [*self.lookups.values()]
 
-        def scene(given: Mapping[str, Any], rows: Codes) -> Any:
+        def scene(given: Mapping[str, Any], rows: Numbering) -> Any:
             spheres = [lookup.together(of_sphere[rows]) for lookup, of_sphere in zip(lookups, own, strict=True)]
             found = self.fill.scene(given, *spheres)
             if LABEL in spheres and self.wanted.lacks(found):
@@ -223,7 +225,7 @@ def wanted_of(columns: Header, rows: Sequence[Sequence[str]], fill: Fill, asked:
         labels = []
         scene = _as_known(columns, fill, labels, infinite)
     if fill.inverse is not None:
-        check(*fill.inverse, scene.scene)
+        check_one(*fill.inverse, scene.scene)
         return SoughtOne([fill.inverse.name], [fill.inverse.quantity], sides=(), doubts=doubts)
     has_own_2 = any(name.endswith("2") for name in columns.names)
     explicit, offered = asked

@@ -1,4 +1,4 @@
-"""How far answers under a law of attraction are from those under the law that holds between JKR and DMT."""
+"""Distances of answers under a law of attraction from those under the law that holds between JKR and DMT."""
 
 from collections.abc import Collection, Mapping, Sequence
 from functools import reduce
@@ -31,7 +31,7 @@ class Effect(NamedTuple):
 
     @property
     def factor(self) -> Any:
-        """How far the answers are apart by the farthest of these, as a factor of at least 1."""
+        """The distance of the answers by the farthest of these, as a factor of at least 1."""
         return _apart(self.ratios)
 
 

@@ -52,10 +52,13 @@ class MissingInput(JkrollError):
 class NotInLaw(MissingInput):
     """Error raised for a quantity that a law of attraction does not have."""
 
-    def __init__(self, wanted: str, lacking: Sequence[str], law: str) -> None:
-        JkrollError.__init__(self, wanted, tuple(lacking), law)
-        self.wanted, self.missing, self.instead, self.lacking = wanted, (), (), ""
-        self.absent, self.law = tuple(lacking), law
+    missing: tuple[str, ...] = ()
+    instead: tuple[str, ...] = ()
+    lacking = ""
+
+    def __init__(self, wanted: str, absent: Sequence[str], law: str) -> None:
+        JkrollError.__init__(self, wanted, tuple(absent), law)
+        self.wanted, self.absent, self.law = wanted, tuple(absent), law
 
     def __str__(self) -> str:
         return f"{self.wanted}: {self.reason()}"
@@ -302,8 +305,11 @@ class Hold(NamedTuple):
     error: type[BeyondPullOff] | type[BeyondFold]
 
     def lets_go(self, value: Any) -> Any:
-        """Return whether there is no contact at a value, element by element for arrays."""
-        return value <= self.least if self.error is BeyondFold else value < self.least
+        """Return whether a value at which a formula has no result is one without a contact, element by element for arrays.
+
+        The least value itself is one where rounding puts it beyond the end.
+        """
+        return value <= self.least
 
 
 def _is_held_by_grips_alone(given: Mapping[str, Any]) -> bool:

@@ -52,13 +52,16 @@ class Observed(NamedTuple):
         `values`: of those that are inferred, where they are known.
         """
         inferred = {each for name in names for each in names_in(self.scene, name)}
-        filled = with_inputs(self.scene, largest(names) if values is None else values)
+        filled = self._filled(names, values)
         return [name for name in filled.inputs_used([*self.measured], [*self.measured]) if name not in inferred]
 
     def echo(self, names: Sequence[str], values: Mapping[str, Any] | None = None) -> dict[str, Any]:
         """Return these inputs as they were understood, and the measured values."""
-        filled = with_inputs(self.scene, largest(names) if values is None else values)
-        return {**filled.echo(self.used(names, values)), **self.values}
+        return {**self._filled(names, values).echo(self.used(names, values)), **self.values}
+
+    def _filled(self, names: Sequence[str], values: Mapping[str, Any] | None) -> Scene:
+        """Return the scene with all inputs."""
+        return with_inputs(self.scene, largest(names) if values is None else values)
 
 
 def observed(
@@ -379,7 +382,7 @@ def solution(name: str, quantity: str, measured: float, scene: Scene) -> Solutio
     The scene has everything but this input; a value that a material has of it is replaced.
     Raises AlreadyGiven, CannotInfer, MissingInput, NoDependence, NoSolution or SeveralSolutions.
     """
-    check(name, quantity, scene)
+    check_one(name, quantity, scene)
 
     def outcome(value: float) -> float:
         """Return the quantity, nan where the physics has no result."""
@@ -404,7 +407,7 @@ def solutions(name: str, quantity: str, measured: Any, scene: Scene) -> list[flo
     It is None where the quantity has no value for any value of the input; `failure` says why. Raises the errors that no
     value could mend.
     """
-    check(name, quantity, scene)
+    check_one(name, quantity, scene)
     found: list[float | NoResult | None] = []
     for start in range(0, len(measured), _TOGETHER):
         part = slice(start, start + _TOGETHER)
@@ -469,7 +472,7 @@ def names_in(scene: Scene, name: str) -> tuple[str, ...]:
     return (name, name + "2") if is_shared and name in PROPERTIES and name + "2" not in scene.stated else (name,)
 
 
-def check(name: str, quantity: str, scene: Scene) -> None:
+def check_one(name: str, quantity: str, scene: Scene) -> None:
     """Raise the error of an input that cannot be inferred from this quantity, whatever its value is."""
     if name not in SIZES:
         raise CannotInfer(name)

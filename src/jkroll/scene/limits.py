@@ -3,6 +3,7 @@
 import operator
 from collections.abc import Collection, Iterator, Mapping
 from functools import cache
+from itertools import accumulate
 from math import log, nan
 from typing import Any, Literal, NamedTuple
 
@@ -207,7 +208,7 @@ LIMITS = (
 # A doubt is a bit until it is worded: one for each doubt of each limit, in their order, and a last one for limits that could not
 # be judged.
 _DOUBTS = tuple((limit, doubt) for limit in LIMITS for doubt in limit.doubts)
-_FIRST = {(limit.name, limit.laws): place for place, (limit, doubt) in enumerate(_DOUBTS) if doubt is limit.doubts[0]}
+_FIRST = tuple(accumulate((len(limit.doubts) for limit in LIMITS), initial=0))  # the bit of the first doubt of each
 NOT_JUDGED = 1 << len(_DOUBTS)
 
 
@@ -226,7 +227,7 @@ def judged(scene: Scene, names: Collection[str]) -> Judgement:
     verdicts: list[Verdict] = []
     missing: dict[str, list[str]] = {}
     of_law: Mapping[str, Effect] = {}
-    for limit, value in _touching(scene, names):
+    for limit, _, value in _touching(scene, names):
         if isinstance(value, MissingInput):
             missing.setdefault(value.needs(), []).append(limit.name)
         elif not isinstance(value, JkrollError):
@@ -238,10 +239,10 @@ def judged(scene: Scene, names: Collection[str]) -> Judgement:
 def doubts(scene: Scene, names: Collection[str]) -> Any:
     """Return the doubts about the answers to these names as bits: a whole number, or an array for a scene of arrays."""
     found: Any = 0
-    for limit, value in _touching(scene, names):
+    for limit, first, value in _touching(scene, names):
         if not isinstance(value, JkrollError):
             level = limit.level(_effect_where(value, scene, names) if limit.by_effect else value)
-            found = found | (1 << level >> 1) << _FIRST.get((limit.name, limit.laws), 0)
+            found = found | (1 << level >> 1) << first
         elif isinstance(value, MissingInput):
             found = found | NOT_JUDGED
     return found
@@ -255,9 +256,9 @@ def _effect_where(number: Any, scene: Scene, names: Collection[str]) -> Any:
 def possible_doubts(scene: Scene, names: Collection[str]) -> int:
     """Return the bits of all doubts that the answers to these names can have, whatever the numbers are."""
     found = 0
-    for limit, value in _touching(scene, names):
+    for limit, first, value in _touching(scene, names):
         if not isinstance(value, JkrollError):
-            found |= (1 << len(limit.doubts)) - 1 << _FIRST.get((limit.name, limit.laws), 0)
+            found |= (1 << len(limit.doubts)) - 1 << first
         elif isinstance(value, MissingInput):
             found |= NOT_JUDGED
     return found
@@ -287,20 +288,25 @@ def against_limit(verdict: Verdict) -> str:
 
 def limits_of(scene: Scene, names: Collection[str]) -> list[Limit]:
     """Return the limits that concern the answers to these names; raise MissingInput if the scene does not allow one."""
+    return [limit for limit, _ in _touched(scene, names)]
+
+
+def _touched(scene: Scene, names: Collection[str]) -> list[tuple[Limit, int]]:
+    """Return these limits, each with the bit of its first doubt."""
     used = scene.plan(*names).taken.union(names)
     return [
-        limit
-        for limit in LIMITS
+        (limit, first)
+        for limit, first in zip(LIMITS, _FIRST, strict=False)
         if limit.touches & used
         and (not limit.laws or scene.law.name in limit.laws)
         and (not limit.stated or limit.stated & scene.stated.keys())
     ]
 
 
-def _touching(scene: Scene, names: Collection[str]) -> Iterator[tuple[Limit, Any]]:
-    """Iterate over the limits of these names that the law has, with the number of each or the error that says why there is none."""
-    touching = limits_of(scene, names)
-    values = scene.evaluate([limit.name for limit in touching])
-    for limit in touching:
+def _touching(scene: Scene, names: Collection[str]) -> Iterator[tuple[Limit, int, Any]]:
+    """Iterate over these limits, as far as the law has them, with the bit of the first doubt of each, and its number or why it has none."""
+    touched = _touched(scene, names)
+    values = scene.evaluate([limit.name for limit, _ in touched])
+    for limit, first in touched:
         if not isinstance(values[limit.name], NotInLaw):
-            yield limit, values[limit.name]
+            yield limit, first, values[limit.name]

@@ -7,18 +7,28 @@ the names in DEFAULTS have values if nothing else is said. A scene takes numbers
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import reduce
+from math import nan
 from operator import and_
 from typing import Any
 
 from ..errors import JkrollError
 from ..materials.library import Material
-from ..physics.elementary import NUMBER
+from ..physics.elementary import NUMBER, where
 from ..physics.pair import reduced_radius
 from ..quantities.errors import OutOfRange, UnknownQuantity
 from ..quantities.laws import DEFAULT_LAW, Law, law_named
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, RANGES, STATE, XI
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE, UP_TO_INFINITE, XI
 from ..quantities.values import Uncertain, is_uncertain
-from .failures import Contradiction, MissingInput, NoFiniteValue, NotInLaw, RestsOnSpacing, TwoRigidBodies, failure_of
+from .failures import (
+    Contradiction,
+    MissingInput,
+    NoFiniteValue,
+    NotInLaw,
+    RestsOnSpacing,
+    ShapeMismatch,
+    TwoRigidBodies,
+    failure_of,
+)
 from .wiring import NO_PLAN, Missing, Plan, Step, depends_on, formula_of, in_order, plan_for
 
 # --- Numbers that a scene takes ---------------------------------------------------------------------------------------
@@ -33,18 +43,19 @@ def check_range(name: str, value: Any) -> None:
         return
     if name not in NOMENCLATURE:
         raise UnknownQuantity(name)
-    limits = RANGES.get(NOMENCLATURE[name].range)
     first, place = value, ()
-    if not isinstance(value, NUMBER):
+    if isinstance(value, NUMBER):
+        if _fits(name, value):
+            return
+    else:
         refused = outside(name, value)
         if not refused.any():
             return
         place = tuple(places[0].item() for places in refused.nonzero())
         first = value[place].item()
-    if limits is not None and not limits.admits(first):
-        raise OutOfRange(name, first, limits.words, place)
-    if not _has_magnitude(name, first):
-        raise OutOfRange(name, first, MAGNITUDE, place)
+    limits = NOMENCLATURE[name].range
+    words = "" if limits.admits(first) else limits.words
+    raise OutOfRange(name, first, words or MAGNITUDE, place)
 
 
 def outside(name: str, values: Any) -> Any:
@@ -53,51 +64,46 @@ def outside(name: str, values: Any) -> Any:
 
     if name in _SCALED and values.size and values.min() >= LEAST and values.max() <= MOST:
         return numpy.zeros(values.shape, dtype=bool)
-    limits = RANGES.get(NOMENCLATURE[name].range)
-    return ~(_has_magnitude(name, values) & (limits is None or limits.admits(values)))
+    return ~_fits(name, values)
 
 
-def _has_magnitude(name: str, value: Any) -> Any:
-    """Return whether a number, or each element of an array, is of a size that a scene takes."""
+def _fits(name: str, value: Any) -> Any:
+    """Return whether a quantity can have a number, or each element of an array, and a scene takes its size."""
     size = abs(value)
-    return (size >= LEAST) & (size <= MOST) | (value == 0) | (value == INFINITY) | (name in _OF_ANY_SIZE)
+    is_taken = (size >= LEAST) & (size <= MOST) | (value == 0) | (value == INFINITY) | (name in _OF_ANY_SIZE)
+    return is_taken & NOMENCLATURE[name].range.admits(value)
 
 
 _OF_ANY_SIZE = ("poisson_ratio", "poisson_ratio2")  # only 1 − ν² enters a formula
 # Any ordinary positive number is within their range.
-_SCALED = {name for name, one in NOMENCLATURE.items() if one.range not in RANGES or RANGES[one.range].high == INFINITY}
+_SCALED = {name for name, one in NOMENCLATURE.items() if one.range.low <= 0 and one.range.high == INFINITY}
 
 
 # --- Numbers that a scene gives ---------------------------------------------------------------------------------------
 
 SMALLEST = 2.2250738585072014e-308  # of the doubles that have all their digits
+# The quantities of sphere 2 that are infinite for a plane, such as its mass.
 _OF_A_PLANE = [
     name for name, one in NOMENCLATURE.items()
-    if one.range == "up to infinite" and name.endswith("2") and formula_of(name) is not None
+    if one.range is UP_TO_INFINITE and name.endswith("2") and formula_of(name) is not None
 ]  # fmt: skip
 MAY_BE_ZERO = frozenset(name for name, quantity in NOMENCLATURE.items() if quantity.may_be_zero)
 
 
-def is_answer(name: str, value: float) -> bool:
-    """Return whether a double holds a result with all digits, or it is the zero that its quantity may be."""
-    return SMALLEST <= abs(value) < INFINITY or (value == 0 and name in MAY_BE_ZERO)
+def is_answer(name: str, value: Any, radius2: Any = None) -> Any:
+    """Return whether a double, or each element of an array, is a result with all digits, or a zero or an infinity that the physics has."""
+    size = abs(value)
+    is_of_plane = name in _OF_A_PLANE and radius2 == INFINITY
+    is_zero = (value == 0) & (name in MAY_BE_ZERO)
+    return (size >= SMALLEST) & ((size < INFINITY) | is_of_plane) | is_zero
 
 
-def are_answers(name: str, values: Any) -> Any:
-    """Return which elements of an array doubles hold with all digits, or are the zero that the quantity may be."""
-    size = abs(values)
-    fine = (size >= SMALLEST) & ((size < INFINITY) | (name in _OF_A_PLANE))
-    return fine | (size == 0) if name in MAY_BE_ZERO else fine
-
-
-def with_nan(name: str, values: Any) -> Any:
+def with_nan(name: str, values: Any, radius2: Any = None) -> Any:
     """Return an array with nan in place of the elements that are no answer."""
-    import numpy
-
     size = abs(values)
     if size.size and size.min() >= SMALLEST and size.max() < INFINITY:
         return values
-    return numpy.where(are_answers(name, values), values, numpy.nan)
+    return where(is_answer(name, values, radius2), values, nan)
 
 
 # --- Scenes -----------------------------------------------------------------------------------------------------------
@@ -111,13 +117,12 @@ DEFAULTS = {
     "atomic_spacing": 4e-10,
     "cutoff": 1.65e-10,
 }
+# What says the same as a default.
 _SAYS = {
     "load": STATE,
     XI: IN_ITS_PLACE,
     "atomic_spacing": ("hamaker",),
-}  # what says the same as a default
-
-# The quantities of sphere 2 that are infinite for a plane, such as its mass.
+}
 
 # The values of inputs from which more follows than from others: a plane, a rigid body, no load.
 FOLLOWS: Mapping[str, tuple[float, Mapping[str, float]]] = {
@@ -132,6 +137,8 @@ EXCLUSIVE = (
     ("energy", "energy_ratio", "speed"),
     ("surface_energy", "work_of_adhesion", "hamaker"),
     ("surface_energy2", "work_of_adhesion", "hamaker"),
+    ("surface_energy", "work_of_adhesion", "hamaker2"),
+    ("surface_energy2", "work_of_adhesion", "hamaker2"),
     ("load", "approach_at_load", "load_factor", "edge_ratio"),
     IN_ITS_PLACE,
     ("contact_modulus", "modulus_over_energy"),
@@ -144,7 +151,6 @@ _OF_SOLID_2 = frozenset(name + "2" for name in PROPERTIES)
 OF_AREA = ("youngs_modulus", "youngs_modulus2", "contact_modulus")
 
 # What rests on a contact area, and has none where both bodies are rigid; everything else of JKR follows from these.
-_NOTHING: frozenset[str] = frozenset()
 _ON_AREA = frozenset({"contact_modulus", "pull_off_force", "load_factor", "rolling_frequency_as_printed"})
 
 
@@ -173,7 +179,8 @@ class Scene:
         """Take SI values by name, over those of the materials of sphere 1 and, if it has one of its own, of sphere 2.
 
         `model` is the law of attraction; None stands for the paper's, JKR. The scene computes with the middle of a
-        value that has an uncertainty; `scene.uncertainty` computes with the rest.
+        value that has an uncertainty; `scene.uncertainty` computes with the rest. Raises ShapeMismatch for arrays that
+        do not broadcast.
         """
         self.law = law_named(DEFAULT_LAW if model is None else model)
         self.stated_model = None if model is None else self.law.name
@@ -185,12 +192,15 @@ class Scene:
         self.material, self.material2 = material, material2
         self.uncertain: dict[str, Uncertain] = {name: one for name, one in given.items() if is_uncertain(one)}
         self.stated = {**given, **{name: one.value for name, one in self.uncertain.items()}}
+        self.arrays = {name: value for name, value in self.stated.items() if not isinstance(value, NUMBER)}
+        self.shape = broadcast(self.arrays)
         self._has_displacement = any(one.displacement is not None for one in (material, material2) if one is not None)
         if self._has_displacement and material is not None:
             self.material = material = _with_displacement(material, material2, self.stated)
         own = dict(material.properties) if material is not None else {}
         own2 = {name + "2": value for name, value in material2.properties.items()} if material2 is not None else {}
         self.given = {**own, **own2, **self.stated}
+        self._has_arrays = not all(isinstance(value, NUMBER) for value in self.given.values())
         for name, value in self.given.items():
             check_range(name, value)
         self.values = {**_assumed(self.given, others=(XI,) if self._has_displacement else ()), **self.given}
@@ -199,6 +209,8 @@ class Scene:
             self.values = {**values, **self.values}
         self._has_area = _has_area(self.given, own_material2=material2 is not None)
         self._failures: dict[str, JkrollError] = {}
+        if self.is_rigid:
+            self._failures |= {name: TwoRigidBodies() for name in _ON_AREA if name not in self.values}
         self._gaps: set[str] = set()  # quantities of which some elements are no answer
         self._plan = NO_PLAN
         self.known = frozenset(self.values)
@@ -367,7 +379,7 @@ class Scene:
         has no answer is nan.
         """
         found = self._planned(names)
-        if self.has_arrays:
+        if self._has_arrays:
             import numpy
 
             with numpy.errstate(all="ignore"):
@@ -383,7 +395,7 @@ class Scene:
     def _run(self, steps: Iterable[Step]) -> None:
         """Evaluate formulas one after the other, and note those that fail."""
         values, failures = self.values, self._failures
-        may_be_rigid = _NOTHING if self._has_area is True else _ON_AREA
+        has_rigid_elements = self.has_rigid_elements
         for name, formula, arguments in steps:
             if name in values or name in failures:
                 continue
@@ -392,15 +404,12 @@ class Scene:
             except KeyError:  # an argument that failed
                 failures[name] = next(failures[source] for _, source in arguments if source in failures)
                 continue
-            if name in may_be_rigid and self.is_rigid:
-                failures[name] = TwoRigidBodies()
-                continue
             try:
                 value = formula(**given)
             except (ArithmeticError, ValueError):
                 value = INFINITY
-            if name in may_be_rigid and self.has_rigid_elements:
-                value = self._where_it_yields(value)
+            if has_rigid_elements and name in _ON_AREA:
+                value = where(self._has_area, value, nan)
             if not isinstance(value, NUMBER):
                 values[name] = self._with_gaps(name, value, [source for _, source in arguments])
             elif SMALLEST <= value < INFINITY or is_answer(name, value):  # the first holds nearly always
@@ -425,7 +434,7 @@ class Scene:
 
     def _with_gaps(self, name: str, value: Any, sources: Sequence[str]) -> Any:
         """Return an array with nan in place of the elements that are no answer, or whose formula has an argument that is none."""
-        found = with_nan(name, value)
+        found = with_nan(name, value, self.values.get("radius2"))
         for source in self._gaps.intersection(sources):  # which the formula may not have used
             import numpy
 
@@ -433,11 +442,6 @@ class Scene:
         if found is not value:
             self._gaps.add(name)
         return found
-
-    @property
-    def has_arrays(self) -> bool:
-        """True if an input is an array."""
-        return not all(isinstance(value, NUMBER) for value in self.given.values())
 
     @property
     def is_rigid(self) -> bool:
@@ -449,12 +453,6 @@ class Scene:
         """True if both bodies are rigid in some elements of the arrays that were given."""
         return not isinstance(self._has_area, bool) and not self._has_area.all()
 
-    def _where_it_yields(self, value: Any) -> Any:
-        """Return a value with nan where both bodies are rigid."""
-        import numpy
-
-        return numpy.where(self._has_area, value, numpy.nan)
-
     def _outcome(self, name: str, found: Plan) -> Any:
         """Return what became of a quantity once the steps of its plan were run."""
         if name in found.missing:
@@ -462,23 +460,26 @@ class Scene:
         source = found.found[name]
         if source in self._failures:
             return self._failures[source]
-        value = self.values[source]
-        return self._unless_open(name, value) if name in self.law.by_spacing else value
-
-    def _unless_open(self, name: str, value: Any) -> Any:
-        """Return a value, unless it rests on the atomic spacing and that was not given: an error then, or nan in arrays."""
         rests = self.rests_on_spacing(name)
-        if isinstance(rests, bool):
-            return RestsOnSpacing(name) if rests else value
-        import numpy
-
-        return numpy.where(rests, numpy.nan, value)
+        return RestsOnSpacing(name) if rests is True else where(rests, nan, self.values[source])
 
     def rests_on_spacing(self, name: str) -> Any:
         """Return whether the atomic spacing decides on a quantity and was not given, or in which elements of arrays."""
         if name not in self.law.by_spacing or not self.given.keys().isdisjoint(("atomic_spacing", "hamaker")):
             return False
         return self["transition_parameter"] < 1
+
+
+def broadcast(arrays: Mapping[str, Any]) -> tuple[int, ...]:
+    """Return the shape of the arrays together; raise ShapeMismatch if they do not broadcast."""
+    if not arrays:
+        return ()
+    import numpy
+
+    try:
+        return numpy.broadcast_shapes(*(value.shape for value in arrays.values()))
+    except ValueError:
+        raise ShapeMismatch([(name, value.shape) for name, value in arrays.items()]) from None
 
 
 def _assumed(given: Mapping[str, Any], others: Sequence[str]) -> dict[str, Any]:
@@ -526,7 +527,7 @@ def _has_area(given: Mapping[str, Any], *, own_material2: bool) -> Any:
 
 def _implied(values: Mapping[str, Any], law: Law) -> dict[str, Mapping[str, float]]:
     """Return by each input the values that follow from it, or from its absence, and then need nothing else."""
-    implied = {name: follows for name, (value, follows) in FOLLOWS.items() if _is_number(values.get(name), value)}
+    implied = {name: follows for name, (value, follows) in FOLLOWS.items() if _equals(values.get(name), value)}
     if "radius2" not in values:
         implied["radius2"] = {"radius_ratio": 1.0}
     if "poisson_ratio2" not in values:
@@ -536,6 +537,6 @@ def _implied(values: Mapping[str, Any], law: Law) -> dict[str, Mapping[str, floa
     return implied
 
 
-def _is_number(value: Any, number: float) -> bool:
-    """Return whether a value is this number; an array is none."""
+def _equals(value: Any, number: float) -> bool:
+    """Return whether a value is a number, and this one."""
     return isinstance(value, NUMBER) and value == number

@@ -9,19 +9,20 @@ from typing import TYPE_CHECKING, Any, overload
 from ..errors import JkrollError
 from ..materials.library import Material, Materials, known_materials
 from ..physics import FORMULAS as PLAIN_FORMULAS
+from ..physics.elementary import NUMBER
 from ..quantities.errors import QuantityError, UnknownQuantity
 from ..quantities.nomenclature import NOMENCLATURE, canonical, named
-from ..quantities.values import Uncertain, checked, is_uncertain, measured, value_of
+from ..quantities.values import Measured, Uncertain, checked, is_uncertain, value_of
 from ..text import MAX_QUOTED
-from .failures import GivenTwice, NoUncertainty, ShapeMismatch
+from .failures import GivenTwice, NoUncertainty
 from .scene import Scene
 from .wiring import Plan
 
 if TYPE_CHECKING:
     from .uncertainty import Propagated
 
-Place = tuple[slice, ...]  # of a block in an array
-BLOCK = 16384  # elements evaluated at once: few enough that what lies between two formulas stays in the cache
+Slices = tuple[slice, ...]  # of a block in an array
+ELEMENTS_AT_ONCE = 1 << 14  # few enough that what lies between two formulas stays in the cache
 
 
 @overload
@@ -104,9 +105,9 @@ def solve(
     described, registry = in_si(given)
     spheres = materials_of(material, material2, materials)
     if any(map(is_uncertain, described.values())):
-        found = _uncertain_answers(uncertain_scene(described, spheres, model), names)
+        refuse_arrays(described)
+        found = _uncertain_answers(Scene(described, *spheres, model=model), names)
         return found[names[0]] if isinstance(wanted, str) else found
-    broadcast({name: value for name, value in described.items() if not isinstance(value, float)})
     results = values_of(Scene(described, *spheres, model=model), names)
     if registry is not None:
         results = {name: registry.Quantity(value, NOMENCLATURE[name].unit) for name, value in results.items()}
@@ -156,25 +157,11 @@ def materials_of(
     return _material("material", material, materials), _material("material2", material2, materials)
 
 
-def broadcast(arrays: Mapping[str, Any]) -> tuple[int, ...]:
-    """Return the shape of the arrays together; raise ShapeMismatch if they do not broadcast."""
-    if not arrays:
-        return ()
-    import numpy
-
-    try:
-        return numpy.broadcast_shapes(*(value.shape for value in arrays.values()))
-    except ValueError:
-        raise ShapeMismatch([(name, value.shape) for name, value in arrays.items()]) from None
-
-
 def values_of(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
     """Return the values of quantities, for large arrays a block of elements at a time; raise the error of the first that has none."""
-    arrays = {name: value for name, value in scene.stated.items() if not isinstance(value, float)}
-    shape = broadcast(arrays)
-    if math.prod(shape) <= BLOCK or scene.has_rigid_elements:  # of which a block may have none
+    if math.prod(scene.shape) <= ELEMENTS_AT_ONCE or scene.has_rigid_elements:  # of which a block may have none
         return _answers(scene, names)
-    return _in_blocks(names, scene, shape)
+    return _in_blocks(names, scene)
 
 
 def _answers(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
@@ -184,14 +171,6 @@ def _answers(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
         if isinstance(value, JkrollError):
             raise value
     return values
-
-
-def uncertain_scene(
-    described: Mapping[str, Any], spheres: tuple[Material | None, Material | None], model: str | None
-) -> Scene:
-    """Return a scene of which some values are uncertain."""
-    refuse_arrays(described)
-    return Scene(described, *spheres, model=model)
 
 
 def refuse_arrays(described: Mapping[str, Any]) -> None:
@@ -216,17 +195,16 @@ def with_uncertainty(name: str, value: float, found: "Propagated | JkrollError |
     return value if found is None else found.uncertainty
 
 
-def _in_blocks(names: Sequence[str], whole: Scene, shape: tuple[int, ...]) -> dict[str, Any]:
+def _in_blocks(names: Sequence[str], whole: Scene) -> dict[str, Any]:
     """Return the results for large arrays, a block of elements at a time: what lies between results stays in the cache."""
     import numpy
 
-    arrays = {name: value for name, value in whole.stated.items() if not isinstance(value, float)}
     results: dict[str, Any] = {}
-    for place in _blocks(shape):
-        scene = whole.replace(**{name: _part(value, place) for name, value in arrays.items()})
+    for place in _blocks(whole.shape):
+        scene = whole.replace(**{name: _part(value, place) for name, value in whole.arrays.items()})
         values = _answers(scene, names)
         if not results:
-            shapes = _shapes(scene.plan(*names), {name: value.shape for name, value in arrays.items()})
+            shapes = _shapes(scene.plan(*names), {name: value.shape for name, value in whole.arrays.items()})
             results = {name: numpy.empty(shapes[name]) if name in shapes else value for name, value in values.items()}
         for name, value in values.items():
             if not isinstance(value, float):
@@ -246,9 +224,9 @@ def _shapes(plan: Plan, shapes: Mapping[str, tuple[int, ...]]) -> dict[str, tupl
     return {name: known[source] for name, source in plan.found.items() if source in known}
 
 
-def _blocks(shape: tuple[int, ...]) -> Iterator[Place]:
+def _blocks(shape: tuple[int, ...]) -> Iterator[Slices]:
     """Iterate over the blocks of an array, which are whole along its last axes as far as a block reaches."""
-    slices, room = [], BLOCK
+    slices, room = [], ELEMENTS_AT_ONCE
     for length in reversed(shape):
         step = max(1, min(length, room))
         slices.append([slice(start, start + step) for start in range(0, length, step)])
@@ -256,7 +234,7 @@ def _blocks(shape: tuple[int, ...]) -> Iterator[Place]:
     return product(*reversed(slices))
 
 
-def _part(array: Any, place: Place) -> Any:
+def _part(array: Any, place: Slices) -> Any:
     """Return the part of an array that broadcasts to a block."""
     own = place[len(place) - array.ndim :]
     return array[tuple(where if length > 1 else slice(1) for where, length in zip(own, array.shape, strict=True))]
@@ -297,7 +275,8 @@ def _number(name: str, value: Any) -> Any:
     if isinstance(value, str):
         return value_of(value, name)
     if hasattr(value, "std_dev"):
-        return measured(value, name)
+        found = Measured(value.nominal_value, value.std_dev)  # as the package `uncertainties` and pint have them
+        return checked(found, name, str(value))
     if is_uncertain(value):
         return checked(value, name, str(value.value))
     if isinstance(value, list | tuple):
@@ -311,8 +290,11 @@ def _number(name: str, value: Any) -> Any:
 
 def as_floats(name: str, value: Any) -> Any:
     """Return a float or an array of floats for a number, a sequence or an array of any number type."""
-    if isinstance(value, float):
-        return float(value)
+    if isinstance(value, NUMBER) and not isinstance(value, bool):
+        try:
+            return float(value)
+        except OverflowError:
+            raise QuantityError(name, "an integer", "is too large for a double") from None
     import numpy
 
     if numpy.ma.isMaskedArray(value):

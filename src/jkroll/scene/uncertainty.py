@@ -65,10 +65,6 @@ class Source(NamedTuple):
         """The ends of the uncertainty."""
         return self.given.low, self.given.high
 
-    def at(self, value: float) -> dict[str, float]:
-        """Return the inputs of this source at a value."""
-        return dict.fromkeys(self.names, value)
-
 
 class Sources(NamedTuple):
     """The sources of uncertainty that enter a result, and those of materials that do not, as they are of the other kind."""
@@ -248,7 +244,7 @@ def _in_quadrature(
     evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Source]
 ) -> Iterator[tuple[str, _Bar | JkrollError]]:
     """Iterate over standard uncertainties: the changes at both ends of each source, each side added in quadrature."""
-    ends = [[evaluate(source.at(end)) for end in source.ends] for source in sources]
+    ends = [[evaluate(_at([source], (end,))) for end in source.ends] for source in sources]
     for name, value in values.items():
         outcomes = [[end[name] for end in pair] for pair in ends]
         if failures := [end for pair in outcomes for end in pair if isinstance(end, JkrollError)]:
@@ -271,7 +267,7 @@ def _range(value: Any, low: Any, high: Any) -> _Bar:
 
 
 def _at(sources: Sequence[Source], place: Place) -> dict[str, Any]:
-    """Return the inputs of all sources at a place."""
+    """Return the inputs of sources at a place."""
     return {name: value for source, value in zip(sources, place, strict=True) for name in source.names}
 
 

@@ -26,8 +26,8 @@ from .inverse import (
     SeveralSolutions,
     Solution,
     Values,
-    check,
     check_given,
+    check_one,
     crossings,
     equal,
     failure,
@@ -81,7 +81,7 @@ class Problem:
     def __init__(self, names: Sequence[str], measured: Values, scene: Scene) -> None:
         """Take what is sought and measured. Raises the errors that no values could mend."""
         self.names, self.measured, self.scene = tuple(names), measured, scene
-        check_two(names, tuple(measured), scene)
+        check(names, tuple(measured), scene)
 
     def outcomes(self, values: Mapping[str, Any], quantities: Iterable[str] | None = None) -> dict[str, float]:
         """Return quantities, by default all that were measured, where the inputs have some values; nan where there is no result."""
@@ -143,16 +143,11 @@ def solved_near(values: Values, observed: Observed) -> Values:
     return solved([*values], observed).values
 
 
-def check_sought(names: Sequence[str], quantities: Sequence[str], scene: Scene) -> None:
+def check(names: Sequence[str], quantities: Sequence[str], scene: Scene) -> None:
     """Raise the error of one input, or of two, that cannot be inferred from as many quantities, whatever their values are."""
-    if len(names) > 1:
-        check_two(names, quantities, scene)
-    else:
-        check(names[0], quantities[0], scene)
-
-
-def check_two(names: Sequence[str], quantities: Sequence[str], scene: Scene) -> None:
-    """Raise the error of inputs that cannot be inferred from these quantities, whatever their values are."""
+    if len(names) == 1:
+        check_one(names[0], quantities[0], scene)
+        return
     for name in names:
         if name not in SIZES:
             raise CannotInfer(name)
@@ -357,7 +352,7 @@ class _Place:
 
     @cached_property
     def sizes(self) -> list[float]:
-        """What counts as a change of each quantity by one."""
+        """The change of each quantity that counts as one."""
         return [
             abs(measured) or max(map(abs, row)) or 1.0
             for measured, row in zip(self.problem.measured.values(), self.slopes, strict=True)
