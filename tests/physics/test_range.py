@@ -27,8 +27,8 @@ STATES = ("load", "approach_at_load")
 NAMES = [name for name in (*GIVEN, *OTHER) if not name.startswith("poisson")]
 
 
-def scenes() -> Iterator[dict[str, Any]]:
-    """Iterate over scenes with one, two or all inputs at the ends, some with a load, an approach, an energy or a speed."""
+def scenes(count: int) -> Iterator[dict[str, Any]]:
+    """Iterate over scenes with one or two inputs at the ends, and `count` with all, some of these with a state or an energy."""
     ends = (LEAST, MOST)
     for name, end in product((*NAMES, *ENERGIES, *STATES), ends):
         yield {**GIVEN, name: end}
@@ -36,7 +36,7 @@ def scenes() -> Iterator[dict[str, Any]]:
     for pair in combinations((*NAMES, *ENERGIES), 2):
         if not set(pair) <= set(ENERGIES):
             yield {**GIVEN, **{name: random.choice(ends) for name in pair}}
-    for place in range(60):
+    for place in range(count):
         names = [
             *NAMES[: 6 if place % 2 else None],
             random.choice(ENERGIES),
@@ -61,9 +61,10 @@ def is_right(value: Any, exact: Exact, condition: float) -> bool:
 
 
 @pytest.mark.usefixtures("_many_digits")
-def test_a_number_at_the_ends_is_right_or_refused() -> None:
+@pytest.mark.parametrize("count", [10, pytest.param(120, marks=pytest.mark.slow)])
+def test_a_number_at_the_ends_is_right_or_refused(count: int) -> None:
     answered = 0
-    for scene in scenes():
+    for scene in scenes(count):
         exact = {name: value for name, value in exact_results(scene).items() if abs(value) < math.inf}
         condition = conditions(scene, exact)
         arrays = {name: np.array([value, GIVEN.get(name, value)]) for name, value in scene.items()}
@@ -73,7 +74,7 @@ def test_a_number_at_the_ends_is_right_or_refused() -> None:
             element = elements[name][0] if isinstance(elements[name], np.ndarray) else elements[name]
             assert is_right(element, value, condition[name]), (name, element, float(value), scene)
             answered += isinstance(numbers[name], float)
-    assert answered > 5_000
+    assert answered > 3_000
 
 
 @pytest.mark.parametrize("value", [1e-61, 1e61, 1e-300, 1e300, 5e-324])

@@ -150,8 +150,14 @@ def test_one_panel_of_a_contact(run: Run, tmp_path: Path) -> None:
         pytest.param(
             "--panel moment", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17, ξ = 100 pm.", marks=pytest.mark.slow
         ),
-        ("--panel force --model dmt", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17."),
-        ("--panel moment --model dmt", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17, ξ = 100 pm."),
+        pytest.param(
+            "--panel force --model dmt", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17.", marks=pytest.mark.slow
+        ),
+        pytest.param(
+            "--panel moment --model dmt",
+            "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17, ξ = 100 pm.",
+            marks=pytest.mark.slow,
+        ),
         ("--panel moment --model jkr,dmt", "R1 = 100 nm, γ1 = 25 mJ/m²."),
         ("--model maugis", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17, z0 = 400 pm, ξ = 100 pm."),
         pytest.param(
