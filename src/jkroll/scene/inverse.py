@@ -77,13 +77,8 @@ def observed(
 _GOLDEN = 0.6180339887498949  # of an interval, the part that a step of the golden-section search keeps
 _SEARCHES = 45  # steps of it: they leave 4e-10 of an interval, and all digits of a value that is flat there
 _HALVINGS = 200  # more than lead from any interval to neighbouring doubles
-_NEAR_END = (
-    1e-6,
-    1e-4,
-    1e-2,
-    0.1,
-    0.3,
-)  # of the way from an end to the next place of a scan: a function may turn there
+# Parts of the way from an end to the next place of a scan, between which a function may turn.
+_NEAR_END = (1e-6, 1e-4, 1e-2, 0.1, 0.3)
 _JUMP = 1e-6  # part of the values around it that a change of sign may leave, if it is a crossing and no jump
 _DIGITS = 1e-14  # of a value: a difference as small as this comes from rounding, and is no jump
 STEP = 1e-6  # relative, of the differences that give a slope

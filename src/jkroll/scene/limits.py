@@ -111,7 +111,8 @@ LEAST_EFFECT = min(_EFFECTS)
 LIMITS = (
     Limit(
         "tabor_parameter", _ELASTICITY | {"yield_force_ratio"}, ">",
-        tuple(            Doubt(factor, f"off by more than {text}", f"by {LAWS[BETWEEN].title} or Lennard-Jones a result differs by more than {text}")
+        tuple(
+            Doubt(factor, f"off by more than {text}", f"by {LAWS[BETWEEN].title} or Lennard-Jones a result differs by more than {text}")
             for factor, text in _EFFECTS.items()
         ),
         f"within {_EFFECTS[LEAST_EFFECT]} of {LAWS[BETWEEN].title}",
