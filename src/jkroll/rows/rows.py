@@ -17,7 +17,6 @@ from ..scene.scene import FOLLOWS, outside
 from .cells import Numbering, Numbers
 from .columns import Columns, Wanted, lose, put_one
 
-FEW = 4  # rows that are computed one by one no later than as arrays
 BAD = -1  # the kind of a row, or of a cell, of which arrays make no scene
 _EMPTY, _PLAIN, _SPECIAL, _MEASURED, _INTERVAL = range(5)  # kinds of cells
 
@@ -44,8 +43,6 @@ def evaluated(wanted: Wanted, block: Block) -> Columns:
     left = numpy.ones(block.size, dtype=bool)
     with numpy.errstate(all="ignore"):
         for rows, given in groups(block):
-            if len(rows) < min(FEW, block.size):
-                continue
             try:
                 part = _columns(wanted, block, rows, given)
             except JkrollError:
