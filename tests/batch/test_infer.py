@@ -43,7 +43,9 @@ def results(name: str) -> list[dict[str, str]]:
     return [{key: "" if value is None else str(value) for key, value in row.items()} for row in found]
 
 
-@pytest.mark.parametrize("ending", ["csv", "ndjson", "parquet"])
+@pytest.mark.parametrize(
+    "ending", ["csv", *(pytest.param(one, marks=pytest.mark.slow) for one in ("ndjson", "parquet"))]
+)
 def test_each_row_has_what_infer_finds(run: Run, ending: str) -> None:
     random = Random(5)
     sizes = [(f"{random.uniform(0.5, 5):.3g}", f"{random.uniform(50, 900):.3g}") for _ in range(20)]
@@ -140,7 +142,7 @@ PROBLEMS = {
 OPTIONS = {"material2": "--material2 {}", "radius2 [nm]": "--radius2 {}", "load [nN]": "--load={}nN"}
 
 
-@pytest.mark.parametrize("count", [6, pytest.param(150, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [8, pytest.param(150, marks=pytest.mark.slow)])
 def test_random_tables_have_what_infer_finds_for_each_row(run: Run, count: int) -> None:
     """Materials of either sphere, planes, loads, laws and error bars: values, their sides and doubts are the same."""
     random = Random(count)

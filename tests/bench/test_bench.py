@@ -51,6 +51,7 @@ def rows() -> dict[tuple[str, str], Row]:
     return {(row.quantity, row.way): row for rows in measure(SMALL) for row in rows}
 
 
+@pytest.mark.slow
 def test_every_quantity_has_other_ways_and_a_reference() -> None:
     assert set(OTHER_WAYS) == set(references()) == set(QUANTITIES)
     assert all((quantity, DEFAULT) in rows() and len(OTHER_WAYS[quantity]) for quantity in QUANTITIES)
@@ -240,7 +241,7 @@ def _small(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.usefixtures("_small")
 @pytest.mark.parametrize(
-    "kind", ["table", "json", *(pytest.param(kind, marks=pytest.mark.slow) for kind in ("plain", "csv"))]
+    "kind", ["table", *(pytest.param(kind, marks=pytest.mark.slow) for kind in ("json", "plain", "csv"))]
 )
 def test_what_is_written(kind: str) -> None:
     out = Stream()

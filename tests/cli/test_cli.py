@@ -634,8 +634,10 @@ def test_the_rows_of_a_curve_differ_by_what_sets_their_states(run: Run, model: s
     [
         ("quartz", "100±10nm"),
         ("ice-cold", "100nm"),
-        ("quartz", "90 to 110nm", "--model", "maugis"),
-        ("quartz", "1um", "--gamma", "25±5mJ/m2", "--radius2", "plane", "--model", "dmt"),
+        pytest.param(("quartz", "90 to 110nm", "--model", "maugis"), marks=pytest.mark.slow),
+        pytest.param(
+            ("quartz", "1um", "--gamma", "25±5mJ/m2", "--radius2", "plane", "--model", "dmt"), marks=pytest.mark.slow
+        ),
     ],
 )
 def test_a_curve_has_the_same_numbers_as_columns_and_as_objects(run: Run, words: tuple[str, ...]) -> None:

@@ -117,7 +117,7 @@ def test_the_same_bytes_every_time(run: Run, tmp_path: Path, kind: str) -> None:
 
 @pytest.mark.parametrize(
     "name",
-    ["8", "9", *(pytest.param(name, marks=pytest.mark.slow) for name in (*PAPER_MAPS, "2", "laws") if name != "8")],
+    ["8", *(pytest.param(name, marks=pytest.mark.slow) for name in (*PAPER_MAPS, "2", "9", "laws") if name != "8")],
 )
 def test_every_figure_is_drawn_and_says_what_it_is(run: Run, tmp_path: Path, name: str) -> None:
     ran = run("figure", name, "-o", "figure.svg", "--width", "85mm", "--style", "dark")
@@ -174,6 +174,7 @@ def test_a_caption_has_the_inputs_of_what_is_drawn(run: Run, options: str, held:
     assert "assumed ξ" not in ran.err
 
 
+@pytest.mark.slow
 def test_a_hatch_belongs_to_one_limit_and_shows_beneath_any_other() -> None:
     """No stroke of a hatch is also one of another, so that no two of them together look like a third."""
     hatch_of: dict[str, set[str]] = {}
@@ -342,7 +343,7 @@ def test_a_mark_on_the_edge_is_a_whole_dot() -> None:
     assert not dots[0].get_clip_on()
 
 
-@pytest.mark.parametrize("name", ["3a", "8"])
+@pytest.mark.parametrize("name", ["3a", pytest.param("8", marks=pytest.mark.slow)])
 def test_letters_and_their_subscripts_have_six_points(name: str) -> None:
     _, page = in_a_column(name)
     parser = MathTextParser("path")
@@ -357,7 +358,7 @@ def test_letters_and_their_subscripts_have_six_points(name: str) -> None:
     assert min(sizes) >= 6
 
 
-@pytest.mark.parametrize("name", ["6b", "8"])
+@pytest.mark.parametrize("name", ["6b", pytest.param("8", marks=pytest.mark.slow)])
 def test_no_letter_stands_outside_of_a_narrow_page(name: str) -> None:
     """Everything lies within the page at a journal's column width."""
     _, page = in_a_column(name)
@@ -414,6 +415,7 @@ def test_a_law_has_one_colour_over_the_panels_of_a_contact() -> None:
     assert {*pressure.values()} == {force["JKR"]}
 
 
+@pytest.mark.slow
 def test_the_curves_of_several_laws_are_over_one_another(run: Run, tmp_path: Path) -> None:
     ran = run("contact quartz 100nm --curve --model jkr,maugis,dmt -o laws.svg")
     assert ran.code == 0

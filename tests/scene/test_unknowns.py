@@ -166,7 +166,7 @@ def test_random_pairs_come_back_or_are_refused(count: int, seed: str) -> None:
     assert results.count("back") > count / 3
 
 
-@pytest.mark.parametrize("law", EXACT)
+@pytest.mark.parametrize("law", ["jkr", *(pytest.param(law, marks=pytest.mark.slow) for law in ("dmt", "maugis"))])
 @pytest.mark.parametrize("load", [0.0, *(pytest.param(load, marks=pytest.mark.slow) for load in (1e-12, -2e-7))])
 def test_a_load_comes_back_from_zero_too(law: str, load: float) -> None:
     given = {**PLANE, "surface_energy": 0.02}
@@ -291,7 +291,7 @@ def test_error_bars_of_both_measurements_enter() -> None:
     assert parts == pytest.approx([0.01, 0.005], rel=1e-3)
 
 
-@pytest.mark.parametrize("law", EXACT)
+@pytest.mark.parametrize("law", ["jkr", "dmt", pytest.param("maugis", marks=pytest.mark.slow)])
 def test_error_bars_are_what_the_ends_give(law: str) -> None:
     """Where the pair that is followed is that of the whole scan."""
     bars = {"pull_off_force": 6e-8, "stiffness": 2e2}
