@@ -179,7 +179,7 @@ def _unused(name: str, quantities: Sequence[str], found: Scene) -> list[Note]:
     used = found.data_used(found.inputs_of(*quantities))
     materials = {one.name: one for one in (found.material, found.material2) if one is not None}
     return [
-        Note("result", f"{NOMENCLATURE[each].symbol.rstrip('1')} of {material.name} is not used")
+        Note("data", f"{NOMENCLATURE[each].symbol.rstrip('1')} of {material.name} is not used")
         for material in materials.values()
         for each in _REPLACED.get(name, (name,))
         if each in material.properties and all(one.name != material.name or other != each for one, other in used)
