@@ -43,7 +43,7 @@ if TYPE_CHECKING:
     from ..scene.uncertainty import Propagated, Sources
     from .displacement import Worth
 
-_SHOWN = 2  # differences in the sentence
+_LARGE = log(1.25)  # difference that is told beside both readings of a larger one
 _NO_CHANGE = 0.005  # relative change that is no per cent
 # Below the Tabor parameter of a jump, a well of Lennard-Jones is deeper still than Maugis', and to the energies of jumps his law is no
 # correction as it is to forces.
@@ -110,11 +110,9 @@ def _sentence(found: Sequence[Difference], scene: Scene, *, has_jump: bool) -> s
     """
     spacing = amount("atomic_spacing", scene["atomic_spacing"] / 2)
     parts = []
-    rest = [] if found[0].effect.readings else found[1:_SHOWN]
-    for name, _, at_half, effect in [
-        found[0],
-        *(one for one in rest if one.size >= _NO_CHANGE and not one.effect.readings),
-    ]:
+    least = _LARGE if found[0].effect.readings else _NO_CHANGE
+    rest = [one for one in found[1:] if one.size >= least and not one.effect.readings]
+    for name, _, at_half, effect in [found[0], *rest[:1]]:
         symbol = NOMENCLATURE[name].symbol
         if effect.readings:
             at_displacement, at_hysteresis = map(_change, effect.readings)
@@ -124,7 +122,7 @@ def _sentence(found: Sequence[Difference], scene: Scene, *, has_jump: bool) -> s
         beside = [f"{_change(at_half, effect.ratio)} at z0 = {spacing}"] if matters else []
         if effect.lennard_jones is not None and abs(effect.lennard_jones / effect.ratio - 1) > _BESIDE:
             beside.append(f"{_change(effect.lennard_jones, effect.ratio)} by Lennard-Jones")
-        in_brackets = f" ({', '.join(beside)})" if beside else ""
+        in_brackets = f" ({', '.join(beside)})" if beside and not found[0].effect.readings else ""
         at_least = "" if has_jump or name not in _OF_WELL else "at least "
         parts.append(f"{symbol} is {at_least}{_change(effect.ratio)}{in_brackets}")
     return f"by {LAWS[BETWEEN].title} {', '.join(parts)}; --model {BETWEEN}"
