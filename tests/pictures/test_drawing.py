@@ -102,9 +102,7 @@ def test_a_contour_of_a_users_map_is_its_formula(
         assert abs(values / value - 1).max() < 1e-3 or abs(values - value).max() < 1e-3 * spacing
 
 
-@pytest.mark.parametrize(
-    "kind", ["svg", pytest.param("pdf", marks=pytest.mark.slow), pytest.param("png", marks=pytest.mark.slow)]
-)
+@pytest.mark.parametrize("kind", [pytest.param(kind, marks=pytest.mark.slow) for kind in ("svg", "pdf", "png")])
 def test_the_same_bytes_every_time(run: Run, tmp_path: Path, kind: str) -> None:
     """Neither the process, nor the time, nor the user's matplotlib settings enter."""
     words = ["figure", "3a", "--mark", "quartz@100nm", "-o"]
@@ -159,7 +157,11 @@ def test_one_panel_of_a_contact(run: Run, tmp_path: Path) -> None:
             marks=pytest.mark.slow,
         ),
         ("--panel moment --model jkr,dmt", "R1 = 100 nm, γ1 = 25 mJ/m²."),
-        ("--model maugis", "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17, z0 = 400 pm, ξ = 100 pm."),
+        pytest.param(
+            "--model maugis",
+            "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17, z0 = 400 pm, ξ = 100 pm.",
+            marks=pytest.mark.slow,
+        ),
         pytest.param(
             "--model jkr,maugis",
             "R1 = 100 nm, γ1 = 25 mJ/m², E1 = 54 GPa, ν1 = 0.17, z0 = 400 pm.",
