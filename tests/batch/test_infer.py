@@ -110,7 +110,9 @@ def test_many_rows_are_what_infer_makes_of_arrays(run: Run, model: str) -> None:
 
 
 @pytest.mark.parametrize("name", ["surface_energy", pytest.param("youngs_modulus", marks=pytest.mark.slow)])
-@pytest.mark.parametrize("materials", [["quartz"], ["quartz", "iron", "ice-warm"]])
+@pytest.mark.parametrize(
+    "materials", [["quartz"], pytest.param(["iron"], marks=pytest.mark.slow), ["quartz", "iron", "ice-warm"]]
+)
 def test_what_is_inferred_is_of_both_spheres_where_they_are_of_one_material(
     run: Run, name: str, materials: list[str]
 ) -> None:

@@ -789,7 +789,7 @@ def test_a_curve_is_doubted_as_its_pull_off_force_wherever_it_is_written(run: Ru
     assert single == "law>25%"
     assert {row["doubt"] for row in rows} == {single}
     assert {verdict["code"] for answer in answers for verdict in answer["validity"]} == {single, None}
-    for options in ("--csv", "--bare", "-o curve.csv", "--panel force"):
+    for options in ("--csv", "--bare", "-o curve.csv", "-o curve.svg", "--panel force"):
         assert inexact in run(f"contact quartz 100nm --curve {options}").err.splitlines(), options
     assert "inexact" not in run("contact quartz 100nm --curve --model jkr,maugis -o curve.svg").err
     listed = run("contact quartz 100nm,10um --curve --csv")

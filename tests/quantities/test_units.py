@@ -162,7 +162,7 @@ def test_conversion_undoes_reading(value: float) -> None:
     )
 
 
-@settings(max_examples=100)
+@settings(max_examples=200)
 @given(
     st.text(max_size=100)
     | st.from_regex(r"[-+]?\d{1,5}(\.\d+)?(e-?\d{1,4})? ?([a-zA-Z]{1,8}[\^*/ ]{0,2}-?\d{0,3}){0,9}", fullmatch=True)

@@ -211,9 +211,9 @@ def _read(manifest: str) -> dict[str, Any]:
     try:
         with open(manifest, encoding="utf-8") as file:
             found = json.load(file)
-        if found.keys() >= {"version", "options", "files"}:
+        if found.keys() >= {"version", "options", "files"} and all("input" in entry for entry in found["files"]):
             for entry in found["files"]:
-                _tally(entry | {"input": entry["input"]})
+                _tally(entry)  # raises ValueError or TypeError for a count that is none
             return dict(found)
     except FileNotFoundError:
         return {}
