@@ -422,6 +422,7 @@ def test_a_header_is_checked_before_the_first_row(run: Run, text: str) -> None:
     ran = run("batch", table(f"{text}\n100,1\n"), "-o", "out.csv", "--jobs", "1")
     assert ran.code == 2
     assert ran.err.removeprefix("read: poisson_ratio; passed through: x\n") == f"jkroll: {HEADERS[text]}\n"
+    assert run("batch", table(f"{text}\n100,1\n"), "-o", "out.csv", "--quiet").err == f"jkroll: {HEADERS[text]}\n"
     assert not [path.name for path in Path().iterdir() if path.name.startswith("out.csv")]
 
 

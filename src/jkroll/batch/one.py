@@ -55,7 +55,8 @@ def table_with(names: tuple[str, ...], rows: list[list[str]], order: Order) -> T
     try:
         table = table_of(columns, rows, fill, asked, doubt=settings.doubt, uncertainty=settings.uncertainty)
     except MissingInput:
-        say_wrapped(columns.reading(), sys.stderr)  # a column may not be understood
+        if not settings.quiet:
+            say_wrapped(columns.reading(), sys.stderr)  # a column may not be understood
         raise
     if not settings.quiet:
         say_reading(columns, rows, fill, settings.quantities)
