@@ -31,7 +31,6 @@ _MISTAKEN = (
 )
 _DECIMAL_COMMA = re.compile(rb"\s*[-+]?\d*,\d+(?:[eE][-+]?\d+)?(?: ?[^\d,.]+)?\s*")
 _DECIMAL_POINT = re.compile(rb"\s*[-+]?\d*\.\d")
-MAX_NUMBERS = 200_000  # that are computed together: more do not stay in the cache
 STRIP = 128  # rows written at once: their text stays in the cache
 _NUMBER = rb"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 _PLAIN = rb'[^"\r\n]*+'
@@ -193,7 +192,6 @@ class Delimited:
         self.said = b"".join(dialect.separator + text.encode() for text in table.said.values())
         self.places = table.places
         self.has_commas = head.has_decimal_commas
-        self.together = max(1, MAX_NUMBERS // len(table.numbers))  # rows
 
     def convert(self, text: bytes) -> Converted:
         """Return whole records with the results behind each."""
@@ -203,21 +201,13 @@ class Delimited:
             names = [name for name in cells if name not in MATERIALS]
             odd = {**dict(_with_decimal_points(cells[name] for name in names)), **odd}
             cells = {**cells, **dict(zip(names, with_points([cells[name] for name in names]), strict=True))}
-        pieces: list[bytes] = []
-        tally = Tally()
-        for start in range(0, len(lines), self.together):
-            part = slice(start, start + self.together)
-            own = {name: column[part] for name, column in cells.items()} if len(lines) > self.together else cells
-            problems = {row - start: why for row, why in odd.items() if start <= row < start + self.together}
-            columns = evaluated(self.table.wanted, self.table.block(len(lines[part]), own, problems))
-            failed = columns.failed()
-            check_strictly(columns, failed, starts[part], strict=self.strict)
-            tally = tally.plus(Tally.of(columns, failed))
-            if self.said:
-                lines[part] = [line + self.said for line in lines[part]]
-            pieces += self._strips(lines[part], columns)
-        output = b"".join([*pieces, rest])
-        return Converted(self.dialect.safe(output) if self.excel_safe else output, tally)
+        columns = evaluated(self.table.wanted, self.table.block(len(lines), cells, odd))
+        failed = columns.failed()
+        check_strictly(columns, failed, starts, strict=self.strict)
+        if self.said:
+            lines = [line + self.said for line in lines]
+        output = b"".join([*self._strips(lines, columns), rest])
+        return Converted(self.dialect.safe(output) if self.excel_safe else output, Tally.of(columns, failed))
 
     def _quickly(self, text: bytes) -> Rows | None:
         """Take apart lines that need no quotes and have the right width; None if there are others."""

@@ -10,6 +10,7 @@ from typing import BinaryIO
 
 from ..errors import BadRequest
 from ..output.files import whole_file
+from ..rows.columns import BLOCK
 from ..rows.header import BadTable
 from ..text import ending, quoted, say
 from .formats import CHUNK, FileFormat, decompressed
@@ -76,13 +77,14 @@ class Input:
 
 
 def blocks(pieces: Iterable[bytes], cut: Cut) -> Iterator[bytes]:
-    """Iterate over blocks of whole records, of CHUNK bytes at most unless a record is longer.
+    """Iterate over blocks of whole records: about BLOCK of them, and CHUNK bytes at most unless a record is longer.
 
     A record that does not end within MAX_RECORD, or at all, is given up: its first lines are a block, and the format
     says what is wrong with them.
     """
     left = iter(pieces)
-    text, size, is_end = b"", CHUNK, False
+    text, is_end = next(left, b""), False
+    usual = size = max(1, min(CHUNK, BLOCK * len(text) // max(1, text.count(b"\n"))))
     while text or not is_end:
         if len(text) < size and not is_end:
             piece = next(left, b"")
@@ -96,7 +98,7 @@ def blocks(pieces: Iterable[bytes], cut: Cut) -> Iterator[bytes]:
         if not end and is_all and cut(text + b"\n"):
             end = len(text)  # the last line ends without a line feed
         yield text[: (end := end or _end_of_lines(text))]
-        text, size = text[end:], CHUNK
+        text, size = text[end:], usual
 
 
 def _end_of_lines(text: bytes) -> int:

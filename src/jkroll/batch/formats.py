@@ -15,7 +15,7 @@ from .ndjson import Ndjson
 LINES: Mapping[str, Dialect | Ndjson] = {**DIALECTS, "ndjson": Ndjson()}
 KINDS = {"csv": "csv", "tsv": "tsv", "tab": "tsv", "ndjson": "ndjson", "jsonl": "ndjson", "parquet": "parquet"}
 COMPRESSIONS = {"gz": "gzip", "gzip": "gzip", "zst": "zstd", "zstd": "zstd"}
-CHUNK = 5 << 16  # bytes read at a time: enough rows to pay for the calls of numpy, few enough to stay in the cache
+CHUNK = 1 << 20  # bytes read at a time
 FEED = 1 << 9  # bytes given to zstd at a time: a block of at least 4 bytes holds at most 128 KiB, so 16 MiB come out
 
 

@@ -18,11 +18,10 @@ from ..output.records import middles, names_of_columns
 from ..quantities.formatting import Format
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..rows.cells import Floats, Numbers, Reader
-from ..rows.columns import DOUBT, STATUS, Columns, Wanted, remarks_of
+from ..rows.columns import BLOCK, DOUBT, STATUS, Columns, Wanted, remarks_of
 from ..rows.header import BadTable, is_input, stated_meanings
 from ..rows.readings import Reading
 from ..rows.rows import Block, evaluated
-from ..rows.sweep import BLOCK
 from ..rows.table import Table
 from ..scene.limits import codes
 from ..text import quoted, shown

@@ -88,7 +88,7 @@ class Reader:
             if text.count(unit) + cells.count(b"") != len(cells):
                 return None
             text = text.replace(unit, b",")
-        return plain_numbers(text, exponent, len(cells))
+        return plain_numbers(text, exponent, len(cells), has_empty=not all(cells))
 
     def _of_many_kinds(self, cells: Sequence[bytes]) -> Numbers:
         """Return the numbers of cells of which some are no numbers, or have other units than others."""
@@ -135,12 +135,12 @@ def _exponent(unit_text: bytes, name: str) -> int | None:
     return exponent_of(unit) if unit and unit.dimension == dimension_of(NOMENCLATURE[name].unit) else None
 
 
-def plain_numbers(text: bytes, exponent: int, count: int) -> Floats | None:
-    """Return numbers, each with a comma behind it, times a power of ten; nan for an empty text.
+def plain_numbers(text: bytes, exponent: int, count: int, *, has_empty: bool) -> Floats | None:
+    """Return numbers, each with a comma behind it, times a power of ten; nan for an empty text, if there may be some.
 
     Returns None if there is anything else before a comma, or not as many.
 
-    >>> plain_numbers(b"1,2.5,+1E2,5.0e-1,,", -9, 5)
+    >>> plain_numbers(b"1,2.5,+1E2,5.0e-1,,", -9, 5, has_empty=True)
     array([1.0e-09, 2.5e-09, 1.0e-07, 5.0e-10,     nan])
     """
     if text.translate(None, PLAIN):
@@ -148,7 +148,6 @@ def plain_numbers(text: bytes, exponent: int, count: int) -> Floats | None:
     text = b"," + text.replace(b"E", b"e")
     if b"+" in text and b"+-" not in text:
         text = text.replace(b",+", b",")
-    has_empty = b",," in text  # which is found faster than the same with a power of ten in it
     suffix = b"e%d" % exponent if exponent else b""
     if suffix:
         for power in set(_POWER.findall(text)):  # a semicolon marks the end of what has its power already

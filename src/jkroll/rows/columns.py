@@ -31,6 +31,7 @@ from ..text import first_of
 if TYPE_CHECKING:
     from ..scene.uncertainty import Elements, Propagated, Sources
 
+BLOCK = 1 << 12  # rows computed together as arrays: many for the calls of numpy, few for the cache
 ROW = ""  # stands for the row as a whole, in place of the name of a column
 UNCERTAINTY = "±"  # stands for the columns of uncertainties that a table does not have
 SIDES = ("minus", "plus", "low", "high")  # of uncertainties: the two of a standard one, and the ends of a range

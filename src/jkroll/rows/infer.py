@@ -17,8 +17,8 @@ from ..scene.scene import broadcast, check_range
 from ..scene.solver import in_si, materials_of, refuse_arrays, with_uncertainty
 from ..scene.unknowns import solved
 from ..text import MAX_QUOTED
+from .columns import BLOCK
 from .inferred import SoughtOne
-from .sweep import BLOCK
 
 
 class InferredValues(dict[str, Any]):

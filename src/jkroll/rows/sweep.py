@@ -17,13 +17,12 @@ from ..quantities.values import Spread
 from ..scene.failures import OfIdenticalSpheres
 from ..scene.scene import FOLLOWS, Scene
 from ..scene.wiring import in_order
-from .columns import Columns, Wanted
+from .columns import BLOCK, Columns, Wanted
 
 if TYPE_CHECKING:
     from .cells import Numbering, Numbers
     from .rows import Block
 
-BLOCK = 1 << 13  # rows computed together as arrays: what lies between two formulas stays in the cache
 WORTH_ARRAYS = 30_000  # formulas, of all rows together, whose evaluation takes as long as to import numpy and orjson
 
 Pair = tuple[Material | None, Material | None]

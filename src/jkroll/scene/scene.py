@@ -16,7 +16,7 @@ from ..materials.library import Material
 from ..physics.elementary import NUMBER, where
 from ..physics.pair import reduced_radius
 from ..quantities.errors import OutOfRange, UnknownQuantity
-from ..quantities.laws import DEFAULT_LAW, Law, law_named
+from ..quantities.laws import DEFAULT_LAW, Law, law_named, routed_apart
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE, UP_TO_INFINITE, XI
 from ..quantities.values import Uncertain, is_uncertain
 from .failures import (
@@ -236,8 +236,14 @@ class Scene:
         return Scene(some(self.stated), *spheres, model=self.stated_model)
 
     def under(self, model: str, **values: Any) -> "Scene":
-        """Return the scene under another law of attraction, with other values of some inputs, without uncertainties."""
-        return Scene({**self.stated, **values}, self.material, self.material2, model=model)
+        """Return the scene under another law of attraction, with other values of some inputs, without uncertainties.
+
+        What follows from neither is not evaluated again.
+        """
+        other = Scene({**self.stated, **values}, self.material, self.material2, model=model)
+        if other.known == self.known:
+            other._take_over(self)
+        return other
 
     @property
     def is_uncertain(self) -> bool:
@@ -418,11 +424,14 @@ class Scene:
                 failures[name] = failure_of(name, given) or NoFiniteValue(name, value)
 
     def _take_over(self, other: "Scene") -> None:
-        """Take the results of another scene of the same inputs, as far as they do not follow from those that differ."""
+        """Take the results of another scene of the same inputs, as far as they follow neither from those that differ nor from the law."""
         differ = {name for name in self.known if self.values[name] is not other.values[name]}
         if not differ.isdisjoint(OF_AREA):
             differ.update(_ON_AREA)
-        self._plan = other._plan
+        if self.law is other.law:
+            self._plan = other._plan
+        else:
+            differ.update(routed_apart(self.law.name, other.law.name, self.known))
         for name, _, arguments in other._plan.steps:
             if name in differ or not differ.isdisjoint(source for _, source in arguments):
                 differ.add(name)
