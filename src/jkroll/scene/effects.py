@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 from ..errors import JkrollError
 from ..physics.elementary import at_least, at_most, where
-from ..quantities.laws import BETWEEN, DEFAULT_LAW, routes
+from ..quantities.laws import BETWEEN, DEFAULT_LAW, routed_apart
 from ..quantities.nomenclature import INFINITY, XI
 from .scene import DEFAULTS, IN_ITS_PLACE, LEAST, MOST, Scene
 from .wiring import depends_on
@@ -111,6 +111,5 @@ def _ratio(theirs: Any, own: Any) -> Any:
 
 def uses_law(scene: Scene, name: str) -> bool:
     """Return whether a quantity of a scene rests on a formula that JKR does not have."""
-    plan, of_jkr = scene.plan(name), routes(DEFAULT_LAW, scene.known)
-    own = {route for key, route in routes(scene.law.name, scene.known).items() if route != of_jkr.get(key, key)}
-    return plan.found[name] in own or any(source in own for step in plan.steps for _, source in step.arguments)
+    plan, apart = scene.plan(name), routed_apart(scene.law.name, DEFAULT_LAW, scene.known)
+    return plan.found[name] in apart or any(source in apart for step in plan.steps for _, source in step.arguments)
