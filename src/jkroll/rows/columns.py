@@ -36,6 +36,7 @@ ROW = ""  # stands for the row as a whole, in place of the name of a column
 UNCERTAINTY = "±"  # stands for the columns of uncertainties that a table does not have
 SIDES = ("minus", "plus", "low", "high")  # of uncertainties: the two of a standard one, and the ends of a range
 _BESIDE = 15  # formulas that take as long as what else a row needs
+_JUDGED = 8  # times as long takes a row whose limits are judged: it is computed by the law that holds, too
 DOUBT = "doubt"  # the column of the limits of the model that a row exceeds, as codes
 STATUS = "status"  # the column of reasons
 MOST_NAMES = 3  # of quantities in a clause of a status
@@ -111,7 +112,7 @@ class Wanted:
 
     def work(self, scene: Any) -> int:
         """Return how many formulas take as long as a row by itself."""
-        return _BESIDE + len(scene.plan(*scene.planned(self.names)).steps)
+        return (_BESIDE + len(scene.plan(*scene.planned(self.names)).steps)) * (_JUDGED if self.doubts else 1)
 
     def row(self, scene: Any) -> "Row":
         """Return the row of a scene of numbers. Raises a JkrollError for uncertainties that do not go together."""

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from .cells import Numbering, Numbers
     from .rows import Block
 
-WORTH_ARRAYS = 30_000  # formulas, of all rows together, whose evaluation takes as long as to import numpy and orjson
+WORTH_ARRAYS = 80_000  # formulas, of all rows together, whose evaluation takes as long as to import numpy and orjson
 
 Pair = tuple[Material | None, Material | None]
 
