@@ -145,6 +145,8 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
             "half_circles_moment": 2 * xi * E * a0 * a_ * (((a0 * a_) ** 2 + xi**2) / R - delta),
             "fixed_approach_moment": M + E * a0 * a_ * xi**3 / R,
             "rolling_stiffness": k,
+            "rolling_spring_constant": k / R**2,
+            "rolling_friction_coefficient": M / R / (P + 2 * P_c),
             "yield_force": M / R1,
             "yield_force_fixed_load": M / R1 - P * xi / R2,
             "yield_force_ratio": M / R1 / P_c,
@@ -161,7 +163,7 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
             "energy": W0,
             **{name: factor * adhesion_energy for name, factor in ENERGIES.items()},
             **_sliding((E1, E2), (nu1, nu2), (m1, m2) if not on_plane else (m1,), a0 * a_),
-            **_shearing((E1, E2), (nu1, nu2), I, a0 * a_),
+            **_shearing((E1, E2), (nu1, nu2), I, a0 * a_, P + 2 * P_c),
             **_conventions(gamma, R, E, m, xi, adhesion_energy, known.get("rolling_angle")),
             "n_roll": W0 / (7 * pi * mean_M),
             "n_roll_energy_balance": W0 / (2 * pi * mean_M),
@@ -200,8 +202,10 @@ def _shear_moduli(moduli: tuple[Exact, ...], ratios: tuple[Exact, ...]) -> list[
     return [modulus / (2 * (1 + nu)) if nu > -1 else mpf("inf") for modulus, nu in zip(moduli, ratios, strict=True)]
 
 
-def _shearing(moduli: tuple[Exact, ...], ratios: tuple[Exact, ...], inertia: Exact, a: Exact) -> dict[str, Exact]:
-    """The contact where its shear strength is reached: uniform over the circle, ∫ r τ 2πr dr for the moment."""
+def _shearing(
+    moduli: tuple[Exact, ...], ratios: tuple[Exact, ...], inertia: Exact, a: Exact, cap: Exact
+) -> dict[str, Exact]:
+    """The contact where its shear strength is reached: uniform over the circle, ∫ r τ 2πr dr for the moment. `cap`: P + 2P_c."""
     shear = _shear_moduli(moduli, ratios)
     tau = min(shear) / (4 * pi**2)
     force, moment = tau * pi * a**2, tau * 2 * pi * a**3 / 3
@@ -217,6 +221,8 @@ def _shearing(moduli: tuple[Exact, ...], ratios: tuple[Exact, ...], inertia: Exa
         "twisting_angle": moment / k_t,
         "twisting_energy": moment**2 / (2 * k_t),
         "twisting_frequency": sqrt(k_t / inertia) / (2 * pi),
+        "sliding_friction_coefficient": force / cap,
+        "twisting_friction_coefficient": moment / cap,
     }
 
 
@@ -440,6 +446,8 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "unloaded_moment": lambda P_c, xi: 4 * P_c * xi,
     "fixed_approach_moment": lambda M, E, a, xi, R: M + E * a * xi**3 / R,
     "rolling_stiffness": lambda F_a, R: F_a * R,
+    "rolling_spring_constant": lambda k, R: k / R**2,
+    "rolling_friction_coefficient": lambda M, R, P, P_c: M / R / (P + 2 * P_c),
     "yield_force": lambda w, x, xi, q: 6 * pi * w * x * xi / (1 + q),
     "yield_force_fixed_load": lambda M, R1, P, xi, R2: M / R1 - P * xi / R2,
     "yield_force_ratio": lambda x, xi, R1: 4 * x * xi / R1,
@@ -481,6 +489,8 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "twisting_angle": lambda M_twist, k_t: M_twist / k_t,
     "twisting_energy": lambda M_twist, phi_twist: M_twist * phi_twist / 2,
     "twisting_frequency": lambda k_t, I: sqrt(k_t / I) / (2 * pi),  # noqa: E741
+    "sliding_friction_coefficient": lambda F_slide, P, P_c: F_slide / (P + 2 * P_c),
+    "twisting_friction_coefficient": lambda M_twist, P, P_c: M_twist / (P + 2 * P_c),
     "peeling_force": lambda P_c, s, G, E: 4 * P_c * _held(s) * sqrt(G / E),
     "peeling_radius": lambda w, R, E, s: cbrt(9 * pi * w * R**2 / (2 * E) * (1 + _held(s) ** 2) / 4),
     "peeling_over_sliding": lambda T_peel, tau, a_peel: T_peel / (pi * a_peel**2 * tau),

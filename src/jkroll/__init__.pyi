@@ -122,6 +122,8 @@ from .physics.rolling import mean_rolling_force as mean_rolling_force
 from .physics.rolling import mean_rolling_moment as mean_rolling_moment
 from .physics.rolling import n_grav as n_grav
 from .physics.rolling import r_min as r_min
+from .physics.rolling import rolling_friction_coefficient as rolling_friction_coefficient
+from .physics.rolling import rolling_spring_constant as rolling_spring_constant
 from .physics.rolling import rolling_stiffness as rolling_stiffness
 from .physics.rolling import unloaded_moment as unloaded_moment
 from .physics.rolling import yield_angle as yield_angle
@@ -136,8 +138,10 @@ from .physics.tangential import shear_strength as shear_strength
 from .physics.tangential import sliding_displacement as sliding_displacement
 from .physics.tangential import sliding_energy as sliding_energy
 from .physics.tangential import sliding_force as sliding_force
+from .physics.tangential import sliding_friction_coefficient as sliding_friction_coefficient
 from .physics.tangential import twisting_angle as twisting_angle
 from .physics.tangential import twisting_energy as twisting_energy
+from .physics.tangential import twisting_friction_coefficient as twisting_friction_coefficient
 from .physics.tangential import twisting_moment as twisting_moment
 from .physics.tangential import twisting_stiffness as twisting_stiffness
 from .physics.validity import contact_radius_in_spacings as contact_radius_in_spacings

@@ -89,14 +89,9 @@ def lammps_input(scene: Scene) -> Iterator[str]:
         except MissingInput as error:
             yield f"# {command.partition(' {')[0]} needs {error.needs()}"
     yield f"timestep {min(steps):.12g}"
-    friction = f" F_slide/(P + 2P_c) = {_friction(scene):.3g}" if scene.law.is_default else ""
+    friction = f" F_slide/(P + 2P_c) = {scene['sliding_friction_coefficient']:.3g}" if scene.law.is_default else ""
     yield from (remark.format(law=model, friction=friction) for remark in _REMARKS)
     yield from (remark.format(**whole) for remark in _REMARKS_ON[model])
-
-
-def _friction(pair: Scene) -> float:
-    """Return the coefficient of friction with which a contact slides at its own load."""
-    return float(pair["sliding_force"] / (pair["load"] + 2 * pair["pull_off_force"]))
 
 
 def pair_of(scene: Scene, suffix: str) -> Scene:
@@ -116,16 +111,14 @@ def pair_of(scene: Scene, suffix: str) -> Scene:
 
 def _coefficients(pair: Scene) -> str:
     """Return the words and numbers that describe a contact in `pair_coeff` and `fix wall/gran`."""
-    radius, load = pair["reduced_radius"], pair["load"]
-    capped = load + 2 * pair["pull_off_force"]
-    slip = _friction(pair) if pair.law.is_default else NO_SLIP
+    slip = pair["sliding_friction_coefficient"] if pair.law.is_default else NO_SLIP
     numbers: dict[str, tuple[float, ...]] = {
         pair.law.name: (2 * pair["contact_modulus"], 0, 0, pair["work_of_adhesion"] / 2),
         "tangential mindlin_rescale": (8 * pair["contact_shear_modulus"], 0, slip),
-        "rolling sds": (pair["rolling_stiffness"] / radius**2, 0, pair["yield_moment"] / (radius * capped)),
+        "rolling sds": (pair["rolling_spring_constant"], 0, pair["rolling_friction_coefficient"]),
     }
     if pair.law.is_default:
-        numbers["twisting sds"] = (pair["twisting_stiffness"], 0, pair["twisting_moment"] / capped)
+        numbers["twisting sds"] = (pair["twisting_stiffness"], 0, pair["twisting_friction_coefficient"])
     return " ".join(" ".join((word, *(f"{number:.12g}" for number in values))) for word, values in numbers.items())
 
 

@@ -15,6 +15,7 @@ from .dimensions import (
     Moment,
     Number,
     RollingStiffness,
+    Stiffness,
     Stress,
     SurfaceEnergy,
 )
@@ -49,6 +50,40 @@ def rolling_stiffness(*, adhesive_force: Force, reduced_radius: Length) -> Rolli
     6.0
     """
     return adhesive_force * reduced_radius
+
+
+def rolling_spring_constant(*, rolling_stiffness: RollingStiffness, reduced_radius: Length) -> Stiffness:
+    """Return the constant of the spring by which LAMMPS lets a contact roll: force per rolling displacement.
+
+        k_roll = k/R²
+
+    Source:   LAMMPS, pair_style granular, rolling sds.
+    Valid:    Angles below the yield angle, at this load.
+    Accuracy: 1 ulp above k and R.
+
+    >>> rolling_spring_constant(rolling_stiffness=18.0, reduced_radius=3.0)
+    2.0
+    """
+    return rolling_stiffness / reduced_radius / reduced_radius
+
+
+def rolling_friction_coefficient(
+    *, yield_moment: Moment, reduced_radius: Length, load: Force, pull_off_force: Force
+) -> Number:
+    """Return the coefficient of friction with which LAMMPS lets a contact roll at its yield moment.
+
+        μ_roll = M/(R(P + 2P_c))
+
+    load  [N]  tension negative
+
+    Source:   LAMMPS, pair_style granular, rolling sds: the spring's force is at most μ_roll(P + 2P_c).
+    Valid:    This load.
+    Accuracy: 2 ulp above M, R and P_c.
+
+    >>> rolling_friction_coefficient(yield_moment=6.0, reduced_radius=3.0, load=-1.0, pull_off_force=1.0)
+    2.0
+    """
+    return yield_moment / reduced_radius / (load + 2 * pull_off_force)
 
 
 def yield_force(

@@ -206,3 +206,40 @@ def peeling_over_sliding(*, peeling_force: Force, shear_strength: Stress, peelin
     4.0
     """
     return peeling_force / (pi * shear_strength * peeling_radius**2)
+
+
+# --- As LAMMPS has them -----------------------------------------------------------------------------------------------
+
+
+def sliding_friction_coefficient(*, sliding_force: Force, load: Force, pull_off_force: Force) -> Number:
+    """Return the coefficient of friction with which LAMMPS lets a contact slide at its sliding force.
+
+        μ_slide = F_slide/(P + 2P_c)
+
+    load  [N]  tension negative
+
+    Source:   LAMMPS, pair_style granular, tangential mindlin_rescale: the spring's force is at most μ_slide(P + 2P_c).
+    Valid:    This load: LAMMPS multiplies it with every load.
+    Accuracy: 1.5 ulp above F_slide and P_c.
+
+    >>> sliding_friction_coefficient(sliding_force=2.0, load=-1.0, pull_off_force=1.0)
+    2.0
+    """
+    return sliding_force / (load + 2 * pull_off_force)
+
+
+def twisting_friction_coefficient(*, twisting_moment: Moment, load: Force, pull_off_force: Force) -> Length:
+    """Return the coefficient of friction, a length, with which LAMMPS lets a contact twist at its twisting moment.
+
+        μ_twist = M_twist/(P + 2P_c)
+
+    load  [N]  tension negative
+
+    Source:   LAMMPS, pair_style granular, twisting sds: the spring's moment is at most μ_twist(P + 2P_c).
+    Valid:    This load: LAMMPS multiplies it with every load.
+    Accuracy: 1.5 ulp above M_twist and P_c.
+
+    >>> twisting_friction_coefficient(twisting_moment=2.0, load=-1.0, pull_off_force=1.0)
+    2.0
+    """
+    return twisting_moment / (load + 2 * pull_off_force)

@@ -104,6 +104,11 @@ OF_DEM: Mapping[str, Quantity] = {
     "twisting_angle": Quantity("φ_twist", "rad", "angle of torsion at which the contact twists"),
     "twisting_energy": Quantity("E_twist", "J", "elastic energy of torsion at which the contact twists"),
     "twisting_frequency": Quantity("f_twist", "Hz", "frequency of twisting (torsion)"),
+    # of pair_style granular in LAMMPS
+    "rolling_spring_constant": Quantity("k_roll", "N/m", "spring constant of rolling in LAMMPS"),
+    "rolling_friction_coefficient": Quantity("μ_roll", "1", "coefficient of rolling friction in LAMMPS"),
+    "sliding_friction_coefficient": Quantity("μ_slide", "1", "coefficient of sliding friction in LAMMPS"),
+    "twisting_friction_coefficient": Quantity("μ_twist", "m", "coefficient of twisting friction in LAMMPS, a length"),
     # aggregates
     "monomers": Quantity("N", "1", "number of grains of an aggregate", range=SEVERAL, option="--monomers", example="1000"),
     "contacts": Quantity("n_c", "1", "number of contacts of an aggregate", range=POSITIVE, option="--contacts", example="2500"),
