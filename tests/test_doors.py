@@ -179,6 +179,12 @@ FOUND = {
         {**QUARTZ, "radius": ["1e-7 m", "1e-6 m"], "approach_at_load": ["-1e-9 m"]},
         "contact_displacement,zone_span",
     ),
+    "a state without contact": Ask(
+        "moment",
+        {**QUARTZ, "radius": ["1e-8 m"], "approach_at_load": ["-3.8e-10 m", "0 m"]},
+        "contact_displacement,zone_span",
+        "maugis",
+    ),
     "two rigid bodies beyond pull-off, among others": Ask(
         "report",
         {**PLAIN, "youngs_modulus": ["1e9 Pa", "rigid"], "load": ["-1 N"], "adhesion_hysteresis": ["0.003 J/m^2"]},

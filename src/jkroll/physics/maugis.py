@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from . import dugdale
 from .dimensions import Force, Length, Number, Stiffness, Stress, SurfaceEnergy
-from .elementary import arctan, at_least, pi, sqrt, where
+from .elementary import arctan, at_least, pi, sqrt, where, within
 
 
 def edge_ratio_at_load(
@@ -289,6 +289,7 @@ def adhesive_force_maugis(*, edge_ratio: Number, zone_span: Length, cohesive_str
 
 def contact_displacement(
     *,
+    edge_ratio: Number,
     zone_span: Length,
     reduced_radius: Length,
     contact_modulus: Stress,
@@ -299,15 +300,18 @@ def contact_displacement(
 
         ξ_contact = ξ/(1 + E*T/(σ0R))
 
+    edge_ratio  [1]  > 0; without contact, a float raises ValueError and an array holds NaN
+
     Source:   First order in ξ.
     Valid:    ξ ≪ a.
     Accuracy: 3 ulp above T.
 
-    >>> contact_displacement(zone_span=1.0, reduced_radius=1.0, contact_modulus=1.0, cohesive_stress=1.0,
+    >>> contact_displacement(edge_ratio=1.0, zone_span=1.0, reduced_radius=1.0, contact_modulus=1.0, cohesive_stress=1.0,
     ...                      yield_displacement=2.0)
     1.0
     """
-    return yield_displacement / (1 + contact_modulus / cohesive_stress * (zone_span / reduced_radius))
+    lag = within(edge_ratio > 0, yield_displacement)
+    return lag / (1 + contact_modulus / cohesive_stress * (zone_span / reduced_radius))
 
 
 # --- Named states: without load, at pull-off, and where fixed grips let go --------------------------------------------

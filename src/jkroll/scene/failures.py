@@ -227,6 +227,16 @@ class NotHeld(NoResult):
         return "beyond pull-off only fixed grips hold the contact; free spheres fly apart"
 
 
+class Apart(NoResult):
+    """Error raised for what only a contact circle has, where spheres attract without touching."""
+
+    name = "contact_displacement"
+
+    def reason(self) -> str:
+        """Return why there is no circle."""
+        return "the spheres are bound without touching; there is no contact circle"
+
+
 class NoFiniteValue(NoResult):
     """Error raised for a result outside the range of doubles, or without limit."""
 
@@ -361,6 +371,8 @@ def failure_of(step: str, given: Mapping[str, Any]) -> NoResult | None:
             found = NoChain()
         case "vertical_frequency" | "peeling_force" | "peeling_radius" if _is_held_by_grips_alone(given):
             found = NotHeld(step)
+        case "contact_displacement" if given["edge_ratio"] == 0:
+            found = Apart()
         case "yield_displacement_at_hysteresis" if given["adhesion_hysteresis"] > given["work_of_adhesion"]:
             found = TooMuchHysteresis(given["adhesion_hysteresis"], given["work_of_adhesion"])
     return found
