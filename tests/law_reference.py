@@ -156,7 +156,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "load_maugis": lambda edge, T, R, E, sigma0: hertz(edge, T, R, E) - attraction(edge, T, sigma0),
     "stiffness_maugis": slope,
     "adhesive_force_maugis": attraction,
-    "contact_displacement": lambda edge, T, R, E, sigma0, xi: xi / (1 + E * T / (sigma0 * R)),
+    "contact_displacement": lambda edge, T, R, E, sigma0, xi: (edge > 0) * xi / (1 + E * T / (sigma0 * R)),
     # Maugis' law: energies
     "state_energy_maugis": lambda edge, T, w, R, E, lambda_: sum(state_energy(edge, T, w, R, E, lambda_)),
     "well_energy_maugis": lambda edge0, w, R, E, lambda_: well(edge0, lambda_) * energy_unit(w, R, E),
