@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 
 from ..errors import BadRequest, JkrollError
-from ..quantities.errors import QUANTITY_SYNONYMS, nearest
+from ..quantities.errors import ALIKE, QUANTITY_SYNONYMS, nearest
 from ..quantities.nomenclature import NOMENCLATURE, named
 from ..text import closest, quoted, say, shown
 from .commands import COMMANDS, HELP, Action, Command, Option, flags_of, help_of
@@ -40,6 +40,7 @@ HINTS: Mapping[str, str] = {
     "--roughness": _NOT_MODELLED,
     "--rms": _NOT_MODELLED,
     "--humidity": _NOT_MODELLED,
+    "--temperature": _NOT_MODELLED,
     "--restitution": _NOT_MODELLED,
     "--diameter": "a radius, half of it, stands alone: jkroll pull-off quartz 100nm",
     "--material": "a material stands alone: jkroll pull-off quartz 100nm",
@@ -291,4 +292,4 @@ def _meant(name: str, flags: Iterable[str]) -> str | None:
     if quantity is not None and quantity.option in known.values():
         return quantity.option
     begun = [word for word in known if name and word.startswith(name)]
-    return known.get(begun[0] if len(begun) == 1 else closest(name, known) or "")
+    return known.get(begun[0] if len(begun) == 1 else closest(name, known, ALIKE) or "")

@@ -65,6 +65,7 @@ QUANTITY_SYNONYMS = {
     "impact_speed": "speed",
     "impact_velocity": "speed",
     "indentation": "approach_at_load",
+    "modulus": "youngs_modulus",
     "overlap": "approach_at_load",
     "penetration": "approach_at_load",
     "porosity": "filling_factor",
