@@ -126,7 +126,7 @@ def test_an_open_quote_does_not_gather_what_follows_in_one_block() -> None:
     from jkroll.batch.files import blocks
     from jkroll.batch.formats import CHUNK
 
-    lines = [b'"open,quartz\n', *(b"row %d,quartz\n" % row for row in range(CHUNK // 20))]
+    lines = [b'"open,quartz\n', *(b"row %d,quartz\n" % row for row in range(CHUNK // 10))]
     pieces = [b"".join(lines[start : start + 1000]) for start in range(0, len(lines), 1000)]
     found = [*blocks(pieces, DIALECTS["csv"].cut)]
     assert b"".join(found) == b"".join(lines)
