@@ -210,7 +210,7 @@ def _law_values(random: Random) -> Iterator[tuple[str, Any]]:
     yield "reduced_radius", radius
     yield "contact_modulus", modulus
     yield "transition_parameter", transition
-    yield "unloaded_edge_ratio", dugdale.ratio_at_load(transition, 0.0)
+    yield "unloaded_edge_ratio", dugdale.unloaded_ratio(transition)
     yield "edge_ratio", random.choice([0.0, log_uniform(random, 1e-6, 1e6), log_uniform(random, 0.1, 10)])
     yield "load", random.choice([0.0, -tension * nearly, -log_uniform(random, 1e-9, 1), beyond]) * force
     yield "approach_at_load", random.choice([0.0, -depth * nearly, beyond]) * length**2 / radius

@@ -5,17 +5,17 @@ The traction σ0 acts for a < r < c, where the gap is below w/σ0. Lengths along
 
 Maugis (J. Colloid Interface Sci. 150, 243, 1992) has two equations for a and c at a load. Here one variable describes a
 state, the edge ratio v = a/√(c² − a²): it is large where the ring is narrow (JKR), small where the ring is wide (DMT), and
-0 where the spheres do not touch. All else is explicit in v, and so are both extremes of the curve:
+0 where the spheres do not touch. All else is explicit in v, and so are both extremes of the curve and the state without load:
 
     T = √(c² − a²) = 1/(⅔λ²G2 + √((⅔λ²G2)² + λG1/2))    a = vT    c = nT    q = 4λ/(3T)
     P = a³ − λT²G3    δ = a² − (4/3)λT    dP/dδ = (3/2)T(vG3 − qD)/(G3 − qh)
-    pull-off: q = vG3/D    fold, where fixed grips let go: q = G3/h
+    pull-off: q = vG3/D    fold, where fixed grips let go: q = G3/h    no load: q = 4v³/(3G3)
 
     n = √(1 + v²)    θ = arctan(1/v)    h = tan(θ/2) = 1/(n + v)
     G1 = v + (1 − v²)θ    G2 = θ − h    G3 = v + n²θ    D = vh + n²θ²
 
-At an extreme, at a load and at an approach, v is the root of a smooth function, found by Newton's method from a start that is
-near enough for a fixed number of steps.
+At these, at a load and at an approach, v is the root of a smooth function, found by Newton's method from a start that is near
+enough for a fixed number of steps.
 """
 
 import math
@@ -156,7 +156,7 @@ def energy(transition: Any, at: Shape, span: Any, approach: Any) -> Any:
     return 3 / 4 * punch - outside * outside + transition * square * (square * ring / 4 + pull - inner)
 
 
-# --- Extremes -------------------------------------------------------------------------------------------------------
+# --- Extremes, and no load --------------------------------------------------------------------------------------------
 
 
 def pull_off_ratio(transition: Any) -> Any:
@@ -199,10 +199,21 @@ def lowest_approach(transition: Any, least: Any) -> Any:
     return where(least == 0, apart, approach(transition, at, span(transition, at)))
 
 
-def _step_to(transition: Any, at: Shape, q: Any, growth: Any) -> Any:
-    """Return v after a step of Newton's method towards the v whose extreme belongs to λ.
+def unloaded_ratio(transition: Any) -> Any:
+    """Return v of the stable contact without load, from a fit to 8e-5."""
+    curved = (0.5219 + transition * (1.0059 + 0.7003 * transition)) / (1 + transition * (1.9949 + 0.692 * transition))
+    v = transition * sqrt(1.2114137 + 1.2467419 / (transition * (1 + transition * curved)))
+    for _ in range(2):
+        at = shape(v)
+        v = _step_to(transition, at, 4 / 3 * cube(v) / at.g3, 3 / v - 2 * v * at.theta / at.g3)
+    return v
 
-    λ = ¾qT with T³ = 8/(3q(G1 + 2qG2)) is the one whose extreme is at v; `growth` is d ln q/dv.
+
+def _step_to(transition: Any, at: Shape, q: Any, growth: Any) -> Any:
+    """Return v after a step of Newton's method towards the v whose state of some kind belongs to λ.
+
+    λ = ¾qT with T³ = 8/(3q(G1 + 2qG2)) is the one that has this state at v; `q` is what makes it of its kind, and
+    `growth` is d ln q/dv.
     """
     v, n = at.v, at.n
     g = g1(at) + 2 * q * at.g2

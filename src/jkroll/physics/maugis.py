@@ -320,15 +320,15 @@ def contact_displacement(
 def unloaded_edge_ratio(*, transition_parameter: Number) -> Number:
     """Return the edge ratio of the stable contact without load.
 
-        v where P = 0
+        q = 4v³/(3G3), q = 4λ/(3T)
 
-    Source:   Maugis 1992, by Newton's method.
-    Accuracy: 8 ulp, times 1 plus its condition in λ.
+    Source:   Maugis 1992; in closed form at a given v.
+    Accuracy: 4 ulp.
 
     >>> round(unloaded_edge_ratio(transition_parameter=1.0), 7)
     1.4102117
     """
-    return dugdale.ratio_at_load(transition_parameter, 0.0)
+    return dugdale.unloaded_ratio(transition_parameter)
 
 
 def unloaded_radius_maugis(

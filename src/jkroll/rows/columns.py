@@ -10,6 +10,7 @@ from math import isnan, nan
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..errors import JkrollError
+from ..physics.elementary import where
 from ..quantities.formatting import OutOfUnit
 from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import is_uncertain
@@ -347,12 +348,12 @@ class _Arrays:
         """Take the values of a quantity, or note in which rows it has none."""
         import numpy
 
-        is_shown = numpy.broadcast_to(self.shown[name], self.size)
+        is_shown = self.shown[name]
         if isinstance(outcome, JkrollError):
-            self.whole[name], self.gaps[name] = outcome, is_shown
+            self.whole[name], self.gaps[name] = outcome, numpy.broadcast_to(is_shown, self.size)
             return
         values = self.numbers[self.wanted.places[name]]
-        values[...] = outcome if self.shown[name] is True else numpy.where(is_shown, outcome, numpy.nan)
+        values[...] = where(is_shown, outcome, numpy.nan)
         if isinstance(outcome, numpy.ndarray) and (fails := numpy.isnan(values) & is_shown).any():
             self.gaps[name] = fails
 

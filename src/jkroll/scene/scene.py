@@ -9,6 +9,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import reduce
 from math import nan
 from operator import and_
+from types import MappingProxyType
 from typing import Any
 
 from ..errors import JkrollError
@@ -175,12 +176,13 @@ class Scene:
         material2: Material | None = None,
         *,
         model: str | None = None,
+        checked: Mapping[str, Any] = MappingProxyType({}),
     ) -> None:
         """Take SI values by name, over those of the materials of sphere 1 and, if it has one of its own, of sphere 2.
 
         `model` is the law of attraction; None stands for the paper's, JKR. The scene computes with the middle of a
-        value that has an uncertainty; `scene.uncertainty` computes with the rest. Raises ShapeMismatch for arrays that
-        do not broadcast.
+        value that has an uncertainty; `scene.uncertainty` computes with the rest. `checked`: values whose ranges need
+        no check. Raises OutOfRange, or ShapeMismatch for arrays that do not broadcast.
         """
         self.law = law_named(DEFAULT_LAW if model is None else model)
         self.stated_model = None if model is None else self.law.name
@@ -202,7 +204,8 @@ class Scene:
         self.given = {**own, **own2, **self.stated}
         self._has_arrays = not all(isinstance(value, NUMBER) for value in self.given.values())
         for name, value in self.given.items():
-            check_range(name, value)
+            if checked.get(name) is not value:
+                check_range(name, value)
         self.values = {**_assumed(self.given, others=(XI,) if self._has_displacement else ()), **self.given}
         self._implied = _implied(self.values, self.law)
         for values in self._implied.values():
@@ -221,7 +224,18 @@ class Scene:
         What does not follow from these inputs is not evaluated again.
         """
         stated = {name: value for name, value in {**self.stated, **values}.items() if value is not None}
-        other = Scene(stated, self.material, self.material2, model=self.stated_model)
+        return self._varied(stated, self.stated_model)
+
+    def under(self, model: str, **values: Any) -> "Scene":
+        """Return the scene under another law of attraction, with other values of some inputs, without uncertainties.
+
+        What follows from neither is not evaluated again.
+        """
+        return self._varied({**self.stated, **values}, model)
+
+    def _varied(self, stated: Mapping[str, Any], model: str | None) -> "Scene":
+        """Return the scene of other stated inputs and another law, with the results that it has in common with this one."""
+        other = Scene(stated, self.material, self.material2, model=model, checked=self.given)
         if other.known == self.known:
             other._take_over(self)
         return other
@@ -234,16 +248,6 @@ class Scene:
 
         spheres = [one and one._replace(properties=some(one.properties)) for one in (self.material, self.material2)]
         return Scene(some(self.stated), *spheres, model=self.stated_model)
-
-    def under(self, model: str, **values: Any) -> "Scene":
-        """Return the scene under another law of attraction, with other values of some inputs, without uncertainties.
-
-        What follows from neither is not evaluated again.
-        """
-        other = Scene({**self.stated, **values}, self.material, self.material2, model=model)
-        if other.known == self.known:
-            other._take_over(self)
-        return other
 
     @property
     def is_uncertain(self) -> bool:
