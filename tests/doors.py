@@ -11,7 +11,7 @@ from unittest.mock import patch
 
 import numpy as np
 
-import jkroll.batch.delimited
+import jkroll.batch.lines
 import jkroll.batch.one
 import jkroll.rows.sweep
 from harness import Ran, Run
@@ -169,7 +169,7 @@ def of_table(run: Run, sheet: Sheet, *, sample: int = 200) -> Converted:
         return table_of(columns, rows[:sample], *others, **options)
 
     with ExitStack() as stack:
-        stack.enter_context(patch.object(jkroll.batch.delimited, "evaluated", observed))
+        stack.enter_context(patch.object(jkroll.batch.lines, "evaluated", observed))
         stack.enter_context(patch.object(jkroll.batch.one, "table_of", of_sample))
         ran = answered(run, "batch", "in.csv", "-o", "out.csv", "--jobs", "1", *sheet.options)
     if ran.code == 2:

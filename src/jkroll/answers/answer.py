@@ -327,4 +327,4 @@ def _width(result: Result) -> float:
 
 def stated_by(sources: "Sources", inputs: Collection[str]) -> "dict[str, Uncertain]":
     """Return the values of sources by those of their names that are among the inputs."""
-    return {name: source.given for source in sources.entering for name in source.names if name in inputs}
+    return {name: one for name, one in sources.given.items() if name in inputs}

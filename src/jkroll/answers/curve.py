@@ -268,7 +268,7 @@ class OfCurve(Wanted):
         for name, value in _known(state).items():
             if name not in self.names:
                 continue
-            for key in (name, *self.sides_of(name).values()):
+            for key in self.keys_of(name):
                 numbers[key] = nan
                 reasons.pop(key, None)
             if isinstance(value, NoValue):

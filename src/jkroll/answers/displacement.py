@@ -55,7 +55,7 @@ class Worth(NamedTuple):
 
 def worth(scene: Scene, names: Sequence[str]) -> Worth | None:
     """Return what ξ is worth for quantities of a scene; None where it is not assumed, enters none, or the spheres are small."""
-    if XI in scene.given or not scene.given.keys().isdisjoint(IN_ITS_PLACE):
+    if not scene.given.keys().isdisjoint(IN_ITS_PLACE):
         return None
     following = [name for name in names if name != XI and XI in depends_on([name], [scene.law.name])]
     radius = 2 * scene.numbers("reduced_radius").get("reduced_radius", 0.0)

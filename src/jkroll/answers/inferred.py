@@ -11,7 +11,7 @@ from ..quantities.formatting import amount, in_words
 from ..quantities.laws import LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.failures import MissingInput, reason_of
-from ..scene.inverse import PER_DECADE, Observed, Solution, largest, sizes_in_words, with_inputs
+from ..scene.inverse import PER_DECADE, Observed, Solution, sizes_in_words, with_placeholders
 from ..scene.limits import Verdict
 from ..scene.scene import Scene
 from ..scene.unknowns import solved
@@ -45,9 +45,7 @@ class Inferred(Answer):
             self.solution = solved(self.names, observed)
         except (NoResult, MissingInput) as error:
             self.failure = error
-        self.scene = (
-            self.solution.scene if self.solution is not None else with_inputs(observed.scene, largest(self.names))
-        )
+        self.scene = self.solution.scene if self.solution is not None else with_placeholders(observed.scene, self.names)
         measured = (*observed.measured,)
         self.forward = Answer(Question(measured, measured, named=measured), self.scene)
 
@@ -100,7 +98,7 @@ class Inferred(Answer):
         for law in LAWS:
             other = self.observed.scene.under(law)
             try:
-                if with_inputs(other, largest(self.names)).plan(*self.observed.measured).steps != own:
+                if with_placeholders(other, self.names).plan(*self.observed.measured).steps != own:
                     found[law] = solved(self.names, self.observed._replace(scene=other))
             except (MissingInput, NoResult):
                 continue
@@ -177,7 +175,7 @@ def _proof_of_two(found: Solution, by_law: Mapping[str, Solution]) -> list[str]:
 def _unused(name: str, quantities: Sequence[str], found: Scene) -> list[Note]:
     """Return a note on each property of a material in whose place an inferred value stands. `found`: the scene with that value."""
     used = found.data_used(found.inputs_of(*quantities))
-    materials = {one.name: one for one in (found.material, found.material2) if one is not None}
+    materials = {one.name: one for one, _ in found.materials}
     return [
         Note("data", f"{NOMENCLATURE[each].symbol.rstrip('1')} of {material.name} is not used")
         for material in materials.values()

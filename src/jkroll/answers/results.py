@@ -13,6 +13,7 @@ from ..scene.effects import uses_law
 from ..scene.scene import Scene
 
 if TYPE_CHECKING:
+    from ..quantities.values import Uncertain
     from ..scene.uncertainty import Propagated
 else:
     Propagated = object  # a quoted type would start Python's compiler, which costs a call a millisecond
@@ -64,6 +65,11 @@ class Result(NamedTuple):
     def source(self) -> str:
         """The equation as a text: "Eq 6", or the source of the law."""
         return f"Eq {self.equation}" if self.equation.isdigit() else self.equation
+
+    @property
+    def measure(self) -> "float | Uncertain | None":
+        """The value, with its uncertainty if it has one."""
+        return self.propagated.uncertainty if self.propagated is not None else self.value
 
     def in_unit(self, form: Format) -> "Result":
         """Return the result, without its value if no double holds it in its unit."""

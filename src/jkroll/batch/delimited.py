@@ -16,11 +16,10 @@ from ..output.records import numbers_in_lines
 from ..rows.columns import Columns
 from ..rows.header import BadTable, is_input
 from ..rows.readings import MATERIALS
-from ..rows.rows import evaluated
 from ..rows.table import Table
 from ..scene.limits import codes
 from ..text import quoted
-from .lines import BOM, Converted, Head, Tally, check_encoding, check_strictly
+from .lines import BOM, Converted, Head, check_encoding, computed
 
 _MISTAKEN = (
     (";", "semicolons", "--delimiter semicolon"),
@@ -201,13 +200,12 @@ class Delimited:
             names = [name for name in cells if name not in MATERIALS]
             odd = {**dict(_with_decimal_points(cells[name] for name in names)), **odd}
             cells = {**cells, **dict(zip(names, with_points([cells[name] for name in names]), strict=True))}
-        columns = evaluated(self.table.wanted, self.table.block(len(lines), cells, odd))
-        failed = columns.failed()
-        check_strictly(columns, failed, starts, strict=self.strict)
+        block = self.table.block(len(lines), cells, odd)
+        columns, tally = computed(self.table.wanted, block, starts, strict=self.strict)
         if self.said:
             lines = [line + self.said for line in lines]
         output = b"".join([*self._strips(lines, columns), rest])
-        return Converted(self.dialect.safe(output) if self.excel_safe else output, Tally.of(columns, failed))
+        return Converted(self.dialect.safe(output) if self.excel_safe else output, tally)
 
     def _quickly(self, text: bytes) -> Rows | None:
         """Take apart lines that need no quotes and have the right width; None if there are others."""

@@ -8,9 +8,10 @@ from typing import Any, NamedTuple
 import numpy
 
 from ..rows.cells import Floats
-from ..rows.columns import Columns
+from ..rows.columns import Columns, Wanted
 from ..rows.header import BadRow, BadTable
 from ..rows.inferred import SoughtOne
+from ..rows.rows import Block, evaluated
 from ..scene.limits import NOT_JUDGED, codes
 
 BOM = b"\xef\xbb\xbf"
@@ -85,8 +86,14 @@ def check_encoding(text: bytes, name: str) -> None:
         raise BadTable("the table is not UTF-8; save it as UTF-8")
 
 
-def check_strictly(columns: Columns, failed: Sequence[int], lines: Sequence[int], *, strict: bool) -> None:
-    """Raise BadRow for the first row that fails where none may. `lines`: at which the rows begin."""
+def computed(wanted: Wanted, block: Block, lines: Sequence[int], *, strict: bool) -> tuple[Columns, Tally]:
+    """Return the columns of a block and its counts; if `strict`, raise BadRow for the first row that fails.
+
+    `lines`: at which the rows begin.
+    """
+    columns = evaluated(wanted, block)
+    failed = columns.failed()
     if strict and failed:
         first = min(failed)
         raise BadRow(lines[first], columns.status(first))
+    return columns, Tally.of(columns, failed)

@@ -101,7 +101,7 @@ def convert_many(path: str, order: Order, run: Runner) -> tuple[Tally, int]:
     os.makedirs(directory, exist_ok=True)
     manifest = Manifest(order, parts)
     left = [part for part in parts if part.path not in manifest.entries]
-    if not left:
+    if not left and not settings.quiet:
         say(f"note: all {len(parts)} files are done; without --resume they are made anew", sys.stderr)
     each = replace(order, settings=settings._replace(resume=False, jobs=1, quiet=True))
     code = 0

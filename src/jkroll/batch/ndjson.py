@@ -10,10 +10,10 @@ import orjson
 from ..output.records import numbers_in_lines
 from ..rows.columns import Columns
 from ..rows.header import BadTable, holds_input
-from ..rows.rows import evaluated
 from ..rows.table import Table
 from ..scene.limits import codes
-from .lines import BOM, Converted, Head, Tally, check_encoding, check_strictly
+from ..text import quoted
+from .lines import BOM, Converted, Head, check_encoding, computed
 
 Row = dict[str, Any]
 
@@ -70,12 +70,10 @@ class NdjsonConverter:
         odd = {row: problem for row, one in enumerate(objects) if (problem := self._problem(one))}
         rows = [one or {} for one in objects]
         cells = {name: _cells([row.get(key) for row in rows]) for name, key in self.keys.items()}
-        columns = evaluated(self.table.wanted, self.table.block(len(rows), cells, odd))
-        failed = columns.failed()
-        check_strictly(columns, failed, places, strict=self.strict)
+        block = self.table.block(len(rows), cells, odd)
+        columns, tally = computed(self.table.wanted, block, places, strict=self.strict)
         for place, one, members in zip(places, objects, self._members(columns), strict=True):
             lines[place] = _beginning(lines[place], one) + members
-        tally = Tally.of(columns, failed)
         return Converted(b"\n".join([*lines, b""]), tally)
 
     def _problem(self, one: Row | None) -> str:
@@ -90,7 +88,7 @@ class NdjsonConverter:
             for name in one
             if name in others and (name in self.added or holds_input(name, _text(one[name]), meanings))
         )
-        return next((f"has {name!r}, which the first line does not have" for name in surprises), "")
+        return next((f"has {quoted(name)}, which the first line does not have" for name in surprises), "")
 
     def _members(self, columns: Columns) -> Iterator[bytes]:
         """Iterate over the members that the rows get, each with the end of the object."""

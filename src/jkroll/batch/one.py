@@ -78,7 +78,7 @@ def _convert_lines(path: str, form: FileFormat, compression: str, order: Order) 
         start = compressor(compression)(converter.header_line) if converter.header_line else b""
         tally = run(
             Work(
-                header_line=Converted(start),
+                header_line=start,
                 lines_of_header=head.text.count(b"\n"),
                 blocks=filter(None, chain([first[len(head.text) :]], texts)),
                 make_convert=partial(_make_convert, converter, compression),

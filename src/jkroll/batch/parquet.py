@@ -21,12 +21,12 @@ from ..rows.cells import Floats, Numbers, Reader
 from ..rows.columns import BLOCK, DOUBT, STATUS, Columns, Wanted, remarks_of
 from ..rows.header import BadTable, is_input, stated_meanings
 from ..rows.readings import Reading
-from ..rows.rows import Block, evaluated
+from ..rows.rows import Block
 from ..rows.table import Table
 from ..scene.limits import codes
 from ..text import quoted, shown
 from .files import Input, output_to
-from .lines import Tally, check_strictly
+from .lines import Tally, computed
 from .progress import Bar
 from .settings import Order, Part
 
@@ -87,16 +87,14 @@ class _File:
 
     def _with_results(self, batch: Any) -> Rows:
         size = batch.num_rows
-        columns = evaluated(self.table.wanted, self._block(batch))
-        failed = columns.failed()
-        check_strictly(columns, failed, range(self.line + 1, self.line + size + 1), strict=self.strict)
+        places = range(self.line + 1, self.line + size + 1)
+        columns, tally = computed(self.table.wanted, self._block(batch), places, strict=self.strict)
         arrays = [
             *batch.columns,
             *(pyarrow.repeat(text, size) for text in self.table.said.values()),
             *map(as_column, columns.numbers),
             *_remarks(columns, self.table.remarks),
         ]
-        tally = Tally.of(columns, failed)
         return pyarrow.RecordBatch.from_arrays(arrays, schema=self.schema), tally
 
     def _block(self, batch: Any) -> Block:
@@ -129,7 +127,11 @@ def write_columns(wanted: Wanted, blocks: Iterable[Columns], units: Format, targ
     def batch(columns: Columns) -> Rows:
         arrays = [
             *(pyarrow.array(middles(columns.inputs[name]), kinds[name], from_pandas=True) for name in wanted.inputs),
-            *(as_column(_changed(key, columns, units)) for key in wanted.keys),
+            *(
+                as_column(_changed(name, columns.column(key), units))
+                for name in wanted.names
+                for key in wanted.keys_of(name)
+            ),
             *_remarks(columns, remarks),
         ]
         return pyarrow.RecordBatch.from_arrays(arrays, schema=schema), Tally(len(columns))
@@ -138,10 +140,9 @@ def write_columns(wanted: Wanted, blocks: Iterable[Columns], units: Format, targ
         _write(target, schema, map(batch, blocks), bar)
 
 
-def _changed(key: str, columns: Columns, units: Format) -> Floats:
-    """Return a column in the unit and with the digits in which it is written."""
-    numbers = numpy.asarray(columns.column(key), dtype=float)
-    name = next(name for name in columns.wanted.names if key in (name, *columns.wanted.sides_of(name).values()))
+def _changed(name: str, column: Any, units: Format) -> Floats:
+    """Return a column of a quantity in the unit and with the digits in which it is written."""
+    numbers = numpy.asarray(column, dtype=float)
     if not units.changes(name):
         return numbers
     return numpy.array([value if isnan(value) else units.number(name, value) for value in numbers.tolist()])

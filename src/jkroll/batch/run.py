@@ -26,7 +26,7 @@ Convert = Callable[[bytes], Converted]
 class Work(NamedTuple):
     """A table to convert."""
 
-    header_line: Converted  # what the header becomes
+    header_line: bytes  # what the header becomes
     lines_of_header: int  # of the header as read
     blocks: Iterator[bytes]
     make_convert: Callable[[], Convert]  # called in each process
@@ -84,7 +84,7 @@ def _path(output: BinaryIO) -> str:
 
 def _steps(work: Work, jobs: int, path: str) -> Iterator[tuple[Step, Fetch]]:
     """Iterate over the header and the converted blocks in their order. `path`: of the file into which they go, or an empty text."""
-    yield Step(len(work.header_line.output), work.lines_of_header), lambda _: work.header_line.output
+    yield Step(len(work.header_line), work.lines_of_header), lambda _: work.header_line
     convert = work.make_convert()
 
     def here(text: bytes) -> tuple[Step, Fetch]:

@@ -22,7 +22,6 @@ class Settings(NamedTuple):
     jobs: int = 0
     excel_safe: bool = False
     dask: str = ""
-    materials: str | None = None
     quiet: bool = False
     columns: tuple[str, ...] = ()  # what headers mean, as `--column` has it
     doubt: bool = True  # whether there is a column of doubts

@@ -11,7 +11,7 @@ from ..quantities.values import Spread, spreads_of
 from ..rows.columns import Wanted
 from ..rows.inferred import Sought, SoughtOne
 from ..rows.sweep import Sweep
-from ..scene.inverse import SIZES, AlreadyGiven, Observed, input_named, largest, observed, with_inputs
+from ..scene.inverse import SIZES, AlreadyGiven, Observed, input_named, observed, with_placeholders
 from ..scene.scene import Scene
 from ..text import quoted
 from .commands import Call
@@ -50,7 +50,7 @@ class _Inverse:
 
     def kinds(self, sweep: Sweep, wanted: Wanted) -> Iterable[tuple[Scene, Sequence[str]]]:  # noqa: ARG002
         """Return a scene of each kind of rows, with the measured quantities."""
-        return [(with_inputs(row.scene, largest(self.names)), self.quantities) for row in sweep.kinds]
+        return [(with_placeholders(row.scene, self.names), self.quantities) for row in sweep.kinds]
 
 
 def run_infer(call: Call) -> int:

@@ -241,7 +241,7 @@ def map_request(call: Call) -> PlotRequest:
 
 def _distinction(scene: Scene, request: Request) -> str:
     """Return the materials of a scene, and those of its values of which several were given."""
-    parts = [one.name for one in (scene.material, scene.material2) if one is not None]
+    parts = [one.name for one, _ in scene.materials]
     if len(request.models) > 1 and scene.stated_model is not None:
         parts.append(scene.law.title)
     several = [name for name, text in request.options.items() if "," in text or ":" in text]

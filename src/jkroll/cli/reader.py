@@ -292,4 +292,4 @@ def _meant(name: str, flags: Iterable[str]) -> str | None:
     if quantity is not None and quantity.option in known.values():
         return quantity.option
     begun = [word for word in known if name and word.startswith(name)]
-    return known.get(begun[0] if len(begun) == 1 else closest(name, known, ALIKE) or "")
+    return known.get(min(begun, key=len) if begun else closest(name, known, ALIKE) or "")

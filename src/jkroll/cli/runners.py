@@ -22,15 +22,15 @@ def run_batch(call: Call) -> int:
     if call.settings.keys() >= {"format", "delimiter"}:
         raise BadRequest("--format and --delimiter exclude each other")
     infer, measured = _inverse(call)
-    same = {name: getattr(call, name) for name in Settings._fields if name in Call._fields}
-    own = {
-        "target": call.target or "-",
-        "quantities": call.quantities or "",
-        "doubt": not call.no_doubt,
-        "infer": infer,
-        "measured": measured,
-    }
-    settings = Settings(**{**same, **own}, **call.settings)
+    settings = Settings(
+        target=call.target or "-",
+        quantities=call.quantities or "",
+        quiet=call.quiet,
+        doubt=not call.no_doubt,
+        infer=infer,
+        measured=measured,
+        **call.settings,
+    )
     return run(call.words[0], settings, call.inputs, known_materials_of(call.materials))
 
 

@@ -12,7 +12,7 @@ from ..quantities.formatting import Format, OutOfUnit, in_words
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, header
 from ..quantities.values import is_uncertain
-from ..rows.columns import DOUBT, STATUS, Columns, Wanted, heads, remarks_of
+from ..rows.columns import DOUBT, STATUS, Columns, Wanted, remarks_of
 from ..scene.limits import codes
 from ..text import json_text, say, spelled
 
@@ -75,10 +75,7 @@ LINE_FORMATS = {
 
 def names_of_columns(wanted: Wanted, form: Format) -> list[str]:
     """Return the headers of inputs, in SI units, and of results with their uncertainties, as the format has them."""
-    return [
-        *map(header, wanted.inputs),
-        *(head for name in wanted.names for head in heads(name, form.header(name), wanted.sides_of(name))),
-    ]
+    return [*map(header, wanted.inputs), *wanted.heads(form.header)]
 
 
 def lines(kind: str, wanted: Wanted, blocks: Iterable[Columns], form: Format, *, doubt: bool = True) -> Iterator[bytes]:
@@ -151,7 +148,7 @@ def middles(column: Any) -> Any:
 
 def _results(columns: Columns, form: Format, line_format: LineFormat) -> Iterator[Any]:
     for name in columns.wanted.names:
-        for key in (name, *columns.wanted.sides_of(name).values()):
+        for key in columns.wanted.keys_of(name):
             column = columns.column(key)
             if isinstance(column, list) or form.changes(name):
                 yield [
@@ -166,7 +163,7 @@ def writable(columns: Columns, form: Format) -> Columns:
     for name in form.units:
         if name not in columns.wanted.places:
             continue
-        own = [columns.column(key) for key in (name, *columns.wanted.sides_of(name).values())]
+        own = [columns.column(key) for key in columns.wanted.keys_of(name)]
         for row, numbers in enumerate(zip(*map(_listed, own), strict=True)):
             if not all(isnan(number) or form.holds(name, number) for number in numbers):
                 for column in own:

@@ -60,7 +60,7 @@ def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
 def _grid_table(grid: "Grid", answer: "Answer", out: TextIO, form: Format) -> Table:
     """Return the table of a grid; the quantities of a cell stand below each other."""
     found: dict[str, Any] = {**answer.inputs, **answer.uncertain}
-    found |= {one.name: one.propagated.uncertainty if one.propagated else one.value for one in answer.results}
+    found |= {one.name: one.measure for one in answer.results}
 
     def cell(names: tuple[str, ...]) -> str:
         values = ((name, found.get(name)) for name in names)
@@ -137,7 +137,7 @@ class _Cells:
         from ..quantities.values import of_sides
 
         sides = [{side: columns.column(key)[row] for side, key in keys.items()} for row in range(len(columns))]
-        return [value and of_sides(value, own) for value, own in zip(found, sides, strict=True)]
+        return [None if value is None else of_sides(value, own) for value, own in zip(found, sides, strict=True)]
 
     def column(self, name: str) -> list[str]:
         """Return the head and the cells of a column."""

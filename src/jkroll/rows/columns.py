@@ -87,13 +87,21 @@ class Wanted:
         self.names, self.named, self.inputs, self.doubts = tuple(names), frozenset(named), tuple(inputs), doubts
         self.uncertainties = sides is not None
         self.sides = {name: tuple(side for side in SIDES if side in own) for name, own in (sides or {}).items()}
-        self.keys = tuple(key for name in self.names for key in (name, *self.sides_of(name).values()))
+        self.keys = tuple(key for name in self.names for key in self.keys_of(name))
         self.places = {key: place for place, key in enumerate(self.keys)}
         self.known_sides = frozenset(side for own in self.sides.values() for side in own)
 
     def sides_of(self, name: str) -> dict[str, str]:
         """Return the keys of the columns of a quantity's uncertainty, by the side: "radius_minus"."""
         return {side: f"{name}_{side}" for side in self.sides.get(name, ())}
+
+    def keys_of(self, name: str) -> tuple[str, ...]:
+        """Return the keys of the columns of a quantity: its own, and those of its uncertainty."""
+        return (name, *self.sides_of(name).values())
+
+    def heads(self, header: Callable[[str], str]) -> list[str]:
+        """Return the headers of all columns; `header` gives that of a quantity."""
+        return [head for name in self.names for head in heads(name, header(name), self.sides_of(name))]
 
     def with_sides(self, sides: Collection[str]) -> "Wanted":
         """Return the same quantities with columns for some sides of their uncertainties."""
@@ -104,8 +112,7 @@ class Wanted:
         """Return the sides of the uncertainties that enter the quantities of a scene."""
         from ..scene.uncertainty import sources_of_results
 
-        entering = sources_of_results(scene, self.names).entering if scene.is_uncertain else ()
-        return {side for source in entering for side in source.given.sides}
+        return sources_of_results(scene, self.names).sides if scene.is_uncertain else set()
 
     def lacks(self, scene: Any) -> bool:
         """Return whether a scene lacks inputs of some quantity."""
@@ -133,8 +140,7 @@ class Wanted:
             if (remark := left_out(self, scene, sources)) is not None:
                 reasons[UNCERTAINTY] = remark
             else:
-                given = {name: source.given for source in sources.entering for name in source.names}
-                inputs |= {name: one for name, one in given.items() if name in inputs}
+                inputs |= {name: one for name, one in sources.given.items() if name in inputs}
                 fill_sides(self, bars, numbers, reasons)
         return Row(
             inputs,
@@ -296,9 +302,9 @@ def left_out(wanted: Wanted, scene: Scene, sources: "Sources", stated: Sequence[
 
     `stated`: what has an uncertainty in a cell, beside the inputs of the scene.
     """
-    if all(side in wanted.known_sides for source in sources.entering for side in source.given.sides):
+    if sources.sides <= wanted.known_sides:
         return None
-    names = [name for source in sources.entering for name in source.names]
+    names = [*sources.given]
     if in_cells := [name for name in names if name in scene.uncertain or name in stated]:
         raise NotShown(f"{in_cells[0]}: the cell has an uncertainty, {_NO_COLUMNS}")
     materials = dict.fromkeys(material.name for material, _ in scene.data_used(names))

@@ -9,6 +9,7 @@ from typing import NamedTuple
 from ..errors import BadRequest, JkrollError
 from ..quantities.errors import BareNumber, QuantityError
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
+from ..quantities.nomenclature import header as header_of
 from ..quantities.units import Unit, dimension_of, exponent_of, kind_of
 from ..quantities.values import Uncertain, parse_quantity, split_number, unit_of, value_of
 from ..text import MAX_WORD, closest, first_of, quoted, shown
@@ -165,7 +166,7 @@ class Header(NamedTuple):
         """Return the name of an input with the headers that it is read from, if these are others."""
         heads = {side.part: _easy(self.texts[side.place]) for side in column.sides}
         if column.is_range:
-            return f"{_head(column.name, column.unit_text)} from {heads['low']} to {heads['high']}"
+            return f"{header_of(column.name, column.unit_text)} from {heads['low']} to {heads['high']}"
         own = _from(column.name, column.unit_text, self.texts[column.place])
         marks = {"both": "±", "minus": "−", "plus": "+"}
         return " ".join([own, *(f"{marks[part]} {head}" for part, head in heads.items())])
@@ -173,12 +174,8 @@ class Header(NamedTuple):
 
 def _from(name: str, unit_text: str, text: str) -> str:
     """Return the name of an input with the header that it is read from, if that is another."""
-    head = _head(name, unit_text)
+    head = header_of(name, unit_text)
     return head if text.strip() in (head, name) else f"{head} from {_easy(text)}"
-
-
-def _head(name: str, unit_text: str) -> str:
-    return f"{name} [{unit_text}]" if unit_text else name
 
 
 def _easy(text: str) -> str:
@@ -233,7 +230,7 @@ def understood(
     at_left = ""  # the input of the column before
     for place, text in enumerate(texts):
         cells = [row[place] for row in rows]
-        reading = meanings.get(text.strip()) or reading_of(text)
+        reading = _reading(text, meanings)
         if at_left and not reading.name and unit_alone(text) is not None and text.strip() not in meanings:
             reading = Reading(at_left, part="both")
         name = reading.name
@@ -263,6 +260,11 @@ def understood(
         _check_new(text, f"{name} {reading.part}" if name else text, seen)
     others = [*alike, *_add_parts(parts, texts, inputs, meanings)]
     return Header(tuple(texts), tuple(inputs), tuple(materials), tuple(others), meanings, unread)
+
+
+def _reading(text: str, meanings: Mapping[str, Reading]) -> Reading:
+    """Return the meaning of a header: that of `--column`, else its own."""
+    return meanings.get(text.strip()) or reading_of(text)
 
 
 def _check_meanings(texts: Sequence[str], meanings: Mapping[str, Reading]) -> None:
@@ -347,7 +349,7 @@ def _with_parts(
 
 def _unit_in(text: str, meanings: Mapping[str, Reading]) -> str | None:
     """Return the unit in the header of an input's uncertainty, which may be a mark alone."""
-    reading = meanings.get(text.strip()) or reading_of(text)
+    reading = _reading(text, meanings)
     return reading.unit_text if reading.name else unit_alone(text)
 
 
@@ -402,13 +404,13 @@ def _is_number(text: str) -> bool:
 
 def holds_input(text: str, cell: str, meanings: Mapping[str, Reading]) -> bool:
     """Return whether a header and its cell are those of an input."""
-    reading = meanings.get(text.strip()) or reading_of(text)
+    reading = _reading(text, meanings)
     return bool(reading.name) and (not reading.is_symbol or _have_units(reading.name, [cell]))
 
 
 def is_input(text: str, meanings: Mapping[str, Reading] = MappingProxyType({})) -> bool:
     """Return whether a header may be that of an input; a symbol without a unit is one if its cells have units."""
-    return unit_alone(text) is not None or bool((meanings.get(text.strip()) or reading_of(text)).name)
+    return unit_alone(text) is not None or bool(_reading(text, meanings).name)
 
 
 def _column(place: int, name: str, unit_text: str | None, text: str) -> Column:

@@ -16,7 +16,6 @@ from ..scene.inverse import Observed, input_named, observed
 from ..scene.scene import broadcast, check_range
 from ..scene.solver import in_si, materials_of, refuse_arrays, with_uncertainty
 from ..scene.unknowns import solved
-from ..text import MAX_QUOTED
 from .columns import BLOCK
 from .inferred import SoughtOne
 
@@ -103,7 +102,7 @@ def infer(
         few = len(names) == 1
         raise QuantityError(
             "measured",
-            str(measured)[:MAX_QUOTED],
+            str(measured),
             "is not one quantity and its value" if few else "is not two quantities and their values",
             'write {"pull_off_force": "300 nN"}'
             if few
@@ -146,7 +145,7 @@ def _names(wanted: str | Sequence[str]) -> list[str]:
     names = [*map(input_named, words)]
     if isinstance(wanted, list | tuple) and len({*names}) != 2:
         remedy = 'write "gamma" or ["gamma", "young"]'
-        raise QuantityError("wanted", str(wanted)[:MAX_QUOTED], "cannot be inferred: one input can, or two", remedy)
+        raise QuantityError("wanted", str(wanted), "cannot be inferred: one input can, or two", remedy)
     return names
 
 

@@ -9,7 +9,7 @@ from ..errors import JkrollError, NoResult
 from ..quantities.nomenclature import PROPERTIES
 from ..quantities.values import is_uncertain
 from ..scene.failures import MissingInput
-from ..scene.inverse import SIZES, Observed, computed, failure, largest, solutions, with_inputs
+from ..scene.inverse import SIZES, Observed, computed, failure, solutions, with_inputs, with_placeholders
 from ..scene.limits import doubts
 from ..scene.scene import Scene
 from ..scene.unknowns import check, solved
@@ -80,7 +80,7 @@ class Sought(Wanted):
 
     def lacks(self, scene: Observed) -> bool:
         """Return whether a scene lacks an input without which the quantities have no value."""
-        return bool(with_inputs(scene.scene, largest(self.names)).missing(self.quantities))
+        return bool(with_placeholders(scene.scene, self.names).missing(self.quantities))
 
     def work(self, scene: Observed) -> int:  # noqa: ARG002
         """Return how many formulas take as long as a row by itself: none, as arrays cannot do it."""

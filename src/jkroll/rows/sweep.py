@@ -106,12 +106,11 @@ class Sweep:
         return bool(scene.shows(name))
 
     def _may_be_alike(self, name: str) -> bool:
-        """Return whether an input of sphere 2 has a value of sphere 1, and one of them has several."""
-        own, first = (
-            {end for spread in self.spreads.get(one, ()) for end in (spread.low, spread.high)}
-            for one in (name, name.removesuffix("2"))
-        )
-        return name.endswith("2") and len(own) + len(first) > 2 and not own.isdisjoint(first)
+        """Return whether an input of sphere 2 may have a value of sphere 1, and one of them has several."""
+        own, first = self.spreads[name], self.spreads.get(name.removesuffix("2"), ())
+        several = sum(map(len, own)) + sum(map(len, first)) > 2
+        overlap = any(one.low <= other.high and other.low <= one.high for one in own for other in first)
+        return name.endswith("2") and several and overlap
 
     # --- Columns ------------------------------------------------------------------------------------------------------
 

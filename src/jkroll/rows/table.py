@@ -20,7 +20,7 @@ from ..scene.inverse import check_one, observed
 from ..scene.scene import EXCLUSIVE, Scene
 from ..text import first_of, quoted, say, say_wrapped
 from .cells import LABEL, Lookup, Numbering, Reader
-from .columns import DOUBT, SIDES, STATUS, BadCells, Wanted, heads, remarks_of
+from .columns import DOUBT, SIDES, STATUS, BadCells, Wanted, remarks_of
 from .header import BadTable, Column, Header, check_first, check_inputs
 from .inferred import SoughtOne
 from .readings import MATERIALS, may_be_diameter
@@ -68,16 +68,15 @@ class Fill(NamedTuple):
 class Table:
     """The columns of a table that are inputs, and those that it gets."""
 
-    def __init__(self, columns: Header, fill: Fill, wanted: Wanted, *, doubt: bool) -> None:
-        """`doubt`: whether there is a column of doubts."""
+    def __init__(self, columns: Header, fill: Fill, wanted: Wanted) -> None:
         self.inputs, self.materials_at, self.fill, self.wanted = columns.inputs, columns.materials, fill, wanted
         self.meanings, self.reading = columns.meanings, columns.reading()
         self.places = dict(self.materials_at)  # of the columns that are read
         for column in self.inputs:
             self.places |= column.places
-        self.numbers = [head for name in wanted.names for head in heads(name, header(name), wanted.sides_of(name))]
+        self.numbers = wanted.heads(header)
         self.said = {"model": fill.model} if fill.model is not None else {}  # columns of text, the same in all rows
-        self.remarks = remarks_of(wanted, doubt=doubt)
+        self.remarks = remarks_of(wanted, doubt=True)
         self.readers = [Reader(column) for column in self.inputs]
         self.lookups = {
             name: Lookup(fill.known, material) for name, material in zip(MATERIALS, fill.spheres, strict=True)
@@ -161,10 +160,10 @@ def table_of(
     """
     check_inputs(columns)
     wanted = wanted_of(columns, rows, fill, asked, doubts=doubt)
-    table = Table(columns, fill, wanted, doubt=doubt)
+    table = Table(columns, fill, wanted)
     sides = {*SIDES} if uncertainty else _sides_of(table, rows)
     if sides:
-        table = Table(columns, fill, wanted.with_sides(sides), doubt=doubt)
+        table = Table(columns, fill, wanted.with_sides(sides))
     taken = set(table.added)
     for text in columns.texts:
         if text.strip() in taken:

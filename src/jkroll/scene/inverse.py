@@ -61,7 +61,7 @@ class Observed(NamedTuple):
 
     def _filled(self, names: Sequence[str], values: Mapping[str, Any] | None) -> Scene:
         """Return the scene with all inputs."""
-        return with_inputs(self.scene, largest(names) if values is None else values)
+        return with_placeholders(self.scene, names) if values is None else with_inputs(self.scene, values)
 
 
 def observed(
@@ -456,9 +456,9 @@ def with_inputs(scene: Scene, values: Mapping[str, Any]) -> Scene:
     return scene.replace(**{each: value for name, value in values.items() for each in names_in(scene, name)})
 
 
-def largest(names: Iterable[str]) -> dict[str, float]:
-    """Return the largest values of inputs, which stand for those that are not known yet."""
-    return {name: SIZES[name][1] for name in names}
+def with_placeholders(scene: Scene, names: Iterable[str]) -> Scene:
+    """Return a scene with placeholders, the largest values, for inputs that are not known yet."""
+    return with_inputs(scene, {name: SIZES[name][1] for name in names})
 
 
 def names_in(scene: Scene, name: str) -> tuple[str, ...]:
@@ -472,7 +472,7 @@ def check_one(name: str, quantity: str, scene: Scene) -> None:
     if name not in SIZES:
         raise CannotInfer(name)
     check_given(name, quantity, scene)
-    if name == quantity or name not in with_inputs(scene, largest([name])).inputs_of(quantity):
+    if name == quantity or name not in with_placeholders(scene, [name]).inputs_of(quantity):
         raise NoDependence(name, quantity)
 
 
@@ -499,7 +499,7 @@ def computed(name: str) -> int:
 
 def failure(name: str, quantity: str, scene: Scene) -> JkrollError:
     """Return the reason why a quantity has no value for any value of the input."""
-    outcome = with_inputs(scene, largest([name])).evaluate((quantity,))[quantity]
+    outcome = with_placeholders(scene, [name]).evaluate((quantity,))[quantity]
     return outcome if isinstance(outcome, JkrollError) else NoDependence(name, quantity)
 
 

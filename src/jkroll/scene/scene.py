@@ -196,7 +196,7 @@ class Scene:
         self.stated = {**given, **{name: one.value for name, one in self.uncertain.items()}}
         self.arrays = {name: value for name, value in self.stated.items() if not isinstance(value, NUMBER)}
         self.shape = broadcast(self.arrays)
-        self._has_displacement = any(one.displacement is not None for one in (material, material2) if one is not None)
+        self._has_displacement = any(one.displacement is not None for one, _ in self.materials)
         if self._has_displacement and material is not None:
             self.material = material = _with_displacement(material, material2, self.stated)
         own = dict(material.properties) if material is not None else {}
@@ -223,18 +223,17 @@ class Scene:
 
         What does not follow from these inputs is not evaluated again.
         """
-        stated = {name: value for name, value in {**self.stated, **values}.items() if value is not None}
-        return self._varied(stated, self.stated_model)
+        return self._changed(values, self.stated_model)
 
     def under(self, model: str, **values: Any) -> "Scene":
         """Return the scene under another law of attraction, with other values of some inputs, without uncertainties.
 
         What follows from neither is not evaluated again.
         """
-        return self._varied({**self.stated, **values}, model)
+        return self._changed(values, model)
 
-    def _varied(self, stated: Mapping[str, Any], model: str | None) -> "Scene":
-        """Return the scene of other stated inputs and another law, with the results that it has in common with this one."""
+    def _changed(self, values: Mapping[str, Any], model: str | None) -> "Scene":
+        stated = {name: value for name, value in {**self.stated, **values}.items() if value is not None}
         other = Scene(stated, self.material, self.material2, model=model, checked=self.given)
         if other.known == self.known:
             other._take_over(self)
@@ -250,10 +249,15 @@ class Scene:
         return Scene(some(self.stated), *spheres, model=self.stated_model)
 
     @property
+    def materials(self) -> list[tuple[Material, str]]:
+        """The materials of the spheres that have one, each with the suffix of the names of its properties."""
+        both = ((self.material, ""), (self.material2, "2"))
+        return [(material, suffix) for material, suffix in both if material is not None]
+
+    @property
     def is_uncertain(self) -> bool:
         """True if an input, or a property of a material, has an uncertainty."""
-        materials = (self.material, self.material2)
-        return bool(self.uncertain) or any(one.uncertainties for one in materials if one is not None)
+        return bool(self.uncertain) or any(material.uncertainties for material, _ in self.materials)
 
     def uncertainty_of(self, name: str) -> Uncertain | None:
         """Return the uncertainty of an input, whether it was stated or is that of a material; None if it has none."""
@@ -271,11 +275,9 @@ class Scene:
 
     def data_used(self, inputs: Collection[str]) -> list[tuple[Material, str]]:
         """Return the materials and those of their properties that are among the inputs and were not stated otherwise."""
-        spheres = ((self.material, ""), (self.material2, "2"))
         return [
             (material, name)
-            for material, suffix in spheres
-            if material is not None
+            for material, suffix in self.materials
             for name in material.properties
             if name + suffix in inputs and name + suffix not in self.stated
         ]

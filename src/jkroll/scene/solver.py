@@ -13,7 +13,6 @@ from ..physics.elementary import NUMBER
 from ..quantities.errors import QuantityError, UnknownQuantity
 from ..quantities.nomenclature import NOMENCLATURE, canonical, named
 from ..quantities.values import Measured, Uncertain, checked, is_uncertain, value_of
-from ..text import MAX_QUOTED
 from .failures import GivenTwice, NoUncertainty
 from .scene import Scene
 from .wiring import Plan
@@ -130,7 +129,7 @@ def _material(argument: str, material: str | Material | None, materials: Materia
     if isinstance(material, Material):
         return material._replace(properties=_properties(argument, material))
     if not isinstance(material, str):
-        raise QuantityError(argument, str(material)[:MAX_QUOTED], "is not the name of one material", 'write "quartz"')
+        raise QuantityError(argument, str(material), "is not the name of one material", 'write "quartz"')
     return (materials or known_materials())[material]
 
 
@@ -138,11 +137,11 @@ def _properties(argument: str, material: Material) -> Mapping[str, float]:
     """Return the properties of a material, which may have been made by hand."""
     given = material.properties
     if not isinstance(given, Mapping):
-        raise QuantityError(argument, str(given)[:MAX_QUOTED], "is not a mapping of properties", "write {name: value}")
+        raise QuantityError(argument, str(given), "is not a mapping of properties", "write {name: value}")
     properties, _ = in_si(given)
     for name, value in properties.items():
         if not isinstance(value, float):
-            raise QuantityError(name, str(value)[:MAX_QUOTED], "is not a single number")
+            raise QuantityError(name, str(value), "is not a single number")
     return properties
 
 
@@ -151,9 +150,7 @@ def materials_of(
 ) -> tuple[Material | None, Material | None]:
     """Return the materials of the two spheres."""
     if materials is not None and not isinstance(materials, Materials):
-        raise QuantityError(
-            "materials", str(materials)[:MAX_QUOTED], "is not a Materials object", 'write Materials("mine.toml")'
-        )
+        raise QuantityError("materials", str(materials), "is not a Materials object", 'write Materials("mine.toml")')
     return _material("material", material, materials), _material("material2", material2, materials)
 
 
@@ -270,7 +267,7 @@ def _number(name: str, value: Any) -> Any:
     """Return a float, an uncertain value or an array of floats for a number, a text, a Quantity, or a sequence of these."""
     if hasattr(value, "m_as"):
         if not value.is_compatible_with(NOMENCLATURE[name].unit):
-            raise QuantityError(name, str(value)[:MAX_QUOTED], "is of another dimension")
+            raise QuantityError(name, str(value), "is of another dimension")
         value = value.m_as(NOMENCLATURE[name].unit)
     if isinstance(value, str):
         return value_of(value, name)
@@ -300,16 +297,14 @@ def as_floats(name: str, value: Any) -> Any:
     if numpy.ma.isMaskedArray(value):
         raise QuantityError(name, "a masked array", "has cells without a value; fill it first")
     if hasattr(value, "unit") or hasattr(value, "units"):  # as of astropy and unyt, which numpy would drop
-        raise QuantityError(
-            name, str(value)[:MAX_QUOTED], "has a unit, and only those of pint are read; give SI numbers"
-        )
+        raise QuantityError(name, str(value), "has a unit, and only those of pint are read; give SI numbers")
     try:
         array = numpy.asarray(value)
         if array.dtype.kind in "fiu":
             return array.astype(float, copy=False) if array.ndim else float(array)
     except (ValueError, OverflowError):
         pass
-    raise QuantityError(name, str(value)[:MAX_QUOTED], "is not a number")
+    raise QuantityError(name, str(value), "is not a number")
 
 
 # --- Formulas ---------------------------------------------------------------------------------------------------------

@@ -72,6 +72,16 @@ class Sources(NamedTuple):
     entering: Sequence[Source]
     left_out: Sequence[Source] = ()
 
+    @property
+    def given(self) -> dict[str, Uncertain]:
+        """The values of those that enter, by all of their names."""
+        return {name: source.given for source in self.entering for name in source.names}
+
+    @property
+    def sides(self) -> set[str]:
+        """The sides of those that enter: minus and plus, or low and high."""
+        return {side for source in self.entering for side in source.given.sides}
+
 
 class Propagated(NamedTuple):
     """The uncertainty of a result, and the part that each source has in it."""
@@ -119,9 +129,9 @@ def _stated(scene: Scene) -> Iterator[Source]:
 
 def _of_materials(scene: Scene) -> Iterable[Source]:
     found: dict[tuple[tuple[str, str], str], Source] = {}
-    for material, suffix in ((scene.material, ""), (scene.material2, "2")):
-        for name, given in material.uncertainties.items() if material is not None else ():
-            if material is not None and name + suffix not in scene.stated:
+    for material, suffix in scene.materials:
+        for name, given in material.uncertainties.items():
+            if name + suffix not in scene.stated:
                 key = (material.key, name)
                 names = (*found[key].names, name + suffix) if key in found else (name + suffix,)
                 found[key] = Source(names, given)

@@ -34,11 +34,11 @@ from .inverse import (
     found_by,
     found_by_all,
     grid,
-    largest,
     pieces_of,
     roots,
     solution,
     with_inputs,
+    with_placeholders,
     with_turning_points,
 )
 from .scene import EXCLUSIVE, Scene
@@ -164,7 +164,7 @@ def _orders(names: Sequence[str], quantities: Sequence[str], scene: Scene) -> li
     The best stand first: there the first quantity does not depend on the second input. Raises Unseparated if there is
     none.
     """
-    filled = with_inputs(scene, largest(names))
+    filled = with_placeholders(scene, names)
     depends = {quantity: [name for name in names if name in filled.inputs_of(quantity)] for quantity in quantities}
     for quantity, own in depends.items():
         if not own:
@@ -191,7 +191,7 @@ class _Branches:
         """Look for the first input at all values of the second one that are scanned."""
         self.problem = problem
         self.first, self.quantity, self.second, self.beside = order
-        filled = with_inputs(problem.scene, largest(problem.names))
+        filled = with_placeholders(problem.scene, problem.names)
         self.is_straight = self.second not in filled.inputs_of(self.quantity)  # the first input is the same everywhere
         self.places = grid(self.second)
         self.spans: list[float] = []  # ends of what the first quantity can be
@@ -289,7 +289,7 @@ class _Branches:
         """Return the reason why there is no solution on the branches."""
         names, measured = self.problem.names, self.problem.measured
         if not self.spans:
-            return failure(self.first, self.quantity, with_inputs(self.problem.scene, largest([self.second])))
+            return failure(self.first, self.quantity, with_placeholders(self.problem.scene, [self.second]))
         reached = {self.quantity: measured[self.quantity]}
         if not (self.heights or self.flat):
             return NoSolution(names, reached, self.quantity, (min(self.spans), max(self.spans)))
