@@ -352,8 +352,24 @@ def test_explain_names_formula_steps_and_power_law(run: Run) -> None:
 
 def test_what_rests_on_no_equation_of_the_paper_cites_none(run: Run) -> None:
     words = "report 100nm --young 10GPa --poisson 0.3 --cite --quantities"
-    assert run(f"{words} contact_radius,approach --gamma 25mJ/m2").out.endswith("(2), (3)}\n}\n")
+    assert "    = {Eqs. (2), (3)}\n}\n@article{johnson" in run(f"{words} contact_radius,approach --gamma 25mJ/m2").out
     assert run(f"{words} contact_shear_modulus").out.endswith("  doi     = {10.1080/01418619508243800}\n}\n")
+
+
+@pytest.mark.parametrize(
+    ("words", "keys"),
+    [
+        ("r-min quartz 100nm", ""),
+        ("pull-off quartz 100nm", "johnson-kendall-roberts-1971 kendall-1987 vademecum"),
+        ("pull-off quartz 100nm --model dmt", "derjaguin-muller-toporov-1975 kendall-1987 vademecum"),
+        ("pull-off silica-humid 2um --gamma 10mJ/m2 --model maugis", "maugis-1992 fused-silica"),
+        ("infer gamma silica-humid 2um --radius2 plane --measured P_c=300nN", "johnson-kendall-roberts-1971"),
+        ("infer gamma silica-humid 2um --measured P_c=300nN --model maugis", "maugis-1992 fused-silica"),
+    ],
+)
+def test_what_was_used_is_cited_and_nothing_else(run: Run, words: str, keys: str) -> None:
+    cited = re.findall(r"@\w+\{(.*),", run(f"{words} --cite").out)
+    assert cited == ["jkroll", "dominik-tielens-1995", *keys.split()]
 
 
 def test_the_program_is_cited_as_its_licence_has_it(run: Run) -> None:

@@ -261,6 +261,16 @@ class Material(NamedTuple):
         """The file and the name, by which a material is the same, whatever became of its properties in a scene."""
         return self.path, self.name
 
+    def sources_of(self, name: str) -> list[Mapping[str, str]]:
+        """Return the references of a property: its own if one is stated, else those that belong to no other property."""
+        of_properties = {name: origin.reference for name, origin in self.origins.items() if origin.reference}
+        own = of_properties.get(name)
+        return [
+            entry
+            for entry in self.references
+            if (entry["key"] == own if own else entry["key"] not in of_properties.values())
+        ]
+
     def __hash__(self) -> int:
         return hash(self.key)
 

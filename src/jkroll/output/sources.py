@@ -1,7 +1,7 @@
 """The sources of a number: `--explain` words its derivation from the docstrings of the formulas, `--cite` writes BibTeX."""
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from math import isfinite
 from typing import Any, TextIO
 
@@ -10,8 +10,9 @@ from ..answers.answer import Answer
 from ..answers.results import Result
 from ..errors import BadRequest, JkrollError
 from ..quantities.formatting import Format, amount, in_words
-from ..quantities.laws import LAWS
+from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import NOMENCLATURE
+from ..scene.effects import uses_law
 from ..scene.inverse import logarithmic_slope
 from ..scene.scene import Scene
 from ..scene.wiring import Step
@@ -240,9 +241,9 @@ def write_citations(answers: Iterable[Answer], out: TextIO) -> None:
         failure = failure or answer.failure
         known = [result.name for result in answer.results if result.value is not None]
         equations |= {NOMENCLATURE[step.name].equation for name in known for step in scene.plan(name).steps}
-        laws = [LAWS[one.law.name].reference for one in answer.results if one.law and one.value is not None]
-        of_materials = [entry for material, _ in scene.data_used(answer.inputs) for entry in material.references]
-        entries = [*laws, *of_materials, *_of_conventions(known)]
+        used = scene.data_used(answer.inputs)
+        of_materials = [entry for material, name in used for entry in material.sources_of(name)]
+        entries = [*_of_law(scene, known), *of_materials, *_of_conventions(known)]
         references |= {str(entry["key"]): entry for entry in entries}
     numbers = sorted(filter(None, equations), key=int)
     if failure is not None and not numbers:
@@ -252,6 +253,12 @@ def write_citations(answers: Iterable[Answer], out: TextIO) -> None:
     say(bibtex({**PAPER, "note": used} if numbers else PAPER), out)
     for entry in references.values():
         say(bibtex(entry), out)
+
+
+def _of_law(scene: Scene, names: Sequence[str]) -> list[Mapping[str, str]]:
+    """Return the reference of the law of attraction, if some quantity rests on one."""
+    between = scene.under(BETWEEN)
+    return [scene.law.reference] if any(uses_law(between, name) for name in between.planned(names)) else []
 
 
 def _of_conventions(names: Iterable[str]) -> list[Mapping[str, str]]:

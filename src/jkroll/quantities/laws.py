@@ -72,7 +72,17 @@ _JKR = Law(
     name="jkr",
     title="JKR",
     source="",
-    reference={},
+    reference={
+        "key": "johnson-kendall-roberts-1971",
+        "type": "article",
+        "author": "Johnson, K. L. and Kendall, K. and Roberts, A. D.",
+        "title": "Surface energy and the contact of elastic solids",
+        "journal": "Proceedings of the Royal Society of London A",
+        "volume": "324",
+        "pages": "301--313",
+        "year": "1971",
+        "doi": "10.1098/rspa.1971.0141",
+    },
     routes={
         "zone_radius": "contact_radius_at_load",
         "edge_ratio": "edge_ratio_at_load",  # of Maugis' law: its quantities are known by their own names under any other
