@@ -504,7 +504,7 @@ def test_a_radius_with_an_error_bar_moves_the_displacement(run: Run, own: str) -
     middle = json.loads(run(f"yield-force own 100±10nm {own} --json").out)["results"][0]
     low, high = (one["value"] for one in found)
     assert middle["uncertainty"]["plus"] + middle["uncertainty"]["minus"] == pytest.approx(high - low)
-    assert "ranges are left out beside ±: ξ = " in run(f"yield-force own 100±10nm {own} --explain").out
+    assert "error bars: ranges are left out beside ±: ξ = " in run(f"yield-force own 100±10nm {own} --explain").out
     inferred = run(f"infer radius own --measured yield_force={high!r}N {own} --bare --quiet").out
     assert float(inferred) == pytest.approx(110e-9)
 

@@ -1,6 +1,7 @@
 """Notes about an answer: what was assumed, whose data were used, what a result counts, what is missing."""
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from math import log
 from typing import TYPE_CHECKING
 
@@ -50,7 +51,14 @@ def notes_on_rows(scene: Scene, names: Sequence[str]) -> list[Note]:
         from .displacement import note_of_rows
 
         displaced = [note_of_rows(scene)]
+    left_out: list[Note] = []
+    if scene.is_uncertain:
+        from ..scene.uncertainty import sources_of_results
+
+        with suppress(JkrollError):  # each row says which kinds do not go together
+            left_out = about_uncertainties({}, sources_of_results(scene, planned))
     return [
+        *left_out,
         *(note for note in about_given(scene, planned, inputs, entering, displaced) if note.kind != "material"),
         *about_conventions(scene, planned),
         *about_limits(judged(scene, planned)),
@@ -302,7 +310,7 @@ def about_uncertainties(found: Mapping[str, "Propagated | JkrollError"], sources
         reason = "ranges are left out beside ±" if source.given.kind == "range" else "± is left out beside ranges"
         name = source.names[0]
         left_out.setdefault(reason, []).append(f"{symbol_of(name)} = {amount(name, source.given)}")
-    return notes + [Note("result", f"{reason}: {', '.join(texts)}") for reason, texts in left_out.items()]
+    return notes + [Note("error bars", f"error bars: {reason}: {', '.join(texts)}") for reason, texts in left_out.items()]
 
 
 def first_symbols(names: list[str]) -> str:

@@ -90,6 +90,7 @@ class Result(NamedTuple):
 Kind = Literal[
     "material",
     "missing",
+    "error bars",
     "caveat",
     "displacement",
     "doubt",

@@ -241,8 +241,8 @@ def write_citations(answers: Iterable[Answer], out: TextIO) -> None:
         failure = failure or answer.failure
         known = [result.name for result in answer.results if result.value is not None]
         equations |= {NOMENCLATURE[step.name].equation for name in known for step in scene.plan(name).steps}
-        used = scene.data_used(answer.inputs)
-        of_materials = [entry for material, name in used for entry in material.sources_of(name)]
+        data = scene.data_used(answer.inputs)
+        of_materials = [entry for material, name in data for entry in material.sources_of(name)]
         entries = [*_of_law(scene, known), *of_materials, *_of_conventions(known)]
         references |= {str(entry["key"]): entry for entry in entries}
     numbers = sorted(filter(None, equations), key=int)
