@@ -10,6 +10,7 @@ import pytest
 
 from harness import Run
 from jkroll.errors import BadRequest
+from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.rows.header import BadTable, Header, column_options, understood
 
 # The cell below is a plain number, as files have it.
@@ -454,3 +455,11 @@ def test_blanks_in_quotes_are_refused(run: Run) -> None:
     Path("x.txt").write_text('name radius_nm\n"a b" 1\n', encoding="utf-8")
     ran = run("batch x.txt --delimiter blank --material quartz")
     assert (ran.code, "has no quotes" in ran.err) == (2, True)
+
+
+@pytest.mark.parametrize("name", [name for name, one in NOMENCLATURE.items() if one.option and one.unit])
+def test_every_input_may_be_a_column(run: Run, name: str) -> None:
+    text = f"material,radius,{name}\nquartz,100nm,{NOMENCLATURE[name].example}\n"
+    Path("x.csv").write_text(text, encoding="utf-8")
+    ran = run("batch x.csv --quantities r_min --no-doubt -o out.csv")
+    assert ran.code == 0, ran.err

@@ -362,7 +362,7 @@ def test_what_cannot_be_answered_raises(scene: dict[str, Any], error: type[Excep
 @pytest.mark.parametrize(
     ("scene", "words"),
     [
-        ({"radius": [1e-7, math.nan]}, "radius: nan at index 1 must be positive"),
+        ({"radius": [1e-7, math.nan]}, "radius: nan at index 1 must be finite"),
         ({"radius": 1e-7, "load": [[0.0, 0.0], [math.nan, 0.0]]}, "load: nan at index 1, 0 must be finite"),
         ({"radius": np.array([1e-7, 1e300])}, "radius: 1e+300 at index 1 must lie between 1e-60 and 1e60 in SI units"),
     ],

@@ -13,7 +13,15 @@ import pytest
 import jkroll
 from harness import Run
 from jkroll import Measured, infer, known_materials, solve
-from jkroll.scene.inverse import AlreadyGiven, CannotInfer, NoDependence, NoSolution, SeveralSolutions, solution
+from jkroll.scene.inverse import (
+    AlreadyGiven,
+    CannotInfer,
+    NoDependence,
+    NoSolution,
+    SeveralSolutions,
+    Undetermined,
+    solution,
+)
 from jkroll.scene.scene import Scene
 from scenes import OTHER, QUARTZ, log_uniform
 
@@ -133,6 +141,16 @@ def test_rounding_is_no_dependence(run: Run, measured: str) -> None:
     assert (ran.code, ran.err) == (1, "jkroll: radius: yield_force does not depend on it here\n")
 
 
+@pytest.mark.parametrize("ulp", [-4, 0, 4])
+def test_a_stretch_without_dependence_is_told(ulp: int) -> None:
+    """By Maugis' law v_stick of quartz does not depend on the radius below some 7 µm."""
+    given: dict[str, Any] = {"material": "quartz", "model": "maugis", "atomic_spacing": 4e-10}
+    speed = solve("sticking_speed", radius=1e-6, **given) * (1 + ulp * 2.0**-52)
+    with pytest.raises(Undetermined, match=r"every value from 1 pm to 5\.62341 µm gives sticking_speed"):
+        infer("radius", measured={"sticking_speed": speed}, **given)
+    assert math.isnan(infer("radius", measured={"sticking_speed": [speed, speed]}, **given)[0])
+
+
 def test_a_jump_over_the_measured_value_is_no_solution() -> None:
     """At a given approach the state of Maugis' law changes its branch at a radius of 13 µm."""
     scene = Scene({"approach_at_load": 1e-10}, known_materials()["quartz"])
@@ -196,7 +214,7 @@ def test_nothing_is_extrapolated() -> None:
         ("gamma", None, "'None' is not one quantity and its value"),
         ("gamma", "pull_off_force=3nN", "is not one quantity and its value"),
         ("gamma", {3: 3e-9}, "'3' is not a quantity"),
-        ("gamma", {"pull_off_force": math.nan}, "pull_off_force: nan must be positive"),
+        ("gamma", {"pull_off_force": math.nan}, "pull_off_force: nan must be finite"),
         ("gamma", {"pull_off_force": [3e-9, -3e-9]}, "pull_off_force: -3e-09 at index 1 must be positive"),
         ("gamma", {"pull_off_force": 1e300}, "must lie between 1e-60 and 1e60"),
     ],

@@ -5,10 +5,11 @@ from typing import Any
 import numpy
 import pytest
 
+from jkroll import solve
 from jkroll.materials.library import known_materials
 from jkroll.physics import FORMULAS
 from jkroll.quantities.nomenclature import NOMENCLATURE
-from jkroll.scene.failures import BeyondPullOff, MissingInput, NoChain, NoFiniteValue, ShapeMismatch
+from jkroll.scene.failures import BeyondPullOff, Contradiction, MissingInput, NoChain, NoFiniteValue, ShapeMismatch
 from jkroll.scene.limits import LIMITS
 from jkroll.scene.scene import Scene
 from jkroll.scene.wiring import Plan, depends_on, formula_of, plan_for
@@ -94,3 +95,21 @@ def test_every_parameter_is_a_name_that_something_gives() -> None:
     ends = {name for name in depends_on(wanted) if formula_of(name) is None}
     without_option = {name for name in ends if name not in NOMENCLATURE or not NOMENCLATURE[name].option}
     assert without_option == {"radius", "edge_ratio"}  # which follows from the load or the approach
+
+
+def test_the_margin_of_a_load_is_a_state_as_the_load_is() -> None:
+    pull_off = solve("pull_off_force", **QUARTZ)
+    names = ("load", "approach_at_load", "contact_radius_at_load", "yield_moment", "yield_force_fixed_load")
+    for margin in (0.0, 0.5, 2.0):
+        by_margin = [solve(name, load_margin=margin, **QUARTZ) for name in names]
+        by_load = [solve(name, load=(margin**2 - 1) * pull_off, **QUARTZ) for name in names]
+        assert by_margin == pytest.approx(by_load, rel=1e-14)
+    with pytest.raises(Contradiction):
+        solve("approach_at_load", load_margin=0.5, load=1e-9, **QUARTZ)
+
+
+@pytest.mark.parametrize("name", ["tangential_stiffness", "twisting_stiffness", "hertz_pressure", "sliding_frequency"])
+def test_spheres_that_are_bound_without_touching_have_no_contact_that_is_stiff(name: str) -> None:
+    apart: dict[str, Any] = {"model": "maugis", "atomic_spacing": 4e-10, "approach_at_load": -3.89e-10}
+    assert solve("contact_radius_at_load", **QUARTZ, **apart) == 0
+    assert solve(name, **QUARTZ, **apart) == 0

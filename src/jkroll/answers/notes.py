@@ -310,7 +310,9 @@ def about_uncertainties(found: Mapping[str, "Propagated | JkrollError"], sources
         reason = "ranges are left out beside ±" if source.given.kind == "range" else "± is left out beside ranges"
         name = source.names[0]
         left_out.setdefault(reason, []).append(f"{symbol_of(name)} = {amount(name, source.given)}")
-    return notes + [Note("error bars", f"error bars: {reason}: {', '.join(texts)}") for reason, texts in left_out.items()]
+    return notes + [
+        Note("error bars", f"error bars: {reason}: {', '.join(texts)}") for reason, texts in left_out.items()
+    ]
 
 
 def first_symbols(names: list[str]) -> str:

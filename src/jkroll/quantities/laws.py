@@ -90,6 +90,7 @@ _JKR = Law(
     given={
         **_GIVEN,
         "load_factor": _AT_FACTOR,
+        "load_margin": {"load": "load_at_factor"},
         "approach_at_load": {
             **_MAUGIS_AT_APPROACH,
             "load": "load_at_factor",

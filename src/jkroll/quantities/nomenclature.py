@@ -35,6 +35,7 @@ POISSON = Range(-1.0, 0.5, False, True, "must lie above -1, and be at most 0.5")
 LOOSE = Range(0.0, 0.74, False, False, "must lie between 0 and 0.74, that of the closest packing")
 PART = Range(0.0, 1.0, False, True, "must lie between 0 and 1, which is 100%")
 SEVERAL = Range(2.0, INFINITY, True, False, "must be at least 2")
+ABOVE_MINUS_1 = Range(-1.0, INFINITY, False, False, "must lie above -1")
 FINITE = Range(-INFINITY, INFINITY, False, False, "must be finite")
 
 
@@ -99,11 +100,11 @@ OF_DEM: Mapping[str, Quantity] = {
     "peeling_force": Quantity("T_peel", "N", "tangential force at which the contact peels off", may_be_zero=True),
     "peeling_radius": Quantity("a_peel", "m", "contact radius at which it peels off"),
     "peeling_over_sliding": Quantity("T/F_slide", "1", "peeling force over the force to slide the contact as it peels", may_be_zero=True),
-    "twisting_stiffness": Quantity("k_t", "N m", "torsional stiffness at the load"),
+    "twisting_stiffness": Quantity("k_t", "N m", "torsional stiffness at the load", may_be_zero=True),
     "twisting_moment": Quantity("M_twist", "N m", "moment at which the contact twists (torsion)"),
     "twisting_angle": Quantity("φ_twist", "rad", "angle of torsion at which the contact twists"),
     "twisting_energy": Quantity("E_twist", "J", "elastic energy of torsion at which the contact twists"),
-    "twisting_frequency": Quantity("f_twist", "Hz", "frequency of twisting (torsion)"),
+    "twisting_frequency": Quantity("f_twist", "Hz", "frequency of twisting (torsion)", may_be_zero=True),
     # of pair_style granular in LAMMPS
     "rolling_spring_constant": Quantity("k_roll", "N/m", "spring constant of rolling in LAMMPS"),
     "rolling_friction_coefficient": Quantity("μ_roll", "1", "coefficient of rolling friction in LAMMPS"),
@@ -160,7 +161,7 @@ OF_DEM: Mapping[str, Quantity] = {
 # --- All quantities ---------------------------------------------------------------------------------------------------
 
 # The state of the contact follows from the load unless one of these is given.
-STATE = frozenset({"approach_at_load", "load_factor", "edge_ratio"})
+STATE = frozenset({"approach_at_load", "load_factor", "load_margin", "edge_ratio"})
 STATE_OR_LOAD = STATE | {"load"}
 
 _PER_SPHERE = {
@@ -241,7 +242,7 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
             "P_LJ", "N", "pull-off force by the 3-9 law of Lennard-Jones", "",
             note="a fit to numerical solutions, within 0.3 % for 0.01 ≤ μ ≤ 2; beyond, it tends to DMT and JKR",
         ),
-        "load_margin": Quantity("s", "1", "√(1 + P/P_c)", "5", may_be_zero=True),
+        "load_margin": Quantity("s", "1", "√(1 + P/P_c)", "5", range=ABOVE_MINUS_1, may_be_zero=True),
         "load_factor": Quantity("x", "1", "â^(3/2), by which the load scales the rolling moment", "5", range=POSITIVE),
         "contact_radius_at_load": Quantity("a", "m", "contact radius at the load", "5", may_be_zero=True),
         "approach_at_load": Quantity(
@@ -253,8 +254,8 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "load_margin_at_approach": Quantity("s", "1", "√(1 + P/P_c) at the approach", "6", may_be_zero=True, variant_of="load_margin"),
         "load_factor_at_approach": Quantity("x", "1", "â^(3/2) at the approach", "6", variant_of="load_factor"),
         "stiffness": Quantity("dP/dδ", "N/m", "normal stiffness at the load", "34", may_be_zero=True),
-        "tangential_stiffness": Quantity("k_s", "N/m", "tangential stiffness at the load"),
-        "hertz_pressure": Quantity("p_H", "Pa", "Hertz part of the pressure", "8"),
+        "tangential_stiffness": Quantity("k_s", "N/m", "tangential stiffness at the load", may_be_zero=True),
+        "hertz_pressure": Quantity("p_H", "Pa", "Hertz part of the pressure", "8", may_be_zero=True),
         "boussinesq_pressure": Quantity("p_B", "Pa", "flat-punch part of the pressure", "9"),
         "well_energy": Quantity(
             "U", "J", "binding energy of the spheres", "6", definition="6/5 P_cδ0 = 1.4537 F_cδ_c"
@@ -310,7 +311,7 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
             "f_free", "Hz", "rolling frequency without slip", "40",
             note="unequal spheres that do not slip also move their centres, which Eq (40) leaves out",
         ),
-        "sliding_frequency": Quantity("f_slide", "Hz", "frequency of sliding with rotation"),
+        "sliding_frequency": Quantity("f_slide", "Hz", "frequency of sliding with rotation", may_be_zero=True),
         "time_step": Quantity("Δt", "s", "time step for a simulation"),
         # validity
         "atomic_spacing": Quantity("z0", "m", "atomic spacing", range=POSITIVE, option="--z0", example="4angstrom"),
@@ -318,7 +319,7 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "displacement_limit": Quantity("ξ_max", "m", "largest meaningful displacement", "25"),
         "displacement_ratio": Quantity("ξ/ξ_max", "1", "displacement over its limit", "25"),
         "contact_radius_in_spacings": Quantity("a/z0", "1", "contact radius over the atomic spacing", "2", may_be_zero=True),
-        "profile_error": Quantity("e_h", "1", "error of the paraboloid at the edge of the contact", "4"),
+        "profile_error": Quantity("e_h", "1", "error of the paraboloid at the edge of the contact", "4", may_be_zero=True),
         "displacement_over_contact_radius": Quantity("ξ/a", "1", "displacement over the contact radius", "25"),
         "r_min_over_radius": Quantity("R_min/R1", "1", "smallest curvature radius over the radius", "28"),
         "yield_energy": Quantity("W_yield", "J", "energy to roll to the yield displacement", "25"),

@@ -28,7 +28,7 @@ from .rows import Block, groups
 
 _MOST_LABELS = 3  # that are named
 _RENAMED = {STATUS: "", "model": "", DOUBT: ", or write --no-doubt"}  # besides another name
-_SOME = 0.25  # a value that any input can have
+_SOME = 0.25  # a value that most inputs can have
 Asked = tuple[Sequence[str], Sequence[str]]  # quantities by name, and those that may lack inputs
 
 
@@ -270,13 +270,19 @@ def _as_known(columns: Header, fill: Fill, labels: Collection[str], infinite: Co
     given: dict[str, float] = {}
     for column in columns.inputs:
         if not any(column.name in names and given.keys() & names for names in EXCLUSIVE):
-            given[column.name] = INFINITY if column.name in infinite else _SOME
+            given[column.name] = INFINITY if column.name in infinite else _some(column.name)
     some = LABEL._replace(properties=dict.fromkeys(PROPERTIES, _SOME))
     spheres = dict(zip(MATERIALS, fill.spheres, strict=True))
     if columns.materials:  # each row says whether both spheres are of the solid that has a displacement
         spheres = {name: one and one._replace(displacement=None) for name, one in spheres.items()}
     spheres |= {name: LABEL if name in labels else some for name, _ in columns.materials}
     return fill.scene(given, *spheres.values())
+
+
+def _some(name: str) -> float:
+    """Return a value that an input can have."""
+    limits = NOMENCLATURE[name].range
+    return _SOME if limits.admits(_SOME) else limits.low
 
 
 def _sides_of(table: Table, rows: Sequence[Sequence[str]]) -> set[str]:

@@ -308,6 +308,20 @@ class NoDependence(NoResult):
         return f"{self.quantity} does not depend on it here"
 
 
+class Undetermined(NoResult):
+    """Error raised where the measured quantity has its value on a stretch on which it does not depend on the input."""
+
+    def __init__(self, name: str, measured: Values, span: tuple[float, float]) -> None:
+        """`span`: values of the input between which all give the measured value."""
+        super().__init__(name, dict(measured), span)
+        self.name, self.measured, self.span = name, measured, span
+
+    def reason(self) -> str:
+        """Return the values that give the measured one."""
+        low, high = (amount(self.name, value) for value in self.span)
+        return f"every value from {low} to {high} gives {equal(self.measured)}"
+
+
 class NoSolution(NoResult):
     """Error raised where no values of the inputs give the measured values."""
 
@@ -375,7 +389,7 @@ def solution(name: str, quantity: str, measured: float, scene: Scene) -> Solutio
     """Return the one value of an input at which a quantity of a scene has its measured value.
 
     The scene has everything but this input; a value that a material has of it is replaced.
-    Raises AlreadyGiven, CannotInfer, MissingInput, NoDependence, NoSolution or SeveralSolutions.
+    Raises AlreadyGiven, CannotInfer, MissingInput, NoDependence, Undetermined, NoSolution or SeveralSolutions.
     """
     check_one(name, quantity, scene)
 
@@ -513,7 +527,15 @@ def _pieces(name: str, quantity: str, places: Sequence[float], scan: Sequence[fl
 
 
 def _value(name: str, quantity: str, measured: float, pieces: Sequence[Piece]) -> Search[float]:
-    """Return the one value of an input at which a quantity has its measured value; raise NoSolution or SeveralSolutions."""
+    """Return the one value of an input at which a quantity has its measured value; raise Undetermined, NoSolution or SeveralSolutions."""
+    for places, values in pieces:
+        alike = [
+            place
+            for place, value in zip(places, values, strict=True)
+            if abs(value - measured) <= _ROUNDING * abs(measured)
+        ]
+        if len(alike) > PER_DECADE and alike[-1] >= 10 * alike[0] > 0:
+            raise Undetermined(name, {quantity: measured}, (alike[0], alike[-1]))
     found, outcomes = yield from _all_values(measured, pieces)
     if not found:
         raise NoSolution([name], {quantity: measured}, quantity, (min(outcomes), max(outcomes)))

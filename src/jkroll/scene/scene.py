@@ -7,7 +7,7 @@ the names in DEFAULTS have values if nothing else is said. A scene takes numbers
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import reduce
-from math import nan
+from math import isfinite, nan
 from operator import and_
 from types import MappingProxyType
 from typing import Any
@@ -55,8 +55,8 @@ def check_range(name: str, value: Any) -> None:
         place = tuple(places[0].item() for places in refused.nonzero())
         first = value[place].item()
     limits = NOMENCLATURE[name].range
-    words = "" if limits.admits(first) else limits.words
-    raise OutOfRange(name, first, words or MAGNITUDE, place)
+    words = limits.words if isfinite(first) else "must be finite"
+    raise OutOfRange(name, first, MAGNITUDE if limits.admits(first) else words, place)
 
 
 def outside(name: str, values: Any) -> Any:
@@ -140,7 +140,7 @@ EXCLUSIVE = (
     ("surface_energy2", "work_of_adhesion", "hamaker"),
     ("surface_energy", "work_of_adhesion", "hamaker2"),
     ("surface_energy2", "work_of_adhesion", "hamaker2"),
-    ("load", "approach_at_load", "load_factor", "edge_ratio"),
+    ("load", *sorted(STATE)),
     IN_ITS_PLACE,
     ("contact_modulus", "modulus_over_energy"),
 )
