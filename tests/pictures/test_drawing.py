@@ -262,14 +262,22 @@ def test_a_unit_stays_on_the_line_of_its_number(text: str, kept: str) -> None:
 
 
 def test_labels_without_a_unit_have_it_in_the_title() -> None:
-    """No prefix fits 0.01 m/s, so that the numbers on the contours stand alone."""
+    """A mass takes no prefix, so that the numbers on the contours stand alone."""
+    drawn, _ = map_of(
+        map_request(Call(words=("mass",), x="radius=10cm:1m", y="density=1g/cm3:10g/cm3")),
+        (20, 20),
+    )
+    assert {level.text for level in drawn.levels()} >= {"10", "1000"}
+    assert drawn.title.endswith("m1 [kg]")
+    assert drawn.heading == "m1 [kg]"
+
+
+def test_labels_of_speeds_have_prefixes() -> None:
     drawn, _ = map_of(
         map_request(Call(words=("sticking-speed", "silica-dry"), x="radius=10nm:10um", y="gamma=10mJ/m2:1J/m2")),
         (20, 20),
     )
-    assert {level.text for level in drawn.levels()} >= {"0.01", "1", "50"}
-    assert drawn.title.endswith("v_stick [m/s]")
-    assert drawn.heading == "v_stick [m/s]"
+    assert {level.text for level in drawn.levels()} >= {"10 mm/s", "1 m/s"}
 
 
 def test_the_edge_of_a_gap_is_where_the_contact_breaks() -> None:

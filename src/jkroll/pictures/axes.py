@@ -168,8 +168,8 @@ def contour_values(low: float, high: float, most: int, *, is_log: bool) -> list[
 def in_units(name: str, values: list[float], largest: float = 0.0, *, is_log: bool) -> tuple[list[str], str]:
     """Return values as text, and the unit of them all: on a logarithmic scale empty where each has its own.
 
-    >>> in_units("radius", [1e-9, 1e-7], is_log=True), in_units("speed", [0.01, 1.0], is_log=True)
-    ((['1 nm', '100 nm'], ''), (['0.01', '1'], 'm/s'))
+    >>> in_units("radius", [1e-9, 1e-7], is_log=True), in_units("density", [10.0, 1000.0], is_log=True)
+    ((['1 nm', '100 nm'], ''), (['10', '1000'], 'kg/m³'))
     """
     if not is_log:
         return in_one_unit(name, values, largest)
