@@ -206,6 +206,16 @@ def shown(text: str, limit: int = MAX_QUOTED) -> str:
     return "".join(character if character.isprintable() else "?" for character in text)
 
 
+def listed(texts: Iterable[str]) -> str:
+    """Return texts as an enumeration.
+
+    >>> listed(["a"]), listed(["a", "b"]), listed(["a", "b", "c"])
+    ('a', 'a and b', 'a, b and c')
+    """
+    *others, last = texts
+    return f"{', '.join(others)} and {last}" if others else last
+
+
 def first_of(texts: Sequence[str], most: int) -> str:
     """Return the first of some texts as a list, and how many more there are.
 

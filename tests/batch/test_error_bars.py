@@ -133,7 +133,7 @@ def test_a_status_is_short(run: Run) -> None:
         "give a radius such as 100nm"
     )
     assert second == (
-        "pull_off_force, pull_off_force_dmt, yield_force and 28 more: need some of surface energy per surface and mass "
-        "density and Young's modulus and Poisson's ratio; give --gamma 25mJ/m2 --density 1g/cm3 --young 10GPa "
+        "pull_off_force, pull_off_force_dmt, yield_force and 28 more: need some of surface energy per surface, mass "
+        "density, Young's modulus and Poisson's ratio; give --gamma 25mJ/m2 --density 1g/cm3 --young 10GPa "
         "--poisson 0.3; --work-of-adhesion 50mJ/m2 may replace some"
     )

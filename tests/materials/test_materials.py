@@ -193,6 +193,7 @@ BROKEN = {
     "materials = 3": "materials is not a table",
     "[materials]\na = 3": "materials.a is not a table",
     "[material.a]": "has an unknown key 'material'; expected [materials.NAME] tables",
+    "[glass]": "has an unknown key 'glass'; expected [materials.glass] tables",
     "[materials.'100nm']": f"'100nm' cannot name a material; {RULE}",
     "[materials.all]": f"'all' cannot name a material; {RULE}",
     "[materials.a]\naliases = ['x,y']": f"'x,y' cannot name a material; {RULE}",

@@ -418,7 +418,7 @@ def test_a_sticking_energy_that_the_spacing_decides_is_a_range() -> None:
     assert result.reason == "from 85.0556 yJ at z0 = 400 pm to 2.72178 zJ at z0 = 200 pm; give --z0"
     energies = Answer(QUESTIONS["energies"], Scene({"radius": 1e-7}, quartz, model="maugis"))
     (speed,) = [each for each in energies.results if each.name == "sticking_speed"]
-    assert speed.reason == "from 0.00558921 m/s at z0 = 400 pm to 0.0316174 m/s at z0 = 200 pm; give --z0"
+    assert speed.reason == "from 5.58921 mm/s at z0 = 400 pm to 31.6174 mm/s at z0 = 200 pm; give --z0"
     said = Answer(QUESTIONS["contact"], Scene({"radius": 1e-7, "atomic_spacing": 4e-10}, quartz, model="maugis"))
     assert said.value("sticking_energy") == solve("sticking_energy", model="maugis", **QUARTZ, atomic_spacing=4e-10)
 

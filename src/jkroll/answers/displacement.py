@@ -110,7 +110,7 @@ def _worded(factors: Mapping[str, tuple[float, float]]) -> list[str]:
 def _factor(ends: tuple[float, float]) -> str:
     """Return a range of factors as text; one that falls as a quotient."""
     low, high = sorted(ends)
-    if low * high < 1:
+    if high < 1:
         return f"/ {_number(1 / high)}–{_number(1 / low)}"
     return f"× {_number(low)}–{_number(high)}"
 

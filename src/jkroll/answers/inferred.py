@@ -15,6 +15,7 @@ from ..scene.inverse import PER_DECADE, Observed, Solution, sizes_in_words, with
 from ..scene.limits import Verdict
 from ..scene.scene import Scene
 from ..scene.unknowns import solved
+from ..text import listed
 from .answer import Answer, Difference
 from .notes import about_missing, about_uncertainties
 from .questions import Question
@@ -185,4 +186,4 @@ def _unused(name: str, quantities: Sequence[str], found: Scene) -> list[Note]:
 
 
 def _equal(values: Mapping[str, float]) -> str:
-    return " and ".join(f"{NOMENCLATURE[name].symbol} = {amount(name, value)}" for name, value in values.items())
+    return listed(f"{NOMENCLATURE[name].symbol} = {amount(name, value)}" for name, value in values.items())

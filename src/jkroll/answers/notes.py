@@ -13,7 +13,7 @@ from ..scene.failures import NO_END, MissingInput, grouped
 from ..scene.limits import IMPACT, Judgement, judged, limits_of
 from ..scene.scene import DEFAULTS, IN_ITS_PLACE, OF_AREA, Scene
 from ..scene.wiring import depends_on
-from ..text import first_of
+from ..text import first_of, listed
 from .results import Note, NoValue, Result, remarks
 
 if TYPE_CHECKING:
@@ -148,7 +148,7 @@ def about_idle(scene: Scene, entering: Collection[str]) -> list[Note]:
     """Return a note on the inputs that were given though nothing depends on them; `entering` are those that enter."""
     entering = {*entering, *(OF_AREA if scene.is_rigid else ())}  # which refuses, and so changes something
     idle = [NOMENCLATURE[name].option or name for name in scene.stated if name not in entering]
-    return [Note("result", f"{' and '.join(idle)} change{'' if idle[1:] else 's'} nothing here")] if idle else []
+    return [Note("result", f"{listed(idle)} change{'' if idle[1:] else 's'} nothing here")] if idle else []
 
 
 def about_data(scene: Scene, inputs: Collection[str]) -> list[Note]:

@@ -132,6 +132,9 @@ def unnamed(target: str, kind: str, *, quiet: bool) -> FileFormat:
     """
     if ending(target) in SPREADSHEETS:
         raise BadRequest(f"-o: {quoted(target)} is a spreadsheet; write a table that it opens, such as .csv")
+    if ending(target) == "json":
+        table = quoted(f"{os.path.splitext(target)[0]}.{kind}")
+        raise BadRequest(f"-o: a table is not written as JSON; name the file {table}")
     if os.path.splitext(target)[1] and not quiet:
         say(f"note: {quoted(target)} is written as {kind}: its name says no format", sys.stderr)
     return FileFormat(kind)

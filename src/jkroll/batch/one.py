@@ -1,7 +1,6 @@
 """A table in one file, or from a pipe, into another; columns of rows into a file."""
 
 import os
-import sys
 from collections.abc import Iterable
 from contextlib import closing
 from dataclasses import replace
@@ -14,9 +13,9 @@ from ..output.records import lines
 from ..quantities.formatting import Format
 from ..rows.columns import Columns, Wanted
 from ..rows.header import BadTable, check_measured, stated_meanings, understood
-from ..rows.table import Fill, Inverse, Table, say_reading, table_of
+from ..rows.table import Fill, Inverse, Table, say_gaps, say_reading, table_of
 from ..scene.failures import MissingInput
-from ..text import quoted, say_wrapped
+from ..text import ending, quoted
 from .delimited import DELIMITED, Delimited
 from .files import Input, blocks, output_to, unnamed
 from .formats import LINES, FileFormat, compressor, format_of_name, stated, with_delimiter
@@ -56,10 +55,11 @@ def table_with(names: tuple[str, ...], rows: list[list[str]], order: Order) -> T
         table = table_of(columns, rows, fill, asked, doubt=settings.doubt, uncertainty=settings.uncertainty)
     except MissingInput:
         if not settings.quiet:
-            say_wrapped(columns.reading(), sys.stderr)  # a column may not be understood
+            say_reading(columns, fill)  # a column may not be understood
         raise
     if not settings.quiet:
-        say_reading(columns, rows, fill, settings.quantities)
+        say_reading(columns, fill)
+        say_gaps(columns, rows, fill, settings.quantities)
     return table
 
 
@@ -113,6 +113,8 @@ def input_format(path: str, settings: Settings) -> FileFormat:
         return FileFormat("csv")
     if os.path.isdir(path):
         raise BadTable(f"{quoted(path)} is a directory; name its tables, as in {quoted(os.path.join(path, '*.csv'))}")
+    if ending(path) == "json":
+        raise BadTable(f"{quoted(path)}: a JSON text is not read; write an object a line, and --format ndjson")
     raise BadTable(
         f"{quoted(path)}: its name says no format; give --format csv, tsv, ndjson or parquet, or --delimiter blank"
     )

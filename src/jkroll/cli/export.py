@@ -8,7 +8,8 @@ from ..answers.questions import Question
 from ..errors import BadRequest
 from ..output.exports import PROGRAMS
 from ..output.notes import every_line
-from ..text import ascii_text, quoted, say, say_wrapped, wrapped
+from ..quantities.laws import BETWEEN
+from ..text import ascii_text, listed, quoted, say, say_wrapped, wrapped
 from .commands import Call
 from .request import request_of
 
@@ -28,7 +29,7 @@ def run_export(call: Call) -> int:
         raise BadRequest(f"export takes one pair of spheres, not {count}")
     scene = next(request.sweep.scenes())
     if (model := scene.law.name) not in program.models:
-        raise BadRequest(f"--model: {program.title} has {' and '.join(program.models)}, not {quoted(model)}")
+        raise BadRequest(f"--model: {program.title} has {listed(program.models)}, not {quoted(model)}")
     say("\n".join(program.lines(scene)), sys.stdout)
     if call.quiet:
         return 0
@@ -36,6 +37,7 @@ def run_export(call: Call) -> int:
     names = tuple(name for name in program.quantities if name not in lacking)
     answer = Answer(Question(names, names), scene)
     notes = [*(f"note: {note.text}" for note in about_middles(answer.uncertain)), *every_line(answer)]
+    notes = [line.replace(f"; --model {BETWEEN}", "") for line in notes]  # a law that no program has
     if program.note:
         for line in (f"note: {program.note}", *notes):
             say_wrapped(line, sys.stderr)

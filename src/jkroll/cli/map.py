@@ -22,7 +22,7 @@ from ..quantities.units import BadUnit, dimension_of
 from ..quantities.values import between, error_about, parse_value
 from ..scene.scene import Scene
 from ..scene.wiring import depends_on
-from ..text import ending, quoted, say, say_wrapped
+from ..text import ending, listed, quoted, say, say_wrapped
 from .commands import Call
 from .request import PICTURES, Request, curve_request, format_name, known_materials_of, request_of
 
@@ -39,7 +39,7 @@ def check_picture(call: Call, path: str | None, flag: str = "-o", numbers: str =
     picture.
     """
     if call.style not in (None, *STYLES):
-        raise BadRequest(f"--style: {quoted(call.style or '')} is not a style; there are {' and '.join(STYLES)}")
+        raise BadRequest(f"--style: {quoted(call.style or '')} is not a style; there are {listed(STYLES)}")
     inches_of(call.width)
     if call.panel not in (None, *PANELS):
         raise BadRequest(f"--panel: {quoted(call.panel or '')} is not a panel; there are {', '.join(PANELS)}")
@@ -47,7 +47,7 @@ def check_picture(call: Call, path: str | None, flag: str = "-o", numbers: str =
         looks = {"--width": call.width, "--style": call.style, "--no-caption": call.uncaptioned}
         if given := [option for option, value in looks.items() if value]:
             verb = "applies" if len(given) == 1 else "apply"
-            raise BadRequest(f"{' and '.join(given)} {verb} to files; add {flag} FILE")
+            raise BadRequest(f"{listed(given)} {verb} to files; add {flag} FILE")
         return
     if ending(path) not in PICTURES:
         endings = f".{', .'.join(PICTURES[:-1])} or .{PICTURES[-1]}"

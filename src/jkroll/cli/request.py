@@ -15,7 +15,7 @@ from ..quantities.units import BadUnit, Unit, dimension_of, parse_unit
 from ..quantities.values import Spread, error_about, spreads_of
 from ..rows.sweep import Pair, Sweep
 from ..scene.scene import EXCLUSIVE, check_range
-from ..text import ending, quoted, say_wrapped
+from ..text import ending, listed, quoted, say_wrapped
 from .commands import Call
 
 if TYPE_CHECKING:
@@ -54,7 +54,7 @@ class Request:
         for alternatives in EXCLUSIVE:
             given = [NOMENCLATURE[name].option for name in alternatives if name in options]
             if len(given) > 1:
-                raise BadRequest(" and ".join(given) + " exclude each other")
+                raise BadRequest(f"{listed(given)} exclude each other")
 
     @cached_property
     def materials(self) -> Materials:

@@ -160,7 +160,8 @@ def _form_of(data: Mapping[str, Any], path: str) -> File:
     """Check the outermost level of a file."""
     unknown = set(data) - {"title", "materials", "references"}
     if unknown:
-        raise Malformed(f"has an unknown key {quoted(min(unknown))}; expected [materials.NAME] tables")
+        name = "NAME" if closest(key := min(unknown), ["materials"]) else shown(key)
+        raise Malformed(f"has an unknown key {quoted(key)}; expected [materials.{name}] tables")
     title = string(data.get("title", shown(path)), "title")
     return File(path, title, *(table_of(data.get(name, {}), name) for name in ("materials", "references")))
 
@@ -264,12 +265,9 @@ class Material(NamedTuple):
     def sources_of(self, name: str) -> list[Mapping[str, str]]:
         """Return the references of a property: its own if one is stated, else those that belong to no other property."""
         of_properties = {name: origin.reference for name, origin in self.origins.items() if origin.reference}
-        own = of_properties.get(name)
-        return [
-            entry
-            for entry in self.references
-            if (entry["key"] == own if own else entry["key"] not in of_properties.values())
-        ]
+        if name in of_properties:
+            return [entry for entry in self.references if entry["key"] == of_properties[name]]
+        return [entry for entry in self.references if entry["key"] not in of_properties.values()]
 
     def __hash__(self) -> int:
         return hash(self.key)

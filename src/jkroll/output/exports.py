@@ -226,7 +226,7 @@ class Program(NamedTuple):
 
 PROGRAMS: Mapping[str, Program] = {
     "lammps": Program("LAMMPS", lammps_input, (*QUANTITIES, *THRESHOLDS), tuple(_REMARKS_ON)),
-    "liggghts": Program("LIGGGHTS", liggghts_input, ("pull_off_force", "time_step")),
+    "liggghts": Program("LIGGGHTS", liggghts_input, ("pull_off_force",)),
     "dust-simulation": Program(
         "DustSimulation", dust_simulation_material, (*QUANTITIES, *THRESHOLDS), note=_ABOUT_DUST_SIMULATION
     ),

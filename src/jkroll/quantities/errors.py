@@ -3,7 +3,7 @@
 from collections.abc import Collection, Sequence
 
 from ..errors import JkrollError
-from ..text import closest, quoted
+from ..text import closest, listed, quoted
 from .nomenclature import NOMENCLATURE, OPTION_WORDS, with_symbol
 from .units import dimension_of, kind_of
 
@@ -39,7 +39,7 @@ class UnknownQuantity(JkrollError):
         if self.name in NOMENCLATURE:
             return f"{quoted(self.name)} stands for a word, not a number; jkroll quantities lists the quantities"
         if several := with_symbol(self.name):
-            return f"{quoted(self.name)} is the symbol of {' and '.join(several)}; write the name that is meant"
+            return f"{quoted(self.name)} is the symbol of {listed(several)}; write the name that is meant"
         guess = nearest(self.name)
         meant = f"did you mean {guess}? " if guess else ""
         return f"{quoted(self.name)} is not a quantity; {meant}jkroll quantities lists them"

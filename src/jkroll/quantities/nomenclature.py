@@ -30,6 +30,7 @@ class Range(NamedTuple):
 INFINITY = float("inf")
 ANY = Range(-INFINITY, INFINITY, True, True, "")
 POSITIVE = Range(0.0, INFINITY, False, False, "must be positive")
+SIZE = Range(0.0, INFINITY, False, False, "must be positive: it is the size of a tension")
 UP_TO_INFINITE = Range(0.0, INFINITY, False, True, "must be positive")
 POISSON = Range(-1.0, 0.5, False, True, "must lie above -1, and be at most 0.5")
 LOOSE = Range(0.0, 0.74, False, False, "must lie between 0 and 0.74, that of the closest packing")
@@ -232,7 +233,7 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "reduced_moment_of_inertia": Quantity("I", "kg m^2", "reduced moment of inertia", "39"),
         "rolling_mass": Quantity("m_eff", "kg", "effective mass of rolling without slip", "40"),
         # the contact
-        "pull_off_force": Quantity("P_c", "N", "pull-off force", "1", range=POSITIVE),
+        "pull_off_force": Quantity("P_c", "N", "pull-off force", "1", range=SIZE),
         "pull_off_force_dmt": Quantity(
             "P_DMT", "N", "pull-off force of small, hard spheres", "1", note="small, hard spheres tend to it"
         ),

@@ -27,7 +27,7 @@ from ..scene.failures import (
 from ..scene.limits import doubts, possible_doubts
 from ..scene.scene import Scene
 from ..scene.wiring import Step
-from ..text import first_of
+from ..text import first_of, listed
 
 if TYPE_CHECKING:
     from ..scene.uncertainty import Elements, Propagated, Sources
@@ -308,7 +308,7 @@ def left_out(wanted: Wanted, scene: Scene, sources: "Sources", stated: Sequence[
     if in_cells := [name for name in names if name in scene.uncertain or name in stated]:
         raise NotShown(f"{in_cells[0]}: the cell has an uncertainty, {_NO_COLUMNS}")
     materials = dict.fromkeys(material.name for material, _ in scene.data_used(names))
-    return LeftOut(f"{' and '.join(materials)}: uncertainties are left out, {_NO_COLUMNS}")
+    return LeftOut(f"{listed(materials)}: uncertainties are left out, {_NO_COLUMNS}")
 
 
 # --- By arrays --------------------------------------------------------------------------------------------------------

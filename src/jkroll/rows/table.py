@@ -174,9 +174,15 @@ def table_of(
     return table
 
 
-def say_reading(columns: Header, rows: Sequence[Sequence[str]], fill: Fill, quantities: str) -> None:
-    """Say on stderr how the columns are read, which names of materials in the first rows are unclear, and what no column gives."""
+def say_reading(columns: Header, fill: Fill) -> None:
+    """Say on stderr how the columns are read, and which others may be inputs."""
     say_wrapped(columns.reading(), sys.stderr)
+    if advice := columns.advice({*columns.names, *fill.fixed}):
+        say(advice, sys.stderr)  # in one line, to be copied
+
+
+def say_gaps(columns: Header, rows: Sequence[Sequence[str]], fill: Fill, quantities: str) -> None:
+    """Say on stderr which names of materials in the first rows are unclear, and that nothing gives a radius."""
     labels = _labels(columns, rows, fill.known)
     if unknown := [quoted(text) for text, message in labels.items() if not message]:
         fails = (
@@ -187,10 +193,7 @@ def say_reading(columns: Header, rows: Sequence[Sequence[str]], fill: Fill, quan
         say_wrapped(f"note: material: {first_of(unknown, _MOST_LABELS)} {fails}", sys.stderr)
     for message in filter(None, labels.values()):
         say_wrapped(f"note: {message}", sys.stderr)
-    given = {*columns.names, *fill.fixed}
-    if advice := columns.advice(given):
-        say(advice, sys.stderr)  # in one line, to be copied
-    if "radius" not in given and not quantities:
+    if "radius" not in columns.names and "radius" not in fill.fixed and not quantities:
         size = next(filter(may_be_diameter, columns.texts), "")
         half = f"; half of {quoted(size)} would be one" if size else ""
         say(f"note: no column and no option gives a radius; what needs one is left out{half}", sys.stderr)

@@ -13,6 +13,7 @@ from ..physics.jkr import FOLD_APPROACH
 from ..physics.maugis import fold_approach_maugis, pull_off_force_maugis
 from ..quantities.formatting import DIGITS, Format, amount
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
+from ..text import listed
 from .wiring import parameters_of
 
 MAX_DIGITS = 17  # that tell two doubles apart
@@ -38,12 +39,12 @@ class MissingInput(JkrollError):
 
     def needs(self) -> str:
         """Return the missing inputs, the materials that do not have them, and how they are given."""
-        words = " and ".join(NOMENCLATURE[name].sentence for name in self.missing)
+        words = listed(NOMENCLATURE[name].sentence for name in self.missing)
         options = " ".join(_as_typed(name) for name in self.missing if NOMENCLATURE[name].option)
         radii = [
             f"a radius such as {NOMENCLATURE[name].example}" for name in self.missing if not NOMENCLATURE[name].option
         ]
-        give = " and ".join([options, *radii] if options else radii)
+        give = listed([options, *radii] if options else radii)
         others = " or ".join(map(_as_typed, self.instead))
         instead = others and (f" or {others}" if len(self.missing) == 1 else f"; {others} may replace some")
         return f"{words}{self.lacking and '; ' + self.lacking}; give {give}{instead}"
@@ -76,7 +77,7 @@ class NotInLaw(MissingInput):
 
     def needs(self) -> str:
         """Return the quantity that the law does not have."""
-        words = " and ".join(NOMENCLATURE[name].sentence for name in self.absent)
+        words = listed(NOMENCLATURE[name].sentence for name in self.absent)
         return f"{words}, which {self.law} does not have; give --model jkr"
 
 
@@ -103,14 +104,14 @@ class Contradiction(JkrollError):
         self.names = tuple(names)
 
     def __str__(self) -> str:
-        return f"{' and '.join(self.names)} exclude each other: one follows from the other"
+        return f"{listed(self.names)} exclude each other: one follows from the other"
 
 
 class GivenTwice(Contradiction):
     """Error raised for words that all stand for one quantity."""
 
     def __str__(self) -> str:
-        return f"{' and '.join(self.names)} are one quantity; give it once"
+        return f"{listed(self.names)} are one quantity; give it once"
 
 
 class ShapeMismatch(JkrollError):

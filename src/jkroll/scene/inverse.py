@@ -16,7 +16,7 @@ from ..quantities.errors import nearest
 from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, named
 from ..quantities.values import is_uncertain
-from ..text import quoted
+from ..text import listed, quoted
 from .scene import EXCLUSIVE, Scene
 
 Values = Mapping[str, float]  # by name
@@ -352,7 +352,7 @@ class SeveralSolutions(NoResult):
     def reason(self) -> str:
         """Return all of them."""
         texts = [", ".join(amount(*item) for item in one.items()) for one in self.found]
-        words = _and(texts) if len(self.names) == 1 else f"the pairs {', '.join(f'({text})' for text in texts)}"
+        words = listed(texts) if len(self.names) == 1 else f"the pairs {', '.join(f'({text})' for text in texts)}"
         return f"{words} all give {equal(self.measured)}"
 
 
@@ -363,16 +363,12 @@ def sizes_in_words(names: Iterable[str]) -> str:
         least, most = (amount(name, size) for size in SIZES[name])
         sign = " of either sign" if name == "load" else ""
         spans.append(f"{NOMENCLATURE[name].symbol} = {least} to {most}{sign}")
-    return _and(spans)
+    return listed(spans)
 
 
 def equal(values: Values) -> str:
     """Return what quantities are equal to, in words."""
-    return _and(f"{name} = {amount(name, value)}" for name, value in values.items())
-
-
-def _and(words: Iterable[str]) -> str:
-    return " and ".join(words)
+    return listed(f"{name} = {amount(name, value)}" for name, value in values.items())
 
 
 class Solution(NamedTuple):

@@ -14,6 +14,7 @@ from typing import Any
 
 from ..errors import JkrollError, NoResult
 from ..quantities.nomenclature import NOMENCLATURE
+from ..text import listed
 from .failures import Contradiction
 from .inverse import (
     SIZES,
@@ -69,7 +70,7 @@ class Unseparated(NoResult):
         """Return what does not separate what."""
         most = f"{MAX_CONDITION:.0e}".replace("+0", "")
         size = f"κ = {self.condition:.2g} is above {most}" if self.condition < inf else f"κ is above {most}"
-        return f"{' and '.join(self.quantities)} do not separate them: {self.remark} ({size})"
+        return f"{listed(self.quantities)} do not separate them: {self.remark} ({size})"
 
 
 # --- Problems ---------------------------------------------------------------------------------------------------------
