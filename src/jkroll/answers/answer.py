@@ -294,14 +294,14 @@ class Answer:
     def notes(self) -> tuple[Note, ...]:
         """The sentences about the answer, but for doubts."""
         scene = self.scene
-        planned = [name for name in self.shown if not isinstance(self.errors.get(name), MissingInput)]
+        possible = [name for name in self.shown if not isinstance(self.errors.get(name), MissingInput)]
         found, sources = self._uncertainties
         lacking = [name for name, error in self.errors.items() if isinstance(error, MissingInput)]
         lacking += [name for names in self._judgement.missing.values() for name in names]
         displaced = [] if self.worth is None else [self.worth.note(self.question.headline)]
         entering = {*self.inputs, *self._of_limits, *depends_on(lacking, [scene.law.name])}
         return (
-            *about_given(scene, planned, self._entering, entering, displaced),
+            *about_given(scene, possible, self._entering, entering, displaced),
             *about_results([*self.results], scene, self.question.noted),
             *about_missing([*self.results], self.errors),
             *about_limits(self._judgement),

@@ -38,12 +38,12 @@ MOMENTS = ("yield_moment", "unloaded_moment", "half_circles_moment", "fixed_appr
 
 def notes_on_rows(scene: Scene, names: Sequence[str]) -> list[Note]:
     """Return the notes that follow from what is given, and not from numbers: they are the same for all rows of a kind."""
-    planned = scene.planned(names)
-    if not planned:
+    possible = scene.possible(names)
+    if not possible:
         return []
-    every = [*names, *(limit.name for limit in limits_of(scene, planned))]
-    of_limits = scene.inputs_of(*scene.planned(every))
-    inputs = with_spacing(scene.inputs_of(*planned), of_limits)
+    every = [*names, *(limit.name for limit in limits_of(scene, possible))]
+    of_limits = scene.inputs_of(*scene.possible(every))
+    inputs = with_spacing(scene.inputs_of(*possible), of_limits)
     entering = {*of_limits, *depends_on(scene.missing(every), [scene.law.name])}
     displaced = []
     if XI in inputs and XI not in scene.given:
@@ -51,9 +51,9 @@ def notes_on_rows(scene: Scene, names: Sequence[str]) -> list[Note]:
 
         displaced = [note_of_rows(scene)]
     return [
-        *(note for note in about_given(scene, planned, inputs, entering, displaced) if note.kind != "material"),
-        *about_conventions(scene, planned),
-        *about_limits(judged(scene, planned)),
+        *(note for note in about_given(scene, possible, inputs, entering, displaced) if note.kind != "material"),
+        *about_conventions(scene, possible),
+        *about_limits(judged(scene, possible)),
     ]
 
 

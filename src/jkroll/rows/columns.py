@@ -120,7 +120,7 @@ class Wanted:
 
     def work(self, scene: Any) -> int:
         """Return how many formulas take as long as a row by itself."""
-        return (_BESIDE + len(scene.plan(*scene.planned(self.names)).steps)) * (_JUDGED if self.doubts else 1)
+        return (_BESIDE + len(scene.plan(*scene.possible(self.names)).steps)) * (_JUDGED if self.doubts else 1)
 
     def row(self, scene: Any) -> "Row":
         """Return the row of a scene of numbers. Raises a JkrollError for uncertainties that do not go together."""

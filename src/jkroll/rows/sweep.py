@@ -182,7 +182,7 @@ def _sides(scene: Scene, names: Sequence[str]) -> dict[str, set[str]]:
     """Return by quantity the sides of the uncertainty that it can have."""
     from ..scene.uncertainty import sources_of
 
-    inputs = {name: {*scene.inputs_of(name)} for name in scene.planned(names)}
+    inputs = {name: {*scene.inputs_of(name)} for name in scene.possible(names)}
     entering = sources_of(scene, set().union(*inputs.values())).entering
     sides = {
         name: {side for one in entering if own & {*one.names} for side in one.given.sides}

@@ -294,7 +294,7 @@ class Scene:
     def _plan_for(self, wanted: Sequence[str]) -> Plan:
         return plan_for(tuple(wanted), self.known, self.material2 is not None, self.law.name)
 
-    def _planned(self, wanted: Sequence[str]) -> Plan:
+    def _grown_plan(self, wanted: Sequence[str]) -> Plan:
         """Return the plan of this scene, which grows by these quantities if it does not have them."""
         if not self._plan.knows(wanted):
             names = (*self._plan.found, *self._plan.missing, *wanted)
@@ -330,7 +330,7 @@ class Scene:
             used |= {"radius", "radius2"}  # by which a material's is scaled
         return in_order(used & (self.given.keys() | DEFAULTS.keys()))
 
-    def planned(self, names: Iterable[str]) -> list[str]:
+    def possible(self, names: Iterable[str]) -> list[str]:
         """Return those of some quantities to which the scene's inputs lead."""
         names = [*names]
         missing = self.missing(names)
@@ -338,8 +338,8 @@ class Scene:
 
     def inputs_used(self, names: Sequence[str], shown: Sequence[str]) -> Collection[str]:
         """Return the inputs on which quantities depend, as far as the scene allows them; `shown`: those that concern it."""
-        if planned := self.planned(shown):
-            return self.inputs_of(*planned)
+        if possible := self.possible(shown):
+            return self.inputs_of(*possible)
         return depends_on(names) & self.given.keys()
 
     def echo(self, used: Collection[str]) -> dict[str, Any]:
@@ -390,7 +390,7 @@ class Scene:
         One plan leads to all of them, and serves every later question about some of them. An element of an array that
         has no answer is nan.
         """
-        found = self._planned(names)
+        found = self._grown_plan(names)
         if self._has_arrays:
             import numpy
 

@@ -140,7 +140,7 @@ def _of_materials(scene: Scene) -> Iterable[Source]:
 
 def sources_of_results(scene: Scene, names: Sequence[str]) -> Sources:
     """Return the sources that enter quantities of a scene, as far as it allows them."""
-    return sources_of(scene, scene.inputs_of(*scene.planned(names)))
+    return sources_of(scene, scene.inputs_of(*scene.possible(names)))
 
 
 def uncertainties(scene: Scene, names: Sequence[str]) -> tuple[Found, Sources]:
