@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 from ..answers.questions import QUESTIONS
 from ..errors import BadRequest
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
-from ..text import capitalized, columns, fitting, quoted
+from ..text import capitalized, fitting, quoted, terminal_width
 
 MAX_DIGITS = 9  # of a number
 
@@ -458,7 +458,7 @@ MIN_TEXT = 20
 
 def help_of(name: str | None) -> str:
     """Return the help of a command, or of the program: usage, meaning, options, an example; as stdout can encode it."""
-    width = max(MIN_WIDTH, min(MAX_WIDTH, columns() - 2))
+    width = max(MIN_WIDTH, min(MAX_WIDTH, terminal_width() - 2))
     options = tuple(dict.fromkeys(flags_of(name).values()))
     listed = [_listed("Options", _rows(option for option in options if not option.hidden), width)]
     if more := _rows(option for option in options if option.hidden):

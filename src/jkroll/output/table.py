@@ -12,7 +12,7 @@ from rich.text import Text
 from ..answers.notes import parts_of_assumed, symbol_of
 from ..quantities.formatting import Format, amount, in_words, pretty
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
-from ..text import columns, fitting, say
+from ..text import fitting, say, terminal_width
 
 if TYPE_CHECKING:
     from ..answers.answer import Answer
@@ -192,7 +192,7 @@ def _inputs(
     parts = [text if name == "material" else f"{symbol_of(name)} = {text}" for name, text in texts.items()]
     lines = [start]
     for part in [*parts, *parts_of_assumed(assumed)]:
-        if lines[-1] and len(lines[-1]) + len(part) + 2 >= columns():
+        if lines[-1] and len(lines[-1]) + len(part) + 2 >= terminal_width():
             lines[-1] += ","
             lines.append("")
         lines[-1] += f", {part}" if lines[-1] else part
@@ -240,7 +240,7 @@ def _table(
 
 def _print(table: Table, out: TextIO, *, anyway: bool = False) -> bool:
     """Print a table if the terminal is wide enough for it, or anyway, and return whether it was printed."""
-    console = Console(file=out, width=columns(), highlight=False, markup=False, emoji=False)
+    console = Console(file=out, width=terminal_width(), highlight=False, markup=False, emoji=False)
     width = sum(_least_width(column, console) for column in table.columns) + GAP * (len(table.columns) - 1)
     if width > console.width and not anyway:
         return False
