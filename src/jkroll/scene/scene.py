@@ -148,7 +148,7 @@ _MAY_CONTRADICT = frozenset(name for names in EXCLUSIVE for name in names)
 
 _OF_SOLID_2 = frozenset(name + "2" for name in PROPERTIES)
 
-# What decides on whether a body yields, so that a contact has an area.
+# The inputs that decide whether a body deforms, so that a contact has an area.
 OF_AREA = ("youngs_modulus", "youngs_modulus2", "contact_modulus")
 
 # What rests on a contact area, and has none where both bodies are rigid; everything else of JKR follows from these.
@@ -531,13 +531,13 @@ def _without_displacement(material: Material) -> Material:
 
 
 def _has_area(given: Mapping[str, Any], *, own_material2: bool) -> Any:
-    """Return whether a body yields, so that a contact has an area, element by element for arrays."""
+    """Return whether a body deforms, so that a contact has an area, element by element for arrays."""
     if "contact_modulus" in given:
         return True
     modulus = given.get("youngs_modulus")
     modulus2 = given.get("youngs_modulus2", None if own_material2 else modulus)
-    yields = (modulus != INFINITY) | (modulus2 != INFINITY)
-    return yields if hasattr(yields, "shape") else bool(yields)
+    deforms = (modulus != INFINITY) | (modulus2 != INFINITY)
+    return deforms if hasattr(deforms, "shape") else bool(deforms)
 
 
 def _implied(values: Mapping[str, Any], law: Law) -> dict[str, Mapping[str, float]]:
@@ -546,7 +546,7 @@ def _implied(values: Mapping[str, Any], law: Law) -> dict[str, Mapping[str, floa
     if "radius2" not in values:
         implied["radius2"] = {"radius_ratio": 1.0}
     if "poisson_ratio2" not in values:
-        implied.pop("youngs_modulus", None)  # sphere 2, which yields, would take the ratio over
+        implied.pop("youngs_modulus", None)  # sphere 2, which deforms, would take the ratio over
     if not law.has("load_margin"):
         implied.pop("load", None)
     return implied
