@@ -18,7 +18,7 @@ from hypothesis import strategies as st
 from harness import Run
 from jkroll.batch import files
 from jkroll.batch.one import table_with
-from jkroll.batch.settings import Order, Settings
+from jkroll.batch.settings import Job, Settings
 from jkroll.errors import JkrollError
 from jkroll.materials.library import known_materials
 from jkroll.output.manual import page
@@ -132,7 +132,7 @@ def agree(size: int, seed: int) -> None:
     """Among the others and alone a row has the same numbers, to some ulp, the same doubts and the same status."""
     header, *lines = random_table(size, seed).splitlines()
     names = tuple(header.split(","))
-    table = table_with(names, [], Order(Settings(), {}, known_materials()))
+    table = table_with(names, [], Job(Settings(), {}, known_materials()))
     rows = [line.encode().split(b",") for line in lines]
     block = table.block(size, {name: [row[place] for row in rows] for name, place in table.places.items()}, {})
     together = evaluated(table.wanted, block)

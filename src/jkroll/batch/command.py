@@ -11,21 +11,21 @@ from ..text import say, say_wrapped
 from .lines import Tally
 from .many import Runner, by_processes, convert_many, is_many
 from .one import convert_one
-from .settings import Order, Part, Settings
+from .settings import Job, Part, Settings
 
 MAX_CODES = 4  # of doubts that are named at the end
 
 
 def run(path: str, settings: Settings, inputs: Mapping[str, str], known: Materials) -> int:
     """Convert a table, or several; return the exit code."""
-    order = Order(settings, inputs, known)
+    job = Job(settings, inputs, known)
     if is_many(path, settings):
-        tally, code = convert_many(path, order, _runner(settings))
+        tally, code = convert_many(path, job, _runner(settings))
     else:
         if settings.resume or settings.dask:
             flag = "--resume" if settings.resume else "--dask"
             raise BadRequest(f"{flag} is for many files: name them as in 'grains/*.csv', with -o DIRECTORY/")
-        tally, code = convert_one(Part(path, settings.target), order), 0
+        tally, code = convert_one(Part(path, settings.target), job), 0
     if tally.inferred and not settings.quiet:
         say_wrapped(_summary(settings.infer, tally), sys.stderr)
     if tally.doubtful and not settings.quiet:

@@ -28,24 +28,24 @@ from ..text import quoted, shown
 from .files import Input, output_to
 from .lines import Tally, computed
 from .progress import Bar
-from .settings import Order, Part
+from .settings import Job, Part
 
 BUFFER = 1 << 18  # bytes read at a time of each column
 BYTES = 1 << 24  # of the rows written together, and at most of those computed together, about
 
 Rows = tuple[Any, Tally]  # a batch of Arrow with results, and its counts
-TableWith = Callable[[tuple[str, ...], list[list[str]], Order], Table]
+TableWith = Callable[[tuple[str, ...], list[list[str]], Job], Table]
 
 
-def convert_parquet(part: Part, order: Order, table_with: TableWith) -> Tally:
-    """Convert a Parquet file; `table_with` returns what the order asks of a header and the cells of the first rows."""
+def convert_parquet(part: Part, job: Job, table_with: TableWith) -> Tally:
+    """Convert a Parquet file; `table_with` returns what the job asks of a header and the cells of the first rows."""
     if "-" in (part.path, part.target):
         raise BadRequest("Parquet is read from a file and written to a file: -o FILE")
     with closing(Input(part.path)) as given:
         given.check_output(part.target)
         with _readable(part.path):
-            table = _File(given, order, table_with)
-        with Bar(table.size, quiet=order.settings.quiet) as bar:
+            table = _File(given, job, table_with)
+        with Bar(table.size, quiet=job.settings.quiet) as bar:
             tally = _write(part.target, table.schema, table.rows(), bar)
     return tally._replace(readings=(table.table.reading,))
 
@@ -63,12 +63,12 @@ def _readable(path: str) -> Iterator[None]:
 class _File:
     """A Parquet file whose rows are computed."""
 
-    def __init__(self, given: Input, order: Order, table_with: TableWith) -> None:
-        self.given, self.strict = given, order.settings.strict
+    def __init__(self, given: Input, job: Job, table_with: TableWith) -> None:
+        self.given, self.strict = given, job.settings.strict
         self.file = file = pyarrow.parquet.ParquetFile(given.file, buffer_size=BUFFER, pre_buffer=False)
         names = tuple(file.schema_arrow.names)
-        meanings = stated_meanings(names, order.settings.columns, order.settings.measured)
-        self.table = table = table_with(names, _first_rows(file, meanings), order)
+        meanings = stated_meanings(names, job.settings.columns, job.settings.measured)
+        self.table = table = table_with(names, _first_rows(file, meanings), job)
         texts = {*table.said, *table.remarks}
         fields = [pyarrow.field(name, pyarrow.string() if name in texts else pyarrow.float64()) for name in table.added]
         self.schema = pyarrow.schema([*file.schema_arrow, *fields], metadata=file.schema_arrow.metadata)

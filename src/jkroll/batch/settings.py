@@ -46,8 +46,8 @@ class Part(NamedTuple):
     target: str
 
 
-@dataclass(frozen=True, eq=False)  # so that what is understood of a header can be kept by the order
-class Order:
+@dataclass(frozen=True, eq=False)  # compared by identity, so that `_fill` can cache for each job
+class Job:
     """A run: the options, the inputs that fill the gaps of rows, and the known materials."""
 
     settings: Settings
