@@ -4,7 +4,6 @@ import os
 import sys
 from collections.abc import Iterable
 from contextlib import closing
-from dataclasses import replace
 from functools import lru_cache, partial
 from itertools import chain
 
@@ -35,7 +34,7 @@ def convert_one(part: Part, job: Job) -> Tally:
         with missing_extra("parquet"):
             from .parquet import convert_parquet
         return convert_parquet(part, job, table_with)
-    return _convert_lines(part.path, form, compression, replace(job, settings=settings))
+    return _convert_lines(part, form, compression, job)
 
 
 @lru_cache(maxsize=8)  # the tables of a run have the same options
@@ -63,12 +62,12 @@ def table_with(names: tuple[str, ...], rows: list[list[str]], job: Job) -> Table
     return table
 
 
-def _convert_lines(path: str, form: FileFormat, compression: str, job: Job) -> Tally:
+def _convert_lines(part: Part, form: FileFormat, compression: str, job: Job) -> Tally:
     """Convert a table whose records are lines."""
-    settings = job.settings
+    settings = job.settings._replace(target=part.target)
     compressor(form.compression)  # a missing library is named before anything is opened
-    with closing(Input(path)) as given:
-        given.check_output(settings.target)
+    with closing(Input(part.path)) as given:
+        given.check_output(part.target)
         dialect = DELIMITED[settings.delimiter] if settings.delimiter else LINES[form.kind]
         texts = blocks(given.pieces(form.compression), dialect.cut)
         first = dialect.prepared(next(texts, b""))
