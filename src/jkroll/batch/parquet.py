@@ -33,7 +33,7 @@ from .settings import Job, Part
 BUFFER = 1 << 18  # bytes read at a time of each column
 BYTES = 1 << 24  # of the rows written together, and at most of those computed together, about
 
-Rows = tuple[Any, Tally]  # a batch of Arrow with results, and its counts
+Batch = tuple[Any, Tally]  # a batch of Arrow with results, and its counts
 TableWith = Callable[[tuple[str, ...], list[list[str]], Job], Table]
 
 
@@ -46,7 +46,7 @@ def convert_parquet(part: Part, job: Job, table_with: TableWith) -> Tally:
         with _readable(part.path):
             table = _File(given, job, table_with)
         with Bar(table.size, quiet=job.settings.quiet) as bar:
-            tally = _write(part.target, table.schema, table.rows(), bar)
+            tally = _write(part.target, table.schema, table.batches(), bar)
     return tally._replace(readings=(table.table.reading,))
 
 
@@ -77,7 +77,7 @@ class _File:
         width = max((group.total_byte_size / max(group.num_rows, 1) for group in groups), default=0) + 8 * len(fields)
         self.together = max(min(BLOCK, int(BYTES / width)), 1)
 
-    def rows(self) -> Iterator[Rows]:
+    def batches(self) -> Iterator[Batch]:
         """Iterate over the rows with their results. Raises BadTable if the file was changed meanwhile."""
         with _readable(self.given.path):
             for batch in self.file.iter_batches(self.together):
@@ -85,7 +85,7 @@ class _File:
                 self.line += batch.num_rows
         self.given.check_unchanged()
 
-    def _with_results(self, batch: Any) -> Rows:
+    def _with_results(self, batch: Any) -> Batch:
         size = batch.num_rows
         places = range(self.line + 1, self.line + size + 1)
         columns, tally = computed(self.table.wanted, self._block(batch), places, strict=self.strict)
@@ -124,7 +124,7 @@ def write_columns(wanted: Wanted, blocks: Iterable[Columns], units: Format, targ
     heads = [*names_of_columns(wanted, units), *remarks]
     schema = pyarrow.schema([*map(pyarrow.field, heads, [*kinds.values(), *[pyarrow.string()] * len(remarks)])])
 
-    def batch(columns: Columns) -> Rows:
+    def batch(columns: Columns) -> Batch:
         arrays = [
             *(pyarrow.array(middles(columns.inputs[name]), kinds[name], from_pandas=True) for name in wanted.inputs),
             *(
@@ -158,12 +158,12 @@ def _remarks(columns: Columns, names: Iterable[str]) -> Iterator[Any]:
         yield pyarrow.array(map(of_rows[name], range(len(columns))), "string")
 
 
-def _write(target: str, schema: Any, rows: Iterator[Rows], bar: Bar) -> Tally:
+def _write(target: str, schema: Any, batches: Iterator[Batch], bar: Bar) -> Tally:
     """Write a file that gets its name when it is whole, in groups of rows of about the same size."""
     texts = [field.name for field in schema if not pyarrow.types.is_floating(field.type)]  # numbers seldom repeat
     tally = Tally()
     with output_to(target) as stream, pyarrow.parquet.ParquetWriter(stream, schema, use_dictionary=texts) as writer:
-        for group in _ahead(_groups(rows)):
+        for group in _ahead(_groups(batches)):
             table = pyarrow.Table.from_batches([batch for batch, _ in group])
             writer.write_table(table, table.num_rows)
             for _, own in group:
@@ -172,13 +172,13 @@ def _write(target: str, schema: Any, rows: Iterator[Rows], bar: Bar) -> Tally:
     return tally
 
 
-def _groups(batches: Iterator[Rows]) -> Iterator[list[Rows]]:
+def _groups(batches: Iterator[Batch]) -> Iterator[list[Batch]]:
     """Iterate over rows that are written together."""
-    group: list[Rows] = []
+    group: list[Batch] = []
     size = 0
-    for rows in batches:
-        group.append(rows)
-        size += rows[0].nbytes
+    for batch in batches:
+        group.append(batch)
+        size += batch[0].nbytes
         if size >= BYTES:
             yield group
             group, size = [], 0
@@ -186,7 +186,7 @@ def _groups(batches: Iterator[Rows]) -> Iterator[list[Rows]]:
         yield group
 
 
-def _ahead(groups: Iterator[list[Rows]]) -> Iterator[list[Rows]]:
+def _ahead(groups: Iterator[list[Batch]]) -> Iterator[list[Batch]]:
     """Iterate over groups, of which a thread prepares the next one while one is written."""
     with ThreadPoolExecutor(1) as thread:
         coming = thread.submit(next, groups, None)
