@@ -16,7 +16,7 @@ from ..materials.library import Material, Materials, MaterialsFileError, Unclear
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, header
 from ..quantities.values import Uncertain, is_uncertain, value_of
 from ..scene.failures import MissingInput
-from ..scene.inverse import check_one, observed
+from ..scene.inverse import Observed, check_one
 from ..scene.scene import EXCLUSIVE, Scene
 from ..text import first_of, quoted, say, say_wrapped
 from .cells import LABEL, Lookup, Numbering, Reader
@@ -62,7 +62,7 @@ class Fill(NamedTuple):
             return Scene(given, *spheres, model=self.model)
         if self.inverse.quantity not in given:
             raise BadCells(f"{self.inverse.quantity}: the row has no measured value")
-        return observed([self.inverse.quantity], given, *spheres, model=self.model)
+        return Observed.of([self.inverse.quantity], given, *spheres, model=self.model)
 
 
 class Table:
