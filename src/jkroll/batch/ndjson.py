@@ -58,7 +58,7 @@ class NdjsonConverter:
         self.known = {*head.names}
         self.added = {*table.added}
         self.said = b"".join(orjson.dumps({name: text})[1:-1] + b"," for name, text in table.said.items())
-        self.names = [orjson.dumps(name) + b":" for name in (*table.numbers, *table.remarks)]
+        self.names = [orjson.dumps(name) + b":" for name in (*table.heads, *table.remarks)]
 
     def convert(self, text: bytes) -> Converted:
         """Return whole lines with the results in each. Blank lines stay."""

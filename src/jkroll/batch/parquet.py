@@ -105,7 +105,7 @@ class _File:
             encoded = batch.column(place).dictionary_encode()
             texts = [*map(_text, encoded.dictionary.to_pylist()), ""]
             rows = encoded.indices.cast(pyarrow.int64()).fill_null(len(texts) - 1)
-            materials[name] = table.lookups[name].numbers(texts)[rows.to_numpy()]
+            materials[name] = table.lookups[name].indices(texts)[rows.to_numpy()]
         numbers = {reader.column.name: _numbers(batch, reader) for reader in table.readers}
         return table.block_of(
             batch.num_rows,

@@ -19,7 +19,7 @@ from ..scene.failures import MissingInput
 from ..scene.inverse import Observed, check_one
 from ..scene.scene import EXCLUSIVE, Scene
 from ..text import first_of, quoted, say, say_wrapped
-from .cells import LABEL, Lookup, Numbering, Reader
+from .cells import LABEL, Indices, Lookup, Reader
 from .columns import DOUBT, SIDES, STATUS, BadCells, Wanted, remarks_of
 from .header import BadTable, Column, Header, check_first, check_inputs
 from .inferred import SoughtOne
@@ -74,7 +74,7 @@ class Table:
         self.places = dict(self.materials_at)  # of the columns that are read
         for column in self.inputs:
             self.places |= column.places
-        self.numbers = wanted.heads(header)
+        self.heads = wanted.heads(header)
         self.said = {"model": fill.model} if fill.model is not None else {}  # columns of text, the same in all rows
         self.remarks = remarks_of(wanted, doubt=True)
         self.readers = [Reader(column) for column in self.inputs]
@@ -85,12 +85,12 @@ class Table:
     @property
     def added(self) -> list[str]:
         """The headers of all columns that the table gets."""
-        return [*self.said, *self.numbers, *self.remarks]
+        return [*self.said, *self.heads, *self.remarks]
 
     def block(self, size: int, cells: Mapping[str, Sequence[bytes]], odd: Mapping[int, str]) -> Block:
         """Return rows of texts, by the names of the columns. `odd`: records that are no rows, and why."""
         numbers = {reader.column.name: reader.numbers(cells) for reader in self.readers}
-        materials = {name: self.lookups[name].numbers(cells[name]) for name, _ in self.materials_at}
+        materials = {name: self.lookups[name].indices(cells[name]) for name, _ in self.materials_at}
         return self.block_of(
             size, numbers, materials, odd, lambda row, name: cells[name][row].decode("utf-8", "replace")
         )
@@ -99,15 +99,15 @@ class Table:
         self,
         size: int,
         numbers: Mapping[str, Any],
-        materials: Mapping[str, Numbering],
+        materials: Mapping[str, Indices],
         odd: Mapping[int, str],
         text: Callable[[int, str], str],
     ) -> Block:
-        """Return rows of numbers and of materials by their numbers; `text` is that of a row's cell in a column."""
+        """Return rows of numbers and of materials by their indices; `text` is that of a row's cell in a column."""
         own = [materials.get(name, numpy.zeros(size, dtype=numpy.int64)) for name in self.lookups]
         lookups = [*self.lookups.values()]
 
-        def scene(given: Mapping[str, Any], rows: Numbering) -> Any:
+        def scene(given: Mapping[str, Any], rows: Indices) -> Any:
             spheres = [lookup.together(of_sphere[rows]) for lookup, of_sphere in zip(lookups, own, strict=True)]
             found = self.fill.scene(given, *spheres)
             if LABEL in spheres and self.wanted.lacks(found):
