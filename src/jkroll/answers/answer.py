@@ -85,7 +85,7 @@ def with_differences(verdict: Verdict, found: Sequence[Difference], scene: Scene
     """Return a verdict with what Maugis' law says in place of a doubt about the law in use."""
     if verdict.holds:
         return verdict
-    if verdict.name == "tabor_parameter" and not verdict.verdict:
+    if verdict.name == "tabor_parameter" and not verdict.conclusion:
         lead = f"{scene.law.title} is inexact here (Tabor parameter μ = {verdict.value:.3g})"
         has_jump = verdict.value >= JUMP
         corrected = [each for each in found if has_jump or each.name not in _OF_JUMPS]

@@ -315,5 +315,5 @@ def _verdict_object(verdict: "Verdict") -> dict[str, Any]:
         "holds": verdict.holds,
         "text": verdict.text,
         "code": verdict.code or None,
-        **({"verdict": verdict.verdict} if verdict.verdict else {}),
+        **({"verdict": verdict.conclusion} if verdict.conclusion else {}),
     }
