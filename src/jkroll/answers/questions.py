@@ -208,6 +208,6 @@ def quantities_named(text: str) -> tuple[list[str], list[str]]:
 
 def question_about(text: str) -> Question:
     """Return the question about the quantities of a list, all of which are its headline."""
-    named, offered = quantities_named(text)
-    names = tuple(dict.fromkeys((*named, *offered)))
-    return Question(names, names, named=tuple(named))
+    explicit, offered = quantities_named(text)
+    names = tuple(dict.fromkeys((*explicit, *offered)))
+    return Question(names, names, named=tuple(explicit))
