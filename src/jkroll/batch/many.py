@@ -28,9 +28,9 @@ from .one import convert_one
 from .settings import Job, Part, Settings
 
 MANIFEST = "manifest.json"
-MOST_READINGS = 3  # ways in which tables are read that are said on stderr
-MOST_SAID = 20  # files whose failure is said on stderr; the manifest has them all
-SELDOM = 20  # times as long as it takes to write the manifest, until it is written again
+MAX_READINGS = 3  # ways in which tables are read that are said on stderr
+MAX_SAID = 20  # files whose failure is said on stderr; the manifest has them all
+_REST = 20  # between two writes of the manifest, in the time that one takes
 FEW, LITTLE = 8, 1 << 20  # number and bytes of files up to which this process converts them all itself
 
 Entry = dict[str, Any]  # of a file, in the manifest
@@ -116,7 +116,7 @@ def convert_many(path: str, job: Job, run: Runner) -> tuple[Tally, int]:
         raise
     manifest.write(tally.counts())
     if not settings.quiet:
-        for reading, count in Counter(tally.readings).most_common(MOST_READINGS):
+        for reading, count in Counter(tally.readings).most_common(MAX_READINGS):
             say_wrapped(reading if count == len(parts) else f"{reading}: {count} of {len(parts)} files", sys.stderr)
     _say_failures(manifest)
     return tally, code
@@ -164,7 +164,7 @@ class Manifest:
         begun = perf_counter()
         with whole_file(self.path) as file:
             file.write(json.dumps({**self.about, **more, "files": self.files}, indent=2).encode() + b"\n")
-        self.due = perf_counter() + SELDOM * (perf_counter() - begun)
+        self.due = perf_counter() + _REST * (perf_counter() - begun)
 
 
 def _tally(entry: Entry) -> Tally:
@@ -224,8 +224,8 @@ def _read(manifest: str) -> dict[str, Any]:
 
 def _say_failures(manifest: Manifest) -> None:
     failures = [entry for entry in manifest.files if "problem" in entry]
-    for entry in failures[:MOST_SAID]:
+    for entry in failures[:MAX_SAID]:
         say(f"jkroll: {quoted(entry['input'])}: {entry['problem']}", sys.stderr)
-    if len(failures) > MOST_SAID:
-        said = f"jkroll: and {len(failures) - MOST_SAID} more files failed; {quoted(manifest.path)} says why"
+    if len(failures) > MAX_SAID:
+        said = f"jkroll: and {len(failures) - MAX_SAID} more files failed; {quoted(manifest.path)} says why"
         say(said, sys.stderr)

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from ..materials.library import Materials
 
-MOST_PROCESSES = 16  # unless --jobs asks for more: one process reads for all of them
+MAX_PROCESSES = 16  # unless --jobs asks for more: one process reads for all of them
 
 
 class Settings(NamedTuple):
@@ -32,7 +32,7 @@ class Settings(NamedTuple):
     @property
     def processes(self) -> int:
         """Number of processes: `--jobs`, else one for each core that this process may use."""
-        return self.jobs or min(_cores(), MOST_PROCESSES)
+        return self.jobs or min(_cores(), MAX_PROCESSES)
 
 
 def _cores() -> int:

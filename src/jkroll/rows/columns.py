@@ -40,7 +40,7 @@ _BESIDE = 15  # formulas that take as long as what else a row needs
 _JUDGED = 8  # times as long takes a row whose limits are judged: it is computed by the law that holds, too
 DOUBT = "doubt"  # the column of the limits of the model that a row exceeds, as codes
 STATUS = "status"  # the column of reasons
-MOST_NAMES = 3  # of quantities in a clause of a status
+MAX_NAMES = 3  # of quantities in a clause of a status
 _NO_COLUMNS = "for which the table has no columns; --uncertainty adds them"
 
 Reasons = Mapping[str, JkrollError]  # why cells of a row are empty, by the names of their columns
@@ -579,7 +579,7 @@ def _clauses(errors: Mapping[str, JkrollError], lead: str = "") -> list[str]:
     for name, error in errors.items():
         reason = joined if name in lacking else reason_of(name, error)
         reasons.setdefault(reason, []).append(name)
-    return [f"{first_of(names, MOST_NAMES)}: {lead}{reason}" for reason, names in reasons.items()]
+    return [f"{first_of(names, MAX_NAMES)}: {lead}{reason}" for reason, names in reasons.items()]
 
 
 def _joined(errors: Sequence[MissingInput]) -> str:

@@ -30,7 +30,7 @@ from .readings import (
 _PER_CENT = re.compile(r"(.*?)((?:±|\+/?-)[^±]*%)?", re.DOTALL)  # 25±20 % of the value
 _EASY = re.compile(r"[\w*.-]+( \[[^\[\] ]*\])?")  # a header that needs no quotes in a sentence
 _PARTS = "values have a column of ± beside them, or two, of minus and plus; a range has low and high alone"
-_MOST_SAID = 8  # columns that pass through and are named
+_MAX_SAID = 8  # columns that pass through and are named
 _NEEDED = ("radius", *PROPERTIES)  # of a contact; the other inputs have defaults, or serve few quantities
 _NO_END = "?"  # of a range
 _NOTHING = ("nan", "na", "n/a", "null", "none", "-", "--")  # cells without a value, as programs write them
@@ -151,8 +151,8 @@ class Header(NamedTuple):
         if not others:
             return sentence
         passing = [_easy(text) for text in dict.fromkeys((*self.alike, *others))]
-        count = f"{len(others)} columns: " if len(others) > _MOST_SAID else ""
-        return f"{sentence}; passed through: {count}{first_of(passing, _MOST_SAID)}"
+        count = f"{len(others)} columns: " if len(others) > _MAX_SAID else ""
+        return f"{sentence}; passed through: {count}{first_of(passing, _MAX_SAID)}"
 
     def advice(self, given: Collection[str]) -> str:
         """Return the note on columns that may be inputs which nothing else gives; an empty text if there are none."""

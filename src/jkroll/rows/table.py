@@ -26,7 +26,7 @@ from .inferred import SoughtOne
 from .readings import MATERIALS, may_be_diameter
 from .rows import Block, groups
 
-_MOST_LABELS = 3  # that are named
+_MAX_LABELS = 3  # that are named
 _RENAMED = {STATUS: "", "model": "", DOUBT: ", or write --no-doubt"}  # besides another name
 _SOME = 0.25  # a value that any input can have
 Asked = tuple[Sequence[str], Sequence[str]]  # quantities by name, and those that may lack inputs
@@ -184,7 +184,7 @@ def say_reading(columns: Header, rows: Sequence[Sequence[str]], fill: Fill, quan
             if len(unknown) == 1
             else "are not known; rows that need them fail"
         )
-        say_wrapped(f"note: material: {first_of(unknown, _MOST_LABELS)} {fails}", sys.stderr)
+        say_wrapped(f"note: material: {first_of(unknown, _MAX_LABELS)} {fails}", sys.stderr)
     for message in filter(None, labels.values()):
         say_wrapped(f"note: {message}", sys.stderr)
     given = {*columns.names, *fill.fixed}
