@@ -123,9 +123,10 @@ def _about_hamaker(scene: Scene) -> Note:
 def _about_shear(scene: Scene, steps: Collection[str]) -> Iterator[str]:
     """Iterate over what is assumed of the contact under shear, given the quantities on the way to the results."""
     are_alike = all(scene.given.get(name + "2", one) == one for name, one in scene.given.items() if name in _ELASTIC)
-    for strength in scene.numbers("shear_strength").values() if "shear_strength" in steps else ():
+    if "shear_strength" in steps:
         softer = "" if are_alike else " of the softer solid, a rule of this program"
-        yield f"τ = G/4π² = {amount('shear_strength', strength)}{softer}, an order of magnitude (--shear-strength)"
+        for strength in scene.numbers("shear_strength").values():
+            yield f"τ = G/4π² = {amount('shear_strength', strength)}{softer}, an order of magnitude (--shear-strength)"
     if "contact_shear_modulus" in steps and not are_alike:
         yield "k_s without Dundurs' coupling of unlike solids"
 

@@ -241,8 +241,9 @@ def write_answers(answers: Iterable[Answer], count: int, kind: str, form: Format
         else:
             write_plain(only, out, form)
         out.flush()
-        for line in () if quiet else note_lines.of_answer(only, has_head=kind == "table"):
-            say_wrapped(line, sys.stderr)
+        if not quiet:
+            for line in note_lines.of_answer(only, has_head=kind == "table"):
+                say_wrapped(line, sys.stderr)
     out.flush()
     return _failed(len(failures), count, failures[0] if failures else None)
 

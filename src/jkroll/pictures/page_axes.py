@@ -45,9 +45,10 @@ def draw_map(axes: Any, drawn: Map, inches: float, aspect: float, style: Style) 
     contours = [(values, CONTOURS, 0.7, "solid")]
     if drawn.printed is not None:
         contours.append((scale(drawn.printed), PRINTED, 0.6, "dashed"))
-    for field, gid, width, dashes in contours if heights else ():
-        look = {"colors": style.ink, "linewidths": width, "linestyles": dashes}
-        axes.contour(mesh.x, mesh.y, field, levels=heights, **look).set_gid(gid)
+    if heights:
+        for field, gid, width, dashes in contours:
+            look = {"colors": style.ink, "linewidths": width, "linestyles": dashes}
+            axes.contour(mesh.x, mesh.y, field, levels=heights, **look).set_gid(gid)
     for region in drawn.regions:
         if region.look is not None:
             _draw_region(axes, region, LOOKS[region.look], style, edge)

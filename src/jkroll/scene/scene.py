@@ -186,9 +186,8 @@ class Scene:
         """
         self.law = law_named(DEFAULT_LAW if model is None else model)
         self.stated_model = None if model is None else self.law.name
-        for names in () if _MAY_CONTRADICT.isdisjoint(given) else EXCLUSIVE:
-            if len(both := [name for name in names if name in given]) > 1:
-                raise Contradiction(both)
+        if not _MAY_CONTRADICT.isdisjoint(given):
+            _check_exclusive(given)
         if material2 is not None:
             material2 = _without_displacement(material2)  # that of another scene's contact
         self.material, self.material2 = material, material2
@@ -483,6 +482,13 @@ class Scene:
         if name not in self.law.by_spacing or not self.given.keys().isdisjoint(("atomic_spacing", "hamaker")):
             return False
         return self["transition_parameter"] < 1
+
+
+def _check_exclusive(given: Collection[str]) -> None:
+    """Raise Contradiction for inputs of which one follows from the other."""
+    for names in EXCLUSIVE:
+        if len(both := [name for name in names if name in given]) > 1:
+            raise Contradiction(both)
 
 
 def broadcast(arrays: Mapping[str, Any]) -> tuple[int, ...]:
