@@ -243,7 +243,7 @@ def doubts(scene: Scene, names: Collection[str]) -> Any:
     for limit, first, value in _touching(scene, names):
         if not isinstance(value, JkrollError):
             level = limit.level(_effect_where(value, scene, names) if limit.by_effect else value)
-            found = found | (1 << level >> 1) << first
+            found = found | (1 << level >> 1) << first  # no bit at level 0, else that of the last doubt that is met
         elif isinstance(value, MissingInput):
             found = found | NOT_JUDGED
     return found
@@ -297,7 +297,7 @@ def _touched(scene: Scene, names: Collection[str]) -> list[tuple[Limit, int]]:
     used = scene.plan(*names).taken.union(names)
     return [
         (limit, first)
-        for limit, first in zip(LIMITS, _FIRST, strict=False)
+        for limit, first in zip(LIMITS, _FIRST[:-1], strict=True)
         if limit.touches & used
         and (not limit.laws or scene.law.name in limit.laws)
         and (not limit.stated or limit.stated & scene.stated.keys())
