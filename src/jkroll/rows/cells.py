@@ -40,7 +40,7 @@ class Numbers(NamedTuple):
 
 
 class Kept(dict[Any, Any]):
-    """A memory of what texts mean."""
+    """A memory of what texts mean. Unlike an lru_cache it can be pickled, as a table is sent to processes."""
 
     def __init__(self, meaning: Callable[[Any], Any]) -> None:
         """`meaning`: returns what a text means."""
@@ -60,7 +60,7 @@ class Reader:
     def __init__(self, column: Column) -> None:
         """`column`: its name and unit."""
         self.column = column
-        self._kept = Kept(self._value)
+        self._cache = Kept(self._value)
 
     def numbers(self, columns: Mapping[str, Sequence[bytes]]) -> Numbers:
         """Return the numbers of a block of cells, by the names of the columns."""
@@ -110,7 +110,7 @@ class Reader:
         uncertain: dict[int, Uncertain] = {}
         for place in others:
             try:
-                value = self._kept[cells[place]]
+                value = self._cache[cells[place]]
             except (QuantityError, UnicodeDecodeError):
                 odd.append(place)
                 continue
@@ -179,11 +179,11 @@ class Lookup:
         self.known: list[Material | None] = [otherwise]
         self._of_kinds: dict[Hashable, int] = {_kind(otherwise): 0}  # of the kinds of materials
         self._kinds = [0]
-        self._kept = Kept(self._index)
+        self._cache = Kept(self._index)
 
     def indices(self, cells: Sequence[bytes | str]) -> Indices:
         """Return the indices of the materials that cells name."""
-        return numpy.array([*map(self._kept.__getitem__, cells)], dtype=numpy.int64)
+        return numpy.array([*map(self._cache.__getitem__, cells)], dtype=numpy.int64)
 
     def _index(self, cell: bytes | str) -> int:
         text = cell.decode(errors="replace") if isinstance(cell, bytes) else cell
