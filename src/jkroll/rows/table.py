@@ -214,15 +214,7 @@ def _labels(columns: Header, rows: Sequence[Sequence[str]], known: Materials) ->
 def wanted_of(columns: Header, rows: Sequence[Sequence[str]], fill: Fill, asked: Asked, *, doubts: bool) -> Wanted:
     """Return the quantities that columns and options allow, without uncertainties; `rows`: the cells of the first rows."""
     unknown = _labels(columns, rows, fill.known)
-    cells = {name: {row[place] for row in rows if row[place].strip()} for name, place in columns.materials}
-    labels = [name for name, own in cells.items() if own and own <= unknown.keys()]
-    infinite = [column.name for column in columns.inputs if _is_infinite(column, rows)]
-    scene = _as_known(columns, fill, labels, infinite)
-    if labels and scene.missing(
-        ["work_of_adhesion"]
-    ):  # they were meant as materials: their rows will say that they are unknown
-        labels = []
-        scene = _as_known(columns, fill, labels, infinite)
+    scene, has_labels = _typical(columns, rows, fill, unknown)
     if fill.inverse is not None:
         check_one(*fill.inverse, scene.scene)
         return SoughtOne([fill.inverse.name], [fill.inverse.quantity], sides=(), doubts=doubts)
@@ -234,7 +226,7 @@ def wanted_of(columns: Header, rows: Sequence[Sequence[str]], fill: Fill, asked:
         try:
             scene.plan(name)
         except MissingInput as error:
-            if not labels:
+            if not has_labels:
                 raise
             texts = [message or f"material: {quoted(text)} is not known" for text, message in unknown.items()]
             raise BadTable("; ".join([*texts[:1], str(error)])) from None
@@ -252,6 +244,23 @@ def wanted_of(columns: Header, rows: Sequence[Sequence[str]], fill: Fill, asked:
         scene.plan(offered[0])
         raise BadRequest("--quantities: these are known of identical spheres only, and the table describes sphere 2")
     return Wanted(names, named=explicit, sides={}, doubts=doubts)
+
+
+def _typical(
+    columns: Header, rows: Sequence[Sequence[str]], fill: Fill, unknown: Mapping[str, str]
+) -> tuple[Any, bool]:
+    """Return a scene that has what the columns and options give, and whether it leaves out materials.
+
+    It leaves out those of columns that have no known name in the first rows, unless they were meant as materials:
+    without them, there is no work of adhesion. `unknown`: names that are no material's.
+    """
+    cells = {name: {row[place] for row in rows if row[place].strip()} for name, place in columns.materials}
+    labels = [name for name, own in cells.items() if own and own <= unknown.keys()]
+    infinite = [column.name for column in columns.inputs if _is_infinite(column, rows)]
+    scene = _as_known(columns, fill, labels, infinite)
+    if labels and scene.missing(["work_of_adhesion"]):  # their rows will say that they are unknown
+        return _as_known(columns, fill, [], infinite), False
+    return scene, bool(labels)
 
 
 def _is_infinite(column: Column, rows: Sequence[Sequence[str]]) -> bool:
