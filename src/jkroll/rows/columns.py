@@ -162,14 +162,7 @@ class Wanted:
         found = _Arrays(self, scene, size)
         columns = found.columns
         if found.lacking:
-            of_kinds: dict[Hashable, Reasons] = {}
-            concerned = numpy.array([numpy.broadcast_to(found.shown[name], size) for name in found.lacking])
-            for row, is_shown in enumerate(concerned.T.tolist()):
-                if (own := (wording(row), *is_shown)) not in of_kinds:
-                    names = [name for name, is_one in zip(found.lacking, is_shown, strict=True) if is_one]
-                    of_kinds[own] = one(row).evaluate(names)
-                if of_kinds[own]:
-                    columns.reasons[row] = of_kinds[own]
+            found.say_lacking(one, wording)
         again = found.explain()
         if self.uncertainties and scene.is_uncertain:
             again |= found.add_sides()
@@ -252,7 +245,11 @@ class Columns:
         of_names = [self.column(name) for name in self.wanted.names]
         others = self.reasons.keys() - self.lost.keys()
         empty = [row for row in others if all(isnan(column[row]) for column in of_names)]
-        return [*self.lost, *(row for row in empty if not _has_unwritten(self.reasons[row]))]
+        return [*self.lost, *(row for row in empty if not self._has_unwritten(row))]
+
+    def _has_unwritten(self, row: int) -> bool:
+        """Return whether a row has a value that cannot be written in its unit."""
+        return any(isinstance(error, OutOfUnit) for error in self.reasons[row].values())
 
     def without_sides(self) -> int:
         """Return the number of rows that have uncertainties for which there are no columns."""
@@ -401,6 +398,19 @@ class _Arrays:
                 bits &= concerned
         return bits
 
+    def say_lacking(self, one: Callable[[int], Any], wording: Callable[[int], Hashable]) -> None:
+        """Say which inputs quantities lack; `one` and `wording` as `Wanted.columns` has them."""
+        import numpy
+
+        of_kinds: dict[Hashable, Reasons] = {}  # many rows lack the same inputs, in the same words
+        concerned = numpy.array([numpy.broadcast_to(self.shown[name], self.size) for name in self.lacking])
+        for row, is_shown in enumerate(concerned.T.tolist()):
+            if (own := (wording(row), *is_shown)) not in of_kinds:
+                names = [name for name, is_one in zip(self.lacking, is_shown, strict=True) if is_one]
+                of_kinds[own] = one(row).evaluate(names)
+            if of_kinds[own]:
+                self.columns.reasons[row] = of_kinds[own]
+
     def explain(self) -> Any:
         """Say why cells are empty where a frequent reason explains them, and return the other rows that have such cells."""
         import numpy
@@ -538,11 +548,6 @@ def repeated(value: Any, size: int) -> Any:
     if isinstance(value, float | int):
         return numpy.full(size, float(value))
     return [value] * size
-
-
-def _has_unwritten(reasons: Reasons) -> bool:
-    """Return whether a row has a value that cannot be written in its unit."""
-    return any(isinstance(error, OutOfUnit) for error in reasons.values())
 
 
 # --- In words ---------------------------------------------------------------------------------------------------------
