@@ -229,33 +229,18 @@ def understood(
     seen: dict[str, str] = {}
     at_left = ""  # the input of the column before
     for place, text in enumerate(texts):
-        cells = [row[place] for row in rows]
-        reading = _reading(text, meanings)
-        if at_left and not reading.name and unit_alone(text) is not None and text.strip() not in meanings:
-            reading = Reading(at_left, part="both")
+        reading, may_be = _meaning(text, [row[place] for row in rows], at_left, of_directions, meanings)
         name = reading.name
-        if reading.is_symbol and not reading.part and not _have_units(name, cells):
-            alike.append(text)
-            if name.removesuffix("2") in _NEEDED and _is_number(_first(cells)):
-                unread[text] = with_unit(name, cells)
-            name = ""
-        elif of_directions and name.removesuffix("2") == "youngs_modulus" and text.strip() not in meanings:
-            problem = f"the modulus along a direction, as {quoted(of_directions)} beside it says?"
-            raise _no_input(text, Reading(problem=problem), cells)
-        elif name in MATERIALS:
-            if reading.unit_text is not None:
-                raise BadTable(f"header: {quoted(text)}: a material has no unit; write {name}")
+        if name in MATERIALS:
             materials.append((name, place))
         elif reading.part:
             parts.setdefault(name, {})[reading.part] = place
         elif name:
             inputs.append(_column(place, name, reading.unit_text, text))
-        elif reading.meant or reading.problem:
-            raise _no_input(text, reading, cells)
         elif reading.is_alike:
             alike.append(text)
-            if unit_text := may_be_radius(text):
-                unread[text] = f"radius [{unit_text}]"
+        if may_be:
+            unread[text] = may_be
         at_left = "" if name in MATERIALS else name
         _check_new(text, f"{name} {reading.part}" if name else text, seen)
     others = [*alike, *_add_parts(parts, texts, inputs, meanings)]
@@ -265,6 +250,32 @@ def understood(
 def _reading(text: str, meanings: Mapping[str, Reading]) -> Reading:
     """Return the meaning of a header: that of `--column`, else its own."""
     return meanings.get(text.strip()) or reading_of(text)
+
+
+def _meaning(
+    text: str, cells: Sequence[str], at_left: str, of_directions: str, meanings: Mapping[str, Reading]
+) -> tuple[Reading, str]:
+    """Return the meaning of a column, and what input it may be if it passes through. Raises BadTable.
+
+    `cells`: of the first rows; `at_left`: the input of the column before, to which a unit alone belongs as its
+    uncertainty; `of_directions`: a header of the table that says that moduli are those along directions.
+    """
+    reading = _reading(text, meanings)
+    if at_left and not reading.name and unit_alone(text) is not None and text.strip() not in meanings:
+        reading = Reading(at_left, part="both")
+    name = reading.name
+    if reading.is_symbol and not reading.part and not _have_units(name, cells):
+        is_needed = name.removesuffix("2") in _NEEDED and _is_number(_first(cells))
+        return Reading(is_alike=True), with_unit(name, cells) if is_needed else ""
+    if of_directions and name.removesuffix("2") == "youngs_modulus" and text.strip() not in meanings:
+        problem = f"the modulus along a direction, as {quoted(of_directions)} beside it says?"
+        raise _no_input(text, Reading(problem=problem), cells)
+    if name in MATERIALS and reading.unit_text is not None:
+        raise BadTable(f"header: {quoted(text)}: a material has no unit; write {name}")
+    if not name and (reading.meant or reading.problem):
+        raise _no_input(text, reading, cells)
+    unit_text = may_be_radius(text) if not name and reading.is_alike else ""
+    return reading, f"radius [{unit_text}]" if unit_text else ""
 
 
 def _check_meanings(texts: Sequence[str], meanings: Mapping[str, Reading]) -> None:
