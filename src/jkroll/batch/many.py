@@ -90,15 +90,7 @@ def _answering(job: Job) -> Callable[[Part], Done]:
 def convert_many(path: str, job: Job, run: Runner) -> tuple[Tally, int]:
     """Convert all tables that a pattern names; return the counts, and the highest exit code of a table."""
     settings = job.settings
-    directory = settings.target
-    place = directory.rstrip(os.sep)
-    if directory == "-" or (os.path.exists(place) and not os.path.isdir(place)):
-        raise BadRequest("several tables need a directory for the results: -o DIRECTORY/")
-    parts = _parts(path, directory)
-    folders = {os.path.dirname(part.path) or "." for part in parts}
-    if os.path.exists(directory) and any(os.path.samefile(folder, directory) for folder in folders):
-        raise BadRequest(f"-o: {quoted(directory)} is where the input is; it is not overwritten")
-    os.makedirs(directory, exist_ok=True)
+    parts = _parts_into(settings.target, path)
     manifest = Manifest(job, parts)
     left = [part for part in parts if part.path not in manifest.entries]
     if not left and not settings.quiet:
@@ -122,8 +114,21 @@ def convert_many(path: str, job: Job, run: Runner) -> tuple[Tally, int]:
     return tally, code
 
 
+def _parts_into(directory: str, path: str) -> list[Part]:
+    """Return the tables that a pattern names, and make the directory of their results; BadRequest if it can be none."""
+    place = directory.rstrip(os.sep)
+    if directory == "-" or (os.path.exists(place) and not os.path.isdir(place)):
+        raise BadRequest("several tables need a directory for the results: -o DIRECTORY/")
+    parts = _parts(path, directory)
+    folders = {os.path.dirname(part.path) or "." for part in parts}
+    if os.path.exists(directory) and any(os.path.samefile(folder, directory) for folder in folders):
+        raise BadRequest(f"-o: {quoted(directory)} is where the input is; it is not overwritten")
+    os.makedirs(directory, exist_ok=True)
+    return parts
+
+
 class Manifest:
-    """The statement of a directory of results about itself: version, options, and the outcome of each table that is done."""
+    """The record of how a directory of results was made: version, options, and the outcome of each table that is done."""
 
     def __init__(self, job: Job, parts: list[Part]) -> None:
         """Write it, with the outcomes of before that `--resume` keeps. Raises BadRequest for the manifest of another run."""
