@@ -7,13 +7,14 @@ from typing import TYPE_CHECKING
 from ..errors import JkrollError
 from ..materials.library import Material
 from ..quantities.formatting import amount, significant
+from ..quantities.laws import BETWEEN, DEFAULT_LAW
 from ..quantities.nomenclature import NOMENCLATURE, XI
 from ..scene.failures import NO_END, MissingInput, grouped
 from ..scene.limits import IMPACT, Judgement, judged, limits_of
 from ..scene.scene import DEFAULTS, IN_ITS_PLACE, OF_AREA, Scene
 from ..scene.wiring import depends_on
 from ..text import first_of
-from .results import Note, NoValue, Result, remarks
+from .results import Note, NoValue, Result
 
 if TYPE_CHECKING:
     from ..quantities.values import Uncertain
@@ -199,7 +200,7 @@ def about_results(results: list[Result], scene: Scene, noted: Collection[str] = 
         notes.append(Note("roughness", _ROUGHNESS, size=log(_SMOOTH)))
     if "sticking_speed" in names:
         notes.insert(0, Note("result", _STICKING))
-    notes += remarks(scene, names)
+    notes += about_law(scene, names)
     notes += _about_hysteresis(scene, names)
     errors = ", ".join(f"{symbol_of(result.name)} by {100 * result.error:.2g} %" for result in known if result.error)
     return [*notes, Note("model", f"off the exact moment of this contact: {errors}")] if errors else notes
@@ -216,6 +217,26 @@ def _about_hysteresis(scene: Scene, names: Collection[str]) -> list[Note]:
         found = scene.numbers(XI) if XI not in names else {}
         text = "".join(f"this Δw stands for ξ = {amount(XI, value)}" for value in found.values())
     return [Note("model", text)] if text else []
+
+
+def about_law(scene: Scene, names: Collection[str]) -> Iterator[Note]:
+    """Iterate over the notes on results under a law other than JKR, most of them on Maugis'."""
+    if "fold_energy" in names and not scene.law.is_default:
+        yield Note("result", "F_cδ_c and its multiples are those of JKR")
+    if scene.law.name != BETWEEN:
+        return
+    if "yield_moment" in names and scene.given.keys().isdisjoint(("adhesion_hysteresis", "hysteresis_fraction")):
+        jkr = scene.under(DEFAULT_LAW).numbers("yield_moment", "zone_radius")
+        own = scene.numbers("zone_radius", "yield_moment")
+        if len(jkr) == len(own) == 2:
+            moment = jkr["yield_moment"] * (own["zone_radius"] / jkr["zone_radius"])
+            text = (
+                f"M: {amount('yield_moment', moment)}, {moment / jkr['yield_moment']:.3g} times JKR's, at the adhesion "
+                "hysteresis that JKR has at this ξ; ξ is not the same number in every law"
+            )
+            yield Note("result", text)
+    if "contact_radius_at_load" in names and scene["contact_radius_at_load"] == 0:
+        yield Note("result", "a: the spheres are bound without touching")
 
 
 def about_conventions(scene: Scene, names: Sequence[str]) -> list[Note]:
