@@ -267,6 +267,11 @@ class Columns:
         return _worded(self.reasons[row]) if row in self.reasons else ""
 
 
+def listed(column: Any) -> list[Any]:
+    """Return the values of a column, an array or a list, as a list."""
+    return column if isinstance(column, list) else column.tolist()
+
+
 # --- By floats --------------------------------------------------------------------------------------------------------
 
 

@@ -15,7 +15,7 @@ from ..errors import JkrollError
 from ..quantities.values import Measured
 from ..scene.scene import FOLLOWS, outside
 from .cells import Indices, Numbers
-from .columns import Columns, Wanted, lose, put_one
+from .columns import Columns, Wanted, listed, lose, put_one
 
 BAD = -1  # the kind of a row, or of a cell, of which arrays make no scene
 _EMPTY, _PLAIN, _SPECIAL, _MEASURED, _INTERVAL = range(5)  # kinds of cells
@@ -84,8 +84,7 @@ def _put(columns: Columns, rows: Indices, part: Columns) -> None:
     columns.doubts[rows] = part.doubts
     places = rows.tolist()
     for name, column in columns.inputs.items():
-        own = part.inputs[name]
-        for place, value in zip(places, own if isinstance(own, list) else own.tolist(), strict=True):
+        for place, value in zip(places, listed(part.inputs[name]), strict=True):
             column[place] = value
     columns.reasons.update((places[row], reasons) for row, reasons in part.reasons.items())
 
