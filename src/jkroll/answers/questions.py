@@ -183,7 +183,7 @@ def quantity_named(word: str) -> str:
 
 def _has_values(name: str) -> bool:
     """Return whether a name is that of a quantity, and not of a word such as a material."""
-    return name in NOMENCLATURE and bool(NOMENCLATURE[name].unit)
+    return name in NOMENCLATURE and not NOMENCLATURE[name].is_word
 
 
 def quantities_named(text: str) -> tuple[list[str], list[str]]:

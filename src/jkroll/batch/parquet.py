@@ -119,7 +119,7 @@ class _File:
 def write_columns(wanted: Wanted, blocks: Iterable[Columns], units: Format, target: str, *, doubt: bool) -> None:
     """Write columns, in a file that gets its name when it is whole."""
     remarks = remarks_of(wanted, doubt=doubt)
-    texts = {name for name in wanted.inputs if not NOMENCLATURE[name].unit} | {*remarks}
+    texts = {name for name in wanted.inputs if NOMENCLATURE[name].is_word} | {*remarks}
     kinds = {name: pyarrow.string() if name in texts else pyarrow.float64() for name in (*wanted.inputs, *wanted.keys)}
     heads = [*names_of_columns(wanted, units), *remarks]
     schema = pyarrow.schema([*map(pyarrow.field, heads, [*kinds.values(), *[pyarrow.string()] * len(remarks)])])
