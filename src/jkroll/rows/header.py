@@ -12,7 +12,7 @@ from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
 from ..quantities.nomenclature import header as header_of
 from ..quantities.units import Unit, dimension_of, exponent_of, kind_of
 from ..quantities.values import Uncertain, parse_quantity, split_number, unit_of, value_of
-from ..text import MAX_WORD, closest, first_of, quoted, shown
+from ..text import closest, first_of, quoted, shown
 from .readings import (
     INPUTS,
     MATERIALS,
@@ -294,11 +294,11 @@ def _no_input(text: str, reading: Reading, cells: Sequence[str]) -> BadTable:
     is_wrong = f"; did you mean {meant}?" if meant else f": {reading.problem}"
     is_none = reading.problem in NO_INPUTS
     remedy = (
-        f"Write --column {_column_option(text, '')} to pass it through"
+        f"--column {_column_option(text, '')} to pass it through"
         if is_none
-        else _remedy({text: meant or "INPUT [UNIT]"})
+        else _remedies({text: meant or "INPUT [UNIT]"})
     )
-    return BadTable(f"header: {quoted(text)} is not an input{is_wrong} {remedy}")
+    return BadTable(f"header: {quoted(text)} is not an input{is_wrong} Write {remedy}")
 
 
 def _check_new(text: str, key: str, seen: dict[str, str]) -> None:
@@ -375,10 +375,10 @@ def _meant(text: str, cells: Sequence[str] = ()) -> str:
     return with_unit(text, cells) if text in INPUTS else text
 
 
-def _remedy(meant: Mapping[str, str]) -> str:
-    """Return the sentence that says how to read columns as what they may mean, and, if it is one, how to pass it through."""
+def _remedies(meant: Mapping[str, str]) -> str:
+    """Return what to write to read columns as what they may mean, and, if it is one, to pass it through."""
     passing = [f", or {_column_option(text, '')} to pass it through" for text in meant]
-    return f"Write {_columns(meant)}{passing[0] if len(passing) == 1 else ''}"
+    return f"{_columns(meant)}{passing[0] if len(passing) == 1 else ''}"
 
 
 def _columns(meant: Mapping[str, str]) -> str:
@@ -448,15 +448,15 @@ def check_first(column: Column, texts: Sequence[str], rows: Sequence[Sequence[st
         value_of(first, column.name)
         return
     except BareNumber:
-        guess = f"{shown(first, MAX_WORD).strip()}: {_likely_unit(column.name, cells)}?"
-        lacks = f"has no unit, and neither has its first cell {quoted(first)}; {guess}"
+        guess = f"If it is in {_likely_unit(column.name, cells)}, write"
+        lacks = f"has no unit, and neither has its first cell {quoted(first)}. {guess}"
     except QuantityError:
         if not fits(first.strip(), column.name):
             return  # a bad row, not a bad header
-        lacks = f"has its unit {quoted(first)} in the first row."
+        lacks = f"has its unit {quoted(first)} in the first row. Write"
     parts = {column.place: ""} | {side.place: f"_{side.part}" for side in column.sides}
     meant = {texts[place]: with_unit(column.name, cells, part) for place, part in parts.items()}
-    raise BadTable(f"header: {quoted(texts[column.place])} {lacks} {_remedy(meant)}")
+    raise BadTable(f"header: {quoted(texts[column.place])} {lacks} {_remedies(meant)}")
 
 
 def check_measured(header: Header, quantity: str) -> None:

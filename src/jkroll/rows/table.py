@@ -167,8 +167,8 @@ def table_of(
     taken = set(table.added)
     for text in columns.texts:
         if text.strip() in taken:
-            remedy = _RENAMED.get(text.strip(), ", or choose --quantities")
-            raise BadTable(f"header: there is a column {quoted(text)} already; rename it{remedy}")
+            remedy = _RENAMED.get(text.strip(), ", or leave it out of the results with --quantities")
+            raise BadTable(f"header: the table already has a column {quoted(text)}; rename it{remedy}")
     for column in columns.inputs:
         check_first(column, columns.texts, rows)
     return table
