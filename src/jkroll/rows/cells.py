@@ -165,7 +165,7 @@ def plain_numbers(text: bytes, exponent: int, count: int, *, has_empty: bool) ->
 
 # --- Materials --------------------------------------------------------------------------------------------------------
 
-LABEL = Material("", {}, (), {}, (), (), "", "")  # what a name that is no material's stands for: nothing is known of it
+LABEL = Material("", {}, (), {}, (), (), "", "")  # placeholder for a name that is not a material: it has no properties
 
 Indices = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.int64]]
 

@@ -36,8 +36,8 @@ BLOCK = 1 << 12  # rows computed together as arrays: many for the calls of numpy
 ROW = ""  # stands for the row as a whole, in place of the name of a column
 UNCERTAINTY = "±"  # stands for the columns of uncertainties that a table does not have
 SIDES = ("minus", "plus", "low", "high")  # of uncertainties: the two of a standard one, and the ends of a range
-_BESIDE = 15  # formulas that take as long as what else a row needs
-_JUDGED = 8  # times as long takes a row whose limits are judged: it is computed by the law that holds, too
+_BESIDE = 15  # cost of the rest of a row, in formulas
+_JUDGED = 8  # a row whose limits are judged takes 8 times as long: Maugis' law is evaluated, too
 DOUBT = "doubt"  # the column of the limits of the model that a row exceeds, as codes
 STATUS = "status"  # the column of reasons
 MAX_NAMES = 3  # of quantities in a clause of a status
@@ -119,7 +119,7 @@ class Wanted:
         return bool(scene.missing(self.names))
 
     def work(self, scene: Any) -> int:
-        """Return how many formulas take as long as a row by itself."""
+        """Return the cost of a row that is computed by itself, counted in formulas."""
         return (_BESIDE + len(scene.plan(*scene.possible(self.names)).steps)) * (_JUDGED if self.doubts else 1)
 
     def row(self, scene: Any) -> "Row":

@@ -66,7 +66,7 @@ class Fill(NamedTuple):
 
 
 class Table:
-    """The columns of a table that are inputs, and those that it gets."""
+    """The input columns of a table, and the columns that are added to it."""
 
     def __init__(self, columns: Header, fill: Fill, wanted: Wanted) -> None:
         self.inputs, self.materials_at, self.fill, self.wanted = columns.inputs, columns.materials, fill, wanted
@@ -84,7 +84,7 @@ class Table:
 
     @property
     def added(self) -> list[str]:
-        """The headers of all columns that the table gets."""
+        """The headers of all columns that are added."""
         return [*self.said, *self.heads, *self.remarks]
 
     def block(self, size: int, cells: Mapping[str, Sequence[bytes]], odd: Mapping[int, str]) -> Block:

@@ -151,7 +151,7 @@ _OF_SOLID_2 = frozenset(name + "2" for name in PROPERTIES)
 # The inputs that decide whether a body deforms, so that a contact has an area.
 OF_AREA = ("youngs_modulus", "youngs_modulus2", "contact_modulus")
 
-# What rests on a contact area, and has none where both bodies are rigid; everything else of JKR follows from these.
+# Quantities that need a contact area: they have no value where both bodies are rigid. All others of JKR follow from them.
 _ON_AREA = frozenset({"contact_modulus", "pull_off_force", "load_factor", "rolling_frequency_as_printed"})
 
 
