@@ -3,7 +3,7 @@
 import pytest
 
 from harness import Run
-from jkroll.text import MAX_QUOTED, MAX_SIZE, columns, quoted, rows
+from jkroll.text import MAX_QUOTED, MAX_SIZE, quoted, terminal_height, terminal_width
 
 
 @pytest.mark.parametrize(
@@ -12,17 +12,17 @@ from jkroll.text import MAX_QUOTED, MAX_SIZE, columns, quoted, rows
 def test_a_stated_size_of_the_terminal_is_bounded(monkeypatch: pytest.MonkeyPatch, stated: str, size: int) -> None:
     monkeypatch.setenv("COLUMNS", stated)
     monkeypatch.setenv("LINES", stated)
-    assert (columns(), rows()) == (size, size)
+    assert (terminal_width(), terminal_height()) == (size, size)
 
 
 @pytest.mark.parametrize("stated", ["", "0", "-5", "1e3", "x", "٣"])
 def test_a_size_that_is_no_number_is_ignored(monkeypatch: pytest.MonkeyPatch, stated: str) -> None:
     monkeypatch.delenv("COLUMNS")
     monkeypatch.delenv("LINES")
-    own = columns(), rows()
+    own = terminal_width(), terminal_height()
     monkeypatch.setenv("COLUMNS", stated)
     monkeypatch.setenv("LINES", stated)
-    assert (columns(), rows()) == own
+    assert (terminal_width(), terminal_height()) == own
 
 
 @pytest.mark.parametrize(

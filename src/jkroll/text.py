@@ -110,8 +110,8 @@ def say_wrapped(text: str, out: TextIO, indent: int = 2) -> None:
     A number stays with its unit.
     """
     fitted = fitting(text, out)
-    if out.isatty() and len(fitted) > columns():
-        fitted = "\n".join(wrapped(fitted, columns(), indent))
+    if out.isatty() and len(fitted) > terminal_width():
+        fitted = "\n".join(wrapped(fitted, terminal_width(), indent))
     out.write(fitted + "\n")
 
 
@@ -147,12 +147,12 @@ def with_units_joined(text: str) -> str:
 MAX_SIZE = 1000  # a table or a picture of this size still fits into memory
 
 
-def columns() -> int:
+def terminal_width() -> int:
     """Return the width of the terminal: the variable COLUMNS, else the terminal's own, else 80; at most MAX_SIZE."""
     return _size("COLUMNS", 0, 80)
 
 
-def rows() -> int:
+def terminal_height() -> int:
     """Return the height of the terminal: the variable LINES, else the terminal's own, else 24; at most MAX_SIZE."""
     return _size("LINES", 1, 24)
 

@@ -18,7 +18,7 @@ from hypothesis import strategies as st
 from harness import Run
 from jkroll.batch import files
 from jkroll.batch.one import table_with
-from jkroll.batch.settings import Order, Settings
+from jkroll.batch.settings import Job, Settings
 from jkroll.errors import JkrollError
 from jkroll.materials.library import known_materials
 from jkroll.output.manual import page
@@ -132,7 +132,7 @@ def agree(size: int, seed: int) -> None:
     """Among the others and alone a row has the same numbers, to some ulp, the same doubts and the same status."""
     header, *lines = random_table(size, seed).splitlines()
     names = tuple(header.split(","))
-    table = table_with(names, [], Order(Settings(), {}, known_materials()))
+    table = table_with(names, [], Job(Settings(), {}, known_materials()))
     rows = [line.encode().split(b",") for line in lines]
     block = table.block(size, {name: [row[place] for row in rows] for name, place in table.places.items()}, {})
     together = evaluated(table.wanted, block)
@@ -397,11 +397,11 @@ HEADERS = {
     "material\tradius": "header: 'material\\tradius' has tabs between its columns; write --format tsv".replace(
         "\\t", "?"
     ),
-    "radius [],x": "header: 'radius []' has no unit, and neither has its first cell '100'; 100: nm? Write --column 'radius []=radius [nm]', or 'radius []=' to pass it through",
-    "radius,x": "header: 'radius' has no unit, and neither has its first cell '100'; 100: nm? Write --column 'radius=radius [nm]', or 'radius=' to pass it through",
-    "radius [nm],status": "header: there is a column 'status' already; rename it",
-    "radius [nm],doubt": "header: there is a column 'doubt' already; rename it, or write --no-doubt",
-    "radius [nm],r_min [m]": "header: there is a column 'r_min [m]' already; rename it, or choose --quantities",
+    "radius [],x": "header: 'radius []' has no unit, and neither has its first cell '100'. If it is in nm, write --column 'radius []=radius [nm]', or 'radius []=' to pass it through",
+    "radius,x": "header: 'radius' has no unit, and neither has its first cell '100'. If it is in nm, write --column 'radius=radius [nm]', or 'radius=' to pass it through",
+    "radius [nm],status": "header: the table already has a column 'status'; rename it",
+    "radius [nm],doubt": "header: the table already has a column 'doubt'; rename it, or write --no-doubt",
+    "radius [nm],r_min [m]": "header: the table already has a column 'r_min [m]'; rename it, or leave it out of the results with --quantities",
     "poisson_ratio,x": "pull_off_force needs radius of sphere 1 and surface energy per surface; give --gamma 25mJ/m2 and a radius such as 100nm; --work-of-adhesion 50mJ/m2 may replace some",
     "name,x": "header: no column is an input; a row is a contact, and its inputs have columns such as radius [nm]. Write --column 'HEADER=INPUT [UNIT]'",
     "# grains of 2020,x": "header: the first line is a comment; take out the lines before the columns' names, and the # before these",

@@ -40,7 +40,7 @@ REFUSED = {
     "r [nm]": "a radius, or a distance", "r": "a radius, or a distance", "E* [GPa]": "--young and --poisson", "E_r (GPa)": "--young and --poisson",
     "d": "half of it", "D [nm]": "half of it", "diameter (nm)": "half of it", "diameter_um": "half of it", "Diameter": "half of it", "d_um": "half of it",
     "elastic_modulus_gpa": "youngs_modulus [GPa]", "velocity (m/s)": "speed [m/s]", "young GPa": "youngs_modulus [GPa]", "radius_in": "radius [in]",
-    "radius": "100: nm?", "density": "100: kg/m^3?", "Radius": "100: nm?", "radius [kg]": "is a mass", "Energy (old)": "energy [J]", "radiuss [nm]": "radius [nm]",
+    "radius": "it is in nm", "density": "it is in kg/m^3", "Radius": "it is in nm", "radius [kg]": "is a mass", "Energy (old)": "energy [J]", "radiuss [nm]": "radius [nm]",
 }  # fmt: skip
 PASSING = (
     "R", "E", "v", "rho", "g", "N", "phi", "R [kOhm]", "E_bar", "R_m", "R_min", "v_c", "w", "load_micro_N", "load_case", "tip radius (nm)", "T [K]",

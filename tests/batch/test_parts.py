@@ -16,7 +16,7 @@ import jkroll
 from harness import Run
 from jkroll.batch.lines import Tally
 from jkroll.batch.one import convert_one
-from jkroll.batch.settings import Order, Part
+from jkroll.batch.settings import Job, Part
 from tables import random_table
 
 PARTS = 5
@@ -160,11 +160,11 @@ def interrupted_at(place: int, patch: pytest.MonkeyPatch) -> None:
     """Have runs end before the table at a place."""
     done: list[Part] = []
 
-    def until(part: Part, order: Order) -> Tally:
+    def until(part: Part, job: Job) -> Tally:
         if len(done) == place:
             raise KeyboardInterrupt
         done.append(part)
-        return convert_one(part, order)
+        return convert_one(part, job)
 
     patch.setattr("jkroll.batch.many.convert_one", until)
 

@@ -11,7 +11,7 @@ from jkroll.batch import delimited
 from jkroll.batch.delimited import DIALECTS, Delimited, unquoted
 from jkroll.batch.lines import Converted, Head
 from jkroll.batch.one import table_with
-from jkroll.batch.settings import Order, Settings
+from jkroll.batch.settings import Job, Settings
 from jkroll.materials.library import known_materials
 from jkroll.rows.cells import Reader
 
@@ -48,7 +48,7 @@ ANY = rows(NUMBERS | ODD, NAMES) | st.lists(NUMBERS | ODD, max_size=8)
 def converter(dialect: str, end: str, *, excel_safe: bool) -> Delimited:
     """The converter of a table with this header."""
     separator = DIALECTS[dialect].separator.decode()
-    table = table_with(tuple(HEADER), [], Order(Settings(quantities="report"), {}, known_materials()))
+    table = table_with(tuple(HEADER), [], Job(Settings(quantities="report"), {}, known_materials()))
     head = Head((separator.join(HEADER) + end).encode(), tuple(HEADER))
     return DIALECTS[dialect].converter(head, table, strict=False, excel_safe=excel_safe)
 

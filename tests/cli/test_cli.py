@@ -107,7 +107,7 @@ MESSAGES = {
     ),
     "contact quartz 100nm --young rigid": (
         1,
-        "both bodies are rigid; a contact area needs one that yields",
+        "both bodies are rigid; a contact area needs one that deforms",
     ),
     "yield-force quartz 100nm --load -20nN": (
         1,
@@ -293,7 +293,7 @@ def test_bare_is_the_headline_alone(run: Run) -> None:
 
 
 def test_bare_fails_where_the_headline_has_no_value(run: Run) -> None:
-    reason = "jkroll: both bodies are rigid; a contact area needs one that yields\n"
+    reason = "jkroll: both bodies are rigid; a contact area needs one that deforms\n"
     assert run("pull-off quartz 100nm --young rigid --bare --quiet") == (1, "", reason)
     assert run("pull-off quartz 100nm --young rigid,54GPa --bare --quiet") == (
         1,

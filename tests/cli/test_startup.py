@@ -130,7 +130,7 @@ def test_a_call_imports_its_own_command_only() -> None:
 
 
 def test_every_command_has_a_runner() -> None:
-    assert all(callable(command.run()) for command in COMMANDS.values())
+    assert all(callable(command.runner_function()) for command in COMMANDS.values())
 
 
 def test_the_package_alone_imports_nothing() -> None:

@@ -85,7 +85,7 @@ def with_differences(verdict: Verdict, found: Sequence[Difference], scene: Scene
     """Return a verdict with what Maugis' law says in place of a doubt about the law in use."""
     if verdict.holds:
         return verdict
-    if verdict.name == "tabor_parameter" and not verdict.verdict:
+    if verdict.name == "tabor_parameter" and not verdict.conclusion:
         lead = f"{scene.law.title} is inexact here (Tabor parameter μ = {verdict.value:.3g})"
         has_jump = verdict.value >= JUMP
         corrected = [each for each in found if has_jump or each.name not in _OF_JUMPS]
@@ -294,14 +294,14 @@ class Answer:
     def notes(self) -> tuple[Note, ...]:
         """The sentences about the answer, but for doubts."""
         scene = self.scene
-        planned = [name for name in self.shown if not isinstance(self.errors.get(name), MissingInput)]
+        possible = [name for name in self.shown if not isinstance(self.errors.get(name), MissingInput)]
         found, sources = self._uncertainties
         lacking = [name for name, error in self.errors.items() if isinstance(error, MissingInput)]
         lacking += [name for names in self._judgement.missing.values() for name in names]
         displaced = [] if self.worth is None else [self.worth.note(self.question.headline)]
         entering = {*self.inputs, *self._of_limits, *depends_on(lacking, [scene.law.name])}
         return (
-            *about_given(scene, planned, self._entering, entering, displaced),
+            *about_given(scene, possible, self._entering, entering, displaced),
             *about_results([*self.results], scene, self.question.noted),
             *about_missing([*self.results], self.errors),
             *about_limits(self._judgement),

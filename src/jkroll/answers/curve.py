@@ -175,7 +175,7 @@ _OF_LOAD = {
 
 
 class WholeCurve(Answer):
-    """The answer that a whole force curve is in doubt as: its pull-off force."""
+    """The answer that stands for a whole force curve: its limits are those of the pull-off force."""
 
     def __init__(self, scene: Scene) -> None:
         super().__init__(OF_CURVE, scene)
@@ -203,7 +203,7 @@ def at_states(scenes: Iterable[Scene], loads: Loads | None = None) -> Iterator[A
 
 
 def _known(state: State) -> dict[str, float | NoValue]:
-    """Return the results at a state of which rounding alone would decide."""
+    """Return results that are known exactly at a state, where a computed value would be rounding error."""
     if state.name == NAMED[FOLD]:
         return {"stiffness": NoValue("stiffness", "infinite at the fold")}
     return {"approach_at_load": 0.0} if state.name == NAMED[JUMP_IN] else {}
@@ -224,7 +224,7 @@ class AtState(Answer):
 
     @cached_property
     def results(self) -> tuple[Result, ...]:
-        """The results, without numbers of which rounding alone would decide."""
+        """The results, with those that are known exactly in place of rounding errors."""
         known = _known(self.state)
         return tuple(one if one.name not in known else _as_known(one, known[one.name]) for one in super().results)
 

@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING
 from ..errors import JkrollError
 from ..materials.library import Material
 from ..quantities.formatting import amount, significant
+from ..quantities.laws import BETWEEN, DEFAULT_LAW
 from ..quantities.nomenclature import NOMENCLATURE, XI
 from ..scene.failures import NO_END, MissingInput, grouped
 from ..scene.limits import IMPACT, Judgement, judged, limits_of
 from ..scene.scene import DEFAULTS, IN_ITS_PLACE, OF_AREA, Scene
 from ..scene.wiring import depends_on
 from ..text import first_of, listed
-from .results import Note, NoValue, Result, remarks
+from .results import Note, NoValue, Result
 
 if TYPE_CHECKING:
     from ..quantities.values import Uncertain
@@ -39,12 +40,12 @@ MOMENTS = ("yield_moment", "unloaded_moment", "half_circles_moment", "fixed_appr
 
 def notes_on_rows(scene: Scene, names: Sequence[str]) -> list[Note]:
     """Return the notes that follow from what is given, and not from numbers: they are the same for all rows of a kind."""
-    planned = scene.planned(names)
-    if not planned:
+    possible = scene.possible(names)
+    if not possible:
         return []
-    every = [*names, *(limit.name for limit in limits_of(scene, planned))]
-    of_limits = scene.inputs_of(*scene.planned(every))
-    inputs = with_spacing(scene.inputs_of(*planned), of_limits)
+    every = [*names, *(limit.name for limit in limits_of(scene, possible))]
+    of_limits = scene.inputs_of(*scene.possible(every))
+    inputs = with_spacing(scene.inputs_of(*possible), of_limits)
     entering = {*of_limits, *depends_on(scene.missing(every), [scene.law.name])}
     displaced = []
     if XI in inputs and XI not in scene.given:
@@ -56,12 +57,12 @@ def notes_on_rows(scene: Scene, names: Sequence[str]) -> list[Note]:
         from ..scene.uncertainty import sources_of_results
 
         with suppress(JkrollError):  # each row says which kinds do not go together
-            left_out = about_uncertainties({}, sources_of_results(scene, planned))
+            left_out = about_uncertainties({}, sources_of_results(scene, possible))
     return [
         *left_out,
-        *(note for note in about_given(scene, planned, inputs, entering, displaced) if note.kind != "material"),
-        *about_conventions(scene, planned),
-        *about_limits(judged(scene, planned)),
+        *(note for note in about_given(scene, possible, inputs, entering, displaced) if note.kind != "material"),
+        *about_conventions(scene, possible),
+        *about_limits(judged(scene, possible)),
     ]
 
 
@@ -131,9 +132,10 @@ def _about_hamaker(scene: Scene) -> Note:
 def _about_shear(scene: Scene, steps: Collection[str]) -> Iterator[str]:
     """Iterate over what is assumed of the contact under shear, given the quantities on the way to the results."""
     are_alike = all(scene.given.get(name + "2", one) == one for name, one in scene.given.items() if name in _ELASTIC)
-    for strength in scene.numbers("shear_strength").values() if "shear_strength" in steps else ():
+    if "shear_strength" in steps:
         softer = "" if are_alike else " of the softer solid, a rule of this program"
-        yield f"τ = G/4π² = {amount('shear_strength', strength)}{softer}, an order of magnitude (--shear-strength)"
+        for strength in scene.numbers("shear_strength").values():
+            yield f"τ = G/4π² = {amount('shear_strength', strength)}{softer}, an order of magnitude (--shear-strength)"
     if "contact_shear_modulus" in steps and not are_alike:
         yield "k_s without Dundurs' coupling of unlike solids"
 
@@ -206,7 +208,7 @@ def about_results(results: list[Result], scene: Scene, noted: Collection[str] = 
         notes.append(Note("roughness", _ROUGHNESS, size=log(_SMOOTH)))
     if "sticking_speed" in names:
         notes.insert(0, Note("result", _STICKING))
-    notes += remarks(scene, names)
+    notes += about_law(scene, names)
     notes += _about_hysteresis(scene, names)
     errors = ", ".join(f"{symbol_of(result.name)} by {100 * result.error:.2g} %" for result in known if result.error)
     return [*notes, Note("model", f"off the exact moment of this contact: {errors}")] if errors else notes
@@ -223,6 +225,26 @@ def _about_hysteresis(scene: Scene, names: Collection[str]) -> list[Note]:
         found = scene.numbers(XI) if XI not in names else {}
         text = "".join(f"this Δw stands for ξ = {amount(XI, value)}" for value in found.values())
     return [Note("model", text)] if text else []
+
+
+def about_law(scene: Scene, names: Collection[str]) -> Iterator[Note]:
+    """Iterate over the notes on results under a law other than JKR, most of them on Maugis'."""
+    if "fold_energy" in names and not scene.law.is_default:
+        yield Note("result", "F_cδ_c and its multiples are those of JKR")
+    if scene.law.name != BETWEEN:
+        return
+    if "yield_moment" in names and scene.given.keys().isdisjoint(("adhesion_hysteresis", "hysteresis_fraction")):
+        jkr = scene.under(DEFAULT_LAW).numbers("yield_moment", "zone_radius")
+        own = scene.numbers("zone_radius", "yield_moment")
+        if len(jkr) == len(own) == 2:
+            moment = jkr["yield_moment"] * (own["zone_radius"] / jkr["zone_radius"])
+            text = (
+                f"M: {amount('yield_moment', moment)}, {moment / jkr['yield_moment']:.3g} times JKR's, at the adhesion "
+                "hysteresis that JKR has at this ξ; ξ is not the same number in every law"
+            )
+            yield Note("result", text)
+    if "contact_radius_at_load" in names and scene["contact_radius_at_load"] == 0:
+        yield Note("result", "a: the spheres are bound without touching")
 
 
 def about_conventions(scene: Scene, names: Sequence[str]) -> list[Note]:

@@ -183,7 +183,7 @@ def quantity_named(word: str) -> str:
 
 def _has_values(name: str) -> bool:
     """Return whether a name is that of a quantity, and not of a word such as a material."""
-    return name in NOMENCLATURE and bool(NOMENCLATURE[name].unit)
+    return name in NOMENCLATURE and not NOMENCLATURE[name].is_word
 
 
 def quantities_named(text: str) -> tuple[list[str], list[str]]:
@@ -208,6 +208,6 @@ def quantities_named(text: str) -> tuple[list[str], list[str]]:
 
 def question_about(text: str) -> Question:
     """Return the question about the quantities of a list, all of which are its headline."""
-    named, offered = quantities_named(text)
-    names = tuple(dict.fromkeys((*named, *offered)))
-    return Question(names, names, named=tuple(named))
+    explicit, offered = quantities_named(text)
+    names = tuple(dict.fromkeys((*explicit, *offered)))
+    return Question(names, names, named=tuple(explicit))

@@ -1,13 +1,13 @@
 """A result, a note about an answer, and results under a law of attraction other than JKR."""
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from math import isfinite
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from ..errors import NoResult
 from ..quantities.formatting import Format, OutOfUnit, amount
-from ..quantities.laws import BETWEEN, DEFAULT_LAW
+from ..quantities.laws import DEFAULT_LAW
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.effects import uses_law
 from ..scene.scene import Scene
@@ -157,23 +157,3 @@ def over_spacing(name: str, scene: Scene) -> str:
 def at_half_spacing(scene: Scene) -> Scene:
     """Return a scene whose atomic spacing is half as large."""
     return scene.replace(atomic_spacing=scene["atomic_spacing"] / 2)
-
-
-def remarks(scene: Scene, names: Collection[str]) -> Iterator[Note]:
-    """Iterate over the notes on results under a law other than JKR, most of them on Maugis'."""
-    if "fold_energy" in names and not scene.law.is_default:
-        yield Note("result", "F_cδ_c and its multiples are those of JKR")
-    if scene.law.name != BETWEEN:
-        return
-    if "yield_moment" in names and scene.given.keys().isdisjoint(("adhesion_hysteresis", "hysteresis_fraction")):
-        jkr = scene.under(DEFAULT_LAW).numbers("yield_moment", "zone_radius")
-        own = scene.numbers("zone_radius", "yield_moment")
-        if len(jkr) == len(own) == 2:
-            moment = jkr["yield_moment"] * (own["zone_radius"] / jkr["zone_radius"])
-            text = (
-                f"M: {amount('yield_moment', moment)}, {moment / jkr['yield_moment']:.3g} times JKR's, at the adhesion "
-                "hysteresis that JKR has at this ξ; ξ is not the same number in every law"
-            )
-            yield Note("result", text)
-    if "contact_radius_at_load" in names and scene["contact_radius_at_load"] == 0:
-        yield Note("result", "a: the spheres are bound without touching")

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TextIO
 
 from ..output.records import Cell, write_records
-from ..text import columns, say
+from ..text import say, terminal_width
 from .checks import Check, Row
 from .moment import cylinder, moment
 from .pair import collisions, statics, vibrations
@@ -29,7 +29,7 @@ def write_verification(out: TextIO, kind: str) -> int:
     """
     rows = [check.row() for check in claims()]
     if kind == "table":
-        heads = HEADS if columns() >= WIDE else NARROW_HEADS
+        heads = HEADS if terminal_width() >= WIDE else NARROW_HEADS
         write_records(heads, [[_table_row(row)[head] for head in heads] for row in rows], kind, out)
         say(_summary(rows), out)
     else:

@@ -11,19 +11,19 @@ from ..rows.header import BadTable
 from ..text import quoted
 from .lines import Tally
 from .many import Done, convert_part
-from .settings import Order, Part
+from .settings import Job, Part
 
 LOCAL = "local"
 WAIT = 20.0  # seconds for a scheduler to answer, and then for it to have a worker
 
 
-def on_cluster(order: Order, parts: list[Part], jobs: int) -> Iterator[tuple[Part, Done]]:
+def on_cluster(job: Job, parts: list[Part], processes: int) -> Iterator[tuple[Part, Done]]:
     """Convert parts at the scheduler of `--dask`; `local` starts one here. Yield each part as soon as it is done."""
     for name in ("distributed", "distributed.worker", "distributed.scheduler", "distributed.nanny", "tornado"):
         logging.getLogger(name).setLevel(logging.CRITICAL)
     with ExitStack() as until_the_end:
-        client = until_the_end.enter_context(_connected(order.settings.dask, jobs, until_the_end))
-        futures = {client.submit(convert_part, order, _anywhere(part), pure=False): part for part in parts}
+        client = until_the_end.enter_context(_connected(job.settings.dask, processes, until_the_end))
+        futures = {client.submit(convert_part, job, _anywhere(part), pure=False): part for part in parts}
         for future in as_completed([*futures]):
             try:
                 done = future.result()
@@ -37,12 +37,12 @@ def _anywhere(part: Part) -> Part:
     return Part(*map(os.path.abspath, part))
 
 
-def _connected(address: str, jobs: int, until_the_end: ExitStack) -> Client:
+def _connected(address: str, processes: int, until_the_end: ExitStack) -> Client:
     """Return a client of a scheduler that has a worker. Raises BadTable."""
     if address == LOCAL:
         try:
             cluster = LocalCluster(
-                n_workers=jobs, threads_per_worker=1, dashboard_address=None, silence_logs=logging.CRITICAL
+                n_workers=processes, threads_per_worker=1, dashboard_address=None, silence_logs=logging.CRITICAL
             )
         except (OSError, RuntimeError) as error:
             raise BadTable(f"--dask local: no cluster can be started here: {error}") from None

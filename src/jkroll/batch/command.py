@@ -11,41 +11,47 @@ from ..text import say, say_wrapped
 from .lines import Tally
 from .many import Runner, by_processes, convert_many, is_many
 from .one import convert_one
-from .settings import Order, Part, Settings
+from .settings import Job, Part, Settings
 
 MAX_CODES = 4  # of doubts that are named at the end
 
 
 def run(path: str, settings: Settings, inputs: Mapping[str, str], known: Materials) -> int:
     """Convert a table, or several; return the exit code."""
-    order = Order(settings, inputs, known)
+    job = Job(settings, inputs, known)
     if is_many(path, settings):
-        tally, code = convert_many(path, order, _runner(settings))
+        tally, code = convert_many(path, job, _runner(settings))
     else:
         if settings.resume or settings.dask:
             flag = "--resume" if settings.resume else "--dask"
             raise BadRequest(f"{flag} is for many files: name them as in 'grains/*.csv', with -o DIRECTORY/")
-        tally, code = convert_one(Part(path, settings.target), order), 0
-    if tally.inferred and not settings.quiet:
+        tally, code = convert_one(Part(path, settings.target), job), 0
+    if not settings.quiet:
+        _say_notes(tally, settings)
+    if tally.failed:
+        say(f"jkroll: {tally.failed} of {tally.rows} rows failed; column {STATUS} says why", sys.stderr)
+    return code or (ROWS_FAILED if tally.failed else 0)
+
+
+def _say_notes(tally: Tally, settings: Settings) -> None:
+    """Say on stderr what was inferred, and how many rows are in doubt, could not be judged or have uncertainties left out."""
+    if tally.inferred:
         say_wrapped(_summary(settings.infer, tally), sys.stderr)
-    if tally.doubtful and not settings.quiet:
+    if tally.doubtful:
         counted = ", ".join(f"{code} in {count}" for code, count in [*tally.counts()["codes"].items()][:MAX_CODES])
         more = " and more" if len(tally.codes) > MAX_CODES else ""
         say_wrapped(
             f"note: {tally.doubtful} of {tally.rows} rows {'is' if tally.doubtful == 1 else 'are'} doubtful ({counted}{more}); column {DOUBT} says why",
             sys.stderr,
         )
-    if tally.not_judged and not settings.quiet:
+    if tally.not_judged:
         some = f"{tally.not_judged} of {tally.rows} rows"
         say_wrapped(
             f"note: ? in {some}: a limit could not be judged, as it needs an input that is not given", sys.stderr
         )
-    if tally.without_error_bars and not settings.quiet:
+    if tally.without_error_bars:
         some = f"{tally.without_error_bars} of {tally.rows} rows have"
         say(f"note: {some} error bars that the first rows do not have; --uncertainty adds their columns", sys.stderr)
-    if tally.failed:
-        say(f"jkroll: {tally.failed} of {tally.rows} rows failed; column {STATUS} says why", sys.stderr)
-    return code or (ROWS_FAILED if tally.failed else 0)
 
 
 def _summary(name: str, tally: Tally) -> str:

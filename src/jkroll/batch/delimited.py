@@ -166,7 +166,7 @@ DELIMITED = {
 DELIMITED |= dict(zip(",;|\t ", DELIMITED.values(), strict=True))  # by the mark itself
 
 
-class Rows(NamedTuple):
+class Records(NamedTuple):
     """A block taken apart."""
 
     lines: list[bytes]  # without line ends, but with the blank lines before them
@@ -207,7 +207,7 @@ class Delimited:
         output = b"".join([*self._strips(lines, columns), rest])
         return Converted(self.dialect.safe(output) if self.excel_safe else output, tally)
 
-    def _quickly(self, text: bytes) -> Rows | None:
+    def _quickly(self, text: bytes) -> Records | None:
         """Take apart lines that need no quotes and have the right width; None if there are others."""
         width, separator = self.width, self.dialect.separator
         text = text.replace(b"\r\n", b"\n")
@@ -221,9 +221,9 @@ class Delimited:
         if cells[width :: width + 1] != [b"\n"] * len(lines) or (width == 1 and not all(map(bytes.strip, lines))):
             return None
         columns = {name: cells[place : -1 : width + 1] for name, place in self.places.items()}
-        return Rows(lines, columns, {}, range(len(lines)))
+        return Records(lines, columns, {}, range(len(lines)))
 
-    def _carefully(self, text: bytes) -> Rows:
+    def _carefully(self, text: bytes) -> Records:
         """Take apart records of any kind."""
         lines: list[bytes] = []
         rows: list[list[bytes]] = []
@@ -247,7 +247,7 @@ class Delimited:
                 lines.append(blank + self._squared(line, cells))
                 rows.append(rows[-1] if rows else [b""] * self.width)  # read with the others, and not used
         columns = {name: unquoted([row[place] for row in rows]) for name, place in self.places.items()}
-        return Rows(lines, columns, odd, starts, rest)
+        return Records(lines, columns, odd, starts, rest)
 
     def _squared(self, line: bytes, cells: Sequence[bytes]) -> bytes:
         """Return a line with as many cells as the header: what is too much stays in the last, and a line without cells in the first."""

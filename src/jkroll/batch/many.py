@@ -25,12 +25,12 @@ from ..rows.header import BadTable
 from ..text import quoted, say, say_wrapped
 from .lines import Tally
 from .one import convert_one
-from .settings import Order, Part, Settings
+from .settings import Job, Part, Settings
 
 MANIFEST = "manifest.json"
-MOST_READINGS = 3  # ways in which tables are read that are said on stderr
-MOST_SAID = 20  # files whose failure is said on stderr; the manifest has them all
-SELDOM = 20  # times as long as it takes to write the manifest, until it is written again
+MAX_READINGS = 3  # ways in which tables are read that are said on stderr
+MAX_SAID = 20  # files whose failure is said on stderr; the manifest has them all
+_REST = 20  # between two writes of the manifest, in the time that one takes
 FEW, LITTLE = 8, 1 << 20  # number and bytes of files up to which this process converts them all itself
 
 Entry = dict[str, Any]  # of a file, in the manifest
@@ -44,7 +44,7 @@ class Done(NamedTuple):
     exit_code: int = 0
 
 
-Runner = Callable[[Order, list[Part], int], Iterable[tuple[Part, Done]]]  # the number: of processes
+Runner = Callable[[Job, list[Part], int], Iterable[tuple[Part, Done]]]  # the number: of processes
 
 
 def is_many(path: str, settings: Settings) -> bool:
@@ -53,10 +53,10 @@ def is_many(path: str, settings: Settings) -> bool:
     return is_pattern or settings.target.endswith(os.sep)
 
 
-def convert_part(order: Order, part: Part) -> Done:
+def convert_part(job: Job, part: Part) -> Done:
     """Convert a part in this process; a failure is an outcome."""
     try:
-        return Done(convert_one(part, order))
+        return Done(convert_one(part, job))
     except MissingExtra:
         raise  # as it would for every part
     except JkrollError as error:
@@ -64,16 +64,16 @@ def convert_part(order: Order, part: Part) -> Done:
         return Done(Tally(), problem, error.exit_code)
 
 
-def by_processes(order: Order, parts: list[Part], jobs: int) -> Iterator[tuple[Part, Done]]:
+def by_processes(job: Job, parts: list[Part], processes: int) -> Iterator[tuple[Part, Done]]:
     """Convert parts by a number of processes; yield each part as soon as it is done."""
-    jobs = min(jobs, len(parts))
-    if jobs < 2 or _is_little(parts):
+    processes = min(processes, len(parts))
+    if processes < 2 or _is_little(parts):
         for part in parts:
-            yield part, convert_part(order, part)
+            yield part, convert_part(job, part)
         return
     from .workers import as_ready, started
 
-    with started(jobs, partial(_answering, order)) as workers:
+    with started(processes, partial(_answering, job)) as workers:
         yield from as_ready(workers, parts)
 
 
@@ -83,27 +83,19 @@ def _is_little(parts: list[Part]) -> bool:
     return len(parts) <= FEW and sum(sizes) <= LITTLE
 
 
-def _answering(order: Order) -> Callable[[Part], Done]:
-    return partial(convert_part, order)
+def _answering(job: Job) -> Callable[[Part], Done]:
+    return partial(convert_part, job)
 
 
-def convert_many(path: str, order: Order, run: Runner) -> tuple[Tally, int]:
+def convert_many(path: str, job: Job, run: Runner) -> tuple[Tally, int]:
     """Convert all tables that a pattern names; return the counts, and the highest exit code of a table."""
-    settings = order.settings
-    directory = settings.target
-    place = directory.rstrip(os.sep)
-    if directory == "-" or (os.path.exists(place) and not os.path.isdir(place)):
-        raise BadRequest("several tables need a directory for the results: -o DIRECTORY/")
-    parts = _parts(path, directory)
-    folders = {os.path.dirname(part.path) or "." for part in parts}
-    if os.path.exists(directory) and any(os.path.samefile(folder, directory) for folder in folders):
-        raise BadRequest(f"-o: {quoted(directory)} is where the input is; it is not overwritten")
-    os.makedirs(directory, exist_ok=True)
-    manifest = Manifest(order, parts)
+    settings = job.settings
+    parts = _parts_into(settings.target, path)
+    manifest = Manifest(job, parts)
     left = [part for part in parts if part.path not in manifest.entries]
     if not left and not settings.quiet:
         say(f"note: all {len(parts)} files are done; without --resume they are made anew", sys.stderr)
-    each = replace(order, settings=settings._replace(resume=False, jobs=1, quiet=True))
+    each = replace(job, settings=settings._replace(resume=False, jobs=1, quiet=True))
     code = 0
     tally = reduce(Tally.plus, map(_tally, manifest.entries.values()), Tally())
     try:
@@ -116,24 +108,37 @@ def convert_many(path: str, order: Order, run: Runner) -> tuple[Tally, int]:
         raise
     manifest.write(tally.counts())
     if not settings.quiet:
-        for reading, count in Counter(tally.readings).most_common(MOST_READINGS):
+        for reading, count in Counter(tally.readings).most_common(MAX_READINGS):
             say_wrapped(reading if count == len(parts) else f"{reading}: {count} of {len(parts)} files", sys.stderr)
     _say_failures(manifest)
     return tally, code
 
 
-class Manifest:
-    """The statement of a directory of results about itself: version, options, and the outcome of each table that is done."""
+def _parts_into(directory: str, path: str) -> list[Part]:
+    """Return the tables that a pattern names, and make the directory of their results; BadRequest if it can be none."""
+    place = directory.rstrip(os.sep)
+    if directory == "-" or (os.path.exists(place) and not os.path.isdir(place)):
+        raise BadRequest("several tables need a directory for the results: -o DIRECTORY/")
+    parts = _parts(path, directory)
+    folders = {os.path.dirname(part.path) or "." for part in parts}
+    if os.path.exists(directory) and any(os.path.samefile(folder, directory) for folder in folders):
+        raise BadRequest(f"-o: {quoted(directory)} is where the input is; it is not overwritten")
+    os.makedirs(directory, exist_ok=True)
+    return parts
 
-    def __init__(self, order: Order, parts: list[Part]) -> None:
+
+class Manifest:
+    """The record of how a directory of results was made: version, options, and the outcome of each table that is done."""
+
+    def __init__(self, job: Job, parts: list[Part]) -> None:
         """Write it, with the outcomes of before that `--resume` keeps. Raises BadRequest for the manifest of another run."""
-        directory = order.settings.target
+        directory = job.settings.target
         self.path, self.parts = os.path.join(directory, MANIFEST), parts
-        self.about: dict[str, Any] = {"version": __version__, "options": _options(order)}
+        self.about: dict[str, Any] = {"version": __version__, "options": _options(job)}
         self.entries: dict[str, Entry] = {}  # by the path of the table
         before = _read(self.path)
         begun = 0  # when the first of the files that are kept can have been made, by the clock that dates files
-        if order.settings.resume and before:
+        if job.settings.resume and before:
             if changed := [name for name, value in self.about.items() if before.get(name) != value]:
                 other = "another version" if "version" in changed else "other options"
                 raise BadRequest(
@@ -164,7 +169,7 @@ class Manifest:
         begun = perf_counter()
         with whole_file(self.path) as file:
             file.write(json.dumps({**self.about, **more, "files": self.files}, indent=2).encode() + b"\n")
-        self.due = perf_counter() + SELDOM * (perf_counter() - begun)
+        self.due = perf_counter() + _REST * (perf_counter() - begun)
 
 
 def _tally(entry: Entry) -> Tally:
@@ -172,13 +177,13 @@ def _tally(entry: Entry) -> Tally:
     return Tally(**{name: type(none)(entry.get(name, none)) for name, none in Tally().counts().items()})
 
 
-def _options(order: Order) -> dict[str, Any]:
+def _options(job: Job) -> dict[str, Any]:
     """Return the options that decide on the results, and the materials files with their contents."""
-    plain = order.settings._replace(resume=False, jobs=0, quiet=False, target=Settings().target, dask="")
+    plain = job.settings._replace(resume=False, jobs=0, quiet=False, target=Settings().target, dask="")
     chosen = {name: value for name, value in plain._asdict().items() if value != getattr(Settings(), name)}
-    if order.settings.columns:
-        chosen["columns"] = [*order.settings.columns]  # as JSON has them
-    return {**chosen, "inputs": dict(order.inputs), "materials": {path: _digest(path) for path in order.known.paths}}
+    if job.settings.columns:
+        chosen["columns"] = [*job.settings.columns]  # as JSON has them
+    return {**chosen, "inputs": dict(job.inputs), "materials": {path: _digest(path) for path in job.known.paths}}
 
 
 def _digest(path: str) -> str:
@@ -224,8 +229,8 @@ def _read(manifest: str) -> dict[str, Any]:
 
 def _say_failures(manifest: Manifest) -> None:
     failures = [entry for entry in manifest.files if "problem" in entry]
-    for entry in failures[:MOST_SAID]:
+    for entry in failures[:MAX_SAID]:
         say(f"jkroll: {quoted(entry['input'])}: {entry['problem']}", sys.stderr)
-    if len(failures) > MOST_SAID:
-        said = f"jkroll: and {len(failures) - MOST_SAID} more files failed; {quoted(manifest.path)} says why"
+    if len(failures) > MAX_SAID:
+        said = f"jkroll: and {len(failures) - MAX_SAID} more files failed; {quoted(manifest.path)} says why"
         say(said, sys.stderr)

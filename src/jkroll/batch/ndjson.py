@@ -15,7 +15,7 @@ from ..scene.limits import codes
 from ..text import quoted
 from .lines import BOM, Converted, Head, check_encoding, computed
 
-Row = dict[str, Any]
+Object = dict[str, Any]
 
 
 class Ndjson:
@@ -58,7 +58,7 @@ class NdjsonConverter:
         self.known = {*head.names}
         self.added = {*table.added}
         self.said = b"".join(orjson.dumps({name: text})[1:-1] + b"," for name, text in table.said.items())
-        self.names = [orjson.dumps(name) + b":" for name in (*table.numbers, *table.remarks)]
+        self.names = [orjson.dumps(name) + b":" for name in (*table.heads, *table.remarks)]
 
     def convert(self, text: bytes) -> Converted:
         """Return whole lines with the results in each. Blank lines stay."""
@@ -76,7 +76,7 @@ class NdjsonConverter:
             lines[place] = _beginning(lines[place], one) + members
         return Converted(b"\n".join([*lines, b""]), tally)
 
-    def _problem(self, one: Row | None) -> str:
+    def _problem(self, one: Object | None) -> str:
         """Return why a line is no row: it holds no object, or one with an input or a result that the first line has not."""
         if one is None:
             return "is not a JSON object"
@@ -99,14 +99,14 @@ class NdjsonConverter:
             yield self.said + b",".join(map(bytes.__add__, self.names, cells)) + b"}"
 
 
-def _beginning(line: bytes, one: Row | None) -> bytes:
+def _beginning(line: bytes, one: Object | None) -> bytes:
     """Return the object of a line without its end; one that holds the line as a text where it is no object."""
     if one is None:
         return b'{"line":' + orjson.dumps(line.decode("utf-8", "replace")) + b","
     return line.rstrip().removesuffix(b"}").rstrip() + b"," * bool(one)
 
 
-def _object(line: bytes) -> Row | None:
+def _object(line: bytes) -> Object | None:
     """Return the object that a line holds by itself, or None."""
     try:
         found = orjson.loads(line)

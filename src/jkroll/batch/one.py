@@ -3,7 +3,6 @@
 import os
 from collections.abc import Iterable
 from contextlib import closing
-from dataclasses import replace
 from functools import lru_cache, partial
 from itertools import chain
 
@@ -22,31 +21,31 @@ from .formats import LINES, FileFormat, compressor, format_of_name, stated, with
 from .lines import Converted, Tally
 from .ndjson import NdjsonConverter
 from .run import Convert, Work, run
-from .settings import Order, Part, Settings
+from .settings import Job, Part, Settings
 
 
-def convert_one(part: Part, order: Order) -> Tally:
+def convert_one(part: Part, job: Job) -> Tally:
     """Convert a table of any format."""
-    settings = order.settings._replace(target=part.target)
+    settings = job.settings._replace(target=part.target)
     form = input_format(part.path, settings)
     compression = output_format(settings, form).compression
     if form.kind == "parquet":
         with missing_extra("parquet"):
             from .parquet import convert_parquet
-        return convert_parquet(part, order, table_with)
-    return _convert_lines(part.path, form, compression, replace(order, settings=settings))
+        return convert_parquet(part, job, table_with)
+    return _convert_lines(part, form, compression, job)
 
 
 @lru_cache(maxsize=8)  # the tables of a run have the same options
-def _fill(order: Order) -> Fill:
-    settings = order.settings
-    return Fill.of(order.inputs, order.known, Inverse(settings.infer, settings.measured) if settings.infer else None)
+def _fill(job: Job) -> Fill:
+    settings = job.settings
+    return Fill.of(job.inputs, job.known, Inverse(settings.infer, settings.measured) if settings.infer else None)
 
 
-def table_with(names: tuple[str, ...], rows: list[list[str]], order: Order) -> Table:
-    """Return the table with this header that the order asks for; `rows`: the cells of its first rows."""
-    settings = order.settings
-    fill = _fill(order)
+def table_with(names: tuple[str, ...], rows: list[list[str]], job: Job) -> Table:
+    """Return the table with this header that the job asks for; `rows`: the cells of its first rows."""
+    settings = job.settings
+    fill = _fill(job)
     columns = understood(names, rows, stated_meanings(names, settings.columns, settings.measured))
     if settings.measured:
         check_measured(columns, settings.measured)
@@ -63,17 +62,17 @@ def table_with(names: tuple[str, ...], rows: list[list[str]], order: Order) -> T
     return table
 
 
-def _convert_lines(path: str, form: FileFormat, compression: str, order: Order) -> Tally:
+def _convert_lines(part: Part, form: FileFormat, compression: str, job: Job) -> Tally:
     """Convert a table whose records are lines."""
-    settings = order.settings
+    settings = job.settings._replace(target=part.target)
     compressor(form.compression)  # a missing library is named before anything is opened
-    with closing(Input(path)) as given:
-        given.check_output(settings.target)
+    with closing(Input(part.path)) as given:
+        given.check_output(part.target)
         dialect = DELIMITED[settings.delimiter] if settings.delimiter else LINES[form.kind]
         texts = blocks(given.pieces(form.compression), dialect.cut)
         first = dialect.prepared(next(texts, b""))
         head, rows = dialect.head(first)
-        table = table_with(head.names, rows, order)
+        table = table_with(head.names, rows, job)
         converter = dialect.converter(head, table, strict=settings.strict, excel_safe=settings.excel_safe)
         start = compressor(compression)(converter.header_line) if converter.header_line else b""
         tally = run(

@@ -28,25 +28,25 @@ from ..text import quoted, shown
 from .files import Input, output_to
 from .lines import Tally, computed
 from .progress import Bar
-from .settings import Order, Part
+from .settings import Job, Part
 
 BUFFER = 1 << 18  # bytes read at a time of each column
 BYTES = 1 << 24  # of the rows written together, and at most of those computed together, about
 
-Rows = tuple[Any, Tally]  # a batch of Arrow with results, and its counts
-TableWith = Callable[[tuple[str, ...], list[list[str]], Order], Table]
+Batch = tuple[Any, Tally]  # a batch of Arrow with results, and its counts
+TableWith = Callable[[tuple[str, ...], list[list[str]], Job], Table]
 
 
-def convert_parquet(part: Part, order: Order, table_with: TableWith) -> Tally:
-    """Convert a Parquet file; `table_with` returns what the order asks of a header and the cells of the first rows."""
+def convert_parquet(part: Part, job: Job, table_with: TableWith) -> Tally:
+    """Convert a Parquet file; `table_with` returns what the job asks of a header and the cells of the first rows."""
     if "-" in (part.path, part.target):
         raise BadRequest("Parquet is read from a file and written to a file: -o FILE")
     with closing(Input(part.path)) as given:
         given.check_output(part.target)
         with _readable(part.path):
-            table = _File(given, order, table_with)
-        with Bar(table.size, quiet=order.settings.quiet) as bar:
-            tally = _write(part.target, table.schema, table.rows(), bar)
+            table = _File(given, job, table_with)
+        with Bar(table.size, quiet=job.settings.quiet) as bar:
+            tally = _write(part.target, table.schema, table.batches(), bar)
     return tally._replace(readings=(table.table.reading,))
 
 
@@ -63,12 +63,12 @@ def _readable(path: str) -> Iterator[None]:
 class _File:
     """A Parquet file whose rows are computed."""
 
-    def __init__(self, given: Input, order: Order, table_with: TableWith) -> None:
-        self.given, self.strict = given, order.settings.strict
+    def __init__(self, given: Input, job: Job, table_with: TableWith) -> None:
+        self.given, self.strict = given, job.settings.strict
         self.file = file = pyarrow.parquet.ParquetFile(given.file, buffer_size=BUFFER, pre_buffer=False)
         names = tuple(file.schema_arrow.names)
-        meanings = stated_meanings(names, order.settings.columns, order.settings.measured)
-        self.table = table = table_with(names, _first_rows(file, meanings), order)
+        meanings = stated_meanings(names, job.settings.columns, job.settings.measured)
+        self.table = table = table_with(names, _first_rows(file, meanings), job)
         texts = {*table.said, *table.remarks}
         fields = [pyarrow.field(name, pyarrow.string() if name in texts else pyarrow.float64()) for name in table.added]
         self.schema = pyarrow.schema([*file.schema_arrow, *fields], metadata=file.schema_arrow.metadata)
@@ -77,7 +77,7 @@ class _File:
         width = max((group.total_byte_size / max(group.num_rows, 1) for group in groups), default=0) + 8 * len(fields)
         self.together = max(min(BLOCK, int(BYTES / width)), 1)
 
-    def rows(self) -> Iterator[Rows]:
+    def batches(self) -> Iterator[Batch]:
         """Iterate over the rows with their results. Raises BadTable if the file was changed meanwhile."""
         with _readable(self.given.path):
             for batch in self.file.iter_batches(self.together):
@@ -85,7 +85,7 @@ class _File:
                 self.line += batch.num_rows
         self.given.check_unchanged()
 
-    def _with_results(self, batch: Any) -> Rows:
+    def _with_results(self, batch: Any) -> Batch:
         size = batch.num_rows
         places = range(self.line + 1, self.line + size + 1)
         columns, tally = computed(self.table.wanted, self._block(batch), places, strict=self.strict)
@@ -105,7 +105,7 @@ class _File:
             encoded = batch.column(place).dictionary_encode()
             texts = [*map(_text, encoded.dictionary.to_pylist()), ""]
             rows = encoded.indices.cast(pyarrow.int64()).fill_null(len(texts) - 1)
-            materials[name] = table.lookups[name].numbers(texts)[rows.to_numpy()]
+            materials[name] = table.lookups[name].indices(texts)[rows.to_numpy()]
         numbers = {reader.column.name: _numbers(batch, reader) for reader in table.readers}
         return table.block_of(
             batch.num_rows,
@@ -119,12 +119,12 @@ class _File:
 def write_columns(wanted: Wanted, blocks: Iterable[Columns], units: Format, target: str, *, doubt: bool) -> None:
     """Write columns, in a file that gets its name when it is whole."""
     remarks = remarks_of(wanted, doubt=doubt)
-    texts = {name for name in wanted.inputs if not NOMENCLATURE[name].unit} | {*remarks}
+    texts = {name for name in wanted.inputs if NOMENCLATURE[name].is_word} | {*remarks}
     kinds = {name: pyarrow.string() if name in texts else pyarrow.float64() for name in (*wanted.inputs, *wanted.keys)}
     heads = [*names_of_columns(wanted, units), *remarks]
     schema = pyarrow.schema([*map(pyarrow.field, heads, [*kinds.values(), *[pyarrow.string()] * len(remarks)])])
 
-    def batch(columns: Columns) -> Rows:
+    def batch(columns: Columns) -> Batch:
         arrays = [
             *(pyarrow.array(middles(columns.inputs[name]), kinds[name], from_pandas=True) for name in wanted.inputs),
             *(
@@ -158,12 +158,12 @@ def _remarks(columns: Columns, names: Iterable[str]) -> Iterator[Any]:
         yield pyarrow.array(map(of_rows[name], range(len(columns))), "string")
 
 
-def _write(target: str, schema: Any, rows: Iterator[Rows], bar: Bar) -> Tally:
+def _write(target: str, schema: Any, batches: Iterator[Batch], bar: Bar) -> Tally:
     """Write a file that gets its name when it is whole, in groups of rows of about the same size."""
     texts = [field.name for field in schema if not pyarrow.types.is_floating(field.type)]  # numbers seldom repeat
     tally = Tally()
     with output_to(target) as stream, pyarrow.parquet.ParquetWriter(stream, schema, use_dictionary=texts) as writer:
-        for group in _ahead(_groups(rows)):
+        for group in _ahead(_groups(batches)):
             table = pyarrow.Table.from_batches([batch for batch, _ in group])
             writer.write_table(table, table.num_rows)
             for _, own in group:
@@ -172,13 +172,13 @@ def _write(target: str, schema: Any, rows: Iterator[Rows], bar: Bar) -> Tally:
     return tally
 
 
-def _groups(batches: Iterator[Rows]) -> Iterator[list[Rows]]:
+def _groups(batches: Iterator[Batch]) -> Iterator[list[Batch]]:
     """Iterate over rows that are written together."""
-    group: list[Rows] = []
+    group: list[Batch] = []
     size = 0
-    for rows in batches:
-        group.append(rows)
-        size += rows[0].nbytes
+    for batch in batches:
+        group.append(batch)
+        size += batch[0].nbytes
         if size >= BYTES:
             yield group
             group, size = [], 0
@@ -186,7 +186,7 @@ def _groups(batches: Iterator[Rows]) -> Iterator[list[Rows]]:
         yield group
 
 
-def _ahead(groups: Iterator[list[Rows]]) -> Iterator[list[Rows]]:
+def _ahead(groups: Iterator[list[Batch]]) -> Iterator[list[Batch]]:
     """Iterate over groups, of which a thread prepares the next one while one is written."""
     with ThreadPoolExecutor(1) as thread:
         coming = thread.submit(next, groups, None)

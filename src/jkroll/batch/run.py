@@ -1,7 +1,7 @@
 """The loop of all tables of lines: blocks of records through a converter into the output, in their order.
 
-This process reads, and says in which order is written. Where there are many blocks, others convert and write them; the
-output is the same for any number of them.
+This process reads the blocks and decides the order in which they are written. Where there are many blocks, others
+convert and write them; the output is the same for any number of them.
 """
 
 import os
@@ -34,21 +34,21 @@ class Work(NamedTuple):
     position: Callable[[], int]  # bytes read so far
 
 
-class Step(NamedTuple):
-    """A converted block: its size as written, its lines as read, and its counts."""
+class Written(NamedTuple):
+    """A converted block, or several: the size as written, the lines as read, and the counts."""
 
-    written: int = 0
+    size: int = 0
     lines: int = 0
     tally: Tally = Tally()
 
     @classmethod
-    def of(cls, read: bytes, converted: Converted) -> "Step":
+    def of(cls, read: bytes, converted: Converted) -> "Written":
         """Return what a block adds."""
         return cls(len(converted.output), read.count(b"\n"), converted.tally)
 
-    def plus(self, other: "Step") -> "Step":
+    def plus(self, other: "Written") -> "Written":
         """Return both together."""
-        return Step(self.written + other.written, self.lines + other.lines, self.tally.plus(other.tally))
+        return Written(self.size + other.size, self.lines + other.lines, self.tally.plus(other.tally))
 
 
 Fetch = Callable[[int], bytes]  # returns a block, or nothing if it has written it at this place of the file
@@ -56,12 +56,12 @@ Fetch = Callable[[int], bytes]  # returns a block, or nothing if it has written 
 
 def run(work: Work, settings: Settings) -> Tally:
     """Write a table; return the counts of all of it."""
-    done = Step()
+    done = Written()
     with output_to(settings.target) as output, Bar(work.size, quiet=settings.quiet) as bar:
         try:
-            for step, fetch in _steps(work, settings.processes, _path(output)):
-                _write(output, fetch(done.written))
-                done = done.plus(step)
+            for block, fetch in _blocks(work, settings.processes, _path(output)):
+                _write(output, fetch(done.size))
+                done = done.plus(block)
                 bar.show(work.position(), done.tally.rows)
         except BadRow as error:
             raise BadRow(done.lines + 1 + error.line, error.status) from None
@@ -82,30 +82,31 @@ def _path(output: BinaryIO) -> str:
     return output.name if isinstance(output.name, str) and os.path.isfile(output.name) else ""
 
 
-def _steps(work: Work, jobs: int, path: str) -> Iterator[tuple[Step, Fetch]]:
+def _blocks(work: Work, processes: int, path: str) -> Iterator[tuple[Written, Fetch]]:
     """Iterate over the header and the converted blocks in their order. `path`: of the file into which they go, or an empty text."""
-    yield Step(len(work.header_line), work.lines_of_header), lambda _: work.header_line
+    yield Written(len(work.header_line), work.lines_of_header), lambda _: work.header_line
     convert = work.make_convert()
 
-    def here(text: bytes) -> tuple[Step, Fetch]:
+    def here(text: bytes) -> tuple[Written, Fetch]:
         converted = convert(text)
-        return Step.of(text, converted), lambda _: converted.output
+        return Written.of(text, converted), lambda _: converted.output
 
-    yield from map(here, islice(work.blocks, ALONE) if jobs > 1 else work.blocks)
+    yield from map(here, islice(work.blocks, ALONE) if processes > 1 else work.blocks)
     first = next(work.blocks, None)
     if first is None:
         return
-    from .workers import are_ready, in_order, started  # with multiprocessing, which a small table does not pay for
+    # They come with multiprocessing, which a small table does not pay for.
+    from .workers import answers_in_order, are_ready, started
 
     blocks = chain([first], work.blocks)
-    with started(jobs, partial(_answering, work.make_convert, path)) as workers:
+    with started(processes, partial(_answering, work.make_convert, path)) as workers:
         while not are_ready(workers) and (text := next(blocks, None)) is not None:
             yield here(text)
-        for worker, step in in_order(workers, blocks):
-            yield step, worker.answer_to
+        for worker, block in answers_in_order(workers, blocks):
+            yield block, worker.answer_to
 
 
-def _answering(make_convert: Callable[[], Convert], path: str) -> Callable[[bytes | int], Step | bytes]:
+def _answering(make_convert: Callable[[], Convert], path: str) -> Callable[[bytes | int], Written | bytes]:
     """Return what a process does: it converts a block, and puts it at a place of the file or hands it over when its turn comes.
 
     To send a block to another process takes a third as long as to make it.
@@ -113,12 +114,12 @@ def _answering(make_convert: Callable[[], Convert], path: str) -> Callable[[byte
     convert = make_convert()
     output = b""
 
-    def answer(question: bytes | int) -> Step | bytes:
+    def answer(question: bytes | int) -> Written | bytes:
         nonlocal output
         if isinstance(question, bytes):
             converted = convert(question)
             output = converted.output
-            return Step.of(question, converted)
+            return Written.of(question, converted)
         if not path:
             return output
         with open(path, "r+b") as file:

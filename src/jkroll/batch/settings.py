@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from ..materials.library import Materials
 
-MOST_PROCESSES = 16  # unless --jobs asks for more: one process reads for all of them
+MAX_PROCESSES = 16  # unless --jobs asks for more: one process reads for all of them
 
 
 class Settings(NamedTuple):
@@ -32,7 +32,7 @@ class Settings(NamedTuple):
     @property
     def processes(self) -> int:
         """Number of processes: `--jobs`, else one for each core that this process may use."""
-        return self.jobs or min(_cores(), MOST_PROCESSES)
+        return self.jobs or min(_cores(), MAX_PROCESSES)
 
 
 def _cores() -> int:
@@ -46,8 +46,8 @@ class Part(NamedTuple):
     target: str
 
 
-@dataclass(frozen=True, eq=False)  # so that what is understood of a header can be kept by the order
-class Order:
+@dataclass(frozen=True, eq=False)  # compared by identity, so that `_fill` can cache for each job
+class Job:
     """A run: the options, the inputs that fill the gaps of rows, and the known materials."""
 
     settings: Settings

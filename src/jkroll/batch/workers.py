@@ -151,7 +151,7 @@ def are_ready(workers: list[Worker]) -> bool:
     return True
 
 
-def in_order(workers: list[Worker], questions: Iterable[Any]) -> Iterator[tuple[Worker, Any]]:
+def answers_in_order(workers: list[Worker], questions: Iterable[Any]) -> Iterator[tuple[Worker, Any]]:
     """Iterate over answers in the order of the questions, each with its process, which gets no question until the next step."""
     at_work: deque[Worker] = deque()
     for worker, question in zip(cycle(workers), questions, strict=False):

@@ -273,9 +273,10 @@ def exact(quantity: str, point: Mapping[str, float]) -> Exact:
     given = _arguments(quantity, point)
     condition = 0.0
     with localcontext(_CONTEXT):
-        for name in given.keys() & _CONDITIONED if value else ():
-            moved = reference(*{**given, name: given[name] * (1 - _STEP)}.values())
-            condition += float(abs((moved - value) / (value * _STEP)))
+        if value:
+            for name in given.keys() & _CONDITIONED:
+                moved = reference(*{**given, name: given[name] * (1 - _STEP)}.values())
+                condition += float(abs((moved - value) / (value * _STEP)))
         return Exact(float(value), float(value - Decimal(float(value))), condition)
 
 

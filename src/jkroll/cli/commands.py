@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 from ..answers.questions import QUESTIONS
 from ..errors import BadRequest
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
-from ..text import capitalized, columns, fitting, quoted
+from ..text import capitalized, fitting, quoted, terminal_width
 
 MAX_DIGITS = 9  # of a number
 
@@ -227,7 +227,7 @@ _HIDDEN_WHERE_USED = ("energy_ratio", "adhesion_hysteresis", "hysteresis_fractio
 
 
 @cache
-def inputs_of(quantities: tuple[str, ...], *, any_input: bool = False) -> tuple[Option, ...]:
+def input_options(quantities: tuple[str, ...], *, any_input: bool = False) -> tuple[Option, ...]:
     """Return the options for the inputs that quantities depend on, and with `any_input` for all others, too.
 
     The properties of a material are taken by every command, but shown only where they are used.
@@ -285,7 +285,7 @@ class Command(NamedTuple):
         """Return the options by their spellings."""
         return {flag: option for option in (*self.options(), HELP) for flag in option.flags}
 
-    def run(self) -> Callable[[Call], int]:
+    def runner_function(self) -> Callable[[Call], int]:
         """Return the function that answers a call."""
         module, _, function = self.runner.partition(":")
         found: Callable[[Call], int] = getattr(import_module(f".{module}", __package__), function)
@@ -301,13 +301,13 @@ class Command(NamedTuple):
         }
         inputs = {name: values.pop(name) for name in given if name in NOMENCLATURE}
         settings = {name: values.pop(name) for name in [*values] if name not in Call._fields}
-        return partial(self.run(), Call(self.name, tuple(words), inputs, settings=settings, **values))
+        return partial(self.runner_function(), Call(self.name, tuple(words), inputs, settings=settings, **values))
 
 
 def _options_of_export() -> tuple[Option, ...]:
     from ..output.exports import QUANTITIES, THRESHOLDS
 
-    return (*inputs_of(QUANTITIES + THRESHOLDS), MODEL_OF_EXPORT, MATERIALS, QUIET)
+    return (*input_options(QUANTITIES + THRESHOLDS), MODEL_OF_EXPORT, MATERIALS, QUIET)
 
 
 _SCENE = Words("[MATERIAL] [RADIUS]...", INFINITY)
@@ -316,13 +316,13 @@ _LOOKS = tuple(option._replace(hidden=True) for option in (*STYLE, PANEL))
 
 def _options_of(name: str, *own: Option) -> tuple[Option, ...]:
     """Return the options of a question: inputs, its own, output."""
-    inputs = _any_input() if name == "report" else inputs_of(QUESTIONS[name].quantities)
+    inputs = _any_input() if name == "report" else input_options(QUESTIONS[name].quantities)
     return (*inputs, *own, *OUTPUT)
 
 
 def _any_input() -> tuple[Option, ...]:
     """Return the options of commands of which any quantity may be asked: those of the report are shown."""
-    return inputs_of(QUESTIONS["report"].quantities, any_input=True)
+    return input_options(QUESTIONS["report"].quantities, any_input=True)
 
 
 def _question(name: str, sentence: str, example: str, *own: Option, runner: str = "question:run_question") -> Command:
@@ -458,7 +458,7 @@ MIN_TEXT = 20
 
 def help_of(name: str | None) -> str:
     """Return the help of a command, or of the program: usage, meaning, options, an example; as stdout can encode it."""
-    width = max(MIN_WIDTH, min(MAX_WIDTH, columns() - 2))
+    width = max(MIN_WIDTH, min(MAX_WIDTH, terminal_width() - 2))
     options = tuple(dict.fromkeys(flags_of(name).values()))
     listed = [_listed("Options", _rows(option for option in options if not option.hidden), width)]
     if more := _rows(option for option in options if option.hidden):

@@ -11,7 +11,7 @@ from ..quantities.values import Spread, spreads_of
 from ..rows.columns import Wanted
 from ..rows.inferred import Sought, SoughtOne
 from ..rows.sweep import Sweep
-from ..scene.inverse import SIZES, AlreadyGiven, Observed, input_named, observed, with_placeholders
+from ..scene.inverse import SIZES, AlreadyGiven, Observed, input_named, with_placeholders
 from ..scene.scene import Scene
 from ..text import quoted
 from .commands import Call
@@ -34,7 +34,7 @@ class _Inverse:
 
     def row(self, given: Mapping[str, Any], *spheres: Material | None, model: str | None) -> Observed:
         """Return a row of inputs among which are the measured values."""
-        return observed(self.quantities, given, *spheres, model=model)
+        return Observed.of(self.quantities, given, *spheres, model=model)
 
     def answer(self, row: Any) -> Inferred:
         """Return the answer for a row."""

@@ -95,8 +95,9 @@ def run_figure(call: Call) -> int:
             "--plain": call.plain,
             "--mark": name in WITHOUT_MARKS and call.mark,
         }
-        for flag in (flag for flag, is_given in refused.items() if is_given):
-            raise BadRequest(f"figure {name} takes no {flag}")
+        for flag, is_given in refused.items():
+            if is_given:
+                raise BadRequest(f"figure {name} takes no {flag}")
         return _deliver(PROFILES[name](materials, marks_of(call.mark)), (), call)
     size = OF_PAPER if call.target else ON_SCREEN
     drawn = paper_map(name, materials, size, as_printed=call.as_printed, is_plain=call.plain)
@@ -120,8 +121,9 @@ def draw_contact(call: Call) -> int:
         "--digits": call.digits,
         "--no-doubt": call.no_doubt,
     }
-    for option in (option for option, value in of_numbers.items() if value):
-        raise BadRequest(f"{flag} and {option} exclude each other")
+    for option, value in of_numbers.items():
+        if value:
+            raise BadRequest(f"{flag} and {option} exclude each other")
     request, loads = curve_request(call)
     if (count := len(request.sweep) // len(request.models)) > 1:
         raise BadRequest(f"a picture shows one contact; {count} were given")
@@ -156,8 +158,9 @@ def _deliver(drawn: Map | Picture, notes: Iterable[str], call: Call) -> int:
         else:
             draw_picture(drawn, sys.stdout)
     sys.stdout.flush()
-    for note in () if call.quiet else notes:
-        say_wrapped(f"note: {note}", sys.stderr)
+    if not call.quiet:
+        for note in notes:
+            say_wrapped(f"note: {note}", sys.stderr)
     return 0
 
 

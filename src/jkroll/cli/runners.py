@@ -61,8 +61,9 @@ def run_materials(call: Call) -> int:
     chosen = [*materials.materials.values()] if lists_all else [materials[word] for word in call.words[0].split(",")]
     write_materials(chosen, sys.stdout, kind, whole=not lists_all and len(chosen) == 1)
     sys.stdout.flush()
-    for clash in () if call.quiet or not lists_all else dict.fromkeys(map(str, materials.clashes.values())):
-        say_wrapped(f"note: {clash}", sys.stderr)
+    if lists_all and not call.quiet:
+        for clash in dict.fromkeys(map(str, materials.clashes.values())):
+            say_wrapped(f"note: {clash}", sys.stderr)
     mistakes = [*materials.mistakes.values()] if lists_all else []
     for mistake in mistakes:
         say_wrapped(f"jkroll: {mistake}", sys.stderr)

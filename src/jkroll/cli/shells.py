@@ -196,7 +196,7 @@ def _results() -> list[str]:
     return [
         name
         for name, quantity in NOMENCLATURE.items()
-        if quantity.unit and not quantity.variant_of and (quantity.equation or quantity.range is ANY)
+        if not quantity.is_word and not quantity.variant_of and (quantity.equation or quantity.range is ANY)
     ]
 
 

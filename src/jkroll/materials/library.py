@@ -162,8 +162,8 @@ def _form_of(data: Mapping[str, Any], path: str) -> File:
     if unknown:
         name = "NAME" if closest(key := min(unknown), ["materials"]) else shown(key)
         raise Malformed(f"has an unknown key {quoted(key)}; expected [materials.{name}] tables")
-    title = string(data.get("title", shown(path)), "title")
-    return File(path, title, *(table_of(data.get(name, {}), name) for name in ("materials", "references")))
+    title = checked_text(data.get("title", shown(path)), "title")
+    return File(path, title, *(checked_table(data.get(name, {}), name) for name in ("materials", "references")))
 
 
 def _entries_in(file: File) -> list[Entry]:
@@ -173,7 +173,7 @@ def _entries_in(file: File) -> list[Entry]:
         names.setdefault(name.casefold(), name)
     entries: list[Entry] = []
     for name, table in file.materials.items():
-        aliases = strings(table_of(table, f"materials.{name}").get("aliases", []), f"{name}.aliases")
+        aliases = checked_list(checked_table(table, f"materials.{name}").get("aliases", []), f"{name}.aliases")
         for word in (name, *aliases):
             other = names.get(word.casefold(), name)
             if other != name:
@@ -185,26 +185,26 @@ def _entries_in(file: File) -> list[Entry]:
     return entries
 
 
-def table_of(value: object, where: str) -> Mapping[str, Any]:
+def checked_table(value: object, where: str) -> Mapping[str, Any]:
     """Return a value that is a table; Malformed if it is not."""
     if not isinstance(value, dict):
         raise Malformed(f"{shown(where)} is not a table")
     return value
 
 
-def texts(value: object, where: str) -> dict[str, str]:
+def checked_texts(value: object, where: str) -> dict[str, str]:
     """Return a table of texts."""
-    return {key: string(text, f"{where}.{key}") for key, text in table_of(value, where).items()}
+    return {key: checked_text(text, f"{where}.{key}") for key, text in checked_table(value, where).items()}
 
 
-def strings(value: object, where: str) -> tuple[str, ...]:
+def checked_list(value: object, where: str) -> tuple[str, ...]:
     """Return a list of texts."""
     if not isinstance(value, list):
         raise Malformed(f"{shown(where)} is not a list")
-    return tuple(string(text, where) for text in value)
+    return tuple(checked_text(text, where) for text in value)
 
 
-def string(value: object, where: str) -> str:
+def checked_text(value: object, where: str) -> str:
     """Return a value that is a text, safe to print; Malformed if it is not a text."""
     if not isinstance(value, str):
         raise Malformed(f"{shown(where)} is not a text in quotes")
@@ -472,12 +472,12 @@ def _checked(entry: Entry) -> Material:
             uncertainties[key] = found
     displacement = None
     if XI in table:
-        displacement, origins[XI] = _displacement(table_of(table[XI], f"{name}.{XI}"), name)
-    notes = texts(table.get("notes", {}), f"{name}.notes")
+        displacement, origins[XI] = _displacement(checked_table(table[XI], f"{name}.{XI}"), name)
+    notes = checked_texts(table.get("notes", {}), f"{name}.notes")
     for key in notes:
         if key not in table:
             raise Malformed(f"{quoted(name)} has a note on {quoted(key)}, which it does not give")
-    general = strings(table.get("references", []), f"{name}.references")
+    general = checked_list(table.get("references", []), f"{name}.references")
     cited = dict.fromkeys([*general, *(origin.reference for origin in origins.values() if origin.reference)])
     return Material(
         name=name,
@@ -486,9 +486,9 @@ def _checked(entry: Entry) -> Material:
         notes=MappingProxyType(notes),
         remarks=remarks,
         references=tuple(_reference(key, name, file) for key in cited),
-        title=string(table.get("source", file.title), f"{name}.source"),
+        title=checked_text(table.get("source", file.title), f"{name}.source"),
         path=file.path,
-        state=string(table.get("state", ""), f"{name}.state"),
+        state=checked_text(table.get("state", ""), f"{name}.state"),
         uncertainties=MappingProxyType(uncertainties),
         origins=MappingProxyType(origins),
         displacement=displacement,
@@ -514,7 +514,7 @@ def _displacement(table: Mapping[str, Any], name: str) -> tuple[Displacement, Or
 def _origin(where: str, table: Mapping[str, Any], *others: str) -> Origin:
     """Return what the table of a property says besides the value."""
     _refuse_unknown_keys(where, table, ("value", *others, *Origin._fields))
-    return Origin(**texts({key: text for key, text in table.items() if key in Origin._fields}, where))
+    return Origin(**checked_texts({key: text for key, text in table.items() if key in Origin._fields}, where))
 
 
 def _refuse_unknown_keys(where: str, table: Mapping[str, Any], known: Sequence[str]) -> None:
@@ -529,7 +529,7 @@ def _reference(key: str, name: str, file: File) -> Mapping[str, str]:
     """Return a reference that a material cites."""
     if key not in file.references:
         raise Malformed(f"{quoted(name)} cites {quoted(key)}, which [references] does not have")
-    return {"key": key, **texts(file.references[key], f"references.{key}")}
+    return {"key": key, **checked_texts(file.references[key], f"references.{key}")}
 
 
 def _as_text(number: float, where: str) -> str:
@@ -544,7 +544,7 @@ def _property(key: str, value: object, name: str, where: str) -> float | Uncerta
     """Return the SI value of a property: a text with a unit or, for a property without a unit, a number. `where`: its place in the file."""
     if isinstance(value, (int, float)) and not isinstance(value, bool) and NOMENCLATURE[key].unit == "1":
         value = _as_text(value, where)
-    text = string(value, where)
+    text = checked_text(value, where)
     try:
         return value_of(text, key)
     except QuantityError as error:

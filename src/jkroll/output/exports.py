@@ -1,11 +1,14 @@
-"""The contact of two spheres, or of a sphere and a plane, as input of LAMMPS: `granular` with rolling resistance, in SI units.
+"""Contacts as input of other programs: LAMMPS, LIGGGHTS and DustSimulation, in SI or cgs units.
 
-LAMMPS takes γ = w/2. Only E* of the elastic constants enters its normal force: they are written as E = 2E*, ν = 0,
-which also mixes as E* does. Its rolling friction is a spring F = k ξ with the cap μ|P + 2P_po|, and the torque FR; k
-does not depend on the load. The caps of sliding and twisting are such, too: a force, and a moment where μ is a length.
-A plane is a wall, whose coefficients mean the same. Comments are ASCII, as LAMMPS warns of other characters.
+LAMMPS has them as `granular` with rolling resistance, in SI units, and takes γ = w/2. Only E* of the elastic constants
+enters its normal force: they are written as E = 2E*, ν = 0, which also mixes as E* does. Its rolling friction is a
+spring F = k ξ with the cap μ|P + 2P_po|, and the torque FR; k does not depend on the load. The caps of sliding and
+twisting are such, too: a force, and a moment where μ is a length. A plane is a wall, whose coefficients mean the same.
+Comments are ASCII, as LAMMPS warns of other characters.
 
-The contact of two spheres as input of DustSimulation, whose thresholds are those of this program, and of LIGGGHTS.
+LIGGGHTS has the pull-off force of JKR with Hertz' contact, in SI units, for two spheres or a sphere and a wall.
+DustSimulation takes a material and a radius in cgs units, for identical spheres; its thresholds are those of this
+program.
 """
 
 from collections.abc import Callable, Iterator, Mapping

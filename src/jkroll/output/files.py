@@ -10,7 +10,7 @@ from typing import BinaryIO, TextIO
 
 @contextmanager
 def naming(path: str) -> Iterator[None]:
-    """Give the OSErrors of writing a file its name: that of a full disk has none, and others that of a temporary file."""
+    """Set the file's name in an OSError: a full disk names no file, other errors a temporary one."""
     try:
         yield
     except OSError as error:

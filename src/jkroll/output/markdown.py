@@ -6,7 +6,7 @@ from rich.console import Console, ConsoleOptions, RenderResult
 from rich.markdown import CodeBlock, Markdown
 from rich.text import Text
 
-from ..text import columns, fitting
+from ..text import fitting, terminal_width
 
 MAX_TEXT = 100  # columns of running text
 
@@ -25,6 +25,6 @@ class _Page(Markdown):
 
 def write_markdown(text: str, out: TextIO) -> None:
     """Write Markdown, in lines that are comfortable to read."""
-    width = min(columns(), MAX_TEXT)
+    width = min(terminal_width(), MAX_TEXT)
     console = Console(file=out, width=width, highlight=False, markup=False, emoji=False)
     console.print(_Page(fitting(text, out), hyperlinks=False), crop=False, soft_wrap=False)

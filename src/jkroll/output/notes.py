@@ -8,7 +8,7 @@ from ..answers.answer import Answer
 from ..answers.notes import first_symbols, notes_on_rows
 from ..answers.results import Kind, Note
 from ..errors import JkrollError
-from ..rows.columns import ROW, UNCERTAINTY, Columns, Reasons, of_quantities
+from ..rows.columns import ROW, UNCERTAINTY, Columns, Reasons, as_list, of_quantities
 from ..rows.sweep import Pair
 from ..scene.failures import NO_END, grouped
 from ..scene.limits import told
@@ -105,7 +105,7 @@ class OfRows:
                     worded[id(reasons)] = _about_reasons(reasons)
                 for matter, text in worded[id(reasons)]:
                     self._add("missing", matter, text, "", self.count + row + 1)
-            bits = columns.doubts if isinstance(columns.doubts, list) else columns.doubts.tolist()
+            bits = as_list(columns.doubts)
             of_bits = {each: told(each) for each in {*bits}}
             for row, each in enumerate(bits):
                 for doubt in of_bits[each]:

@@ -12,7 +12,7 @@ from ..quantities.formatting import Format, OutOfUnit, in_words
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, header
 from ..quantities.values import is_uncertain
-from ..rows.columns import DOUBT, STATUS, Columns, Wanted, remarks_of
+from ..rows.columns import DOUBT, STATUS, Columns, Wanted, as_list, remarks_of
 from ..scene.limits import codes
 from ..text import json_text, say, spelled
 
@@ -92,7 +92,7 @@ def lines(kind: str, wanted: Wanted, blocks: Iterable[Columns], form: Format, *,
     for columns in blocks:
         cells = [*_inputs(columns, line_format), *_results(columns, form, line_format)]
         if DOUBT in remarks:
-            cells.append([_cell(codes(bits), line_format) for bits in _listed(columns.doubts)])
+            cells.append([_cell(codes(bits), line_format) for bits in as_list(columns.doubts)])
         if STATUS in remarks:
             cells.append([_cell(columns.status(row), line_format) for row in range(len(columns))])
         if line_format.is_json:
@@ -136,7 +136,7 @@ def numbers_in_lines(columns: Any, separator: bytes, gap: bytes, end: bytes = b"
 def _inputs(columns: Columns, line_format: LineFormat) -> Iterator[Any]:
     for name, column in columns.inputs.items():
         if isinstance(column, list) or (abs(column) == INFINITY).any():
-            yield [_cell(in_words(name, value), line_format) for value in _listed(middles(column))]
+            yield [_cell(in_words(name, value), line_format) for value in as_list(middles(column))]
         else:
             yield column
 
@@ -152,7 +152,7 @@ def _results(columns: Columns, form: Format, line_format: LineFormat) -> Iterato
             column = columns.column(key)
             if isinstance(column, list) or form.changes(name):
                 yield [
-                    _cell(None if isnan(value) else form.number(name, value), line_format) for value in _listed(column)
+                    _cell(None if isnan(value) else form.number(name, value), line_format) for value in as_list(column)
                 ]
             else:
                 yield column
@@ -164,16 +164,12 @@ def writable(columns: Columns, form: Format) -> Columns:
         if name not in columns.wanted.places:
             continue
         own = [columns.column(key) for key in columns.wanted.keys_of(name)]
-        for row, numbers in enumerate(zip(*map(_listed, own), strict=True)):
+        for row, numbers in enumerate(zip(*map(as_list, own), strict=True)):
             if not all(isnan(number) or form.holds(name, number) for number in numbers):
                 for column in own:
                     column[row] = nan
                 columns.reasons[row] = {**columns.reasons.get(row, {}), name: OutOfUnit(name, form.unit(name))}
     return columns
-
-
-def _listed(column: Any) -> list[Any]:
-    return column if isinstance(column, list) else column.tolist()
 
 
 def _cells(column: Any, gap: str) -> list[bytes]:
@@ -315,5 +311,5 @@ def _verdict_object(verdict: "Verdict") -> dict[str, Any]:
         "holds": verdict.holds,
         "text": verdict.text,
         "code": verdict.code or None,
-        **({"verdict": verdict.verdict} if verdict.verdict else {}),
+        **({"verdict": verdict.conclusion} if verdict.conclusion else {}),
     }

@@ -258,7 +258,7 @@ def write_citations(answers: Iterable[Answer], out: TextIO) -> None:
 def _of_law(scene: Scene, names: Sequence[str]) -> list[Mapping[str, str]]:
     """Return the reference of the law of attraction, if some quantity rests on one."""
     between = scene.under(BETWEEN)
-    return [scene.law.reference] if any(uses_law(between, name) for name in between.planned(names)) else []
+    return [scene.law.reference] if any(uses_law(between, name) for name in between.possible(names)) else []
 
 
 def _of_conventions(names: Iterable[str]) -> list[Mapping[str, str]]:

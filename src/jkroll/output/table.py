@@ -12,7 +12,7 @@ from rich.text import Text
 from ..answers.notes import parts_of_assumed, symbol_of
 from ..quantities.formatting import Format, amount, in_words, pretty
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
-from ..text import columns, fitting, say
+from ..text import fitting, say, terminal_width
 
 if TYPE_CHECKING:
     from ..answers.answer import Answer
@@ -21,11 +21,17 @@ if TYPE_CHECKING:
     from ..quantities.values import Uncertain
     from ..rows.columns import Columns
 
-_HEADS = ("quantity", "symbol", "value", "unit", "Eq", "definition", "reference", "JKR")
-_JKR = 7  # the place of JKR's value, shown beside that of another law
+_AMOUNT = ("symbol", "value", "unit")
+_NAMED = ("quantity", *_AMOUNT)
+_JKR = "JKR"  # the value of that law, shown beside that of another
 # The columns of a scene's table, for narrower and narrower terminals: of results, and of results by convention.
-_COLUMNS: Sequence[tuple[int, ...]] = ((0, 1, 2, 3, 4), (0, 1, 2, 3), (1, 2, 3))
-_COLUMNS_BY_CONVENTION: Sequence[tuple[int, ...]] = ((0, 1, 2, 3, 5, 6), (0, 1, 2, 3, 5), (0, 1, 2, 3), (1, 2, 3))
+_COLUMNS: Sequence[tuple[str, ...]] = ((*_NAMED, "Eq"), _NAMED, _AMOUNT)
+_COLUMNS_BY_CONVENTION: Sequence[tuple[str, ...]] = (
+    (*_NAMED, "definition", "reference"),
+    (*_NAMED, "definition"),
+    _NAMED,
+    _AMOUNT,
+)
 _TEXTS = ("quantity", "definition", "reference")  # which may be broken into lines, the last columns first
 MAX_ACROSS = 20  # scenes that are tried as columns
 MIN_WRAPPED = 16  # characters of a column of texts on a narrow terminal
@@ -39,22 +45,22 @@ def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
     if grid and not any(result.law for result in answer.results) and _print(_grid_table(grid, answer, out, form), out):
         return
     results = [one for one in answer.results if one.value is None or one.name not in answer.question.noted]
-    rows = [_result_row(result, form) for result in results]
+    rows = [_result_cells(result, form) for result in results]
     # Dimmed is what stands beside a headline, or has no value.
     styles = ["dim" if NOMENCLATURE[result.name].note or result.value is None else "" for result in results]
     by_convention = all(NOMENCLATURE[result.name].definition for result in results)
     columns_of = _COLUMNS_BY_CONVENTION if by_convention else _COLUMNS
     if any(result.law and result.law.jkr is not None for result in results):
-        columns_of = [(*chosen, _JKR) for chosen in columns_of]
-    right = {"value", "Eq", "JKR"}
-    for chosen in columns_of:
-        heads, cells = [_HEADS[i] for i in chosen], [[row[i] for i in chosen] for row in rows]
+        columns_of = [(*heads, _JKR) for heads in columns_of]
+    right = {"value", "Eq", _JKR}
+    for heads in columns_of:
+        cells = [[row[head] for head in heads] for row in rows]
         texts = [head for head in reversed(heads) if head in _TEXTS]
         for count in range(len(texts) + 1):
             if _print(_table(heads, cells, out, right, styles, texts[:count]), out):
                 return
     for row in rows:
-        say(" ".join(cell for cell in row[1:4] if cell), out)
+        say(" ".join(row[head] for head in _AMOUNT if row[head]), out)
 
 
 def _grid_table(grid: "Grid", answer: "Answer", out: TextIO, form: Format) -> Table:
@@ -70,7 +76,8 @@ def _grid_table(grid: "Grid", answer: "Answer", out: TextIO, form: Format) -> Ta
     return _table(grid.heads, rows, out, grid.heads[1:])
 
 
-def _result_row(result: "Result", form: Format) -> list[str]:
+def _result_cells(result: "Result", form: Format) -> dict[str, str]:
+    """Return the cells of a result by the heads of their columns."""
     quantity = NOMENCLATURE[result.name]
     if result.value is None:
         value, unit = "—", ""
@@ -79,16 +86,16 @@ def _result_row(result: "Result", form: Format) -> list[str]:
     definition, reference = ("", "") if result.law else (quantity.definition, quantity.reference)
     beside = result.law.jkr if result.law else None
     jkr = "" if beside is None else amount(result.name, beside, form)
-    return [
-        quantity.sentence,
-        quantity.symbol,
-        value,
-        pretty(unit),
-        result.equation,
-        definition,
-        reference or result.source,
-        jkr,
-    ]
+    return {
+        "quantity": quantity.sentence,
+        "symbol": quantity.symbol,
+        "value": value,
+        "unit": pretty(unit),
+        "Eq": result.equation,
+        "definition": definition,
+        "reference": reference or result.source,
+        _JKR: jkr,
+    }
 
 
 _LEADERS = dict.fromkeys(PROPERTIES, "material") | {name + "2": "material2" for name in PROPERTIES}
@@ -192,7 +199,7 @@ def _inputs(
     parts = [text if name == "material" else f"{symbol_of(name)} = {text}" for name, text in texts.items()]
     lines = [start]
     for part in [*parts, *parts_of_assumed(assumed)]:
-        if lines[-1] and len(lines[-1]) + len(part) + 2 >= columns():
+        if lines[-1] and len(lines[-1]) + len(part) + 2 >= terminal_width():
             lines[-1] += ","
             lines.append("")
         lines[-1] += f", {part}" if lines[-1] else part
@@ -240,7 +247,7 @@ def _table(
 
 def _print(table: Table, out: TextIO, *, anyway: bool = False) -> bool:
     """Print a table if the terminal is wide enough for it, or anyway, and return whether it was printed."""
-    console = Console(file=out, width=columns(), highlight=False, markup=False, emoji=False)
+    console = Console(file=out, width=terminal_width(), highlight=False, markup=False, emoji=False)
     width = sum(_least_width(column, console) for column in table.columns) + GAP * (len(table.columns) - 1)
     if width > console.width and not anyway:
         return False

@@ -336,7 +336,7 @@ def bounds_of(scene: Scene, quantity: str) -> list[Bound]:
 
 def _bounds_of_limits(limits: Iterable[Limit], quantity: str, law: str) -> tuple[Bound, ...]:
     """Return the bounds of limits: the outermost doubt of each, and the line up to which a law of attraction is good."""
-    by_name = {limit.name: limit for limit in limits if not limit.verdict}
+    by_name = {limit.name: limit for limit in limits if not limit.conclusion}
     shown = [by_name[name] for name in _SHOWN if name in by_name and by_name[name].doubts]
     of_law = [limit for limit in shown if limit.by_effect and has_law(quantity)]
     return (

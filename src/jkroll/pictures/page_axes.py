@@ -45,9 +45,10 @@ def draw_map(axes: Any, drawn: Map, inches: float, aspect: float, style: Style) 
     contours = [(values, CONTOURS, 0.7, "solid")]
     if drawn.printed is not None:
         contours.append((scale(drawn.printed), PRINTED, 0.6, "dashed"))
-    for field, gid, width, dashes in contours if heights else ():
-        look = {"colors": style.ink, "linewidths": width, "linestyles": dashes}
-        axes.contour(mesh.x, mesh.y, field, levels=heights, **look).set_gid(gid)
+    if heights:
+        for field, gid, width, dashes in contours:
+            look = {"colors": style.ink, "linewidths": width, "linestyles": dashes}
+            axes.contour(mesh.x, mesh.y, field, levels=heights, **look).set_gid(gid)
     for region in drawn.regions:
         if region.look is not None:
             _draw_region(axes, region, LOOKS[region.look], style, edge)
@@ -231,15 +232,15 @@ def _typeset_core(core: str, *, is_variable: bool) -> str:
 @cache
 def _symbols() -> frozenset[str]:
     """Return the symbols of quantities that are longer than a letter."""
-    return frozenset(entry.symbol for entry in NOMENCLATURE.values() if entry.unit and len(entry.symbol) > 1)
+    return frozenset(entry.symbol for entry in NOMENCLATURE.values() if not entry.is_word and len(entry.symbol) > 1)
 
 
 @cache
 def _token() -> re.Pattern[str]:
     """Return the pattern of a token of a formula: a power of ten, a number, a known symbol, an exponent or an operator."""
-    symbols = {atom for entry in NOMENCLATURE.values() if entry.unit for atom in re.findall(_ATOM, entry.symbol)} | {
-        *_MORE_ATOMS
-    }
+    symbols = {
+        atom for entry in NOMENCLATURE.values() if not entry.is_word for atom in re.findall(_ATOM, entry.symbol)
+    } | {*_MORE_ATOMS}
     known = "|".join(re.escape(symbol) for symbol in sorted(symbols, key=len, reverse=True))
     return re.compile(
         rf"log₁₀|10[{_SUPERSCRIPTS}]+|\d+(?:\.\d+)?|{known}|[{_SUPERSCRIPTS}]+|\^\([^)]*\)|[-+−/·=<>()⟨⟩√]"

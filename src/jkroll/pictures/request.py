@@ -169,7 +169,8 @@ class Context:
         self.scene = scene.replace(**values)
         self.bounds: list[Bound] = []
         notes = []
-        for bound in () if is_plain else bounds_of(self.scene, quantity):
+        bounds = [] if is_plain else bounds_of(self.scene, quantity)
+        for bound in bounds:
             try:
                 self.scene.plan(bound.name)
                 self.bounds.append(bound)

@@ -10,7 +10,7 @@ from math import isnan
 from operator import itemgetter
 from typing import Any, NamedTuple, TextIO
 
-from ..text import columns, fitting, rows, say, wrapped
+from ..text import fitting, say, terminal_height, terminal_width, wrapped
 from .axes import Axis
 from .maps import Curve, Level, Map, Mark, Panel, Picture, Region, sampled
 from .styles import LOOKS, Colour, blended
@@ -48,7 +48,9 @@ def screen_of(out: TextIO) -> Screen:
     is_plain = bool(os.environ.get("NO_COLOR")) or os.environ.get("TERM") == "dumb" or fitting("▀", out) != "▀"
     has_colour = not is_plain and (out.isatty() or bool(os.environ.get("FORCE_COLOR")))
     is_exact = os.environ.get("COLORTERM") in ("truecolor", "24bit")
-    return Screen(max(columns(), NARROWEST), rows(), (2**24 if is_exact else 256) if has_colour else 0)
+    return Screen(
+        max(terminal_width(), NARROWEST), terminal_height(), (2**24 if is_exact else 256) if has_colour else 0
+    )
 
 
 def shade(place: float, colours: int = 2**24) -> Colour:

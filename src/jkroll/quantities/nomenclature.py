@@ -44,7 +44,7 @@ class Quantity(NamedTuple):
     """The meaning of a name, and the range of its values."""
 
     symbol: str
-    unit: str  # SI; "1" for a number, "" for a text
+    unit: str  # SI; "1" for a plain number, "" for a word
     sentence: str
     equation: str = ""  # as the paper numbers it
     range: Range = ANY  # of the values that a user may give
@@ -59,6 +59,11 @@ class Quantity(NamedTuple):
     hidden_with: Collection[str] = ()  # inputs; it is not shown where one of them was stated
     of_identical: bool = False  # shown for identical spheres only
     variant_of: str = ""  # the quantity that it is by another formula or on another way
+
+    @property
+    def is_word(self) -> bool:
+        """True for what is said by a word, such as a material; False for a number."""
+        return not self.unit
 
 
 # --- Quantities that Maugis' law alone has ----------------------------------------------------------------------------

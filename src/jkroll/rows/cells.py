@@ -40,7 +40,7 @@ class Numbers(NamedTuple):
 
 
 class Kept(dict[Any, Any]):
-    """A memory of what texts mean."""
+    """A memory of what texts mean. Unlike an lru_cache it can be pickled, as a table is sent to processes."""
 
     def __init__(self, meaning: Callable[[Any], Any]) -> None:
         """`meaning`: returns what a text means."""
@@ -60,7 +60,7 @@ class Reader:
     def __init__(self, column: Column) -> None:
         """`column`: its name and unit."""
         self.column = column
-        self._kept = Kept(self._value)
+        self._cache = Kept(self._value)
 
     def numbers(self, columns: Mapping[str, Sequence[bytes]]) -> Numbers:
         """Return the numbers of a block of cells, by the names of the columns."""
@@ -110,7 +110,7 @@ class Reader:
         uncertain: dict[int, Uncertain] = {}
         for place in others:
             try:
-                value = self._kept[cells[place]]
+                value = self._cache[cells[place]]
             except (QuantityError, UnicodeDecodeError):
                 odd.append(place)
                 continue
@@ -165,13 +165,13 @@ def plain_numbers(text: bytes, exponent: int, count: int, *, has_empty: bool) ->
 
 # --- Materials --------------------------------------------------------------------------------------------------------
 
-LABEL = Material("", {}, (), {}, (), (), "", "")  # what a name that is no material's stands for: nothing is known of it
+LABEL = Material("", {}, (), {}, (), (), "", "")  # placeholder for a name that is not a material: it has no properties
 
-Numbering = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.int64]]
+Indices = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.int64]]
 
 
 class Lookup:
-    """The materials of a column, numbered as they come: number 0 is that of an empty cell."""
+    """The materials of a column, with indices as they come: 0 is that of an empty cell."""
 
     def __init__(self, materials: Materials, otherwise: Material | None) -> None:
         """`otherwise`: the material of a row whose cell is empty."""
@@ -179,13 +179,13 @@ class Lookup:
         self.known: list[Material | None] = [otherwise]
         self._of_kinds: dict[Hashable, int] = {_kind(otherwise): 0}  # of the kinds of materials
         self._kinds = [0]
-        self._kept = Kept(self._number)
+        self._cache = Kept(self._index)
 
-    def numbers(self, cells: Sequence[bytes | str]) -> Numbering:
-        """Return the numbers of the materials that cells name."""
-        return numpy.array([*map(self._kept.__getitem__, cells)], dtype=numpy.int64)
+    def indices(self, cells: Sequence[bytes | str]) -> Indices:
+        """Return the indices of the materials that cells name."""
+        return numpy.array([*map(self._cache.__getitem__, cells)], dtype=numpy.int64)
 
-    def _number(self, cell: bytes | str) -> int:
+    def _index(self, cell: bytes | str) -> int:
         text = cell.decode(errors="replace") if isinstance(cell, bytes) else cell
         try:
             found = self.materials[text] if text.strip() else self.known[0]
@@ -196,18 +196,18 @@ class Lookup:
             self._kinds.append(self._of_kinds.setdefault(_kind(found), len(self._of_kinds)))
         return self.known.index(found)
 
-    def kinds(self, numbers: Numbering) -> Numbering:
+    def kinds(self, indices: Indices) -> Indices:
         """Return a number for each row, which is the same for materials that can be one scene's."""
-        return numpy.array(self._kinds)[numbers]
+        return numpy.array(self._kinds)[indices]
 
-    def together(self, numbers: Numbering) -> Material | None:
+    def together(self, indices: Indices) -> Material | None:
         """Return the materials of rows of one kind as one without a name whose properties are arrays; a single one as it is."""
-        first = self.known[int(numbers[0])]
-        if first is None or not first.properties or _is_special(first) or (numbers == numbers[0]).all():
+        first = self.known[int(indices[0])]
+        if first is None or not first.properties or _is_special(first) or (indices == indices[0]).all():
             return first
         properties: Any = {
             name: numpy.array([one.properties.get(name, numpy.nan) if one else numpy.nan for one in self.known])[
-                numbers
+                indices
             ]
             for name in first.properties
         }

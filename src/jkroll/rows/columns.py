@@ -36,11 +36,11 @@ BLOCK = 1 << 12  # rows computed together as arrays: many for the calls of numpy
 ROW = ""  # stands for the row as a whole, in place of the name of a column
 UNCERTAINTY = "±"  # stands for the columns of uncertainties that a table does not have
 SIDES = ("minus", "plus", "low", "high")  # of uncertainties: the two of a standard one, and the ends of a range
-_BESIDE = 15  # formulas that take as long as what else a row needs
-_JUDGED = 8  # times as long takes a row whose limits are judged: it is computed by the law that holds, too
+_BESIDE = 15  # cost of the rest of a row, in formulas
+_JUDGED = 8  # a row whose limits are judged takes 8 times as long: Maugis' law is evaluated, too
 DOUBT = "doubt"  # the column of the limits of the model that a row exceeds, as codes
 STATUS = "status"  # the column of reasons
-MOST_NAMES = 3  # of quantities in a clause of a status
+MAX_NAMES = 3  # of quantities in a clause of a status
 _NO_COLUMNS = "for which the table has no columns; --uncertainty adds them"
 
 Reasons = Mapping[str, JkrollError]  # why cells of a row are empty, by the names of their columns
@@ -56,15 +56,6 @@ class NotShown(BadCells):
 
 class LeftOut(JkrollError):
     """The remark on a row whose materials have uncertainties for which the table has no columns. It is never raised."""
-
-
-def heads(name: str, head: str, sides: Iterable[str]) -> list[str]:
-    """Return the headers of a quantity and of the sides of its uncertainty.
-
-    >>> heads("radius", "radius [nm]", ["minus", "plus"])
-    ['radius [nm]', 'radius_minus [nm]', 'radius_plus [nm]']
-    """
-    return [head, *(head.replace(name, f"{name}_{side}", 1) for side in sides)]
 
 
 class Wanted:
@@ -100,8 +91,8 @@ class Wanted:
         return (name, *self.sides_of(name).values())
 
     def heads(self, header: Callable[[str], str]) -> list[str]:
-        """Return the headers of all columns; `header` gives that of a quantity."""
-        return [head for name in self.names for head in heads(name, header(name), self.sides_of(name))]
+        """Return the headers of all columns, such as "radius_minus [nm]"; `header` gives that of a quantity."""
+        return [header(name).replace(name, key, 1) for name in self.names for key in self.keys_of(name)]
 
     def with_sides(self, sides: Collection[str]) -> "Wanted":
         """Return the same quantities with columns for some sides of their uncertainties."""
@@ -119,8 +110,8 @@ class Wanted:
         return bool(scene.missing(self.names))
 
     def work(self, scene: Any) -> int:
-        """Return how many formulas take as long as a row by itself."""
-        return (_BESIDE + len(scene.plan(*scene.planned(self.names)).steps)) * (_JUDGED if self.doubts else 1)
+        """Return the cost of a row that is computed by itself, counted in formulas."""
+        return (_BESIDE + len(scene.plan(*scene.possible(self.names)).steps)) * (_JUDGED if self.doubts else 1)
 
     def row(self, scene: Any) -> "Row":
         """Return the row of a scene of numbers. Raises a JkrollError for uncertainties that do not go together."""
@@ -162,14 +153,7 @@ class Wanted:
         found = _Arrays(self, scene, size)
         columns = found.columns
         if found.lacking:
-            of_kinds: dict[Hashable, Reasons] = {}
-            concerned = numpy.array([numpy.broadcast_to(found.shown[name], size) for name in found.lacking])
-            for row, is_shown in enumerate(concerned.T.tolist()):
-                if (own := (wording(row), *is_shown)) not in of_kinds:
-                    names = [name for name, is_one in zip(found.lacking, is_shown, strict=True) if is_one]
-                    of_kinds[own] = one(row).evaluate(names)
-                if of_kinds[own]:
-                    columns.reasons[row] = of_kinds[own]
+            found.say_lacking(one, wording)
         again = found.explain()
         if self.uncertainties and scene.is_uncertain:
             again |= found.add_sides()
@@ -252,7 +236,11 @@ class Columns:
         of_names = [self.column(name) for name in self.wanted.names]
         others = self.reasons.keys() - self.lost.keys()
         empty = [row for row in others if all(isnan(column[row]) for column in of_names)]
-        return [*self.lost, *(row for row in empty if not _has_unwritten(self.reasons[row]))]
+        return [*self.lost, *(row for row in empty if not self._has_unwritten(row))]
+
+    def _has_unwritten(self, row: int) -> bool:
+        """Return whether a row has a value that cannot be written in its unit."""
+        return any(isinstance(error, OutOfUnit) for error in self.reasons[row].values())
 
     def without_sides(self) -> int:
         """Return the number of rows that have uncertainties for which there are no columns."""
@@ -268,6 +256,11 @@ class Columns:
         if row in self.lost:
             return str(self.lost[row])
         return _worded(self.reasons[row]) if row in self.reasons else ""
+
+
+def as_list(column: Any) -> list[Any]:
+    """Return the values of a column, an array or a list, as a list."""
+    return column if isinstance(column, list) else column.tolist()
 
 
 # --- By floats --------------------------------------------------------------------------------------------------------
@@ -400,6 +393,19 @@ class _Arrays:
                     concerned |= numpy.where(rows, possible_doubts(self.scene, [name]), 0)
                 bits &= concerned
         return bits
+
+    def say_lacking(self, one: Callable[[int], Any], wording: Callable[[int], Hashable]) -> None:
+        """Say which inputs quantities lack; `one` and `wording` as `Wanted.columns` has them."""
+        import numpy
+
+        of_kinds: dict[Hashable, Reasons] = {}  # many rows lack the same inputs, in the same words
+        concerned = numpy.array([numpy.broadcast_to(self.shown[name], self.size) for name in self.lacking])
+        for row, is_shown in enumerate(concerned.T.tolist()):
+            if (own := (wording(row), *is_shown)) not in of_kinds:
+                names = [name for name, is_one in zip(self.lacking, is_shown, strict=True) if is_one]
+                of_kinds[own] = one(row).evaluate(names)
+            if of_kinds[own]:
+                self.columns.reasons[row] = of_kinds[own]
 
     def explain(self) -> Any:
         """Say why cells are empty where a frequent reason explains them, and return the other rows that have such cells."""
@@ -540,11 +546,6 @@ def repeated(value: Any, size: int) -> Any:
     return [value] * size
 
 
-def _has_unwritten(reasons: Reasons) -> bool:
-    """Return whether a row has a value that cannot be written in its unit."""
-    return any(isinstance(error, OutOfUnit) for error in reasons.values())
-
-
 # --- In words ---------------------------------------------------------------------------------------------------------
 
 
@@ -579,7 +580,7 @@ def _clauses(errors: Mapping[str, JkrollError], lead: str = "") -> list[str]:
     for name, error in errors.items():
         reason = joined if name in lacking else reason_of(name, error)
         reasons.setdefault(reason, []).append(name)
-    return [f"{first_of(names, MOST_NAMES)}: {lead}{reason}" for reason, names in reasons.items()]
+    return [f"{first_of(names, MAX_NAMES)}: {lead}{reason}" for reason, names in reasons.items()]
 
 
 def _joined(errors: Sequence[MissingInput]) -> str:

@@ -12,7 +12,7 @@ from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
 from ..quantities.nomenclature import header as header_of
 from ..quantities.units import Unit, dimension_of, exponent_of, kind_of
 from ..quantities.values import Uncertain, parse_quantity, split_number, unit_of, value_of
-from ..text import MAX_WORD, closest, first_of, quoted, shown
+from ..text import closest, first_of, quoted, shown
 from .readings import (
     INPUTS,
     MATERIALS,
@@ -30,7 +30,7 @@ from .readings import (
 _PER_CENT = re.compile(r"(.*?)((?:±|\+/?-)[^±]*%)?", re.DOTALL)  # 25±20 % of the value
 _EASY = re.compile(r"[\w*.-]+( \[[^\[\] ]*\])?")  # a header that needs no quotes in a sentence
 _PARTS = "values have a column of ± beside them, or two, of minus and plus; a range has low and high alone"
-_MOST_SAID = 8  # columns that pass through and are named
+_MAX_SAID = 8  # columns that pass through and are named
 _NEEDED = ("radius", *PROPERTIES)  # of a contact; the other inputs have defaults, or serve few quantities
 _NO_END = "?"  # of a range
 _NOTHING = ("nan", "na", "n/a", "null", "none", "-", "--")  # cells without a value, as programs write them
@@ -151,8 +151,8 @@ class Header(NamedTuple):
         if not others:
             return sentence
         passing = [_easy(text) for text in dict.fromkeys((*self.alike, *others))]
-        count = f"{len(others)} columns: " if len(others) > _MOST_SAID else ""
-        return f"{sentence}; passed through: {count}{first_of(passing, _MOST_SAID)}"
+        count = f"{len(others)} columns: " if len(others) > _MAX_SAID else ""
+        return f"{sentence}; passed through: {count}{first_of(passing, _MAX_SAID)}"
 
     def advice(self, given: Collection[str]) -> str:
         """Return the note on columns that may be inputs which nothing else gives; an empty text if there are none."""
@@ -229,33 +229,18 @@ def understood(
     seen: dict[str, str] = {}
     at_left = ""  # the input of the column before
     for place, text in enumerate(texts):
-        cells = [row[place] for row in rows]
-        reading = _reading(text, meanings)
-        if at_left and not reading.name and unit_alone(text) is not None and text.strip() not in meanings:
-            reading = Reading(at_left, part="both")
+        reading, may_be = _meaning(text, [row[place] for row in rows], at_left, of_directions, meanings)
         name = reading.name
-        if reading.is_symbol and not reading.part and not _have_units(name, cells):
-            alike.append(text)
-            if name.removesuffix("2") in _NEEDED and _is_number(_first(cells)):
-                unread[text] = with_unit(name, cells)
-            name = ""
-        elif of_directions and name.removesuffix("2") == "youngs_modulus" and text.strip() not in meanings:
-            problem = f"the modulus along a direction, as {quoted(of_directions)} beside it says?"
-            raise _no_input(text, Reading(problem=problem), cells)
-        elif name in MATERIALS:
-            if reading.unit_text is not None:
-                raise BadTable(f"header: {quoted(text)}: a material has no unit; write {name}")
+        if name in MATERIALS:
             materials.append((name, place))
         elif reading.part:
             parts.setdefault(name, {})[reading.part] = place
         elif name:
             inputs.append(_column(place, name, reading.unit_text, text))
-        elif reading.meant or reading.problem:
-            raise _no_input(text, reading, cells)
         elif reading.is_alike:
             alike.append(text)
-            if unit_text := may_be_radius(text):
-                unread[text] = f"radius [{unit_text}]"
+        if may_be:
+            unread[text] = may_be
         at_left = "" if name in MATERIALS else name
         _check_new(text, f"{name} {reading.part}" if name else text, seen)
     others = [*alike, *_add_parts(parts, texts, inputs, meanings)]
@@ -265,6 +250,32 @@ def understood(
 def _reading(text: str, meanings: Mapping[str, Reading]) -> Reading:
     """Return the meaning of a header: that of `--column`, else its own."""
     return meanings.get(text.strip()) or reading_of(text)
+
+
+def _meaning(
+    text: str, cells: Sequence[str], at_left: str, of_directions: str, meanings: Mapping[str, Reading]
+) -> tuple[Reading, str]:
+    """Return the meaning of a column, and what input it may be if it passes through. Raises BadTable.
+
+    `cells`: of the first rows; `at_left`: the input of the column before, to which a unit alone belongs as its
+    uncertainty; `of_directions`: a header of the table that says that moduli are those along directions.
+    """
+    reading = _reading(text, meanings)
+    if at_left and not reading.name and unit_alone(text) is not None and text.strip() not in meanings:
+        reading = Reading(at_left, part="both")
+    name = reading.name
+    if reading.is_symbol and not reading.part and not _have_units(name, cells):
+        is_needed = name.removesuffix("2") in _NEEDED and _is_number(_first(cells))
+        return Reading(is_alike=True), with_unit(name, cells) if is_needed else ""
+    if of_directions and name.removesuffix("2") == "youngs_modulus" and text.strip() not in meanings:
+        problem = f"the modulus along a direction, as {quoted(of_directions)} beside it says?"
+        raise _no_input(text, Reading(problem=problem), cells)
+    if name in MATERIALS and reading.unit_text is not None:
+        raise BadTable(f"header: {quoted(text)}: a material has no unit; write {name}")
+    if not name and (reading.meant or reading.problem):
+        raise _no_input(text, reading, cells)
+    unit_text = may_be_radius(text) if not name and reading.is_alike else ""
+    return reading, f"radius [{unit_text}]" if unit_text else ""
 
 
 def _check_meanings(texts: Sequence[str], meanings: Mapping[str, Reading]) -> None:
@@ -283,11 +294,11 @@ def _no_input(text: str, reading: Reading, cells: Sequence[str]) -> BadTable:
     is_wrong = f"; did you mean {meant}?" if meant else f": {reading.problem}"
     is_none = reading.problem in NO_INPUTS
     remedy = (
-        f"Write --column {_column_option(text, '')} to pass it through"
+        f"--column {_column_option(text, '')} to pass it through"
         if is_none
-        else _remedy({text: meant or "INPUT [UNIT]"})
+        else _remedies({text: meant or "INPUT [UNIT]"})
     )
-    return BadTable(f"header: {quoted(text)} is not an input{is_wrong} {remedy}")
+    return BadTable(f"header: {quoted(text)} is not an input{is_wrong} Write {remedy}")
 
 
 def _check_new(text: str, key: str, seen: dict[str, str]) -> None:
@@ -364,10 +375,10 @@ def _meant(text: str, cells: Sequence[str] = ()) -> str:
     return with_unit(text, cells) if text in INPUTS else text
 
 
-def _remedy(meant: Mapping[str, str]) -> str:
-    """Return the sentence that says how to read columns as what they may mean, and, if it is one, how to pass it through."""
+def _remedies(meant: Mapping[str, str]) -> str:
+    """Return what to write to read columns as what they may mean, and, if it is one, to pass it through."""
     passing = [f", or {_column_option(text, '')} to pass it through" for text in meant]
-    return f"Write {_columns(meant)}{passing[0] if len(passing) == 1 else ''}"
+    return f"{_columns(meant)}{passing[0] if len(passing) == 1 else ''}"
 
 
 def _columns(meant: Mapping[str, str]) -> str:
@@ -437,15 +448,15 @@ def check_first(column: Column, texts: Sequence[str], rows: Sequence[Sequence[st
         value_of(first, column.name)
         return
     except BareNumber:
-        guess = f"{shown(first, MAX_WORD).strip()}: {_likely_unit(column.name, cells)}?"
-        lacks = f"has no unit, and neither has its first cell {quoted(first)}; {guess}"
+        guess = f"If it is in {_likely_unit(column.name, cells)}, write"
+        lacks = f"has no unit, and neither has its first cell {quoted(first)}. {guess}"
     except QuantityError:
         if not fits(first.strip(), column.name):
             return  # a bad row, not a bad header
-        lacks = f"has its unit {quoted(first)} in the first row."
+        lacks = f"has its unit {quoted(first)} in the first row. Write"
     parts = {column.place: ""} | {side.place: f"_{side.part}" for side in column.sides}
     meant = {texts[place]: with_unit(column.name, cells, part) for place, part in parts.items()}
-    raise BadTable(f"header: {quoted(texts[column.place])} {lacks} {_remedy(meant)}")
+    raise BadTable(f"header: {quoted(texts[column.place])} {lacks} {_remedies(meant)}")
 
 
 def check_measured(header: Header, quantity: str) -> None:

@@ -12,7 +12,7 @@ from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import named
 from ..quantities.values import is_uncertain
 from ..scene.failures import GivenTwice
-from ..scene.inverse import Observed, input_named, observed
+from ..scene.inverse import Observed, input_named
 from ..scene.scene import broadcast, check_range
 from ..scene.solver import in_si, materials_of, refuse_arrays, with_uncertainty
 from ..scene.unknowns import solved
@@ -118,7 +118,7 @@ def infer(
     inputs = {**described, **known}
 
     def row(own: Mapping[str, Any]) -> Observed:
-        return observed([*known], {**inputs, **own}, *spheres, model=model)
+        return Observed.of([*known], {**inputs, **own}, *spheres, model=model)
 
     has_error_bars = any(map(is_uncertain, inputs.values()))
     arrays = {each: value for each, value in inputs.items() if not (isinstance(value, float) or is_uncertain(value))}

@@ -83,7 +83,7 @@ class Sought(Wanted):
         return bool(with_placeholders(scene.scene, self.names).missing(self.quantities))
 
     def work(self, scene: Observed) -> int:  # noqa: ARG002
-        """Return how many formulas take as long as a row by itself: none, as arrays cannot do it."""
+        """Return the cost of a row that is computed by itself: none, as arrays cannot compute it."""
         return 0
 
     def row(self, scene: Observed) -> Row:
@@ -145,7 +145,7 @@ class SoughtOne(Sought):
         return self.quantities[0]
 
     def work(self, scene: Observed) -> int:
-        """Return how many formulas take as long as a row by itself."""
+        """Return the cost of a row that is computed by itself, counted in formulas."""
         filled = with_inputs(scene.scene, {self.name: 1.0})
         steps = len(filled.plan(self.quantity).steps) if not filled.missing([self.quantity]) else 1
         return computed(self.name) * steps

@@ -14,8 +14,8 @@ import numpy
 from ..errors import JkrollError
 from ..quantities.values import Measured
 from ..scene.scene import FOLLOWS, outside
-from .cells import Numbering, Numbers
-from .columns import Columns, Wanted, lose, put_one
+from .cells import Indices, Numbers
+from .columns import Columns, Wanted, as_list, lose, put_one
 
 BAD = -1  # the kind of a row, or of a cell, of which arrays make no scene
 _EMPTY, _PLAIN, _SPECIAL, _MEASURED, _INTERVAL = range(5)  # kinds of cells
@@ -30,8 +30,8 @@ class Block(NamedTuple):
 
     size: int
     numbers: Mapping[str, Numbers]  # by the name of the input
-    kinds: Sequence[Numbering]  # rows with other whole numbers have other scenes; BAD stands for none
-    scene: Callable[[Mapping[str, Any], Numbering], Any]  # of the inputs of rows that are alike, given their places
+    kinds: Sequence[Indices]  # rows with other whole numbers have other scenes; BAD stands for none
+    scene: Callable[[Mapping[str, Any], Indices], Any]  # of the inputs of rows that are alike, given their places
     one: Callable[[int], Any]  # of a row by itself; raises the error of what is wrong with it
     wording: Callable[[int], Hashable]  # the same for rows that lack inputs in the same words
     odd: Mapping[int, str] = MappingProxyType({})  # records that are no rows, and why
@@ -61,7 +61,7 @@ def evaluated(wanted: Wanted, block: Block) -> Columns:
     return found
 
 
-def _columns(wanted: Wanted, block: Block, rows: Numbering, given: Mapping[str, Any]) -> Columns:
+def _columns(wanted: Wanted, block: Block, rows: Indices, given: Mapping[str, Any]) -> Columns:
     """Return the columns of rows that are alike."""
     places = rows.tolist()
     return wanted.columns(
@@ -78,19 +78,18 @@ def _empty(wanted: Wanted, size: int) -> Columns:
     return Columns(wanted, inputs, numbers, numpy.zeros(size, dtype=numpy.int64), {})
 
 
-def _put(columns: Columns, rows: Numbering, part: Columns) -> None:
+def _put(columns: Columns, rows: Indices, part: Columns) -> None:
     """Take the columns of some rows."""
     columns.numbers[:, rows] = part.numbers
     columns.doubts[rows] = part.doubts
     places = rows.tolist()
     for name, column in columns.inputs.items():
-        own = part.inputs[name]
-        for place, value in zip(places, own if isinstance(own, list) else own.tolist(), strict=True):
+        for place, value in zip(places, as_list(part.inputs[name]), strict=True):
             column[place] = value
     columns.reasons.update((places[row], reasons) for row, reasons in part.reasons.items())
 
 
-def groups(block: Block) -> Iterator[tuple[Numbering, dict[str, Any]]]:
+def groups(block: Block) -> Iterator[tuple[Indices, dict[str, Any]]]:
     """Iterate over rows that are alike, with their inputs. Rows that are BAD are in none."""
     kinds = {name: _kinds(name, column) for name, column in block.numbers.items()}
     of_rows = numpy.full(block.size, _PLAIN)
@@ -104,7 +103,7 @@ def groups(block: Block) -> Iterator[tuple[Numbering, dict[str, Any]]]:
         )
 
 
-def _kinds(name: str, column: Numbers) -> Numbering:
+def _kinds(name: str, column: Numbers) -> Indices:
     """Return the kind of each cell of a column."""
     kinds = numpy.where(outside(name, column.values), BAD, _PLAIN)
     kinds[numpy.isnan(column.values)] = _EMPTY
@@ -117,7 +116,7 @@ def _kinds(name: str, column: Numbers) -> Numbering:
     return kinds
 
 
-def _alike(rows: Numbering, columns: list[Numbering]) -> Iterator[Numbering]:
+def _alike(rows: Indices, columns: list[Indices]) -> Iterator[Indices]:
     """Iterate over the rows that have the same number in each column."""
     keys = numpy.zeros(len(rows), dtype=numpy.int64)
     for column in columns:
@@ -128,7 +127,7 @@ def _alike(rows: Numbering, columns: list[Numbering]) -> Iterator[Numbering]:
         yield rows[keys == key]
 
 
-def _values(column: Numbers, rows: Numbering, kind: int) -> Any:
+def _values(column: Numbers, rows: Indices, kind: int) -> Any:
     """Return the values of cells of one kind: a number where it is special, else an array, with uncertainties if they have some."""
     found = column.values if len(rows) == len(column.values) else column.values[rows]
     if kind == _SPECIAL:

@@ -20,7 +20,7 @@ from ..scene.wiring import in_order
 from .columns import BLOCK, Columns, Wanted
 
 if TYPE_CHECKING:
-    from .cells import Numbering, Numbers
+    from .cells import Indices, Numbers
     from .rows import Block
 
 WORTH_ARRAYS = 80_000  # formulas, of all rows together, whose evaluation takes as long as to import numpy and orjson
@@ -127,7 +127,7 @@ class Sweep:
         for start in range(0, size, BLOCK):
             yield evaluated(wanted, self._block(numpy.arange(start, min(start + BLOCK, size))))
 
-    def _block(self, rows: "Numbering") -> "Block":
+    def _block(self, rows: "Indices") -> "Block":
         """Return some rows as a block."""
         import numpy
 
@@ -140,7 +140,7 @@ class Sweep:
         case = of_cases.item  # of a row
         fixed = {name: self.value(name, 0) for name, starts in self.starts.items() if starts[-1] == 1}
 
-        def scene(given: Mapping[str, Any], rows: "Numbering") -> Any:
+        def scene(given: Mapping[str, Any], rows: "Indices") -> Any:
             pair, model = cases[case(int(rows[0]))]
             return self.scene({**fixed, **given}, *pair, model=model)
 
@@ -182,7 +182,7 @@ def _sides(scene: Scene, names: Sequence[str]) -> dict[str, set[str]]:
     """Return by quantity the sides of the uncertainty that it can have."""
     from ..scene.uncertainty import sources_of
 
-    inputs = {name: {*scene.inputs_of(name)} for name in scene.planned(names)}
+    inputs = {name: {*scene.inputs_of(name)} for name in scene.possible(names)}
     entering = sources_of(scene, set().union(*inputs.values())).entering
     sides = {
         name: {side for one in entering if own & {*one.names} for side in one.given.sides}
@@ -191,7 +191,7 @@ def _sides(scene: Scene, names: Sequence[str]) -> dict[str, set[str]]:
     return {name: own for name, own in sides.items() if own}
 
 
-def _values(value: Callable[[int], Any], places: "Numbering") -> "Numbers":
+def _values(value: Callable[[int], Any], places: "Indices") -> "Numbers":
     """Return the values at some places of an input's lists and ranges; `value` returns one."""
     import numpy
 

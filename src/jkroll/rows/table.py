@@ -16,17 +16,17 @@ from ..materials.library import Material, Materials, MaterialsFileError, Unclear
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, header
 from ..quantities.values import Uncertain, is_uncertain, value_of
 from ..scene.failures import MissingInput
-from ..scene.inverse import check_one, observed
+from ..scene.inverse import Observed, check_one
 from ..scene.scene import EXCLUSIVE, Scene
 from ..text import first_of, quoted, say, say_wrapped
-from .cells import LABEL, Lookup, Numbering, Reader
+from .cells import LABEL, Indices, Lookup, Reader
 from .columns import DOUBT, SIDES, STATUS, BadCells, Wanted, remarks_of
 from .header import BadTable, Column, Header, check_first, check_inputs
 from .inferred import SoughtOne
 from .readings import MATERIALS, may_be_diameter
 from .rows import Block, groups
 
-_MOST_LABELS = 3  # that are named
+_MAX_LABELS = 3  # that are named
 _RENAMED = {STATUS: "", "model": "", DOUBT: ", or write --no-doubt"}  # besides another name
 _SOME = 0.25  # a value that most inputs can have
 Asked = tuple[Sequence[str], Sequence[str]]  # quantities by name, and those that may lack inputs
@@ -62,11 +62,11 @@ class Fill(NamedTuple):
             return Scene(given, *spheres, model=self.model)
         if self.inverse.quantity not in given:
             raise BadCells(f"{self.inverse.quantity}: the row has no measured value")
-        return observed([self.inverse.quantity], given, *spheres, model=self.model)
+        return Observed.of([self.inverse.quantity], given, *spheres, model=self.model)
 
 
 class Table:
-    """The columns of a table that are inputs, and those that it gets."""
+    """The input columns of a table, and the columns that are added to it."""
 
     def __init__(self, columns: Header, fill: Fill, wanted: Wanted) -> None:
         self.inputs, self.materials_at, self.fill, self.wanted = columns.inputs, columns.materials, fill, wanted
@@ -74,7 +74,7 @@ class Table:
         self.places = dict(self.materials_at)  # of the columns that are read
         for column in self.inputs:
             self.places |= column.places
-        self.numbers = wanted.heads(header)
+        self.heads = wanted.heads(header)
         self.said = {"model": fill.model} if fill.model is not None else {}  # columns of text, the same in all rows
         self.remarks = remarks_of(wanted, doubt=True)
         self.readers = [Reader(column) for column in self.inputs]
@@ -84,13 +84,13 @@ class Table:
 
     @property
     def added(self) -> list[str]:
-        """The headers of all columns that the table gets."""
-        return [*self.said, *self.numbers, *self.remarks]
+        """The headers of all columns that are added."""
+        return [*self.said, *self.heads, *self.remarks]
 
     def block(self, size: int, cells: Mapping[str, Sequence[bytes]], odd: Mapping[int, str]) -> Block:
         """Return rows of texts, by the names of the columns. `odd`: records that are no rows, and why."""
         numbers = {reader.column.name: reader.numbers(cells) for reader in self.readers}
-        materials = {name: self.lookups[name].numbers(cells[name]) for name, _ in self.materials_at}
+        materials = {name: self.lookups[name].indices(cells[name]) for name, _ in self.materials_at}
         return self.block_of(
             size, numbers, materials, odd, lambda row, name: cells[name][row].decode("utf-8", "replace")
         )
@@ -99,15 +99,15 @@ class Table:
         self,
         size: int,
         numbers: Mapping[str, Any],
-        materials: Mapping[str, Numbering],
+        materials: Mapping[str, Indices],
         odd: Mapping[int, str],
         text: Callable[[int, str], str],
     ) -> Block:
-        """Return rows of numbers and of materials by their numbers; `text` is that of a row's cell in a column."""
+        """Return rows of numbers and of materials by their indices; `text` is that of a row's cell in a column."""
         own = [materials.get(name, numpy.zeros(size, dtype=numpy.int64)) for name in self.lookups]
         lookups = [*self.lookups.values()]
 
-        def scene(given: Mapping[str, Any], rows: Numbering) -> Any:
+        def scene(given: Mapping[str, Any], rows: Indices) -> Any:
             spheres = [lookup.together(of_sphere[rows]) for lookup, of_sphere in zip(lookups, own, strict=True)]
             found = self.fill.scene(given, *spheres)
             if LABEL in spheres and self.wanted.lacks(found):
@@ -167,8 +167,8 @@ def table_of(
     taken = set(table.added)
     for text in columns.texts:
         if text.strip() in taken:
-            remedy = _RENAMED.get(text.strip(), ", or choose --quantities")
-            raise BadTable(f"header: there is a column {quoted(text)} already; rename it{remedy}")
+            remedy = _RENAMED.get(text.strip(), ", or leave it out of the results with --quantities")
+            raise BadTable(f"header: the table already has a column {quoted(text)}; rename it{remedy}")
     for column in columns.inputs:
         check_first(column, columns.texts, rows)
     return table
@@ -190,7 +190,7 @@ def say_gaps(columns: Header, rows: Sequence[Sequence[str]], fill: Fill, quantit
             if len(unknown) == 1
             else "are not known; rows that need them fail"
         )
-        say_wrapped(f"note: material: {first_of(unknown, _MOST_LABELS)} {fails}", sys.stderr)
+        say_wrapped(f"note: material: {first_of(unknown, _MAX_LABELS)} {fails}", sys.stderr)
     for message in filter(None, labels.values()):
         say_wrapped(f"note: {message}", sys.stderr)
     if "radius" not in columns.names and "radius" not in fill.fixed and not quantities:
@@ -217,15 +217,7 @@ def _labels(columns: Header, rows: Sequence[Sequence[str]], known: Materials) ->
 def wanted_of(columns: Header, rows: Sequence[Sequence[str]], fill: Fill, asked: Asked, *, doubts: bool) -> Wanted:
     """Return the quantities that columns and options allow, without uncertainties; `rows`: the cells of the first rows."""
     unknown = _labels(columns, rows, fill.known)
-    cells = {name: {row[place] for row in rows if row[place].strip()} for name, place in columns.materials}
-    labels = [name for name, own in cells.items() if own and own <= unknown.keys()]
-    infinite = [column.name for column in columns.inputs if _is_infinite(column, rows)]
-    scene = _as_known(columns, fill, labels, infinite)
-    if labels and scene.missing(
-        ["work_of_adhesion"]
-    ):  # they were meant as materials: their rows will say that they are unknown
-        labels = []
-        scene = _as_known(columns, fill, labels, infinite)
+    scene, has_labels = _typical(columns, rows, fill, unknown)
     if fill.inverse is not None:
         check_one(*fill.inverse, scene.scene)
         return SoughtOne([fill.inverse.name], [fill.inverse.quantity], sides=(), doubts=doubts)
@@ -237,7 +229,7 @@ def wanted_of(columns: Header, rows: Sequence[Sequence[str]], fill: Fill, asked:
         try:
             scene.plan(name)
         except MissingInput as error:
-            if not labels:
+            if not has_labels:
                 raise
             texts = [message or f"material: {quoted(text)} is not known" for text, message in unknown.items()]
             raise BadTable("; ".join([*texts[:1], str(error)])) from None
@@ -255,6 +247,23 @@ def wanted_of(columns: Header, rows: Sequence[Sequence[str]], fill: Fill, asked:
         scene.plan(offered[0])
         raise BadRequest("--quantities: these are known of identical spheres only, and the table describes sphere 2")
     return Wanted(names, named=explicit, sides={}, doubts=doubts)
+
+
+def _typical(
+    columns: Header, rows: Sequence[Sequence[str]], fill: Fill, unknown: Mapping[str, str]
+) -> tuple[Any, bool]:
+    """Return a scene that has what the columns and options give, and whether it leaves out materials.
+
+    It leaves out those of columns that have no known name in the first rows, unless they were meant as materials:
+    without them, there is no work of adhesion. `unknown`: names that are no material's.
+    """
+    cells = {name: {row[place] for row in rows if row[place].strip()} for name, place in columns.materials}
+    labels = [name for name, own in cells.items() if own and own <= unknown.keys()]
+    infinite = [column.name for column in columns.inputs if _is_infinite(column, rows)]
+    scene = _as_known(columns, fill, labels, infinite)
+    if labels and scene.missing(["work_of_adhesion"]):  # their rows will say that they are unknown
+        return _as_known(columns, fill, [], infinite), False
+    return scene, bool(labels)
 
 
 def _is_infinite(column: Column, rows: Sequence[Sequence[str]]) -> bool:

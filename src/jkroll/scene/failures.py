@@ -182,7 +182,7 @@ class TwoRigidBodies(NoResult):
 
     def reason(self) -> str:
         """Return what a contact area needs."""
-        return "both bodies are rigid; a contact area needs one that yields"
+        return "both bodies are rigid; a contact area needs one that deforms"
 
 
 class RestsOnSpacing(NoResult):

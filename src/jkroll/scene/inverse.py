@@ -28,6 +28,14 @@ class Observed(NamedTuple):
     scene: Scene
     measured: Mapping[str, Any]
 
+    @classmethod
+    def of(
+        cls, quantities: Sequence[str], given: Mapping[str, Any], *spheres: Material | None, model: str | None
+    ) -> "Observed":
+        """Return what was observed, given the inputs and, among them, the measured values of quantities."""
+        others = {name: value for name, value in given.items() if name not in quantities}
+        return cls(Scene(others, *spheres, model=model), {name: given[name] for name in quantities})
+
     @property
     def values(self) -> dict[str, Any]:
         """The measured values without their uncertainties."""
@@ -62,14 +70,6 @@ class Observed(NamedTuple):
     def _filled(self, names: Sequence[str], values: Mapping[str, Any] | None) -> Scene:
         """Return the scene with all inputs."""
         return with_placeholders(self.scene, names) if values is None else with_inputs(self.scene, values)
-
-
-def observed(
-    quantities: Sequence[str], given: Mapping[str, Any], *spheres: Material | None, model: str | None
-) -> Observed:
-    """Return a row of inputs among which are the measured values of quantities."""
-    others = {name: value for name, value in given.items() if name not in quantities}
-    return Observed(Scene(others, *spheres, model=model), {name: given[name] for name in quantities})
 
 
 # --- Functions of one variable ----------------------------------------------------------------------------------------

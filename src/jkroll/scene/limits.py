@@ -39,7 +39,7 @@ class Limit(NamedTuple):
     fine: str
     stated: frozenset[str] = frozenset()  # inputs; unless one of them was stated, the limit is not judged
     laws: tuple[str, ...] = ()  # of attraction, under which alone the limit is judged
-    verdict: str = ""  # the name of what follows, if it is not that of the number
+    conclusion: str = ""  # the name of what follows, if it is not that of the number
     by_effect: bool = False  # judged by the factor between answers under the law in use and under the one that holds
     is_error: bool = False  # the number is a relative error
 
@@ -61,10 +61,10 @@ class Limit(NamedTuple):
         """Return what follows from a value, in words; `factor`: between answers under the two laws."""
         level = self.level(factor if self.by_effect else value)
         if not level:
-            return Verdict(self.name, value, True, self.fine, "", self.verdict)
+            return Verdict(self.name, value, True, self.fine, "", self.conclusion)
         doubt = self.doubts[level - 1]
         text = f"{doubt.condition}: {doubt.consequence}"
-        return Verdict(self.name, value, False, text, self.code(doubt), self.verdict, size=self._size(value, factor))
+        return Verdict(self.name, value, False, text, self.code(doubt), self.conclusion, size=self._size(value, factor))
 
     def _size(self, value: float, factor: float) -> float:
         """Return how far a doubt reaches, as the logarithm of a factor: between the laws, or of a number over its first threshold."""
@@ -82,7 +82,7 @@ class Verdict(NamedTuple):
     holds: bool
     text: str
     code: str  # of the doubt; empty where the limit holds
-    verdict: str = ""  # the name of what follows, if it is not that of the number
+    conclusion: str = ""  # the name of what follows, if it is not that of the number
     sentence: str = ""  # that says all of it, in place of the number and the text
     size: float = 0.0  # of a doubt: the logarithm of a factor
 
@@ -191,7 +191,7 @@ LIMITS = (
             ),
         ),
         "contacts jump together and apart",
-        verdict="has_jump",
+        conclusion="has_jump",
     ),
     Limit(
         "contact_radius_in_spacings", _ELASTICITY, "<",
@@ -243,7 +243,7 @@ def doubts(scene: Scene, names: Collection[str]) -> Any:
     for limit, first, value in _touching(scene, names):
         if not isinstance(value, JkrollError):
             level = limit.level(_effect_where(value, scene, names) if limit.by_effect else value)
-            found = found | (1 << level >> 1) << first
+            found = found | (1 << level >> 1) << first  # no bit at level 0, else that of the last doubt that is met
         elif isinstance(value, MissingInput):
             found = found | NOT_JUDGED
     return found
@@ -297,7 +297,7 @@ def _touched(scene: Scene, names: Collection[str]) -> list[tuple[Limit, int]]:
     used = scene.plan(*names).taken.union(names)
     return [
         (limit, first)
-        for limit, first in zip(LIMITS, _FIRST, strict=False)
+        for limit, first in zip(LIMITS, _FIRST[:-1], strict=True)
         if limit.touches & used
         and (not limit.laws or scene.law.name in limit.laws)
         and (not limit.stated or limit.stated & scene.stated.keys())

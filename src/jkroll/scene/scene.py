@@ -148,10 +148,10 @@ _MAY_CONTRADICT = frozenset(name for names in EXCLUSIVE for name in names)
 
 _OF_SOLID_2 = frozenset(name + "2" for name in PROPERTIES)
 
-# What decides on whether a body yields, so that a contact has an area.
+# The inputs that decide whether a body deforms, so that a contact has an area.
 OF_AREA = ("youngs_modulus", "youngs_modulus2", "contact_modulus")
 
-# What rests on a contact area, and has none where both bodies are rigid; everything else of JKR follows from these.
+# Quantities that need a contact area: they have no value where both bodies are rigid. All others of JKR follow from them.
 _ON_AREA = frozenset({"contact_modulus", "pull_off_force", "load_factor", "rolling_frequency_as_printed"})
 
 
@@ -186,9 +186,8 @@ class Scene:
         """
         self.law = law_named(DEFAULT_LAW if model is None else model)
         self.stated_model = None if model is None else self.law.name
-        for names in () if _MAY_CONTRADICT.isdisjoint(given) else EXCLUSIVE:
-            if len(both := [name for name in names if name in given]) > 1:
-                raise Contradiction(both)
+        if not _MAY_CONTRADICT.isdisjoint(given):
+            _check_exclusive(given)
         if material2 is not None:
             material2 = _without_displacement(material2)  # that of another scene's contact
         self.material, self.material2 = material, material2
@@ -294,7 +293,7 @@ class Scene:
     def _plan_for(self, wanted: Sequence[str]) -> Plan:
         return plan_for(tuple(wanted), self.known, self.material2 is not None, self.law.name)
 
-    def _planned(self, wanted: Sequence[str]) -> Plan:
+    def _grown_plan(self, wanted: Sequence[str]) -> Plan:
         """Return the plan of this scene, which grows by these quantities if it does not have them."""
         if not self._plan.knows(wanted):
             names = (*self._plan.found, *self._plan.missing, *wanted)
@@ -330,7 +329,7 @@ class Scene:
             used |= {"radius", "radius2"}  # by which a material's is scaled
         return in_order(used & (self.given.keys() | DEFAULTS.keys()))
 
-    def planned(self, names: Iterable[str]) -> list[str]:
+    def possible(self, names: Iterable[str]) -> list[str]:
         """Return those of some quantities to which the scene's inputs lead."""
         names = [*names]
         missing = self.missing(names)
@@ -338,8 +337,8 @@ class Scene:
 
     def inputs_used(self, names: Sequence[str], shown: Sequence[str]) -> Collection[str]:
         """Return the inputs on which quantities depend, as far as the scene allows them; `shown`: those that concern it."""
-        if planned := self.planned(shown):
-            return self.inputs_of(*planned)
+        if possible := self.possible(shown):
+            return self.inputs_of(*possible)
         return depends_on(names) & self.given.keys()
 
     def echo(self, used: Collection[str]) -> dict[str, Any]:
@@ -390,7 +389,7 @@ class Scene:
         One plan leads to all of them, and serves every later question about some of them. An element of an array that
         has no answer is nan.
         """
-        found = self._planned(names)
+        found = self._grown_plan(names)
         if self._has_arrays:
             import numpy
 
@@ -485,6 +484,13 @@ class Scene:
         return self["transition_parameter"] < 1
 
 
+def _check_exclusive(given: Collection[str]) -> None:
+    """Raise Contradiction for inputs of which one follows from the other."""
+    for names in EXCLUSIVE:
+        if len(both := [name for name in names if name in given]) > 1:
+            raise Contradiction(both)
+
+
 def broadcast(arrays: Mapping[str, Any]) -> tuple[int, ...]:
     """Return the shape of the arrays together; raise ShapeMismatch if they do not broadcast."""
     if not arrays:
@@ -531,13 +537,13 @@ def _without_displacement(material: Material) -> Material:
 
 
 def _has_area(given: Mapping[str, Any], *, own_material2: bool) -> Any:
-    """Return whether a body yields, so that a contact has an area, element by element for arrays."""
+    """Return whether a body deforms, so that a contact has an area, element by element for arrays."""
     if "contact_modulus" in given:
         return True
     modulus = given.get("youngs_modulus")
     modulus2 = given.get("youngs_modulus2", None if own_material2 else modulus)
-    yields = (modulus != INFINITY) | (modulus2 != INFINITY)
-    return yields if hasattr(yields, "shape") else bool(yields)
+    deforms = (modulus != INFINITY) | (modulus2 != INFINITY)
+    return deforms if hasattr(deforms, "shape") else bool(deforms)
 
 
 def _implied(values: Mapping[str, Any], law: Law) -> dict[str, Mapping[str, float]]:
@@ -546,7 +552,7 @@ def _implied(values: Mapping[str, Any], law: Law) -> dict[str, Mapping[str, floa
     if "radius2" not in values:
         implied["radius2"] = {"radius_ratio": 1.0}
     if "poisson_ratio2" not in values:
-        implied.pop("youngs_modulus", None)  # sphere 2, which yields, would take the ratio over
+        implied.pop("youngs_modulus", None)  # sphere 2, which deforms, would take the ratio over
     if not law.has("load_margin"):
         implied.pop("load", None)
     return implied

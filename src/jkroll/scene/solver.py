@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from .uncertainty import Propagated
 
 Slices = tuple[slice, ...]  # of a block in an array
-ELEMENTS_AT_ONCE = 1 << 14  # few enough that what lies between two formulas stays in the cache
+ELEMENTS_AT_ONCE = 1 << 14  # few enough that intermediate results stay in the processor's cache
 
 
 @overload
@@ -158,7 +158,7 @@ def values_of(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
     """Return the values of quantities, for large arrays a block of elements at a time; raise the error of the first that has none."""
     if math.prod(scene.shape) <= ELEMENTS_AT_ONCE or scene.has_rigid_elements:  # of which a block may have none
         return _answers(scene, names)
-    return _in_blocks(names, scene)
+    return _in_blocks(scene, names)
 
 
 def _answers(scene: Scene, names: Sequence[str]) -> dict[str, Any]:
@@ -192,8 +192,8 @@ def with_uncertainty(name: str, value: float, found: "Propagated | JkrollError |
     return value if found is None else found.uncertainty
 
 
-def _in_blocks(names: Sequence[str], whole: Scene) -> dict[str, Any]:
-    """Return the results for large arrays, a block of elements at a time: what lies between results stays in the cache."""
+def _in_blocks(whole: Scene, names: Sequence[str]) -> dict[str, Any]:
+    """Return the results for large arrays by blocks of elements: intermediate results stay in the processor's cache."""
     import numpy
 
     results: dict[str, Any] = {}

@@ -140,7 +140,7 @@ def _of_materials(scene: Scene) -> Iterable[Source]:
 
 def sources_of_results(scene: Scene, names: Sequence[str]) -> Sources:
     """Return the sources that enter quantities of a scene, as far as it allows them."""
-    return sources_of(scene, scene.inputs_of(*scene.planned(names)))
+    return sources_of(scene, scene.inputs_of(*scene.possible(names)))
 
 
 def uncertainties(scene: Scene, names: Sequence[str]) -> tuple[Found, Sources]:
@@ -206,7 +206,7 @@ class _Bar(NamedTuple):
     """An error bar of a number, or of each element of an array."""
 
     sides: Mapping[str, Any]
-    is_felt: Any  # whether a source has an influence
+    has_influence: Any  # of a source
     parts: Iterable[float] = ()  # of each source, from which its share follows
     is_open: Any = False  # whether there is a turning point inside the ranges
 
@@ -220,7 +220,7 @@ def _propagated(evaluate: Evaluate, values: Mapping[str, float], sources: Sequen
     for name, bar in (_in_quadrature if kind is Measured else _over_ranges)(evaluate, values, sources):
         if isinstance(bar, JkrollError):
             found[name] = bar
-        elif bar.is_felt:
+        elif bar.has_influence:
             found[name] = Propagated(kind(values[name], **bar.sides), _shares(sources, [*bar.parts]))
     return found
 
@@ -238,7 +238,7 @@ def _elements(evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[S
             found[name] = Elements({}, is_open=True)
             continue
         is_open = bar.is_open | numpy.isnan(sum(bar.sides.values()))
-        is_known = bar.is_felt & ~is_open
+        is_known = bar.has_influence & ~is_open
         found[name] = Elements({side: where(is_known, numbers, nan) for side, numbers in bar.sides.items()}, is_open)
     return found
 
@@ -266,8 +266,9 @@ def _in_quadrature(
         alike = abs(plus - minus) <= ASYMMETRIC * at_least(plus, minus)
         middle = (minus + plus) / 2
         minus, plus = where(alike, middle, minus), where(alike, middle, plus)
-        is_felt = at_least(plus, minus) > ROUNDING * abs(value)
-        yield name, _Bar({"minus": minus, "plus": plus}, is_felt, (low * low + high * high for low, high in changes))
+        has_influence = at_least(plus, minus) > ROUNDING * abs(value)
+        parts = (low * low + high * high for low, high in changes)
+        yield name, _Bar({"minus": minus, "plus": plus}, has_influence, parts)
 
 
 def _range(value: Any, low: Any, high: Any) -> _Bar:
@@ -302,7 +303,7 @@ def _at_corners(evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence
     for name, value in values.items():
         (low, high), (low_inside, high_inside) = of_corners[name], of_steps[name]
         bar = _range(value, low, high)
-        yield name, bar._replace(is_open=bar.is_felt & ~((low <= low_inside) & (high_inside <= high)))
+        yield name, bar._replace(is_open=bar.has_influence & ~((low <= low_inside) & (high_inside <= high)))
 
 
 def _extremes(
@@ -351,7 +352,7 @@ def _range_of(
     corners = [*product(*limits)]
     low = -_highest(lambda place: -height(place), corners, limits)
     bar = _range(value, low, _highest(height, corners, limits))
-    if not bar.is_felt:
+    if not bar.has_influence:
         return bar
     middle = tuple(source.given.value for source in sources)
     widths = []

@@ -90,7 +90,7 @@ class _Path:
             return wanted
         if name in self.known:
             self.inputs.add(name)
-        elif name not in NOMENCLATURE or not NOMENCLATURE[name].unit:
+        elif name not in NOMENCLATURE or NOMENCLATURE[name].is_word:
             raise UnknownQuantity(name)
         elif name in self.steps:
             return name
