@@ -16,21 +16,26 @@ SELDOM = 50_000  # new objects until the next search for cycles: what imports ma
 
 
 def run() -> None:
-    """Run the command line and exit with its code; an interrupt exits silently with 130, and SIGTERM puts files away first."""
-    is_terminated = False
+    """Run the command line and exit with its code; an interrupt exits silently with 130; what else ends it puts files away first."""
+    ended_by = 0  # the signal, if it is no interrupt
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # no matrices are multiplied: no thread for each core
     try:
         import signal
+
+        ending = [signal.SIGTERM]
+        if hasattr(signal, "SIGHUP") and signal.getsignal(signal.SIGHUP) == signal.SIG_DFL:  # not under nohup
+            ending.append(signal.SIGHUP)  # of a terminal that was closed
 
         def unwind(number: int, frame: "FrameType | None") -> None:
             """Raise KeyboardInterrupt once, so that files are put away; the next interrupt, or an alarm, exits at once.
 
             It waits for the end of an import: a library that is interrupted in the midst of its own may crash.
             """
-            nonlocal is_terminated
-            is_terminated = is_terminated or number == signal.SIGTERM
+            nonlocal ended_by
+            ended_by = ended_by or (number if number in ending else 0)
             signal.signal(signal.SIGINT, _end)
-            signal.signal(signal.SIGTERM, signal.SIG_DFL)
+            for one in ending:
+                signal.signal(one, signal.SIG_DFL)
             if hasattr(signal, "alarm"):  # not on Windows
                 if _is_importing(frame):
                     signal.signal(signal.SIGALRM, unwind)
@@ -41,7 +46,8 @@ def run() -> None:
             raise KeyboardInterrupt
 
         signal.signal(signal.SIGINT, unwind)
-        signal.signal(signal.SIGTERM, unwind)
+        for one in ending:
+            signal.signal(one, unwind)
         gc.set_threshold(SELDOM)
         sys.unraisablehook = _end_if_interrupted
         if os.environ.get("_JKROLL_COMPLETE") or sys.argv[1:] in (["--install-completion"], ["--show-completion"]):
@@ -58,8 +64,8 @@ def run() -> None:
         signal.signal(signal.SIGINT, _end)
     except KeyboardInterrupt:
         code = INTERRUPTED
-    if is_terminated:  # by a signal that ends this process now, as whoever sent it expects
-        signal.raise_signal(signal.SIGTERM)
+    if ended_by:  # now, as whoever sent the signal expects
+        signal.raise_signal(ended_by)
     # Everything is written. An orderly shutdown of the interpreter would take a tenth of a call, and could be interrupted.
     os._exit(code)
 

@@ -9,7 +9,6 @@ from ..materials.library import Material
 from ..quantities.errors import QUANTITY_SYNONYMS, UnknownQuantity
 from ..quantities.formatting import AS_USUAL, amount, in_words, pretty
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, header, named, with_symbol
-from ..rows.columns import Wanted
 from ..scene.wiring import depends_on, formula_of, parameters_of, suffix_of
 from ..text import first_of, json_text, say, say_wrapped
 from .records import Cell, write_records
@@ -33,7 +32,8 @@ def write_materials(chosen: Sequence[Material], out: TextIO, kind: str, *, whole
         _write_tables(chosen, out)
     else:
         sides = {name: _sides_of(name, chosen) for name in PROPERTIES}
-        of_properties = Wanted(PROPERTIES, sides=sides).heads(header)
+        keys = [(name, key) for name in PROPERTIES for key in (name, *(f"{name}_{side}" for side in sides[name]))]
+        of_properties = [header(name).replace(name, key, 1) for name, key in keys]
         records = (_material_row(material, sides) for material in chosen)
         write_records(["material", *of_properties, "state", "references", "source"], records, kind, out)
 

@@ -1,11 +1,16 @@
 """The file that is written: whole or not at all, or standard output."""
 
 import os
+import re
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from io import TextIOWrapper
 from typing import BinaryIO, TextIO
+
+MAX_KEPT = 50  # characters of a name that its temporary name has, too
+_STREAMS = ("stdin", "stdout", "stderr")
+_OPEN = re.compile(rf"/dev/(?P<stream>{'|'.join(_STREAMS)})|/(?:dev|proc/self)/fd/(?P<number>\d+)")
 
 
 @contextmanager
@@ -20,15 +25,17 @@ def naming(path: str) -> Iterator[None]:
 
 @contextmanager
 def whole_file(path: str) -> Iterator[BinaryIO]:
-    """Open a temporary file that replaces `path` when it is complete; write to a device or a pipe directly."""
+    """Open a temporary file that replaces `path` when it is complete; write to a device, a pipe or an open file directly."""
     with naming(path):
-        place = os.path.realpath(path)
-        if os.path.exists(place) and not os.path.isfile(place):
-            with open(place, "wb") as stream:
+        descriptor = _descriptor(path)
+        if descriptor is not None or (os.path.exists(path) and not os.path.isfile(path)):
+            sys.stdout.flush()  # it may be the same
+            with open(path if descriptor is None else os.dup(descriptor), "wb") as stream:
                 yield stream
             return
+        place = os.path.realpath(path)
         folder, name = os.path.split(place)
-        beside = os.path.join(folder, f".{name}.{os.urandom(4).hex()}")
+        beside = os.path.join(folder, f".{name[:MAX_KEPT]}.{os.urandom(4).hex()}")
         begun = open(beside, "xb")
         try:
             with begun:
@@ -39,6 +46,13 @@ def whole_file(path: str) -> Iterator[BinaryIO]:
         finally:
             with suppress(FileNotFoundError):
                 os.unlink(beside)
+
+
+def _descriptor(path: str) -> int | None:
+    """Return the number of the open file that a path such as /dev/stdout or /dev/fd/63 stands for; None for other paths."""
+    if found := _OPEN.fullmatch(path):
+        return int(found["number"] or _STREAMS.index(found["stream"]))
+    return None
 
 
 @contextmanager
