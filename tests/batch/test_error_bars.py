@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 from harness import Run
+from jkroll import solve
 
 CELLS = ["25±5", "25+-5", "25(5)", "25±20%", "25+/-5 mJ/m2", "0.025 J/m2 ± 5 mJ/m2", "25 mJ/m2±20 %"]
 SIDES = ["pull_off_force [N]", "pull_off_force_minus [N]", "pull_off_force_plus [N]"]
@@ -137,3 +138,15 @@ def test_a_status_is_short(run: Run) -> None:
         "density, Young's modulus and Poisson's ratio; give --gamma 25mJ/m2 --density 1g/cm3 --young 10GPa "
         "--poisson 0.3; --work-of-adhesion 50mJ/m2 may replace some"
     )
+
+
+def test_the_ridge_of_a_quantity_of_the_weaker_body_is_found_in_tables(run: Run) -> None:
+    """Arrays leave a row whose largest value lies inside its ranges, at E1 = E2 = 2 GPa, to floats."""
+    moduli = [("1 to 2", "1 to 9"), ("1 to 2", "3 to 9")]
+    rows = [{"radius [um]": "1", "young [GPa]": one, "young2 [GPa]": two} for one, two in moduli]
+    given = ["--gamma", "50mJ/m2", "--poisson", "0.2", "--quantities", "sliding_force"]
+    assert run("batch", written(rows), "-o", "out.csv", *given).code == 0
+    solids: dict[str, Any] = {"radius": 1e-6, "surface_energy": 0.05, "poisson_ratio": 0.2}
+    for row, ends in zip(found(), [(2e9, 2e9), (2e9, 3e9)], strict=True):
+        largest = solve("sliding_force", youngs_modulus=ends[0], youngs_modulus2=ends[1], **solids)
+        assert row["sliding_force_high [N]"] == pytest.approx(largest, rel=1e-9)

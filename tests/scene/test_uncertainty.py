@@ -131,7 +131,7 @@ def test_no_turning_point_is_looked_for_where_there_is_none() -> None:
     """The samples of each range are computed, and a step inwards: from the lowest corner, the highest one, and the middle."""
     asked: list[Mapping[str, float]] = []
 
-    def evaluate(changed: Mapping[str, float]) -> Mapping[str, float]:
+    def evaluate(changed: Mapping[str, float], _: tuple[str, ...]) -> Mapping[str, float]:
         asked.append(changed)
         return {"r_min": changed["radius"] ** 2}
 
@@ -140,6 +140,27 @@ def test_no_turning_point_is_looked_for_where_there_is_none() -> None:
     assert isinstance(one, Propagated)
     assert one.uncertainty == Interval(4.0, 1.0, 9.0)
     assert len(asked) <= 3 * len(ranges) * (SAMPLES + 2)
+
+
+@pytest.mark.parametrize(
+    ("name", "spans", "extreme"),
+    [
+        ("sliding_force", [(1e9, 2e9), (1.1e9, 9e9)], 2e9),
+        ("sliding_force", [(1e9, 2e9), (1e9, 9e9)], 2e9),
+        ("sliding_displacement", [(930e6, 1030e6), (520e6, 970e6)], 930e6),
+        ("sliding_displacement", [(2e9, 10e9), (1e9, 9e9)], 2e9),
+    ],
+)
+def test_the_ridge_of_a_quantity_of_the_weaker_body_is_found(
+    name: str, spans: list[tuple[float, float]], extreme: float
+) -> None:
+    """The weaker body is the other one beyond E1 = E2, where the quantity is largest."""
+    given: dict[str, Any] = {"radius": 1e-6, "surface_energy": 0.05, "poisson_ratio": 0.2}
+    moduli = ("youngs_modulus", "youngs_modulus2")
+    ranges: dict[str, Any] = {each: Interval(sum(span) / 2, *span) for each, span in zip(moduli, spans, strict=True)}
+    known = solve(name, **{**given, **dict.fromkeys(moduli, extreme)})
+    one = solve(name, **given, **ranges)
+    assert one.high == pytest.approx(known, rel=1e-9)
 
 
 def test_a_turning_point_is_met_exactly() -> None:

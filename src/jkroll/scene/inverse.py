@@ -221,13 +221,17 @@ def _bisected(left: float, right: float, level: float, *, rises: bool) -> Search
 
 def highest_between(left: float, right: float, *, sign: float = 1.0) -> Search[float]:
     """Return where a function with one maximum between two points is highest, by golden-section search; with sign −1, lowest."""
+    low, high = right - _GOLDEN * (right - left), left + _GOLDEN * (right - left)
+    at_low, at_high = sign * (yield low), sign * (yield high)
     for _ in range(_SEARCHES):
-        width = _GOLDEN * (right - left)
-        low, high = right - width, left + width
-        if sign * (yield low) > sign * (yield high):
-            right = high
+        if at_low > at_high:
+            right, high, at_high = high, low, at_low
+            low = right - _GOLDEN * (right - left)
+            at_low = sign * (yield low)
         else:
-            left = low
+            left, low, at_low = low, high, at_high
+            high = left + _GOLDEN * (right - left)
+            at_high = sign * (yield high)
     return (left + right) / 2
 
 

@@ -231,6 +231,10 @@ class Scene:
         """
         return self._changed(values, model)
 
+    def anew(self) -> "Scene":
+        """Return the scene with nothing evaluated, without uncertainties."""
+        return Scene(self.stated, self.material, self.material2, model=self.stated_model, checked=self.given)
+
     def _changed(self, values: Mapping[str, Any], model: str | None) -> "Scene":
         stated = {name: value for name, value in {**self.stated, **values}.items() if value is not None}
         other = Scene(stated, self.material, self.material2, model=model, checked=self.given)

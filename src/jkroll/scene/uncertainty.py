@@ -24,12 +24,13 @@ from .wiring import in_order
 
 MAX_RANGES = 8  # whose corners are computed, all together
 ASYMMETRIC = 0.1  # relative difference of the two sides from which on they are given one by one
-SAMPLES = 24  # parts of a range in which turning points are looked for
+SAMPLES = 12  # parts of a range in which turning points are looked for
 NEAR = 1e-4  # of such a part, the distance from an end at which the quantity shows whether it grows inwards
 ROUNDING = 4e-15  # of a value: a change as small as this comes from rounding, and not from a source
 _ROUNDS = 10  # of a search along one range after the other
 
-Evaluate = Callable[[Mapping[str, Any]], Mapping[str, Any]]  # from changed inputs to the outcome of each quantity
+# From changed inputs and the names of quantities to the outcome of each.
+Evaluate = Callable[[Mapping[str, Any], tuple[str, ...]], Mapping[str, Any]]
 
 
 class MixedKinds(JkrollError):
@@ -151,18 +152,25 @@ def uncertainties(scene: Scene, names: Sequence[str]) -> tuple[Found, Sources]:
     """
     values = {name: value for name, value in scene.numbers(*names).items() if isfinite(value)}
     sources = sources_of_results(scene, names)
-    return _propagated(_evaluation(scene, [*values]), values, sources.entering), sources
+    return _propagated(_evaluation(scene), values, sources.entering), sources
 
 
 def uncertainties_of_elements(
     scene: Scene, values: Mapping[str, Any], sources: Sequence[Source]
 ) -> dict[str, Elements]:
     """Return the uncertainties of quantities of a scene of arrays."""
-    return _elements(_evaluation(scene, [*values]), values, sources)
+    return _elements(_evaluation(scene), values, sources)
 
 
-def _evaluation(scene: Scene, names: Sequence[str]) -> Evaluate:
-    return lambda changed: scene.replace(**changed).evaluate(names)
+def _evaluation(scene: Scene) -> Evaluate:
+    @cache
+    def base(names: tuple[str, ...]) -> Scene:
+        """Return the scene with a plan that leads to these quantities alone."""
+        found = scene.anew()
+        found.evaluate(names)
+        return found
+
+    return lambda changed, names: base(names).replace(**changed).evaluate(names)
 
 
 def inferred_sources(names: Sequence[str], observed: Observed) -> Sources:
@@ -175,7 +183,7 @@ def inferred_uncertainties(values: Mapping[str, float], observed: Observed) -> t
     """Return the uncertainties of inferred inputs, and their sources."""
     sources = inferred_sources([*values], observed)
 
-    def evaluate(changed: Mapping[str, float]) -> Mapping[str, Any]:
+    def evaluate(changed: Mapping[str, float], _: tuple[str, ...]) -> Mapping[str, Any]:
         try:
             return solved_near(values, observed.changed(changed))
         except NoResult as error:
@@ -188,7 +196,7 @@ def inferred_uncertainty_of_elements(name: str, values: Any, observed: Observed)
     """Return the uncertainty of the values of an inferred input."""
     import numpy
 
-    def evaluate(changed: Mapping[str, Any]) -> Mapping[str, Any]:
+    def evaluate(changed: Mapping[str, Any], _: tuple[str, ...]) -> Mapping[str, Any]:
         other = observed.changed(changed)
         ((quantity, at),) = other.measured.items()
         found = solutions(name, quantity, numpy.broadcast_to(at, values.shape), other.scene)
@@ -200,6 +208,7 @@ def inferred_uncertainty_of_elements(name: str, values: Any, observed: Observed)
 # --- From the values at the ends of the sources, of numbers and of arrays ---------------------------------------------
 
 Place = tuple[Any, ...]  # a value of each source
+Outcomes = Callable[[Place], Mapping[str, Any]]  # of quantities by name
 
 
 class _Bar(NamedTuple):
@@ -254,7 +263,7 @@ def _in_quadrature(
     evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Source]
 ) -> Iterator[tuple[str, _Bar | JkrollError]]:
     """Iterate over standard uncertainties: the changes at both ends of each source, each side added in quadrature."""
-    ends = [[evaluate(_at([source], (end,))) for end in source.ends] for source in sources]
+    ends = [[evaluate(_at([source], (end,)), (*values,)) for end in source.ends] for source in sources]
     for name, value in values.items():
         outcomes = [[end[name] for end in pair] for pair in ends]
         if failures := [end for pair in outcomes for end in pair if isinstance(end, JkrollError)]:
@@ -282,6 +291,16 @@ def _at(sources: Sequence[Source], place: Place) -> dict[str, Any]:
     return {name: value for source, value in zip(sources, place, strict=True) for name in source.names}
 
 
+def _alike(sources: Sequence[Source]) -> list[tuple[int, int]]:
+    """Return the pairs of sources that are one property of both bodies, and positive.
+
+    A quantity of the weaker body may grow along both together, in proportion, where it falls along either.
+    """
+    axes = {name: axis for axis, source in enumerate(sources) for name in source.names}
+    pairs = [(axis, axes[f"{name}2"]) for name, axis in axes.items() if f"{name}2" in axes]
+    return [(one, other) for one, other in pairs if one != other and NOMENCLATURE[sources[one].names[0]].range.low >= 0]
+
+
 def _moved(place: Place, axis: int, value: Any) -> Place:
     """Return a place with another value of one source."""
     return (*place[:axis], value, *place[axis + 1 :])
@@ -293,17 +312,27 @@ def _moved(place: Place, axis: int, value: Any) -> Place:
 def _at_corners(evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Source]) -> Iterator[tuple[str, _Bar]]:
     """Iterate over ranges, from the values at the corners. They are open where a step from a corner inwards leads further."""
     limits = [source.ends for source in sources]
-    corners = [*product(*limits)]
-    steps = [
-        _moved(corner, axis, corner[axis] + NEAR / SAMPLES * (low + high - 2 * corner[axis]))
-        for corner in corners
-        for axis, (low, high) in enumerate(limits)
-    ]
+    corners, steps = [*product(*limits)], [*_inwards(limits, _alike(sources))]
     of_corners, of_steps = (_extremes(evaluate, values, sources, places) for places in (corners, steps))
     for name, value in values.items():
         (low, high), (low_inside, high_inside) = of_corners[name], of_steps[name]
         bar = _range(value, low, high)
         yield name, bar._replace(is_open=bar.has_influence & ~((low <= low_inside) & (high_inside <= high)))
+
+
+def _inwards(limits: Sequence[tuple[Any, Any]], alike: Sequence[tuple[int, int]]) -> Iterator[Place]:
+    """Iterate over the places a step away from each corner, along each source, and along those that are alike together."""
+    for ends in product((0, 1), repeat=len(limits)):
+        corner = tuple(limit[end] for limit, end in zip(limits, ends, strict=True))
+        inner = [
+            value + NEAR / SAMPLES * (low + high - 2 * value) for value, (low, high) in zip(corner, limits, strict=True)
+        ]
+        for axis, value in enumerate(inner):
+            yield _moved(corner, axis, value)
+        for one, other in alike:
+            if ends[one] == ends[other]:
+                factor = (at_least if ends[one] else at_most)(inner[one] / corner[one], inner[other] / corner[other])
+                yield _moved(_moved(corner, one, factor * corner[one]), other, factor * corner[other])
 
 
 def _extremes(
@@ -314,7 +343,7 @@ def _extremes(
 
     found: dict[str, tuple[Any, Any]] = {}
     for place in places:
-        outcomes = evaluate(_at(sources, place))
+        outcomes = evaluate(_at(sources, place), (*names,))
         for name in names:
             value = nan if isinstance(outcomes[name], JkrollError) else outcomes[name]
             low, high = found.get(name, (value, value))
@@ -329,69 +358,99 @@ def _over_ranges(
     evaluate: Evaluate, values: Mapping[str, float], sources: Sequence[Source]
 ) -> Iterator[tuple[str, _Bar | JkrollError]]:
     """Iterate over ranges, from corners and turning points."""
-    outcomes = cache(lambda place: evaluate(_at(sources, place)))
+    together = cache(lambda place: evaluate(_at(sources, place), (*values,)))
     for name, value in values.items():
         try:
-            yield name, _range_of(name, outcomes, value, sources)
+            yield name, _range_of(name, value, sources, together, cache(_alone(name, evaluate, sources)))
         except JkrollError as error:
             yield name, error
 
 
-def _range_of(
-    name: str, outcomes: Callable[[Place], Mapping[str, Any]], value: float, sources: Sequence[Source]
-) -> _Bar:
+def _alone(name: str, evaluate: Evaluate, sources: Sequence[Source]) -> Outcomes:
+    return lambda place: evaluate(_at(sources, place), (name,))
+
+
+def _range_of(name: str, value: float, sources: Sequence[Source], together: Outcomes, alone: Outcomes) -> _Bar:
     """Return the range of a quantity, which has an outcome at each place. Raises the reason why it has no value at one."""
-
-    def height(place: Place) -> float:
-        outcome = outcomes(place)[name]
-        if isinstance(outcome, JkrollError):
-            raise outcome
-        return float(outcome)
-
-    limits = [source.ends for source in sources]
-    corners = [*product(*limits)]
-    low = -_highest(lambda place: -height(place), corners, limits)
-    bar = _range(value, low, _highest(height, corners, limits))
+    low, high = (_Surface(name, sources, together, alone, sign).highest() for sign in (-1.0, 1.0))
+    bar = _range(value, -low, high)
     if not bar.has_influence:
         return bar
     middle = tuple(source.given.value for source in sources)
     widths = []
-    for axis, ends in enumerate(limits):
-        heights = [height(_moved(middle, axis, sample)) for sample in _samples(*ends)]
+    for axis, source in enumerate(sources):
+        heights = [_number_of(name, together, _moved(middle, axis, sample)) for sample in _samples(*source.ends)]
         widths.append(max(heights) - min(heights))
     return bar._replace(parts=widths)
 
 
-def _highest(
-    height: Callable[[Place], float], corners: Sequence[Place], limits: Sequence[tuple[float, float]]
-) -> float:
-    """Return the largest value over all ranges: that of a corner, or of a turning point beside it."""
-    place = max(corners, key=height)
-    for _ in range(_ROUNDS):
-        before = place
-        for axis, ends in enumerate(limits):
-            place = max(place, _peak(height, place, axis, ends), key=height)
-        if place == before:
-            break
-    return height(place)
+def _number_of(name: str, outcomes: Outcomes, place: Place) -> float:
+    """Return the value of a quantity at a place. Raises the reason why it has none."""
+    outcome = outcomes(place)[name]
+    if isinstance(outcome, JkrollError):
+        raise outcome
+    return float(outcome)
 
 
-def _peak(height: Callable[[Place], float], place: Place, axis: int, ends: tuple[float, float]) -> Place:
-    """Return the place with the largest value along one range, by samples and a golden-section search beside the best one.
+class _Line(NamedTuple):
+    """A line through a place: along one source, or along several together, in proportion."""
 
-    An end that is the best of them is the place itself, unless the quantity still grows from there inwards.
-    """
+    place: Place
+    axes: tuple[int, ...]
+    ends: tuple[float, float]  # of the first source
 
-    def at(value: float) -> float:
-        return height(_moved(place, axis, value))
+    @classmethod
+    def through(cls, place: Place, axes: tuple[int, ...], limits: Sequence[tuple[float, float]]) -> "_Line":
+        """Return the line as far as it lies within the ranges."""
+        first = axes[0]
+        if len(axes) == 1:
+            return cls(place, axes, limits[first])
+        factors = [(limits[axis][0] / place[axis], limits[axis][1] / place[axis]) for axis in axes]
+        low, high = max(low for low, _ in factors), min(high for _, high in factors)
+        return cls(place, axes, (place[first] * low, place[first] * high))
 
-    samples = _samples(*ends)
-    best = max(range(len(samples)), key=lambda number: at(samples[number]))
-    left, right = samples[max(best - 1, 0)], samples[min(best + 1, SAMPLES)]
-    inwards = samples[best] + NEAR * (left + right - 2 * samples[best])
-    if best in (0, SAMPLES) and at(inwards) <= at(samples[best]):
-        return _moved(place, axis, samples[best])
-    return _moved(place, axis, found_by(highest_between(left, right), at))
+    def at(self, value: float) -> Place:
+        """Return the place where the first source has this value."""
+        found = _moved(self.place, self.axes[0], value)
+        for axis in self.axes[1:]:
+            found = _moved(found, axis, self.place[axis] * (value / self.place[self.axes[0]]))
+        return found
+
+
+class _Surface:
+    """A quantity over all ranges, or with sign −1 its negative."""
+
+    def __init__(self, name: str, sources: Sequence[Source], together: Outcomes, alone: Outcomes, sign: float) -> None:
+        """`together`: the outcomes of all quantities at a place, for places that they share; `alone`: of this one."""
+        self.limits = [source.ends for source in sources]
+        self.axes: list[tuple[int, ...]] = [*((axis,) for axis in range(len(sources))), *_alike(sources)]
+        self.height: Callable[[Place], float] = lambda place: sign * _number_of(name, together, place)
+        self.beside: Callable[[Place], float] = lambda place: sign * _number_of(name, alone, place)
+
+    def highest(self) -> float:
+        """Return the largest value: that of a corner, or of a turning point beside it."""
+        place = max(product(*self.limits), key=self.height)
+        for _ in range(_ROUNDS):
+            before = place
+            for axes in self.axes:
+                place = max(place, self._peak(_Line.through(place, axes, self.limits)), key=self.beside)
+            if place == before:
+                break
+        return self.beside(place)
+
+    def _peak(self, line: _Line) -> Place:
+        """Return the place with the largest value on a line, by samples and a golden-section search beside the best one.
+
+        An end that is the best of them is the place itself, unless the quantity still grows from there inwards.
+        """
+        samples = _samples(*line.ends)
+        best = max(range(len(samples)), key=lambda number: self.height(line.at(samples[number])))
+        left, right = samples[max(best - 1, 0)], samples[min(best + 1, SAMPLES)]
+        inwards = line.at(samples[best] + NEAR * (left + right - 2 * samples[best]))
+        place = line.at(samples[best])
+        if best in (0, SAMPLES) and self.beside(inwards) <= self.beside(place):
+            return place
+        return line.at(found_by(highest_between(left, right), lambda value: self.beside(line.at(value))))
 
 
 def _samples(low: float, high: float) -> list[float]:
