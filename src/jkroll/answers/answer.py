@@ -36,7 +36,7 @@ from .notes import (
     with_spacing,
 )
 from .questions import Question
-from .results import Note, Result, at_half_spacing, over_spacing, with_law
+from .results import Note, Result, at_half_spacing, over_spacing, propagated_of, with_law
 
 if TYPE_CHECKING:
     from ..quantities.values import Uncertain
@@ -206,10 +206,7 @@ class Answer:
         ]
         results = plain if scene.law.is_default else with_law(plain, scene)
         found, _ = self._uncertainties
-        return tuple(
-            result._replace(propagated=one) if isinstance(one := found.get(result.name), tuple) else result
-            for result in results
-        )
+        return tuple(result._replace(propagated=propagated_of(found, result.name)) for result in results)
 
     def _reason(self, name: str, error: MissingInput | NoResult) -> str:
         return over_spacing(name, self.scene) if isinstance(error, RestsOnSpacing) else reason_of(name, error)

@@ -19,7 +19,7 @@ from ..text import listed
 from .answer import Answer, Difference
 from .notes import about_missing, about_uncertainties
 from .questions import Question
-from .results import Note, Result
+from .results import Note, Result, propagated_of
 
 if TYPE_CHECKING:
     from ..scene.uncertainty import Propagated, Sources
@@ -75,7 +75,7 @@ class Inferred(Answer):
             condition=growth_or_none if is_one else None,
             growth=None if is_one else growth_or_none,
             by_law={law: other.values[name] for law, other in self._by_law.items()},
-            propagated=one if isinstance(one := self._uncertainties[0].get(name), tuple) else None,
+            propagated=propagated_of(self._uncertainties[0], name),
         )
 
     @property

@@ -5,7 +5,7 @@ from math import isfinite
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
-from ..errors import NoResult
+from ..errors import JkrollError, NoResult
 from ..quantities.formatting import Format, OutOfUnit, amount
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.nomenclature import NOMENCLATURE
@@ -117,6 +117,15 @@ class Note(NamedTuple):
     def worded(self) -> str:
         """The text as it stands alone."""
         return f"doubtful: {self.text}" if self.kind == "doubt" and not self.is_sentence else self.text
+
+
+def propagated_of(found: "Mapping[str, Propagated | JkrollError]", name: str) -> Propagated | None:
+    """Return the uncertainty of a quantity; None if it has none, or an error says why it has none.
+
+    Told by the error: an answer without uncertainties does not import the module of Propagated.
+    """
+    one = found.get(name)
+    return None if isinstance(one, JkrollError) else one
 
 
 # --- Other laws of attraction -----------------------------------------------------------------------------------------

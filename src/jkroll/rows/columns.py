@@ -236,11 +236,8 @@ class Columns:
         of_names = [self.column(name) for name in self.wanted.names]
         others = self.reasons.keys() - self.lost.keys()
         empty = [row for row in others if all(isnan(column[row]) for column in of_names)]
-        return [*self.lost, *(row for row in empty if not self._has_unwritten(row))]
-
-    def _has_unwritten(self, row: int) -> bool:
-        """Return whether a row has a value that cannot be written in its unit."""
-        return any(isinstance(error, OutOfUnit) for error in self.reasons[row].values())
+        unwritten = {row for row in empty if any(isinstance(error, OutOfUnit) for error in self.reasons[row].values())}
+        return [*self.lost, *(row for row in empty if row not in unwritten)]
 
     def without_sides(self) -> int:
         """Return the number of rows that have uncertainties for which there are no columns."""
