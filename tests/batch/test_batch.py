@@ -169,7 +169,7 @@ def test_doubts_have_a_column(run: Run, end: str) -> None:
     ran = run(words)
     assert ran.err.splitlines()[1:] == [
         "note: material: 'quarz' is not known; a row that needs it fails",
-        "note: 2 of 3 rows are doubtful (law>×2 in 2, M/2cRw>1 in 1, Q/P_c>=1 in 1, a/z0<3 in 1 and more); column doubt says why",
+        "note: 2 of 3 rows are doubtful (law>×2 in 2, M/2cRw>1 in 1, Q/P_c>=1 in 1, a/z0<3 in 1 and 3 more); column doubt says why",
         "jkroll: 1 of 3 rows failed; column status says why",
     ]
     found = read_table(end)
@@ -655,3 +655,27 @@ def test_a_table_without_a_radius_says_so(run: Run, tmp_path: Path) -> None:
         0
     ] == "size_um,xi [nm],yield_force [N],doubt,status"
     assert "no column" not in run("batch sizes.csv --material quartz --quantities yield_force -o out.csv").err
+
+
+def test_several_tables_make_no_directory_with_the_name_of_a_file(run: Run) -> None:
+    table(GRAINS)
+    ran = run("batch *.csv -o all.csv")
+    assert (ran.code, "need a directory" in ran.err, Path("all.csv").exists()) == (2, True, False)
+
+
+@pytest.mark.parametrize("option", ["quantities", "delimiter", "format", "dask"])
+def test_an_empty_option_is_refused(run: Run, option: str) -> None:
+    table(GRAINS)
+    ran = run("batch", "grains.csv", f"--{option}", "")
+    assert (ran.code, ran.err) == (2, f"jkroll: --{option} is empty\n")
+
+
+@pytest.mark.parametrize("name", ["/dev/stdout", "/dev/fd/1"])
+def test_an_open_file_is_not_replaced(name: str) -> None:
+    table(GRAINS)
+    Path("log.csv").write_text("kept\n", encoding="utf-8")
+    jkroll = f"{sys.executable} -m jkroll batch grains.csv --quiet --quantities pull_off_force -o {name}"
+    subprocess.run(["sh", "-c", f"{jkroll} >> log.csv"], check=False)
+    assert Path("log.csv").read_text(encoding="utf-8").startswith("kept\nname,material,")
+    piped = subprocess.run(["sh", "-c", f"{jkroll} | cat"], capture_output=True, text=True)
+    assert piped.stdout.startswith("name,material,")

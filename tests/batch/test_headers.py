@@ -463,3 +463,28 @@ def test_every_input_may_be_a_column(run: Run, name: str) -> None:
     Path("x.csv").write_text(text, encoding="utf-8")
     ran = run("batch x.csv --quantities r_min --no-doubt -o out.csv")
     assert ran.code == 0, ran.err
+
+
+def test_mistaken_headers_are_named_together(run: Run) -> None:
+    Path("x.csv").write_text("radius [nm],Surface energy mJ/m2,Young modulus GPa\n100,25,54\n", encoding="utf-8")
+    ran = run("batch x.csv")
+    assert ran.code == 2
+    assert "header: 'Surface energy mJ/m2' and 'Young modulus GPa' are not inputs" in ran.err
+    assert "--column 'Surface energy mJ/m2=surface_energy [mJ/m2]'" in ran.err
+    assert "--column 'Young modulus GPa=youngs_modulus [GPa]'" in ran.err
+
+
+def test_what_may_be_a_radius_is_said_where_one_is_missing(run: Run) -> None:
+    Path("x.csv").write_text("Grain radius (nm),gamma [mJ/m2]\n100,25\n", encoding="utf-8")
+    ran = run("batch x.csv --quantities pull_off_force")
+    assert ran.code == 2
+    assert "write --column 'Grain radius (nm)=radius [nm]'" in ran.err
+
+
+def test_a_quantity_that_some_cells_show_is_given_for_all_rows(run: Run) -> None:
+    Path("x.csv").write_text("material,radius [nm],load [nN]\nquartz,100,\nquartz,100,0\n", encoding="utf-8")
+    assert run("batch x.csv -o out.csv").code == 0
+    with Path("out.csv").open(encoding="utf-8") as file:
+        empty, zero = csv.DictReader(file)
+    assert empty["yield_force_fixed_load [N]"]
+    assert {**empty, "load [nN]": "0"} == zero

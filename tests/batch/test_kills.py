@@ -98,7 +98,9 @@ def test_a_kill_leaves_no_half_of_a_file(words: str, end: str, kills: int, *, wh
     assert {path: path.read_bytes() for path in begun(out.name)} == left
 
 
-@pytest.mark.parametrize(("number", "code"), [(signal.SIGINT, 130), (signal.SIGTERM, -signal.SIGTERM)])
+@pytest.mark.parametrize(
+    ("number", "code"), [(signal.SIGINT, 130), (signal.SIGTERM, -signal.SIGTERM), (signal.SIGHUP, -signal.SIGHUP)]
+)
 @pytest.mark.parametrize("words", ["batch grains.csv --material quartz --jobs 1", SWEEP])
 def test_an_interrupt_leaves_nothing(words: str, number: int, code: int) -> None:
     tables()

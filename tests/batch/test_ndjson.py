@@ -74,3 +74,13 @@ def test_tables_that_are_none(run: Run) -> None:
     for text, message in (("", "the table is empty"), ("[1]\n", "the first line is not a JSON object with members")):
         Path("x.ndjson").write_text(text, encoding="utf-8")
         assert run("batch x.ndjson").err == f"jkroll: {message}\n"
+
+
+def test_a_value_that_is_nested_deeply_spoils_at_most_its_row(run: Run) -> None:
+    """A library reads 1000 brackets and writes 254."""
+    deep = "[" * 300 + "]" * 300
+    rows = ['{"radius": "100nm"}', f'{{"radius": "100nm", "note": {deep}}}', f'{{"radius": {deep}}}']
+    Path("x.ndjson").write_text("\n".join(rows) + "\n", encoding="utf-8")
+    assert run("batch x.ndjson --gamma 25mJ/m2 --quantities pull_off_force -o out.ndjson").code == 1
+    lines = Path("out.ndjson").read_text(encoding="utf-8").splitlines()
+    assert [line.count('"pull_off_force [N]":1.178') for line in lines] == [1, 1, 0]

@@ -209,3 +209,8 @@ def test_without_pyarrow_a_line_says_which_extra_brings_it(run: Run, monkeypatch
     for command in (f"batch {name} -o y.parquet", "r-min 1nm:1um:3 -o y.parquet", "batch *.parquet -o y/"):
         ran = run(command)
         assert (ran.code, ran.err) == (2, "jkroll: this needs pyarrow: pip install 'jkroll[parquet]'\n"), command
+
+
+def test_a_table_without_columns_is_refused(run: Run) -> None:
+    pyarrow.parquet.write_table(pyarrow.table({}), "none.parquet")
+    assert run("batch none.parquet -o out.parquet").err == "jkroll: the table has no columns\n"

@@ -7,7 +7,7 @@ from ..errors import ROWS_FAILED, BadRequest, missing_extra
 from ..materials.library import Materials
 from ..quantities.formatting import amount
 from ..rows.columns import DOUBT, STATUS
-from ..text import say, say_wrapped
+from ..text import first_of, say, say_wrapped
 from .lines import Tally
 from .many import Runner, by_processes, convert_many, is_many
 from .one import convert_one
@@ -38,12 +38,14 @@ def _say_notes(tally: Tally, settings: Settings) -> None:
     if tally.inferred:
         say_wrapped(_summary(settings.infer, tally), sys.stderr)
     if tally.doubtful:
-        counted = ", ".join(f"{code} in {count}" for code, count in [*tally.counts()["codes"].items()][:MAX_CODES])
-        more = " and more" if len(tally.codes) > MAX_CODES else ""
-        say_wrapped(
-            f"note: {tally.doubtful} of {tally.rows} rows {'is' if tally.doubtful == 1 else 'are'} doubtful ({counted}{more}); column {DOUBT} says why",
-            sys.stderr,
+        is_one, counts = tally.rows == 1, tally.counts()["codes"].items()
+        counted = first_of([code if is_one else f"{code} in {count}" for code, count in counts], MAX_CODES)
+        are = (
+            "the row is"
+            if is_one
+            else f"{tally.doubtful} of {tally.rows} rows {'is' if tally.doubtful == 1 else 'are'}"
         )
+        say_wrapped(f"note: {are} doubtful ({counted}); column {DOUBT} says why", sys.stderr)
     if tally.not_judged:
         some = f"{tally.not_judged} of {tally.rows} rows"
         say_wrapped(

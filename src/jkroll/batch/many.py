@@ -23,6 +23,7 @@ from ..errors import BadRequest, JkrollError, MissingExtra
 from ..output.files import whole_file
 from ..rows.header import BadTable
 from ..text import quoted, say, say_wrapped
+from .formats import format_of_name
 from .lines import Tally
 from .one import convert_one
 from .settings import Job, Part, Settings
@@ -117,7 +118,8 @@ def convert_many(path: str, job: Job, run: Runner) -> tuple[Tally, int]:
 def _parts_into(directory: str, path: str) -> list[Part]:
     """Return the tables that a pattern names, and make the directory of their results; BadRequest if it can be none."""
     place = directory.rstrip(os.sep)
-    if directory == "-" or (os.path.exists(place) and not os.path.isdir(place)):
+    is_table = directory == place and not os.path.exists(place) and format_of_name(place) is not None
+    if directory == "-" or is_table or (os.path.exists(place) and not os.path.isdir(place)):
         raise BadRequest("several tables need a directory for the results: -o DIRECTORY/")
     parts = _parts(path, directory)
     folders = {os.path.dirname(part.path) or "." for part in parts}

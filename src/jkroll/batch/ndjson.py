@@ -16,6 +16,7 @@ from ..text import quoted
 from .lines import BOM, Converted, Head, check_encoding, computed
 
 Object = dict[str, Any]
+_UNWRITTEN = "[...]"  # stands for a value that is nested too deeply
 
 
 class Ndjson:
@@ -119,12 +120,18 @@ def _text(value: object) -> str:
     """Return a value as a cell of a table; an empty one for null."""
     if value is None:
         return ""
-    return value if isinstance(value, str) else orjson.dumps(value).decode()
+    try:
+        return value if isinstance(value, str) else orjson.dumps(value).decode()
+    except orjson.JSONEncodeError:  # it does not write all that it reads: a nesting of 300
+        return _UNWRITTEN
 
 
 def _cells(values: Sequence[Any]) -> list[bytes]:
     """Return values as cells."""
-    text = orjson.dumps(values)
+    try:
+        text = orjson.dumps(values)
+    except orjson.JSONEncodeError:
+        return [_text(value).encode() for value in values]
     if b'"' in text or b"{" in text or text.count(b"[") > 1:
         return [_text(value).encode() for value in values]
     cells = text[1:-1].split(b",")

@@ -67,6 +67,8 @@ class _File:
         self.given, self.strict = given, job.settings.strict
         self.file = file = pyarrow.parquet.ParquetFile(given.file, buffer_size=BUFFER, pre_buffer=False)
         names = tuple(file.schema_arrow.names)
+        if not names:
+            raise BadTable("the table has no columns")
         meanings = stated_meanings(names, job.settings.columns, job.settings.measured)
         self.table = table = table_with(names, _first_rows(file, meanings), job)
         texts = {*table.said, *table.remarks}

@@ -21,6 +21,9 @@ def run_batch(call: Call) -> int:
         raise BadRequest("batch needs a table, such as grains.csv, or - for standard input")
     if call.settings.keys() >= {"format", "delimiter"}:
         raise BadRequest("--format and --delimiter exclude each other")
+    for name, value in {"quantities": call.quantities, **call.settings}.items():
+        if isinstance(value, str) and not value.strip():
+            raise BadRequest(f"--{name} is empty")
     infer, measured = _inverse(call)
     settings = Settings(
         target=call.target or "-",

@@ -12,7 +12,7 @@ from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
 from ..quantities.nomenclature import header as header_of
 from ..quantities.units import Unit, dimension_of, exponent_of, kind_of
 from ..quantities.values import Uncertain, parse_quantity, split_number, unit_of, value_of
-from ..text import closest, first_of, quoted, shown
+from ..text import closest, first_of, listed, quoted, shown
 from .readings import (
     INPUTS,
     MATERIALS,
@@ -220,6 +220,7 @@ def understood(
 ) -> Header:
     """Return the columns of a header, given the cells of its first rows and what some are said to mean. Raises BadTable."""
     _check_meanings(texts, meanings)
+    _check_mistaken(texts, rows, meanings)
     of_directions = next(filter(is_of_directions, texts), "")
     inputs: list[Column] = []
     materials: list[tuple[str, int]] = []
@@ -286,6 +287,19 @@ def _check_meanings(texts: Sequence[str], meanings: Mapping[str, Reading]) -> No
             guess = closest(text, texts)
             meant = f"; did you mean {quoted(guess)}?" if guess else ""
             raise BadTable(f"--column: the table has no column {quoted(text)}{meant}")
+
+
+def _check_mistaken(texts: Sequence[str], rows: Sequence[Sequence[str]], meanings: Mapping[str, Reading]) -> None:
+    """Raise BadTable for several columns that look like mistyped inputs, with what reads all of them."""
+    readings = {place: _reading(text, meanings) for place, text in enumerate(texts)}
+    meant = {
+        texts[place]: _meant(reading.meant, [row[place] for row in rows])
+        for place, reading in readings.items()
+        if reading.meant and not reading.name
+    }
+    if len(meant) > 1:
+        names = listed(map(quoted, meant))
+        raise BadTable(f"header: {names} are not inputs; if they are meant as such, write {_columns(meant)}")
 
 
 def _no_input(text: str, reading: Reading, cells: Sequence[str]) -> BadTable:

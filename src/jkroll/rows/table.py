@@ -246,7 +246,13 @@ def wanted_of(columns: Header, rows: Sequence[Sequence[str]], fill: Fill, asked:
     if not names:
         scene.plan(offered[0])
         raise BadRequest("--quantities: these are known of identical spheres only, and the table describes sphere 2")
-    return Wanted(names, named=explicit, sides={}, doubts=doubts)
+    return Wanted(names, named=[*explicit, *filter(_is_of_cells, possible)], sides={}, doubts=doubts)
+
+
+def _is_of_cells(name: str) -> bool:
+    """Return whether some cells are the reason why a quantity has a column: then all rows have it."""
+    quantity = NOMENCLATURE[name]
+    return bool(quantity.shown_with) and not quantity.of_identical
 
 
 def _typical(
