@@ -101,8 +101,7 @@ def is_answer(name: str, value: Any, radius2: Any = None) -> Any:
 
 def with_nan(name: str, values: Any, radius2: Any = None) -> Any:
     """Return an array with nan in place of the elements that are no answer."""
-    size = abs(values)
-    if size.size and size.min() >= SMALLEST and size.max() < INFINITY:
+    if values.size and values.min() >= SMALLEST and values.max() < INFINITY:  # as of nearly all quantities
         return values
     return where(is_answer(name, values, radius2), values, nan)
 
