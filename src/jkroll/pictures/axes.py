@@ -127,6 +127,8 @@ def round_values(low: float, high: float, most: int, *, is_log: bool) -> list[fl
 
     >>> round_values(1e-9, 1e-6, 5, is_log=True), round_values(-1.0, 1.0, 5, is_log=False)
     ([1e-09, 1e-08, 1e-07, 1e-06], [-1.0, -0.5, 0.0, 0.5, 1.0])
+    >>> round_values(-300.0, 600.0, 5, is_log=False)
+    [-200.0, 0.0, 200.0, 400.0, 600.0]
     """
     if is_log:
         decades = range(ceil(log10(low) - 1e-9), floor(log10(high) + 1e-9) + 1)
@@ -147,7 +149,9 @@ def round_values(low: float, high: float, most: int, *, is_log: bool) -> list[fl
     values = [float(f"{place * width:.12g}") for place in places]
     if len(values) < 2 and most < 64:
         return round_values(low, high, 2 * most, is_log=False)
-    return values[:: ceil(len(values) / most)]
+    step = ceil(len(values) / most)
+    rounder = [value for place, value in zip(places, values, strict=True) if place % step == 0]  # 0 is among them
+    return rounder if len(rounder) > 1 else values[::step]
 
 
 def contour_values(low: float, high: float, most: int, *, is_log: bool) -> list[float]:

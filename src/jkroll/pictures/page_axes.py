@@ -277,6 +277,7 @@ def _markup(token: str) -> str:
 
 _STEP = 1.5  # between points of lines that are to be kept free, in points of the page
 _APART = 3.0  # the least distance of the texts of ticks, in points of the page
+_TICK = 4.0  # points of the page inside the frame that its ticks take
 _ASIDE = 20.0  # times as far as it is from its line, a label may be from the middle
 # Directions from a point to its text, in the order of preference.
 _DIRECTIONS = ((1, 1), (1, -1), (-1, 1), (-1, -1), (1, 0), (-1, 0), (0, 1), (0, -1))
@@ -349,7 +350,7 @@ def _label_points(
         _move(text, *best)
         boxes.append(text.get_window_extent())
         if best[2] > _REACH[1]:
-            leader = {"arrowstyle": "-", "linewidth": 0.4, "color": style.ink, "shrinkA": 0, "shrinkB": 2}
+            leader = {"arrowstyle": "-", "linewidth": 0.4, "color": style.ink, "shrinkA": 2, "shrinkB": 2}
             axes.annotate("", at, xytext=text.get_position(), textcoords="offset points", arrowprops=leader)
 
 
@@ -432,7 +433,7 @@ def _label_contours(
     for number, (label, own) in enumerate(zip(labels, parts, strict=True)):
         text = _on_paper(axes, label, style)
         half = text.get_window_extent().size / 2
-        places = _places(own, centre, half, axes.get_window_extent())
+        places = _places(own, centre, half, axes.get_window_extent().padded(-_TICK * axes.figure.dpi / 72))
         others = numpy.concatenate([*parts[:number], *parts[number + 1 :], lines[:0]])
         free = (
             place
