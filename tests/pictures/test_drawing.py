@@ -617,7 +617,7 @@ def test_a_million_points_take_less_than_importing_matplotlib() -> None:
     assert least["map"] < least["import"]
 
 
-# --- The pictures of the README: written anew by `python tests/pictures/test_drawing.py` ---------------------------------------------
+# --- The pictures of the README: written anew by `PYTHONPATH=tests python tests/pictures/test_drawing.py` ---------------------------------------------
 
 README = Path(__file__).parents[2] / "README.md"
 KEPT = Path(__file__).parents[1] / "data"
