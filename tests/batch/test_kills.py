@@ -98,11 +98,6 @@ def test_a_kill_leaves_no_half_of_a_file(words: str, end: str, kills: int, *, wh
     assert {path: path.read_bytes() for path in begun(out.name)} == left
 
 
-def hangs_up() -> None:
-    """Let a closed terminal end a process, as it does where no nohup stands before."""
-    signal.signal(signal.SIGHUP, signal.SIG_DFL)
-
-
 @pytest.mark.parametrize(
     ("number", "code"), [(signal.SIGINT, 130), (signal.SIGTERM, -signal.SIGTERM), (signal.SIGHUP, -signal.SIGHUP)]
 )
@@ -112,7 +107,7 @@ def test_an_interrupt_leaves_nothing(words: str, number: int, code: int) -> None
     before = {*os.listdir(), "__pycache__"}
     while True:
         command = [sys.executable, "small.py", *words.split(), "-o", "out.csv"]
-        process = subprocess.Popen(command, stderr=subprocess.PIPE, text=True, preexec_fn=hangs_up)
+        process = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
         wait_until(lambda: any(path.stat().st_size for path in begun("out.csv")), process)
         process.send_signal(number)
         _, message = process.communicate()
