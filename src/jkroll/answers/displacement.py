@@ -121,5 +121,5 @@ def _range(ends: tuple[float, float]) -> str:
 
 
 def _number(value: float) -> str:
-    """Return a number with two digits, or without decimals."""
-    return significant(value, 2) if value < 100 else f"{value:.0f}"
+    """Return a number with two digits, or without decimals; a large one with a power of ten."""
+    return f"{value:.0f}" if 100 <= value < 1e6 else significant(value, 2)

@@ -52,6 +52,11 @@ HINTS: Mapping[str, str] = {
 HINTS_OF: Mapping[str, Mapping[str, str]] = {
     **dict.fromkeys(("map", "figure"), dict.fromkeys(("--csv", "--json"), "--data FILE writes the numbers as CSV")),
     "export": dict.fromkeys(("-o", "--output", "--out"), "it writes to standard output: add > FILE"),
+    "batch": {
+        "--to": "the results of a table are in SI units, as their headers say",
+        "--digits": "the results of a table have all their digits",
+        **dict.fromkeys(("--json", "--csv", "--bare"), "--format and the name of the file say the format"),
+    },
 }
 # Words of a scene that may be given by name, too.
 NAMED = {

@@ -315,6 +315,8 @@ def _read(text: str, dimension: Dimension) -> Uncertain | None:
         return _plus_minus(match[1], match[2], dimension)
     if " to " in text:
         return _interval(text, dimension)
+    if re.search(r"[^\d\s]\s*\(", text):
+        raise BadUnit("has brackets in its unit", "leave them out, as in mJ/m2")
     if has_uncertainty(text):
         raise BadUnit("has an uncertainty in an unknown form", "write it as in 25±5 mJ/m2 or 20 to 30 mJ/m2")
     return None
