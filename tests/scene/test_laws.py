@@ -390,7 +390,7 @@ def test_rolling_has_two_readings(material: str, radius: float, at_displacement:
 def test_for_energies_below_a_jump_no_correction_is_named(run: Run) -> None:
     energies = run("energies quartz 100nm --explain").out
     assert "by Maugis–Dugdale U_grips is at least 2.7 times as large" in energies
-    assert "a 3–9 contact makes and breaks without a jump" in energies
+    assert "a Lennard-Jones (3–9) contact makes and breaks without a jump" in energies
     assert not re.search("(U_stick|v_stick) is [^;]* times", energies)
     sticking = run("energies quartz 100nm --quantities sticking_energy").err
     assert "Maugis–Dugdale is no better for energies of jumps" in sticking

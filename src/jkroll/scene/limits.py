@@ -187,7 +187,7 @@ LIMITS = (
         (
             Doubt(
                 JUMP, f"below {JUMP:g}",
-                "a 3–9 contact makes and breaks without a jump, and adhesion alone loses nothing; μ goes as 1/z0 (--z0)",
+                "a Lennard-Jones (3–9) contact makes and breaks without a jump, and adhesion alone loses nothing; μ goes as 1/z0 (--z0)",
             ),
         ),
         "contacts jump together and apart",
