@@ -154,6 +154,13 @@ def test_a_pair_that_lacks_an_input_is_left_out(run: Run) -> None:
     assert [*coefficients(ran.out)] == ["2 2", "1 2"]
 
 
+def test_a_pair_of_rigid_bodies_is_left_out(run: Run) -> None:
+    ran = run("export lammps quartz 100nm --young2 rigid --shear-strength 12MPa")
+    assert ran.code == 0
+    assert "# pair_coeff 2 2: both bodies are rigid" in ran.out
+    assert [*coefficients(ran.out)] == ["1 1", "1 2"]
+
+
 @pytest.mark.parametrize(
     ("words", "message"),
     [

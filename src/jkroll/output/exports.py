@@ -18,7 +18,7 @@ from typing import NamedTuple
 from ..errors import JkrollError
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.nomenclature import INFINITY, PROPERTIES, STATE, STATE_OR_LOAD
-from ..scene.failures import MissingInput, OfIdenticalSpheres
+from ..scene.failures import MissingInput, OfIdenticalSpheres, TwoRigidBodies
 from ..scene.scene import Scene
 
 NO_SLIP = 1e9  # a coefficient of friction with which nothing slips, where a law does not say at which force it does
@@ -91,6 +91,8 @@ def lammps_input(scene: Scene) -> Iterator[str]:
             steps.append(pair["time_step"])
         except MissingInput as error:
             yield f"# {command.partition(' {')[0]} needs {error.needs()}"
+        except TwoRigidBodies as error:
+            yield f"# {command.partition(' {')[0]}: {error}"
     yield f"timestep {min(steps):.12g}"
     friction = f" F_slide/(P + 2P_c) = {scene['sliding_friction_coefficient']:.3g}" if scene.law.is_default else ""
     yield from (remark.format(law=model, friction=friction) for remark in _REMARKS)
