@@ -119,7 +119,7 @@ def _power(value: float, unit: str, digits: int) -> tuple[str, int]:
 
 
 def significant(value: float, digits: int) -> str:
-    """Round a number to significant digits; one below a million has no exponent for want of digits.
+    """Round a number to significant digits; one below a million is written without an exponent.
 
     >>> significant(2600.0, 3), significant(1234567.0, 3)
     ('2600', '1.23e+06')

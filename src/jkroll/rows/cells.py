@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 import numpy
 import orjson
 
+from ..errors import JkrollError
 from ..materials.library import Material, Materials, MaterialsFileError, UnclearMaterial, UnknownMaterial
 from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
@@ -180,16 +181,30 @@ class Lookup:
         self._of_kinds: dict[Hashable, int] = {_kind(otherwise): 0}  # of the kinds of materials
         self._kinds = [0]
         self._cache = Kept(self._index)
+        self._of_names = Kept(self._found)
 
     def indices(self, cells: Sequence[bytes | str]) -> Indices:
         """Return the indices of the materials that cells name."""
         return numpy.array([*map(self._cache.__getitem__, cells)], dtype=numpy.int64)
 
+    def material(self, text: str) -> Material:
+        """Return the material of a name. Raises UnknownMaterial, UnclearMaterial or MaterialsFileError."""
+        found: Material | JkrollError = self._of_names[text]
+        if isinstance(found, JkrollError):
+            raise found.with_traceback(None)
+        return found
+
+    def _found(self, text: str) -> Material | JkrollError:
+        """Return the material of a name, or why there is none: to word that takes as long as a hundred rows."""
+        try:
+            return self.materials[text]
+        except (UnknownMaterial, UnclearMaterial, MaterialsFileError) as error:
+            return error
+
     def _index(self, cell: bytes | str) -> int:
         text = cell.decode(errors="replace") if isinstance(cell, bytes) else cell
-        try:
-            found = self.materials[text] if text.strip() else self.known[0]
-        except (UnknownMaterial, UnclearMaterial, MaterialsFileError):
+        found = self._of_names[text] if text.strip() else self.known[0]
+        if isinstance(found, JkrollError):
             found = LABEL
         if found not in self.known:
             self.known.append(found)

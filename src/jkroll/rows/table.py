@@ -131,12 +131,13 @@ class Table:
         texts = {column.name: column.joined(*map(text_of, column.places)) for column in self.inputs}
         texts |= {name: text_of(name) for name, _ in self.materials_at}
         readers: dict[str, Callable[[str], Any]] = {column.name: column.read for column in self.inputs}
+        readers |= {name: lookup.material for name, lookup in self.lookups.items()}
         problems: list[str] = []
         labels: list[str] = []
         for name, text in texts.items():
             try:
                 if text.strip():
-                    found[name] = readers.get(name, self.fill.known.__getitem__)(text)
+                    found[name] = readers[name](text)
             except (UnknownMaterial, UnclearMaterial, MaterialsFileError) as error:
                 found[name] = LABEL
                 labels.append(str(error))
