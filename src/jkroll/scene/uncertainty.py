@@ -360,8 +360,9 @@ def _over_ranges(
     """Iterate over ranges, from corners and turning points."""
     together = cache(lambda place: evaluate(_at(sources, place), (*values,)))
     for name, value in values.items():
+        alone = cache(_alone(name, evaluate, sources)) if len(values) > 1 else together
         try:
-            yield name, _range_of(name, value, sources, together, cache(_alone(name, evaluate, sources)))
+            yield name, _range_of(name, value, sources, together, alone)
         except JkrollError as error:
             yield name, error
 
