@@ -320,7 +320,7 @@ def contact_displacement(
 def unloaded_edge_ratio(*, transition_parameter: Number) -> Number:
     """Return the edge ratio of the stable contact without load.
 
-        q = 4v³/(3G3), q = 4λ/(3T)
+        v where P = 0: q = 4v³/(3G3), q = 4λ/(3T)
 
     Source:   Maugis 1992; in closed form at a given v.
     Accuracy: 4 ulp.
