@@ -430,10 +430,11 @@ def _label_contours(
         for path in contours.get_paths()
     ]
     centre = axes.transData.transform(middle)
+    frame, ticks = axes.get_window_extent(), _TICK * axes.figure.dpi / 72
     for number, (label, own) in enumerate(zip(labels, parts, strict=True)):
         text = _on_paper(axes, label, style)
         half = text.get_window_extent().size / 2
-        places = _places(own, centre, half, axes.get_window_extent().padded(-_TICK * axes.figure.dpi / 72))
+        places = [*_places(own, centre, half, frame.padded(-ticks)), *_places(own, centre, half, frame)]
         others = numpy.concatenate([*parts[:number], *parts[number + 1 :], lines[:0]])
         free = (
             place
