@@ -6,6 +6,7 @@ import stat
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
+from io import BufferedReader, FileIO
 from typing import BinaryIO
 
 from ..errors import BadRequest
@@ -29,7 +30,7 @@ class Input:
         self.path = path
         try:
             descriptor = os.dup(0) if path == "-" else os.open(path, os.O_RDONLY | getattr(os, "O_BINARY", 0))
-            self.file: BinaryIO = open(descriptor, "rb", buffering=CHUNK)
+            self.file = BufferedReader(FileIO(descriptor), CHUNK)
         except OSError as error:
             raise BadTable(f"{quoted(path)}: {error.strerror}") from None
         about = os.fstat(descriptor)
@@ -39,7 +40,7 @@ class Input:
             raise BadTable(f"{quoted(path)}: {os.strerror(errno.EISDIR)}")
 
     def pieces(self, compression: str) -> Iterator[bytes]:
-        """Iterate over the bytes to convert, decompressed: CHUNK bytes at a time, but for the ends.
+        """Iterate over the bytes to convert, decompressed: CHUNK bytes at a time at most, of a pipe what there is.
 
         Raises BadTable at the end if the file was changed in the meantime.
         """
@@ -51,7 +52,7 @@ class Input:
 
     def _piece(self) -> bytes:
         try:
-            return self.file.read(CHUNK)
+            return self.file.read1(CHUNK)
         except OSError as error:
             raise BadTable(f"{quoted(self.path)}: {error.strerror}") from None
 

@@ -258,7 +258,7 @@ def atomic_spacing_of_cutoff(*, cutoff: Length) -> Length:
 
     Source:   The 3–9 law has w = A/(16πz0²); with w = A/(12πD0²).
     Valid:    As the work of adhesion.
-    Accuracy: 1 ulp.
+    Accuracy: 1.5 ulp.
 
     >>> round(atomic_spacing_of_cutoff(cutoff=2.0), 6)
     1.732051

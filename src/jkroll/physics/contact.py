@@ -45,7 +45,7 @@ def pull_off_force_ratio(*, pull_off_force: Force, work_of_adhesion: SurfaceEner
 
         P_c/(πwR)
 
-    Accuracy: 2 ulp above P_c, w and R.
+    Accuracy: 2.5 ulp above P_c, w and R.
 
     >>> round(pull_off_force_ratio(pull_off_force=3 * pi, work_of_adhesion=2.0, reduced_radius=1.0), 12)
     1.5

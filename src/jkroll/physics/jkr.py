@@ -31,7 +31,7 @@ def load_margin_of_factor(*, load_factor: Number) -> Number:
 
     Source:   Eq (5), as x = (1 + s)/2.
     Valid:    0 < x.
-    Accuracy: 0.5 ulp of 2x.
+    Accuracy: 1 ulp of 2x.
 
     >>> load_margin_of_factor(load_factor=0.5)
     0.0

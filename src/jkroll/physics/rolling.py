@@ -59,7 +59,7 @@ def rolling_spring_constant(*, rolling_stiffness: RollingStiffness, reduced_radi
 
     Source:   LAMMPS, pair_style granular, rolling sds.
     Valid:    Angles below the yield angle, at this load.
-    Accuracy: 1 ulp above k and R.
+    Accuracy: 1.5 ulp above k and R.
 
     >>> rolling_spring_constant(rolling_stiffness=18.0, reduced_radius=3.0)
     2.0
@@ -78,7 +78,7 @@ def rolling_friction_coefficient(
 
     Source:   LAMMPS, pair_style granular, rolling sds: the spring's force is at most μ_roll(P + 2P_c).
     Valid:    This load.
-    Accuracy: 2 ulp above M, R and P_c.
+    Accuracy: 2.5 ulp above M, R and P_c.
 
     >>> rolling_friction_coefficient(yield_moment=6.0, reduced_radius=3.0, load=-1.0, pull_off_force=1.0)
     2.0

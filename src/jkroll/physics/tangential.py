@@ -38,7 +38,7 @@ def sliding_force(*, shear_strength: Stress, contact_radius_at_load: Length) -> 
 
     Source:   Lumajord/DustSimulation, without load.
     Valid:    A contact that does not peel before, and that bears its shear strength everywhere.
-    Accuracy: 2 ulp above τ and a.
+    Accuracy: 2.5 ulp above τ and a.
 
     >>> round(sliding_force(shear_strength=2.0, contact_radius_at_load=3.0) / pi, 12)
     18.0

@@ -34,7 +34,7 @@ def vertical_frequency(*, stiffness: Stiffness, reduced_mass: Mass) -> Frequency
 
     Source:   Eqs (31)-(35), where a frequency is Ω and Eq (34) lost its sign; under a load with the stiffness there.
     Valid:    Free spheres, amplitudes well below δ0.
-    Accuracy: 2.5 ulp above dP/dδ and m.
+    Accuracy: 3 ulp above dP/dδ and m.
 
     >>> round(vertical_frequency(stiffness=(2 * pi) ** 2, reduced_mass=1.0), 12)
     1.0
@@ -94,7 +94,7 @@ def sliding_frequency(*, tangential_stiffness: Stiffness, reduced_mass: Mass) ->
 
     Source:   A force k_s u at the contact moves the centres, 1/m, and turns the spheres, (5/2)/m.
     Valid:    Homogeneous spheres; small amplitudes.
-    Accuracy: 2.5 ulp.
+    Accuracy: 3 ulp.
 
     >>> round(sliding_frequency(tangential_stiffness=8 * pi**2, reduced_mass=7.0), 12)
     1.0
@@ -109,7 +109,7 @@ def twisting_frequency(*, twisting_stiffness: Moment, reduced_moment_of_inertia:
 
     Source:   A moment k_t φ at the contact turns the spheres, 1/I = 1/I1 + 1/I2; on a plane 1/I1.
     Valid:    Homogeneous spheres; small amplitudes.
-    Accuracy: 2.5 ulp above k_t and I.
+    Accuracy: 3 ulp above k_t and I.
 
     >>> round(twisting_frequency(twisting_stiffness=(2 * pi) ** 2, reduced_moment_of_inertia=1.0), 12)
     1.0
