@@ -241,7 +241,7 @@ def _elements(evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[S
     import numpy
 
     found: dict[str, Elements] = {}
-    combine = _in_quadrature if isinstance(sources[0].given, Measured) else _at_corners
+    combine = _in_quadrature if isinstance(sources[0].given, Measured) else _on_edges
     for name, bar in combine(evaluate, values, sources):
         if isinstance(bar, JkrollError):
             found[name] = Elements({}, is_open=True)
@@ -291,64 +291,44 @@ def _at(sources: Sequence[Source], place: Place) -> dict[str, Any]:
     return {name: value for source, value in zip(sources, place, strict=True) for name in source.names}
 
 
-def _alike(sources: Sequence[Source]) -> list[tuple[int, int]]:
-    """Return the pairs of sources that are one property of both bodies, and positive.
-
-    A quantity of the weaker body may grow along both together, in proportion, where it falls along either.
-    """
-    axes = {name: axis for axis, source in enumerate(sources) for name in source.names}
-    pairs = [(axis, axes[f"{name}2"]) for name, axis in axes.items() if f"{name}2" in axes]
-    return [(one, other) for one, other in pairs if one != other and NOMENCLATURE[sources[one].names[0]].range.low >= 0]
-
-
 def _moved(place: Place, axis: int, value: Any) -> Place:
     """Return a place with another value of one source."""
     return (*place[:axis], value, *place[axis + 1 :])
 
 
+def _edges(limits: Sequence[tuple[Any, Any]]) -> Iterator[tuple[int, Place]]:
+    """Iterate over the edges of the box of all ranges: the source that varies along each, and a place on it.
+
+    The largest value of a quantity that has no turning point is that of a corner. One that is that of the weaker body,
+    and falls off where the other becomes the weaker, has it at a corner or where such a ridge meets an edge.
+    """
+    for axis in range(len(limits)):
+        others = [ends if place != axis else ends[:1] for place, ends in enumerate(limits)]
+        yield from ((axis, place) for place in product(*others))
+
+
 # --- Ranges of arrays -------------------------------------------------------------------------------------------------
 
 
-def _at_corners(evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Source]) -> Iterator[tuple[str, _Bar]]:
-    """Iterate over ranges, from the values at the corners. They are open where a step from a corner inwards leads further."""
+def _on_edges(evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Source]) -> Iterator[tuple[str, _Bar]]:
+    """Iterate over ranges, from the values at the corners. They are open where a quantity turns on the way along an edge."""
     limits = [source.ends for source in sources]
-    corners, steps = [*product(*limits)], [*_inwards(limits, _alike(sources))]
-    of_corners, of_steps = (_extremes(evaluate, values, sources, places) for places in (corners, steps))
-    for name, value in values.items():
-        (low, high), (low_inside, high_inside) = of_corners[name], of_steps[name]
-        bar = _range(value, low, high)
-        yield name, bar._replace(is_open=bar.has_influence & ~((low <= low_inside) & (high_inside <= high)))
-
-
-def _inwards(limits: Sequence[tuple[Any, Any]], alike: Sequence[tuple[int, int]]) -> Iterator[Place]:
-    """Iterate over the places a step away from each corner, along each source, and along those that are alike together."""
-    for ends in product((0, 1), repeat=len(limits)):
-        corner = tuple(limit[end] for limit, end in zip(limits, ends, strict=True))
-        inner = [
-            value + NEAR / SAMPLES * (low + high - 2 * value) for value, (low, high) in zip(corner, limits, strict=True)
-        ]
-        for axis, value in enumerate(inner):
-            yield _moved(corner, axis, value)
-        for one, other in alike:
-            if ends[one] == ends[other]:
-                factor = (at_least if ends[one] else at_most)(inner[one] / corner[one], inner[other] / corner[other])
-                yield _moved(_moved(corner, one, factor * corner[one]), other, factor * corner[other])
-
-
-def _extremes(
-    evaluate: Evaluate, names: Collection[str], sources: Sequence[Source], places: Iterable[Place]
-) -> dict[str, tuple[Any, Any]]:
-    """Return the least and the largest values of quantities at some places; nan where they have none at one of them."""
-    import numpy
-
-    found: dict[str, tuple[Any, Any]] = {}
-    for place in places:
-        outcomes = evaluate(_at(sources, place), (*names,))
-        for name in names:
-            value = nan if isinstance(outcomes[name], JkrollError) else outcomes[name]
-            low, high = found.get(name, (value, value))
-            found[name] = numpy.minimum(low, value), numpy.maximum(high, value)
-    return found
+    found = {name: (value, value, False) for name, value in values.items()}
+    for axis, place in _edges(limits):
+        low, high = limits[axis]
+        step = NEAR / SAMPLES * (high - low)
+        along = (_moved(place, axis, value) for value in (low, low + step, high - step, high))
+        outcomes = [evaluate(_at(sources, point), (*values,)) for point in along]
+        for name, (least, largest, turns) in found.items():
+            first, second, third, last = (nan if isinstance(one[name], JkrollError) else one[name] for one in outcomes)
+            found[name] = (
+                at_most(at_most(least, first), last),
+                at_least(at_least(largest, first), last),
+                turns | ((second - first) * (third - last) > 0),
+            )
+    for name, (least, largest, turns) in found.items():
+        bar = _range(values[name], least, largest)
+        yield name, bar._replace(is_open=bar.has_influence & turns)
 
 
 # --- Ranges of numbers ------------------------------------------------------------------------------------------------
@@ -393,65 +373,40 @@ def _number_of(name: str, outcomes: Outcomes, place: Place) -> float:
     return float(outcome)
 
 
-class _Line(NamedTuple):
-    """A line through a place: along one source, or along several together, in proportion."""
-
-    place: Place
-    axes: tuple[int, ...]
-    ends: tuple[float, float]  # of the first source
-
-    @classmethod
-    def through(cls, place: Place, axes: tuple[int, ...], limits: Sequence[tuple[float, float]]) -> "_Line":
-        """Return the line as far as it lies within the ranges."""
-        first = axes[0]
-        if len(axes) == 1:
-            return cls(place, axes, limits[first])
-        factors = [(limits[axis][0] / place[axis], limits[axis][1] / place[axis]) for axis in axes]
-        low, high = max(low for low, _ in factors), min(high for _, high in factors)
-        return cls(place, axes, (place[first] * low, place[first] * high))
-
-    def at(self, value: float) -> Place:
-        """Return the place where the first source has this value."""
-        found = _moved(self.place, self.axes[0], value)
-        for axis in self.axes[1:]:
-            found = _moved(found, axis, self.place[axis] * (value / self.place[self.axes[0]]))
-        return found
-
-
 class _Surface:
     """A quantity over all ranges, or with sign −1 its negative."""
 
     def __init__(self, name: str, sources: Sequence[Source], together: Outcomes, alone: Outcomes, sign: float) -> None:
         """`together`: the outcomes of all quantities at a place, for places that they share; `alone`: of this one."""
         self.limits = [source.ends for source in sources]
-        self.axes: list[tuple[int, ...]] = [*((axis,) for axis in range(len(sources))), *_alike(sources)]
         self.height: Callable[[Place], float] = lambda place: sign * _number_of(name, together, place)
         self.beside: Callable[[Place], float] = lambda place: sign * _number_of(name, alone, place)
 
     def highest(self) -> float:
-        """Return the largest value: that of a corner, or of a turning point beside it."""
-        place = max(product(*self.limits), key=self.height)
+        """Return the largest value: that on an edge, or of a turning point beside it."""
+        place = max((self._peak(place, axis) for axis, place in _edges(self.limits)), key=self.beside)
         for _ in range(_ROUNDS):
             before = place
-            for axes in self.axes:
-                place = max(place, self._peak(_Line.through(place, axes, self.limits)), key=self.beside)
+            for axis in range(len(self.limits)):
+                place = max(place, self._peak(place, axis), key=self.beside)
             if place == before:
                 break
         return self.beside(place)
 
-    def _peak(self, line: _Line) -> Place:
-        """Return the place with the largest value on a line, by samples and a golden-section search beside the best one.
+    def _peak(self, place: Place, axis: int) -> Place:
+        """Return the place with the largest value along one range, by samples and a golden-section search beside the best one.
 
         An end that is the best of them is the place itself, unless the quantity still grows from there inwards.
         """
-        samples = _samples(*line.ends)
-        best = max(range(len(samples)), key=lambda number: self.height(line.at(samples[number])))
+        samples = _samples(*self.limits[axis])
+        best = max(range(len(samples)), key=lambda number: self.height(_moved(place, axis, samples[number])))
         left, right = samples[max(best - 1, 0)], samples[min(best + 1, SAMPLES)]
-        inwards = line.at(samples[best] + NEAR * (left + right - 2 * samples[best]))
-        place = line.at(samples[best])
-        if best in (0, SAMPLES) and self.beside(inwards) <= self.beside(place):
-            return place
-        return line.at(found_by(highest_between(left, right), lambda value: self.beside(line.at(value))))
+        inwards = _moved(place, axis, samples[best] + NEAR * (left + right - 2 * samples[best]))
+        found = _moved(place, axis, samples[best])
+        if best in (0, SAMPLES) and self.beside(inwards) <= self.beside(found):
+            return found
+        value = found_by(highest_between(left, right), lambda value: self.beside(_moved(place, axis, value)))
+        return _moved(place, axis, value)
 
 
 def _samples(low: float, high: float) -> list[float]:
