@@ -337,12 +337,16 @@ def _on_edges(evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[S
 def _over_ranges(
     evaluate: Evaluate, values: Mapping[str, float], sources: Sequence[Source]
 ) -> Iterator[tuple[str, _Bar | JkrollError]]:
-    """Iterate over ranges, from corners and turning points."""
+    """Iterate over ranges, from the edges of their box and turning points."""
+    limits = [source.ends for source in sources]
+    edges = [_line(place, axis, limits) for axis, place in _edges(limits)]
     together = cache(lambda place: evaluate(_at(sources, place), (*values,)))
     for name, value in values.items():
         alone = cache(_alone(name, evaluate, sources)) if len(values) > 1 else together
+        low, high = (_Surface(name, limits, edges, together, alone, sign) for sign in (-1.0, 1.0))
         try:
-            yield name, _range_of(name, value, sources, together, alone)
+            bar = _range(value, -low.highest(), high.highest())
+            yield name, bar._replace(parts=_widths(name, sources, together)) if bar.has_influence else bar
         except JkrollError as error:
             yield name, error
 
@@ -351,18 +355,26 @@ def _alone(name: str, evaluate: Evaluate, sources: Sequence[Source]) -> Outcomes
     return lambda place: evaluate(_at(sources, place), (name,))
 
 
-def _range_of(name: str, value: float, sources: Sequence[Source], together: Outcomes, alone: Outcomes) -> _Bar:
-    """Return the range of a quantity, which has an outcome at each place. Raises the reason why it has no value at one."""
-    low, high = (_Surface(name, sources, together, alone, sign).highest() for sign in (-1.0, 1.0))
-    bar = _range(value, -low, high)
-    if not bar.has_influence:
-        return bar
-    middle = tuple(source.given.value for source in sources)
+def _widths(name: str, sources: Sequence[Source], together: Outcomes) -> list[float]:
+    """Return how far a quantity moves along each range, in the middle of the others."""
+    middle, limits = tuple(source.given.value for source in sources), [source.ends for source in sources]
     widths = []
-    for axis, source in enumerate(sources):
-        heights = [_number_of(name, together, _moved(middle, axis, sample)) for sample in _samples(*source.ends)]
+    for axis in range(len(limits)):
+        heights = [_number_of(name, together, place) for place in _line(middle, axis, limits).places]
         widths.append(max(heights) - min(heights))
-    return bar._replace(parts=widths)
+    return widths
+
+
+class _Line(NamedTuple):
+    """Equally spaced places from one end of a range to the other."""
+
+    axis: int  # the source that varies
+    places: list[Place]
+
+
+def _line(place: Place, axis: int, limits: Sequence[tuple[float, float]]) -> _Line:
+    """Return the line through a place along one range."""
+    return _Line(axis, [_moved(place, axis, value) for value in _samples(*limits[axis])])
 
 
 def _number_of(name: str, outcomes: Outcomes, place: Place) -> float:
@@ -376,37 +388,57 @@ def _number_of(name: str, outcomes: Outcomes, place: Place) -> float:
 class _Surface:
     """A quantity over all ranges, or with sign −1 its negative."""
 
-    def __init__(self, name: str, sources: Sequence[Source], together: Outcomes, alone: Outcomes, sign: float) -> None:
+    def __init__(
+        self,
+        name: str,
+        limits: Sequence[tuple[float, float]],
+        edges: Sequence[_Line],
+        together: Outcomes,
+        alone: Outcomes,
+        sign: float,
+    ) -> None:
         """`together`: the outcomes of all quantities at a place, for places that they share; `alone`: of this one."""
-        self.limits = [source.ends for source in sources]
+        self.limits, self.edges = limits, edges
         self.height: Callable[[Place], float] = lambda place: sign * _number_of(name, together, place)
         self.beside: Callable[[Place], float] = lambda place: sign * _number_of(name, alone, place)
 
     def highest(self) -> float:
-        """Return the largest value: that on an edge, or of a turning point beside it."""
-        place = max((self._peak(place, axis) for axis, place in _edges(self.limits)), key=self.beside)
+        """Return the largest value: that on an edge, or of a turning point beside it. Raises the reason why it has none at a place."""
+        best = max(map(self._peak, self.edges), key=_height)
         for _ in range(_ROUNDS):
-            before = place
+            before = best
             for axis in range(len(self.limits)):
-                place = max(place, self._peak(place, axis), key=self.beside)
-            if place == before:
+                best = max(best, self._peak(_line(best.place, axis, self.limits)), key=_height)
+            if best == before:
                 break
-        return self.beside(place)
+        return best.height
 
-    def _peak(self, place: Place, axis: int) -> Place:
-        """Return the place with the largest value along one range, by samples and a golden-section search beside the best one.
+    def _peak(self, line: _Line) -> "_Peak":
+        """Return the largest value on a line: at one of its places, or found by a golden-section search beside the best one.
 
-        An end that is the best of them is the place itself, unless the quantity still grows from there inwards.
+        An end that is the best of them is where it is, unless the quantity still grows from there inwards.
         """
-        samples = _samples(*self.limits[axis])
-        best = max(range(len(samples)), key=lambda number: self.height(_moved(place, axis, samples[number])))
-        left, right = samples[max(best - 1, 0)], samples[min(best + 1, SAMPLES)]
-        inwards = _moved(place, axis, samples[best] + NEAR * (left + right - 2 * samples[best]))
-        found = _moved(place, axis, samples[best])
-        if best in (0, SAMPLES) and self.beside(inwards) <= self.beside(found):
-            return found
-        value = found_by(highest_between(left, right), lambda value: self.beside(_moved(place, axis, value)))
-        return _moved(place, axis, value)
+        axis, places = line
+        heights = [*map(self.height, places)]
+        best = heights.index(max(heights))
+        left, middle, right = (places[max(0, min(at, SAMPLES))][axis] for at in (best - 1, best, best + 1))
+        inwards = _moved(places[best], axis, middle + NEAR * (left + right - 2 * middle))
+        if best in (0, SAMPLES) and self.height(inwards) <= heights[best]:
+            return _Peak(heights[best], places[best])
+        value = found_by(highest_between(left, right), lambda value: self.beside(_moved(places[best], axis, value)))
+        found = _moved(places[best], axis, value)
+        return _Peak(self.beside(found), found)
+
+
+class _Peak(NamedTuple):
+    """The largest value on a line, and where it is."""
+
+    height: float
+    place: Place
+
+
+def _height(peak: _Peak) -> float:
+    return peak.height
 
 
 def _samples(low: float, high: float) -> list[float]:
