@@ -163,6 +163,23 @@ def test_the_ridge_of_a_quantity_of_the_weaker_body_is_found(
     assert one.high == pytest.approx(known, rel=1e-9)
 
 
+@pytest.mark.parametrize("name", ["twisting_energy", "sliding_displacement", "peeling_over_sliding", "sliding_force"])
+@pytest.mark.parametrize("count", [2, pytest.param(3, marks=pytest.mark.slow)])
+def test_the_ends_are_those_of_a_grid(name: str, count: int) -> None:
+    """Which body is the weaker depends on E/(1 + ν) of both, and changes within these ranges."""
+    given: dict[str, Any] = {"radius": 1e-6, "surface_energy": 0.05, "surface_energy2": 0.08, "poisson_ratio2": 0.2}
+    given |= {"youngs_modulus2": 4e9}
+    spans = {"youngs_modulus": (1.9e9, 4.8e9), "poisson_ratio": (0.03, 0.46), "youngs_modulus2": (2.2e9, 5e9)}
+    ranges = {each: Interval(sum(span) / 2, *span) for each, span in [*spans.items()][:count]}
+    one = solve(name, **{**given, **ranges})
+    axes = [numpy.linspace(span.low, span.high, 201 if count == 2 else 41) for span in ranges.values()]
+    grid = dict(zip(ranges, numpy.meshgrid(*axes), strict=True))
+    values = solve(name, **{**given, **grid})
+    width = one.high - one.low
+    assert values.max() - 1e-12 * width <= one.high <= values.max() + 0.03 * width
+    assert values.min() - 0.03 * width <= one.low <= values.min() + 1e-12 * width
+
+
 def test_a_turning_point_is_met_exactly() -> None:
     one = found("contact_modulus", QUARTZ, {"poisson_ratio": Interval(0.05, -0.2, 0.3)}).uncertainty
     assert one.low == pytest.approx(solve("contact_modulus", **{**QUARTZ, "poisson_ratio": 0.0}), rel=1e-15)
