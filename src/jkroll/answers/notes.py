@@ -57,8 +57,8 @@ def notes_on_rows(scene: Scene, names: Sequence[str]) -> list[Note]:
         from ..scene.uncertainty import sources_of_results
 
         with suppress(JkrollError):  # each row says which kinds do not go together
-            left_out = about_uncertainties({}, sources_of_results(scene, possible))
-            left_out = [note._replace(kind="caveat") for note in left_out]  # that of some rows
+            notes = about_uncertainties({}, sources_of_results(scene, possible))
+            left_out = [note._replace(kind="caveat") for note in notes]  # that of some rows
     return [
         *left_out,
         *(note for note in about_given(scene, possible, inputs, entering, displaced) if note.kind != "material"),

@@ -40,12 +40,9 @@ def _say_notes(tally: Tally, settings: Settings) -> None:
     if tally.doubtful:
         is_one, counts = tally.rows == 1, tally.counts()["codes"].items()
         counted = first_of([code if is_one else f"{code} in {count}" for code, count in counts], MAX_CODES)
-        are = (
-            "the row is"
-            if is_one
-            else f"{tally.doubtful} of {tally.rows} rows {'is' if tally.doubtful == 1 else 'are'}"
-        )
-        say_wrapped(f"note: {are} doubtful ({counted}); column {DOUBT} says why", sys.stderr)
+        are = "is" if tally.doubtful == 1 else "are"
+        some = "the row" if is_one else f"{tally.doubtful} of {tally.rows} rows"
+        say_wrapped(f"note: {some} {are} doubtful ({counted}); column {DOUBT} says why", sys.stderr)
     if tally.not_judged:
         some = f"{tally.not_judged} of {tally.rows} rows"
         say_wrapped(

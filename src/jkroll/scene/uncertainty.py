@@ -374,7 +374,9 @@ class _Line(NamedTuple):
 
 def _line(place: Place, axis: int, limits: Sequence[tuple[float, float]]) -> _Line:
     """Return the line through a place along one range."""
-    return _Line(axis, [_moved(place, axis, value) for value in _samples(*limits[axis])])
+    low, high = limits[axis]
+    values = [low, *(low + (high - low) * number / SAMPLES for number in range(1, SAMPLES)), high]
+    return _Line(axis, [_moved(place, axis, value) for value in values])
 
 
 def _number_of(name: str, outcomes: Outcomes, place: Place) -> float:
@@ -439,8 +441,3 @@ class _Peak(NamedTuple):
 
 def _height(peak: _Peak) -> float:
     return peak.height
-
-
-def _samples(low: float, high: float) -> list[float]:
-    """Return equally spaced values from one end of a range to the other."""
-    return [low, *(low + (high - low) * number / SAMPLES for number in range(1, SAMPLES)), high]
