@@ -13,7 +13,7 @@ from maugis_reference import Exact, cbrt, digits, mpf, pi, sqrt
 SYMBOLS = {
     "F_a": "adhesive_force", "Q": "yield_force", "c": "zone_radius", "dw": "adhesion_hysteresis", "part": "hysteresis_fraction",
     "mu": "tabor_parameter", "lambda_": "transition_parameter", "sigma0": "cohesive_stress",
-    "edge": "edge_ratio", "edge0": "unloaded_edge_ratio", "T": "zone_span",
+    "edge": "edge_ratio", "edge0": "unloaded_edge_ratio", "T": "zone_span", "a_M": "unloaded_radius_maugis",
 }  # fmt: skip
 
 
@@ -136,9 +136,8 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "unloaded_radius_maugis": lambda edge0, w, R, E, lambda_: (
         cbrt(attraction(edge0, span(edge0, lambda_), lambda_ / 2)) * length_unit(w, R, E)
     ),
-    "unloaded_approach_maugis": lambda edge0, w, R, E, lambda_: (
-        approach_unit(w, R, E)
-        * (attraction(edge0, T := span(edge0, lambda_), lambda_ / 2) / (edge0 * T) - 4 * lambda_ * T / 3)
+    "unloaded_approach_maugis": lambda edge0, a_M, E, sigma0: (
+        3 * attraction(edge0, a_M / edge0, sigma0) / (4 * E * a_M) - 2 * sigma0 * a_M / (E * edge0)
     ),
     "edge_ratio_at_pull_off": lambda lambda_: ratio(*maugis.pull_off(lambda_)),
     "pull_off_force_maugis": lambda w, R, lambda_: -maugis.load(*maugis.pull_off(lambda_), lambda_) * pi * w * R,

@@ -265,7 +265,7 @@ def test_laws_of_lammps_are_the_ends_of_maugis(
     work, radius, modulus, approach = jkroll.solve(names, **GRAIN).values()
     at = dugdale.shape(dugdale.pull_off_ratio(transition))
     pull_off = -math.pi * work * radius * dugdale.load(transition, at, dugdale.span(transition, at))
-    at = dugdale.shape(dugdale.ratio_at_load(transition, 0.0))
+    at = dugdale.shape(dugdale.unloaded_ratio(transition))
     unit = dugdale.length_unit(work, radius, modulus)
     unloaded = dugdale.approach(transition, at, dugdale.span(transition, at)) * unit * unit / radius
     letting_go = bisect(lambda at: spheres.force(at) == 0, -approach, 0.0) if model == "jkr" else 1e-9 * approach

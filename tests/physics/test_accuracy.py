@@ -188,10 +188,10 @@ def _law_values(random: Random) -> Iterator[tuple[str, Any]]:
     work, radius, modulus = (log_uniform(random, low, high) for low, high in ranges)
     transition = log_uniform(random, *random.choice([(1e-6, 1e6), (0.1, 10)]))
     force, length = math.pi * work * radius, (3 / 4 * math.pi * work * radius**2 / modulus) ** (1 / 3)
-    tension, depth = (
-        dugdale.pull_off(transition)[1],
-        -dugdale.lowest_approach(transition, dugdale.fold_ratio(transition)),
-    )
+    at_pull_off, at_fold = dugdale.pull_off_ratio(transition), dugdale.fold_ratio(transition)
+    at = dugdale.shape(at_pull_off)
+    tension = -dugdale.load(transition, at, dugdale.span(transition, at))
+    depth = -dugdale.lowest_approach(transition, at_fold)
     nearly = 1 - log_uniform(random, 1e-13, 1)
     beyond = log_uniform(random, 1e-6, 1e6)
     stress = 2 * modulus * length * transition / (3 * radius)
@@ -211,6 +211,11 @@ def _law_values(random: Random) -> Iterator[tuple[str, Any]]:
     yield "contact_modulus", modulus
     yield "transition_parameter", transition
     yield "unloaded_edge_ratio", dugdale.unloaded_ratio(transition)
+    yield "edge_ratio_at_pull_off", at_pull_off
+    yield "edge_ratio_at_fold", at_fold
+    yield "pull_off_force_maugis", tension * force
+    yield "fold_approach_maugis", -depth * length**2 / radius
+    yield "unloaded_radius_maugis", length * log_uniform(random, 1e-3, 1e3)
     yield "edge_ratio", random.choice([0.0, log_uniform(random, 1e-6, 1e6), log_uniform(random, 0.1, 10)])
     yield "load", random.choice([0.0, -tension * nearly, -log_uniform(random, 1e-9, 1), beyond]) * force
     yield "approach_at_load", random.choice([0.0, -depth * nearly, beyond]) * length**2 / radius

@@ -29,7 +29,7 @@ PRINTED = {
 }
 
 
-def state(transition: float, edge_ratio: Any) -> dict[str, Any]:
+def state(transition: Any, edge_ratio: Any) -> dict[str, Any]:
     """Return all of a contact, dimensionless."""
     at = dugdale.shape(edge_ratio)
     span = dugdale.span(transition, at)
@@ -50,12 +50,26 @@ def stiffness(transition: float, at: dugdale.Shape, span: Any) -> Any:
     return 1.5 * span * dugdale.stiffness_ratio(at, 4 / 3 * transition / span)
 
 
+def ratio_at_load(transition: Any, load: Any) -> Any:
+    """Return v at a load."""
+    least = dugdale.pull_off_ratio(transition)
+    return dugdale.ratio_at_load(transition, load, least, -state(transition, least)["load"])
+
+
+def ratio_at_approach(transition: Any, approach: Any) -> Any:
+    """Return v at an approach."""
+    least = dugdale.fold_ratio(transition)
+    return dugdale.ratio_at_approach(transition, approach, least, dugdale.lowest_approach(transition, least))
+
+
+_OF_TRANSITION = ("unloaded_edge_ratio", "edge_ratio_at_pull_off", "edge_ratio_at_fold")
+
+
 def alone(formula: Any, transition: Any, unit: Any = UNIT) -> Any:
     """Return the result of a formula that the transition parameter decides on, but for the unit."""
-    given = {**unit, "transition_parameter": transition}
-    if "unloaded_edge_ratio" in parameters_of(formula):
-        given["unloaded_edge_ratio"] = maugis.unloaded_edge_ratio(transition_parameter=transition)
-    return formula(**given)
+    ratios = {name: getattr(maugis, name) for name in _OF_TRANSITION if name in parameters_of(formula)}
+    found = {name: ratio(transition_parameter=transition) for name, ratio in ratios.items()}
+    return formula(**unit, transition_parameter=transition, **found)
 
 
 def exact_state(transition: Exact, a: Exact, t: Exact) -> dict[str, Exact]:
@@ -73,8 +87,11 @@ def ulps(value: float, exact: Exact) -> float:
     return float(abs(mpf(float(value)) - exact)) / math.ulp(float(exact))
 
 
+_POWERS = {"load": 3, "approach": 2}  # of the contact radius, in the larger term of differences
+
+
 def check(solve: Any, transition: float, given: float, edge_ratio: float, names: str) -> None:
-    """Hold a state against the reference; its condition is that of the reference, of a load that of its larger term too."""
+    """Hold a state against the reference; its condition is that of the reference, of a difference that of its larger term too."""
     step = mpf(10) ** -18
     exact_transition, exact_given = mpf(transition), mpf(given)
     exact, *others = (
@@ -89,16 +106,16 @@ def check(solve: Any, transition: float, given: float, edge_ratio: float, names:
     values = state(transition, edge_ratio)
     for name in names.split():
         condition = float(sum(abs(other[name] / exact[name] - 1) for other in others) / step)
-        if name == "load":
-            condition += float(abs(exact["radius"] ** 3 / exact["load"]))
+        if name in _POWERS:
+            condition += float(abs(exact["radius"] ** _POWERS[name] / exact[name]))
         assert ulps(values[name], exact[name]) <= BOUND * (1 + condition), (name, transition, given)
 
 
 @pytest.mark.parametrize("transition", PRINTED)
 def test_reference_values(transition: float) -> None:
     pull_off, *unloaded = map(mpf, PRINTED[transition].split())
-    assert ulps(maugis.pull_off_force_maugis(**_without_modulus(), transition_parameter=transition), pull_off) <= BOUND
-    values = state(transition, dugdale.ratio_at_load(transition, 0.0))
+    assert ulps(alone(maugis.pull_off_force_maugis, transition, _without_modulus()), pull_off) <= BOUND
+    values = state(transition, ratio_at_load(transition, 0.0))
     for name, exact in zip(("radius", "approach", "stiffness", "energy"), unloaded, strict=True):
         assert ulps(abs(values[name]), exact) <= BOUND, name
 
@@ -120,7 +137,7 @@ def test_states_at_random_loads(count: int) -> None:
         assert ulps(at["radius"], a) <= BOUND
         load = at["load"] * (1 - 10 ** random.uniform(-8, 3))
         if load > least:
-            edge_ratio = dugdale.ratio_at_load(transition, load)
+            edge_ratio = ratio_at_load(transition, load)
             check(reference.at_load, transition, load, edge_ratio, "radius zone approach moment stiffness")
 
 
@@ -131,7 +148,7 @@ def test_the_approach_of_a_contact_whose_load_is_known(count: int) -> None:
     for _ in range(count):
         transition = 10 ** random.uniform(-4, 4)
         load = random.choice((0.0, 10 ** random.uniform(-2, 3), -random.uniform(0.01, 1.4)))
-        edge_ratio = dugdale.ratio_at_load(transition, load)
+        edge_ratio = ratio_at_load(transition, load)
         step = mpf(10) ** -18
         exact, *others = (
             {"radius": a, "approach": reference.approach(a, t, x)}
@@ -152,7 +169,12 @@ def test_the_approach_of_a_contact_whose_load_is_known(count: int) -> None:
         if load == 0:
             found["radius"] = alone(maugis.unloaded_radius_maugis, transition)
             bounds = {"approach": 6.0, "radius": 4.0}
-            unloaded = alone(maugis.unloaded_approach_maugis, transition)
+            unloaded = maugis.unloaded_approach_maugis(
+                unloaded_edge_ratio=maugis.unloaded_edge_ratio(transition_parameter=transition),
+                unloaded_radius_maugis=found["radius"],
+                contact_modulus=UNIT["contact_modulus"],
+                cohesive_stress=transition / 2,
+            )
             assert unloaded == pytest.approx(found["approach"], rel=3e-15)
         for name, value in found.items():
             condition = float(sum(abs(other[name] / exact[name] - 1) for other in others) / step)
@@ -175,7 +197,7 @@ def test_states_at_random_approaches(count: int) -> None:
         transition = 10 ** random.uniform(-4, 4)
         touch = state(transition, max(dugdale.fold_ratio(transition), 1e-9))["approach"]
         approach = touch + 10 ** random.uniform(-6, 2)
-        edge_ratio = dugdale.ratio_at_approach(transition, approach)
+        edge_ratio = ratio_at_approach(transition, approach)
         assert edge_ratio > 0
         check(reference.at_approach, transition, approach, edge_ratio, "radius zone load moment stiffness")
 
@@ -194,7 +216,7 @@ def test_fold_in_contact(transition: float) -> None:
 
 @pytest.mark.parametrize("transition", [0.03, 0.5, 0.9379, 2.0])
 def test_energy_is_the_integral_of_the_force(transition: float) -> None:
-    edge_ratio = dugdale.ratio_at_load(transition, 0.0)
+    edge_ratio = ratio_at_load(transition, 0.0)
     a, t = reference.at_load(mpf(transition), mpf(0))
     with reference.digits.workdps(30):
         exact = reference.energy_by_quadrature(t, mpf(transition))
@@ -210,7 +232,7 @@ def gap_energy(transition: float, zone: float) -> float:
 @pytest.mark.parametrize("transition", [0.01, 0.3, 0.6])
 def test_sticking_energy_where_neither_jump_touches(transition: float) -> None:
     b = 8 * transition / (3 * math.pi)
-    value = maugis_energies.sticking_energy_maugis(**UNIT, transition_parameter=transition)
+    value = alone(maugis_energies.sticking_energy_maugis, transition)
     assert math.isclose(value, 17 / 24 * math.pi * transition * b**4, rel_tol=1e-14)
     difference = gap_energy(transition, b) - gap_energy(transition, 2 * b)
     assert math.isclose(value, difference, rel_tol=1e-9, abs_tol=1e-14)
@@ -247,7 +269,7 @@ def test_spheres_that_attract_without_contact(transition: float) -> None:
     assert math.isclose(dugdale.span_apart(transition, touching), touch, rel_tol=1e-12)
     for approach in numpy.linspace(lowest, touching, 7)[1:-1].tolist():
         zone = dugdale.span_apart(transition, approach)
-        assert dugdale.ratio_at_approach(transition, approach) == 0.0
+        assert ratio_at_approach(transition, approach) == 0.0
         assert math.isclose(dugdale.load(transition, at, zone), -math.pi * transition / 2 * zone**2, rel_tol=1e-14)
         assert stiffness(transition, at, zone) < 0
     b = 8 * transition / (3 * math.pi)
@@ -261,7 +283,7 @@ def test_load_and_stiffness_are_derivatives(transition: float) -> None:
     for approach in (lowest + 0.05, lowest + 0.4, 0.3, 2.0):
         energies, loads = [], []
         for each in (approach - step, approach, approach + step):
-            at = dugdale.shape(dugdale.ratio_at_approach(transition, each))
+            at = dugdale.shape(ratio_at_approach(transition, each))
             span = dugdale.span(transition, at) if at.v > 0 else dugdale.span_apart(transition, each)
             energies.append(dugdale.energy(transition, at, span, each))
             loads.append(dugdale.load(transition, at, span))
@@ -292,7 +314,7 @@ def test_the_stiffness_falls_without_limit_towards_the_fold() -> None:
 
 def test_limit_of_jkr() -> None:
     transition = 1e4
-    values = state(transition, dugdale.ratio_at_load(transition, 0.0))
+    values = state(transition, ratio_at_load(transition, 0.0))
     assert math.isclose(values["radius"], 6 ** (1 / 3), rel_tol=1e-8)
     assert math.isclose(values["approach"], 6 ** (2 / 3) / 3, rel_tol=1e-8)
     assert math.isclose(values["moment"], 6.0, rel_tol=1e-7)  # 4P_c
@@ -304,7 +326,7 @@ def test_limit_of_jkr() -> None:
     ):
         assert math.isclose(alone(energy, transition), factor * unit, rel_tol=1e-7)
     stick = (2 / 15 * 6 ** (-1 / 3) + 4 / 5 * (2 / 3) ** (1 / 3)) * unit
-    value = maugis_energies.sticking_energy_maugis(**UNIT, transition_parameter=transition)
+    value = alone(maugis_energies.sticking_energy_maugis, transition)
     assert math.isclose(value, stick * (1 - 0.666 / transition), rel_tol=1e-6)
 
 
@@ -314,17 +336,17 @@ def test_limit_of_dmt() -> None:
     transition = 1e-4
     assert math.isclose(-state(transition, dugdale.pull_off_ratio(transition))["load"], 2.0, rel_tol=1e-6)
     for load in (-1.0, 0.0, 10.0):
-        values = state(transition, dugdale.ratio_at_load(transition, load))
+        values = state(transition, ratio_at_load(transition, load))
         assert math.isclose(values["radius"] ** 3, load + 2, rel_tol=1e-3)
         assert math.isclose(values["moment"], 2.0, rel_tol=1e-3)
 
 
 def test_states_outside_the_domain() -> None:
     with pytest.raises(ValueError, match="domain"):
-        dugdale.ratio_at_load(1.0, -1.61)
+        ratio_at_load(1.0, -1.61)
     with pytest.raises(ValueError, match="domain"):
-        dugdale.ratio_at_approach(0.5, dugdale.lowest_approach(0.5, dugdale.fold_ratio(0.5)) - 1e-9)
-    ratios = dugdale.ratio_at_load(1.0, numpy.array([-1.61, 0.0]))
+        ratio_at_approach(0.5, dugdale.lowest_approach(0.5, dugdale.fold_ratio(0.5)) - 1e-9)
+    ratios = ratio_at_load(1.0, numpy.array([-1.61, 0.0]))
     assert numpy.isnan(ratios).tolist() == [True, False]
     spans = maugis.zone_span_at_approach(
         edge_ratio=numpy.array([math.nan, 0.0]), approach_at_load=-1.3, transition_parameter=0.5, **UNIT
@@ -335,7 +357,7 @@ def test_states_outside_the_domain() -> None:
 def test_states_at_huge_loads_carry_them() -> None:
     transitions = 10 ** numpy.random.default_rng(14).uniform(-4, 4, 2000)
     for size in (1e2, 1e4, 1e6, 1e8, 1e11, 1e14, 1e35, 1e60):
-        at = dugdale.shape(dugdale.ratio_at_load(transitions, numpy.full(2000, size)))
+        at = dugdale.shape(ratio_at_load(transitions, numpy.full(2000, size)))
         loads = dugdale.load(transitions, at, dugdale.span(transitions, at))
         numpy.testing.assert_allclose(loads, size, rtol=2e-14)
 
@@ -350,9 +372,11 @@ def test_the_span_keeps_its_digits_in_narrow_and_wide_rings() -> None:
 def test_states_a_few_ulp_from_pull_off_are_next_to_it() -> None:
     """There the curve is level, and its slope as rounded may have either sign."""
     transitions = numpy.geomspace(1e-4, 1e4, 2000)
-    least, tension = dugdale.pull_off(transitions)
+    least = dugdale.pull_off_ratio(transitions)
+    tension = -state(transitions, least)["load"]
     for steps in range(20):
-        ratios = dugdale.ratio_at_load(transitions, -tension + steps * numpy.spacing(tension))
+        loads = -tension + steps * numpy.spacing(tension)
+        ratios = dugdale.ratio_at_load(transitions, loads, least, tension)
         assert numpy.all((ratios >= least) & (ratios <= least * (1 + 0.05)))
 
 
@@ -376,14 +400,15 @@ def test_si_formulas_agree_with_each_other() -> None:
     tabor = (50e-9 * 0.05**2 / (27.8e9**2 * spacing**3)) ** (1 / 3)
     transition = any_law.transition_parameter(tabor_parameter=tabor)
     stress = any_law.cohesive_stress(work_of_adhesion=0.05, atomic_spacing=spacing)
-    ratio = maugis.edge_ratio_at_load(load=load, transition_parameter=transition, **scene)
+    at_pull_off = maugis.edge_ratio_at_pull_off(transition_parameter=transition)
+    given = {"edge_ratio_at_pull_off": at_pull_off, "transition_parameter": transition, **scene}
+    force = maugis.pull_off_force_maugis(**given)
+    ratio = maugis.edge_ratio_at_load(load=load, pull_off_force_maugis=force, **given)
     span = maugis.zone_span(edge_ratio=ratio, transition_parameter=transition, **scene, **modulus)
     known = {"edge_ratio": ratio, "zone_span": span, "reduced_radius": 50e-9, "cohesive_stress": stress, **modulus}
     assert math.isclose(maugis.load_maugis(**known), load, rel_tol=1e-12)
     approach = maugis.approach_maugis(**known)
-    again = maugis.edge_ratio_at_approach(
-        approach_at_load=approach, transition_parameter=transition, **scene, **modulus
-    )
+    again = _edge_ratio_at(approach, {"transition_parameter": transition, **scene, **modulus})
     assert math.isclose(again, ratio, rel_tol=1e-12)
     a = maugis.contact_radius_maugis(edge_ratio=ratio, zone_span=span)
     force = maugis.adhesive_force_maugis(edge_ratio=ratio, zone_span=span, cohesive_stress=stress)
@@ -393,11 +418,19 @@ def test_si_formulas_agree_with_each_other() -> None:
     assert math.isclose((nearby[1] - nearby[0]) / (2 * step), maugis.stiffness_maugis(**known), rel_tol=1e-6)
 
 
+def _edge_ratio_at(approach: float, given: dict[str, float]) -> float:
+    at_fold = maugis.edge_ratio_at_fold(transition_parameter=given["transition_parameter"])
+    fold = maugis.fold_approach_maugis(edge_ratio_at_fold=at_fold, **given)
+    found = maugis.edge_ratio_at_approach(
+        approach_at_load=approach, edge_ratio_at_fold=at_fold, fold_approach_maugis=fold, **given
+    )
+    return float(found)
+
+
 def _load_at(approach: float, transition: float, stress: float, scene: dict[str, float]) -> float:
-    given = {**scene, "transition_parameter": transition, "approach_at_load": approach}
-    ratio = maugis.edge_ratio_at_approach(**given)
-    span = maugis.zone_span_at_approach(edge_ratio=ratio, **given)
-    del scene
+    given = {**scene, "transition_parameter": transition}
+    ratio = _edge_ratio_at(approach, given)
+    span = maugis.zone_span_at_approach(edge_ratio=ratio, approach_at_load=approach, **given)
     value = maugis.load_maugis(
         edge_ratio=ratio,
         zone_span=span,
@@ -411,21 +444,21 @@ def _load_at(approach: float, transition: float, stress: float, scene: dict[str,
 def test_contact_radius_of_carpick_ogletree_and_salmeron() -> None:
     for transition in numpy.geomspace(0.003, 100, 12).tolist():
         for load in (-1.2, 0.0, 3.0):
-            radius = state(transition, dugdale.ratio_at_load(transition, load))["radius"]
+            radius = state(transition, ratio_at_load(transition, load))["radius"]
             assert math.isclose(rivals.carpick_radius(load, transition), radius, rel_tol=0.03)
 
 
 def test_approach_of_pietrement_and_troyon() -> None:
     unloaded = 6 ** (2 / 3) / 3
     for transition in numpy.geomspace(0.01, 100, 9).tolist():
-        approach = state(transition, dugdale.ratio_at_load(transition, 0.0))["approach"]
+        approach = state(transition, ratio_at_load(transition, 0.0))["approach"]
         assert abs(rivals.pietrement_approach(0.0, transition) - approach) < 0.09 * unloaded
 
 
 @pytest.mark.parametrize("transition", [0.1, 0.3, 1.0, 3.0])
 @pytest.mark.parametrize(("points", "bound"), [(96, 3e-3), pytest.param(256, 1e-3, marks=pytest.mark.slow)])
 def test_rolling_moment_of_a_three_dimensional_contact(transition: float, points: int, bound: float) -> None:
-    values = state(transition, dugdale.ratio_at_load(transition, 0.0))
+    values = state(transition, ratio_at_load(transition, 0.0))
     lag = 0.05 * values["radius"]
     found = rolling_moment(transition=transition, load=0.0, zone_radius=values["zone"], lag=lag, points=points)
     assert math.isclose(found, values["moment"] * lag, rel_tol=bound)

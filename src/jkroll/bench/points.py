@@ -14,9 +14,9 @@ from typing import Any, NamedTuple
 import numpy
 
 from ..physics.contact import pull_off_force
-from ..physics.dugdale import ratio_at_load
 from ..physics.jkr import FOLD_APPROACH
 from ..physics.pair import reduced_radius
+from ..scene.scene import Scene
 
 Arrays = Mapping[str, Any]
 REGIONS = ("ordinary", "pull-off", "fold", "δ = 0", "extreme")
@@ -213,8 +213,9 @@ def references() -> Mapping[str, Callable[..., Any]]:
             a = 2 / (both + sqrt(both**2 + 4 * ring))
             return a, a**3 - lambda_ * a**2 * (t + m**2 * angle), a**2 - 4 * lambda_ / 3 * a * t
 
-        near = Decimal(ratio_at_load(float(lambda_), float(P / unit_force)))
-        v = _root(lambda v: at(v)[1] - P / unit_force, near)
+        given = {"work_of_adhesion": w, "reduced_radius": R, "transition_parameter": lambda_, "load": P}
+        near = Scene({name: float(value) for name, value in given.items()})["edge_ratio_at_load"]
+        v = _root(lambda v: at(v)[1] - P / unit_force, Decimal(near))
         (_, force1, delta1), (_, force2, delta2) = at(v * (1 - _STEP)), at(v * (1 + _STEP))
         slope = (force2 - force1) / (delta2 - delta1)
         a, _, delta = at(v)

@@ -123,11 +123,6 @@ def unloaded_radius(transition: Any, at: Shape, span: Any) -> Any:
     return cbrt(transition * span * span * at.g3)
 
 
-def unloaded_approach(transition: Any, at: Shape, span: Any) -> Any:
-    """Return δ of a contact without load: λT(G3/v − 4/3), in which almost nothing cancels."""
-    return transition * span * (at.g3 / at.v - 4 / 3)
-
-
 def approach_apart(transition: Any, span: Any) -> Any:
     """Return δ of spheres that attract without contact."""
     b = half_width(transition)
@@ -160,25 +155,16 @@ def energy(transition: Any, at: Shape, span: Any, approach: Any) -> Any:
 
 
 def pull_off_ratio(transition: Any) -> Any:
-    """Return v where the tension is largest."""
-    return _nearer_to_pull_off(transition, pull_off(transition)[0])
-
-
-def pull_off(transition: Any) -> tuple[Any, Any]:
-    """Return v at pull-off to 3e-8, from a fit to 4e-4, and with all digits the tension, which is stationary there."""
+    """Return v where the tension is largest, from a fit to 4e-4."""
     square = 0.2900717 / transition - 0.7981143
     square = square / (1 + transition * (1.456039 + transition * (0.960759 + transition * 0.109797)))
-    v = _nearer_to_pull_off(transition, transition / sqrt(1.3103706971044482 + square))
-    at = shape(v)
-    return v, -load(transition, at, span(transition, at))
-
-
-def _nearer_to_pull_off(transition: Any, v: Any) -> Any:
-    """Return v after a step of Newton's method towards pull-off."""
-    at = shape(v)
-    d_slope = at.h * (1 - v / at.n) + 2 * at.theta * (v * at.theta - 1)
-    growth = 1 / v + 2 * v * at.theta / at.g3 - d_slope / at.d
-    return _step_to(transition, at, v * at.g3 / at.d, growth)
+    v = transition / sqrt(1.3103706971044482 + square)
+    for _ in range(2):
+        at = shape(v)
+        d_slope = at.h * (1 - v / at.n) + 2 * at.theta * (v * at.theta - 1)
+        growth = 1 / v + 2 * v * at.theta / at.g3 - d_slope / at.d
+        v = _step_to(transition, at, v * at.g3 / at.d, growth)
+    return v
 
 
 def fold_ratio(transition: Any) -> Any:
@@ -227,12 +213,12 @@ def _step_to(transition: Any, at: Shape, q: Any, growth: Any) -> Any:
 # --- States ---------------------------------------------------------------------------------------------------------
 
 
-def ratio_at_load(transition: Any, load_in_units: Any) -> Any:
+def ratio_at_load(transition: Any, load_in_units: Any, least: Any, tension: Any) -> Any:
     """Return v of the stable contact at a load; there is none beyond pull-off, which rounding may miss.
 
-    The start is a fit, to 15 % up to 10³ pull-off forces, and in a wide contact that of Hertz: the steps leave 1e-16.
+    `least` and `tension` are v and −P at pull-off. The start is a fit, to 15 % up to 10³ pull-off forces, and in a wide
+    contact that of Hertz: the steps leave 1e-16.
     """
-    least, tension = pull_off(transition)
     margin = load_in_units + tension
     aim = sqrt(within(margin >= -_ROUNDING * tension, at_least(margin, 0.0)))
     reach = aim / sqrt(tension)
@@ -256,12 +242,13 @@ def ratio_at_load(transition: Any, load_in_units: Any) -> Any:
     return where(is_far, _root(curve, aim, v, least, power), v)
 
 
-def ratio_at_approach(transition: Any, approach_in_units: Any) -> Any:
-    """Return v of the state that fixed grips hold at an approach: 0 without contact; there is none beyond the fold."""
-    least = fold_ratio(transition)
+def ratio_at_approach(transition: Any, approach_in_units: Any, least: Any, fold: Any) -> Any:
+    """Return v of the state that fixed grips hold at an approach: 0 without contact; there is none beyond the fold.
+
+    `least` and `fold` are v and δ at the fold.
+    """
     at = shape(least)
     lowest = approach(transition, at, span(transition, at))
-    fold = lowest_approach(transition, least)
     is_held = approach_in_units >= fold - _ROUNDING * abs(fold)
     excess = at_least(within(is_held, approach_in_units - lowest), 0.0)
     aim = sqrt(excess)

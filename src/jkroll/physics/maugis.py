@@ -13,7 +13,13 @@ from .elementary import arctan, at_least, pi, sqrt, where, within
 
 
 def edge_ratio_at_load(
-    *, load: Force, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, transition_parameter: Number
+    *,
+    load: Force,
+    edge_ratio_at_pull_off: Number,
+    pull_off_force_maugis: Force,
+    work_of_adhesion: SurfaceEnergy,
+    reduced_radius: Length,
+    transition_parameter: Number,
 ) -> Number:
     """Return the edge ratio of the stable contact at a load.
 
@@ -25,16 +31,23 @@ def edge_ratio_at_load(
     Valid:    Loads above pull-off. Below, a float raises ValueError and an array holds NaN.
     Accuracy: 8 ulp, times 1 plus its condition in the load and λ.
 
-    >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0}
-    >>> round(edge_ratio_at_load(load=0.0, transition_parameter=1.0, **unit), 7)
+    >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "transition_parameter": 1.0}
+    >>> v_c = edge_ratio_at_pull_off(transition_parameter=1.0)
+    >>> p_c = pull_off_force_maugis(edge_ratio_at_pull_off=v_c, **unit)
+    >>> v = edge_ratio_at_load(load=0.0, edge_ratio_at_pull_off=v_c, pull_off_force_maugis=p_c, **unit)
+    >>> round(v, 7)
     1.4102117
     """
-    return dugdale.ratio_at_load(transition_parameter, load / (pi * work_of_adhesion * reduced_radius))
+    unit = pi * work_of_adhesion * reduced_radius
+    tension = pull_off_force_maugis / unit
+    return dugdale.ratio_at_load(transition_parameter, load / unit, edge_ratio_at_pull_off, tension)
 
 
 def edge_ratio_at_approach(
     *,
     approach_at_load: Length,
+    edge_ratio_at_fold: Number,
+    fold_approach_maugis: Length,
     work_of_adhesion: SurfaceEnergy,
     reduced_radius: Length,
     contact_modulus: Stress,
@@ -50,12 +63,14 @@ def edge_ratio_at_approach(
     Valid:    Approaches above the fold. Beyond, a float raises ValueError and an array holds NaN.
     Accuracy: 8 ulp, times 1 plus its condition in the approach and λ.
 
-    >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
-    >>> edge_ratio_at_approach(approach_at_load=-3.0, transition_parameter=0.2, **unit)
+    >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75, "transition_parameter": 0.2}
+    >>> fold = {"edge_ratio_at_fold": 0.0, "fold_approach_maugis": fold_approach_maugis(edge_ratio_at_fold=0.0, **unit)}
+    >>> edge_ratio_at_approach(approach_at_load=-3.0, **fold, **unit)
     0.0
     """
     unit = dugdale.approach_unit(work_of_adhesion, reduced_radius, contact_modulus)
-    return dugdale.ratio_at_approach(transition_parameter, approach_at_load / unit)
+    fold = fold_approach_maugis / unit
+    return dugdale.ratio_at_approach(transition_parameter, approach_at_load / unit, edge_ratio_at_fold, fold)
 
 
 def zone_span(
@@ -359,30 +374,25 @@ def unloaded_radius_maugis(
 
 
 def unloaded_approach_maugis(
-    *,
-    unloaded_edge_ratio: Number,
-    work_of_adhesion: SurfaceEnergy,
-    reduced_radius: Length,
-    contact_modulus: Stress,
-    transition_parameter: Number,
+    *, unloaded_edge_ratio: Number, unloaded_radius_maugis: Length, contact_modulus: Stress, cohesive_stress: Stress
 ) -> Length:
     """Return the approach of the centres without load.
 
-        δ0 = (σ0T/E*)(3G3/(2v) − 2)
+        δ0 = (σ0T/E*)(3G3/(2v) − 2), T = a0/v
+
+    unloaded_radius_maugis  [m]  > 0
 
     Source:   Maugis 1992.
     Valid:    a0 ≪ R.
-    Accuracy: 12 ulp above v.
+    Accuracy: 12 ulp above v and a0.
 
-    >>> from math import pi
-    >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
-    >>> v = unloaded_edge_ratio(transition_parameter=1.0)
-    >>> round(unloaded_approach_maugis(unloaded_edge_ratio=v, transition_parameter=1.0, **unit), 7)
-    1.1298939
+    >>> round(unloaded_approach_maugis(
+    ...     unloaded_edge_ratio=1.0, unloaded_radius_maugis=1.0, contact_modulus=1.0, cohesive_stress=1.0), 7)
+    1.8561945
     """
-    at = dugdale.shape(unloaded_edge_ratio)
-    unit = dugdale.approach_unit(work_of_adhesion, reduced_radius, contact_modulus)
-    return dugdale.unloaded_approach(transition_parameter, at, dugdale.span(transition_parameter, at)) * unit
+    v = unloaded_edge_ratio
+    depth = cohesive_stress / contact_modulus * (unloaded_radius_maugis / v)
+    return depth * (3 / 2 * dugdale.shape(v).g3 / v - 2)  # in which almost nothing cancels
 
 
 def edge_ratio_at_pull_off(*, transition_parameter: Number) -> Number:
@@ -400,21 +410,27 @@ def edge_ratio_at_pull_off(*, transition_parameter: Number) -> Number:
 
 
 def pull_off_force_maugis(
-    *, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, transition_parameter: Number
+    *,
+    edge_ratio_at_pull_off: Number,
+    work_of_adhesion: SurfaceEnergy,
+    reduced_radius: Length,
+    transition_parameter: Number,
 ) -> Force:
     """Return the force that separates two spheres, between (3/2)πwR for soft, large ones and 2πwR for hard, small ones.
 
-        P_c = 2σ0(aT + c²θ) − 4E*a³/(3R) at the edge ratio of pull-off
+        P_c = 2σ0(aT + c²θ) − 4E*a³/(3R)
 
-    Source:   Maugis 1992.
+    Source:   Maugis 1992; stationary in v.
     Valid:    Always; a Lennard-Jones pair lets go up to 6 % later.
     Accuracy: 8 ulp.
 
-    >>> round(pull_off_force_maugis(work_of_adhesion=1 / pi, reduced_radius=1.0, transition_parameter=1.0), 7)
+    >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "transition_parameter": 1.0}
+    >>> round(pull_off_force_maugis(edge_ratio_at_pull_off=0.9262, **unit), 7)
     1.6007349
     """
-    _, tension = dugdale.pull_off(transition_parameter)
-    return pi * work_of_adhesion * reduced_radius * tension
+    at = dugdale.shape(edge_ratio_at_pull_off)
+    load = dugdale.load(transition_parameter, at, dugdale.span(transition_parameter, at))
+    return -pi * work_of_adhesion * reduced_radius * load
 
 
 def edge_ratio_at_fold(*, transition_parameter: Number) -> Number:
@@ -433,6 +449,7 @@ def edge_ratio_at_fold(*, transition_parameter: Number) -> Number:
 
 def fold_approach_maugis(
     *,
+    edge_ratio_at_fold: Number,
     work_of_adhesion: SurfaceEnergy,
     reduced_radius: Length,
     contact_modulus: Stress,
@@ -447,8 +464,8 @@ def fold_approach_maugis(
 
     >>> from math import pi
     >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
-    >>> round(fold_approach_maugis(transition_parameter=1e-3, **unit), 4)
+    >>> round(fold_approach_maugis(edge_ratio_at_fold=0.0, transition_parameter=1e-3, **unit), 4)
     -636.6198
     """
     unit = dugdale.approach_unit(work_of_adhesion, reduced_radius, contact_modulus)
-    return dugdale.lowest_approach(transition_parameter, dugdale.fold_ratio(transition_parameter)) * unit
+    return dugdale.lowest_approach(transition_parameter, edge_ratio_at_fold) * unit

@@ -76,6 +76,7 @@ def well_energy_maugis(
 def pull_off_work_maugis(
     *,
     unloaded_edge_ratio: Number,
+    edge_ratio_at_fold: Number,
     work_of_adhesion: SurfaceEnergy,
     reduced_radius: Length,
     contact_modulus: Stress,
@@ -89,13 +90,14 @@ def pull_off_work_maugis(
     Valid:    Quasi-static.
     Accuracy: 15 ulp.
 
-    >>> from .maugis import unloaded_edge_ratio
+    >>> from .maugis import edge_ratio_at_fold, unloaded_edge_ratio
     >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
-    >>> v = unloaded_edge_ratio(transition_parameter=1e6)
-    >>> round(pull_off_work_maugis(unloaded_edge_ratio=v, transition_parameter=1e6, **unit) / 1.65096362, 5)
+    >>> v, fold = (ratio(transition_parameter=1e6) for ratio in (unloaded_edge_ratio, edge_ratio_at_fold))
+    >>> work = pull_off_work_maugis(unloaded_edge_ratio=v, edge_ratio_at_fold=fold, transition_parameter=1e6, **unit)
+    >>> round(work / 1.65096362, 5)
     1.27338
     """
-    fold = _of(transition_parameter, dugdale.fold_ratio(transition_parameter))
+    fold = _of(transition_parameter, edge_ratio_at_fold)
     unit = _energy(work_of_adhesion, reduced_radius, contact_modulus)
     return (fold - _of(transition_parameter, unloaded_edge_ratio)) * unit
 
@@ -103,6 +105,7 @@ def pull_off_work_maugis(
 def pull_off_work_at_dead_load_maugis(
     *,
     unloaded_edge_ratio: Number,
+    edge_ratio_at_pull_off: Number,
     work_of_adhesion: SurfaceEnergy,
     reduced_radius: Length,
     contact_modulus: Stress,
@@ -116,15 +119,16 @@ def pull_off_work_at_dead_load_maugis(
     Valid:    Quasi-static up to the jump.
     Accuracy: 15 ulp.
 
-    >>> from .maugis import unloaded_edge_ratio
+    >>> from .maugis import edge_ratio_at_pull_off, unloaded_edge_ratio
     >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
-    >>> v = unloaded_edge_ratio(transition_parameter=1e6)
-    >>> work = pull_off_work_at_dead_load_maugis(unloaded_edge_ratio=v, transition_parameter=1e6, **unit)
+    >>> v, v_c = (ratio(transition_parameter=1e6) for ratio in (unloaded_edge_ratio, edge_ratio_at_pull_off))
+    >>> work = pull_off_work_at_dead_load_maugis(
+    ...     unloaded_edge_ratio=v, edge_ratio_at_pull_off=v_c, transition_parameter=1e6, **unit)
     >>> round(work / 1.65096362, 5)
     0.88252
     """
-    last = dugdale.pull_off_ratio(transition_parameter)
-    middle, half = (last + unloaded_edge_ratio) / 2, (last - unloaded_edge_ratio) / 2
+    middle = (edge_ratio_at_pull_off + unloaded_edge_ratio) / 2
+    half = (edge_ratio_at_pull_off - unloaded_edge_ratio) / 2
     work = 0.0
     for place, weight in _EIGHT_POINTS:
         for edge_ratio in (middle - place * half, middle + place * half):
@@ -137,6 +141,7 @@ def pull_off_work_at_dead_load_maugis(
 
 def sticking_energy_maugis(
     *,
+    edge_ratio_at_fold: Number,
     work_of_adhesion: SurfaceEnergy,
     reduced_radius: Length,
     contact_modulus: Stress,
@@ -150,16 +155,19 @@ def sticking_energy_maugis(
     Valid:    Quasi-static; no other loss.
     Accuracy: 10 ulp; for λ > 0.655, of the energy of the well.
 
+    >>> from .maugis import edge_ratio_at_fold
     >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}
-    >>> round(sticking_energy_maugis(transition_parameter=1e9, **unit) / 1.65096362, 5)
+    >>> fold = edge_ratio_at_fold(transition_parameter=1e9)
+    >>> energy = sticking_energy_maugis(edge_ratio_at_fold=fold, transition_parameter=1e9, **unit)
+    >>> round(energy / 1.65096362, 5)
     0.77224
     """
     unit = _energy(work_of_adhesion, reduced_radius, contact_modulus)
     small = at_most(transition_parameter, dugdale.JUMP_WITHOUT_CONTACT)
     b = dugdale.half_width(small)
     apart = 17 / 24 * pi * unit * small * b * b * b * b  # in this order, no product underflows before the result
-    met = _held_to(transition_parameter, -2 / (pi * transition_parameter))
-    fold = _of(transition_parameter, dugdale.fold_ratio(transition_parameter))
+    met = _held_to(transition_parameter, -2 / (pi * transition_parameter), edge_ratio_at_fold)
+    fold = _of(transition_parameter, edge_ratio_at_fold)
     return where(transition_parameter < dugdale.JUMP_WITHOUT_CONTACT, apart, (fold - met) * unit)
 
 
@@ -183,8 +191,9 @@ def _of_state(transition: Any, at: dugdale.Shape, span: Any) -> Any:
     return dugdale.energy(transition, at, span, approach)
 
 
-def _held_to(transition: Any, approach: Any) -> Any:
-    """Return Φ at an approach, dimensionless, in contact or apart."""
-    at = dugdale.shape(dugdale.ratio_at_approach(transition, approach))
+def _held_to(transition: Any, approach: Any, least: Any) -> Any:
+    """Return Φ at an approach, dimensionless, in contact or apart; `least` is v at the fold."""
+    fold = dugdale.lowest_approach(transition, least)
+    at = dugdale.shape(dugdale.ratio_at_approach(transition, approach, least, fold))
     span = where(at.v > 0, dugdale.span(transition, at), dugdale.span_apart(transition, approach))
     return dugdale.energy(transition, at, span, approach)

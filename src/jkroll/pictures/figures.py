@@ -13,7 +13,7 @@ from ..materials.library import Materials
 from ..physics.any_law import pull_off_force_lennard_jones, transition_parameter
 from ..physics.contact import pressure
 from ..physics.cylinder import asymmetric_pressure, contact_point_moment, half_strips_moment, symmetric_pressure
-from ..physics.maugis import pull_off_force_maugis
+from ..physics.maugis import edge_ratio_at_pull_off, pull_off_force_maugis
 from ..physics.shifted import exact_pressure, half_circle_pressure, rolled_over_displacement, unloaded_half_width
 from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE
@@ -299,7 +299,8 @@ def figure_laws(materials: Materials, marks: Sequence[str]) -> Picture:
     import numpy
 
     tabor, near = _TABOR.values(), _LENNARD_JONES.values()
-    maugis = pull_off_force_maugis(transition_parameter=transition_parameter(tabor_parameter=tabor), **_UNIT)
+    of_law = {"transition_parameter": transition_parameter(tabor_parameter=tabor)}
+    maugis = pull_off_force_maugis(edge_ratio_at_pull_off=edge_ratio_at_pull_off(**of_law), **of_law, **_UNIT)
     ends = numpy.array([_TABOR.low, _TABOR.high])
     curves = (
         Curve("Maugis–Dugdale", tabor, maugis, 0),

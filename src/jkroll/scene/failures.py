@@ -10,7 +10,6 @@ from typing import Any, NamedTuple
 from ..errors import JkrollError, NoResult
 from ..physics.contact import pull_off_force_dmt
 from ..physics.jkr import FOLD_APPROACH
-from ..physics.maugis import fold_approach_maugis, pull_off_force_maugis
 from ..quantities.formatting import DIGITS, Format, amount
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..text import listed
@@ -340,14 +339,14 @@ def _of_approach(given: Mapping[str, Any]) -> Any:
 # The formulas that have a result for a contact only: what it holds, from their arguments.
 _LEAST_LOAD: Mapping[str, Callable[[Mapping[str, Any]], Any]] = {
     "load_margin": lambda given: -given["pull_off_force"],
-    "edge_ratio_at_load": lambda given: -_evaluated(pull_off_force_maugis, given),
+    "edge_ratio_at_load": lambda given: -given["pull_off_force_maugis"],
     "contact_radius_dmt": lambda given: -_evaluated(pull_off_force_dmt, given),
     "adhesive_force_dmt": lambda given: -_evaluated(pull_off_force_dmt, given),
 }
 _LEAST_APPROACH: Mapping[str, Callable[[Mapping[str, Any]], Any]] = {
     "load_factor_at_approach": _of_approach,
     "load_margin_at_approach": _of_approach,
-    "edge_ratio_at_approach": lambda given: _evaluated(fold_approach_maugis, given),
+    "edge_ratio_at_approach": lambda given: given["fold_approach_maugis"],
     "contact_radius_dmt_at_approach": lambda _: 0.0,
 }
 
