@@ -43,6 +43,7 @@ if TYPE_CHECKING:
     from ..scene.uncertainty import Propagated, Sources
     from .displacement import Worth
 
+_DECIMALS = 9  # decimals of a logarithm, beyond which equal differences may differ by rounding
 _LARGE = log(1.25)  # difference that is told beside both readings of a larger one
 _NO_CHANGE = 0.005  # relative change that is no per cent
 # Below the Tabor parameter of a jump, a well of Lennard-Jones is deeper still than Maugis', and to the energies of jumps his law is no
@@ -68,7 +69,7 @@ class Difference(NamedTuple):
 
 
 def differences(scene: Scene, found: Mapping[str, Effect]) -> tuple[Difference, ...]:
-    """Return how quantities of a scene differ under Maugis' law, the largest difference first."""
+    """Return how quantities of a scene differ under Maugis' law, the largest difference first; of equal ones that which was asked first."""
     if not found:
         return ()
     between = between_of(scene)
@@ -78,7 +79,7 @@ def differences(scene: Scene, found: Mapping[str, Effect]) -> tuple[Difference, 
         for name, effect in found.items()
         if effect.ratio > 0 and scene[name] and at_half.get(name)
     ]
-    return tuple(sorted(differ, key=lambda each: -each.size))
+    return tuple(sorted(differ, key=lambda each: -round(each.size, _DECIMALS)))
 
 
 def with_differences(verdict: Verdict, found: Sequence[Difference], scene: Scene) -> Verdict:

@@ -62,9 +62,10 @@ def _rows_of_codes(bits: Any) -> Counter[str]:
 
 
 class Converted(NamedTuple):
-    """A converted block and its counts."""
+    """A converted block, the number of lines that it was, and its counts."""
 
     output: bytes
+    lines: int
     tally: Tally = Tally()
 
 

@@ -66,7 +66,7 @@ class NdjsonConverter:
         lines = text.removesuffix(b"\n").split(b"\n")
         places = [place for place, line in enumerate(lines) if line.strip()]
         if not places:
-            return Converted(text)
+            return Converted(text, len(lines))
         objects = [_object(lines[place]) for place in places]
         odd = {row: problem for row, one in enumerate(objects) if (problem := self._problem(one))}
         rows = [one or {} for one in objects]
@@ -75,7 +75,7 @@ class NdjsonConverter:
         columns, tally = computed(self.table.wanted, block, places, strict=self.strict)
         for place, one, members in zip(places, objects, self._members(columns), strict=True):
             lines[place] = _beginning(lines[place], one) + members
-        return Converted(b"\n".join([*lines, b""]), tally)
+        return Converted(b"\n".join([*lines, b""]), len(lines), tally)
 
     def _problem(self, one: Object | None) -> str:
         """Return why a line is no row: it holds no object, or one with an input or a result that the first line has not."""

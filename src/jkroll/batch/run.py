@@ -42,9 +42,9 @@ class Written(NamedTuple):
     tally: Tally = Tally()
 
     @classmethod
-    def of(cls, read: bytes, converted: Converted) -> "Written":
+    def of(cls, converted: Converted) -> "Written":
         """Return what a block adds."""
-        return cls(len(converted.output), read.count(b"\n"), converted.tally)
+        return cls(len(converted.output), converted.lines, converted.tally)
 
     def plus(self, other: "Written") -> "Written":
         """Return both together."""
@@ -89,7 +89,7 @@ def _blocks(work: Work, processes: int, path: str) -> Iterator[tuple[Written, Fe
 
     def here(text: bytes) -> tuple[Written, Fetch]:
         converted = convert(text)
-        return Written.of(text, converted), lambda _: converted.output
+        return Written.of(converted), lambda _: converted.output
 
     yield from map(here, islice(work.blocks, ALONE) if processes > 1 else work.blocks)
     first = next(work.blocks, None)
@@ -119,7 +119,7 @@ def _answering(make_convert: Callable[[], Convert], path: str) -> Callable[[byte
         if isinstance(question, bytes):
             converted = convert(question)
             output = converted.output
-            return Written.of(question, converted)
+            return Written.of(converted)
         if not path:
             return output
         with open(path, "r+b") as file:

@@ -123,6 +123,21 @@ def in_series(value: Any, value2: Any) -> Any:
     return smaller / (1 + smaller / larger)
 
 
+def quotient(value: Any, divisor: Any, otherwise: float) -> Any:
+    """Return a quotient, and another number where the divisor is 0 or nan, element by element for arrays.
+
+    >>> quotient(3.0, 2.0, 1.0), quotient(3.0, 0.0, 1.0)
+    (1.5, 1.0)
+    """
+    is_known = abs(divisor) > 0
+    if isinstance(value, NUMBER) and isinstance(divisor, NUMBER):
+        return value / divisor if is_known else otherwise
+    import numpy
+
+    found = numpy.full(numpy.broadcast_shapes(numpy.shape(value), numpy.shape(divisor)), otherwise)
+    return numpy.divide(value, divisor, out=found, where=is_known)
+
+
 def where(condition: Any, value: Any, otherwise: Any) -> Any:
     """Return the one value or the other, element by element for arrays.
 

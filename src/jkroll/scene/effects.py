@@ -5,7 +5,7 @@ from functools import reduce
 from typing import Any, NamedTuple
 
 from ..errors import JkrollError
-from ..physics.elementary import at_least, at_most, where
+from ..physics.elementary import at_least, at_most, quotient, where
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, routed_apart
 from ..quantities.nomenclature import INFINITY, XI
 from .scene import DEFAULTS, IN_ITS_PLACE, LEAST, MOST, Scene
@@ -13,7 +13,9 @@ from .wiring import depends_on
 
 
 class Effect(NamedTuple):
-    """An answer under the law that holds, over that under the law in use: numbers, or arrays. It is 0 where only the law in use has an answer.
+    """An answer under the law that holds, over that under the law in use: numbers, or arrays.
+
+    It is 0, or nan in an array, where only the law in use has an answer.
 
     `readings`: of a rolling quantity, the ratio at equal displacement and at equal hysteresis of adhesion.
     `lennard_jones`: of a pull-off force, the ratio by the fit for Lennard-Jones' law.
@@ -101,12 +103,8 @@ def _other_reading(scene: Scene, between: Scene) -> Scene | None:
 
 
 def _ratio(theirs: Any, own: Any) -> Any:
-    """Return the ratio of two answers: 0 where only the second exists, 1 where that has none or is nought."""
-    has_own = (own == own) & (own != 0)  # noqa: PLR0124  nan is a gap
-    if isinstance(theirs, JkrollError):
-        return where(has_own, 0.0, 1.0)
-    ratio = theirs / where(has_own, own, 1.0)
-    return where(has_own, where(ratio == ratio, ratio, 0.0), 1.0)  # noqa: PLR0124
+    """Return the ratio of two answers: 0, or nan in an array, where only the second exists, 1 where that has none or is nought."""
+    return quotient(0.0 if isinstance(theirs, JkrollError) else theirs, own, 1.0)
 
 
 def uses_law(scene: Scene, name: str) -> bool:
