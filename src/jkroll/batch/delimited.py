@@ -89,11 +89,8 @@ class Dialect:
         """Return a text without quotes; with all of them if a cell needs them, or if one is no cell's."""
         return text.replace(b'"', b"") if b'"' in text and re.fullmatch(self._simple, text) else text
 
-    def joined(self, cells: Sequence[bytes]) -> bytes:
-        """Return cells as a line, in quotes where they need them."""
-        return self.separator.join([self._quoted(cell) for cell in cells])
-
-    def _quoted(self, cell: bytes) -> bytes:
+    def quoted(self, cell: bytes) -> bytes:
+        """Return a cell, in quotes if it needs them."""
         if self.separator in cell or b'"' in cell or b"\n" in cell or b"\r" in cell:
             return b'"' + cell.replace(b'"', b'""') + b'"'
         return cell
@@ -255,10 +252,10 @@ class Delimited:
         """Return a line with as many cells as the header: what is too much stays in the last, and a line without cells in the first."""
         separator, width = self.dialect.separator, self.width
         if not cells:
-            return self.dialect.joined([line]) + separator * (width - 1)
+            return self.dialect.quoted(line) + separator * (width - 1)
         if len(cells) > width:
             end = sum(len(cell) + 1 for cell in cells[: width - 1])
-            return line[:end] + self.dialect.joined([line[end:]])
+            return line[:end] + self.dialect.quoted(line[end:])
         return line + separator * (width - len(cells))
 
     def _strips(self, lines: Sequence[bytes], columns: Columns) -> Iterator[bytes]:
@@ -282,17 +279,19 @@ class Delimited:
         """Return the doubts and the status of each row with the end of the line, or an empty text where there are none."""
         separator, has_doubts = self.dialect.separator, len(self.table.remarks) > 1
 
+        @cache  # many rows have the same doubts
         def doubts(bits: int) -> bytes:
             return separator + codes(bits).encode() if has_doubts else b""
 
-        @cache  # many rows have the same doubts
+        @cache
         def remark(bits: int) -> bytes:
             return doubts(bits) + separator + self.line_end if bits and has_doubts else b""
 
-        remarks = [*map(remark, columns.doubts.tolist())]
+        of_rows = columns.doubts.tolist()
+        remarks = [*map(remark, of_rows)]
         for row in columns.reasons:
-            status = self.dialect.joined([columns.status(row).encode()])
-            remarks[row] = doubts(int(columns.doubts[row])) + separator + status + self.line_end
+            status = self.dialect.quoted(columns.status(row).encode())
+            remarks[row] = doubts(of_rows[row]) + separator + status + self.line_end
         return remarks
 
 

@@ -416,12 +416,12 @@ class _Arrays:
             [numpy.where(fails, causes.of(name, self.whole.get(name)), NO_GAP) for name, fails in self.gaps.items()]
         )
         rows = numpy.flatnonzero(of_names.any(axis=0)).tolist()
-        of_marks: dict[bytes, _Explain | None] = {}  # many rows have the same gaps for the same causes
-        for row, marks in zip(rows, map(bytes, numpy.ascontiguousarray(of_names[:, rows].T)), strict=True):
-            if marks not in of_marks:
-                own = zip(self.gaps, of_names[:, row].tolist(), strict=True)
-                of_marks[marks] = causes.explain({name: cause for name, cause in own if cause != NO_GAP})
-            if (explain := of_marks[marks]) is None:
+        of_kinds: dict[tuple[int, ...], _Explain | None] = {}  # many rows have the same gaps for the same causes
+        for row, kind in zip(rows, zip(*of_names[:, rows].tolist(), strict=True), strict=True):
+            if kind not in of_kinds:
+                own = zip(self.gaps, kind, strict=True)
+                of_kinds[kind] = causes.explain({name: cause for name, cause in own if cause != NO_GAP})
+            if (explain := of_kinds[kind]) is None:
                 again[row] = True
                 continue
             reasons = explain(row)
