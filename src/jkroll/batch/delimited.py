@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from functools import cache
 from itertools import chain, islice
 from typing import NamedTuple
 
 from ..output.records import numbers_in_lines
+from ..rows.cells import Kept
 from ..rows.columns import Columns
 from ..rows.header import BadTable, is_input
 from ..rows.readings import MATERIALS
@@ -259,40 +259,29 @@ class Delimited:
         return line + separator * (width - len(cells))
 
     def _strips(self, lines: Sequence[bytes], columns: Columns) -> Iterator[bytes]:
-        """Iterate over some lines at a time, with what stands behind each: its numbers, its remarks, and the line end."""
-        separator = self.dialect.separator
-        no_remark = separator * len(self.table.remarks) + self.line_end
-        cut = -len(no_remark)
-        remarks = self._remarks(columns)
+        """Iterate over some lines at a time, with what stands behind each: its numbers and its end."""
+        ends = self._ends(columns)
         for start in range(0, len(lines), STRIP):
             part = slice(start, start + STRIP)
-            rows = numbers_in_lines(columns.numbers[:, part], separator, b"", no_remark)
+            rows = numbers_in_lines(columns.numbers[:, part], self.dialect.separator, b"")
             if self.has_commas:
                 rows = [row.replace(b".", b",") for row in rows]
-            if any(ends := remarks[part]):
-                rows = [row[:cut] + end if end else row for row, end in zip(rows, ends, strict=True)]
-            pieces = [b""] * (2 * len(rows))
-            pieces[0::2], pieces[1::2] = lines[part], rows
+            pieces = [b""] * (3 * len(rows))
+            pieces[0::3], pieces[1::3], pieces[2::3] = lines[part], rows, ends[part]
             yield b"".join(pieces)
 
-    def _remarks(self, columns: Columns) -> list[bytes]:
-        """Return the doubts and the status of each row with the end of the line, or an empty text where there are none."""
+    def _ends(self, columns: Columns) -> list[bytes]:
+        """Return the doubts and the status of each row with the end of the line."""
         separator, has_doubts = self.dialect.separator, len(self.table.remarks) > 1
 
-        @cache  # many rows have the same doubts
-        def doubts(bits: int) -> bytes:
-            return separator + codes(bits).encode() if has_doubts else b""
-
-        @cache
-        def remark(bits: int) -> bytes:
-            return doubts(bits) + separator + self.line_end if bits and has_doubts else b""
-
-        of_rows = columns.doubts.tolist()
-        remarks = [*map(remark, of_rows)]
+        doubts = Kept(lambda bits: separator + codes(bits).encode() if has_doubts else b"")  # many rows have the same
+        without_status = Kept(lambda bits: doubts[bits] + separator + self.line_end)
+        bits = columns.doubts.tolist()
+        ends = [*map(without_status.__getitem__, bits)]
         for row in columns.reasons:
             status = self.dialect.quoted(columns.status(row).encode())
-            remarks[row] = doubts(of_rows[row]) + separator + status + self.line_end
-        return remarks
+            ends[row] = doubts[bits[row]] + separator + status + self.line_end
+        return ends
 
 
 def _with_decimal_points(columns: Iterable[Sequence[bytes]]) -> Iterator[tuple[int, str]]:

@@ -111,14 +111,12 @@ def joined(columns: Sequence[Any], separator: bytes, gap: bytes) -> list[bytes]:
         if is_list:
             parts.append([*map(separator.join, zip(*some, strict=True))])
         else:
-            parts.append([line[1:-1] for line in numbers_in_lines([*some], separator, gap)])
+            parts.append([line[1:] for line in numbers_in_lines([*some], separator, gap)])
     return [*map(separator.join, zip(*parts, strict=True))]
 
 
-def numbers_in_lines(columns: Any, separator: bytes, gap: bytes, end: bytes = b"\n") -> list[bytes]:
-    """Return the numbers of each row as a line, each behind a separator; `end` is that of a line. nan is a gap."""
-    import io
-
+def numbers_in_lines(columns: Any, separator: bytes, gap: bytes) -> list[bytes]:
+    """Return the numbers of each row as a line without its end, each behind a separator. nan is a gap."""
     import numpy
     import orjson
 
@@ -129,8 +127,7 @@ def numbers_in_lines(columns: Any, separator: bytes, gap: bytes, end: bytes = b"
     text = b"," + text.replace(b"[", b"")  # ,1,2],3,4]] of [[1,2],[3,4]]: one byte is found fast
     if separator != b",":
         text = text.replace(b",", separator)
-    text = text.replace(b"]", end)
-    return io.BytesIO(text).readlines()[: len(rows)]  # takes a third of the time of a split, which looks at every byte
+    return text.split(b"]")[: len(rows)]
 
 
 def _inputs(columns: Columns, line_format: LineFormat) -> Iterator[Any]:
@@ -176,7 +173,7 @@ def _cells(column: Any, gap: str) -> list[bytes]:
     """Return the cells of a column."""
     if isinstance(column, list):
         return column
-    return [line[1:-1] for line in numbers_in_lines([column], b",", gap.encode())]
+    return [line[1:] for line in numbers_in_lines([column], b",", gap.encode())]
 
 
 def _cell(value: str | float | None, line_format: LineFormat) -> bytes:
