@@ -188,12 +188,12 @@ def test_a_quantity_is_found_by_the_words_of_others(run: Run, word: str, name: s
 @pytest.mark.parametrize(
     ("line", "idle"),
     [
-        ("pull-off quartz 100nm --density 3g/cm3", "--density changes nothing here"),
-        ("r-min 100nm --density 3g/cm3 --z0 3angstrom", "--density changes nothing here"),
-        ("contact quartz 100nm --xi 1nm --density 3g/cm3", "--density and --xi change nothing here"),
-        ("frequencies quartz 100nm --radius2 plane --density2 2g/cm3", "--density2 changes nothing here"),
-        ("infer gamma quartz 2um --density 3g/cm3 --measured pull_off_force=300nN", "--density changes nothing here"),
-        ("map pull-off quartz --x radius=1nm:1um:3 --density 3g/cm3 --data -", "--density changes nothing here"),
+        ("pull-off quartz 100nm --density 3g/cm3", "--density changes no result here"),
+        ("r-min 100nm --density 3g/cm3 --z0 3angstrom", "--density changes no result here"),
+        ("contact quartz 100nm --xi 1nm --density 3g/cm3", "--density and --xi change no result here"),
+        ("frequencies quartz 100nm --radius2 plane --density2 2g/cm3", "--density2 changes no result here"),
+        ("infer gamma quartz 2um --density 3g/cm3 --measured pull_off_force=300nN", "--density changes no result here"),
+        ("map pull-off quartz --x radius=1nm:1um:3 --density 3g/cm3 --data -", "--density changes no result here"),
     ],
 )
 def test_an_option_that_changes_nothing_is_named(run: Run, line: str, idle: str) -> None:
@@ -216,4 +216,4 @@ def test_an_option_that_changes_nothing_is_named(run: Run, line: str, idle: str)
     ],
 )
 def test_what_enters_a_result_or_a_limit_is_not_said_to_change_nothing(run: Run, line: str) -> None:
-    assert "nothing here" not in run(line).err
+    assert "no result here" not in run(line).err

@@ -33,6 +33,7 @@ from .notes import (
     about_uncertainties,
     assumed,
     model_error,
+    with_limits,
     with_spacing,
 )
 from .questions import Question
@@ -297,7 +298,7 @@ class Answer:
         lacking = [name for name, error in self.errors.items() if isinstance(error, MissingInput)]
         lacking += [name for names in self._judgement.missing.values() for name in names]
         displaced = [] if self.worth is None else [self.worth.note(self.question.headline)]
-        entering = {*self.inputs, *self._of_limits, *depends_on(lacking, [scene.law.name])}
+        entering = with_limits(self.inputs, self._of_limits) | depends_on(lacking, [scene.law.name])
         return (
             *about_given(scene, possible, self._entering, entering, displaced),
             *about_results([*self.results], scene, self.question.noted),

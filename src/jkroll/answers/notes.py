@@ -9,7 +9,7 @@ from ..errors import JkrollError
 from ..materials.library import Material
 from ..quantities.formatting import amount, significant
 from ..quantities.laws import BETWEEN, DEFAULT_LAW
-from ..quantities.nomenclature import NOMENCLATURE, XI
+from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI
 from ..scene.failures import NO_END, MissingInput, grouped
 from ..scene.limits import IMPACT, Judgement, judged, limits_of
 from ..scene.scene import DEFAULTS, IN_ITS_PLACE, OF_AREA, Scene
@@ -46,7 +46,7 @@ def notes_on_rows(scene: Scene, names: Sequence[str]) -> list[Note]:
     every = [*names, *(limit.name for limit in limits_of(scene, possible))]
     of_limits = scene.inputs_of(*scene.possible(every))
     inputs = with_spacing(scene.inputs_of(*possible), of_limits)
-    entering = {*of_limits, *depends_on(scene.missing(every), [scene.law.name])}
+    entering = with_limits(inputs, of_limits) | depends_on(scene.missing(every), [scene.law.name])
     displaced = []
     if XI in inputs and XI not in scene.given:
         from .displacement import note_of_rows
@@ -70,6 +70,11 @@ def notes_on_rows(scene: Scene, names: Sequence[str]) -> list[Note]:
 def with_spacing(inputs: Collection[str], of_limits: Collection[str]) -> set[str]:
     """Return the inputs of some results, with the atomic spacing if it enters a limit: it enters few answers."""
     return {*inputs, *{"atomic_spacing"}.intersection(of_limits)}
+
+
+def with_limits(inputs: Collection[str], of_limits: Collection[str]) -> set[str]:
+    """Return the inputs of some results, with those of limits. A load that enters limits alone is told as idle: it was meant for more."""
+    return {*inputs, *of_limits} - (STATE_OR_LOAD - {*inputs})
 
 
 def about_given(
@@ -148,10 +153,10 @@ def about_middles(uncertain: "Mapping[str, Uncertain]") -> list[Note]:
 
 
 def about_idle(scene: Scene, entering: Collection[str]) -> list[Note]:
-    """Return a note on the inputs that were given though nothing depends on them; `entering` are those that enter."""
+    """Return a note on the inputs that were given though no result depends on them; `entering` are those that enter."""
     entering = {*entering, *(OF_AREA if scene.is_rigid else ())}  # which refuses, and so changes something
     idle = [NOMENCLATURE[name].option or name for name in scene.stated if name not in entering]
-    return [Note("result", f"{listed(idle)} change{'' if idle[1:] else 's'} nothing here")] if idle else []
+    return [Note("result", f"{listed(idle)} change{'' if idle[1:] else 's'} no result here")] if idle else []
 
 
 def about_data(scene: Scene, inputs: Collection[str]) -> list[Note]:

@@ -17,7 +17,7 @@ from ..pictures.styles import STYLES
 from ..quantities.errors import QuantityError
 from ..quantities.formatting import amount
 from ..quantities.laws import DEFAULT_LAW
-from ..quantities.nomenclature import NOMENCLATURE, header
+from ..quantities.nomenclature import NOMENCLATURE, as_input, header
 from ..quantities.units import BadUnit, dimension_of
 from ..quantities.values import between, error_about, parse_value
 from ..scene.scene import Scene
@@ -201,7 +201,7 @@ def axis_of(text: str, option: str) -> Axis:
     word, has_range, values = text.partition("=")
     if not has_range:
         raise BadRequest(f"{option}: write a quantity and its range, such as radius=1nm:1mm")
-    name = quantity_named(word)
+    name = quantity_named(as_input(word))
     first, colon, rest = values.partition(":")
     last, *how = rest.split(":")
     has_count = bool(how) and how[0] not in ("lin", "log")

@@ -429,6 +429,15 @@ def canonical(word: str) -> str:
     return name if name in NOMENCLATURE else OPTION_WORDS.get(name, word)
 
 
+def as_input(word: str) -> str:
+    """Return a word for an input as one that means the same among all quantities: approach is that of an option, and else a result.
+
+    >>> as_input("approach"), as_input("radius")
+    ('approach_at_load', 'radius')
+    """
+    return OPTION_WORDS.get(word, word)
+
+
 XI = "yield_displacement"  # decides on every rolling quantity
 
 # What a materials file gives of a material.

@@ -287,8 +287,12 @@ def _as_known(columns: Header, fill: Fill, labels: Collection[str], infinite: Co
     `infinite`: inputs that are infinite in all rows that are known.
     """
     given: dict[str, float] = {}
+    measured = set() if fill.inverse is None else {fill.inverse.quantity}  # which is no input of the scene
     for column in columns.inputs:
-        if not any(column.name in names and given.keys() & names for names in EXCLUSIVE):
+        others = given.keys() - measured
+        if column.name in measured or not any(
+            column.name in names and not others.isdisjoint(names) for names in EXCLUSIVE
+        ):
             given[column.name] = INFINITY if column.name in infinite else _some(column.name)
     some = LABEL._replace(properties=dict.fromkeys(PROPERTIES, _SOME))
     spheres = dict(zip(MATERIALS, fill.spheres, strict=True))

@@ -11,7 +11,7 @@ from ..materials.library import Material, Materials, known_materials
 from ..physics import FORMULAS as PLAIN_FORMULAS
 from ..physics.elementary import NUMBER
 from ..quantities.errors import QuantityError, UnknownQuantity
-from ..quantities.nomenclature import NOMENCLATURE, canonical, named
+from ..quantities.nomenclature import NOMENCLATURE, as_input, canonical, named
 from ..quantities.values import Measured, Uncertain, checked, is_uncertain, value_of
 from .failures import GivenTwice, NoUncertainty
 from .scene import Scene
@@ -243,7 +243,7 @@ def in_si(given: Mapping[str, Any]) -> tuple[dict[str, Any], Any]:
     words: dict[str, str] = {}
     registry = None
     for word, value in given.items():
-        name = canonical(word)
+        name = canonical(as_input(word))
         if name not in NOMENCLATURE:
             raise UnknownQuantity(word)
         if words.setdefault(name, word) != word:
