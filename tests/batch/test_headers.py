@@ -135,6 +135,28 @@ def test_a_form_of_a_table_is_refused(run: Run, text: str) -> None:
     assert (ran.code, ran.err.startswith("jkroll: header: ")) == (2, True)
 
 
+def test_a_row_of_units_is_told_with_all_columns_at_once(run: Run) -> None:
+    Path("x.csv").write_text("Radius,Surface energy,Poisson\nnm,mJ/m2,-\n100,25,0.17\n", encoding="utf-8")
+    said = run("batch x.csv").err
+    assert said == (
+        "jkroll: header: the first row has units. Delete it, and write --column 'Radius=radius [nm]' "
+        "--column 'Surface energy=surface_energy [mJ/m2]'\n"
+    )
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "said"),
+    [
+        ("x.csv", "sep=;\nradius [nm];load [nN]\n100;1\n", "'sep=;' is for a spreadsheet; delete this line"),
+        ("x.xlsx", "PK", "'x.xlsx' is a spreadsheet; save it as CSV"),
+    ],
+)
+def test_what_a_spreadsheet_writes_is_refused(run: Run, name: str, text: str, said: str) -> None:
+    Path(name).write_text(text, encoding="utf-8")
+    ran = run(f"batch {name} --material quartz")
+    assert (ran.code, said in ran.err) == (2, True), ran.err
+
+
 def test_thirty_forms() -> None:
     assert len(TABLES) >= 30
 

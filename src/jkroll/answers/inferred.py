@@ -126,12 +126,13 @@ class Inferred(Answer):
         if self.solution is None:
             return ()
         found, sources = self._uncertainties
-        return (
+        notes = (
             *self._proofs(),
             *(note for note in self.forward.notes if note.kind != "roughness"),
             *about_missing([*self.results], {}),
             *(about_uncertainties(found, sources) if sources is not None else ()),
         )
+        return tuple(dict.fromkeys(notes))  # both ways leave out the same
 
     def _proofs(self) -> list[Note]:
         """Return what of the materials is not used, and the proof of the values, with what they are under other laws."""

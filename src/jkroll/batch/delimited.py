@@ -126,7 +126,11 @@ class Dialect:
         return Head(text[: len(text) - len(body) + size], tuple(names), has_commas), sample
 
     def _check_separator(self, names: Sequence[str], line: str) -> None:
-        """Refuse a header that only another separator makes a header of."""
+        """Refuse a header that only another separator makes a header of, and the line that tells a spreadsheet its separator."""
+        if line.casefold().startswith("sep="):
+            raise BadTable(
+                f"header: {quoted(line.strip())} is for a spreadsheet; delete this line, and write --delimiter semicolon if the columns have semicolons between them"
+            )
         is_bare = len(names) == 1 and '"' not in line
         for mark, kind, advice in _MISTAKEN:
             others = line.replace('"', "").split(None if mark == " " else mark)

@@ -17,7 +17,7 @@ from ..text import ending, quoted, say
 from .formats import CHUNK, FileFormat, decompressed
 
 MAX_RECORD = 1 << 24
-SPREADSHEETS = ("xlsx", "xls", "ods")  # are not written
+SPREADSHEETS = ("xlsx", "xls", "ods")  # are neither read nor written
 
 Cut = Callable[[bytes], int]  # number of bytes of whole records at the beginning of a text
 

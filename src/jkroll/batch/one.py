@@ -16,7 +16,7 @@ from ..rows.table import Fill, Inverse, Table, say_gaps, say_reading, table_of
 from ..scene.failures import MissingInput
 from ..text import ending, quoted
 from .delimited import DELIMITED, Delimited
-from .files import Input, blocks, output_to, unnamed
+from .files import SPREADSHEETS, Input, blocks, output_to, unnamed
 from .formats import LINES, FileFormat, compressor, format_of_name, stated, with_delimiter
 from .lines import Converted, Tally
 from .ndjson import NdjsonConverter
@@ -112,6 +112,8 @@ def input_format(path: str, settings: Settings) -> FileFormat:
         return FileFormat("csv")
     if os.path.isdir(path):
         raise BadTable(f"{quoted(path)} is a directory; name its tables, as in {quoted(os.path.join(path, '*.csv'))}")
+    if ending(path) in SPREADSHEETS:
+        raise BadTable(f"{quoted(path)} is a spreadsheet; save it as CSV")
     if ending(path) == "json":
         raise BadTable(f"{quoted(path)}: a JSON text is not read; write an object a line, and --format ndjson")
     raise BadTable(

@@ -17,7 +17,7 @@ from ..scene.failures import BeyondPullOff, NotInLaw
 from ..scene.scene import Scene
 from .axes import Axis
 from .maps import Curve, Mark, Panel, Picture, axis_around, clipped, has_values, solved
-from .request import fixed_inputs, inputs_as_texts, notes_on
+from .request import fixed_inputs, inputs_as_texts, notes_on, on_middles
 
 POINTS = 401
 _SAME = 1e-9  # relative difference of curves that coincide
@@ -173,7 +173,7 @@ def curves_of_contact(
             unloaded = scene.replace(load=0.0)
             inputs = [name for name in unloaded.inputs_of(*names) if name not in varied]
             held |= dict.fromkeys(inputs_as_texts(unloaded, inputs))
-            notes |= dict.fromkeys(notes_on(unloaded, inputs, names))
+            notes |= dict.fromkeys([*on_middles(scene, inputs), *notes_on(unloaded, inputs, names)])
     if not panels:
         raise missing[0]
     is_whole = is_one and len(panels) == len(PANELS)

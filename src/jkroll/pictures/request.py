@@ -10,7 +10,7 @@ from ..materials.library import Materials
 from ..quantities.formatting import amount, in_words
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
 from ..quantities.values import parse_quantity
-from ..scene.failures import MissingInput, NotInLaw, reason_of
+from ..scene.failures import MissingInput, NotInLaw, RestsOnSpacing, reason_of
 from ..scene.scene import Scene
 from ..text import capitalized, quoted
 from .axes import Axis, described
@@ -54,15 +54,18 @@ class PlotRequest(NamedTuple):
 class NothingToDraw(NoResult):
     """Error raised when a map or curves have no value at all."""
 
-    def __init__(self, quantity: str, outcome: Any = None) -> None:
-        """`outcome`: that of a scene on these axes, perhaps the reason."""
-        super().__init__(quantity, outcome)
-        self.quantity, self.outcome = quantity, outcome
+    def __init__(self, quantity: str, scene: Scene) -> None:
+        """`scene`: one on these axes, which may say why."""
+        super().__init__(quantity, scene)
+        self.quantity, self.outcome = quantity, scene.evaluate([quantity])[quantity]
 
     def __str__(self) -> str:
+        return f"{self.quantity} has no value anywhere on these axes{self.because()}"
+
+    def because(self) -> str:
+        """Return the reason behind a colon, or an empty text."""
         has_reason = isinstance(self.outcome, NoResult | MissingInput)
-        reason = f": {reason_of(self.quantity, self.outcome)}" if has_reason else ""
-        return f"{self.quantity} has no value anywhere on these axes{reason}"
+        return f": {reason_of(self.quantity, self.outcome)}" if has_reason else ""
 
 
 def mark_at(text: str, materials: Materials, scene: Scene, x: Axis, y: Axis) -> Mark:
@@ -97,14 +100,15 @@ def map_of(request: PlotRequest, size: tuple[int, int]) -> tuple[Map, tuple[str,
     context = Context(quantity, scene, at_an_end, is_plain=request.is_plain)
     values = evaluate(scene, quantity, x, y)
     if not has_values(values):
-        raise NothingToDraw(quantity, context.scene.evaluate([quantity])[quantity])
+        raise NothingToDraw(quantity, context.scene)
     marks = tuple(mark_at(text, request.materials, scene, x, y) for text in request.marks)
     others: tuple[str, ...] = ()
     if scene.material is None and {x.name, y.name} & {*PROPERTIES}:
         of_materials, others = material_marks(request.materials, x, y)
         marks = (*of_materials, *marks)
     found = tuple(regions(scene, context.bounds, x, y, values))
-    caption = (_first_sentence(quantity, [context.scene]), *fixed_inputs(context.inputs), *others)
+    gaps = _gaps(quantity, [context], [values])
+    caption = (_first_sentence(quantity, [context.scene]), *fixed_inputs(context.inputs), *others, *gaps)
     return Map(
         quantity, scene, x, y, values, found, marks, described(quantity, unit_of_labels(quantity, values)), caption
     ), context.notes
@@ -117,31 +121,48 @@ def curves_of(request: PlotRequest, size: int) -> tuple[Picture, tuple[str, ...]
         raise BadRequest(f"{len(request.scenes)} x {x.size} points are more than {MAX_ALONG}")
     contexts: list[Context] = []
     curves: list[Curve] = []
-    missing: dict[str, MissingInput] = {}
+    missing: dict[str, MissingInput | NothingToDraw] = {}
     for text, scene in request.scenes:
         try:
             context = Context(request.quantity, scene, x.inputs(x.high), is_plain=request.is_plain)
         except MissingInput as error:
             missing[text] = error
             continue
-        curves.append(Curve(text, x.values(), along(scene, request.quantity, x), len(contexts)))
+        values = along(scene, request.quantity, x)
+        if not has_values(values):
+            missing[text] = NothingToDraw(request.quantity, context.scene)
+            continue
+        curves.append(Curve(text, x.values(), values, len(contexts)))
         contexts.append(context)
     if not curves:
         raise next(iter(missing.values()))
-    if not any(has_values(curve.y) for curve in curves):
-        raise NothingToDraw(request.quantity, contexts[0].scene.evaluate([request.quantity])[request.quantity])
     y = axis_around(request.quantity, [curve.y for curve in curves], may_be_log=True)
     points = [mark_at(text, request.materials, request.scenes[0][1], x, y) for text in request.marks]
     shared = [text for text in contexts[0].inputs if all(text in context.inputs for context in contexts)]
     caption = (
         _first_sentence(request.quantity, [context.scene for context in contexts]),
         *fixed_inputs(shared),
-        *((f"No curve: {'; '.join(text + lacking(error) for text, error in missing.items())}.",) if missing else ()),
+        *((f"No curve: {'; '.join(text + _lacking(error) for text, error in missing.items())}.",) if missing else ()),
+        *_gaps(request.quantity, contexts, [curve.y for curve in curves]),
         *_doubts_along(x, curves, contexts),
     )
     notes = [f"no curve: {error}" for error in missing.values()]
     notes += dict.fromkeys(note for context in contexts for note in context.notes)
     return Picture("", (Panel(x, y, tuple(curves), tuple(points)),), caption), tuple(notes)
+
+
+def _lacking(error: "MissingInput | NothingToDraw") -> str:
+    """Return why there is no curve, behind its text."""
+    return lacking(error) if isinstance(error, MissingInput) else error.because()
+
+
+def _gaps(quantity: str, contexts: "Iterable[Context]", values: Iterable[Any]) -> Iterator[str]:
+    """Iterate over the sentence on values that are missing because the atomic spacing decides on them."""
+    import numpy
+
+    may_rest = any(context.scene.may_rest_on_spacing(quantity) for context in contexts)
+    if may_rest and any(not numpy.isfinite(one).all() for one in values):
+        yield f"No value where it {RestsOnSpacing(quantity).reason()}."
 
 
 def _doubts_along(x: Axis, curves: Sequence[Curve], contexts: "Sequence[Context]") -> Iterator[str]:
@@ -187,8 +208,7 @@ class Context:
         remark = NOMENCLATURE[quantity].note
         idle = [note.text for note in about_idle(self.scene, inputs)]
         data = notes_on(self.scene, shown, names)
-        uncertain = {name: one for name in shown if name not in values and (one := scene.uncertainty_of(name))}
-        middles = [note.text for note in about_middles(uncertain)]
+        middles = on_middles(scene, [name for name in shown if name not in values])
         self.notes = tuple(
             dict.fromkeys(
                 [*middles, *notes[:1], *idle, *data, *([f"{symbol_of(quantity)}: {remark}"] if remark else [])]
@@ -221,6 +241,12 @@ def inputs_as_texts(scene: Scene, names: Iterable[str]) -> tuple[str, ...]:
         materials.append(f"material2 = {scene.material2.name}")
     values = ((name, in_words(name, scene.values[name])) for name in names)
     return (*materials, *(f"{NOMENCLATURE[name].symbol} = {amount(name, value)}" for name, value in values))
+
+
+def on_middles(scene: Scene, names: Iterable[str]) -> list[str]:
+    """Return the note on inputs of which a picture has the middle of their uncertainty."""
+    uncertain = {name: one for name in names if (one := scene.uncertainty_of(name)) is not None}
+    return [note.text for note in about_middles(uncertain)]
 
 
 def notes_on(scene: Scene, inputs: Collection[str], names: Sequence[str]) -> list[str]:

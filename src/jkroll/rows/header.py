@@ -452,25 +452,27 @@ def _column(place: int, name: str, unit_text: str | None, text: str) -> Column:
     return Column(place, name, unit_text, unit)
 
 
-def check_first(column: Column, texts: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
-    """Raise BadTable for a column that has a unit neither in its header nor in its first cell. `texts`: all headers; `rows`: the first ones."""
-    cells = [row[column.place] for row in rows]
-    first = _first(cells)
-    if not first or column.unit is not None or column.exponent is not None:
-        return
-    try:
-        value_of(first, column.name)
-        return
-    except BareNumber:
-        guess = f"If it is in {_likely_unit(column.name, cells)}, write"
-        lacks = f"has no unit, and neither has its first cell {quoted(first)}. {guess}"
-    except QuantityError:
-        if not fits(first.strip(), column.name):
-            return  # a bad row, not a bad header
-        lacks = f"has its unit {quoted(first)} in the first row. Write"
-    parts = {column.place: ""} | {side.place: f"_{side.part}" for side in column.sides}
-    meant = {texts[place]: with_unit(column.name, cells, part) for place, part in parts.items()}
-    raise BadTable(f"header: {quoted(texts[column.place])} {lacks} {_remedies(meant)}")
+def check_units(header: Header, rows: Sequence[Sequence[str]]) -> None:
+    """Raise BadTable for columns that have a unit neither in their header nor in their first cell; `rows`: the first ones."""
+    in_first_row: dict[str, str] = {}  # what columns mean whose units are a row of their own
+    for column in header.inputs:
+        cells = [row[column.place] for row in rows]
+        first = _first(cells)
+        if not first or column.unit is not None or column.exponent is not None:
+            continue
+        parts = {column.place: ""} | {side.place: f"_{side.part}" for side in column.sides}
+        meant = {header.texts[place]: with_unit(column.name, cells, part) for place, part in parts.items()}
+        try:
+            value_of(first, column.name)
+        except BareNumber:
+            text, guess = header.texts[column.place], _likely_unit(column.name, cells)
+            lacks = f"has no unit, and neither has its first cell {quoted(first)}. If it is in {guess}, write"
+            raise BadTable(f"header: {quoted(text)} {lacks} {_remedies(meant)}") from None
+        except QuantityError:
+            if fits(first.strip(), column.name):
+                in_first_row |= meant  # else it is a bad row, not a bad header
+    if in_first_row:
+        raise BadTable(f"header: the first row has units. Delete it, and write {_remedies(in_first_row)}")
 
 
 def check_measured(header: Header, quantity: str) -> None:

@@ -21,7 +21,7 @@ from ..scene.scene import EXCLUSIVE, Scene
 from ..text import first_of, quoted, say, say_wrapped
 from .cells import LABEL, Indices, Lookup, Reader
 from .columns import DOUBT, SIDES, STATUS, BadCells, Wanted, remarks_of
-from .header import BadTable, Column, Header, check_first, check_inputs
+from .header import BadTable, Column, Header, check_inputs, check_units
 from .inferred import SoughtOne
 from .readings import MATERIALS, may_be_diameter
 from .rows import Block, groups
@@ -170,8 +170,7 @@ def table_of(
         if text.strip() in taken:
             remedy = _RENAMED.get(text.strip(), ", or leave it out of the results with --quantities")
             raise BadTable(f"header: the table already has a column {quoted(text)}; rename it{remedy}")
-    for column in columns.inputs:
-        check_first(column, columns.texts, rows)
+    check_units(columns, rows)
     return table
 
 

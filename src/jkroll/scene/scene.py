@@ -482,9 +482,11 @@ class Scene:
 
     def rests_on_spacing(self, name: str) -> Any:
         """Return whether the atomic spacing decides on a quantity and was not given, or in which elements of arrays."""
-        if name not in self.law.by_spacing or not self.given.keys().isdisjoint(("atomic_spacing", "hamaker")):
-            return False
-        return self["transition_parameter"] < 1
+        return self.may_rest_on_spacing(name) and self["transition_parameter"] < 1
+
+    def may_rest_on_spacing(self, name: str) -> bool:
+        """Return whether the atomic spacing, which was not given, decides on a quantity of small, hard spheres."""
+        return name in self.law.by_spacing and self.given.keys().isdisjoint(("atomic_spacing", "hamaker"))
 
 
 def _check_exclusive(given: Collection[str]) -> None:
