@@ -3,7 +3,7 @@
 Where the law of attraction is in doubt, its results stand beside those of Maugis' law, which holds there.
 """
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from math import log
 from typing import TYPE_CHECKING, NamedTuple
@@ -22,7 +22,7 @@ from ..scene.failures import (
     RestsOnSpacing,
     reason_of,
 )
-from ..scene.limits import JUMP, LEAST_EFFECT, Judgement, Verdict, against_limit, judged, sentence
+from ..scene.limits import JUMP, LEAST_EFFECT, Judgement, Verdict, against_limit, judged, not_judged, sentence
 from ..scene.scene import Scene
 from ..scene.wiring import depends_on
 from .notes import (
@@ -229,7 +229,8 @@ class Answer:
     def uncertain(self) -> "Mapping[str, Uncertain]":
         """The inputs that are uncertain."""
         _, sources = self._uncertainties
-        return stated_by(sources, self.inputs) if sources is not None else {}
+        given = sources.given if sources is not None else {}
+        return {name: one for name, one in given.items() if name in self.inputs}
 
     @cached_property
     def laws(self) -> tuple[Difference, ...]:
@@ -296,14 +297,15 @@ class Answer:
         possible = [name for name in self.shown if not isinstance(self.errors.get(name), MissingInput)]
         found, sources = self._uncertainties
         lacking = [name for name, error in self.errors.items() if isinstance(error, MissingInput)]
-        lacking += [name for names in self._judgement.missing.values() for name in names]
+        unjudged = not_judged(scene, self._known)
+        lacking += [name for names in unjudged.values() for name in names]
         displaced = [] if self.worth is None else [self.worth.note(self.question.headline)]
         entering = with_limits(self.inputs, self._of_limits) | depends_on(lacking, [scene.law.name])
         return (
             *about_given(scene, possible, self._entering, entering, displaced),
             *about_results([*self.results], scene, self.question.noted),
             *about_missing([*self.results], self.errors),
-            *about_limits(self._judgement),
+            *about_limits(unjudged),
             *(about_uncertainties(found, sources) if sources is not None else ()),
         )
 
@@ -322,8 +324,3 @@ def _width(result: Result) -> float:
     if found is None or not (found.low > 0 and found.high < INFINITY):
         return 0.0
     return max(log(found.value / found.low), log(found.high / found.value))
-
-
-def stated_by(sources: "Sources", inputs: Collection[str]) -> "dict[str, Uncertain]":
-    """Return the values of sources by those of their names that are among the inputs."""
-    return {name: one for name, one in sources.given.items() if name in inputs}

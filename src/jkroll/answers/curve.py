@@ -114,7 +114,7 @@ def _of_jkr(scene: Scene, loads: Loads | None, steps: int) -> list[State]:
     """Return states by x = â^(3/2), from the end of the unstable branch on."""
     last = cbrt(6 * scene.replace(load=loads.high)["load_factor"]) if loads else 2.0
     roots = [last * step / steps for step in range(1, steps + 1)]
-    factors = {root**3 / 6: "" for root in roots if root != 1.0} | NAMED
+    factors = {root**3 / 6: "" for root in roots} | NAMED
     return [
         State("load_factor", factor, factors[factor] or _branch(factor, FOLD, PULL_OFF)) for factor in sorted(factors)
     ]

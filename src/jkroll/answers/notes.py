@@ -11,7 +11,7 @@ from ..quantities.formatting import amount, significant
 from ..quantities.laws import BETWEEN, DEFAULT_LAW
 from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI
 from ..scene.failures import NO_END, MissingInput, grouped
-from ..scene.limits import IMPACT, Judgement, judged, limits_of
+from ..scene.limits import IMPACT, limits_of, not_judged
 from ..scene.scene import DEFAULTS, IN_ITS_PLACE, OF_AREA, Scene
 from ..scene.wiring import depends_on
 from ..text import first_of, listed
@@ -63,7 +63,7 @@ def notes_on_rows(scene: Scene, names: Sequence[str]) -> list[Note]:
         *left_out,
         *(note for note in about_given(scene, possible, inputs, entering, displaced) if note.kind != "material"),
         *about_conventions(scene, possible),
-        *about_limits(judged(scene, possible)),
+        *about_limits(not_judged(scene, possible)),
     ]
 
 
@@ -111,7 +111,7 @@ def about_assumed(names: Collection[str]) -> list[Note]:
 
 def assumptions(scene: Scene, inputs: Collection[str], names: list[str]) -> list[Note]:
     """Return notes on what was assumed about the bodies."""
-    steps = {step.name for name in names for step in scene.plan(name).steps}
+    steps = {step.name for step in scene.plan(*names).steps}
     notes = []
     if "hamaker" in inputs and not scene.missing(["work_of_adhesion"]):
         notes.append(_about_hamaker(scene))
@@ -266,10 +266,9 @@ def about_conventions(scene: Scene, names: Sequence[str]) -> list[Note]:
 def _about_noted(results: Iterable[Result], noted: Collection[str]) -> Iterator[Note]:
     """Iterate over the values that have a note in place of a row, each with why it stands beside a headline."""
     for result in results:
-        if result.name in noted and result.value is not None:
+        if result.name in noted and (found := result.measure) is not None:
             note, symbol = NOMENCLATURE[result.name].note, symbol_of(result.name)
-            value = amount(result.name, result.propagated.uncertainty if result.propagated else result.value)
-            yield Note("result", f"{symbol} = {value}: {note}")
+            yield Note("result", f"{symbol} = {amount(result.name, found)}: {note}")
 
 
 def _first_to_yield(scene: Scene) -> Note:
@@ -301,7 +300,8 @@ def model_error(name: str, scene: Scene) -> float | None:
 
 def _between_spheres_1(scene: Scene) -> str:
     """Return a clause on the contacts between the spheres of a chain that hangs from another body."""
-    stated = {name: value for name, value in scene.stated.items() if not name.endswith("2")}
+    of_pair = () if scene.material2 is None else ("work_of_adhesion",)  # of the two materials
+    stated = {name: value for name, value in scene.stated.items() if not name.endswith("2") and name not in of_pair}
     chain = Scene(stated, scene.material, model=scene.stated_model).numbers("n_grav")
     if not chain:
         return "those between spheres 1 may roll before it"
@@ -311,11 +311,11 @@ def _between_spheres_1(scene: Scene) -> str:
     return "those between spheres 1 carry more"
 
 
-def about_limits(limits: Judgement) -> list[Note]:
-    """Return a note for the limits of the model that could not be judged."""
+def about_limits(missing: Mapping[str, Sequence[str]]) -> list[Note]:
+    """Return a note for the limits of the model that could not be judged, by the inputs that they need."""
     return [
         Note("unchecked", f"not checked: {', '.join(map(symbol_of, names))}: need{'' if names[1:] else 's'} {needs}")
-        for needs, names in limits.missing.items()
+        for needs, names in missing.items()
     ]
 
 

@@ -187,12 +187,7 @@ def _has_values(name: str) -> bool:
 
 
 def quantities_named(text: str) -> tuple[list[str], list[str]]:
-    """Return the quantities of a list: those that are named, and those of the commands in it, which may lack inputs.
-
-    An empty list stands for those of all commands.
-    """
-    if not text:
-        return [], list(EVERYTHING)
+    """Return the quantities of a list: those that are named, and those of the commands in it, which may lack inputs."""
     wanted: list[str] = []
     offered: list[str] = []
     for word in map(str.strip, text.split(",")):

@@ -59,7 +59,7 @@ def _summary(name: str, tally: Tally) -> str:
 
     values = numpy.concatenate(tally.inferred)
     found = values[~numpy.isnan(values)]
-    sentence = f"note: {name}: {len(found)} of {tally.rows} rows"
+    sentence = f"note: {name}: {len(found)} of {len(values)} rows"
     if len(found) < 2:
         return sentence
     low, median, high = numpy.quantile(found, [0.25, 0.5, 0.75]).tolist()

@@ -40,6 +40,8 @@ _OPEN = rb'(?:"[^"]*+")*+"[^"]*+\Z'
 class Dialect:
     """The rules by which cells are separated and records end."""
 
+    comment = b""  # which may stand before the header
+
     def __init__(self, name: str, separator: bytes) -> None:
         """`separator`: one byte."""
         self.name, self.separator = name, separator
@@ -148,11 +150,13 @@ class Dialect:
 class Blanks(Dialect):
     """The rules of a table whose columns are divided by any number of blanks: it is read, and written, with a tab in place of them."""
 
+    comment = b"#"
+
     def prepared(self, text: bytes) -> bytes:
-        """Return lines with tabs. A header may begin with #. Raises BadTable for quotes, whose blanks would divide a cell."""
+        """Return lines with tabs. Raises BadTable for quotes, whose blanks would divide a cell."""
         if b'"' in text:
             raise BadTable("a table with blanks between its columns has no quotes; write tabs, and --format tsv")
-        text = re.sub(rb"(?m)^[ \t]+|[ \t]+(?=\r?$)", b"", text.removeprefix(b"#"))
+        text = re.sub(rb"(?m)^[ \t]+|[ \t]+(?=\r?$)", b"", text)
         return re.sub(rb"[ \t]+", b"\t", text)
 
 

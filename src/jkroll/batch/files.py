@@ -1,6 +1,5 @@
 """The file that is read, as blocks of whole records that are cut at the same places in every run, and the file that is written."""
 
-import errno
 import os
 import stat
 import sys
@@ -36,8 +35,6 @@ class Input:
         about = os.fstat(descriptor)
         self.is_file = stat.S_ISREG(about.st_mode)
         self.size, self.time = (about.st_size, about.st_mtime_ns) if self.is_file else (0, 0)
-        if stat.S_ISDIR(about.st_mode):
-            raise BadTable(f"{quoted(path)}: {os.strerror(errno.EISDIR)}")
 
     def pieces(self, compression: str) -> Iterator[bytes]:
         """Iterate over the bytes to convert, decompressed: CHUNK bytes at a time at most, of a pipe what there is.

@@ -196,7 +196,7 @@ def _digest(path: str) -> str:
 
 def _parts(path: str, directory: str) -> list[Part]:
     """Return the tables that a pattern names."""
-    paths = sorted(glob.glob(path)) if glob.has_magic(path) else [path]
+    paths = [path] if os.path.exists(path) else sorted(glob.glob(path))
     if not paths:
         raise BadTable(f"{quoted(path)}: no such file")
     parts = [Part(one, os.path.join(directory, os.path.basename(one))) for one in paths]

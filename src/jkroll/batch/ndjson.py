@@ -22,6 +22,8 @@ _UNWRITTEN = "[...]"  # stands for a value that is nested too deeply
 class Ndjson:
     """Lines that are JSON objects; the names in the first of them are the columns."""
 
+    comment = b""
+
     def cut(self, text: bytes) -> int:
         """Return the number of bytes of whole lines."""
         return text.rfind(b"\n") + 1

@@ -6,7 +6,7 @@ from contextlib import closing
 from functools import lru_cache, partial
 from itertools import chain
 
-from ..answers.questions import quantities_named
+from ..answers.questions import EVERYTHING, quantities_named
 from ..errors import missing_extra
 from ..output.records import lines
 from ..quantities.formatting import Format
@@ -49,7 +49,7 @@ def table_with(names: tuple[str, ...], rows: list[list[str]], job: Job) -> Table
     columns = understood(names, rows, stated_meanings(names, settings.columns, settings.measured))
     if settings.measured:
         check_measured(columns, settings.measured)
-    asked = ([], []) if settings.infer else quantities_named(settings.quantities)
+    asked = quantities_named(settings.quantities) if settings.quantities else ([], EVERYTHING)
     try:
         table = table_of(columns, rows, fill, asked, doubt=settings.doubt, uncertainty=settings.uncertainty)
     except MissingInput:
@@ -70,7 +70,7 @@ def _convert_lines(part: Part, form: FileFormat, compression: str, job: Job) -> 
         given.check_output(part.target)
         dialect = DELIMITED[settings.delimiter] if settings.delimiter else LINES[form.kind]
         texts = blocks(given.pieces(form.compression), dialect.cut)
-        first = dialect.prepared(next(texts, b""))
+        first = dialect.prepared(next(texts, b"").removeprefix(dialect.comment))
         head, rows = dialect.head(first)
         table = table_with(head.names, rows, job)
         converter = dialect.converter(head, table, strict=settings.strict, excel_safe=settings.excel_safe)

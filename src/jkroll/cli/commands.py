@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 from ..answers.questions import QUESTIONS
 from ..errors import BadRequest
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
-from ..text import capitalized, fitting, quoted, terminal_width
+from ..text import capitalized, fitting, quoted, terminal_width, wrapped
 
 MAX_DIGITS = 9  # of a number
 
@@ -307,7 +307,8 @@ class Command(NamedTuple):
 def _options_of_export() -> tuple[Option, ...]:
     from ..output.exports import QUANTITIES, THRESHOLDS
 
-    return (*input_options(QUANTITIES + THRESHOLDS), MODEL_OF_EXPORT, MATERIALS, QUIET)
+    inputs = (option for option in input_options(QUANTITIES + THRESHOLDS) if option.name != MODEL_OF_EXPORT.name)
+    return (*inputs, MODEL_OF_EXPORT, MATERIALS, QUIET)
 
 
 _SCENE = Words("[MATERIAL] [RADIUS]...", INFINITY)
@@ -502,14 +503,5 @@ def _listed(title: str, rows: Sequence[tuple[str, str]], width: int) -> list[str
 
 
 def _wrapped(text: str, width: int, indent: str = "") -> list[str]:
-    """Return the lines of a text, broken at spaces only."""
-    from textwrap import wrap
-
-    return wrap(
-        text,
-        width,
-        initial_indent=indent,
-        subsequent_indent=indent,
-        break_long_words=False,
-        break_on_hyphens=False,
-    )
+    """Return the lines of a text, each behind an indent."""
+    return [indent + line for line in wrapped(text, width - len(indent))]

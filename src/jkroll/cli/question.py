@@ -211,7 +211,6 @@ def _failed(failed: int, count: int, first: JkrollError | None) -> int:
 def write_answers(answers: Iterable[Answer], count: int, kind: str, form: Format, out: TextIO, *, quiet: bool) -> int:
     """Write answers one by one, and the notes of a single one unless these are in it; return the exit code."""
     failures: list[JkrollError] = []
-    is_shown = count == 1 and kind in ("plain", "table")
 
     def watched() -> Iterator[Answer]:
         for one in answers:
@@ -232,7 +231,7 @@ def write_answers(answers: Iterable[Answer], count: int, kind: str, form: Format
         write_citations((one.explained for one in every), out)
     elif kind == "json":
         write_json(every, count, out, form)
-    elif is_shown:
+    else:
         only = next(every)
         if kind == "table":
             from ..output.table import scene_table
@@ -261,43 +260,32 @@ def run_contact(call: Call) -> int:
     return _write_curve(call) if call.curve else run_question(call)
 
 
-class _AskedCurves:
-    """The force curves that a call asks for: their scenes and loads, and what is shown of each state."""
-
-    def __init__(self, call: Call) -> None:
-        """Check a call. Raises BadRequest for a mistake, and the failure of the first state if each has one."""
-        from ..answers.curve import FORCE_CURVE, AtState, at_states
-
-        self.kind = checked_format(call)
-        if self.kind in ("explain", "cite"):
-            raise BadRequest(f"--curve and --{self.kind} exclude each other")
-        self.question = question_of(call, FORCE_CURVE)
-        self.shown = self.question.headline if self.kind == "bare" else self.question.quantities
-        self.form = form_of(call, self.shown)
-        request, self.loads = curve_request(call)
-        self.sweep = request.sweep
-        if (count := len(self.sweep)) > MAX_OBJECTS:
-            raise BadRequest(f"--curve: {count} scenes are more than {MAX_OBJECTS}")
-        self.samples = [*at_states(self.sweep.kinds, self.loads)]
-        failures = (AtState(one, self.question).failure for one in self.samples)
-        if (first := next(failures)) is not None and None not in failures:
-            raise first
-
-
 def _write_curve(call: Call) -> int:
-    """Write the force curve of every scene; return the exit code."""
-    from ..answers.curve import AtState, OfCurve, at_states
+    """Write the force curve of every scene; return the exit code. Raises the failure of the first state if each has one."""
+    from ..answers.curve import FORCE_CURVE, AtState, OfCurve, at_states
 
-    asked = _AskedCurves(call)
-    kind, form = asked.kind, asked.form
-    at = at_states(asked.sweep.scenes(), asked.loads)
+    kind = checked_format(call)
+    if kind in ("explain", "cite"):
+        raise BadRequest(f"--curve and --{kind} exclude each other")
+    question = question_of(call, FORCE_CURVE)
+    shown = question.headline if kind == "bare" else question.quantities
+    form = form_of(call, shown)
+    request, loads = curve_request(call)
+    sweep = request.sweep
+    if (count := len(sweep)) > MAX_OBJECTS:
+        raise BadRequest(f"--curve: {count} scenes are more than {MAX_OBJECTS}")
+    samples = [*at_states(sweep.kinds, loads)]
+    failures = (AtState(one, question).failure for one in samples)
+    if (first := next(failures)) is not None and None not in failures:
+        raise first
+    at = at_states(sweep.scenes(), loads)
     if kind == "json":
         every = [*at]
         with text_output(call.target or "-") as out:
-            answers = (AtState(one, asked.question) for one in every)
+            answers = (AtState(one, question) for one in every)
             return write_answers(answers, len(every), kind, form, out, quiet=call.quiet)
-    bare = OfCurve(asked.shown, named=asked.shown, doubts=False)
-    wanted = bare if kind == "bare" else OfCurve.of(asked.samples, asked.shown)
+    bare = OfCurve(shown, named=shown, doubts=False)
+    wanted = bare if kind == "bare" else OfCurve.of(samples, shown)
     size = MAX_TABLE if kind == "table" else CURVE_BLOCK
     pairs: list[Pair] = []  # of each row
 
@@ -308,7 +296,7 @@ def _write_curve(call: Call) -> int:
 
     notes = note_lines.OfRows()
     deliver(wanted, notes.watch(columns()), kind, form, call)
-    curves = [*dict.fromkeys(one.curve for one in asked.samples)]
-    if len(asked.sweep) == 1 and not call.quiet:
+    curves = [*dict.fromkeys(one.curve for one in samples)]
+    if len(sweep) == 1 and not call.quiet:
         return _ended(notes, note_lines.of_answer(curves[0]))
     return _ended(notes, [] if call.quiet else notes.lines(pairs, [(curve.scene, curve.shown) for curve in curves]))

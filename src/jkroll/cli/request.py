@@ -80,13 +80,18 @@ class Request:
         """The rows: a scene for each combination of materials and values."""
         return Sweep(self.pairs, self.spreads, self.models)
 
+    @cached_property
+    def _every_material(self) -> list[Material | None]:
+        """The materials that have no mistake; those that have one are told."""
+        for mistake in self.materials.mistakes.values():
+            say_wrapped(f"note: left out: {mistake}", sys.stderr)
+        return [*self.materials.materials.values()]
+
     def _materials(self, words: str | None) -> list[Material | None]:
         if words is None:
             return [None]
         if words.casefold() == "all":
-            for mistake in self.materials.mistakes.values():
-                say_wrapped(f"note: left out: {mistake}", sys.stderr)
-            return list(self.materials.materials.values())
+            return self._every_material
         if (word := next(filter(is_table, words.split(",")), None)) is not None:
             raise BadRequest(f"{quoted(word)} is a table; jkroll batch {word} reads it")
         return [self.materials[word] for word in words.split(",")]

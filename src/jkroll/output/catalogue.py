@@ -9,6 +9,7 @@ from ..materials.library import Material
 from ..quantities.errors import QUANTITY_SYNONYMS, UnknownQuantity
 from ..quantities.formatting import AS_USUAL, amount, in_words, pretty
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, header, named, with_symbol
+from ..rows.columns import Wanted
 from ..scene.wiring import depends_on, formula_of, parameters_of, suffix_of
 from ..text import first_of, json_text, say, say_wrapped
 from .records import Cell, write_records
@@ -31,11 +32,9 @@ def write_materials(chosen: Sequence[Material], out: TextIO, kind: str, *, whole
     elif kind == "table":
         _write_tables(chosen, out)
     else:
-        sides = {name: _sides_of(name, chosen) for name in PROPERTIES}
-        keys = [(name, key) for name in PROPERTIES for key in (name, *(f"{name}_{side}" for side in sides[name]))]
-        of_properties = [header(name).replace(name, key, 1) for name, key in keys]
-        records = (_material_row(material, sides) for material in chosen)
-        write_records(["material", *of_properties, "state", "references", "source"], records, kind, out)
+        columns = Wanted(PROPERTIES, sides={name: _sides_of(name, chosen) for name in PROPERTIES})
+        records = (_material_row(material, columns.sides) for material in chosen)
+        write_records(["material", *columns.heads(header), "state", "references", "source"], records, kind, out)
 
 
 def _write_tables(chosen: Sequence[Material], out: TextIO) -> None:
@@ -98,11 +97,9 @@ def _in_words(material: Material, name: str) -> float | str | None:
     return in_words(name, material.properties[name]) if name in material.properties else None
 
 
-def _sides_of(name: str, materials: Sequence[Material]) -> list[str]:
+def _sides_of(name: str, materials: Sequence[Material]) -> set[str]:
     """Return the sides of the uncertainty of a property that some materials have."""
-    return [
-        *dict.fromkeys(side for one in materials if name in one.uncertainties for side in one.uncertainties[name].sides)
-    ]
+    return {side for one in materials if name in one.uncertainties for side in one.uncertainties[name].sides}
 
 
 def _material_row(material: Material, sides: Mapping[str, Sequence[str]]) -> list[Cell]:

@@ -48,7 +48,8 @@ def _lines(every: Iterable[Note], width: float = 0.0) -> list[str]:
         briefly = [note.brief for note in notes[len(worded) :] if note.brief]
         left -= len(worded) + len(briefly)
         texts = [*worded, f"also {', '.join(briefly)}: jkroll guide models"] if briefly else worded
-        lines.append(_line(kind, texts, is_sentence=notes[0].is_sentence))
+        lead = "doubtful: " if kind == "doubt" and not notes[0].is_sentence else ""
+        lines.append(f"note: {lead}{'; '.join(texts)}")
     if left:
         lines[-1] += f"; {left} more: --explain"
     return lines
@@ -84,7 +85,7 @@ def every_line(answer: Answer) -> list[str]:
     """Return a line for each note on an answer, by falling importance, for a file that is read without the answer."""
     every = (note for note in (*answer.notes, *answer.doubts()) if note.kind != "material")
     sorted_notes = chain.from_iterable(_by_importance(every, answer.width).values())
-    return [_line(note.kind, [note.text], is_sentence=note.is_sentence) for note in sorted_notes]
+    return [f"note: {note.worded}" for note in sorted_notes]
 
 
 class OfRows:
@@ -114,7 +115,7 @@ class OfRows:
                     )
             failed = columns.failed()
             if failed and self.failure is None:
-                self.failure = columns.failure(failed[0])
+                self.failure = columns.failure(min(failed))
             self.failed += len(failed)
             self.count += len(columns)
             yield columns
@@ -203,7 +204,3 @@ def _rows(runs: list[list[int]]) -> str:
     named = [str(first) if first == last else f"{first}-{last}" for first, last in runs[:MAX_RANGES]]
     more = " and more" if len(runs) > MAX_RANGES else ""
     return f"row{'s' if len(runs) > 1 or runs[0][0] < runs[0][1] else ''} {', '.join(named)}{more}"
-
-
-def _line(kind: Kind, texts: list[str], *, is_sentence: bool = False) -> str:
-    return f"note: {'doubtful: ' if kind == 'doubt' and not is_sentence else ''}{'; '.join(texts)}"

@@ -92,8 +92,7 @@ def _explanation(result: Result, scene: Scene, form: Format) -> list[str]:
 
 def _found(result: Result, form: Format) -> list[str]:
     """Return the lines with the value of a result, the shares of its uncertainty, and what is known of an inferred one."""
-    found = result.propagated
-    shown = result.value if found is None else found.uncertainty
+    found, shown = result.propagated, result.measure
     assert shown is not None
     lines = [f"  result    {NOMENCLATURE[result.name].symbol} = {amount(result.name, shown, form)}"]
     if found is not None:
@@ -240,7 +239,7 @@ def write_citations(answers: Iterable[Answer], out: TextIO) -> None:
         scene = answer.scene
         failure = failure or answer.failure
         known = [result.name for result in answer.results if result.value is not None]
-        equations |= {NOMENCLATURE[step.name].equation for name in known for step in scene.plan(name).steps}
+        equations |= {NOMENCLATURE[step.name].equation for step in scene.plan(*known).steps}
         data = scene.data_used(answer.inputs)
         of_materials = [entry for material, name in data for entry in material.sources_of(name)]
         entries = [*_of_law(scene, known), *of_materials, *_of_conventions(known)]

@@ -79,10 +79,7 @@ def _grid_table(grid: "Grid", answer: "Answer", out: TextIO, form: Format) -> Ta
 def _result_cells(result: "Result", form: Format) -> dict[str, str]:
     """Return the cells of a result by the heads of their columns."""
     quantity = NOMENCLATURE[result.name]
-    if result.value is None:
-        value, unit = "—", ""
-    else:
-        value, unit = form.rounded(result.name, result.propagated.uncertainty if result.propagated else result.value)
+    value, unit = ("—", "") if (found := result.measure) is None else form.rounded(result.name, found)
     definition, reference = ("", "") if result.law else (quantity.definition, quantity.reference)
     beside = result.law.jkr if result.law else None
     jkr = "" if beside is None else amount(result.name, beside, form)

@@ -183,6 +183,7 @@ class Columns:
         """`inputs`: columns by name; `numbers`: a column for each of Wanted.keys; `reasons`: by the place of a row."""
         self.wanted, self.inputs, self.numbers, self.doubts = wanted, inputs, numbers, doubts
         self.reasons: dict[int, Reasons] = reasons
+        self._texts: dict[int, str] = {}  # by the identity of reasons, which many rows share: all are known by then
 
     @classmethod
     def of_rows(cls, wanted: Wanted, rows: Sequence[Row]) -> "Columns":
@@ -252,7 +253,11 @@ class Columns:
         """Return why cells of a row are empty, in words."""
         if row in self.lost:
             return str(self.lost[row])
-        return _worded(self.reasons[row]) if row in self.reasons else ""
+        if (reasons := self.reasons.get(row)) is None:
+            return ""
+        if id(reasons) not in self._texts:
+            self._texts[id(reasons)] = _worded(reasons)
+        return self._texts[id(reasons)]
 
 
 def as_list(column: Any) -> list[Any]:

@@ -13,6 +13,7 @@ import numpy
 
 from ..errors import BadRequest, JkrollError
 from ..materials.library import Material, Materials, MaterialsFileError, UnclearMaterial, UnknownMaterial
+from ..quantities.laws import law_named
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, header
 from ..quantities.values import Uncertain, is_uncertain, value_of
 from ..scene.failures import MissingInput
@@ -53,7 +54,8 @@ class Fill(NamedTuple):
         """Return what texts give by the names of inputs."""
         material, material2 = (known[inputs[name]] if name in inputs else None for name in MATERIALS)
         fixed = {name: value_of(text, name) for name, text in inputs.items() if name not in (*MATERIALS, "model")}
-        return cls(fixed, (material, material2), inputs.get("model"), known, inverse)
+        model = law_named(inputs["model"]).name if "model" in inputs else None
+        return cls(fixed, (material, material2), model, known, inverse)
 
     def scene(self, given: Mapping[str, Any], *spheres: Material | None) -> Any:
         """Return the scene of inputs and of the materials of both spheres, or one that was measured. Raises an error of the scene."""

@@ -293,15 +293,15 @@ def grouped(errors: Mapping[str, JkrollError]) -> Iterator[tuple[list[str], str]
 
     Those that lack the same inputs have one, in the shortest words, though some may be had in another way too.
     """
+    reasons = {name: reason_of(name, error) for name, error in errors.items()}
     groups: dict[object, list[str]] = {}
     for name, error in errors.items():
         lacked = error.missing if isinstance(error, MissingInput) else ()
-        groups.setdefault(lacked or reason_of(name, error), []).append(name)
+        groups.setdefault(lacked or reasons[name], []).append(name)
     for names in groups.values():
-        reasons = {reason_of(name, errors[name]): errors[name] for name in names}
-        reason = min(reasons, key=len)
-        error = reasons[reason]
-        yield names, error.reason_of_several() if names[1:] and isinstance(error, MissingInput) else reason
+        shortest = min(names, key=lambda name: len(reasons[name]))
+        error = errors[shortest]
+        yield names, error.reason_of_several() if names[1:] and isinstance(error, MissingInput) else reasons[shortest]
 
 
 # --- Numbers for which the physics has no result ----------------------------------------------------------------------

@@ -88,10 +88,9 @@ class Verdict(NamedTuple):
 
 
 class Judgement(NamedTuple):
-    """The verdicts of one scene, the limits that could not be judged, by the inputs that they need, and the effects of the law."""
+    """The verdicts of one scene, and the effects of the law."""
 
     verdicts: tuple[Verdict, ...]
-    missing: Mapping[str, list[str]]
     effects: Mapping[str, Effect]
 
 
@@ -226,15 +225,21 @@ TOLD = tuple(Told(limit.code(doubt), doubt.consequence.partition(";")[0]) for li
 def judged(scene: Scene, names: Collection[str]) -> Judgement:
     """Return what limits the answers to these names, as far as the scene allows to judge it."""
     verdicts: list[Verdict] = []
-    missing: dict[str, list[str]] = {}
     of_law: Mapping[str, Effect] = {}
+    for limit, _, value in _touching(scene, names):
+        if not isinstance(value, JkrollError):
+            of_law = effects(scene, names) if limit.by_effect else of_law
+            verdicts.append(limit.judge(value, largest(of_law)))
+    return Judgement(tuple(verdicts), of_law)
+
+
+def not_judged(scene: Scene, names: Collection[str]) -> dict[str, list[str]]:
+    """Return the limits of the answers to these names that could not be judged, by the inputs that they need."""
+    missing: dict[str, list[str]] = {}
     for limit, _, value in _touching(scene, names):
         if isinstance(value, MissingInput):
             missing.setdefault(value.needs(), []).append(limit.name)
-        elif not isinstance(value, JkrollError):
-            of_law = effects(scene, names) if limit.by_effect else of_law
-            verdicts.append(limit.judge(value, largest(of_law)))
-    return Judgement(tuple(verdicts), missing, of_law)
+    return missing
 
 
 def doubts(scene: Scene, names: Collection[str]) -> Any:
