@@ -443,6 +443,15 @@ def test_columns_are_divided_by_what_is_said(run: Run, word: str, mark: str, end
     assert point in found[0][5]
 
 
+def test_a_mark_stands_before_the_header_alone(run: Run) -> None:
+    """A line below it that begins with # is no row."""
+    Path("x.txt").write_text("# R_nm name\n#100 a\n200 b\n", encoding="utf-8")
+    assert run("batch x.txt --delimiter blank --material quartz -o out.tsv --quantities pull_off_force").code == 1
+    _, marked, row = Path("out.tsv").read_text(encoding="utf-8").splitlines()
+    assert "'#100'" in marked
+    assert row.startswith("200\tb\t2.35")
+
+
 @pytest.mark.parametrize("quote", ["", '"'])
 def test_a_point_among_decimal_commas_is_refused(run: Run, quote: str) -> None:
     """It may be one of thousands."""

@@ -4,6 +4,7 @@ import csv
 import math
 from pathlib import Path
 from random import Random
+from typing import Any
 
 import numpy as np
 import orjson
@@ -219,6 +220,17 @@ def test_what_cannot_be_inferred_is_refused(run: Run, words: str, message: str) 
     ran = run(f"batch {name} -o out.csv --radius2 plane {words}")
     assert (ran.code, message in ran.err.replace("\n  ", " ")) == (2, True), ran.err
     assert not Path("out.csv").exists()
+
+
+@pytest.mark.parametrize("order", [("R (um)", "load (nN)", "delta (nm)"), ("delta (nm)", "R (um)", "load (nN)")])
+def test_a_measured_state_may_stand_beside_a_load(run: Run, order: tuple[str, ...]) -> None:
+    cells = {"R (um)": "1", "load (nN)": "100", "delta (nm)": "2"}
+    Path("x.csv").write_text(f"{','.join(order)}\n{','.join(cells[head] for head in order)}\n", encoding="utf-8")
+    sphere: dict[str, Any] = {"surface_energy": 0.02, "poisson_ratio": 0.3, "radius2": math.inf}
+    words = "--infer young --measured approach_at_load --gamma 20mJ/m2 --poisson 0.3 --radius2 plane"
+    assert run(f"batch x.csv {words} -o out.csv").code == 0
+    expected = infer("youngs_modulus", measured={"approach_at_load": 2e-9}, radius=1e-6, load=1e-7, **sphere)
+    assert float(results("out.csv")[0]["youngs_modulus [Pa]"]) == pytest.approx(expected, rel=1e-12)
 
 
 def test_infer_says_how_a_table_is_read(run: Run) -> None:

@@ -211,6 +211,12 @@ def test_nothing_of_the_users_is_touched(run: Run) -> None:
     assert Path("forces/.mine.part-0.csv").read_text() == "mine"
 
 
+def test_a_file_whose_name_has_brackets_is_a_file(run: Run) -> None:
+    Path("a[1].csv").write_text("radius [nm]\n100\n", encoding="utf-8")
+    assert run("batch", "a[1].csv", "-o", "forces/", "--material", "quartz").code == 0
+    assert Path("forces/a[1].csv").exists()
+
+
 @pytest.mark.slow
 def test_a_pool_writes_what_one_process_writes(run: Run, monkeypatch: pytest.MonkeyPatch, grains: list[str]) -> None:
     from jkroll.batch import many

@@ -185,6 +185,9 @@ def test_a_quantity_is_found_by_the_words_of_others(run: Run, word: str, name: s
 # --- Options that change nothing ----------------------------------------------------------------------------------------
 
 
+_IDLE = ("--density", "3g/cm3", "--density2", "2g/cm3", "--load", "1nN")
+
+
 @pytest.mark.parametrize(
     ("line", "idle"),
     [
@@ -193,6 +196,7 @@ def test_a_quantity_is_found_by_the_words_of_others(run: Run, word: str, name: s
         ("contact quartz 100nm --xi 1nm --density 3g/cm3", "--density and --xi change no result here"),
         ("frequencies quartz 100nm --radius2 plane --density2 2g/cm3", "--density2 changes no result here"),
         ("infer gamma quartz 2um --density 3g/cm3 --measured pull_off_force=300nN", "--density changes no result here"),
+        ("infer gamma 1um --young 3GPa --poisson 0.3 --load 1nN --measured P_c=300nN", "--load changes no result here"),
         ("map pull-off quartz --x radius=1nm:1um:3 --density 3g/cm3 --data -", "--density changes no result here"),
     ],
 )
@@ -200,7 +204,7 @@ def test_an_option_that_changes_nothing_is_named(run: Run, line: str, idle: str)
     ran = run(line)
     assert ran.code == 0
     assert idle in ran.err
-    numbers = run(*(word for word in line.split() if word not in ("--density", "3g/cm3", "--density2", "2g/cm3")))
+    numbers = run(*(word for word in line.split() if word not in _IDLE))
     assert numbers.out == ran.out
     assert "--density" not in numbers.err
 

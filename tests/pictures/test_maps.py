@@ -428,6 +428,27 @@ def test_a_material_that_is_left_out_is_named_in_the_caption(run: Run) -> None:
     assert f" No curve: gold{lacking}. " in " ".join(curves.split())
 
 
+def test_a_curve_without_values_is_not_drawn_and_gaps_have_their_reason(run: Run) -> None:
+    """The atomic spacing decides whether small, hard spheres stick by Maugis' law."""
+    curves = " ".join(run("map v_stick silica-dry --x radius=10nm:10um --model jkr,maugis").out.split())
+    assert "No value where it rests on z0; give --z0 4angstrom." in curves
+    small = " ".join(run("map v_stick quartz --x radius=1nm:2nm --model jkr,maugis").out.split())
+    assert "No curve: quartz, Maugis–Dugdale: rests on z0; give --z0 4angstrom." in small
+    assert "++" not in small
+    drawn = "map v_stick --x R1=10nm:10um --y gamma=1mJ/m2:1J/m2 --young 7GPa --poisson 0.25 --density 1g/cm3 --model maugis"
+    assert "No value where it rests on z0" in run(drawn).out
+    assert "No value" not in run(f"{drawn} --z0 4angstrom").out
+
+
+def test_an_axis_may_be_the_word_of_an_option(run: Run) -> None:
+    """Whose approach is δ at the load: among results it is δ0."""
+    words = "quartz 100nm --data - --x"
+    assert (
+        run(f"map load {words} approach=-0.05nm:1nm:5").out
+        == run(f"map load {words} approach_at_load=-0.05nm:1nm:5").out
+    )
+
+
 def test_limits_that_cannot_be_shown_are_said_to_be_missing(run: Run) -> None:
     ran = run("map pull-off --x radius=1nm:1um --y gamma=1mJ/m2:1J/m2")
     assert "the limits are not shown: a/z0 needs Young's modulus" in ran.err

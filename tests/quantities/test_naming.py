@@ -1,6 +1,7 @@
 """Words that users have for quantities."""
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -87,3 +88,10 @@ def test_search_shows_the_quantity_before_what_mentions_it(run: Run) -> None:
     assert names("critical rolling displacement") == ["yield_displacement"]
     assert "variants      pull_off_force_maugis" in run("quantities P_c").out
     assert "is not a quantity" in run("quantities ++").err
+
+
+def test_an_input_by_the_word_of_an_option_is_what_the_option_gives() -> None:
+    """Whose approach is δ at the load: among results it is δ0."""
+    contact: dict[str, Any] = {"material": "quartz", "radius": 1e-7}
+    assert jkroll.solve("load", approach=-5e-11, **contact) == jkroll.solve("load", approach_at_load=-5e-11, **contact)
+    assert jkroll.solve("approach", **contact) == pytest.approx(1.0618e-10, rel=1e-4)

@@ -229,6 +229,8 @@ def test_a_chain_from_a_plane_yields_between_its_spheres(run: Run) -> None:
     assert "those between spheres 1 carry more" in run("n-grav quartz 100nm --radius2 1nm").err
     of_pair = "--work-of-adhesion 50mJ/m2 --density 2g/cm3 --radius2 1um"
     assert "between spheres 1" in run(f"n-grav 100nm {of_pair}").err
+    of_materials = "n-grav quartz 100nm --material2 iron --work-of-adhesion 1J/m2"
+    assert "next to it yields before it, at 940.4" in run(of_materials).err
 
 
 def test_a_report_and_a_table_of_a_plane_end_alike(run: Run, tmp_path: Any) -> None:
