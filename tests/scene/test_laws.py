@@ -17,7 +17,7 @@ from harness import Run
 from jkroll import FORMULAS, NOMENCLATURE, JkrollError, solve
 from jkroll.answers.answer import Answer
 from jkroll.answers.curve import STATES_OF_LAW, AtState, at_states
-from jkroll.answers.questions import QUESTIONS
+from jkroll.answers.questions import QUESTIONS, question_about
 from jkroll.materials.library import known_materials
 from jkroll.quantities.laws import LAWS, Law, UnknownLaw
 from jkroll.scene.effects import effects
@@ -419,6 +419,8 @@ def test_a_sticking_energy_that_the_spacing_decides_is_a_range() -> None:
     energies = Answer(QUESTIONS["energies"], Scene({"radius": 1e-7}, quartz, model="maugis"))
     (speed,) = [each for each in energies.results if each.name == "sticking_speed"]
     assert speed.reason == "from 5.58921 mm/s at z0 = 400 pm to 31.6174 mm/s at z0 = 200 pm; give --z0"
+    alone = Answer(question_about("v_stick"), Scene({"radius": 1e-7}, quartz, model="maugis"))
+    assert str(alone.failure) == f"sticking_speed: {speed.reason}"
     said = Answer(QUESTIONS["contact"], Scene({"radius": 1e-7, "atomic_spacing": 4e-10}, quartz, model="maugis"))
     assert said.value("sticking_energy") == solve("sticking_energy", model="maugis", **QUARTZ, atomic_spacing=4e-10)
 

@@ -37,7 +37,7 @@ from .notes import (
     with_spacing,
 )
 from .questions import Question
-from .results import Note, Result, at_half_spacing, over_spacing, propagated_of, with_law
+from .results import Note, NoValue, Result, at_half_spacing, over_spacing, propagated_of, with_law
 
 if TYPE_CHECKING:
     from ..quantities.values import Uncertain
@@ -315,7 +315,10 @@ class Answer:
         fatal = next((error for error in self.errors.values() if isinstance(error, NoContact)), None)
         if fatal is not None:
             return with_force_by_maugis(fatal, self.scene) if isinstance(fatal, BeyondPullOff) else fatal
-        return None if self._known else next(iter(self.errors.values()), OfIdenticalSpheres())
+        if self._known:
+            return None
+        name, error = next(iter(self.errors.items()), ("", OfIdenticalSpheres()))
+        return NoValue(name, self._reason(name, error)) if isinstance(error, RestsOnSpacing) else error
 
 
 def _width(result: Result) -> float:
