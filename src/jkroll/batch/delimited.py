@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from itertools import chain, islice
+from itertools import islice
 from typing import NamedTuple
 
 from ..output.records import numbers_in_lines
@@ -19,7 +19,7 @@ from ..rows.readings import MATERIALS
 from ..rows.table import Table
 from ..scene.limits import codes
 from ..text import quoted
-from .lines import BOM, Converted, Head, check_encoding, computed
+from .lines import BOM, SAMPLE, Converted, Head, check_encoding, computed
 
 _MISTAKEN = (
     (";", "semicolons", "--delimiter semicolon"),
@@ -28,10 +28,11 @@ _MISTAKEN = (
     ("|", "bars", "--delimiter bar"),
     (" ", "blanks", "--delimiter blank"),
 )
-_DECIMAL_COMMA = re.compile(rb"\s*[-+]?\d*,\d+(?:[eE][-+]?\d+)?(?: ?[^\d,.]+)?\s*")
-_DECIMAL_POINT = re.compile(rb"\s*[-+]?\d*\.\d")
+_DECIMAL_COMMA = re.compile(rb"(?<![\d,])\d*,\d+(?![\d,])")
+_DECIMAL_POINT = re.compile(rb"\.\d")
+_NUMERIC = re.compile(rb"\s*[-+(]?[\d.,]")  # the beginning of numbers, with an error bar or not
 STRIP = 128  # rows written at once: their text stays in the cache
-_NUMBER = rb"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
+_NUMBER = rb"[+-]?(?:\d+%b?\d*|%b\d+)(?:[eE][+-]?\d+)?"  # with a point, or a comma
 _PLAIN = rb'[^"\r\n]*+'
 _QUOTED = rb'(?:"[^"]*+")++'  # a quote that is doubled ends one piece and begins the next
 _OPEN = rb'(?:"[^"]*+")*+"[^"]*+\Z'
@@ -55,7 +56,8 @@ class Dialect:
         self._record = rb"(%b*+)(%b)(?:\r*+(?:\n|\Z)|([^\n]++)\n?)" % (blank, cells)
         self._cell = rb"%b(%b|[^%b]*+)" % (mark, _QUOTED, mark)
         self._simple = rb'(?:[^"]*+"(?<![^%b\n]")[^"\r\n%b]*+"(?![^\r\n%b]))*+[^"]*+' % (mark, mark, mark)
-        number = rb'%b"?(?:%b|\r?$)' % (_NUMBER, mark)
+        point = rb"\." if separator == b"," else rb"[.,]"
+        number = rb'%b"?(?:%b|\r?$)' % (_NUMBER % (point, point), mark)
         self._formula = rb'(?m)(^|%b)("?)(?=[=+\-@\t\r])(?!%b|%b|\r?$)' % (mark, mark, number)
 
     def prepared(self, text: bytes) -> bytes:
@@ -120,9 +122,9 @@ class Dialect:
             raise BadTable("header: has a quote that is not closed")
         if blank or not line.strip():
             raise BadTable("header: is empty")
-        rows = [cells for _, line, cells, _ in islice(self.records(body[size:]), 200) if line]
+        rows = [cells for _, line, cells, _ in islice(self.records(body[size:]), SAMPLE) if line]
         whole = [unquoted(cells) for cells in rows if len(cells) == len(names)]
-        has_commas = self.separator != b"," and any(map(_DECIMAL_COMMA.fullmatch, chain.from_iterable(whole)))
+        has_commas = self.separator != b"," and any(map(_have_commas, zip(*whole, strict=True)))
         first_rows = with_points(whole) if has_commas else whole
         sample = [[cell.decode("utf-8", "replace") for cell in row] for row in first_rows]
         return Head(text[: len(text) - len(body) + size], tuple(names), has_commas), sample
@@ -292,11 +294,18 @@ class Delimited:
         return ends
 
 
+def _have_commas(cells: Sequence[bytes]) -> bool:
+    """Return whether most cells of a column are numbers, of which more have a decimal comma than a point."""
+    numbers = [*filter(_NUMERIC.match, cells)]
+    commas, points = (sum(map(bool, map(mark.search, numbers))) for mark in (_DECIMAL_COMMA, _DECIMAL_POINT))
+    return 2 * len(numbers) > sum(1 for cell in cells if cell.strip()) and commas > points
+
+
 def _with_decimal_points(columns: Iterable[Sequence[bytes]]) -> Iterator[tuple[int, str]]:
     """Iterate over the rows in which a number has a point, decimal or of thousands, and what is wrong with that."""
     for column in columns:
         for row, cell in enumerate(column if b"." in b"".join(column) else ()):
-            if _DECIMAL_POINT.match(cell):
+            if _DECIMAL_POINT.search(cell):
                 text = quoted(cell.decode("utf-8", "replace"))
                 yield (
                     row,

@@ -14,6 +14,7 @@ from ..rows.columns import BLOCK
 from ..rows.header import BadTable
 from ..text import ending, quoted, say
 from .formats import CHUNK, FileFormat, decompressed
+from .lines import SAMPLE
 
 MAX_RECORD = 1 << 24
 SPREADSHEETS = ("xlsx", "xls", "ods")  # are neither read nor written
@@ -77,11 +78,14 @@ class Input:
 def blocks(pieces: Iterable[bytes], cut: Cut) -> Iterator[bytes]:
     """Iterate over blocks of whole records: about BLOCK of them, and CHUNK bytes at most unless a record is longer.
 
-    A record that does not end within MAX_RECORD, or at all, is given up: its first lines are a block, and the format
+    The first has the rows that decide how a table is read, in whichever pieces they come. A record that does not end within MAX_RECORD, or at all, is given up: its first lines are a block, and the format
     says what is wrong with them.
     """
     left = iter(pieces)
-    text, is_end = next(left, b""), False
+    text, is_end = b"", False
+    while not is_end and len(text) < CHUNK // 2 and text.count(b"\n") <= SAMPLE:
+        piece = next(left, b"")
+        text, is_end = text + piece, not piece
     usual = size = max(1, min(CHUNK, BLOCK * len(text) // max(1, text.count(b"\n"))))
     while text or not is_end:
         if len(text) < size and not is_end:
@@ -93,8 +97,9 @@ def blocks(pieces: Iterable[bytes], cut: Cut) -> Iterator[bytes]:
         if not end and not is_all and size < MAX_RECORD:
             size *= 2
             continue
-        if not end and is_all and cut(text + b"\n"):
-            end = len(text)  # the last line ends without a line feed
+        if is_all and end < len(text) < cut(text + b"\n"):
+            text += b"\n"  # which the last line lacks
+            end = len(text)
         yield text[: (end := end or _end_of_lines(text))]
         text, size = text[end:], usual
 

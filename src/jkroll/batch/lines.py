@@ -15,6 +15,7 @@ from ..rows.rows import Block, evaluated
 from ..scene.limits import NOT_JUDGED, codes
 
 BOM = b"\xef\xbb\xbf"
+SAMPLE = 200  # rows that decide how a table is read
 _COMPRESSED = {b"\x1f\x8b": "gz", b"\x28\xb5\x2f\xfd": "zst"}  # by the first bytes
 _UTF_16 = (b"\xff\xfe", b"\xfe\xff")
 

@@ -13,7 +13,7 @@ from ..rows.header import BadTable, holds_input
 from ..rows.table import Table
 from ..scene.limits import codes
 from ..text import quoted
-from .lines import BOM, Converted, Head, check_encoding, computed
+from .lines import BOM, SAMPLE, Converted, Head, check_encoding, computed
 
 Object = dict[str, Any]
 _UNWRITTEN = "[...]"  # stands for a value that is nested too deeply
@@ -35,7 +35,7 @@ class Ndjson:
     def head(self, text: bytes) -> tuple[Head, list[list[str]]]:
         """Return the names in the first object, and the values of the first objects. No line is a header."""
         check_encoding(text, "ndjson")
-        lines = [line for line in text.removeprefix(BOM).split(b"\n")[:200] if line.strip()]
+        lines = [line for line in text.removeprefix(BOM).split(b"\n")[:SAMPLE] if line.strip()]
         if not lines:
             raise BadTable("the table is empty")
         first = _object(lines[0])

@@ -26,7 +26,7 @@ from ..rows.table import Table
 from ..scene.limits import codes
 from ..text import quoted, shown
 from .files import Input, output_to
-from .lines import Tally, computed
+from .lines import SAMPLE, Tally, computed
 from .progress import Bar
 from .settings import Job, Part
 
@@ -210,7 +210,7 @@ def _first_rows(file: Any, meanings: Mapping[str, Reading]) -> list[list[str]]:
     for field in inputs:
         if not _is_cell(field.type):
             raise BadTable(f"header: column {field.name} holds {field.type}: neither numbers nor texts")
-    first = next(file.iter_batches(200, columns=[field.name for field in inputs], use_threads=False), None)
+    first = next(file.iter_batches(SAMPLE, columns=[field.name for field in inputs], use_threads=False), None)
     rows = first.to_pylist() if first is not None else []
     return [[_text(row.get(name)) for name in schema.names] for row in rows]
 

@@ -85,6 +85,8 @@ class Reader:
             return None
         text = b",".join(cells) + b","
         if unit:
+            if unit in cells:  # without a number, which is no empty cell
+                return None
             unit += b","
             if text.count(unit) + cells.count(b"") != len(cells):
                 return None

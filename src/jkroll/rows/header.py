@@ -27,7 +27,9 @@ from .readings import (
     unit_in_header,
 )
 
-_PER_CENT = re.compile(r"(.*?)((?:±|\+/?-)[^±]*%)?", re.DOTALL)  # 25±20 % of the value
+_PLUS_MINUS = re.compile(r"±|\+/?[-−]")
+_OF_VALUE = re.compile(r"(?:(?:±|\+/?-)[^±]*%)?$", re.DOTALL)  # as in 25±20 %
+_BARE = re.compile(r"(?:[-+−±()/.0-9\s]|(?<=[0-9.])[eE](?=[-+0-9])|\bto\b)*")  # numbers without a unit
 _EASY = re.compile(r"[\w*.-]+( \[[^\[\] ]*\])?")  # a header that needs no quotes in a sentence
 _PARTS = "values have a column of ± beside them, or two, of minus and plus; a range has low and high alone"
 _MAX_SAID = 8  # columns that pass through and are named
@@ -86,20 +88,31 @@ class Column(NamedTuple):
         return bool(self.sides) and self.sides[0].part == "low"
 
     def joined(self, *cells: str) -> str:
-        """Return the cells of a value as one: 25 and 5 as 25±5."""
+        """Return the cells of a value as one: 25 and 5 as 25±5. Cells with units of their own keep them."""
         first, *others = (cell.strip() for cell in cells)
-        is_single = others == [first] if self.is_range else not any(others)
+        is_single = _are_equal(first, *others) if self.is_range else not any(others)
         if is_single:
             return first
+        are_bare = all(map(_BARE.fullmatch, (first, *others)))
+        if not self.is_range and len(others) == 1:
+            unit_text = self.sides[0].unit_text
+            if are_bare and not unit_text:
+                return f"{first}±{others[0]}"
+            return f"{self._with_unit(first)}±{_in_unit(others[0], unit_text or self.unit_text)}"
+        if not are_bare:
+            first, *others = map(self._with_unit, (first, *others))
         if self.is_range:
             return f"{first or _NO_END} to {others[0] or _NO_END}"
-        if len(others) > 1:
-            minus, plus = others[0].removeprefix("-") or "0", others[1].removeprefix("+") or "0"
-            return f"{first} +{plus}/-{minus}"
-        unit_text = self.sides[0].unit_text
-        if unit_text in ("", "%"):
-            return f"{first}±{others[0]}{unit_text}"
-        return f"{first} {self.unit_text}±{others[0]} {unit_text}"
+        minus, plus = others[0].removeprefix("-") or "0", others[1].removeprefix("+") or "0"
+        return f"{first} +{plus}/-{minus}"
+
+    def _with_unit(self, text: str) -> str:
+        """Return numbers with the unit of the column, unless they have one."""
+        of_value = _OF_VALUE.search(text)
+        assert of_value is not None  # it matches any text
+        number = text[: of_value.start()].strip()
+        is_pair = bool(_PLUS_MINUS.search(number)) and not number.startswith("(")
+        return _in_unit(number, self.unit_text, is_pair=is_pair) + of_value[0]
 
     @property
     def exponent(self) -> int | None:
@@ -116,13 +129,7 @@ class Column(NamedTuple):
             raise QuantityError(self.name, text, "is an error bar without a value")
         if text.strip().casefold() in _NOTHING:
             raise QuantityError(self.name, text, "is no number", "leave the cell empty if there is none")
-        try:
-            return value_of(text, self.name)
-        except BareNumber:
-            if not self.unit_text:
-                raise
-            number, per_cent = _PER_CENT.fullmatch(text.strip()).groups()  # type: ignore[union-attr]  # matches any line
-            return value_of(f"{number} {self.unit_text}{per_cent or ''}", self.name)
+        return value_of(self._with_unit(text.strip()), self.name)
 
 
 class Header(NamedTuple):
@@ -413,6 +420,18 @@ def _have_units(name: str, cells: Sequence[str]) -> bool:
     except QuantityError:
         return False
     return True
+
+
+def _in_unit(number: str, unit_text: str, *, is_pair: bool = False) -> str:
+    """Return a number with a unit, unless it has one. `is_pair`: whether it is a value and its error bar."""
+    if not number or not unit_text or not _BARE.fullmatch(number):
+        return number
+    return f"({number}) {unit_text}" if is_pair else f"{number} {unit_text}"
+
+
+def _are_equal(first: str, second: str) -> bool:
+    """Return whether two cells are the same, or the same number."""
+    return first == second or (_is_number(first) and _is_number(second) and float(first) == float(second))
 
 
 def _first(cells: Sequence[str]) -> str:
