@@ -184,7 +184,7 @@ def approach_maugis(
 
     Source:   Maugis 1992.
     Valid:    Contact.
-    Accuracy: 3 ulp of the larger term, above v and T.
+    Accuracy: 4 ulp of the larger term, above v and T.
 
     >>> approach_maugis(edge_ratio=2.0, zone_span=1.0, reduced_radius=1.0, contact_modulus=1.0, cohesive_stress=0.5)
     3.0

@@ -50,7 +50,7 @@ class Observed(NamedTuple):
         """Return the same with other values of some inputs and measured quantities, without uncertainties."""
         others = {name: value for name, value in changed.items() if name not in self.measured}
         return Observed(
-            self.scene.replace(**others),
+            self.scene.varied(others),
             {**self.values, **{name: changed[name] for name in self.measured if name in changed}},
         )
 

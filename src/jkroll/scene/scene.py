@@ -230,13 +230,33 @@ class Scene:
         """
         return self._changed(values, model)
 
+    def varied(self, values: Mapping[str, Any]) -> "Scene":
+        """Return the scene with other values of inputs that it has; a property of a material is another in the material.
+
+        What does not follow from these inputs is not evaluated again.
+        """
+        stated = {**self.stated, **values}
+
+        def other(material: Material | None, suffix: str) -> Material | None:
+            if material is None:
+                return None
+            names = [name for name in PROPERTIES if name in material.properties and name + suffix not in self.stated]
+            own = {name: stated.pop(name + suffix) for name in names if name + suffix in values}
+            return material._replace(properties={**material.properties, **own})
+
+        spheres = other(self.material, ""), other(self.material2, "2")
+        return self._reusing(Scene(stated, *spheres, model=self.stated_model, checked=self.given))
+
     def anew(self) -> "Scene":
         """Return the scene with nothing evaluated, without uncertainties."""
         return Scene(self.stated, self.material, self.material2, model=self.stated_model, checked=self.given)
 
     def _changed(self, values: Mapping[str, Any], model: str | None) -> "Scene":
         stated = {name: value for name, value in {**self.stated, **values}.items() if value is not None}
-        other = Scene(stated, self.material, self.material2, model=model, checked=self.given)
+        return self._reusing(Scene(stated, self.material, self.material2, model=model, checked=self.given))
+
+    def _reusing(self, other: "Scene") -> "Scene":
+        """Return another scene with what it shares with this one, if both know the same inputs."""
         if other.known == self.known:
             other._take_over(self)
         return other

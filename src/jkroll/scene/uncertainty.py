@@ -170,7 +170,7 @@ def _evaluation(scene: Scene) -> Evaluate:
         found.evaluate(names)
         return found
 
-    return lambda changed, names: base(names).replace(**changed).evaluate(names)
+    return lambda changed, names: base(names).varied(changed).evaluate(names)
 
 
 def inferred_sources(names: Sequence[str], observed: Observed) -> Sources:
