@@ -679,3 +679,42 @@ def test_an_open_file_is_not_replaced(name: str) -> None:
     assert Path("log.csv").read_text(encoding="utf-8").startswith("kept\nname,material,")
     piped = subprocess.run(["sh", "-c", f"{jkroll} | cat"], capture_output=True, text=True)
     assert piped.stdout.startswith("name,material,")
+
+
+# --- The rows that decide how a table is read -----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("text", "delimiter"),
+    [
+        ("R,gamma [mJ/m2]\n100 nm,25", "comma"),
+        ("radius [nm],gamma [mJ/m2]\n100±10,25", "comma"),
+        ("radius [nm];gamma [mJ/m2]\n100,5;25", "semicolon"),
+        ("radius_nm gamma_mJ_m2\n100 25", "blank"),
+    ],
+)
+def test_a_last_line_without_an_end_is_a_row_like_others(run: Run, text: str, delimiter: str) -> None:
+    outputs = []
+    for end in ("", "\n"):
+        Path("x.csv").write_text(text + end, encoding="utf-8")
+        ran = run(f"batch x.csv --delimiter {delimiter} --quantities pull_off_force -o out.csv --format csv")
+        outputs.append(
+            (ran.code, ran.err, Path("out.csv").read_text(encoding="utf-8") if Path("out.csv").exists() else "")
+        )
+        Path("out.csv").unlink(missing_ok=True)
+    assert outputs[0] == outputs[1]
+
+
+def test_a_unit_without_a_number_is_no_empty_cell(run: Run) -> None:
+    Path("x.csv").write_text("material,radius\nquartz,5nm\nquartz,\nquartz,nm\n", encoding="utf-8")
+    assert run("batch x.csv --radius 1um --quantities pull_off_force --no-doubt -o out.csv").code == 1
+    *_, unit = Path("out.csv").read_text(encoding="utf-8").splitlines()
+    assert unit.startswith("quartz,nm,,radius: 'nm' does not begin with a number")
+
+
+def test_the_first_block_has_the_rows_that_decide_whatever_the_pieces() -> None:
+    from jkroll.batch.lines import SAMPLE
+
+    rows = [b"%d," % place + b"x" * 1000 + b"\n" for place in range(500)]
+    first = next(files.blocks(iter([b"a,b\n", *rows]), lambda text: text.rfind(b"\n") + 1))
+    assert first.count(b"\n") > SAMPLE

@@ -150,3 +150,67 @@ def test_the_ridge_of_a_quantity_of_the_weaker_body_is_found_in_tables(run: Run)
     for row, ends in zip(found(), [(2e9, 2e9), (2e9, 3e9)], strict=True):
         largest = solve("sliding_force", youngs_modulus=ends[0], youngs_modulus2=ends[1], **solids)
         assert row["sliding_force_high [N]"] == pytest.approx(largest, rel=1e-9)
+
+
+# --- Units of cells ---------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("head", "cells"),
+    [
+        ("gamma [mJ/m2],gamma_err", "25,0.005 J/m2"),
+        ("gamma [mJ/m2],gamma_err", "25 mJ/m2,5"),
+        ("gamma [mJ/m2],gamma_err [J/m2]", "25 mJ/m2,0.005"),
+        ("gamma [mJ/m2],gamma_err [%]", "25,20 %"),
+        ("gamma [mJ/m2],gamma_err [%]", "0.025 J/m2,20"),
+        ("gamma [mJ/m2],gamma_minus,gamma_plus", "25,5,5"),
+    ],
+)
+def test_a_cell_with_a_unit_leaves_that_of_the_one_beside_it(run: Run, head: str, cells: str) -> None:
+    Path("x.csv").write_text(f"radius [nm],{head}\n100,{cells}\n", encoding="utf-8")
+    assert run("batch x.csv --quantities pull_off_force -o out.csv").code == 0
+    (row,) = found()
+    assert [row[side] for side in SIDES] == [close(FORCE), close(FORCE / 5), close(FORCE / 5)]
+
+
+def test_ends_with_units_and_equal_ends(run: Run) -> None:
+    rows = ["20,0.03 J/m2", "25,25.0", "0.02 J/m2,30"]
+    Path("x.csv").write_text(
+        "\n".join(["radius [nm],gamma_min [mJ/m2],gamma_max [mJ/m2]", *("100," + row for row in rows), ""])
+    )
+    assert run("batch x.csv --quantities pull_off_force -o out.csv").code == 0
+    assert [row["pull_off_force [N]"] for row in found()] == [close(FORCE)] * 3
+
+
+def test_two_sides_of_which_one_has_a_unit_are_refused(run: Run) -> None:
+    Path("x.csv").write_text(
+        "radius [nm],gamma [mJ/m2],gamma_minus,gamma_plus\n100,25,0.005 J/m2,6\n", encoding="utf-8"
+    )
+    assert run("batch x.csv --quantities pull_off_force -o out.csv").code == 1
+    assert "unknown form" in found()[0]["status"]
+
+
+def test_per_cent_in_a_header_holds_for_every_form_of_a_cell(run: Run) -> None:
+    """A padded cell, an error bar and a column of them are read by themselves."""
+    cells = ["40", "40 ", "40±5", "40+-5", "(40±5)", "40(5)", "35 to 45", "40 %", "0.4 "]
+    head = "material,radius [nm],filling_factor [%]"
+    Path("x.csv").write_text("\n".join([head, *(f"quartz,100,{cell}" for cell in cells), ""]), encoding="utf-8")
+    assert run("batch x.csv --quantities tensile_strength --uncertainty -o out.csv").code == 0
+    strengths = [row["tensile_strength [Pa]"] for row in found()]
+    expected = solve("tensile_strength", material="quartz", radius=1e-7, filling_factor=0.4)
+    assert strengths[:8] == [close(expected)] * 8
+    assert strengths[8] < expected / 1e3
+    Path("y.csv").write_text(f"{head},filling_factor_err\nquartz,100,40,5\n", encoding="utf-8")
+    assert run("batch y.csv --quantities tensile_strength -o out.csv").code == 0
+    assert found()[0]["tensile_strength [Pa]"] == close(expected)
+
+
+def test_an_error_bar_that_a_hamaker_constant_outranks(run: Run) -> None:
+    """What follows from the surface energy itself has it."""
+    ran = run("pull-off ice-warm 1um --hamaker 6.5e-20J --quantities surface_energy2,pull_off_force --quiet")
+    assert [line.split()[0] for line in ran.out.splitlines()] == [
+        "surface_energy2",
+        "surface_energy2_minus",
+        "surface_energy2_plus",
+        "pull_off_force",
+    ]

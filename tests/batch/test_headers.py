@@ -452,6 +452,24 @@ def test_a_mark_stands_before_the_header_alone(run: Run) -> None:
     assert row.startswith("200\tb\t2.35")
 
 
+def test_commas_are_those_of_columns_of_numbers(run: Run) -> None:
+    """A label is none of them, an error bar is, and a spreadsheet takes a negative number for what it is."""
+    Path("labels.tsv").write_text("label\tradius [nm]\tgamma [mJ/m2]\n0,5\t100.5\t25\nB\t200\t25\n", encoding="utf-8")
+    assert run("batch labels.tsv --quantities pull_off_force -o out.tsv --no-doubt").code == 0
+    assert "," not in Path("out.tsv").read_text(encoding="utf-8").split("\t", 6)[-1].replace("0,5", "")
+    Path("bars.csv").write_text(
+        "radius [nm];gamma [mJ/m2]\n100;25,5±0,5\n100;20,5 to 30,5\n100;25±1.5\n", encoding="utf-8"
+    )
+    assert run("batch bars.csv --delimiter semicolon --quantities pull_off_force -o out.csv").code == 1
+    bar, ends, point = Path("out.csv").read_text(encoding="utf-8").splitlines()[1:]
+    assert bar.split(";")[2:5] == ["1,2016591899980957e-8", "2,356194490192358e-10", "2,356194490192358e-10"]
+    assert ends.split(";")[2] == "1,2016591899980957e-8"
+    assert "'25±1.5' has a point" in point
+    Path("safe.csv").write_text("material;radius [nm];approach [nm]\nquartz;100,5;0,05\n", encoding="utf-8")
+    assert run("batch safe.csv --delimiter semicolon --excel-safe --quantities load --no-doubt -o out.csv").code == 0
+    assert ";-6,58" in Path("out.csv").read_text(encoding="utf-8")
+
+
 @pytest.mark.parametrize("quote", ["", '"'])
 def test_a_point_among_decimal_commas_is_refused(run: Run, quote: str) -> None:
     """It may be one of thousands."""

@@ -15,7 +15,7 @@ from jkroll.errors import NoResult
 from jkroll.materials.library import known_materials
 from jkroll.scene.effects import effects
 from jkroll.scene.failures import TwoRigidBodies
-from jkroll.scene.limits import LIMITS, Doubt, Limit, doubts, judged, told
+from jkroll.scene.limits import LIMITS, Doubt, Limit, codes, doubts, judged, told
 from jkroll.scene.scene import Scene
 from jkroll.scene.wiring import depends_on
 from scenes import OTHER, QUARTZ
@@ -286,3 +286,12 @@ def test_an_answer_of_zero_is_not_compared_with_that_of_another_law(
         assert zero[one] == both[one][0] == 0
         assert effects(zero, names)[one].ratio == effects(both, names)[one].ratio[0] == 1
         assert effects(both, names)[one].ratio[1] != 1
+
+
+def test_a_dmt_contact_at_an_approach_is_doubtful_without_a_work_of_adhesion_too() -> None:
+    """Its radius √(Rδ) rests on no work of adhesion, and Maugis' contact is far wider."""
+    scenes = [Scene({**QUARTZ, "approach_at_load": given}, model="dmt") for given in (1e-11, np.array([1e-11, 1e-12]))]
+    for name, first in (("contact_radius_at_load", "law>×2 a/z0<3"), ("stiffness", "law>25% a/z0<3")):
+        one, both = (doubts(scene, [name]) for scene in scenes)
+        assert codes(one) == codes(int(both[0])) == first
+        assert codes(int(both[1])) == "law>×2 a/z0<3"
