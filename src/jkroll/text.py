@@ -9,7 +9,7 @@ from typing import Any, TextIO
 _ASCII = {
     "γ": "gamma", "δ": "delta", "μ": "mu", "ν": "nu", "ρ": "rho", "ξ": "xi", "π": "pi", "ω": "omega", "Ω": "Omega", "α": "alpha",
     "Δ": "Delta", "θ": "theta", "κ": "kappa", "λ": "lambda", "σ": "sigma", "Φ": "Phi", "φ": "phi", "τ": "tau", "ü": "u",
-    "µ": "u", "√": "sqrt", "∛": "cbrt", "⟨": "<", "⟩": ">", "⁰": "^0", "¹": "^1", "²": "^2", "³": "^3", "⁴": "^4", "⁵": "^5", "⁻": "^-", "₁": "_1", "₀": "0", "½": "1/2 ", "¼": "1/4 ", "â": "ahat",
+    "µ": "u", "√": "sqrt", "∛": "cbrt", "⟨": "<", "⟩": ">", "⁰": "^0", "¹": "^1", "²": "^2", "³": "^3", "⁴": "^4", "⁵": "^5", "⁻": "^-", "₁": "_1", "₂": "_2", "₀": "0", "½": "1/2 ", "¼": "1/4 ", "â": "ahat",
     "𝒜": "A", "Å": "angstrom", "\u0302": "hat", "−": "-", "–": "-", "—": "-", "·": "*", "×": "x", "≪": "<<", "≥": ">=",
     "≤": "<=", "±": "+/-", "≈": "~", "→": "->", "∞": "inf",
 }  # fmt: skip
@@ -182,8 +182,9 @@ def closest(word: str, known: Iterable[str], cutoff: float = 0.6) -> str | None:
     from difflib import get_close_matches
 
     words = list(known)
-    same = [candidate for candidate in words if candidate.casefold() == word.casefold()]
-    return next(iter(same or get_close_matches(word, words, n=1, cutoff=cutoff)), None)
+    if same := [candidate for candidate in words if candidate.casefold() == word.casefold()]:
+        return min(same, key=lambda one: sum(map(str.__ne__, one, word)))  # MPA is MPa rather than mPa
+    return next(iter(get_close_matches(word, words, n=1, cutoff=cutoff)), None)
 
 
 MAX_QUOTED = 200

@@ -35,12 +35,16 @@ READ = {
     "w [mJ/m2]": ("work_of_adhesion", 1e-3), "Work of adhesion (mJ/m2)": ("work_of_adhesion", 1e-3), "P (nN)": ("load", 1e-9),
     "P_nN": ("load", 1e-9), "Load/nN": ("load", 1e-9), "load (µN)": ("load", 1e-6), "A (zJ)": ("hamaker", 1e-21),
     "hamaker_zJ": ("hamaker", 1e-21), "g [m/s2]": ("gravity", 1.0), "z0 (nm)": ("atomic_spacing", 1e-9), "δ [nm]": ("approach_at_load", 1e-9),
+    "R₂ [nm]": ("radius2", 1e-9), "radius₂ [nm]": ("radius2", 1e-9), "γ₂ (mJ/m²)": ("surface_energy2", 1e-3), "E₁ (GPa)": ("youngs_modulus", 1e9),
+    "γ / (mJ/m²)": ("surface_energy", 1e-3), "radius / (nm)": ("radius", 1e-9),
 }  # fmt: skip
 REFUSED = {
     "r [nm]": "a radius, or a distance", "r": "a radius, or a distance", "E* [GPa]": "--young and --poisson", "E_r (GPa)": "--young and --poisson",
     "d": "half of it", "D [nm]": "half of it", "diameter (nm)": "half of it", "diameter_um": "half of it", "Diameter": "half of it", "d_um": "half of it",
     "elastic_modulus_gpa": "youngs_modulus [GPa]", "velocity (m/s)": "speed [m/s]", "young GPa": "youngs_modulus [GPa]", "radius_in": "radius [in]",
     "radius": "it is in nm", "density": "it is in kg/m^3", "Radius": "it is in nm", "radius [kg]": "is a mass", "Energy (old)": "energy [J]", "radiuss [nm]": "radius [nm]",
+    "E [Gpa]": "youngs_modulus [GPa]", "E_GPA": "youngs_modulus [GPa]", "radius [nm] (mean)": "radius [nm]",
+    "surface energy (polar) [mJ/m2]": "surface_energy [mJ/m2]",
 }  # fmt: skip
 PASSING = (
     "R", "E", "v", "rho", "g", "N", "phi", "R [kOhm]", "E_bar", "R_m", "R_min", "v_c", "w", "load_micro_N", "load_case", "tip radius (nm)", "T [K]",

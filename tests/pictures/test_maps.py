@@ -440,6 +440,21 @@ def test_a_curve_without_values_is_not_drawn_and_gaps_have_their_reason(run: Run
     assert "No value" not in run(f"{drawn} --z0 4angstrom").out
 
 
+@pytest.mark.parametrize(
+    ("words", "side"),
+    [
+        (
+            "pull-off --x radius=10nm:10um --y gamma=1mJ/m2:1J/m2 --young 10GPa --poisson 0.2",
+            "where μ is smaller than on",
+        ),
+        ("load quartz --x approach=-0.5nm:1nm --y radius=50nm:1um", "to the left of"),
+        ("contact_radius_at_load quartz --x radius=10nm:10um --y load=-50nN:5uN", "to the right of"),
+    ],
+)
+def test_a_line_says_on_which_side_the_law_is_inexact(run: Run, words: str, side: str) -> None:
+    assert f"JKR is off by more than 5 % {side} this line" in run(f"map {words}").out
+
+
 def test_an_axis_may_be_the_word_of_an_option(run: Run) -> None:
     """Whose approach is δ at the load: among results it is δ0."""
     words = "quartz 100nm --data - --x"

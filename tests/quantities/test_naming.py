@@ -95,3 +95,8 @@ def test_an_input_by_the_word_of_an_option_is_what_the_option_gives() -> None:
     contact: dict[str, Any] = {"material": "quartz", "radius": 1e-7}
     assert jkroll.solve("load", approach=-5e-11, **contact) == jkroll.solve("load", approach_at_load=-5e-11, **contact)
     assert jkroll.solve("approach", **contact) == pytest.approx(1.0618e-10, rel=1e-4)
+
+
+def test_a_list_of_quantities_is_a_list_and_not_their_quotient(run: Run) -> None:
+    names = [line.split()[0] for line in run("quantities P_c,Q").out.splitlines()]
+    assert names[1:] == ["pull_off_force", "yield_force"]

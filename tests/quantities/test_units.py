@@ -86,6 +86,7 @@ REFUSED = {
     "5 nm nm": "radius: '5 nm nm' is an area; expected a length such as 100nm",
     "5 N m^2": "radius: '5 N m^2' is a quantity of another dimension; expected a length such as 100nm",
     "5 Nm": "radius: '5 Nm' has an unknown unit 'Nm'; did you mean nm?",
+    "2.6 gr": "radius: '2.6 gr' has an unknown unit 'gr'; expected a length such as 100nm",
     "20 degC": "radius: '20 degC' has an unknown unit 'degC'; expected a length such as 100nm",
     "1 pixel": "radius: '1 pixel' has an unknown unit 'pixel'; expected a length such as 100nm",
     "5 um2/nn": "radius: '5 um2/nn' has an unknown unit 'nn'; did you mean nm?",
@@ -113,6 +114,7 @@ def test_a_speed_takes_no_prefix(unit: str) -> None:
     ("text", "name", "guess"),
     [
         ("5 Gpa", "youngs_modulus", "GPa"),
+        ("5 MPA", "youngs_modulus", "MPa"),
         ("25 mj/m2", "surface_energy", "mJ"),
         ("2.6 G/cm3", "density", "g"),
         ("5 mNm", "energy", "mN m"),

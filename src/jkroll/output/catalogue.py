@@ -177,12 +177,16 @@ _MAX_NAMED = 3  # commands that are named; more of them are counted
 
 
 def quantities_found(words: Sequence[str]) -> list[str]:
-    """Return the quantities that the words name, else those whose entry has each of the words; UnknownQuantity if none has.
+    """Return the quantities that the words name, or a list of them with commas, else those whose entry has each word.
 
-    Those that have them in their name stand first, variants last; a variant is left out where its quantity is found.
+    Of these, those that have the words in their name stand first, variants last; a variant is left out where its quantity
+    is found. Raises UnknownQuantity if none has them.
     """
     if not words:
         return list(NOMENCLATURE)
+    listed = [named(word.strip()) for word in " ".join(words).split(",")]
+    if len(listed) > 1 and NOMENCLATURE.keys() >= {*listed}:
+        return [*dict.fromkeys(listed)]
     text = "_".join(" ".join(words).split())
     if exact := [named(text)] if named(text) in NOMENCLATURE else with_symbol(text):
         return exact

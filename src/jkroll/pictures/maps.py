@@ -306,7 +306,7 @@ class Bound(NamedTuple):
     value: float
     sign: str  # "<" or ">": on which side of the value the model has no meaning
     beyond: str
-    line: str = ""  # what a line at the value stands for, where that is drawn instead of the region beyond it
+    is_line: bool = False  # whether a line at the value is drawn in place of the region beyond it
     effect_on: str = ""  # a quantity, where the number is the factor by which that is off under the law of attraction
 
     def margin(self, here: Scene) -> Any:
@@ -368,12 +368,31 @@ def regions(scene: Scene, bounds: Iterable[Bound], x: Axis, y: Axis, values: Any
         if not (margin[known] < 0).any():
             continue
         if (margin[known] >= 0).any():
-            look = BORDER if bound.line else bound.name
-            found.append(Region(bound.line or bound.beyond, x, y, margin, look))
+            text = f"{bound.beyond} {_side(here, margin, known)} this line" if bound.is_line else bound.beyond
+            found.append(Region(text, x, y, margin, BORDER if bound.is_line else bound.name))
         else:
             settled.add(bound.name)
             found.append(Region(f"everywhere {bound.beyond}", x, y, margin, None))
     return found
+
+
+def _side(here: Scene, margin: Any, known: Any) -> str:
+    """Return where a map is beyond a line of the law of attraction: on one side by μ, if that decides, or else by its axes."""
+    import numpy
+
+    beyond, others = known & (margin < 0), known & (margin >= 0)
+    tabor = numpy.broadcast_to(here["tabor_parameter"], margin.shape)
+    if tabor[beyond].max() <= tabor[others].min():
+        return "where μ is smaller than on"
+    if tabor[beyond].min() >= tabor[others].max():
+        return "where μ is larger than on"
+    up, right = (
+        numpy.mean(one) - numpy.mean(other) for one, other in zip(beyond.nonzero(), others.nonzero(), strict=True)
+    )
+    rows, columns = margin.shape
+    if abs(up) / rows > abs(right) / columns:
+        return "above" if up > 0 else "below"
+    return "to the right of" if right > 0 else "to the left of"
 
 
 def margin_along(scene: Scene, bound: Bound, x: Axis) -> Any:
@@ -395,10 +414,14 @@ def _bound(limit: Limit) -> Bound:
 def _of_effect(limit: Limit, place: int, quantity: str, law: str) -> Bound:
     """Return a doubt about the law of attraction as a bound of its effect on a quantity: the first as a line, the last as a region."""
     doubt = limit.doubts[place]
-    beyond = f"{LAWS[law].title} is {doubt.condition}"
-    side = "smaller" if law == DEFAULT_LAW else "larger"
-    line = "" if place else f"{beyond} where μ is {side} than on this line"
-    return Bound(limit.name, doubt.threshold, ">", beyond, line, quantity)
+    return Bound(
+        limit.name,
+        doubt.threshold,
+        ">",
+        f"{LAWS[law].title} is {doubt.condition}",
+        is_line=not place,
+        effect_on=quantity,
+    )
 
 
 # --- Panels of curves -------------------------------------------------------------------------------------------------

@@ -57,6 +57,8 @@ _OF_PART = re.compile(
 )
 _RATIOS = ("poisson_ratio", "poisson_ratio2")  # the only ratios whose symbols have no other common meaning
 _OF_DIRECTIONS = re.compile(r"(G|nu|ν)_?(12|13|23|xy|xz|yz)(?![^\W_])", re.IGNORECASE)
+_SUBSCRIPTS = str.maketrans("₀₁₂", "012")
+_IN_BRACKETS = re.compile(r"[\[\](),;]")  # what divides the words of a header, of which one may be a unit
 
 
 class Reading(NamedTuple):
@@ -78,7 +80,7 @@ def reading_of(text: str) -> Reading:
     >>> reading_of("R2 (nm)")[:2], reading_of("E [J]")[:2], reading_of("surface_energy_mJ_m2")[:2]
     (('radius2', 'nm'), ('energy', 'J'), ('surface_energy', 'mJ/m2'))
     """
-    text = text.strip()
+    text = text.strip().translate(_SUBSCRIPTS)
     if name := _named(text):
         return Reading(name)
     if text in _UNCLEAR:
@@ -135,7 +137,7 @@ def _with_unit(text: str) -> Reading | None:
     if found is None:
         return next(filter(None, (_behind(*cut) for cut in _cuts(text))), None)
     word, unit_text = found[1].strip(), found[2].strip()
-    word = word.removesuffix(",").removesuffix("_").rstrip()
+    word = word.removesuffix(",").removesuffix("_").removesuffix("/").rstrip()
     name = _named(word)
     if name in MATERIALS or (name and (text.endswith("]") or fits(unit_text, name))):
         return Reading(name, unit_text)
@@ -170,7 +172,7 @@ def _behind(word: str, mark: str, rest: str) -> Reading | None:
             return Reading(name, unit_text)
         is_index = mark == "_" and len(unit_text) == 1  # as in R_m
         found = None if name or is_index else _unclear(word, unit_text) or _of_symbol(word, unit_text)
-        if found and (found.name or found.problem):
+        if found and (found.name or found.problem or found.meant):
             return found
     return None
 
@@ -206,7 +208,7 @@ def may_be_radius(text: str) -> str:
 def _units_behind(mark: str, rest: str) -> Iterator[str]:
     """Iterate over the units that a text behind a mark may mean."""
     if mark != "_":
-        yield rest
+        yield rest[1:-1].strip() if rest.startswith("(") and rest.endswith(")") else rest
     elif rest not in _NO_UNITS:
         yield from _spellings(rest)
 
@@ -234,7 +236,11 @@ def _of_symbol(word: str, unit_text: str) -> Reading | None:
     names = _symbols().get(_symbol(word))
     if names is None:
         return None
-    return next((Reading(name, unit_text) for name in names if fits(unit_text, name)), Reading(is_alike=True))
+    for name in names:
+        if fits(unit_text, name):
+            return Reading(name, unit_text)
+    meant = (f"{name} [{similar}]" for name in names if (similar := _miswritten(unit_text, name)))
+    return Reading(meant=next(meant, ""), is_alike=True)
 
 
 def _mistaken(text: str) -> Reading | None:
@@ -251,7 +257,8 @@ def _mistaken(text: str) -> Reading | None:
         if similar := _miswritten(rest, meant) if meant else "":
             return Reading(meant=f"{meant} [{similar}]")
         if meant and (other or cut.end() == len(text) or not {*cut[0]}.isdisjoint("([/")):
-            return Reading(meant=meant)
+            unit_text = next((one for one in _IN_BRACKETS.split(text) if fits(one.strip(), meant)), "")
+            return Reading(meant=f"{meant} [{unit_text.strip()}]" if unit_text else meant)
         if _plain(word) in _UNCLEAR and len(word) > 1 and (cut.end() == len(text) or _has_dimension(rest, _LENGTHS)):
             return Reading(problem=_UNCLEAR[_plain(word)][1])
     brackets = _BRACKETS.fullmatch(text)
