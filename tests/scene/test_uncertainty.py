@@ -5,6 +5,7 @@ import io
 import json
 import math
 from collections.abc import Mapping
+from pathlib import Path
 from random import Random
 from typing import Any
 
@@ -13,12 +14,13 @@ import pint
 import pytest
 
 from harness import Run
-from jkroll import Interval, Material, Measured, infer, known_materials, solve
+from jkroll import Interval, Material, Materials, Measured, infer, known_materials, solve
 from jkroll.quantities.errors import QuantityError
 from jkroll.quantities.values import Uncertain
 from jkroll.scene.scene import Scene
 from jkroll.scene.uncertainty import (
     SAMPLES,
+    Inseparable,
     MixedKinds,
     Propagated,
     Source,
@@ -335,3 +337,19 @@ def test_elements_have_the_uncertainties_of_their_scenes(given: Uncertain) -> No
             for side, values in elements[name].sides.items():
                 expected = getattr(known.get(name), side, math.nan)
                 assert values[place] == pytest.approx(expected, rel=1e-12, nan_ok=True)
+
+
+def test_a_displacement_that_a_material_scales_with_the_radius_is_no_range_beside_one(tmp_path: Path) -> None:
+    """It has a range at each radius, which moves with it. Measured radii move it to first order."""
+    path = tmp_path / "mine.toml"
+    path.write_text(
+        '[materials.bead]\nsurface_energy = "25 mJ/m2"\nyield_displacement = { value = "2 nm", radius = "1 um" }\n'
+    )
+    bead: dict[str, Any] = {"material": "bead", "materials": Materials(path)}
+    with pytest.raises(Inseparable, match="ξ of the material is scaled with the radius"):
+        solve("yield_force", radius="0.8 to 1.2 um", **bead)
+    assert isinstance(solve("pull_off_force", radius="0.8 to 1.2 um", **bead), Interval)
+    assert solve("yield_force", radius="1 um ± 20%", **bead).minus == pytest.approx(1.5729e-10, rel=1e-4)
+    assert solve("r_min", radius="0.8 to 1.2 um", yield_displacement=2e-9, **bead).low == pytest.approx(
+        320e-6, rel=1e-9
+    )

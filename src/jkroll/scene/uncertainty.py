@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 
 from ..errors import JkrollError, NoResult
 from ..physics.elementary import at_least, at_most, hypot, where
-from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.nomenclature import NOMENCLATURE, XI
 from ..quantities.values import Interval, Measured, Uncertain, is_uncertain
 from .inverse import Observed, found_by, highest_between, solutions
 from .scene import Scene
@@ -53,6 +53,13 @@ class TooManyRanges(JkrollError):
 
     def __str__(self) -> str:
         return f"{self.count} ranges are more than {MAX_RANGES}; give some of these inputs one value"
+
+
+class Inseparable(JkrollError):
+    """Error raised for a range of a radius with which the displacement of a material moves, of which it has a range at each."""
+
+    def __str__(self) -> str:
+        return "ξ of the material is scaled with the radius, which has a range here; give --xi, or single radii"
 
 
 class Source(NamedTuple):
@@ -106,7 +113,7 @@ def sources_of(scene: Scene, used: Collection[str], measured: Sequence[Source] =
 
     A value that sphere 2 takes over from sphere 1 moves with it; so do both values of a material that is named twice.
     All must be of one kind. It is that of the values that were stated; where none was, ± if some material has one.
-    Raises MixedKinds or TooManyRanges.
+    Raises MixedKinds, TooManyRanges or Inseparable.
     """
     stated = [*measured, *(source for source in _stated(scene) if not set(used).isdisjoint(source.names))]
     of_materials = [source for source in _of_materials(scene) if not set(used).isdisjoint(source.names)]
@@ -119,6 +126,9 @@ def sources_of(scene: Scene, used: Collection[str], measured: Sequence[Source] =
     entering = [source for source in (*stated, *of_materials) if isinstance(source.given, kind)]
     if kind is Interval and len(entering) > MAX_RANGES:
         raise TooManyRanges(len(entering))
+    names = {name for source in entering for name in source.names}
+    if kind is Interval and XI in names and XI not in scene.stated and not names.isdisjoint(("radius", "radius2")):
+        raise Inseparable
     return Sources(entering, left_out)
 
 
