@@ -300,9 +300,7 @@ def model_error(name: str, scene: Scene) -> float | None:
 
 def _between_spheres_1(scene: Scene) -> str:
     """Return a clause on the contacts between the spheres of a chain that hangs from another body."""
-    of_pair = () if scene.material2 is None else ("work_of_adhesion",)  # of the two materials
-    stated = {name: value for name, value in scene.stated.items() if not name.endswith("2") and name not in of_pair}
-    chain = Scene(stated, scene.material, model=scene.stated_model).numbers("n_grav")
+    chain = Scene(scene.stated_of_1, scene.material, model=scene.stated_model).numbers("n_grav")
     if not chain:
         return "those between spheres 1 may roll before it"
     carried = chain["n_grav"] + 1  # the chain that it carries is a sphere shorter

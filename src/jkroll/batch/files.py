@@ -78,14 +78,13 @@ class Input:
 def blocks(pieces: Iterable[bytes], cut: Cut) -> Iterator[bytes]:
     """Iterate over blocks of whole records: about BLOCK of them, and CHUNK bytes at most unless a record is longer.
 
-    The first has the rows that decide how a table is read, in whichever pieces they come. A record that does not end within MAX_RECORD, or at all, is given up: its first lines are a block, and the format
-    says what is wrong with them.
+    The first has the rows that decide how a table is read, in whichever pieces they come. A record that does not end
+    within MAX_RECORD, or at all, is given up: its first lines are a block, and the format says what is wrong with them.
     """
     left = iter(pieces)
     text, is_end = b"", False
-    while not is_end and len(text) < CHUNK // 2 and text.count(b"\n") <= SAMPLE:
-        piece = next(left, b"")
-        text, is_end = text + piece, not piece
+    while len(text) < CHUNK // 2 and text.count(b"\n") <= SAMPLE and (piece := next(left, b"")):
+        text += piece
     usual = size = max(1, min(CHUNK, BLOCK * len(text) // max(1, text.count(b"\n"))))
     while text or not is_end:
         if len(text) < size and not is_end:

@@ -184,9 +184,9 @@ def quantities_found(words: Sequence[str]) -> list[str]:
     """
     if not words:
         return list(NOMENCLATURE)
-    listed = [named(word.strip()) for word in " ".join(words).split(",")]
-    if len(listed) > 1 and NOMENCLATURE.keys() >= {*listed}:
-        return [*dict.fromkeys(listed)]
+    several = [named(word.strip()) for word in " ".join(words).split(",")]
+    if len(several) > 1 and NOMENCLATURE.keys() >= {*several}:
+        return [*dict.fromkeys(several)]
     text = "_".join(" ".join(words).split())
     if exact := [named(text)] if named(text) in NOMENCLATURE else with_symbol(text):
         return exact

@@ -41,7 +41,7 @@ _REMARKS_ON = {
         "# twisting sds: stiffness [N m], damping 0, coefficient M_twist/(P + 2P_c) [m]. timestep in s.",
         "# LAMMPS lets go at the pull-off force, 3 pi gamma R; jkroll's curve goes on to the fold, where fixed grips let go.",
         "# LAMMPS has one stiffness of rolling and of twisting for all loads, and thresholds linear in P: jkroll's at the P above.",
-        "# It slides at pi a^2 tau and twists at (2/3) pi a^3 tau, tau = {shear_strength:.6g} Pa{of_pair}; a contact may peel before.",
+        "# It slides at pi a^2 tau and twists at (2/3) pi a^3 tau, tau = {shear_strength:.6g} Pa{place}; a contact may peel before.",
         "# The friction is adhesion's at the P above, and LAMMPS multiplies it with every load: where contacts are pushed",
         "# harder, give their --load, or write your solid's coefficient of friction.",
     ),
@@ -96,18 +96,13 @@ def lammps_input(scene: Scene) -> Iterator[str]:
     yield f"timestep {min(steps):.12g}"
     friction = f" F_slide/(P + 2P_c) = {scene['sliding_friction_coefficient']:.3g}" if scene.law.is_default else ""
     yield from (remark.format(law=model, friction=friction) for remark in _REMARKS)
-    of_pair = place if len(pairs) == len(suffixes) + 1 else ""
-    yield from (remark.format(**whole, of_pair=of_pair) for remark in _REMARKS_ON[model])
+    yield from (remark.format(**whole, place=place) for remark in _REMARKS_ON[model])
 
 
 def pair_of(scene: Scene, suffix: str) -> Scene:
     """Return the pair of two spheres like sphere 1, or like sphere 2, without load."""
-    stated = {
-        name: value for name, value in scene.stated.items() if not name.endswith("2") and name not in STATE_OR_LOAD
-    }
+    stated = {name: value for name, value in scene.stated_of_1.items() if name not in STATE_OR_LOAD}
     own = {name.removesuffix("2"): value for name, value in scene.stated.items() if name.endswith("2")}
-    if scene.material2 is not None:
-        stated.pop("work_of_adhesion", None)  # of the two materials
     if not suffix:
         return Scene(stated, scene.material, model=scene.law.name)
     if scene.material2 is not None:

@@ -142,7 +142,7 @@ def curves_of(request: PlotRequest, size: int) -> tuple[Picture, tuple[str, ...]
     caption = (
         _first_sentence(request.quantity, [context.scene for context in contexts]),
         *fixed_inputs(shared),
-        *((f"No curve: {'; '.join(text + _lacking(error) for text, error in missing.items())}.",) if missing else ()),
+        *((f"No curve: {'; '.join(text + _why(error) for text, error in missing.items())}.",) if missing else ()),
         *_gaps(request.quantity, contexts, [curve.y for curve in curves]),
         *_doubts_along(x, curves, contexts),
     )
@@ -151,7 +151,7 @@ def curves_of(request: PlotRequest, size: int) -> tuple[Picture, tuple[str, ...]
     return Picture("", (Panel(x, y, tuple(curves), tuple(points)),), caption), tuple(notes)
 
 
-def _lacking(error: "MissingInput | NothingToDraw") -> str:
+def _why(error: "MissingInput | NothingToDraw") -> str:
     """Return why there is no curve, behind its text."""
     return lacking(error) if isinstance(error, MissingInput) else error.because()
 

@@ -183,7 +183,7 @@ class Columns:
         """`inputs`: columns by name; `numbers`: a column for each of Wanted.keys; `reasons`: by the place of a row."""
         self.wanted, self.inputs, self.numbers, self.doubts = wanted, inputs, numbers, doubts
         self.reasons: dict[int, Reasons] = reasons
-        self._texts: dict[int, str] = {}  # by the identity of reasons, which many rows share: all are known by then
+        self._texts: dict[int, str] = {}  # by the identity of reasons; many rows share some, and all are known by then
 
     @classmethod
     def of_rows(cls, wanted: Wanted, rows: Sequence[Row]) -> "Columns":

@@ -257,8 +257,9 @@ def _mistaken(text: str) -> Reading | None:
         if similar := _miswritten(rest, meant) if meant else "":
             return Reading(meant=f"{meant} [{similar}]")
         if meant and (other or cut.end() == len(text) or not {*cut[0]}.isdisjoint("([/")):
-            unit_text = next((one for one in _IN_BRACKETS.split(text) if fits(one.strip(), meant)), "")
-            return Reading(meant=f"{meant} [{unit_text.strip()}]" if unit_text else meant)
+            words = map(str.strip, _IN_BRACKETS.split(text))
+            unit_text = next((one for one in words if fits(one, meant)), "")
+            return Reading(meant=f"{meant} [{unit_text}]" if unit_text else meant)
         if _plain(word) in _UNCLEAR and len(word) > 1 and (cut.end() == len(text) or _has_dimension(rest, _LENGTHS)):
             return Reading(problem=_UNCLEAR[_plain(word)][1])
     brackets = _BRACKETS.fullmatch(text)

@@ -95,9 +95,8 @@ class Judgement(NamedTuple):
 
 
 _COMPARISONS = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
-_ELASTICITY = frozenset(
-    {"work_of_adhesion", "contact_radius_at_load"}
-)  # in DMT, at an approach, the second rests on the radius alone
+# What rests on the law and on elasticity; in DMT, at an approach, the radius rests on no work of adhesion.
+_ELASTICITY = frozenset({"work_of_adhesion", "contact_radius_at_load"})
 _DISPLACEMENT = frozenset({"yield_displacement"})
 _MOMENT = frozenset({"yield_moment", "yield_force"})
 _STICKING = frozenset({"sticking_energy", "sticking_speed"})

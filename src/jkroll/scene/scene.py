@@ -235,16 +235,14 @@ class Scene:
 
         What does not follow from these inputs is not evaluated again.
         """
-        stated = {**self.stated, **values}
-
-        def other(material: Material | None, suffix: str) -> Material | None:
-            if material is None:
-                return None
-            names = [name for name in PROPERTIES if name in material.properties and name + suffix not in self.stated]
-            own = {name: stated.pop(name + suffix) for name in names if name + suffix in values}
-            return material._replace(properties={**material.properties, **own})
-
-        spheres = other(self.material, ""), other(self.material2, "2")
+        others = dict(values)
+        spheres: list[Material | None] = []
+        for material, suffix in ((self.material, ""), (self.material2, "2")):
+            properties = {} if material is None else material.properties
+            names = [name for name in PROPERTIES if name in properties and name + suffix not in self.stated]
+            own = {name: others.pop(name + suffix) for name in names if name + suffix in others}
+            spheres.append(material and material._replace(properties={**properties, **own}))
+        stated = {**self.stated, **others}
         return self._reusing(Scene(stated, *spheres, model=self.stated_model, checked=self.given))
 
     def anew(self) -> "Scene":
@@ -303,6 +301,12 @@ class Scene:
             for name in material.properties
             if name + suffix in inputs and name + suffix not in self.stated
         ]
+
+    @property
+    def stated_of_1(self) -> dict[str, Any]:
+        """What was stated that holds for two spheres like sphere 1: nothing of sphere 2, and no work of adhesion of two materials."""
+        of_pair = () if self.material2 is None else ("work_of_adhesion",)
+        return {name: value for name, value in self.stated.items() if not name.endswith("2") and name not in of_pair}
 
     # --- Plans --------------------------------------------------------------------------------------------------------
 

@@ -124,12 +124,13 @@ def sources_of(scene: Scene, used: Collection[str], measured: Sequence[Source] =
     kind = Measured if Measured in kinds else Interval
     left_out = [source for source in of_materials if not isinstance(source.given, kind)]
     entering = [source for source in (*stated, *of_materials) if isinstance(source.given, kind)]
-    if kind is Interval and len(entering) > MAX_RANGES:
-        raise TooManyRanges(len(entering))
-    names = {name for source in entering for name in source.names}
-    if kind is Interval and XI in names and XI not in scene.stated and not names.isdisjoint(("radius", "radius2")):
-        raise Inseparable
-    return Sources(entering, left_out)
+    found = Sources(entering, left_out)
+    if kind is Interval:
+        if len(entering) > MAX_RANGES:
+            raise TooManyRanges(len(entering))
+        if XI in found.given and XI not in scene.stated and not found.given.keys().isdisjoint(("radius", "radius2")):
+            raise Inseparable
+    return found
 
 
 def _stated(scene: Scene) -> Iterator[Source]:
