@@ -148,6 +148,19 @@ FOUND = {
             "load": ["0 to 1e-9 N"],
         },
     ),
+    "ranges in a part of which the spheres do not touch": Ask(
+        "resistances",
+        {
+            **PLAIN,
+            "radius": ["3e-7 to 7.5e-7 m"],
+            "surface_energy": ["0.01 J/m^2"],
+            "poisson_ratio": ["-0.4"],
+            "youngs_modulus": ["4.3e10 to 1.36e11 Pa"],
+            "approach_at_load": ["-2.5e-11 m", "-2.6e-11 m"],
+        },
+        "tangential_stiffness",
+        "maugis",
+    ),
     "a contact of no radius": Ask("contact", {**PLAIN, "approach_at_load": ["0 m", "1e-10 m"]}, model="dmt"),
     "doubts of what rests on no contact": Ask(
         "report", {**QUARTZ, "radius": ["1e-9 m", "1e-8 m"], "load": ["-1 N", "0 N"], "yield_displacement": ["1e-9 m"]}

@@ -151,6 +151,8 @@ def test_no_turning_point_is_looked_for_where_there_is_none() -> None:
         ("sliding_force", [(1e9, 2e9), (1e9, 9e9)], 2e9),
         ("sliding_displacement", [(930e6, 1030e6), (520e6, 970e6)], 930e6),
         ("sliding_displacement", [(2e9, 10e9), (1e9, 9e9)], 2e9),
+        ("sliding_displacement", [(0.3e9, 30e9), (2e9, 2.1e9)], 2e9),
+        ("sliding_force", [(1e7, 1e12), (1e9, 1.1e9)], 1.1e9),
     ],
 )
 def test_the_ridge_of_a_quantity_of_the_weaker_body_is_found(

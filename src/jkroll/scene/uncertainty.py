@@ -318,6 +318,19 @@ def _edges(limits: Sequence[tuple[Any, Any]]) -> Iterator[tuple[int, Place]]:
         yield from ((axis, place) for place in product(*others))
 
 
+def _steps(low: Any, high: Any) -> list[Any]:
+    """Return values from one end of a range to the other: by ratio, or by difference where the range has 0 in it."""
+    parts = [number / SAMPLES for number in range(1, SAMPLES)]
+    is_by_ratio = low * high > 0
+    ratio = where(is_by_ratio, high, 1.0) / where(is_by_ratio, low, 1.0)
+    return [low, *(where(is_by_ratio, low * ratio**part, low + part * (high - low)) for part in parts), high]
+
+
+def _inwards(end: Any, beside: Any) -> Any:
+    """Return the value near an end of a range at which a quantity shows whether it grows inwards. `beside`: the next step."""
+    return end + NEAR * (beside - end)
+
+
 # --- Ranges of arrays -------------------------------------------------------------------------------------------------
 
 
@@ -326,16 +339,17 @@ def _on_edges(evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[S
     limits = [source.ends for source in sources]
     found = {name: (value, value, False) for name, value in values.items()}
     for axis, place in _edges(limits):
-        low, high = limits[axis]
-        step = NEAR / SAMPLES * (high - low)
-        along = (_moved(place, axis, value) for value in (low, low + step, high - step, high))
-        outcomes = [evaluate(_at(sources, point), (*values,)) for point in along]
+        low, *inner, high = _steps(*limits[axis])
+        along = (low, _inwards(low, inner[0]), _inwards(high, inner[-1]), high)
+        outcomes = [evaluate(_at(sources, _moved(place, axis, value)), (*values,)) for value in along]
         for name, (least, largest, turns) in found.items():
             first, second, third, last = (nan if isinstance(one[name], JkrollError) else one[name] for one in outcomes)
+            may_turn = (second - first) * (third - last) >= 0  # an end is flat where contact is lost, say
+            varies = (first != second) | (second != third) | (third != last)
             found[name] = (
                 at_most(at_most(least, first), last),
                 at_least(at_least(largest, first), last),
-                turns | ((second - first) * (third - last) > 0),
+                turns | (may_turn & varies),
             )
     for name, (least, largest, turns) in found.items():
         bar = _range(values[name], least, largest)
@@ -377,7 +391,7 @@ def _widths(name: str, sources: Sequence[Source], together: Outcomes) -> list[fl
 
 
 class _Line(NamedTuple):
-    """Equally spaced places from one end of a range to the other."""
+    """Places from one end of a range to the other."""
 
     axis: int  # the source that varies
     places: list[Place]
@@ -385,9 +399,7 @@ class _Line(NamedTuple):
 
 def _line(place: Place, axis: int, limits: Sequence[tuple[float, float]]) -> _Line:
     """Return the line through a place along one range."""
-    low, high = limits[axis]
-    values = [low, *(low + (high - low) * number / SAMPLES for number in range(1, SAMPLES)), high]
-    return _Line(axis, [_moved(place, axis, value) for value in values])
+    return _Line(axis, [_moved(place, axis, value) for value in _steps(*limits[axis])])
 
 
 def _number_of(name: str, outcomes: Outcomes, place: Place) -> float:
@@ -435,9 +447,10 @@ class _Surface:
         heights = [*map(self.height, places)]
         best = heights.index(max(heights))
         left, middle, right = (places[max(0, min(at, SAMPLES))][axis] for at in (best - 1, best, best + 1))
-        inwards = _moved(places[best], axis, middle + NEAR * (left + right - 2 * middle))
-        if best in (0, SAMPLES) and self.height(inwards) <= heights[best]:
-            return _Peak(heights[best], places[best])
+        if best in (0, SAMPLES):
+            inwards = _inwards(middle, right if best == 0 else left)
+            if self.height(_moved(places[best], axis, inwards)) <= heights[best]:
+                return _Peak(heights[best], places[best])
         value = found_by(highest_between(left, right), lambda value: self.beside(_moved(places[best], axis, value)))
         found = _moved(places[best], axis, value)
         return _Peak(self.beside(found), found)
