@@ -206,6 +206,16 @@ def test_nothing_is_extrapolated() -> None:
         infer("gamma", measured={"pull_off_force": "3 N"}, **PLANE)
 
 
+@pytest.mark.parametrize("measured", [1.0, 1e-30])
+def test_both_ends_of_what_a_quantity_can_be_are_exact(measured: float) -> None:
+    """It is that of the weaker body, and largest where E1 = E2, between two places of the scan."""
+    given: dict[str, Any] = {"radius": 1e-6, "surface_energy": 0.03, "poisson_ratio": 0.3, "youngs_modulus2": 2e9}
+    ends = [solve("sliding_energy", **given, youngs_modulus=modulus) for modulus in (1.0, 2e9)]
+    with pytest.raises(NoSolution) as error:
+        infer("youngs_modulus", measured={"sliding_energy": measured}, **given)
+    assert error.value.span == pytest.approx(ends, rel=1e-8, abs=0)
+
+
 @pytest.mark.parametrize(
     ("name", "measured", "words"),
     [
