@@ -9,6 +9,7 @@ import pytest
 from harness import Run
 from jkroll import solve
 from jkroll.output.manual import page
+from relative import approx
 from scenes import QUARTZ
 
 ROWS = {
@@ -39,9 +40,7 @@ def test_three_rows(run: Run, load: float) -> None:
     assert all(len(line) <= 80 for line in lines)
     for row, names in ROWS.items():
         exact = solve([*names], **QUARTZ, load=load)
-        assert [number(re.sub(" m/rad$", " m", cell)) for cell in shown[row]] == pytest.approx(
-            [*exact.values()], rel=1e-5
-        )
+        assert [number(re.sub(" m/rad$", " m", cell)) for cell in shown[row]] == approx([*exact.values()], rel=1e-5)
 
 
 @pytest.mark.parametrize(

@@ -19,6 +19,7 @@ from jkroll import FORMULAS, NOMENCLATURE, known_materials, solve
 from jkroll.quantities.units import si_unit
 from jkroll.scene.failures import MissingInput
 from jkroll.scene.wiring import parameters_of
+from relative import approx
 
 EMPTY_CELL = "..."
 ROUNDING = 1e-9  # how far a formula, or an exponent, may be from the printed one
@@ -198,7 +199,7 @@ def test_every_place_is_named_once() -> None:
     ],
 )
 def test_half_a_unit_in_the_last_printed_place_is_the_tolerance(printed: str, low: float, high: float) -> None:
-    assert Record("", "", printed).admitted() == pytest.approx((low, high), rel=1e-12)
+    assert Record("", "", printed).admitted() == approx((low, high), rel=1e-12)
 
 
 @pytest.mark.parametrize(
@@ -212,7 +213,7 @@ def test_half_a_unit_in_the_last_printed_place_is_the_tolerance(printed: str, lo
     ],
 )
 def test_product(text: str, expected: float) -> None:
-    assert product(text, {"radius": "50 cm"}) == pytest.approx(expected, rel=1e-12)
+    assert product(text, {"radius": "50 cm"}) == approx(expected, rel=1e-12)
 
 
 @pytest.mark.parametrize("printed", ["about 50 um", "50um", "fifty um", "fifty radius", "radius x 2"])

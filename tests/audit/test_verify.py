@@ -18,6 +18,7 @@ from jkroll.audit.moment import XI, A, C, E, R
 from jkroll.audit.pair import pair, twins
 from jkroll.audit.verify import HEADS, NARROW_HEADS, WIDE, claims, write_verification
 from jkroll.text import ascii_text, spelled
+from relative import approx
 
 CLAIMS = claims()
 ROWS = [check.row() for check in CLAIMS]
@@ -95,7 +96,7 @@ def test_every_numbered_equation_is_there() -> None:
 )
 def test_how_far_off_it_is(equation: str, verdict: Verdict, ratio: float) -> None:
     row = claim(equation, verdict).row()
-    assert row.printed / row.follows == pytest.approx(ratio, rel=1e-3)
+    assert row.printed / row.follows == approx(ratio, rel=1e-3)
 
 
 # --- What a verdict means --------------------------------------------------------------------------------------------
@@ -165,7 +166,7 @@ GIVEN: dict[str, Any] = {
     ],
 )
 def test_the_program_computes_what_follows(wanted: str, loaded: bool, follows: float) -> None:
-    assert solve(wanted, load=pair.p if loaded else 0.0, **GIVEN) == pytest.approx(follows, rel=1e-9)
+    assert solve(wanted, load=pair.p if loaded else 0.0, **GIVEN) == approx(follows, rel=1e-9)
 
 
 # --- What is written -------------------------------------------------------------------------------------------------

@@ -29,6 +29,7 @@ from jkroll.rows.columns import ROW, Columns, Row, Wanted
 from jkroll.rows.header import Column, understood
 from jkroll.rows.rows import Block, evaluated
 from jkroll.scene.limits import TOLD
+from relative import approx
 from tables import IN_SMALL_BLOCKS, random_table
 
 csv.field_size_limit(1 << 20)  # of the readers here: some cells have more than the 128 KiB that are usual
@@ -588,7 +589,7 @@ def test_a_law_of_attraction_is_a_column(run: Run, end: str) -> None:
     assert [row["model"] for row in found] == ["maugis"] * 3
     for row, (radius, material) in zip(found, [("100nm", "quartz"), ("50nm", "iron")], strict=False):
         wanted = run(f"pull-off {material} {radius} --model maugis --bare").out
-        assert float(row["pull_off_force [N]"]) == pytest.approx(float(wanted), rel=1e-9)
+        assert float(row["pull_off_force [N]"]) == approx(float(wanted), rel=1e-9)
     assert "must be positive" in found[2]["status"]
 
 

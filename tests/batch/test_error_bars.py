@@ -11,11 +11,12 @@ import pytest
 
 from harness import Run
 from jkroll import solve
+from relative import approx
 
 CELLS = ["25±5", "25+-5", "25(5)", "25±20%", "25+/-5 mJ/m2", "0.025 J/m2 ± 5 mJ/m2", "25 mJ/m2±20 %"]
 SIDES = ["pull_off_force [N]", "pull_off_force_minus [N]", "pull_off_force_plus [N]"]
 FORCE = 3 * math.pi * 0.025 * 50e-9  # Eq (1) for two spheres of 100 nm and 25 mJ/m²
-close = partial(pytest.approx, rel=1e-12, abs=0)
+close = partial(approx, rel=1e-12)
 REFUSED = "surface_energy: the cell has an uncertainty, for which the table has no columns; --uncertainty adds them"
 
 
@@ -149,7 +150,7 @@ def test_the_ridge_of_a_quantity_of_the_weaker_body_is_found_in_tables(run: Run)
     solids: dict[str, Any] = {"radius": 1e-6, "surface_energy": 0.05, "poisson_ratio": 0.2}
     for row, ends in zip(found(), [(2e9, 2e9), (2e9, 3e9)], strict=True):
         largest = solve("sliding_force", youngs_modulus=ends[0], youngs_modulus2=ends[1], **solids)
-        assert row["sliding_force_high [N]"] == pytest.approx(largest, rel=1e-9)
+        assert row["sliding_force_high [N]"] == approx(largest, rel=1e-9)
 
 
 # --- Units of cells ---------------------------------------------------------------------------------------------------

@@ -18,6 +18,7 @@ from jkroll.batch.delimited import DELIMITED
 from jkroll.quantities.errors import QuantityError
 from jkroll.quantities.values import Uncertain
 from jkroll.rows.header import Column, column_options, understood
+from relative import approx
 
 
 class Found(NamedTuple):
@@ -92,7 +93,7 @@ def test_a_found_table_is_read_or_refused(run: Run, source: str, monkeypatch: py
 
 
 def of_cell(value: Any) -> Any:
-    return pytest.approx(value, rel=1e-12) if isinstance(value, float | list) else value
+    return approx(value, rel=1e-12) if isinstance(value, float | list) else value
 
 
 def values(found: Found) -> dict[str, list[Any]]:

@@ -12,6 +12,7 @@ from harness import Run
 from jkroll.errors import BadRequest
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.rows.header import BadTable, Header, column_options, understood
+from relative import approx
 
 # The cell below is a plain number, as files have it.
 READ = {
@@ -61,7 +62,7 @@ def test_a_spelling_is_read(text: str) -> None:
     (column,) = understood([text], [["0.5"]]).inputs
     name, unit = READ[text]
     assert column.name == name
-    assert column.read("0.5") == pytest.approx(0.5 * unit, rel=1e-15)
+    assert column.read("0.5") == approx(0.5 * unit, rel=1e-15)
 
 
 @pytest.mark.parametrize("text", REFUSED)
@@ -129,7 +130,7 @@ def read(text: str, chosen: tuple[str, ...] = ()) -> tuple[Header, list[str]]:
 @pytest.mark.parametrize("text", [text for text, inputs in TABLES.items() if inputs])
 def test_a_form_of_a_table_is_read_as_it_is(text: str) -> None:
     header, cells = read(text)
-    assert {column.name: column.read(cells[column.place]) for column in header.inputs} == pytest.approx(TABLES[text])
+    assert {column.name: column.read(cells[column.place]) for column in header.inputs} == approx(TABLES[text])
 
 
 @pytest.mark.parametrize("text", [text for text, inputs in TABLES.items() if not inputs])

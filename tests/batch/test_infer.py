@@ -13,6 +13,7 @@ import pytest
 
 from harness import Run
 from jkroll import infer
+from relative import approx
 
 HEAD = ["probe", "R (um)", "P_c (nN)", "P_c_err (nN)"]
 WORDS = "--infer gamma --measured pull_off_force --radius2 plane --material quartz"
@@ -92,7 +93,7 @@ def test_a_row_says_why_it_has_no_value(run: Run) -> None:
     ]
     low, high = float(last["surface_energy [J/m^2]"]), float(first["surface_energy [J/m^2]"])
     assert "2 of 5 rows; median 14.5892 mJ/m²" in ran.err.replace("\n  ", " ")
-    assert (low + high) / 2 == pytest.approx(14.5892e-3, rel=1e-5)
+    assert (low + high) / 2 == approx(14.5892e-3, rel=1e-5)
 
 
 @pytest.mark.parametrize("model", ["jkr", "maugis", "dmt"])
@@ -129,7 +130,7 @@ def test_what_is_inferred_is_of_both_spheres_where_they_are_of_one_material(
             name, measured={"contact_radius_at_load": size * 1e-9},
             material=material, material2="quartz", radius=1e-7, load=0.0,
         )  # fmt: skip
-        assert value == pytest.approx(expected, rel=1e-12), material
+        assert value == approx(expected, rel=1e-12), material
 
 
 MATERIALS = ["quartz", "iron", "ice-warm", "polystyrene", "silica-dry", "gold"]
@@ -182,7 +183,7 @@ def test_random_tables_have_what_infer_finds_for_each_row(run: Run, count: int) 
             for head in [head for head in found if head.startswith(name) and head not in row] + ["doubt"]:
                 here, there = found[head], single.get(head, "")
                 if head != "doubt" and here and there:
-                    assert float(here) == pytest.approx(float(there), rel=1e-9), words
+                    assert float(here) == approx(float(there), rel=1e-9), words
                     compared += 1
                 elif head != "doubt" or found[next(head for head in found if head.startswith(f"{name} ["))]:
                     assert here == there, words
@@ -230,7 +231,7 @@ def test_a_measured_state_may_stand_beside_a_load(run: Run, order: tuple[str, ..
     words = "--infer young --measured approach_at_load --gamma 20mJ/m2 --poisson 0.3 --radius2 plane"
     assert run(f"batch x.csv {words} -o out.csv").code == 0
     expected = infer("youngs_modulus", measured={"approach_at_load": 2e-9}, radius=1e-6, load=1e-7, **sphere)
-    assert float(results("out.csv")[0]["youngs_modulus [Pa]"]) == pytest.approx(expected, rel=1e-12)
+    assert float(results("out.csv")[0]["youngs_modulus [Pa]"]) == approx(expected, rel=1e-12)
 
 
 def test_infer_says_how_a_table_is_read(run: Run) -> None:

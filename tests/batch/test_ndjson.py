@@ -7,6 +7,7 @@ import pytest
 
 from harness import Run
 from jkroll.batch import files
+from relative import approx
 
 
 def converted(run: Run, text: str, *options: str) -> list[dict[str, object]]:
@@ -67,7 +68,7 @@ def test_an_object_a_line(run: Run) -> None:
     found = converted(run, "\n".join(['{"radius [nm]": 0.5}', *lines]), "--quantities", "r_min")
     assert [one["status"] for one in found] == [None, *["is not a JSON object"] * 3, None]
     assert [one.get("line") for one in found] == [None, *lines[:3], None]
-    assert found[4]["r_min [m]"] == pytest.approx(1.25e-7)
+    assert found[4]["r_min [m]"] == approx(1.25e-7)
 
 
 def test_tables_that_are_none(run: Run) -> None:

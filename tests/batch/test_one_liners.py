@@ -10,6 +10,7 @@ import pytest
 
 from harness import Run
 from jkroll.quantities.nomenclature import header
+from relative import approx
 
 COLUMNS = {
     "material": ["quartz", "iron", "gold", "ice-warm", "silica-dry", "", "quarz"],
@@ -66,13 +67,13 @@ def check(run: Run, rows: list[dict[str, str]], model: str) -> int:
                 if not isinstance(value, float):
                     continue
                 off = ROUNDING[model] * math.ulp(value)
-                assert float(cell) == pytest.approx(value, rel=0, abs=off), (name, row)
+                assert float(cell) == approx(value, rel=0, abs=off), (name, row)
                 sides = result.get("uncertainty", {})
                 assert isinstance(sides, dict)
                 for side in ("minus", "plus", "low", "high"):
                     beside = found[header(name).replace(name, f"{name}_{side}")]
                     assert bool(beside) == (side in sides), (name, side, row, found["status"])
-                    assert not beside or float(beside) == pytest.approx(sides[side], rel=1e-8, abs=off), (name, row)
+                    assert not beside or float(beside) == approx(sides[side], rel=1e-8, abs=off), (name, row)
                     compared += bool(beside)
                 compared += 1
     return compared

@@ -11,6 +11,7 @@ import pytest
 
 import jkroll
 from harness import Run
+from relative import approx
 from tables import random_table
 
 pyarrow = pytest.importorskip("pyarrow")
@@ -35,7 +36,7 @@ def test_the_same_as_in_csv(run: Run) -> None:
     found = parquet.read_table("out.parquet").to_pylist()
     for row, line in zip(found, csv.DictReader(Path("out.csv").read_text(encoding="utf-8").splitlines()), strict=True):
         for name in list(line)[len(columns) : -2]:
-            assert row[name] == (pytest.approx(float(line[name]), rel=1e-12, abs=0) if line[name] else None), name
+            assert row[name] == (approx(float(line[name]), rel=1e-12) if line[name] else None), name
         assert (row["doubt"] or "") == line["doubt"]
         assert bool(row["status"]) == bool(line["status"])
     assert [row["material"] for row in found] == columns["material"]
@@ -52,7 +53,7 @@ def test_a_plane_that_a_list_wrote_is_read_as_one(run: Run) -> None:
         jkroll.solve("yield_force", material="quartz", radius=row["radius [m]"], radius2=row["radius2 [m]"])
         for row in rows
     ]
-    assert [row["yield_force [N]"] for row in rows] == pytest.approx(expected, rel=1e-15)
+    assert [row["yield_force [N]"] for row in rows] == approx(expected, rel=1e-15)
     assert ["plane" in (row["status"] or "") for row in rows] == [row["radius2 [m]"] == math.inf for row in rows]
 
 
@@ -80,7 +81,7 @@ def test_numbers_of_any_kind_and_nulls(run: Run, monkeypatch: pytest.MonkeyPatch
     with Path("out.csv").open(encoding="utf-8") as file:
         for row, line in zip(found.to_pylist(), csv.DictReader(file), strict=True):
             for name in list(line)[3:-2]:
-                assert row[name] == (pytest.approx(float(line[name]), rel=1e-12, abs=0) if line[name] else None), name
+                assert row[name] == (approx(float(line[name]), rel=1e-12) if line[name] else None), name
             assert (row["doubt"] or "") == line["doubt"]
             assert bool(row["status"]) == bool(line["status"])
 
@@ -157,7 +158,7 @@ def test_a_column_of_materials_has_as_many_words_as_its_numbers_allow(run: Run) 
     parquet.write_table(pyarrow.table({"radius [nm]": [100.0] * 3, "material": material}), "grains.parquet")
     assert run("batch grains.parquet -o out.parquet --quantities pull_off_force").code == 1
     first, second, third = parquet.read_table("out.parquet").to_pylist()
-    assert first["pull_off_force [N]"] == pytest.approx(1.1781e-8, rel=1e-4)
+    assert first["pull_off_force [N]"] == approx(1.1781e-8, rel=1e-4)
     assert second["status"].startswith("pull_off_force: need")
     assert "stone126" in third["status"]
 

@@ -9,6 +9,8 @@ from types import ModuleType
 
 import pytest
 
+from relative import approx
+
 ROWS = 300
 
 
@@ -44,7 +46,7 @@ def test_rivals_write_the_same_numbers(rivals: ModuleType, tmp_path: Path) -> No
     assert found.pop("jkroll, 1 process") == jkroll
     assert found.pop("the same, --no-doubt") == [[*row[:-2], row[-1]] for row in jkroll]
     for row, other in zip(found.pop("jkroll, Parquet", jkroll)[1:], jkroll[1:], strict=True):
-        assert [*map(float, row[:-2])] == pytest.approx([*map(float, other[:-2])], rel=1e-11, abs=0)
+        assert [*map(float, row[:-2])] == approx([*map(float, other[:-2])], rel=1e-11)
         assert row[-2:] == other[-2:]
     assert "C++" in found
     for name, rows in found.items():
@@ -52,4 +54,4 @@ def test_rivals_write_the_same_numbers(rivals: ModuleType, tmp_path: Path) -> No
         for row, other in zip(rows[1:], jkroll[1:], strict=True):
             values = [float(cell) for cell in row[9:-1]]
             assert len(values) == len(rivals.results()) >= 10
-            assert values == pytest.approx([float(cell) for cell in other[9:-2]], rel=1e-11), name
+            assert values == approx([float(cell) for cell in other[9:-2]], rel=1e-11), name

@@ -17,6 +17,7 @@ from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.rows import sweep as rows_of_lists
 from jkroll.scene.wiring import formula_of
 from jkroll.text import spelled
+from relative import approx
 
 SWEEPS = [
     "pull-off quartz,iron 1nm:1um:7",
@@ -97,7 +98,7 @@ def test_rows_are_the_same_by_floats_and_by_arrays(run: Run, monkeypatch: pytest
             beside = re.sub("_(minus|plus)", "", name)  # a side is the difference of two values
             rounding = 0.0 if beside == name else 16 * math.ulp(float(values[beside] or 0))
             try:
-                assert float(cell) == pytest.approx(float(other_cell), rel=close, abs=rounding), name
+                assert float(cell) == approx(float(other_cell), rel=close, abs=rounding), name
             except ValueError:
                 assert cell == other_cell, name
 

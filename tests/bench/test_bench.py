@@ -40,6 +40,7 @@ from jkroll.bench.ways import OTHER_WAYS, QUANTITIES, by_hand
 from jkroll.scene.solver import ELEMENTS_AT_ONCE
 from maugis_reference import approach, at_load, mpf, stiffness
 from reference import BOUND, conditions, exact_results, ulp_error
+from relative import approx
 
 OF_MAUGIS = ("contact_radius_maugis", "approach_maugis", "stiffness_maugis")
 SMALL = QUICK._replace(points=24, elements=1000, numbers=5, repeats=1, scenes=1000)
@@ -163,7 +164,7 @@ def test_two_conditions_agree() -> None:
         }
         wanted = conditions(given, exact_results(given))
         for quantity in names:
-            assert exact(quantity, point).condition == pytest.approx(wanted[quantity], rel=1e-6)
+            assert exact(quantity, point).condition == approx(wanted[quantity], rel=1e-6)
 
 
 def test_the_reference_of_maugis_law_solves_his_equations() -> None:
@@ -180,10 +181,10 @@ def test_the_reference_of_maugis_law_solves_his_equations() -> None:
         length = (math.pi * point["work_of_adhesion"] * reduced**2 / (4 / 3 * point["contact_modulus"])) ** (1 / 3)
         radius, t = at_load(mpf(transition), mpf(point["load"] / force))
         delta = approach(radius, t, mpf(transition))
-        assert exact("contact_radius_maugis", point)[0] == pytest.approx(float(radius) * length, rel=1e-12)
-        assert exact("approach_maugis", point)[0] == pytest.approx(float(delta) * length**2 / reduced, rel=1e-11)
+        assert exact("contact_radius_maugis", point)[0] == approx(float(radius) * length, rel=1e-12)
+        assert exact("approach_maugis", point)[0] == approx(float(delta) * length**2 / reduced, rel=1e-11)
         slope = float(stiffness(t, mpf(transition)))
-        assert exact("stiffness_maugis", point)[0] == pytest.approx(slope * force * reduced / length**2, rel=1e-11)
+        assert exact("stiffness_maugis", point)[0] == approx(slope * force * reduced / length**2, rel=1e-11)
 
 
 def test_by_hand_is_the_plain_program_of_the_rivals() -> None:
@@ -199,7 +200,7 @@ def test_by_hand_is_the_plain_program_of_the_rivals() -> None:
     for name in USUAL:
         np.testing.assert_array_equal(found[name], values[name], err_msg=name)
         np.testing.assert_allclose(found[name], wanted[name], rtol=1e-13, err_msg=name)
-        assert numbers[name] == pytest.approx(wanted[name][7], rel=1e-13)
+        assert numbers[name] == approx(wanted[name][7], rel=1e-13)
 
 
 def test_by_hand_in_blocks_is_by_hand() -> None:
@@ -276,9 +277,9 @@ def test_a_plot_has_a_point_and_the_name_of_every_way() -> None:
         for point in panel.points:
             row = rows()[quantity, numbered[point.text]]
             assert point.x is not None
-            assert point.x == pytest.approx(row.cost * 1e-9)
+            assert point.x == approx(row.cost * 1e-9)
             assert point.y is not None
-            assert point.y == (row.worst_stated if 0.1 < row.worst_stated < 2**53 else pytest.approx(2**53))
+            assert point.y == (row.worst_stated if 0.1 < row.worst_stated < 2**53 else approx(2**53))
             assert panel.x.low < point.x < panel.x.high
             assert panel.y.low < point.y < panel.y.high
 

@@ -8,6 +8,7 @@ import pytest
 
 from harness import Run
 from jkroll import solve
+from relative import approx
 
 NUMBER = r"([-+.e\d]+)"
 COEFFICIENTS = re.compile(
@@ -24,13 +25,13 @@ def coefficients(text: str) -> dict[str, tuple[float, ...]]:
 def test_numbers_are_those_of_the_formulas(run: Run) -> None:
     """E = 2E*, γ, 8G*, k_roll = 4P_c/R and μ_roll = 2ξ/R, which both are independent of the elastic constants."""
     [(modulus, gamma, tangential, slip, rolling, cap)] = coefficients(run("export lammps quartz 100nm").out).values()
-    assert modulus == pytest.approx(54e9 / (1 - 0.17**2), rel=1e-11)
+    assert modulus == approx(54e9 / (1 - 0.17**2), rel=1e-11)
     assert gamma == 0.025
-    assert tangential == pytest.approx(4 * 54e9 / (2 * 1.17) / 1.83, rel=1e-11)
+    assert tangential == approx(4 * 54e9 / (2 * 1.17) / 1.83, rel=1e-11)
     force = solve("pull_off_force", material="quartz", radius=1e-7)
-    assert slip == pytest.approx(solve("sliding_force", material="quartz", radius=1e-7) / (2 * force), rel=1e-11)
-    assert rolling == pytest.approx(4 * force / 5e-8, rel=1e-11)
-    assert cap == pytest.approx(2 * 2e-10 / 5e-8, rel=1e-11)
+    assert slip == approx(solve("sliding_force", material="quartz", radius=1e-7) / (2 * force), rel=1e-11)
+    assert rolling == approx(4 * force / 5e-8, rel=1e-11)
+    assert cap == approx(2 * 2e-10 / 5e-8, rel=1e-11)
 
 
 @pytest.mark.parametrize("load", [0.0, 5e-9, -1e-8])
@@ -42,9 +43,9 @@ def test_thresholds_of_sliding_and_twisting_at_the_load(run: Run, load: float) -
     force, slide, stiffness, twist = solve(names, **scene).values()
     [(*_, slip, _, _)] = coefficients(text).values()
     [(printed, cap)] = TWISTING.findall(text)
-    assert slip * (load + 2 * force) == pytest.approx(slide, rel=1e-11)
-    assert float(printed) == pytest.approx(stiffness, rel=1e-11)
-    assert float(cap) * (load + 2 * force) == pytest.approx(twist, rel=1e-11)
+    assert slip * (load + 2 * force) == approx(slide, rel=1e-11)
+    assert float(printed) == approx(stiffness, rel=1e-11)
+    assert float(cap) * (load + 2 * force) == approx(twist, rel=1e-11)
     assert "tau = 1.2e+07 Pa" in text
     assert "coeff_restitution" in text.partition("timestep")[2]
     assert "marshall" not in text
@@ -59,8 +60,8 @@ def test_dmt(run: Run) -> None:
         assert "tangential mindlin_rescale 50441361916.8 0 1000000000 " in text
         assert "twisting" not in text.partition("timestep")[0]
         [(*_, rolling, cap)] = coefficients(text).values()
-        assert rolling == pytest.approx(pull_off / 5e-8, rel=1e-11)
-        assert cap == pytest.approx(pull_off * 2e-10 / 5e-8 / (load + 2 * pull_off), rel=1e-11)
+        assert rolling == approx(pull_off / 5e-8, rel=1e-11)
+        assert cap == approx(pull_off * 2e-10 / 5e-8 / (load + 2 * pull_off), rel=1e-11)
 
 
 def test_the_state_of_a_dmt_contact_is_that_of_dmt(run: Run) -> None:
@@ -105,11 +106,11 @@ def test_a_plane_is_a_wall(run: Run) -> None:
         "radius2": math.inf,
         "load": 1e-8,
     }
-    assert modulus == pytest.approx(2 * solve("contact_modulus", **scene), rel=1e-11)
-    assert gamma == pytest.approx(math.sqrt(0.025 * 3.0), rel=1e-11)
-    assert rolling == pytest.approx(solve("rolling_stiffness", **scene) / 1e-12, rel=1e-11)
+    assert modulus == approx(2 * solve("contact_modulus", **scene), rel=1e-11)
+    assert gamma == approx(math.sqrt(0.025 * 3.0), rel=1e-11)
+    assert rolling == approx(solve("rolling_stiffness", **scene) / 1e-12, rel=1e-11)
     held = 1e-8 + 2 * solve("pull_off_force", **scene)
-    assert cap == pytest.approx(solve("yield_moment", **scene) / (1e-6 * held), rel=1e-11)
+    assert cap == approx(solve("yield_moment", **scene) / (1e-6 * held), rel=1e-11)
     alone = run("export lammps quartz 1um").out
     assert coefficients(text) == coefficients(alone)  # of the spheres among each other
 
@@ -242,7 +243,7 @@ def test_pull_off_of_liggghts(run: Run, words: str, place: int, radii: tuple[flo
     for exact_circle, factor in ((False, 1), (True, 1 if math.isinf(radii[1]) else 2)):
         density = factor * float(densities[place])
         least = min(liggghts_force(at, modulus, radii, density, exact_circle=exact_circle) for at in overlaps)
-        assert -least == pytest.approx(force, rel=2e-2 if exact_circle else 1e-6)
+        assert -least == approx(force, rel=2e-2 if exact_circle else 1e-6)
 
 
 # --- DustSimulation: the constants of Simulation::setMaterialConstants --------------------------------------------------
@@ -272,7 +273,7 @@ def test_dust_simulation(run: Run, words: str) -> None:
         1e-3 * sliding,
         1e-3 * 4 / 3 * math.pi * radius**3 * density,
     ]
-    assert own == pytest.approx(theirs, rel=1e-11)
+    assert own == approx(theirs, rel=1e-11)
 
 
 def test_the_middle_of_a_range_is_said_to_be_that(run: Run) -> None:

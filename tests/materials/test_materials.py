@@ -23,6 +23,7 @@ from jkroll.materials.library import SHIPPED, Material, Materials, MaterialsFile
 from jkroll.scene.scene import Scene
 from jkroll.text import quoted
 from material_files import read
+from relative import approx
 
 ICE = """
 title = "my measurements"
@@ -424,10 +425,10 @@ def forces_of(run: Run, words: str) -> tuple[float, float, float]:
 def test_where_a_displacement_was_measured_it_is_that(run: Run, own: str) -> None:
     for displacement in ("1.8nm", "2.6nm"):
         assert json.loads(run(f"yield-force quartz 0.95um --xi {displacement} --json").out)["results"][0]["value"] == (
-            pytest.approx(forces_of(run, f"own 0.95um {own}")[1 if displacement == "1.8nm" else 2])
+            approx(forces_of(run, f"own 0.95um {own}")[1 if displacement == "1.8nm" else 2])
         )
     assert json.loads(run(f"yield-force single 0.95um {own} --json").out)["inputs"]["yield_displacement"] == 2e-9
-    assert forces_of(run, f"erring 0.95um {own}") == pytest.approx(
+    assert forces_of(run, f"erring 0.95um {own}") == approx(
         [6 * math.pi * 0.025 * one * 1e-9 for one in (2.2, 1.9, 2.5)]
     )
 
@@ -447,7 +448,7 @@ def test_at_another_radius_it_is_the_range_between_two_scalings(
     scale = 2 * part * radius / 0.95e-6
     powers = scale, scale ** (2 / 3)
     least, most = (12 * math.pi * 0.025 * part * one for one in (1.8e-9 * min(powers), 2.6e-9 * max(powers)))
-    assert forces_of(run, f"own {radii} {own}")[1:] == pytest.approx((least, most))
+    assert forces_of(run, f"own {radii} {own}")[1:] == approx((least, most))
     said = run(f"yield-force own {radii} {own} --explain").out
     assert "note: own: ξ was measured with spheres of 950 nm; elsewhere it is the range between our scalings" in said
     assert "assumed ξ" not in said
@@ -504,10 +505,10 @@ def test_a_radius_with_an_error_bar_moves_the_displacement(run: Run, own: str) -
     ]
     middle = json.loads(run(f"yield-force own 100±10nm {own} --json").out)["results"][0]
     low, high = (one["value"] for one in found)
-    assert middle["uncertainty"]["plus"] + middle["uncertainty"]["minus"] == pytest.approx(high - low)
+    assert middle["uncertainty"]["plus"] + middle["uncertainty"]["minus"] == approx(high - low)
     assert "error bars: ranges are left out beside ±: ξ = " in run(f"yield-force own 100±10nm {own} --explain").out
     inferred = run(f"infer radius own --measured yield_force={high!r}N {own} --bare --quiet").out
-    assert float(inferred) == pytest.approx(110e-9)
+    assert float(inferred) == approx(110e-9)
 
 
 def test_a_material_s_displacement_is_shown(run: Run, own: str) -> None:
@@ -585,7 +586,7 @@ def test_the_nominal_value_is_in_the_properties_and_the_uncertainty_beside_it() 
 
 def test_the_error_of_warm_ice_is_that_of_the_two_forces() -> None:
     share = ((23.8 / 114.8) ** 2 + (3.6 / 12.1) ** 2) ** 0.5
-    assert Materials()["ice-warm"].uncertainties["surface_energy"].high == pytest.approx(0.19 * (1 + share), rel=1e-3)
+    assert Materials()["ice-warm"].uncertainties["surface_energy"].high == approx(0.19 * (1 + share), rel=1e-3)
 
 
 def test_the_elastic_constants_of_ice_are_averages_of_those_of_its_crystals() -> None:
@@ -600,10 +601,10 @@ def test_the_elastic_constants_of_ice_are_averages_of_those_of_its_crystals() ->
     ice = Materials()["ice-warm"]
     for bulk, shear, end in ((bulk_reuss, shear_reuss, "low"), (bulk_voigt, shear_voigt, "high")):
         modulus = 9 * bulk * shear / (3 * bulk + shear) * 1e8
-        assert getattr(ice.uncertainties["youngs_modulus"], end) == pytest.approx(modulus, rel=1e-3)
+        assert getattr(ice.uncertainties["youngs_modulus"], end) == approx(modulus, rel=1e-3)
         ratio = (3 * bulk - 2 * shear) / (6 * bulk + 2 * shear)
         other = {"low": "high", "high": "low"}[end]
-        assert getattr(ice.uncertainties["poisson_ratio"], other) == pytest.approx(ratio, rel=2e-3)
+        assert getattr(ice.uncertainties["poisson_ratio"], other) == approx(ratio, rel=2e-3)
 
 
 def test_a_material_of_several_states_is_refused_with_their_list(run: Run, tmp_path: Path) -> None:

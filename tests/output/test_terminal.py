@@ -13,6 +13,7 @@ from jkroll.output.catalogue import quantities_found, write_quantities
 from jkroll.quantities.formatting import Format
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.text import say_wrapped
+from relative import approx
 
 
 @pytest.mark.parametrize(
@@ -233,8 +234,8 @@ def test_eq_41_has_a_note_with_its_value_in_place_of_a_row(run: Run) -> None:
     assert found, ran.out
     assert "rolling frequency as printed" not in ran.out
     values = {one["name"]: one["value"] for one in json.loads(run(f"{call} --json").out)["results"]}
-    assert values["rolling_frequency_as_printed"] == pytest.approx(float(found[1]) * 1e3, rel=1e-5)
-    assert values["rolling_frequency"] == pytest.approx(float(found[2]) * float(found[1]) * 1e3, rel=1e-5)
+    assert values["rolling_frequency_as_printed"] == approx(float(found[1]) * 1e3, rel=1e-5)
+    assert values["rolling_frequency"] == approx(float(found[2]) * float(found[1]) * 1e3, rel=1e-5)
     by_name = "report quartz 1um --quantities rolling_frequency_as_printed"
     assert re.search(
         r"^rolling frequency as printed +f_roll\(41\) +\S+ +kHz", run(by_name, terminal=True).out, re.MULTILINE

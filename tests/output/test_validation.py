@@ -3,11 +3,10 @@
 import math
 import re
 
-import pytest
-
 from harness import Run
 from jkroll import solve
 from jkroll.output.validation import MEASUREMENTS, comparisons
+from relative import approx
 
 COMPARED = comparisons()
 
@@ -26,7 +25,7 @@ def test_each_measurement_has_a_row_and_its_origin(run: Run) -> None:
         assert solids == each.row.solids
         assert measured
         assert computed
-        assert float(ratio) == pytest.approx(each.ratio, rel=0.05)
+        assert float(ratio) == approx(each.ratio, rel=0.05)
         assert each.row.source in origins[place]
         assert each.row.read in origins[place]
         assert "by JKR" in origins[place]
@@ -45,13 +44,13 @@ def test_computed_numbers_are_those_of_the_formulas() -> None:
     """P_c = 3πγR1 on a plane, F_roll = 6πγξ, and powers of the radius."""
     found = {(each.row.solids, each.row.given["radius"], each.row.quantity): each for each in COMPARED}
     smooth = found["SiO2 on smooth glass, dry", "2.5 um", "pull_off_force"]
-    assert smooth.computed == pytest.approx(3 * math.pi * 0.025 * 2.5e-6)
+    assert smooth.computed == approx(3 * math.pi * 0.025 * 2.5e-6)
     assert smooth.measured == 314e-9
-    assert found["SiO2", "0.95 um", "yield_force"].computed == pytest.approx(6 * math.pi * 0.025 * 2e-10)
-    assert found["silver on aluminium", "10 nm", "sticking_speed"].computed == pytest.approx(50 ** (5 / 6))
-    assert found["polystyrene on polyurethane", "6 um", "contact_radius"].computed == pytest.approx(2 ** (2 / 3))
+    assert found["SiO2", "0.95 um", "yield_force"].computed == approx(6 * math.pi * 0.025 * 2e-10)
+    assert found["silver on aluminium", "10 nm", "sticking_speed"].computed == approx(50 ** (5 / 6))
+    assert found["polystyrene on polyurethane", "6 um", "contact_radius"].computed == approx(2 ** (2 / 3))
     speed = solve("sticking_speed", material="ice-warm", radius=1e-6, radius2=math.inf)
-    assert found["water ice, below 210 K", "1 um", "sticking_speed"].computed == pytest.approx(speed)
+    assert found["water ice, below 210 K", "1 um", "sticking_speed"].computed == approx(speed)
 
 
 def test_the_first_answer_of_the_readme_leads_to_it() -> None:

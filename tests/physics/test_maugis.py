@@ -14,6 +14,7 @@ from jkroll.physics import any_law, dugdale, maugis, maugis_energies
 from jkroll.scene.wiring import parameters_of
 from maugis_boundary_elements import rolling_moment
 from maugis_reference import Exact, mpf
+from relative import approx
 
 BOUND = 10.0  # ulp, times 1 plus the condition in the load or approach and in λ
 UNIT = {"work_of_adhesion": 1 / math.pi, "reduced_radius": 1.0, "contact_modulus": 0.75}  # all three units are 1
@@ -175,7 +176,7 @@ def test_the_approach_of_a_contact_whose_load_is_known(count: int) -> None:
                 contact_modulus=UNIT["contact_modulus"],
                 cohesive_stress=transition / 2,
             )
-            assert unloaded == pytest.approx(found["approach"], rel=3e-15)
+            assert unloaded == approx(found["approach"], rel=3e-15)
         for name, value in found.items():
             condition = float(sum(abs(other[name] / exact[name] - 1) for other in others) / step)
             assert ulps(value, exact[name]) <= bounds[name] * (1 + condition), (name, transition, load)
@@ -187,7 +188,7 @@ def test_the_approach_from_the_load_is_that_from_the_edges(edge_ratio: float) ->
     state = {"edge_ratio": edge_ratio, "zone_span": 0.7, "reduced_radius": 9.0, "contact_modulus": 2.0}
     load = maugis.load_maugis(**state, cohesive_stress=0.1)
     found = maugis.approach_maugis_at_load(load=load, **state, cohesive_stress=0.1)
-    assert found == pytest.approx(maugis.approach_maugis(**state, cohesive_stress=0.1), rel=1e-13, abs=0)
+    assert found == approx(maugis.approach_maugis(**state, cohesive_stress=0.1), rel=1e-13)
 
 
 @pytest.mark.parametrize("count", [8, pytest.param(400, marks=pytest.mark.slow)])

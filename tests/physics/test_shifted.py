@@ -4,12 +4,12 @@ import math
 import re
 
 import numpy as np
-import pytest
 
 from jkroll import known_materials, solve
 from jkroll.physics import shifted
 from jkroll.physics.cylinder import symmetric_pressure
 from jkroll.pictures.figures import figure_2, figure_9
+from relative import approx
 
 
 def test_the_exact_pressure_bears_the_load_and_the_moment_of_eq_25() -> None:
@@ -35,8 +35,8 @@ def test_the_exact_pressure_bears_the_load_and_the_moment_of_eq_25() -> None:
     weights = (math.pi / 400) * (2 * math.pi / 64) * a * a * np.sin(angles / 2) * np.cos(angles / 2) / 2
     load = float((pressures * weights[:, None]).sum())
     about_contact_point = float(((across - shift) * pressures * weights[:, None]).sum())
-    assert load == pytest.approx(3e-9, rel=1e-4)
-    assert about_contact_point == pytest.approx(state["yield_moment"], rel=1e-4)
+    assert load == approx(3e-9, rel=1e-4)
+    assert about_contact_point == approx(state["yield_moment"], rel=1e-4)
 
 
 def test_the_strip_without_load_meets_griffiths_criterion() -> None:
@@ -45,7 +45,7 @@ def test_the_strip_without_load_meets_griffiths_criterion() -> None:
     a = shifted.unloaded_half_width(work_of_adhesion=0.05, **given)
     distance = 1e-8 * a
     tension = -symmetric_pressure(position=a - distance, contact_half_width=a, load_constant=0.0, **given)
-    assert 2 * math.pi * distance * tension**2 / (2 * given["plane_strain_modulus"]) == pytest.approx(0.05, rel=1e-6)
+    assert 2 * math.pi * distance * tension**2 / (2 * given["plane_strain_modulus"]) == approx(0.05, rel=1e-6)
 
 
 def test_fig_2_is_two_half_circles_on_a_shifted_one() -> None:
@@ -58,8 +58,8 @@ def test_fig_2_is_two_half_circles_on_a_shifted_one() -> None:
     assert behind.x.max() < 1e-20 < ahead.x.max()
     exact, half_behind, half_ahead, centred = along.curves
     assert half_behind.y[np.argmax(half_behind.x)] > half_ahead.y[np.argmin(half_ahead.x)]  # not continuous
-    assert exact.x.min() == pytest.approx(-a - 2e-10, rel=1e-4)
-    assert np.nanmax(centred.y) == pytest.approx(
+    assert exact.x.min() == approx(-a - 2e-10, rel=1e-4)
+    assert np.nanmax(centred.y) == approx(
         sum(solve(["hertz_pressure", "boussinesq_pressure"], material="quartz", radius=2e-8).values()), rel=1e-4
     )
 
@@ -69,4 +69,4 @@ def test_fig_9_says_how_far_the_half_strips_are_off() -> None:
     ratio = re.search(r"lower by (\d\.\d+)", " ".join(drawn.remarks))
     assert ratio
     a = float(next(re.finditer(r"a = ([\d.]+) nm", " ".join(drawn.remarks)))[1]) * 1e-9
-    assert float(ratio[1]) == pytest.approx(math.pi / 2 / (1 + (2e-10 / a) ** 2 / 3), abs=1e-3)
+    assert float(ratio[1]) == approx(math.pi / 2 / (1 + (2e-10 / a) ** 2 / 3), abs=1e-3)

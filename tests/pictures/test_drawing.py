@@ -29,6 +29,7 @@ from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.quantities.values import parse_quantity
 from jkroll.scene.scene import Scene
 from jkroll.text import wrapped
+from relative import approx
 
 pytest.importorskip("matplotlib")
 from matplotlib.figure import Figure
@@ -457,7 +458,7 @@ def test_the_force_curve_of_one_law_has_its_branches_and_states(
     ends = {(x, y) for curve in curves for x, y in zip(curve.x.tolist(), curve.y.tolist(), strict=True)}
     assert {(point.x, point.y) for point in panel.points} <= ends
     pull_off = panel.points[states.index("pull-off")]
-    assert pull_off.y == min(y for _, y in ends) == pytest.approx(-scene["pull_off_force"])
+    assert pull_off.y == min(y for _, y in ends) == approx(-scene["pull_off_force"])
 
 
 @pytest.mark.parametrize("loads", ["-5nN:10nN", "-5nN:-4.99nN", "1nN:1.001nN"])
@@ -469,7 +470,7 @@ def test_curves_of_several_laws_end_at_the_loads_and_have_no_chords(loads: str) 
     (panel,) = drawn.panels
     assert [curve.text for curve in panel.curves] == ["JKR", "Maugis–Dugdale"]
     for curve in panel.curves:
-        assert (np.nanmin(curve.y), np.nanmax(curve.y)) == pytest.approx((low, high), rel=1e-12)
+        assert (np.nanmin(curve.y), np.nanmax(curve.y)) == approx((low, high), rel=1e-12)
         assert np.isnan(curve.y[1:-1]).any() == (low < 0)
         steps = abs(np.diff(curve.x)) / (panel.x.high - panel.x.low)
         assert steps[np.isfinite(np.diff(curve.y))].max() < 0.1
@@ -496,8 +497,8 @@ def test_the_pull_off_force_by_law_tends_to_its_limits(run: Run, tmp_path: Path)
     }
     assert {*found["JKR"]} == {1.5}
     assert {*found["DMT"]} == {2.0}
-    assert found["Maugis–Dugdale"][0] == pytest.approx(2, rel=2e-3)
-    assert found["Maugis–Dugdale"][-1] == pytest.approx(1.5, rel=1e-3)
+    assert found["Maugis–Dugdale"][0] == approx(2, rel=2e-3)
+    assert found["Maugis–Dugdale"][-1] == approx(1.5, rel=1e-3)
     assert max(float(row["tabor_parameter"]) for row in rows if row["curve"] == "Lennard-Jones") == 2.0
     shown = SVG_TEXT.findall((tmp_path / "laws.svg").read_text(encoding="utf-8"))
     assert {"quartz@100nm", "ice-warm@1um"} <= {*shown}

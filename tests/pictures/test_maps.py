@@ -20,6 +20,7 @@ from jkroll.pictures.styles import LOOKS
 from jkroll.pictures.terminal import CONTOUR, RAMP, ink_on, screen_of, shade, stacked
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.scene.wiring import depends_on
+from relative import approx
 
 SIZE = (61, 61)
 MAPS = {name: paper_map(name, known_materials(), SIZE, as_printed=True) for name in PAPER_MAPS}
@@ -72,15 +73,15 @@ def test_the_printed_rolling_frequency_is_below_by_2_5() -> None:
 
 def test_fig_3b_the_forces_cross_at_0_8_nm_within_the_map() -> None:
     crossing = solve("yield_force_ratio", radius=0.8e-9)
-    assert crossing == pytest.approx(1, rel=1e-12)
+    assert crossing == approx(1, rel=1e-12)
     assert MAPS["3b"].y.low < 0.8e-9
     assert "0" in [level.text for level in MAPS["3b"].levels()]
     assert "0.8 nm; the text has 1 nm" in MAPS["3b"].remarks[0]
 
 
 def test_fig_3c_50_um_at_100_nm() -> None:
-    assert at(MAPS["3c"], 1e-2, 1e-7) == pytest.approx(solve("r_min", radius=1e-7), rel=0.3)
-    assert math.log10(solve("r_min", radius=1e-7)) == pytest.approx(-4.3, abs=0.005)
+    assert at(MAPS["3c"], 1e-2, 1e-7) == approx(solve("r_min", radius=1e-7), rel=0.3)
+    assert math.log10(solve("r_min", radius=1e-7)) == approx(-4.3, abs=0.005)
     assert MAPS["3c"].guides == ((1e-7, "100 nm"),)
 
 
@@ -90,29 +91,29 @@ def test_fig_3d_a_thousand_spheres_and_a_single_one() -> None:
     assert round(solve("n_grav", surface_energy=point.x, radius=point.y, **given)) == int(point.text)
     for material, radius in (("polystyrene", 8e-6), ("iron", 52e-6)):
         gamma = known_materials()[material].properties["surface_energy"]
-        assert solve("n_grav", surface_energy=gamma, radius=radius, **given) == pytest.approx(1, abs=0.05)
+        assert solve("n_grav", surface_energy=gamma, radius=radius, **given) == approx(1, abs=0.05)
 
 
 def test_fig_6_ghz_and_how_much_slower_rolling_is() -> None:
     for gamma, radius in ((1e-3, 35e-9), (1e1, 130e-9)):
         scene: dict[str, Any] = {**SOFT, "density": 2000.0, "surface_energy": gamma, "radius": radius}
-        assert solve("vertical_frequency", **scene) == pytest.approx(1e9, rel=0.03)
+        assert solve("vertical_frequency", **scene) == approx(1e9, rel=0.03)
     both = solve(["vertical_frequency", "rolling_frequency"], **SOFT, density=2000.0, surface_energy=0.1, radius=1e-7)
-    assert both["vertical_frequency"] / both["rolling_frequency"] == pytest.approx(5.3, abs=0.06)
+    assert both["vertical_frequency"] / both["rolling_frequency"] == approx(5.3, abs=0.06)
 
 
 def test_fig_8_what_does_not_roll_at_10_nm_and_what_turns_at_100_nm() -> None:
     def turns(ratio: float, radius: float) -> float:
         return float(solve("n_roll", contact_modulus=ratio, surface_energy=1.0, radius=radius))
 
-    assert 2 * math.pi * 1e-8 * turns(2.6e12, 1e-8) == pytest.approx(2e-10, rel=0.03)
-    assert turns(1.5e9, 1e-7) == pytest.approx(1, rel=0.03)
+    assert 2 * math.pi * 1e-8 * turns(2.6e12, 1e-8) == approx(2e-10, rel=0.03)
+    assert turns(1.5e9, 1e-7) == approx(1, rel=0.03)
     shaded = MAPS["8"].regions[0]
     assert shaded.look is not None
     assert LOOKS[shaded.look].shade > 0
     row = int(np.argmin(abs(np.log(shaded.y.values() / 1e-8))))
     inside = shaded.x.values()[shaded.margin[row] < 0]
-    assert inside.min() == pytest.approx(2.6e12, rel=0.2)
+    assert inside.min() == approx(2.6e12, rel=0.2)
     assert inside.max() == MAPS["8"].x.high
     assert not (shaded.margin[-1] < 0).any()
 
@@ -166,7 +167,7 @@ def test_materials_are_where_table_1_has_them() -> None:
     }
     ratios = {mark.text: mark.x for mark in MAPS["8"].marks}
     assert "gold" not in ratios  # it has no Young's modulus
-    assert ratios["quartz"] == pytest.approx(54e9 / (2 * (1 - 0.17**2)) / 0.025)
+    assert ratios["quartz"] == approx(54e9 / (2 * (1 - 0.17**2)) / 0.025)
 
 
 # --- Axes ---------------------------------------------------------------------------------------------------------------
@@ -202,7 +203,7 @@ def test_an_axis_of_one_unit_and_one_of_many() -> None:
     logarithmic = Axis("radius", 1e-9, 1e-6)
     assert [tick.text for tick in logarithmic.ticks(4)] == ["1 nm", "10 nm", "100 nm", "1 µm"]
     assert logarithmic.label() == "radius of sphere 1, R1"
-    assert logarithmic.place(1e-9 * math.sqrt(1000)) == pytest.approx(0.5)
+    assert logarithmic.place(1e-9 * math.sqrt(1000)) == approx(0.5)
     assert Axis("density", 1e3, 1e4).label().endswith("[kg/m³]")
 
 
@@ -403,7 +404,7 @@ def test_where_a_curve_is_doubtful_is_said(run: Run) -> None:
     radius = re.search(r"R1 = 10 nm to (\d+) (nm|µm): JKR is off by more than 5 %", said)
     assert radius is not None, said
     given = {"material": "quartz", "radius": float(radius[1]) * {"nm": 1e-9, "µm": 1e-6}[radius[2]]}
-    assert apart("contact_radius", given) == pytest.approx(1.05, abs=0.002)
+    assert apart("contact_radius", given) == approx(1.05, abs=0.002)
 
 
 def test_a_doubt_of_a_whole_curve_has_no_range(run: Run) -> None:

@@ -10,6 +10,7 @@ from harness import Run
 from jkroll.quantities.errors import UnknownQuantity
 from jkroll.quantities.nomenclature import NOMENCLATURE, named, with_symbol
 from jkroll.text import ascii_text
+from relative import approx
 
 WITH_SYMBOL = [name for name, quantity in NOMENCLATURE.items() if quantity.symbol and not quantity.variant_of]
 
@@ -94,7 +95,7 @@ def test_an_input_by_the_word_of_an_option_is_what_the_option_gives() -> None:
     """Whose approach is δ at the load: among results it is δ0."""
     contact: dict[str, Any] = {"material": "quartz", "radius": 1e-7}
     assert jkroll.solve("load", approach=-5e-11, **contact) == jkroll.solve("load", approach_at_load=-5e-11, **contact)
-    assert jkroll.solve("approach", **contact) == pytest.approx(1.0618e-10, rel=1e-4)
+    assert jkroll.solve("approach", **contact) == approx(1.0618e-10, rel=1e-4)
 
 
 def test_a_list_of_quantities_is_a_list_and_not_their_quotient(run: Run) -> None:

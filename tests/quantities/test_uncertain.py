@@ -23,6 +23,7 @@ from jkroll.quantities.values import (
     value_of,
 )
 from jkroll.scene.solver import in_si
+from relative import approx
 
 SPELLINGS = """25±5 mJ/m2; 25 ± 5 mJ/m2; 25+-5mJ/m2; 25 +/- 5 mJ/m2; 25+−5 mJ/m2; 25(5)mJ/m2; 25mJ/m2±20%; 25 mJ/m2 ± 5 mJ/m2;
 25 mJ/m2 ± 5 erg/cm2; (25±5) mJ/m2; (25 +/- 5) mJ·m⁻²; (2.50+/-0.50)e-2 J/m2; 25e-3±5e-3 J/m2; 25(5)e-3 J/m2; 25 +5/-5 mJ/m2"""
@@ -211,7 +212,7 @@ def test_what_is_written_and_read_again(text: str, name: str, written: str) -> N
     assert amount(name, found) == written
     again = value_of(written, name)
     assert isinstance(again, Measured | Interval)
-    assert again.value == pytest.approx(found.value, rel=1e-3)
+    assert again.value == approx(found.value, rel=1e-3)
 
 
 def test_what_is_written_in_a_unit_that_was_asked_for() -> None:

@@ -13,6 +13,7 @@ from jkroll.materials.library import known_materials
 from jkroll.output.validation import MEASUREMENTS
 from jkroll.quantities.values import value_of
 from jkroll.scene.scene import Scene
+from relative import approx
 
 
 def of(material: str, radius: float, **given: float) -> Scene:
@@ -24,7 +25,7 @@ def test_the_forces_are_those_that_are_compared() -> None:
     assert {row.given["radius"] for row in rows} == {"0.95 um"}
     found = [value_of(row.measured, "yield_force") for row in rows]
     middles = [one if isinstance(one, float) else one.value for one in found]
-    assert pytest.approx((min(middles), max(middles))) == FORCES
+    assert approx((min(middles), max(middles))) == FORCES
 
 
 def test_at_the_pairs_that_were_measured_the_displacement_gives_their_forces() -> None:
@@ -33,14 +34,14 @@ def test_at_the_pairs_that_were_measured_the_displacement_gives_their_forces() -
         found = worth(scene, ["yield_force"])
         assert found is not None
         assert found.here is not None
-        assert found.here == pytest.approx([force / (6 * pi * scene["surface_energy"]) for force in FORCES])
-        assert [ratio * scene["yield_force"] for ratio in found.factors["yield_force"]] == pytest.approx(FORCES)
+        assert found.here == approx([force / (6 * pi * scene["surface_energy"]) for force in FORCES])
+        assert [ratio * scene["yield_force"] for ratio in found.factors["yield_force"]] == approx(FORCES)
 
 
 def test_another_solid_takes_over_the_displacement_and_not_the_force() -> None:
     found = worth(of("ice-warm", PAIR["radius"]), ["yield_force"])
     assert found is not None
-    assert found.at_pair == pytest.approx([force / (6 * pi * PAIR["surface_energy"]) for force in FORCES])
+    assert found.at_pair == approx([force / (6 * pi * PAIR["surface_energy"]) for force in FORCES])
 
 
 @pytest.mark.parametrize("model", ["jkr", "maugis"])
@@ -52,7 +53,7 @@ def test_each_quantity_follows_by_its_own_power(model: str) -> None:
     assert found.here is not None
     low, high = (end / 2e-10 for end in found.here)
     powers = {"yield_force": 1.0, "n_grav": 0.5, "r_min": -1.0, "n_roll": -1.0}
-    assert found.factors == {name: pytest.approx((low**power, high**power)) for name, power in powers.items()}
+    assert found.factors == {name: approx((low**power, high**power)) for name, power in powers.items()}
 
 
 def test_between_two_scalings() -> None:
@@ -63,9 +64,9 @@ def test_between_two_scalings() -> None:
         assert found is not None
         assert found.here is not None
         one, other = radius / PAIR["radius"], (radius / PAIR["radius"]) ** (2 / 3)
-        assert found.here[0] == pytest.approx(found.at_pair[0] * min(one, other))
-        assert found.here[1] == pytest.approx(found.at_pair[1] * max(one, other))
-        assert found.size == pytest.approx(max(abs(log(ratio)) for ratio in found.factors["yield_force"]))
+        assert found.here[0] == approx(found.at_pair[0] * min(one, other))
+        assert found.here[1] == approx(found.at_pair[1] * max(one, other))
+        assert found.size == approx(max(abs(log(ratio)) for ratio in found.factors["yield_force"]))
 
 
 def test_a_sphere_on_a_plane_counts_by_the_reduced_radius() -> None:
@@ -73,7 +74,7 @@ def test_a_sphere_on_a_plane_counts_by_the_reduced_radius() -> None:
     pair = worth(of("quartz", 4e-7), ["yield_force"])
     assert on_plane is not None
     assert pair is not None
-    assert on_plane.here == pytest.approx(pair.here)
+    assert on_plane.here == approx(pair.here)
 
 
 def test_where_nothing_is_said_of_it() -> None:
@@ -115,7 +116,7 @@ def test_it_is_said_at_the_prompt_in_explanations_and_in_json(run: Run) -> None:
     assert run("yield-force quartz,iron 0.95um --csv").err.count(lead) == 1
     found = json.loads(run("yield-force quartz 0.95um --json").out)
     assert any(text.startswith(lead.removeprefix("note: ")) for text in found["notes"])
-    assert found["displacement"]["over_assumed"]["yield_force"] == pytest.approx(
+    assert found["displacement"]["over_assumed"]["yield_force"] == approx(
         [force / 94.2478e-12 for force in FORCES], rel=1e-5
     )
     assert "displacement" not in json.loads(run("pull-off quartz 0.95um --json").out)
@@ -129,8 +130,8 @@ def test_a_part_of_the_work_of_adhesion(model: str) -> None:
     scene = of("quartz", 1e-6).under(model)
     names = ("yield_moment", "yield_displacement")
     of_part = scene.replace(hysteresis_fraction=0.4).numbers(*names)
-    assert of_part == pytest.approx(scene.replace(adhesion_hysteresis=0.02).numbers(*names))
-    assert scene.replace(yield_displacement=of_part["yield_displacement"])["hysteresis_ratio"] == pytest.approx(0.4)
+    assert of_part == approx(scene.replace(adhesion_hysteresis=0.02).numbers(*names))
+    assert scene.replace(yield_displacement=of_part["yield_displacement"])["hysteresis_ratio"] == approx(0.4)
 
 
 def test_the_option_takes_both_and_says_what_they_stand_for(run: Run) -> None:
@@ -138,12 +139,12 @@ def test_the_option_takes_both_and_says_what_they_stand_for(run: Run) -> None:
     for text in ("--adhesion-hysteresis 40%", "--adhesion-hysteresis 0.4e2%", "--hysteresis-fraction 0.4"):
         part = run(f"n-grav quartz 1um {text}")
         assert part.code == 0
-        assert float(part.out.split()[1]) == pytest.approx(float(energy.out.split()[1]))
+        assert float(part.out.split()[1]) == approx(float(energy.out.split()[1]))
         assert "this Δw stands for ξ = 786.164 pm" in part.err
     assert "this ξ stands for an adhesion hysteresis of 40 % of w" in run("n-grav quartz 1um --xi 0.786164nm").err
     assert run("n-grav quartz 1um --adhesion-hysteresis 20mJ/m2±10%").code == 0
     assert run("n-grav quartz 1um --adhesion-hysteresis 120%").code == 2
     assert run("n-grav quartz 1um --adhesion-hysteresis 40% --xi 1nm").code == 2
-    assert sqrt(0.4 / 0.1) == pytest.approx(
+    assert sqrt(0.4 / 0.1) == approx(
         float(part.out.split()[1]) / float(run("n-grav quartz 1um --adhesion-hysteresis 10%").out.split()[1])
     )

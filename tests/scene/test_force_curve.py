@@ -12,6 +12,7 @@ import pytest
 from jkroll import infer, solve
 from jkroll.output.manual import page
 from jkroll.scene.unknowns import Unseparated
+from relative import approx
 from tools import lennard_jones as made
 
 CURVE = Path(__file__).parents[1] / "data" / "force_curve.csv"
@@ -32,12 +33,12 @@ def recipe() -> dict[str, Any]:
 def test_what_was_put_in_is_found_as_well_as_the_page_says(recipe: dict[str, Any]) -> None:
     fits, force_by, approach, force = (recipe[name] for name in ("fits", "force_by", "approach", "force"))
     gamma = {law: 1e-3 * fit[0] / made.GAMMA for law, fit in fits.items()}
-    assert gamma == pytest.approx({"jkr": 1.11, "maugis": 1.06}, abs=0.005)
+    assert gamma == approx({"jkr": 1.11, "maugis": 1.06}, abs=0.005)
     for law, fit in fits.items():
-        assert 1e9 * fit[1] == pytest.approx(made.YOUNGS_MODULUS, rel=0.01)
-        assert 1e-9 * fit[2] == pytest.approx(made.ZERO - made.SPACING, abs=0.02e-9)
+        assert 1e9 * fit[1] == approx(made.YOUNGS_MODULUS, rel=0.01)
+        assert 1e-9 * fit[2] == approx(made.ZERO - made.SPACING, abs=0.02e-9)
         left = 1e-9 * force_by(law)(approach, *fit) - force
-        assert left.std() == pytest.approx(made.NOISE, rel=0.2)
+        assert left.std() == approx(made.NOISE, rel=0.2)
         thirds = [abs(part.mean()) for part in numpy.array_split(left, 3)]
         assert max(thirds) < 2 * made.NOISE / len(left) ** 0.5  # no trend
     assert (
@@ -46,15 +47,15 @@ def test_what_was_put_in_is_found_as_well_as_the_page_says(recipe: dict[str, Any
     )
     recipe["sphere"]["atomic_spacing"] = "2 angstrom"
     fit, _ = recipe["curve_fit"](force_by("maugis"), approach, 1e9 * force, fits["maugis"])
-    assert 1e-3 * fit[0] / made.GAMMA == pytest.approx(1.10, abs=0.005)
+    assert 1e-3 * fit[0] / made.GAMMA == approx(1.10, abs=0.005)
 
 
 @pytest.mark.slow
 def test_the_curve_is_that_of_its_generator() -> None:
     approach, force = numpy.array([*made.force_curve()]).T
     stored = numpy.loadtxt(CURVE, delimiter=",", skiprows=1, unpack=True)
-    assert approach == pytest.approx(stored[0], abs=1e-12)
-    assert force == pytest.approx(stored[1], abs=1e-10)
+    assert approach == approx(stored[0], abs=1e-12)
+    assert force == approx(stored[1], abs=1e-10)
 
 
 @pytest.mark.parametrize("law", ["jkr", "maugis", "dmt"])
@@ -64,7 +65,7 @@ def test_a_curve_has_two_numbers_in_it(law: str) -> None:
     other: dict[str, Any] = {"radius": 4e-6, "surface_energy": 0.01, "youngs_modulus": 3e9}
     approach = numpy.linspace(0, 5e-9, 50)
     given: dict[str, Any] = {"radius2": "plane", "poisson_ratio": 0.3, "approach_at_load": approach, "model": law}
-    assert solve("load", **other, **given) == pytest.approx(solve("load", **sphere, **given), rel=1e-12)
+    assert solve("load", **other, **given) == approx(solve("load", **sphere, **given), rel=1e-12)
 
 
 @pytest.mark.parametrize("force", ["adhesive_force", "pull_off_force_dmt"])

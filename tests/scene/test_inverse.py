@@ -23,6 +23,7 @@ from jkroll.scene.inverse import (
     solution,
 )
 from jkroll.scene.scene import Scene
+from relative import approx
 from scenes import OTHER, QUARTZ, log_uniform
 
 # Inputs, and quantities that depend on each of them in one way only.
@@ -53,19 +54,19 @@ def test_a_value_comes_back(name: str, quantity: str) -> None:
             value = scene.pop(name)
             measured = solve(quantity, **scene, **{name: value})
             found = solution(name, quantity, measured, Scene(scene))
-            assert found.values == pytest.approx({name: value}, rel=1e-15 * (2 + 4 * found.condition))
-            assert found.forward == pytest.approx({quantity: measured}, rel=1e-15 * (2 + 4 / found.condition))
+            assert found.values == approx({name: value}, rel=1e-15 * (2 + 4 * found.condition))
+            assert found.forward == approx({quantity: measured}, rel=1e-15 * (2 + 4 / found.condition))
 
 
 def test_the_condition_of_a_power_law_is_its_inverse_exponent() -> None:
     assert solution("surface_energy", "pull_off_force", 3e-7, Scene(PLANE)).condition == 1
     scene = Scene(PLANE, known_materials()["quartz"])
-    assert solution("youngs_modulus", "contact_radius", 3e-8, scene).condition == pytest.approx(3, rel=1e-5)
+    assert solution("youngs_modulus", "contact_radius", 3e-8, scene).condition == approx(3, rel=1e-5)
 
 
 def test_an_example_by_hand() -> None:
     found = infer("surface_energy", measured={"pull_off_force": 3e-7}, **PLANE)
-    assert found == pytest.approx(3e-7 / (3 * math.pi * 2e-6), rel=1e-15)
+    assert found == approx(3e-7 / (3 * math.pi * 2e-6), rel=1e-15)
 
 
 def test_all_solutions_are_named() -> None:
@@ -73,7 +74,7 @@ def test_all_solutions_are_named() -> None:
     with pytest.raises(SeveralSolutions) as caught:
         solution("radius", "approach_at_load", 3e-10, scene)
     for radius in (one["radius"] for one in caught.value.found):
-        assert scene.replace(radius=radius)["approach_at_load"] == pytest.approx(3e-10, rel=1e-14)
+        assert scene.replace(radius=radius)["approach_at_load"] == approx(3e-10, rel=1e-14)
     assert str(caught.value) == "radius: 352.067 nm and 846.302 nm all give approach_at_load = 300 pm"
 
 
@@ -100,14 +101,14 @@ def test_two_solutions_between_pull_off_and_the_scan_are_found(quantity: str, mo
         solution("radius", quantity, level, scene)
     assert len(caught.value.found) == 2
     for one in caught.value.found:
-        assert scene.replace(**one)[quantity] == pytest.approx(level, rel=1e-12)
+        assert scene.replace(**one)[quantity] == approx(level, rel=1e-12)
 
 
 def test_a_load_of_fixed_direction_has_two_solutions_near_pull_off() -> None:
     scene = Scene({**QUARTZ, "radius": 1e-6, "radius2": 1e-7})
     with pytest.raises(SeveralSolutions) as caught:
         solution("load", "yield_force_fixed_load", 51.6e-12, scene)
-    assert [one["load"] for one in caught.value.found] == pytest.approx([-21.4058e-9, -20.7695e-9], rel=1e-5)
+    assert [one["load"] for one in caught.value.found] == approx([-21.4058e-9, -20.7695e-9], rel=1e-5)
 
 
 def test_a_load_that_changes_the_last_digits_alone_is_no_jump() -> None:
@@ -116,7 +117,7 @@ def test_a_load_that_changes_the_last_digits_alone_is_no_jump() -> None:
     radius = scene.replace(load=2e-15)["contact_radius_at_load"]
     for steps in range(-20, 21):
         found = solution("load", "contact_radius_at_load", radius + steps * math.ulp(radius), scene)
-        assert found.forward == pytest.approx({"contact_radius_at_load": radius}, rel=1e-14)
+        assert found.forward == approx({"contact_radius_at_load": radius}, rel=1e-14)
 
 
 def test_a_solution_at_a_value_of_the_scan_hides_no_other() -> None:
@@ -128,7 +129,7 @@ def test_a_solution_at_a_value_of_the_scan_hides_no_other() -> None:
     with pytest.raises(SeveralSolutions) as caught:
         solution("radius", "approach_at_load", scene.replace(radius=1e-6)["approach_at_load"], scene)
     low, high = (one["radius"] for one in caught.value.found)
-    assert low == pytest.approx(1e-6, rel=1e-9)
+    assert low == approx(1e-6, rel=1e-9)
     assert 1.05 < high / low < 1.08
 
 
@@ -158,7 +159,7 @@ def test_a_jump_over_the_measured_value_is_no_solution() -> None:
     assert at[13.1e-6] < 1.1e-10
     assert at[13.2e-6] > 1.3e-10
     found = solution("radius", "approach_maugis_at_load", 1.2e-10, scene)
-    assert found.forward == pytest.approx({"approach_maugis_at_load": 1.2e-10}, rel=1e-12)
+    assert found.forward == approx({"approach_maugis_at_load": 1.2e-10}, rel=1e-12)
     assert found.values["radius"] > 1e-4
 
 
@@ -166,9 +167,7 @@ def test_a_load_is_found_up_to_pull_off() -> None:
     scene = Scene(PLANE, known_materials()["quartz"])
     force = scene["pull_off_force"]
     at_pull_off = scene.replace(load=-force)["contact_radius_at_load"]
-    assert solution("load", "contact_radius_at_load", at_pull_off, scene).values["load"] == pytest.approx(
-        -force, rel=1e-12
-    )
+    assert solution("load", "contact_radius_at_load", at_pull_off, scene).values["load"] == approx(-force, rel=1e-12)
     unloaded = solution("load", "contact_radius_at_load", scene["contact_radius"], scene)
     assert abs(unloaded.values["load"]) < 1e-15 * force
     with pytest.raises(NoSolution):
@@ -213,7 +212,7 @@ def test_both_ends_of_what_a_quantity_can_be_are_exact(measured: float) -> None:
     ends = [solve("sliding_energy", **given, youngs_modulus=modulus) for modulus in (1.0, 2e9)]
     with pytest.raises(NoSolution) as error:
         infer("youngs_modulus", measured={"sliding_energy": measured}, **given)
-    assert error.value.span == pytest.approx(ends, rel=1e-8, abs=0)
+    assert error.value.span == approx(ends, rel=1e-8)
 
 
 @pytest.mark.parametrize(
@@ -238,34 +237,32 @@ def test_arrays_hold_nan_where_there_is_no_solution() -> None:
     found = infer("gamma", measured={"pull_off_force": [1e-7, 2e-7, 3.0]}, radius=[[1e-6], [2e-6]], radius2="plane")
     assert found.shape == (2, 3)
     assert numpy.isnan(found[:, 2]).all()
-    assert found[0, 0] == pytest.approx(2 * found[1, 0], rel=1e-15)
+    assert found[0, 0] == approx(2 * found[1, 0], rel=1e-15)
 
 
 def test_an_uncertain_measurement_gives_an_uncertain_answer() -> None:
     found = infer("gamma", measured={"pull_off_force": "300±20 nN"}, radius="2 um", radius2="plane")
     assert isinstance(found, Measured)
-    assert found.plus == found.minus == pytest.approx(found.value / 15, rel=1e-12)
+    assert found.plus == found.minus == approx(found.value / 15, rel=1e-12)
     both = infer("gamma", measured={"pull_off_force": "300±20 nN"}, radius="2.0±0.1 um", radius2="plane")
-    assert both.plus / both.value == pytest.approx(math.hypot(1 / 15, 1 / 20), rel=0.01)
+    assert both.plus / both.value == approx(math.hypot(1 / 15, 1 / 20), rel=0.01)
     span = infer("gamma", measured={"pull_off_force": "280 to 320 nN"}, radius="1.9 to 2.1 um", radius2="plane")
-    assert (span.low, span.high) == pytest.approx((found.value * 14 / 15 / 1.05, found.value * 16 / 15 / 0.95))
+    assert (span.low, span.high) == approx((found.value * 14 / 15 / 1.05, found.value * 16 / 15 / 0.95))
 
 
 def test_the_laws_of_attraction_stand_beside_each_other(run: Run) -> None:
     ran = run("infer", "gamma", "quartz", "100nm", "--measured", "pull_off_force=15.00375nN", "--json")
     (result,) = json.loads(ran.out)["results"]
-    assert result["value"] == pytest.approx(31.84e-3, abs=5e-6)
-    assert result["by_law"] == pytest.approx({"maugis": 25.00e-3, "dmt": 23.88e-3}, abs=5e-6)
+    assert result["value"] == approx(31.84e-3, abs=5e-6)
+    assert result["by_law"] == approx({"maugis": 25.00e-3, "dmt": 23.88e-3}, abs=5e-6)
     for law, gamma in result["by_law"].items():
         measured = solve("pull_off_force", material="quartz", radius=1e-7, surface_energy=gamma, model=law)
-        assert measured == pytest.approx(15.00375e-9, rel=1e-13)
+        assert measured == approx(15.00375e-9, rel=1e-13)
         assert infer("gamma", measured={"pull_off_force": measured}, material="quartz", radius=1e-7, model=law) == (
-            pytest.approx(gamma, rel=1e-13)
+            approx(gamma, rel=1e-13)
         )
     hysteresis = infer("adhesion-hysteresis", measured={"yield_force": "0.85 nN"}, material="quartz", radius=1e-6)
-    assert solve("yield_force", material="quartz", radius=1e-6, adhesion_hysteresis=hysteresis) == pytest.approx(
-        8.5e-10
-    )
+    assert solve("yield_force", material="quartz", radius=1e-6, adhesion_hysteresis=hysteresis) == approx(8.5e-10)
 
 
 def test_the_command(run: Run) -> None:
@@ -318,7 +315,7 @@ def test_the_uncertainty_of_sphere_2_enters_what_is_inferred_of_sphere_1() -> No
     given: dict[str, Any] = {"radius": 1e-6, "surface_energy2": Measured(0.025, 0.001)}
     found = infer("gamma", measured={"pull_off_force": 2e-7}, **given)
     assert isinstance(found, Measured)
-    assert found.plus / found.value == pytest.approx(0.04, rel=0.05)
+    assert found.plus / found.value == approx(0.04, rel=0.05)
 
 
 def test_rows_have_the_doubts_of_what_was_measured(run: Run) -> None:
@@ -339,7 +336,7 @@ def test_more_rows_than_are_explained(run: Run) -> None:
     assert (ran.code, ran.err) == (0, "")
     found = [*map(float, ran.out.split())]
     forces = numpy.geomspace(1e-9, 1e-6, 10001)
-    assert found == pytest.approx(forces / (3 * math.pi * 2e-6), rel=1e-12)
+    assert found == approx(forces / (3 * math.pi * 2e-6), rel=1e-12)
     refused = run(f"{words} --json")
     assert (refused.code, refused.out) == (2, "")
     assert refused.err == "jkroll: --json: 10001 scenes are more than 10000; --csv writes any number\n"

@@ -24,6 +24,7 @@ from jkroll.scene.effects import effects
 from jkroll.scene.failures import BeyondFold, BeyondPullOff, NotInLaw, RestsOnSpacing
 from jkroll.scene.scene import Scene
 from maugis_reference import Exact, cbrt, mpf, pi
+from relative import approx
 from scenes import log_uniform
 
 QUARTZ: dict[str, Any] = {"material": "quartz", "radius": 1e-7}
@@ -315,10 +316,10 @@ def test_a_law_without_states_of_its_own_has_them_by_load(monkeypatch: pytest.Mo
     assert {row.state.given for row in rows} == {"load"}
     assert loads == sorted(loads)
     assert (loads[0], rows[0].state.name) == (-force, "pull-off")
-    assert loads[-1] == pytest.approx(16 / 9 * force)
+    assert loads[-1] == approx(16 / 9 * force)
     for row in rows:
         hertz = 4 / 3 * modulus * math.sqrt(radius) * (row.value("approach_at_load") or 0.0) ** 1.5
-        assert row.state.value + force == pytest.approx(hertz, rel=1e-9, abs=1e-12 * force)
+        assert row.state.value + force == approx(hertz, rel=1e-9, abs=1e-12 * force)
 
 
 @pytest.mark.parametrize("radius", [1e-8, 1e-7, 1e-5, 1e-3])
@@ -341,7 +342,7 @@ def test_a_curve_has_the_quantities_and_the_units_that_are_asked_for(run: Run) -
         float(last.split(",")[head.split(",").index(name)]) for name in ("load [nN]", "hertz_pressure [Pa]")
     )
     single = run(f"contact quartz 100nm --load {load}nN --quantities hertz_pressure --bare --quiet").out
-    assert pressure == pytest.approx(float(single), rel=1e-12)
+    assert pressure == approx(float(single), rel=1e-12)
     answers = json.loads(run("contact quartz 100nm --curve --quantities hertz_pressure --json").out)
     assert answers[-1]["results"][0]["value"] == pressure
     bare = run("contact quartz 100nm --curve --bare --to nN --quiet").out.splitlines()[-1]
@@ -377,14 +378,14 @@ def test_beside_a_headline_of_jkr_stands_what_maugis_says() -> None:
 def test_rolling_has_two_readings(material: str, radius: float, at_displacement: float, at_hysteresis: float) -> None:
     scene = Scene({"radius": radius}, known_materials()[material])
     force, displaced = effects(scene, ["yield_moment", "n_roll"]).values()
-    assert force.readings == pytest.approx((at_displacement, at_hysteresis), abs=0.005)
-    assert displaced.readings == pytest.approx([1 / ratio for ratio in force.readings or ()])
-    assert math.log(force.factor) == pytest.approx(max(abs(math.log(ratio)) for ratio in force.readings or ()))
+    assert force.readings == approx((at_displacement, at_hysteresis), abs=0.005)
+    assert displaced.readings == approx([1 / ratio for ratio in force.readings or ()])
+    assert math.log(force.factor) == approx(max(abs(math.log(ratio)) for ratio in force.readings or ()))
     fraction = scene["hysteresis_ratio"]
     if fraction < 1:  # the same scene by its hysteresis has the same readings
         (again,) = effects(scene.replace(hysteresis_fraction=fraction), ["yield_moment"]).values()
-        assert again.readings == pytest.approx(force.readings)
-        assert again.ratio == pytest.approx(at_hysteresis, abs=0.005)
+        assert again.readings == approx(force.readings)
+        assert again.ratio == approx(at_hysteresis, abs=0.005)
 
 
 def test_for_energies_below_a_jump_no_correction_is_named(run: Run) -> None:
@@ -475,7 +476,7 @@ def test_the_energy_of_a_state_is_the_work_of_its_load() -> None:
             for side in (-1e-14, 1e-14)
         )
         load = solve("load_maugis", **QUARTZ, approach_at_load=approach, model="maugis")
-        assert (high - low) / 2e-14 == pytest.approx(load, rel=1e-5)
+        assert (high - low) / 2e-14 == approx(load, rel=1e-5)
 
 
 @pytest.mark.parametrize("law", [name for name, law in LAWS.items() if law.has("contact_radius_at_load")])
@@ -491,4 +492,4 @@ def test_a_contact_holds_its_own_pull_off_force(law: str) -> None:
         }
         load = -solve("pull_off_force", model=law, **grain)
         one = solve("contact_radius_at_load", model=law, load=load, **grain)
-        assert solve("contact_radius_at_load", model=law, load=[load, 0.0], **grain)[0] == pytest.approx(one, rel=1e-6)
+        assert solve("contact_radius_at_load", model=law, load=[load, 0.0], **grain)[0] == approx(one, rel=1e-6)

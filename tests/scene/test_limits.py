@@ -18,6 +18,7 @@ from jkroll.scene.failures import TwoRigidBodies
 from jkroll.scene.limits import LIMITS, Doubt, Limit, codes, doubts, judged, told
 from jkroll.scene.scene import Scene
 from jkroll.scene.wiring import depends_on
+from relative import approx
 from scenes import OTHER, QUARTZ
 
 
@@ -120,7 +121,7 @@ def test_the_paraboloid_is_off_by_what_the_next_term_gives() -> None:
         scene = {**QUARTZ, "radius2": radius2, "youngs_modulus": 54e10}
         error, a, reduced = solve(["profile_error", "contact_radius_at_load", "reduced_radius"], **scene).values()
         depth = sum(radius - np.sqrt(np.longdouble(radius) ** 2 - a**2) for radius in (1e-7, radius2))
-        assert float(depth / (a**2 / (2 * reduced)) - 1) == pytest.approx(error, rel=0.02)
+        assert float(depth / (a**2 / (2 * reduced)) - 1) == approx(error, rel=0.02)
 
 
 # --- Two rigid bodies -------------------------------------------------------------------------------------------------
@@ -155,7 +156,7 @@ def test_elements_of_two_rigid_bodies_are_nan(size: int) -> None:
     names = ["pull_off_force", "yield_force", "rolling_frequency", "stiffness"]
     for name, values in solve(names, **{**QUARTZ, "youngs_modulus": modulus}).items():
         assert np.flatnonzero(np.isnan(values)).tolist() == [1], name
-        assert values[0] == pytest.approx(solve(name, **QUARTZ), rel=1e-14)
+        assert values[0] == approx(solve(name, **QUARTZ), rel=1e-14)
     with pytest.raises(NoResult):
         solve("yield_force", **{**QUARTZ, "youngs_modulus": np.inf})
 
@@ -197,8 +198,8 @@ def test_dmt_answers_where_both_bodies_are_rigid(run: Run) -> None:
 def test_three_cases_of_rolling_turns() -> None:
     names = ["n_roll", "n_roll_after_impact", "n_roll_energy_balance"]
     sliding, after_impact, rolling = solve(names, speed=0.1, **QUARTZ).values()
-    assert after_impact == pytest.approx(5 / 2 * sliding, rel=1e-14)
-    assert rolling == pytest.approx(7 / 2 * sliding, rel=1e-14)
+    assert after_impact == approx(5 / 2 * sliding, rel=1e-14)
+    assert rolling == approx(7 / 2 * sliding, rel=1e-14)
 
 
 def test_turns_after_an_impact_follow_from_angular_momentum() -> None:
@@ -207,16 +208,16 @@ def test_turns_after_an_impact_follow_from_angular_momentum() -> None:
     mass, inertia, moment, turns = solve(names, speed=0.1, **QUARTZ).values()
     total = inertia + mass * 1e-14
     spin = mass * 0.1 * 1e-7 / total
-    assert turns == pytest.approx(total * spin**2 / 2 / (2 * np.pi * moment), rel=1e-12)
+    assert turns == approx(total * spin**2 / 2 / (2 * np.pi * moment), rel=1e-12)
 
 
 def test_a_load_of_fixed_direction(run: Run) -> None:
     """M/R1 − Pξ/R2, which is M/R1 on a plane; shown where a load or a state is given."""
     names = ["yield_force", "yield_force_fixed_load"]
     turning, fixed = solve(names, load=-1e-9, **QUARTZ).values()
-    assert fixed - turning == pytest.approx(1e-9 * 2e-10 / 1e-7, rel=1e-9)
+    assert fixed - turning == approx(1e-9 * 2e-10 / 1e-7, rel=1e-9)
     turning, fixed = solve(names, load=-1e-9, radius2=np.inf, **QUARTZ).values()
-    assert fixed == pytest.approx(turning, rel=1e-14)
+    assert fixed == approx(turning, rel=1e-14)
     assert "yield_force_fixed_load" in run("yield-force quartz 100nm --load 1nN").out
     assert "yield_force_fixed_load" not in run("yield-force quartz 100nm").out
 

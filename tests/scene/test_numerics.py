@@ -16,6 +16,7 @@ from jkroll.scene.inverse import (
     pieces_of,
     with_turning_points,
 )
+from relative import approx
 
 PLACES = [0.5 * step for step in range(-20, 21)]
 
@@ -50,7 +51,7 @@ def root(x: float) -> float:
 def test_all_places_with_a_value_are_found(
     function: Callable[[float], float], level: float, expected: list[float]
 ) -> None:
-    assert found_by(search(function, level), function) == pytest.approx(expected, rel=1e-12)
+    assert found_by(search(function, level), function) == approx(expected, rel=1e-12)
 
 
 def test_a_place_is_found_to_the_last_digit() -> None:
@@ -66,7 +67,7 @@ def test_on_a_slope_no_turning_point_is_looked_for() -> None:
         asked.append(x)
         return x**3
 
-    assert found_by(search(cubed, 2.0), cubed) == pytest.approx([2 ** (1 / 3)])
+    assert found_by(search(cubed, 2.0), cubed) == approx([2 ** (1 / 3)])
     assert len(asked) <= len(PLACES) + 60
 
 
@@ -91,20 +92,20 @@ def test_a_search_that_fails_does_not_end_the_others() -> None:
 
     found = found_by_all({3: fails(), 5: highest_between(-1.0, 2.0)}, lambda _, places: [-(x**2) for x in places])
     assert isinstance(found[3], NoResult)
-    assert found[5] == pytest.approx(0, abs=3e-8)
+    assert found[5] == approx(0, abs=3e-8)
 
 
 @pytest.mark.parametrize("peak", [-1.0, -0.3, 0.0, 0.7, 2.0])
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 def test_the_highest_or_lowest_point_is_known_to_half_of_the_digits(peak: float, sign: float) -> None:
     found = found_by(highest_between(-1.0, 2.0, sign=sign), lambda x: sign * exp(-((x - peak) ** 2)))
-    assert found == pytest.approx(peak, abs=3e-8)
+    assert found == approx(peak, abs=3e-8)
 
 
 @pytest.mark.parametrize("exponent", [-2.0, 1 / 3, 0.0, 5.0])
 @pytest.mark.parametrize("value", [1e-9, -3.0])
 def test_the_slope_of_a_power_is_its_exponent(exponent: float, value: float) -> None:
-    assert logarithmic_slope(lambda x: -7 * abs(x) ** exponent, value) == pytest.approx(exponent, abs=1e-9)
+    assert logarithmic_slope(lambda x: -7 * abs(x) ** exponent, value) == approx(exponent, abs=1e-9)
 
 
 def test_a_slope_at_the_end_of_the_outcomes_is_one_sided() -> None:
@@ -113,7 +114,7 @@ def test_a_slope_at_the_end_of_the_outcomes_is_one_sided() -> None:
             raise NoResult
         return value**3
 
-    assert logarithmic_slope(outcome, 2.0) == pytest.approx(3, abs=1e-5)
+    assert logarithmic_slope(outcome, 2.0) == approx(3, abs=1e-5)
 
 
 def test_slopes_that_are_no_numbers() -> None:

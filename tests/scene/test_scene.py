@@ -13,6 +13,7 @@ from jkroll.scene.failures import BeyondPullOff, Contradiction, MissingInput, No
 from jkroll.scene.limits import LIMITS
 from jkroll.scene.scene import Scene
 from jkroll.scene.wiring import Plan, depends_on, formula_of, plan_for
+from relative import approx
 from scenes import QUARTZ
 
 LIMIT_NAMES = dict.fromkeys(limit.name for limit in LIMITS)
@@ -103,7 +104,7 @@ def test_the_margin_of_a_load_is_a_state_as_the_load_is() -> None:
     for margin in (0.0, 0.5, 2.0):
         by_margin = [solve(name, load_margin=margin, **QUARTZ) for name in names]
         by_load = [solve(name, load=(margin**2 - 1) * pull_off, **QUARTZ) for name in names]
-        assert by_margin == pytest.approx(by_load, rel=1e-14)
+        assert by_margin == approx(by_load, rel=1e-14)
     with pytest.raises(Contradiction):
         solve("approach_at_load", load_margin=0.5, load=1e-9, **QUARTZ)
 

@@ -21,6 +21,7 @@ from jkroll.scene.failures import Contradiction, MissingInput, TwoRigidBodies
 from jkroll.scene.inverse import AlreadyGiven, CannotInfer, NoSolution, SeveralSolutions, Solution
 from jkroll.scene.scene import Scene
 from jkroll.scene.unknowns import Problem, Unseparated
+from relative import approx
 from scenes import log_uniform
 
 PLANE: dict[str, Any] = {"radius": 2e-6, "radius2": math.inf, "poisson_ratio": 0.17}
@@ -42,16 +43,16 @@ def test_an_example_by_hand() -> None:
     pair = found(NAMES, MEASURED, PLANE)
     gamma = 3e-7 / (3 * math.pi * 2e-6)
     modulus = (1e3 / 1.2) ** 1.5 / math.sqrt(9 * math.pi * gamma * 2e-6**2)
-    assert pair.values["surface_energy"] == pytest.approx(gamma, rel=1e-14)
-    assert pair.values["youngs_modulus"] == pytest.approx(2 * (1 - 0.17**2) * modulus, rel=1e-13)
-    assert pair.forward == pytest.approx(MEASURED, rel=1e-14)
+    assert pair.values["surface_energy"] == approx(gamma, rel=1e-14)
+    assert pair.values["youngs_modulus"] == approx(2 * (1 - 0.17**2) * modulus, rel=1e-13)
+    assert pair.forward == approx(MEASURED, rel=1e-14)
 
 
 def test_the_condition_of_power_laws_is_that_of_the_matrix_of_exponents() -> None:
     """P_c goes as γ, and dP/dδ as γ^(1/3)E^(2/3), so that E goes as K^(3/2)P_c^(-1/2)."""
     pair = found(NAMES, MEASURED, PLANE)
-    assert pair.condition == pytest.approx(numpy.linalg.cond(numpy.array([[1, 0], [1 / 3, 2 / 3]])), rel=1e-5)
-    assert pair.growths == pytest.approx({"surface_energy": 1.0, "youngs_modulus": math.hypot(1.5, 0.5)}, rel=1e-5)
+    assert pair.condition == approx(numpy.linalg.cond(numpy.array([[1, 0], [1 / 3, 2 / 3]])), rel=1e-5)
+    assert pair.growths == approx({"surface_energy": 1.0, "youngs_modulus": math.hypot(1.5, 0.5)}, rel=1e-5)
 
 
 def test_the_order_of_names_and_quantities_does_not_matter() -> None:
@@ -59,7 +60,7 @@ def test_the_order_of_names_and_quantities_does_not_matter() -> None:
     pairs = [found(names, measured, PLANE) for names in (NAMES, NAMES[::-1]) for measured in (MEASURED, backwards)]
     assert [[*pair.values] for pair in pairs] == [[*NAMES]] * 2 + [[*NAMES[::-1]]] * 2
     for pair in pairs:
-        assert pair.values == pytest.approx(pairs[0].values, rel=1e-13)
+        assert pair.values == approx(pairs[0].values, rel=1e-13)
 
 
 def test_an_input_that_cancels_from_a_quantity_is_found_from_the_other() -> None:
@@ -68,8 +69,8 @@ def test_an_input_that_cancels_from_a_quantity_is_found_from_the_other() -> None
     pair = found(NAMES[::-1], {"unloaded_moment": 1e-16, "contact_radius": 3e-8}, given, "dmt")
     work = 1e-16 / (2 * math.pi * 2e-6 * 2e-10)
     modulus = 3 * math.pi * work * 2e-6**2 / (2 * 3e-8**3)
-    assert pair.values["surface_energy"] == pytest.approx(work / 2, rel=1e-13)
-    assert pair.values["youngs_modulus"] == pytest.approx(2 * (1 - 0.17**2) * modulus, rel=1e-13)
+    assert pair.values["surface_energy"] == approx(work / 2, rel=1e-13)
+    assert pair.values["youngs_modulus"] == approx(2 * (1 - 0.17**2) * modulus, rel=1e-13)
 
 
 # --- Against other arithmetic -----------------------------------------------------------------------------------------
@@ -119,7 +120,7 @@ def test_pairs_come_back_from_exact_values(law: str, quantities: tuple[str, str]
         given = {"radius": radius, "radius2": math.inf, "poisson_ratio": 0.2, "atomic_spacing": 4e-10}
         pair = found(NAMES, {name: float(exact[name]) for name in quantities}, given, law)
         for name, value in zip(NAMES, (gamma, modulus), strict=True):
-            assert pair.values[name] == pytest.approx(value, rel=1e-13 * pair.condition), name
+            assert pair.values[name] == approx(value, rel=1e-13 * pair.condition), name
 
 
 # --- Random pairs -----------------------------------------------------------------------------------------------------
@@ -149,10 +150,10 @@ def comes_back(random: Random) -> str:
     except Unseparated:
         return "unseparated"
     except SeveralSolutions as error:
-        assert any(pair == pytest.approx({name: given[name] for name in names}, rel=1e-7) for pair in error.found)
+        assert any(pair == approx({name: given[name] for name in names}, rel=1e-7) for pair in error.found)
         return "several"
     for name in names:
-        assert pair.values[name] == pytest.approx(given[name], rel=1e-9 * pair.condition), (law, names, measured)
+        assert pair.values[name] == approx(given[name], rel=1e-9 * pair.condition), (law, names, measured)
     return "back"
 
 
@@ -173,8 +174,8 @@ def test_a_load_comes_back_from_zero_too(law: str, load: float) -> None:
     names = ("load", "youngs_modulus")
     full = Scene({**given, "load": load, "youngs_modulus": 3e10}, model=law)
     pair = found(names, full.numbers("contact_radius_at_load", "stiffness"), given, law)
-    assert pair.values["load"] == pytest.approx(load, rel=1e-12, abs=1e-20)
-    assert pair.values["youngs_modulus"] == pytest.approx(3e10, rel=1e-13)
+    assert pair.values["load"] == approx(load, rel=1e-12, abs=1e-20)
+    assert pair.values["youngs_modulus"] == approx(3e10, rel=1e-13)
     assert (pair.growths["load"] == math.inf) == (load == 0)
     assert pair.condition < 10
 
@@ -186,8 +187,8 @@ def test_both_spheres_of_one_material_are_inferred_together() -> None:
     )
     assert alone.values == twice.values
     scene = Scene({"radius": 2e-6, **other.values}, quartz, iron)
-    assert scene.numbers(*MEASURED) == pytest.approx(MEASURED, rel=1e-13)
-    assert other.values != pytest.approx(alone.values, rel=0.1)
+    assert scene.numbers(*MEASURED) == approx(MEASURED, rel=1e-13)
+    assert other.values != approx(alone.values, rel=0.1)
 
 
 # --- Refusals ---------------------------------------------------------------------------------------------------------
@@ -253,7 +254,7 @@ def test_what_is_barely_separated_is_refused() -> None:
         full = Scene({**given, "radius": radius, "surface_energy": 0.05}, model="maugis")
         pair = found(names, full.numbers("pull_off_force", "pull_off_force_dmt"), given, "maugis")
         assert pair.condition > 2 * condition
-        assert pair.values["radius"] == pytest.approx(radius, rel=1e-15 * pair.condition)
+        assert pair.values["radius"] == approx(radius, rel=1e-15 * pair.condition)
         condition = pair.condition
     full = Scene({**given, "radius": 1e-5, "surface_energy": 0.05}, model="maugis")
     with pytest.raises(Unseparated, match=r"both stay as they are along γ1 ∝ R1\^-1 \(κ = .* is above 1e8\)"):
@@ -269,9 +270,9 @@ def test_all_pairs_are_named(radius: float) -> None:
     with pytest.raises(SeveralSolutions) as caught:
         found(names, measured, given, "dmt")
     first, second = caught.value.found
-    assert first["radius"] != pytest.approx(second["radius"], rel=0.01)
+    assert first["radius"] != approx(second["radius"], rel=0.01)
     for pair in (first, second):
-        assert Scene({**given, **pair}, model="dmt").numbers(*measured) == pytest.approx(measured, rel=1e-13)
+        assert Scene({**given, **pair}, model="dmt").numbers(*measured) == approx(measured, rel=1e-13)
     words = f"surface_energy,radius: the pairs ({amount('surface_energy', first['surface_energy'])}, {amount('radius', first['radius'])}), ("
     assert str(caught.value).startswith(words)
 
@@ -284,11 +285,11 @@ def test_error_bars_of_both_measurements_enter() -> None:
     measured = {"pull_off_force": Measured(3e-7, 3e-9), "stiffness": Measured(1e3, 20.0)}
     both = infer(["gamma", "young"], measured=measured, **PLANE)
     parts = [both[name].plus / both[name].value for name in NAMES]
-    assert parts == pytest.approx([0.01, math.hypot(0.005, 0.03)], rel=1e-3)
+    assert parts == approx([0.01, math.hypot(0.005, 0.03)], rel=1e-3)
     given = {**PLANE, "radius": Measured(2e-6, 2e-8)}  # γ goes as 1/R, and E as 1/√R
     both = infer(["gamma", "young"], measured=MEASURED, **given)
     parts = [both[name].plus / both[name].value for name in NAMES]
-    assert parts == pytest.approx([0.01, 0.005], rel=1e-3)
+    assert parts == approx([0.01, 0.005], rel=1e-3)
 
 
 @pytest.mark.parametrize("law", ["jkr", "dmt", pytest.param("maugis", marks=pytest.mark.slow)])
@@ -309,15 +310,15 @@ def test_error_bars_are_what_the_ends_give(law: str) -> None:
         sides = [math.sqrt(each) for each in squares]
         if abs(sides[1] - sides[0]) <= 0.1 * max(sides):
             sides = [sum(sides) / 2] * 2
-        assert (both[name].minus, both[name].plus) == pytest.approx(sides, rel=1e-10)
+        assert (both[name].minus, both[name].plus) == approx(sides, rel=1e-10)
 
 
 def test_ranges_of_both_measurements_enter() -> None:
     measured = {"pull_off_force": Interval(3e-7, 2.8e-7, 3.2e-7), "stiffness": Interval(1e3, 900.0, 1100.0)}
     both = infer(["gamma", "young"], measured=measured, **PLANE)
     ends = [(both[name].low / both[name].value, both[name].high / both[name].value) for name in NAMES]
-    assert ends[0] == pytest.approx((14 / 15, 16 / 15), rel=1e-12)
-    assert ends[1] == pytest.approx((0.9**1.5 * (16 / 15) ** -0.5, 1.1**1.5 * (14 / 15) ** -0.5), rel=1e-12)
+    assert ends[0] == approx((14 / 15, 16 / 15), rel=1e-12)
+    assert ends[1] == approx((0.9**1.5 * (16 / 15) ** -0.5, 1.1**1.5 * (14 / 15) ** -0.5), rel=1e-12)
 
 
 # --- Python and the command -------------------------------------------------------------------------------------------
