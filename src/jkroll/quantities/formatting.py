@@ -84,7 +84,7 @@ class Format(NamedTuple):
         sizes = sorted(abs(value) for value in middles if value and not isinf(value))
         if si in ("", "1") or not sizes:
             return None
-        _, power = _power(sizes[(len(sizes) - 1) // 2], si, self.digits or DIGITS)
+        _, power = _scaled(sizes[(len(sizes) - 1) // 2], si, self.digits or DIGITS)
         scale, prefix = Unit(*power_of_ten(power), ()), _PREFIXES[power]
         is_short = convert(sizes[0], scale) >= _SMALL and convert(sizes[-1], scale) < _PLAIN
         return (prefix + si, scale) if is_short else None
@@ -104,18 +104,18 @@ def engineering(value: float, unit: str, digits: int = DIGITS) -> tuple[str, str
     >>> engineering(1.1780972e-08, "N")
     ('11.781', 'nN')
     """
-    mantissa, power = _power(value, unit, digits)
-    return significant(float(mantissa), digits), _PREFIXES[power] + ("" if unit == "1" else unit)
+    number, power = _scaled(value, unit, digits)
+    return significant(number, digits), _PREFIXES[power] + ("" if unit == "1" else unit)
 
 
-def _power(value: float, unit: str, digits: int) -> tuple[str, int]:
-    """Return a value rounded to significant digits without the power of ten of the prefix that suits it, and that power."""
-    mantissa, has_exponent, text = f"{value:.{digits - 1}e}".partition("e")
-    exponent = int(text) if has_exponent else 0
-    power = 3 * (exponent // 3)
-    if unit not in _PREFIXABLE or power not in _PREFIXES or not value:
-        power = 0
-    return (f"{mantissa}e{exponent - power}" if has_exponent else mantissa), power
+def _scaled(value: float, unit: str, digits: int) -> tuple[float, int]:
+    """Return a value, rounded to significant digits, in the multiple of a unit that suits it, and its power of ten."""
+    mantissa, has_exponent, exponent = f"{value:.{digits - 1}e}".partition("e")
+    if not has_exponent or unit not in _PREFIXABLE:
+        return value, 0
+    place = int(exponent) % 3
+    power = int(exponent) - place
+    return (float(f"{mantissa}e{place}"), power) if power in _PREFIXES else (value, 0)
 
 
 def significant(value: float, digits: int) -> str:
