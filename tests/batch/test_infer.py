@@ -89,7 +89,7 @@ def test_a_row_says_why_it_has_no_value(run: Run) -> None:
     assert [row["status"] for row in bad] == [
         "surface_energy: needs radius of sphere 1; give a radius such as 100nm",
         "pull_off_force: the row has no measured value",
-        "pull_off_force: '-3 nN' must be positive: it is the size of a tension; expected a force",
+        "pull_off_force: '-3 nN' must be positive: it is the size of a tension; expected a value in N",
     ]
     low, high = float(last["surface_energy [J/m^2]"]), float(first["surface_energy [J/m^2]"])
     assert "2 of 5 rows; median 14.5892 mJ/m²" in ran.err.replace("\n  ", " ")

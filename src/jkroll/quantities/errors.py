@@ -121,12 +121,15 @@ class OutOfRange(JkrollError):
 
 
 def expectation(name: str) -> str:
-    """Return the kind of value that a quantity takes, with an example.
+    """Return the kind of value that a quantity takes, with an example or with its unit.
 
-    >>> expectation("radius2")
-    'a length such as 1um, or plane'
+    >>> expectation("radius2"), expectation("stiffness")
+    ('a length such as 1um, or plane', 'a value in N/m')
     """
     quantity = NOMENCLATURE[name]
-    word = quantity.infinity
-    example = f" such as {quantity.example}" if quantity.example else ""
-    return kind_of(dimension_of(quantity.unit)) + example + (f", or {word}" if word else "")
+    kind = kind_of(dimension_of(quantity.unit))
+    if quantity.example:
+        kind += f" such as {quantity.example}"
+    elif quantity.unit != "1":
+        kind = f"a value in {quantity.unit}"
+    return kind + (f", or {quantity.infinity}" if quantity.infinity else "")
