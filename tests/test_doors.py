@@ -161,6 +161,28 @@ FOUND = {
         "tangential_stiffness",
         "maugis",
     ),
+    "a range in which a quantity rises, jumps and falls": Ask(
+        "resistances",
+        {
+            **PLAIN,
+            "poisson_ratio": ["0.2"],
+            "poisson_ratio2": ["0.3"],
+            "youngs_modulus": ["1.2421e9 to 2.47835e10 Pa"],
+            "youngs_modulus2": ["1e10 Pa", "1.1e10 Pa"],
+        },
+        "sliding_displacement",
+    ),
+    "a range with a least and a largest value inside": Ask(
+        "contact",
+        {
+            "radius": ["1.0601e-6 m"],
+            "surface_energy": ["0.07226 J/m^2"],
+            "youngs_modulus": ["1e9 Pa"],
+            "poisson_ratio": ["-0.49 to 0.3", "-0.49 to 0.2"],
+            "approach_at_load": ["-1.3e-9 m"],
+        },
+        "stiffness",
+    ),
     "a contact of no radius": Ask("contact", {**PLAIN, "approach_at_load": ["0 m", "1e-10 m"]}, model="dmt"),
     "doubts of what rests on no contact": Ask(
         "report", {**QUARTZ, "radius": ["1e-9 m", "1e-8 m"], "load": ["-1 N", "0 N"], "yield_displacement": ["1e-9 m"]}

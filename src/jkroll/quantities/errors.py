@@ -127,9 +127,10 @@ def expectation(name: str) -> str:
     ('a length such as 1um, or plane', 'a value in N/m')
     """
     quantity = NOMENCLATURE[name]
-    kind = kind_of(dimension_of(quantity.unit))
     if quantity.example:
-        kind += f" such as {quantity.example}"
-    elif quantity.unit != "1":
+        kind = f"{kind_of(dimension_of(quantity.unit))} such as {quantity.example}"
+    elif quantity.unit == "1":
+        kind = "a number"
+    else:
         kind = f"a value in {quantity.unit}"
     return kind + (f", or {quantity.infinity}" if quantity.infinity else "")

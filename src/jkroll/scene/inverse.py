@@ -538,9 +538,6 @@ def _value(name: str, quantity: str, measured: float, pieces: Sequence[Piece]) -
             raise Undetermined(name, {quantity: measured}, (alike[0], alike[-1]))
     found, outcomes = yield from _all_values(measured, pieces)
     if not found:
-        for piece in pieces:
-            for every in (inf, -inf):  # above and below all turning points
-                outcomes += (yield from with_turning_points(piece, every)).values
         raise NoSolution([name], {quantity: measured}, quantity, (min(outcomes), max(outcomes)))
     if len(found) > 1:
         raise SeveralSolutions([name], {quantity: measured}, [{name: value} for value in found])
@@ -555,6 +552,10 @@ def _all_values(measured: float, pieces: Sequence[Piece]) -> Search[tuple[list[f
         divided = yield from with_turning_points(piece, measured)
         outcomes += divided.values
         found.update((yield from crossings(divided, measured)))
+    if not found:
+        for piece in pieces:
+            for level in (inf, -inf):  # above and below all turning points
+                outcomes += (yield from with_turning_points(piece, level)).values
     return sorted(found), outcomes
 
 

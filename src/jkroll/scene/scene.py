@@ -304,7 +304,7 @@ class Scene:
 
     @property
     def stated_of_1(self) -> dict[str, Any]:
-        """What was stated that holds for two spheres like sphere 1: nothing of sphere 2, and no work of adhesion of two materials."""
+        """The stated inputs that hold for two spheres like sphere 1: nothing of sphere 2, and no work of adhesion of two materials."""
         of_pair = () if self.material2 is None else ("work_of_adhesion",)
         return {name: value for name, value in self.stated.items() if not name.endswith("2") and name not in of_pair}
 

@@ -8,8 +8,8 @@ element is open, and is to be computed by itself.
 """
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from functools import cache
-from itertools import product
+from functools import cache, reduce
+from itertools import pairwise, product
 from math import fsum, isfinite, nan
 from typing import Any, NamedTuple
 
@@ -335,22 +335,19 @@ def _inwards(end: Any, beside: Any) -> Any:
 
 
 def _on_edges(evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Source]) -> Iterator[tuple[str, _Bar]]:
-    """Iterate over ranges, from the values at the corners. They are open where a quantity turns on the way along an edge."""
+    """Iterate over ranges, from the values at steps along the edges. They are open where a quantity both rises and falls on one."""
     limits = [source.ends for source in sources]
     found = {name: (value, value, False) for name, value in values.items()}
     for axis, place in _edges(limits):
         low, *inner, high = _steps(*limits[axis])
-        along = (low, _inwards(low, inner[0]), _inwards(high, inner[-1]), high)
+        along = (low, _inwards(low, inner[0]), *inner, _inwards(high, inner[-1]), high)
         outcomes = [evaluate(_at(sources, _moved(place, axis, value)), (*values,)) for value in along]
         for name, (least, largest, turns) in found.items():
-            first, second, third, last = (nan if isinstance(one[name], JkrollError) else one[name] for one in outcomes)
-            may_turn = (second - first) * (third - last) >= 0  # an end is flat where contact is lost, say
-            varies = (first != second) | (second != third) | (third != last)
-            found[name] = (
-                at_most(at_most(least, first), last),
-                at_least(at_least(largest, first), last),
-                turns | (may_turn & varies),
-            )
+            numbers = [nan if isinstance(one[name], JkrollError) else one[name] for one in outcomes]
+            rises = falls = False
+            for before, after in pairwise(numbers):
+                rises, falls = rises | (after > before), falls | (after < before)
+            found[name] = reduce(at_most, numbers, least), reduce(at_least, numbers, largest), turns | rises & falls
     for name, (least, largest, turns) in found.items():
         bar = _range(values[name], least, largest)
         yield name, bar._replace(is_open=bar.has_influence & turns)
