@@ -171,7 +171,7 @@ class _Values:
                     self.random.uniform(-1, 0) * least,
                 ]
             )
-            return self._text(kind, part * size)
+            return self._text(kind, part * size) if part else self._about_zero(kind, size)
 
         self._add(kind, text)
 
@@ -227,10 +227,18 @@ class _Values:
             self.found[name] = self.found[name][-1:]
         self.count *= len(self.found[name])
 
+    def _about_zero(self, name: str, size: float) -> str:
+        """Return 0 as text, perhaps with an uncertainty, which is up to a size."""
+        unit = f" {NOMENCLATURE[name].unit}"
+        if not self.kinds or not self._is(2 * self.part):
+            return f"0.0{unit}"
+        most = self.random.uniform(0.01, 1) * size
+        return f"0±{most!r}{unit}" if self.random.choice(self.kinds) == "±" else f"{-most!r} to {most!r}{unit}"
+
     def _text(self, name: str, value: float) -> str:
         """Return a value as text, perhaps with an uncertainty."""
         unit = f" {NOMENCLATURE[name].unit}".removesuffix(" 1")
-        if not self.kinds or not value or not math.isfinite(value) or not self._is(self.part):
+        if not self.kinds or not math.isfinite(value) or not self._is(self.part):
             return f"{value!r}{unit}"
         if self.random.choice(self.kinds) == "±":
             return f"{value!r}±{abs(value) * self.random.choice([0.01, 0.1, 0.4])!r}{unit}"

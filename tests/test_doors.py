@@ -108,6 +108,11 @@ FOUND = {
     "a row that is computed again, of an uncertain input": Ask(
         "contact", {**QUARTZ, "radius": ["1e-7±1e-8 m", "1e-7 m"], "load": ["-1.17e-8 N"]}
     ),
+    "a load about 0, beside what the pull-off force follows from": Ask(
+        "report",
+        {**QUARTZ, "radius": ["8e-8 to 1.6e-7 m", "1e-8 to 3e-7 m"], "load": ["-4e-9 to 4e-9 N", "0±1e-9 N"]},
+        "yield_force,load_margin",
+    ),
     "kinds of rows, and one law without any value": Ask(
         "n-grav",
         {"material": ["ice-warm", "iron"], "radius": ["1e-7 m"], "adhesion_hysteresis": ["0.006 J/m^2"]},

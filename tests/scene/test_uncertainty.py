@@ -130,6 +130,23 @@ def test_turning_points_inside_a_range_count(name: str, given: dict[str, float],
     assert one.high == approx(max(values), rel=0.02)
 
 
+def test_a_load_about_0_is_not_taken_for_none() -> None:
+    """Without load rolling does not depend on the radius; in the rest of this range it does, by P_c. Eqs (5), (28)."""
+    ranges = {"load": Interval(0.0, -4e-9, 4e-9), "radius": Interval(1.2e-7, 8e-8, 1.6e-7)}
+
+    def force(load: float, radius: float) -> float:
+        pull_off = 3 * math.pi * 0.05 * radius / 2 / 2
+        factor = (1 + math.sqrt(1 + load / pull_off)) / 2
+        return 6 * math.pi * 0.025 * 2e-10 * factor
+
+    one = found("yield_force", QUARTZ, ranges).uncertainty
+    ends = sorted(force(load, 8e-8) for load in (-4e-9, 4e-9))
+    assert [one.low, one.high] == approx(ends, rel=1e-12)
+    scene: dict[str, Any] = {name: value for name, value in QUARTZ.items() if name != "yield_displacement"} | ranges
+    displacement = infer("xi", measured={"yield_force": 9e-11}, **scene)
+    assert [displacement.high, displacement.low] == approx([2e-10 * 9e-11 / end for end in ends], rel=1e-12)
+
+
 def test_no_turning_point_is_looked_for_where_there_is_none() -> None:
     """The samples of each range are computed, and a step inwards: from the lowest corner, the highest one, and the middle."""
     asked: list[Mapping[str, float]] = []

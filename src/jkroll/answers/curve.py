@@ -199,7 +199,7 @@ def at_states(scenes: Iterable[Scene], loads: Loads | None = None) -> Iterator[A
     for scene in scenes:
         curve = WholeCurve(scene)
         for state in states_between(scene, loads) if loads is not None else states(scene):
-            yield At(state, scene.replace(**{**scene.uncertain, state.given: state.value}), curve)
+            yield At(state, scene.replace(**{state.given: state.value}), curve)
 
 
 def _known(state: State) -> dict[str, float | NoValue]:

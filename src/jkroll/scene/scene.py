@@ -205,7 +205,7 @@ class Scene:
             if checked.get(name) is not value:
                 check_range(name, value)
         self.values = {**_assumed(self.given, others=(XI,) if self._has_displacement else ()), **self.given}
-        self._implied = _implied(self.values, self.law)
+        self._implied = _implied(self.values, self.law, self.uncertain)
         for values in self._implied.values():
             self.values = {**values, **self.values}
         self._has_area = _has_area(self.given, own_material2=material2 is not None)
@@ -217,14 +217,14 @@ class Scene:
         self.known = frozenset(self.values)
 
     def replace(self, **values: Any) -> "Scene":
-        """Return the scene in which some inputs have other values, or with None are not given, without uncertainties.
+        """Return the scene in which some inputs have other values, or with None are not given.
 
         What does not follow from these inputs is not evaluated again.
         """
         return self._changed(values, self.stated_model)
 
     def under(self, model: str, **values: Any) -> "Scene":
-        """Return the scene under another law of attraction, with other values of some inputs, without uncertainties.
+        """Return the scene under another law of attraction, with other values of some inputs.
 
         What follows from neither is not evaluated again.
         """
@@ -250,7 +250,8 @@ class Scene:
         return Scene(self.stated, self.material, self.material2, model=self.stated_model, checked=self.given)
 
     def _changed(self, values: Mapping[str, Any], model: str | None) -> "Scene":
-        stated = {name: value for name, value in {**self.stated, **values}.items() if value is not None}
+        others = {**self.stated, **self.uncertain, **values}
+        stated = {name: value for name, value in others.items() if value is not None}
         return self._reusing(Scene(stated, self.material, self.material2, model=model, checked=self.given))
 
     def _reusing(self, other: "Scene") -> "Scene":
@@ -575,9 +576,15 @@ def _has_area(given: Mapping[str, Any], *, own_material2: bool) -> Any:
     return deforms if hasattr(deforms, "shape") else bool(deforms)
 
 
-def _implied(values: Mapping[str, Any], law: Law) -> dict[str, Mapping[str, float]]:
-    """Return by each input the values that follow from it, or from its absence, and then need nothing else."""
-    implied = {name: follows for name, (value, follows) in FOLLOWS.items() if _equals(values.get(name), value)}
+def _implied(
+    values: Mapping[str, Any], law: Law, uncertain: Collection[str]
+) -> dict[str, Mapping[str, float]]:
+    """Return by each input the values that follow from it, or from its absence, and then need nothing else.
+
+    Nothing follows from the middle of an uncertainty, as the rest has other values.
+    """
+    certain = {name: value for name, value in values.items() if name not in uncertain}
+    implied = {name: follows for name, (value, follows) in FOLLOWS.items() if _equals(certain.get(name), value)}
     if "radius2" not in values:
         implied["radius2"] = {"radius_ratio": 1.0}
     if "poisson_ratio2" not in values:
