@@ -2,6 +2,7 @@
 
 import csv
 from pathlib import Path
+from typing import Any
 from unittest.mock import patch
 
 import orjson
@@ -9,6 +10,7 @@ import pyarrow.parquet
 import pytest
 
 from harness import Run
+from jkroll import Interval, Measured
 from jkroll.errors import BadRequest
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.rows.header import BadTable, Header, column_options, understood
@@ -45,11 +47,13 @@ REFUSED = {
     "elastic_modulus_gpa": "youngs_modulus [GPa]", "velocity (m/s)": "speed [m/s]", "young GPa": "youngs_modulus [GPa]", "radius_in": "radius [in]",
     "radius": "it is in nm", "density": "it is in kg/m^3", "Radius": "it is in nm", "radius [kg]": "is a mass", "Energy (old)": "energy [J]", "radiuss [nm]": "radius [nm]",
     "E [Gpa]": "youngs_modulus [GPa]", "E_GPA": "youngs_modulus [GPa]", "radius [nm] (mean)": "radius [nm]",
-    "surface energy (polar) [mJ/m2]": "surface_energy [mJ/m2]",
+    "surface energy (polar) [mJ/m2]": "surface_energy [mJ/m2]", "gama [mJ/m2]": "surface_energy [mJ/m2]", "laod_nN": "load [nN]",
+    "gama": "surface_energy [mJ/m2]", "yong (GPa)": "youngs_modulus [GPa]", "spead in m/s": "speed [m/s]", "load_uncertanty [nN]": "load_uncertainty [nN]",
 }  # fmt: skip
 PASSING = (
     "R", "E", "v", "rho", "g", "N", "phi", "R [kOhm]", "E_bar", "R_m", "R_min", "v_c", "w", "load_micro_N", "load_case", "tip radius (nm)", "T [K]",
     "Hamaker constant (zJ)", "gamma_err [mJ/m2]", "F (nN)", "P [MPa]", "pull_off_force [N]", "material_name", "d [s]", "equivalent diameter [um]", "v_m",
+    "hysteresis_ratio", "surface_energy in GPa", "spread [m/s]", "kinetic_energy [J]", "head [nN]", "grain area [nm^2]",
 )  # fmt: skip
 
 
@@ -299,6 +303,22 @@ def test_columns_of_an_uncertainty_say_what_a_cell_does(run: Run, columns: tuple
         results.append(converted(run, rows, ending)[len(cells) + 1 :])
     assert results[0] == results[1]
     assert any("pull_off_force_" in text for text in results[0]) == (PARTS[columns] != "25 mJ/m2")
+
+
+@pytest.mark.parametrize(
+    ("header", "cells", "value"),
+    [
+        ("poisson [1],poisson_err [-]", ("0.2", "0.05"), Measured(0.2, 0.05, 0.05)),
+        ("nu [-],nu_err", ("0.2", "0.05"), Measured(0.2, 0.05, 0.05)),
+        ("nu,± [1]", ("0.2", "0.05"), Measured(0.2, 0.05, 0.05)),
+        ("nu,nu_err [%]", ("0.2", "25"), Measured(0.2, 0.05, 0.05)),
+        ("nu_min [1],nu_max [1]", ("0.1", "0.3"), Interval(0.2, 0.1, 0.3)),
+        ("nu_min,nu_max [-]", ("0.1", "0.3"), Interval(0.2, 0.1, 0.3)),
+    ],
+)
+def test_the_unit_of_a_ratio_is_none(header: str, cells: tuple[str, str], value: Any) -> None:
+    (column,) = understood(header.split(",")).inputs
+    assert column.read(column.joined(*cells)) == value
 
 
 def converted(run: Run, rows: list[dict[str, str]], ending: str) -> list[str]:

@@ -101,6 +101,20 @@ def test_what_is_no_parquet(run: Run) -> None:
     assert not Path("y.parquet").exists()
 
 
+def test_it_is_not_compressed_once_more(run: Run) -> None:
+    said = "Parquet is compressed in itself; leave out .gz"
+    write({"radius [nm]": [100.0], "material": ["quartz"]})
+    for words in (
+        "batch grains.parquet -o out.parquet.gz",
+        "batch grains.parquet.gz -o out.parquet",
+        "batch grains.parquet --format parquet.gz -o out.parquet",
+        "pull-off quartz 100nm,1um -o out.parquet.gz",
+    ):
+        ran = run(words)
+        assert (ran.code, said in ran.err) == (2, True), ran.err
+    assert [path.name for path in Path().iterdir()] == ["grains.parquet"]
+
+
 def test_what_cannot_be_read(run: Run) -> None:
     name = write({"radius [nm]": [100.0 + row for row in range(1000)], "material": ["iron"] * 1000})
     text = bytearray(Path(name).read_bytes())

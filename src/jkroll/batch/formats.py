@@ -27,7 +27,7 @@ class FileFormat(NamedTuple):
 
 
 def format_of_name(path: str) -> FileFormat | None:
-    """Return the format that a name such as grains.csv.gz states, or None.
+    """Return the format that a name such as grains.csv.gz states, or None. Raises BadTable for Parquet that is compressed once more.
 
     >>> format_of_name("grains.csv.gz"), format_of_name("a/grains")
     (FileFormat(kind='csv', compression='gzip'), None)
@@ -35,6 +35,8 @@ def format_of_name(path: str) -> FileFormat | None:
     parts = os.path.basename(path).casefold().split(".")
     compression = COMPRESSIONS.get(parts[-1], "")
     kind = KINDS.get(parts[-2 if compression and len(parts) > 1 else -1], "")
+    if kind == "parquet" and compression:
+        raise BadTable(f"{quoted(path)}: Parquet is compressed in itself; leave out .{parts[-1]}")
     return FileFormat(kind, compression) if kind else None
 
 
@@ -43,7 +45,7 @@ def stated(text: str) -> FileFormat:
     found = format_of_name(text.lstrip("."))
     if found is None:
         raise BadTable(
-            f"--format: {quoted(text)} is none of {', '.join(dict.fromkeys(KINDS.values()))}, or these with .gz or .zst"
+            f"--format: {quoted(text)} is none of {', '.join(dict.fromkeys(KINDS.values()))}, or, but for the last, these with .gz or .zst"
         )
     return found
 

@@ -41,17 +41,17 @@ class Numbers(NamedTuple):
 
 
 class Kept(dict[Any, Any]):
-    """A memory of what texts mean. Unlike an lru_cache it can be pickled, as a table is sent to processes."""
+    """A memory of what keys mean. Unlike an lru_cache it can be pickled, as a table is sent to processes."""
 
     def __init__(self, meaning: Callable[[Any], Any]) -> None:
-        """`meaning`: returns what a text means."""
+        """`meaning`: returns what a key means."""
         self.meaning = meaning
 
-    def __missing__(self, text: bytes | str) -> Any:
-        found = self.meaning(text)
+    def __missing__(self, key: Hashable) -> Any:
+        found = self.meaning(key)
         if len(self) >= MAX_KEPT:
             self.clear()
-        self[text] = found
+        self[key] = found
         return found
 
 

@@ -280,7 +280,7 @@ def _meaning(
         raise _no_input(text, Reading(problem=problem), cells)
     if name in MATERIALS and reading.unit_text is not None:
         raise BadTable(f"header: {quoted(text)}: a material has no unit; write {name}")
-    if not name and (reading.meant or reading.problem):
+    if reading.meant or reading.problem:
         raise _no_input(text, reading, cells)
     unit_text = may_be_radius(text) if not name and reading.is_alike else ""
     return reading, f"radius [{unit_text}]" if unit_text else ""
@@ -302,7 +302,7 @@ def _check_mistaken(texts: Sequence[str], rows: Sequence[Sequence[str]], meaning
     meant = {
         texts[place]: _meant(reading.meant, [row[place] for row in rows])
         for place, reading in readings.items()
-        if reading.meant and not reading.name
+        if reading.meant
     }
     if len(meant) > 1:
         names = listed(map(quoted, meant))
@@ -361,7 +361,7 @@ def _with_parts(
     kinds = ("both",) if "both" in places else ("minus", "plus") if base else ("low", "high")
     if not {*kinds} <= places.keys() or (base is None and kinds == ("both",)):
         return None
-    units = {part: _unit_in(text, meanings) for part, text in texts.items()}
+    units = {part: _unit_in(text, name, meanings) for part, text in texts.items()}
     if base is None:
         first = next(filter(None, (units[part] for part in kinds)), None)
         base = _column(places["low"], name, first, texts["low"])
@@ -379,10 +379,16 @@ def _with_parts(
     return base._replace(sides=tuple(sides))
 
 
-def _unit_in(text: str, meanings: Mapping[str, Reading]) -> str | None:
+def _unit_in(text: str, name: str, meanings: Mapping[str, Reading]) -> str | None:
     """Return the unit in the header of an input's uncertainty, which may be a mark alone."""
     reading = _reading(text, meanings)
-    return reading.unit_text if reading.name else unit_alone(text)
+    return _scale(reading.unit_text if reading.name else unit_alone(text), name)
+
+
+def _scale(unit_text: str | None, name: str) -> str | None:
+    """Return a unit; None where cells are plain numbers, or carry their own: there is none, or it is that of a ratio."""
+    is_of_ratio = unit_text in ("1", "-") and NOMENCLATURE[name].unit == "1"
+    return None if is_of_ratio else unit_text or None
 
 
 def with_unit(name: str, cells: Sequence[str] = (), part: str = "") -> str:
@@ -459,16 +465,16 @@ def is_input(text: str, meanings: Mapping[str, Reading] = MappingProxyType({})) 
 
 def _column(place: int, name: str, unit_text: str | None, text: str) -> Column:
     """Return the column of an input. Without a unit its cells carry their own, or are plain numbers if it is a ratio."""
-    wanted = dimension_of(NOMENCLATURE[name].unit)
-    if not unit_text or (unit_text in ("1", "-") and not any(wanted)):
+    scale = _scale(unit_text, name)
+    if scale is None:
         return Column(place, name, "", None)
     try:
-        unit = unit_of(unit_text, name)
-        if unit.dimension != wanted:
-            raise QuantityError(name, unit_text, f"is {kind_of(unit.dimension)}")
+        unit = unit_of(scale, name)
+        if unit.dimension != dimension_of(NOMENCLATURE[name].unit):
+            raise QuantityError(name, scale, f"is {kind_of(unit.dimension)}")
     except QuantityError as error:
-        raise BadTable(f"header: {quoted(text)}: {quoted(unit_text)} {error.problem()}") from None
-    return Column(place, name, unit_text, unit)
+        raise BadTable(f"header: {quoted(text)}: {quoted(scale)} {error.problem()}") from None
+    return Column(place, name, scale, unit)
 
 
 def check_units(header: Header, rows: Sequence[Sequence[str]]) -> None:

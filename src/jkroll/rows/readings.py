@@ -10,19 +10,20 @@ from collections.abc import Iterator
 from functools import cache, lru_cache
 from typing import NamedTuple
 
-from ..quantities.errors import QUANTITY_SYNONYMS, QuantityError
+from ..quantities.errors import QUANTITY_SYNONYMS
 from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS
-from ..quantities.units import dimension_of, similar_unit
-from ..quantities.values import unit_of
+from ..quantities.units import BadUnit, dimension_of, parse_unit, similar_unit
 from ..text import MAX_WORD, ascii_text, closest
 
 MATERIALS = ("material", "material2")
 INPUTS = ("radius", *(name for name, quantity in NOMENCLATURE.items() if quantity.option and quantity.unit))
 ALIKE = 0.85  # how similar a header is to the name of an input to be taken for a mistake
+_ALIKE_WITH_UNIT = 0.75  # the same of one that has a unit of this input
+_SHORT = 3  # letters of a name which half of all words resemble
 _BRACKETS = re.compile(r"([^\[\]]*?)\s*\[([^\[\]]*)\]")
 _PARENTHESES = re.compile(r"([^()]*?)\s*\(([^()]*)\)?")
 _CUT = re.compile(r"\s*[,/]\s*|\s+in\s+|_")  # between a name and a unit that stands in no brackets
-_BLANKS = re.compile(r"[\s(_/,:\[]+|$")  # between a name and what may be a unit
+_BLANKS = re.compile(r"\s+in\s+|[\s(_/,:\[]+|$")  # between a name and what may be a unit
 _PHRASES = {"young_modulus": "youngs_modulus", "poissons_ratio": "poisson_ratio"}
 _SYNONYMS = {word: QUANTITY_SYNONYMS[word] for word in ("elastic_modulus", "velocity", "surface_tension")}
 _LENGTHS, _PRESSURES = "m", "Pa"
@@ -262,8 +263,28 @@ def _mistaken(text: str) -> Reading | None:
             return Reading(meant=f"{meant} [{unit_text}]" if unit_text else meant)
         if _plain(word) in _UNCLEAR and len(word) > 1 and (cut.end() == len(text) or _has_dimension(rest, _LENGTHS)):
             return Reading(problem=_UNCLEAR[_plain(word)][1])
+    return _slip(text)
+
+
+def _slip(text: str) -> Reading | None:
+    """Return the refusal of a header with a slip of the pen in the name of an input; None if it has none.
+
+    A unit leaves few inputs, so that less of the name must be right: gama [mJ/m2], laod_nN.
+    """
     brackets = _BRACKETS.fullmatch(text)
-    guess = _similar(_plain(brackets[1] if brackets else text))
+    name = _plain(brackets[1] if brackets else text)
+    if name in NOMENCLATURE:  # a result
+        return None
+    found = brackets or _PARENTHESES.fullmatch(text)
+    cuts = [(found[1], "", found[2])] if found else [*_cuts(text)]
+    parts = [(word, unit_text) for word, mark, rest in cuts for unit_text in _units_behind(mark, rest.strip())]
+    for word, unit_text in parts:
+        named = {text: name for text, name in _names().items() if len(text) > _SHORT and fits(unit_text, name)}
+        named |= {f"{text}_uncertainty": f"{name}_uncertainty" for text, name in named.items()}
+        near = [text for text in named if abs(len(text) - len(word)) <= 1]
+        if near and (guess := closest(_plain(word), near, _ALIKE_WITH_UNIT)):
+            return Reading(meant=f"{named[guess]} [{unit_text}]")
+    guess = _names().get(_similar(name) or "")
     return Reading(meant=f"{guess} [{brackets[2]}]" if brackets else guess) if guess else None
 
 
@@ -281,7 +302,7 @@ def _similar(word: str) -> str | None:
         return None
     letters = {*word}
     names = []
-    for name in (*INPUTS, *MATERIALS):
+    for name in (*INPUTS, *MATERIALS, *(word for word in OPTION_WORDS if word in _names())):
         in_common = ALIKE * (len(word) + len(name)) / 2  # at least, for similar words
         if in_common <= min(len(word), len(name)) and len(letters.difference(name)) <= len(word) - in_common:
             names.append(name)
@@ -352,6 +373,6 @@ def fits(unit_text: str, name: str) -> bool:
 
 def _has_dimension(unit_text: str, unit: str) -> bool:
     try:
-        return bool(unit_text) and unit_of(unit_text, "radius").dimension == dimension_of(unit)
-    except QuantityError:
+        return bool(unit_text) and parse_unit(unit_text).dimension == dimension_of(unit)
+    except BadUnit:
         return False

@@ -30,7 +30,7 @@ class Block(NamedTuple):
 
     size: int
     numbers: Mapping[str, Numbers]  # by the name of the input
-    kinds: Sequence[Indices]  # rows with other whole numbers have other scenes; BAD stands for none
+    kinds: Sequence[Indices]  # rows with other whole numbers have other scenes
     scene: Callable[[Mapping[str, Any], Indices], Any]  # of the inputs of rows that are alike, given their places
     one: Callable[[int], Any]  # of a row by itself; raises the error of what is wrong with it
     wording: Callable[[int], Hashable]  # the same for rows that lack inputs in the same words
@@ -94,8 +94,8 @@ def groups(block: Block) -> Iterator[tuple[Indices, dict[str, Any]]]:
     kinds = {name: _kinds(name, column) for name, column in block.numbers.items()}
     of_rows = numpy.full(block.size, _PLAIN)
     of_rows[[*block.odd]] = BAD
-    columns = [of_rows, *kinds.values(), *block.kinds]
-    for rows in _alike(numpy.flatnonzero(numpy.min(columns, axis=0) != BAD), columns):
+    columns = [of_rows, *kinds.values()]
+    for rows in _alike(numpy.flatnonzero(numpy.min(columns, axis=0) != BAD), [*columns, *block.kinds]):
         of_cells = {name: int(own[rows[0]]) for name, own in kinds.items()}
         yield (
             rows,

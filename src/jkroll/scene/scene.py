@@ -576,9 +576,7 @@ def _has_area(given: Mapping[str, Any], *, own_material2: bool) -> Any:
     return deforms if hasattr(deforms, "shape") else bool(deforms)
 
 
-def _implied(
-    values: Mapping[str, Any], law: Law, uncertain: Collection[str]
-) -> dict[str, Mapping[str, float]]:
+def _implied(values: Mapping[str, Any], law: Law, uncertain: Collection[str]) -> dict[str, Mapping[str, float]]:
     """Return by each input the values that follow from it, or from its absence, and then need nothing else.
 
     Nothing follows from the middle of an uncertainty, as the rest has other values.

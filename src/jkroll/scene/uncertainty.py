@@ -10,7 +10,7 @@ element is open, and is to be computed by itself.
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cache, reduce
 from itertools import pairwise, product
-from math import fsum, isfinite, nan
+from math import fsum, inf, isfinite, nan
 from typing import Any, NamedTuple
 
 from ..errors import JkrollError, NoResult
@@ -436,20 +436,30 @@ class _Surface:
         return best.height
 
     def _peak(self, line: _Line) -> "_Peak":
-        """Return the largest value on a line: at one of its places, or found by a golden-section search beside the best one.
+        """Return the largest value on a line: at one of its places, or found by a golden-section search around one.
 
-        An end that is the best of them is where it is, unless the quantity still grows from there inwards.
+        Searched is around each that is higher than those beside it, as a hump between two of them may be the highest.
         """
+        heights = [*map(self.height, line.places)]
+        found = [_Peak(height, place) for height, place in zip(heights, line.places, strict=True)]
+        for at, (before, here, after) in enumerate(zip([-inf, *heights], heights, [*heights[1:], -inf], strict=False)):
+            if before < here >= after and (0 < at < SAMPLES or self._grows_inwards(line, at, here)):
+                found.append(self._top(line, at))
+        return max(found, key=_height)
+
+    def _grows_inwards(self, line: _Line, end: int, height: float) -> bool:
+        """Return whether the quantity grows from an end of a line, where it has some height."""
         axis, places = line
-        heights = [*map(self.height, places)]
-        best = heights.index(max(heights))
-        left, middle, right = (places[max(0, min(at, SAMPLES))][axis] for at in (best - 1, best, best + 1))
-        if best in (0, SAMPLES):
-            inwards = _inwards(middle, right if best == 0 else left)
-            if self.height(_moved(places[best], axis, inwards)) <= heights[best]:
-                return _Peak(heights[best], places[best])
-        value = found_by(highest_between(left, right), lambda value: self.beside(_moved(places[best], axis, value)))
-        found = _moved(places[best], axis, value)
+        beside = places[1 if end == 0 else SAMPLES - 1]
+        inwards = _inwards(places[end][axis], beside[axis])
+        return self.height(_moved(places[end], axis, inwards)) > height
+
+    def _top(self, line: _Line, at: int) -> "_Peak":
+        """Return the top of the hump around a place of a line."""
+        axis, places = line
+        left, right = (places[max(0, min(beside, SAMPLES))][axis] for beside in (at - 1, at + 1))
+        value = found_by(highest_between(left, right), lambda value: self.beside(_moved(places[at], axis, value)))
+        found = _moved(places[at], axis, value)
         return _Peak(self.beside(found), found)
 
 
