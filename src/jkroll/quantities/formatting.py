@@ -20,6 +20,7 @@ _SMALL = 1e-3  # numbers below have too many zeros to share a unit with others
 _PREFIXES = dict(
     zip(range(-24, 18, 3), ("y", "z", "a", "f", "p", "n", "µ", "m", "", "k", "M", "G", "T", "P"), strict=True)
 )
+_SHIFTS = ("", "e1", "e2")  # of a decimal point
 _PREFIXABLE = ("m", "s", "N", "J", "Pa", "Hz", "rad", "m/s", "N m", "N/m", "J/m^2", "N m/rad")
 
 
@@ -113,9 +114,8 @@ def _scaled(value: float, unit: str, digits: int) -> tuple[float, int]:
     mantissa, has_exponent, exponent = f"{value:.{digits - 1}e}".partition("e")
     if not has_exponent or unit not in _PREFIXABLE:
         return value, 0
-    place = int(exponent) % 3
-    power = int(exponent) - place
-    return (float(f"{mantissa}e{place}"), power) if power in _PREFIXES else (value, 0)
+    power, place = divmod(int(exponent), 3)
+    return (float(mantissa + _SHIFTS[place]), 3 * power) if 3 * power in _PREFIXES else (value, 0)
 
 
 def significant(value: float, digits: int) -> str:

@@ -4,7 +4,7 @@
 a gap that no frequent reason explains, or an uncertainty needs a search, the row is computed again by floats.
 """
 
-from collections.abc import Callable, Collection, Hashable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Hashable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property, partial
 from math import isnan, nan
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -420,20 +420,18 @@ class _Arrays:
         of_names = numpy.array(
             [numpy.where(fails, causes.of(name, self.whole.get(name)), NO_GAP) for name, fails in self.gaps.items()]
         )
-        rows = numpy.flatnonzero(of_names.any(axis=0)).tolist()
-        of_kinds: dict[tuple[int, ...], _Explain | None] = {}  # many rows have the same gaps for the same causes
-        for row, kind in zip(rows, zip(*of_names[:, rows].tolist(), strict=True), strict=True):
-            if kind not in of_kinds:
-                own = zip(self.gaps, kind, strict=True)
-                of_kinds[kind] = causes.explain({name: cause for name, cause in own if cause != NO_GAP})
-            if (explain := of_kinds[kind]) is None:
-                again[row] = True
+        for rows in alike(numpy.flatnonzero(of_names.any(axis=0)), of_names):
+            own = zip(self.gaps, of_names[:, rows[0]].tolist(), strict=True)
+            explain = causes.explain({name: cause for name, cause in own if cause != NO_GAP})
+            if explain is None:
+                again[rows] = True
                 continue
-            reasons = explain(row)
-            if lacking := self.columns.reasons.get(row, {}):
-                mixed = {**reasons, **lacking}
-                reasons = {name: mixed[name] for name in self.wanted.names if name in mixed}
-            self.columns.reasons[row] = reasons
+            for row in rows.tolist():
+                reasons = explain(row)
+                if lacking := self.columns.reasons.get(row):
+                    mixed = {**reasons, **lacking}
+                    reasons = {name: mixed[name] for name in self.wanted.names if name in mixed}
+                self.columns.reasons[row] = reasons
         return again
 
     def add_sides(self) -> Any:
@@ -450,6 +448,19 @@ class _Arrays:
             return numpy.zeros(self.size, dtype=bool)
         found = uncertainty.uncertainties_of_elements(self.scene, values, sources.entering)
         return self.columns.put_sides(found)
+
+
+def alike(rows: Any, columns: Iterable[Any]) -> Iterator[Any]:
+    """Iterate over the rows that have the same whole number in each column; `rows`: the places of those that are meant."""
+    import numpy
+
+    keys = numpy.zeros(len(rows), dtype=numpy.int64)
+    for column in columns:
+        own = column[rows]
+        if len(own) and (own != own[0]).any():
+            keys = numpy.unique(keys * (own.max() + 1) + own, return_inverse=True)[1]
+    for key in range(int(keys.max(initial=-1)) + 1):
+        yield rows[keys == key]
 
 
 def _either(rows: Any, column: Any, otherwise: Any) -> Any:

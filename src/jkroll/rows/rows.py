@@ -15,7 +15,7 @@ from ..errors import JkrollError
 from ..quantities.values import Measured
 from ..scene.scene import FOLLOWS, outside
 from .cells import Indices, Numbers
-from .columns import Columns, Wanted, as_list, lose, put_one
+from .columns import Columns, Wanted, alike, as_list, lose, put_one
 
 BAD = -1  # the kind of a row, or of a cell, of which arrays make no scene
 _EMPTY, _PLAIN, _SPECIAL, _MEASURED, _INTERVAL = range(5)  # kinds of cells
@@ -95,7 +95,7 @@ def groups(block: Block) -> Iterator[tuple[Indices, dict[str, Any]]]:
     of_rows = numpy.full(block.size, _PLAIN)
     of_rows[[*block.odd]] = BAD
     columns = [of_rows, *kinds.values()]
-    for rows in _alike(numpy.flatnonzero(numpy.min(columns, axis=0) != BAD), [*columns, *block.kinds]):
+    for rows in alike(numpy.flatnonzero(numpy.min(columns, axis=0) != BAD), [*columns, *block.kinds]):
         of_cells = {name: int(own[rows[0]]) for name, own in kinds.items()}
         yield (
             rows,
@@ -114,17 +114,6 @@ def _kinds(name: str, column: Numbers) -> Indices:
         if kinds[row] != BAD:
             kinds[row] = _MEASURED if isinstance(found, Measured) else _INTERVAL
     return kinds
-
-
-def _alike(rows: Indices, columns: list[Indices]) -> Iterator[Indices]:
-    """Iterate over the rows that have the same number in each column."""
-    keys = numpy.zeros(len(rows), dtype=numpy.int64)
-    for column in columns:
-        own = column[rows]
-        if len(own) and (own != own[0]).any():
-            keys = numpy.unique(keys * (own.max() + 1) + own, return_inverse=True)[1]
-    for key in range(int(keys.max(initial=-1)) + 1):
-        yield rows[keys == key]
 
 
 def _values(column: Numbers, rows: Indices, kind: int) -> Any:
