@@ -22,7 +22,8 @@ from jkroll.cli.reader import read
 from jkroll.cli.request import request_of
 from jkroll.errors import JkrollError
 from jkroll.quantities.nomenclature import INFINITY, NOMENCLATURE
-from jkroll.rows.columns import ROW, SIDES, Columns, Row, Wanted
+from jkroll.rows.columns import SIDES, Columns, Row, Wanted
+from jkroll.rows.reasons import ROW
 from jkroll.rows.rows import Block, evaluated
 from jkroll.rows.table import table_of
 from jkroll.scene.failures import BeyondFold, BeyondPullOff

@@ -36,7 +36,8 @@ from jkroll.cli.question import question_of
 from jkroll.errors import JkrollError, NoResult
 from jkroll.quantities.nomenclature import NOMENCLATURE, header
 from jkroll.quantities.values import value_of
-from jkroll.rows.columns import DOUBT, ROW, STATUS
+from jkroll.rows.columns import DOUBT, STATUS
+from jkroll.rows.reasons import ROW
 from jkroll.scene.failures import InfiniteValue, MissingInput, OfIdenticalSpheres, RestsOnSpacing, reason_of
 from jkroll.scene.limits import NOT_JUDGED, codes
 from jkroll.scene.scene import Scene

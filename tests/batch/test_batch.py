@@ -25,8 +25,9 @@ from jkroll.output.manual import page
 from jkroll.quantities.errors import QuantityError
 from jkroll.quantities.values import unit_of
 from jkroll.rows.cells import Reader
-from jkroll.rows.columns import ROW, Columns, Row, Wanted
+from jkroll.rows.columns import Columns, Row, Wanted
 from jkroll.rows.header import Column, understood
+from jkroll.rows.reasons import ROW
 from jkroll.rows.rows import Block, evaluated
 from jkroll.scene.limits import TOLD
 from relative import approx

@@ -8,7 +8,8 @@ from ..answers.answer import Answer
 from ..answers.notes import first_symbols, notes_on_rows
 from ..answers.results import Kind, Note
 from ..errors import JkrollError
-from ..rows.columns import ROW, UNCERTAINTY, Columns, Reasons, as_list, of_quantities
+from ..rows.columns import Columns, as_list
+from ..rows.reasons import ROW, UNCERTAINTY, Reasons, of_quantities
 from ..rows.sweep import Pair
 from ..scene.failures import NO_END, grouped
 from ..scene.limits import told

@@ -2,6 +2,7 @@
 
 From the bottom up:
 
+reasons            why cells are empty, in words
 columns            what is wanted of rows, and their columns: by floats, which defines them, and by arrays
 inferred           the same where an input is sought
 readings, header   the meaning of one header, and of all of a table

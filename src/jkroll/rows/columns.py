@@ -12,38 +12,30 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from ..errors import JkrollError
 from ..physics.elementary import where
 from ..quantities.formatting import OutOfUnit
-from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import is_uncertain
 from ..scene.failures import (
-    NO_END,
     MissingInput,
-    NoContact,
     OfIdenticalSpheres,
     RestsOnSpacing,
     hold_of,
-    reason_of,
     written_outcome,
 )
 from ..scene.limits import doubts, possible_doubts
 from ..scene.scene import Scene
 from ..scene.wiring import Step
-from ..text import first_of, listed
+from ..text import listed
+from .reasons import ROW, UNCERTAINTY, Reasons, lack, worded
 
 if TYPE_CHECKING:
     from ..scene.uncertainty import Elements, Propagated, Sources
 
 BLOCK = 1 << 12  # rows computed together as arrays: many for the calls of numpy, few for the cache
-ROW = ""  # stands for the row as a whole, in place of the name of a column
-UNCERTAINTY = "±"  # stands for the columns of uncertainties that a table does not have
 SIDES = ("minus", "plus", "low", "high")  # of uncertainties: the two of a standard one, and the ends of a range
 _BESIDE = 15  # cost of the rest of a row, in formulas
 _JUDGED = 8  # a row whose limits are judged takes 8 times as long: Maugis' law is evaluated, too
 DOUBT = "doubt"  # the column of the limits of the model that a row exceeds, as codes
 STATUS = "status"  # the column of reasons
-MAX_NAMES = 3  # of quantities in a clause of a status
 _NO_COLUMNS = "for which the table has no columns; --uncertainty adds them"
-
-Reasons = Mapping[str, JkrollError]  # why cells of a row are empty, by the names of their columns
 
 
 class BadCells(JkrollError):
@@ -256,7 +248,7 @@ class Columns:
         if (reasons := self.reasons.get(row)) is None:
             return ""
         if id(reasons) not in self._texts:
-            self._texts[id(reasons)] = _worded(reasons)
+            self._texts[id(reasons)] = worded(reasons)
         return self._texts[id(reasons)]
 
 
@@ -557,51 +549,3 @@ def repeated(value: Any, size: int) -> Any:
     if isinstance(value, float | int):
         return numpy.full(size, float(value))
     return [value] * size
-
-
-# --- In words ---------------------------------------------------------------------------------------------------------
-
-
-def lack(reasons: Reasons) -> JkrollError | None:
-    """Return why nothing of a row is to be trusted; None if it has a contact, though maybe not at all ends of its uncertain inputs."""
-    for name, error in reasons.items():
-        if name == ROW or (isinstance(error, NoContact) and name in NOMENCLATURE):
-            return error
-    return None
-
-
-def _worded(reasons: Reasons) -> str:
-    """Return why cells are empty: a clause for all that lack an input, and one for each other reason."""
-    of_values, of_sides = of_quantities(reasons)
-    clauses = [*_clauses(of_values), *_clauses(of_sides, NO_END)]
-    if UNCERTAINTY in reasons:
-        clauses.append(str(reasons[UNCERTAINTY]))
-    return "; ".join(clauses)
-
-
-def of_quantities(reasons: Reasons) -> tuple[Reasons, Reasons]:
-    """Return by the names of quantities why they have no values, and why values have no uncertainties."""
-    of_values = {name: error for name, error in reasons.items() if name in NOMENCLATURE}
-    sides = reasons.keys() - of_values.keys() - {ROW, UNCERTAINTY}
-    return of_values, {key.rpartition("_")[0]: error for key, error in reasons.items() if key in sides}
-
-
-def _clauses(errors: Mapping[str, JkrollError], lead: str = "") -> list[str]:
-    lacking = {name: one for name, one in errors.items() if isinstance(one, MissingInput) and one.missing}
-    joined = _joined([*lacking.values()])
-    reasons: dict[str, list[str]] = {}
-    for name, error in errors.items():
-        reason = joined if name in lacking else reason_of(name, error)
-        reasons.setdefault(reason, []).append(name)
-    return [f"{first_of(names, MAX_NAMES)}: {lead}{reason}" for reason, names in reasons.items()]
-
-
-def _joined(errors: Sequence[MissingInput]) -> str:
-    """Return the reason of quantities that lack inputs, with all that some of them need."""
-    if len({error.missing for error in errors}) < 2:
-        reasons = (error.reason_of_several() if errors[1:] else error.reason() for error in errors)
-        return min(reasons, key=len, default="")
-    missing = dict.fromkeys(name for error in errors for name in error.missing)
-    instead = [name for name in errors[0].instead if all(name in error.instead for error in errors)]
-    lacking = dict.fromkeys(filter(None, (text for error in errors for text in error.lacking.split(", "))))
-    return f"need some of {MissingInput('', [*missing], instead, ', '.join(lacking)).needs()}"

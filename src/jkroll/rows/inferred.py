@@ -15,8 +15,6 @@ from ..scene.scene import Scene
 from ..scene.unknowns import check, solved
 from ..scene.wiring import in_order
 from .columns import (
-    ROW,
-    UNCERTAINTY,
     Columns,
     LeftOut,
     NotShown,
@@ -27,6 +25,7 @@ from .columns import (
     put_one,
     repeated,
 )
+from .reasons import ROW, UNCERTAINTY
 
 if TYPE_CHECKING:
     from ..scene.uncertainty import Source
