@@ -48,12 +48,13 @@ REFUSED = {
     "radius": "it is in nm", "density": "it is in kg/m^3", "Radius": "it is in nm", "radius [kg]": "is a mass", "Energy (old)": "energy [J]", "radiuss [nm]": "radius [nm]",
     "E [Gpa]": "youngs_modulus [GPa]", "E_GPA": "youngs_modulus [GPa]", "radius [nm] (mean)": "radius [nm]",
     "surface energy (polar) [mJ/m2]": "surface_energy [mJ/m2]", "gama [mJ/m2]": "surface_energy [mJ/m2]", "laod_nN": "load [nN]",
+    "reduced modulus (GPa)": "--young and --poisson", "Effective Young's modulus [GPa]": "--young and --poisson",
     "gama": "surface_energy [mJ/m2]", "yong (GPa)": "youngs_modulus [GPa]", "spead in m/s": "speed [m/s]", "load_uncertanty [nN]": "load_uncertainty [nN]",
 }  # fmt: skip
 PASSING = (
     "R", "E", "v", "rho", "g", "N", "phi", "R [kOhm]", "E_bar", "R_m", "R_min", "v_c", "w", "load_micro_N", "load_case", "tip radius (nm)", "T [K]",
     "Hamaker constant (zJ)", "gamma_err [mJ/m2]", "F (nN)", "P [MPa]", "pull_off_force [N]", "material_name", "d [s]", "equivalent diameter [um]", "v_m",
-    "hysteresis_ratio", "surface_energy in GPa", "spread [m/s]", "kinetic_energy [J]", "head [nN]", "grain area [nm^2]",
+    "hysteresis_ratio", "surface_energy in GPa", "spread [m/s]", "sigma_xx [Pa]", "u [m/s]", "u(x) [nm]", "sigma [Pa]", "kinetic_energy [J]", "head [nN]", "grain area [nm^2]",
 )  # fmt: skip
 
 
@@ -267,6 +268,10 @@ def test_no_name_of_another_length_or_with_other_letters_is_compared() -> None:
 PARTS = {
     ("gamma [mJ/m2]=25", "gamma_err [mJ/m2]=5"): "25±5 mJ/m2",
     ("gamma [mJ/m2]=25", "gamma_std=5"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "u(gamma) [mJ/m2]=5"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "σ_γ (mJ/m²)=5"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "σ(γ) (%)=20"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "Uncertainty of surface energy (J/m2)=0.005"): "25±5 mJ/m2",
     ("surface energy (mJ/m2)=25", "surface energy error (mJ/m2)=5"): "25±5 mJ/m2",
     ("gamma_mJ_m2=25", "gamma_mJ_m2_sd=5"): "25±5 mJ/m2",
     ("gamma [mJ/m2]=25", "± gamma [J/m2]=0.005"): "25±5 mJ/m2",

@@ -159,10 +159,17 @@ def _proof(found: Solution, by_law: Mapping[str, Solution]) -> list[str]:
     """Return the proof of one value, with how errors grow, and the values under other laws."""
     (name,), (quantity,) = found.values, found.forward
     symbol, of_measured = NOMENCLATURE[name].symbol, NOMENCLATURE[quantity].symbol
-    proof = f"{_equal(found.values)} gives {_equal(found.forward)}"
+    proof = f"{_equal(found.values)} gives {_equal(found.forward)}{_of_both(name, found.scene)}"
     growth = f"κ = |d ln {symbol}/d ln {of_measured}| = {found.condition:.3g}"
     others = [f"{amount(name, other.values[name])} under {LAWS[law].title}" for law, other in by_law.items()]
     return ["; ".join(filter(None, (proof, growth, ", ".join(others))))]
+
+
+def _of_both(name: str, found: Scene) -> str:
+    """Return that the surface energy is meant of both bodies where these are not alike otherwise, with the work of adhesion."""
+    if name != "surface_energy" or "radius2" not in found.stated or "surface_energy2" in found.given:
+        return ""
+    return f" if γ2 = γ1, so w = {amount('work_of_adhesion', found['work_of_adhesion'])}"
 
 
 def _proof_of_two(found: Solution, by_law: Mapping[str, Solution]) -> list[str]:

@@ -54,10 +54,10 @@ def table_with(names: tuple[str, ...], rows: list[list[str]], job: Job) -> Table
         table = table_of(columns, rows, fill, asked, doubt=settings.doubt, uncertainty=settings.uncertainty)
     except MissingInput:
         if not settings.quiet:
-            say_reading(columns, fill)  # a column may not be understood
+            say_reading(columns)  # a column may not be understood
         raise
     if not settings.quiet:
-        say_reading(columns, fill)
+        say_reading(columns)
         say_gaps(columns, rows, fill, settings.quantities)
     return table
 

@@ -139,7 +139,7 @@ def sticking_speed(*, sticking_energy: Energy, reduced_mass: Mass) -> Speed:
 def sticking_speed_paszun_dominik(*, sticking_energy_paszun_dominik: Energy, reduced_mass: Mass) -> Speed:
     """Return the largest relative speed at which spheres stick after Paszun & Dominik.
 
-        v = 1.07 (γ/R)^(5/6)/(E*^(1/3)ρ^(1/2)) for equal spheres
+        v = √(2E_stick/m), which for equal spheres is 1.07 (γ/R)^(5/6)/(E*^(1/3)ρ^(1/2))
 
     Source:   Paszun & Dominik 2008, Eq 3, as Lumajord/DustSimulation cites it.
     Valid:    Equal spheres; for unequal ones, the speed of the same energy.

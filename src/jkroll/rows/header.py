@@ -1,7 +1,7 @@
 """The header of a table: the columns that are inputs, their units, and the columns that pass through."""
 
 import re
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from math import isfinite, log10
 from types import MappingProxyType
 from typing import NamedTuple
@@ -161,9 +161,9 @@ class Header(NamedTuple):
         count = f"{len(others)} columns: " if len(others) > _MAX_SAID else ""
         return f"{sentence}; passed through: {count}{first_of(passing, _MAX_SAID)}"
 
-    def advice(self, given: Collection[str]) -> str:
-        """Return the note on columns that may be inputs which nothing else gives; an empty text if there are none."""
-        meant = {text: meaning for text, meaning in self.unread.items() if meaning.partition(" ")[0] not in given}
+    def advice(self) -> str:
+        """Return the note on columns that may be inputs of which no other column is; an empty text if there are none."""
+        meant = {text: meaning for text, meaning in self.unread.items() if meaning.partition(" ")[0] not in self.names}
         if not meant:
             return ""
         may_be = "is passed through; if it is an input" if len(meant) == 1 else "are passed through; if they are inputs"
@@ -272,7 +272,12 @@ def _meaning(
     if at_left and not reading.name and unit_alone(text) is not None and text.strip() not in meanings:
         reading = Reading(at_left, part="both")
     name = reading.name
-    if reading.is_symbol and not reading.part and not _have_units(name, cells):
+    if (
+        reading.is_symbol
+        and not reading.part
+        and not _have_units(name, cells)
+        and not fits(_first(cells).strip(), name)
+    ):
         is_needed = name.removesuffix("2") in _NEEDED and _is_number(_first(cells))
         return Reading(is_alike=True), with_unit(name, cells) if is_needed else ""
     if of_directions and name.removesuffix("2") == "youngs_modulus" and text.strip() not in meanings:

@@ -2,7 +2,7 @@
 
 A name, the word of an option or a symbol stands alone or with a unit behind it: `radius [nm]`, `R2 (nm)`, `Load/nN`,
 `E_GPa`, `radius in nm`. Of a symbol that several quantities have, the unit decides. One more word makes it a part of
-the input's uncertainty: `gamma_err [mJ/m2]`, `E_min (GPa)`.
+the input's uncertainty: `gamma_err [mJ/m2]`, `E_min (GPa)`, `u(R) [nm]`.
 """
 
 import re
@@ -39,6 +39,11 @@ _UNCLEAR = {
     "r": (_LENGTHS, "a radius, or a distance?"),
     **dict.fromkeys(("d", "D", "diameter", "diam", "dia"), _DIAMETER),
     **dict.fromkeys(("E*", "E_star", "E_r"), _CONTACT_MODULUS),
+    **{
+        f"{kind}{of}_modulus": _CONTACT_MODULUS
+        for kind in ("reduced", "effective")
+        for of in ("", "_young", "_youngs", "_elastic")
+    },
     "model": ("", _LAW),
 }
 _SIZES = re.compile(r"(?<![^\W_])(?:diam(?:eters?)?|dia)(?![^\W_])", re.IGNORECASE)
@@ -55,6 +60,10 @@ _LONGEST_UNIT = 24  # letters of a unit that is compared with others
 _PER_CENT = ("%", "percent", "pct")
 _OF_PART = re.compile(
     rf"(.*?)(?:[\s_]*(±|\+/-)|[\s_]+({'|'.join(filter(str.isalpha, _PARTS))}))(?=$|[\s_,/(\[])(.*)", re.IGNORECASE
+)
+_ERROR = "|".join(["σ", "sigma", *(word for word, part in _PARTS.items() if part == "both" and word.isalpha())])
+_PART_BEFORE = re.compile(  # as in u(R) [nm], or as in σ_E [GPa] and error of radius
+    rf"(?:u|{_ERROR})\s*\(([^()]+)\)(.*)|(?:{_ERROR})(?:\s+of)?[\s_]+([^\s_].*)", re.IGNORECASE
 )
 _RATIOS = ("poisson_ratio", "poisson_ratio2")  # the only ratios whose symbols have no other common meaning
 _OF_DIRECTIONS = re.compile(r"(G|nu|ν)_?(12|13|23|xy|xz|yz)(?![^\W_])", re.IGNORECASE)
@@ -147,6 +156,8 @@ def _with_unit(text: str) -> Reading | None:
 
 def _part(text: str) -> Reading | None:
     """Return the meaning of a header that has a part of an input's uncertainty; None if it has none."""
+    if (before := _PART_BEFORE.fullmatch(text, 0, MAX_WORD)) is not None:
+        text = f"{before[3]} ±" if before[3] else f"{before[1]} ±{before[2]}"
     found = _OF_PART.fullmatch(text, 0, MAX_WORD)
     if found is None:
         return None

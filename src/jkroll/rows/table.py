@@ -176,10 +176,10 @@ def table_of(
     return table
 
 
-def say_reading(columns: Header, fill: Fill) -> None:
+def say_reading(columns: Header) -> None:
     """Say on stderr how the columns are read, and which others may be inputs."""
     say_wrapped(columns.reading(), sys.stderr)
-    if advice := columns.advice({*columns.names, *fill.fixed}):
+    if advice := columns.advice():
         say(advice, sys.stderr)  # in one line, to be copied
 
 
