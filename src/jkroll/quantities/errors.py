@@ -56,6 +56,7 @@ QUANTITY_SYNONYMS = {
     "diameter": "radius",
     "elastic_modulus": "youngs_modulus",
     "elasticity": "youngs_modulus",
+    "f": "pull_off_force",
     "f_ad": "pull_off_force",
     "force": "pull_off_force",
     "fragmentation_speed": "disruption_speed",

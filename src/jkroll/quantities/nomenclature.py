@@ -229,7 +229,7 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "energy_ratio": Quantity("W0/P_cδ0", "1", "W0 over P_cδ0", range=POSITIVE, option="--energy-ratio", example="1"),
         "speed": Quantity("v", "m/s", "impact speed of sphere 1", range=POSITIVE, option="--speed", example="10cm/s"),
         # the pair
-        "work_of_adhesion": Quantity("w", "J/m^2", "work of adhesion, 2γ", "1", range=POSITIVE, option="--work-of-adhesion", example="50mJ/m2"),
+        "work_of_adhesion": Quantity("w", "J/m^2", "work of adhesion, 2√(γ1γ2)", "1", range=POSITIVE, option="--work-of-adhesion", example="50mJ/m2"),
         "radius_ratio": Quantity("R1/R2", "1", "ratio of the radii", "1", may_be_zero=True),
         "reduced_radius": Quantity("R", "m", "reduced radius", "1", range=POSITIVE),
         "contact_modulus": Quantity("E*", "Pa", "contact modulus", "2", range=POSITIVE),
