@@ -456,6 +456,15 @@ def test_a_line_says_on_which_side_the_law_is_inexact(run: Run, words: str, side
     assert f"JKR is off by more than 5 % {side} this line" in run(f"map {words}").out
 
 
+def test_a_marked_grain_of_another_material_says_its_own_value(run: Run) -> None:
+    """The map holds the surface energy and Poisson's ratio of quartz."""
+    words = "map contact_radius quartz --x radius=10nm:10um --y young=1GPa:1TPa --mark iron@100nm,quartz@1um"
+    own = run("contact iron 100nm --bare --quiet --quantities contact_radius").out
+    said = " ".join(run(words).out.split())
+    assert f"iron@100nm has other inputs than are held: its a0 is {float(own) * 1e9:.6g} nm." in said
+    assert "quartz@1um has" not in said
+
+
 def test_an_axis_may_be_the_word_of_an_option(run: Run) -> None:
     """Whose approach is δ at the load: among results it is δ0."""
     words = "quartz 100nm --data - --x"

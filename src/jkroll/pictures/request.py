@@ -1,6 +1,7 @@
 """A user's request for a plot as a map or curves with caption and notes."""
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from math import isclose, nan
 from typing import Any, NamedTuple
 
 from ..answers.notes import about_given, about_idle, about_middles, symbol_of
@@ -36,6 +37,7 @@ from .maps import (
 
 MAX_POINTS = 4_000_000  # of a map
 MAX_ALONG = 1_000_000  # points of all curves together
+_ALIKE = 1e-9  # relative difference of two values that are the same but for rounding
 _EVERYWHERE = "everywhere"  # the part of a curve that is all of it
 
 
@@ -70,10 +72,7 @@ class NothingToDraw(NoResult):
 
 def mark_at(text: str, materials: Materials, scene: Scene, x: Axis, y: Axis) -> Mark:
     """Return the mark of `MATERIAL@RADIUS`, `MATERIAL` or `@RADIUS` on a map."""
-    name, _, radius = text.partition("@")
-    material = materials[name] if name else None
-    values = {"radius": parse_quantity(radius, "radius")} if radius else {}
-    there = Scene({**scene.stated, **values}, material or scene.material, scene.material2, model=scene.stated_model)
+    there = _scene_at(text, materials, scene)
     mark = Mark(text, value_on(x, there), value_on(y, there))
     if mark.x is None and mark.y is None:
         raise BadRequest(f"--mark {quoted(text)} is nowhere on {x.name} and {y.name} as they are drawn")
@@ -82,6 +81,28 @@ def mark_at(text: str, materials: Materials, scene: Scene, x: Axis, y: Axis) -> 
             low, high = (amount(axis.name, float(f"{end:.3g}")) for end in (axis.low, axis.high))
             raise BadRequest(f"--mark {quoted(text)} is nowhere on {axis.name}, which is drawn from {low} to {high}")
     return mark
+
+
+def _scene_at(text: str, materials: Materials, scene: Scene) -> Scene:
+    """Return the scene of a grain that is marked."""
+    name, _, radius = text.partition("@")
+    material = materials[name] if name else None
+    values = {"radius": parse_quantity(radius, "radius")} if radius else {}
+    return Scene({**scene.stated, **values}, material or scene.material, scene.material2, model=scene.stated_model)
+
+
+def _own_values(request: PlotRequest, marks: Iterable[Mark]) -> Iterator[str]:
+    """Iterate over sentences on marked grains of which a map shows another value, as it holds an input at that of others."""
+    assert request.y is not None
+    quantity, scene = request.quantity, request.scenes[0][1]
+    for mark in marks:
+        if mark.x is None or mark.y is None:
+            continue
+        drawn = scene.replace(**request.x.inputs(mark.x), **request.y.inputs(mark.y)).numbers(quantity)
+        own = _scene_at(mark.text, request.materials, scene).numbers(quantity)
+        if quantity in own and not isclose(own[quantity], drawn.get(quantity, nan), rel_tol=_ALIKE):
+            symbol = NOMENCLATURE[quantity].symbol
+            yield f"{mark.text} has other inputs than are held: its {symbol} is {amount(quantity, own[quantity])}."
 
 
 def sized(axis: Axis, size: int) -> Axis:
@@ -101,14 +122,15 @@ def map_of(request: PlotRequest, size: tuple[int, int]) -> tuple[Map, tuple[str,
     values = evaluate(scene, quantity, x, y)
     if not has_values(values):
         raise NothingToDraw(quantity, context.scene)
-    marks = tuple(mark_at(text, request.materials, scene, x, y) for text in request.marks)
+    chosen = tuple(mark_at(text, request.materials, scene, x, y) for text in request.marks)
+    marks, own = chosen, [*_own_values(request, chosen)]
     others: tuple[str, ...] = ()
     if scene.material is None and {x.name, y.name} & {*PROPERTIES}:
         of_materials, others = material_marks(request.materials, x, y)
-        marks = (*of_materials, *marks)
+        marks = (*of_materials, *chosen)
     found = tuple(regions(scene, context.bounds, x, y, values))
     gaps = _gaps(quantity, [context], [values])
-    caption = (_first_sentence(quantity, [context.scene]), *fixed_inputs(context.inputs), *others, *gaps)
+    caption = (_first_sentence(quantity, [context.scene]), *fixed_inputs(context.inputs), *own, *others, *gaps)
     return Map(
         quantity, scene, x, y, values, found, marks, described(quantity, unit_of_labels(quantity, values)), caption
     ), context.notes
