@@ -13,7 +13,7 @@ from harness import Run
 from jkroll import Interval, Measured
 from jkroll.errors import BadRequest
 from jkroll.quantities.nomenclature import NOMENCLATURE
-from jkroll.rows.header import BadTable, Header, column_options, understood
+from jkroll.rows.header import BadTable, Header, column_options, stated_meanings, understood
 from relative import approx
 
 # The cell below is a plain number, as files have it.
@@ -88,7 +88,8 @@ def test_a_spelling_that_passes_stands_first_among_what_is_named(run: Run, text:
 
 
 def test_a_symbol_without_a_unit_is_an_input_where_its_cells_have_units() -> None:
-    assert [column.name for column in understood(["R", "v"], [["", "2 nm"], ["100 nm", "1 m/s"]]).inputs] == ["radius"]
+    assert [column.name for column in understood(["R", "v"], [["", "2 nm"], ["100 nm", "1"]]).inputs] == ["radius"]
+    assert [column.name for column in understood(["R2"], [["flat"], ["1 um"]]).inputs] == ["radius2"]
     assert understood(["R"], [["2.5 kOhm"]]).inputs == ()
 
 
@@ -277,6 +278,9 @@ PARTS = {
     ("gamma [mJ/m2]=25", "± gamma [J/m2]=0.005"): "25±5 mJ/m2",
     ("gamma [mJ/m2]=25", "gamma ± (%)=20"): "25±5 mJ/m2",
     ("gamma [mJ/m2]=25", "±=5"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "SD=5"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "Std. dev. (J/m2)=0.005"): "25±5 mJ/m2",
+    ("gamma [mJ/m2]=25", "error (%)=20"): "25±5 mJ/m2",
     ("gamma (mJ/m2)=25", "+/-=5"): "25±5 mJ/m2",
     ("gamma [mJ/m2]=25", "gamma_err_percent=20"): "25±5 mJ/m2",
     ("gamma=25 mJ/m2", "gamma_err=5 mJ/m2"): "25±5 mJ/m2",
@@ -296,6 +300,46 @@ def test_a_column_of_plus_or_minus_is_of_the_input_at_its_left() -> None:
         "radius": [],
         "surface_energy": [5],
     }
+    assert (
+        understood(["gamma [mJ/m2]", "error"]).inputs[0].sides == ()
+    )  # which may be that of the measurement, or a code
+
+
+def test_what_belongs_to_a_chosen_column_is_chosen_with_it() -> None:
+    for beside in ("F_err", "u(F) [nN]", "F [nN] std", "F (%) ±"):
+        names = ["R [um]", "F [nN]", "G_err", "F2_err", beside]
+        meanings = stated_meanings(names, ["F [nN]=pull_off_force"], "pull_off_force")
+        columns = {column.name: column for column in understood(names, [], meanings).inputs}
+        assert [side.place for side in columns["pull_off_force"].sides] == [4]
+        meanings = stated_meanings(names, ["F [nN]=pull_off_force", f"{beside}="], "pull_off_force")
+        assert not any(column.sides for column in understood(names, [], meanings).inputs)
+
+
+@pytest.mark.parametrize(
+    ("text", "meaning"),
+    [
+        ("applied load [nN]", "load [nN]"),
+        ("mean gamma (mJ/m2)", "surface_energy [mJ/m2]"),
+        ("impact velocity [m/s]", "speed [m/s]"),
+        ("grain_density_g_cm3", "density [g/cm3]"),
+        ("Particle radius (µm)", "radius [µm]"),
+        ("P", "load [nN]"),
+        ("ξ", "yield_displacement [angstrom]"),
+    ],
+)
+def test_what_may_be_an_input_is_named_if_no_column_is(run: Run, text: str, meaning: str) -> None:
+    Path("x.csv").write_text(f"gamma2 [mJ/m2],{text}\n25,1\n", encoding="utf-8")
+    said = run("batch x.csv --material quartz --radius 1um --load 2nN --quantities pull_off_force -o out.csv").err
+    assert f"--column '{text}={meaning}'" in said
+    Path("x.csv").write_text(f"gamma2 [mJ/m2],{text},{meaning}\n25,1,1\n", encoding="utf-8")
+    assert (
+        "--column" not in run("batch x.csv --material quartz --radius 1um --quantities pull_off_force -o out.csv").err
+    )
+
+
+@pytest.mark.parametrize("text", ["contact_radius [nm]", "yield force (nN)", "shear modulus [GPa]", "load_micro_N", "specific_gravity"])  # fmt: skip
+def test_what_is_no_input_is_not_named(text: str) -> None:
+    assert understood(["gamma [mJ/m2]", text], [["25", "1"]]).advice() == ""
 
 
 @pytest.mark.parametrize("ending", ["csv", "ndjson", "parquet"])

@@ -11,7 +11,7 @@ from ..errors import missing_extra
 from ..output.records import lines
 from ..quantities.formatting import Format
 from ..rows.columns import Columns, Wanted
-from ..rows.header import BadTable, check_measured, stated_meanings, understood
+from ..rows.header import BadTable, stated_meanings, understood
 from ..rows.table import Fill, Inverse, Table, say_gaps, say_reading, table_of
 from ..scene.failures import MissingInput
 from ..text import ending, quoted
@@ -47,8 +47,6 @@ def table_with(names: tuple[str, ...], rows: list[list[str]], job: Job) -> Table
     settings = job.settings
     fill = _fill(job)
     columns = understood(names, rows, stated_meanings(names, settings.columns, settings.measured))
-    if settings.measured:
-        check_measured(columns, settings.measured)
     asked = quantities_named(settings.quantities) if settings.quantities else ([], EVERYTHING)
     try:
         table = table_of(columns, rows, fill, asked, doubt=settings.doubt, uncertainty=settings.uncertainty)

@@ -2,16 +2,18 @@
 
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from itertools import product
 from math import isfinite, log10
 from types import MappingProxyType
 from typing import NamedTuple
 
 from ..errors import BadRequest, JkrollError
 from ..quantities.errors import BareNumber, QuantityError
-from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
+from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI
 from ..quantities.nomenclature import header as header_of
 from ..quantities.units import Unit, dimension_of, exponent_of, kind_of
-from ..quantities.values import Uncertain, parse_quantity, split_number, unit_of, value_of
+from ..quantities.values import Uncertain, parse_value, split_number, unit_of, value_of
 from ..text import closest, first_of, listed, quoted, shown
 from .readings import (
     INPUTS,
@@ -20,9 +22,10 @@ from .readings import (
     Reading,
     fits,
     is_of_directions,
-    may_be_radius,
+    may_be_input,
     measured_reading,
     reading_of,
+    uncertainty_beside,
     unit_alone,
     unit_in_header,
 )
@@ -33,7 +36,7 @@ _BARE = re.compile(r"(?:[-+−±()/.0-9\s]|(?<=[0-9.])[eE](?=[-+0-9])|\bto\b)*")
 _EASY = re.compile(r"[\w*.-]+( \[[^\[\] ]*\])?")  # a header that needs no quotes in a sentence
 _PARTS = "values have a column of ± beside them, or two, of minus and plus; a range has low and high alone"
 _MAX_SAID = 8  # columns that pass through and are named
-_NEEDED = ("radius", *PROPERTIES)  # of a contact; the other inputs have defaults, or serve few quantities
+_NAMED = ("radius", *PROPERTIES, "load", XI)  # of which a symbol without a unit is named
 _NO_END = "?"  # of a range
 _NOTHING = ("nan", "na", "n/a", "null", "none", "-", "--")  # cells without a value, as programs write them
 _PREFIXES = ("n", "u", "m", "", "k", "M", "G")
@@ -190,10 +193,16 @@ def _easy(text: str) -> str:
 
 
 def stated_meanings(names: Iterable[str], texts: Iterable[str], measured: str = "") -> dict[str, Reading]:
-    """Return the meaning of columns that options say: of those that `--column` names, and of those of a measured quantity."""
-    of_measured = {name.strip(): measured_reading(name, measured) for name in names} if measured else {}
-    found = {name: reading for name, reading in of_measured.items() if reading is not None}
-    return found | column_options(texts, measured)
+    """Return the meaning of columns that options say: of those that `--column` names and their uncertainties, and of those of a measured quantity."""
+    texts_of = [name.strip() for name in names]
+    of_measured = {name: measured_reading(name, measured) for name in texts_of} if measured else {}
+    chosen = column_options(texts, measured)
+    found = {name: reading for name, reading in of_measured.items() if reading is not None} | chosen
+    values = [(head, reading.name) for head, reading in chosen.items() if reading.name and not reading.part]
+    for name, (head, of_value) in product(texts_of, values):
+        if name not in found and (reading := uncertainty_beside(name, head, of_value)) is not None:
+            found[name] = reading
+    return found
 
 
 def column_options(texts: Iterable[str], measured: str = "") -> dict[str, Reading]:
@@ -249,7 +258,7 @@ def understood(
             alike.append(text)
         if may_be:
             unread[text] = may_be
-        at_left = "" if name in MATERIALS else name
+        at_left = "" if name in MATERIALS or reading.part else name
         _check_new(text, f"{name} {reading.part}" if name else text, seen)
     others = [*alike, *_add_parts(parts, texts, inputs, meanings)]
     return Header(tuple(texts), tuple(inputs), tuple(materials), tuple(others), meanings, unread)
@@ -278,8 +287,8 @@ def _meaning(
         and not _have_units(name, cells)
         and not fits(_first(cells).strip(), name)
     ):
-        is_needed = name.removesuffix("2") in _NEEDED and _is_number(_first(cells))
-        return Reading(is_alike=True), with_unit(name, cells) if is_needed else ""
+        is_named = name.removesuffix("2") in _NAMED and _is_number(_first(cells))
+        return Reading(is_alike=True), with_unit(name, cells) if is_named else ""
     if of_directions and name.removesuffix("2") == "youngs_modulus" and text.strip() not in meanings:
         problem = f"the modulus along a direction, as {quoted(of_directions)} beside it says?"
         raise _no_input(text, Reading(problem=problem), cells)
@@ -287,8 +296,7 @@ def _meaning(
         raise BadTable(f"header: {quoted(text)}: a material has no unit; write {name}")
     if reading.meant or reading.problem:
         raise _no_input(text, reading, cells)
-    unit_text = may_be_radius(text) if not name and reading.is_alike else ""
-    return reading, f"radius [{unit_text}]" if unit_text else ""
+    return reading, may_be_input(text) if not name and reading.is_alike and text.strip() not in meanings else ""
 
 
 def _check_meanings(texts: Sequence[str], meanings: Mapping[str, Reading]) -> None:
@@ -350,7 +358,7 @@ def _add_parts(
                     f"header: {quoted(used[0])} and {quoted(second)} are both uncertainties of {name}; one must go"
                 )
         if lost := [text for text in own.values() if text.strip() in meanings]:
-            raise BadTable(f"--column: {quoted(lost[0])} is not an uncertainty of {name}: {_PARTS}")
+            raise BadTable(f"header: {quoted(lost[0])} is not an uncertainty of {name}: {_PARTS}")
         yield from own.values()
 
 
@@ -425,12 +433,13 @@ def _column_option(text: str, meaning: str) -> str:
 
 
 def _have_units(name: str, cells: Sequence[str]) -> bool:
-    """Return whether the first cell that is not empty is a value of an input, with its unit."""
-    try:
-        value_of(_first(cells), name)
-    except QuantityError:
-        return False
-    return True
+    """Return whether some cell is a value of an input, with its unit."""
+    for cell in dict.fromkeys(cells):
+        if cell.strip() and not _is_number(cell):
+            with suppress(QuantityError):
+                value_of(cell, name)
+                return True
+    return False
 
 
 def _in_unit(number: str, unit_text: str, *, is_pair: bool = False) -> str:
@@ -505,26 +514,26 @@ def check_units(header: Header, rows: Sequence[Sequence[str]]) -> None:
         raise BadTable(f"header: the first row has units. Delete it, and write {_remedies(in_first_row)}")
 
 
-def check_measured(header: Header, quantity: str) -> None:
-    """Raise BadTable for a table without a column of the measured quantity, with the option that names one."""
-    if quantity in header.names:
-        return
+def _no_measured(header: Header, quantity: str) -> BadTable:
+    """Return the error of a table without a column of the measured quantity, with the option that names one."""
     likely = (text for text in header.texts if unit_in_header(text, quantity) and not is_input(text, header.meanings))
     text = next(likely, "")
-    columns = _columns({text: quantity} if text else {"HEADER": with_unit(quantity)})
-    raise BadTable(f"header: no column has the measured {quantity}; name it by {columns}")
+    columns = _columns({text: quantity} if text else {"HEADER": f"{quantity} [UNIT]"})
+    return BadTable(f"header: no column has the measured {quantity}; name it by {columns}")
 
 
-def check_inputs(header: Header) -> None:
-    """Raise BadTable for a table of which no column is an input: a row of it says nothing of a contact."""
-    if header.names:
+def check_inputs(header: Header, measured: str = "") -> None:
+    """Raise BadTable for a table of which no column is an input, so that a row says nothing of a contact, or the measured quantity."""
+    if measured in header.names or (header.names and not measured):
         return
-    if header.texts[0].startswith("#"):
+    if not header.names and header.texts[0].startswith("#"):
         raise BadTable(
             "header: the first line is a comment; take out the lines before the columns' names, and the # before these"
         )
     if all(map(_is_number, header.texts)):
         raise BadTable(f"header: {quoted(header.texts[0])} is a number; begin with a line of the columns' names")
+    if measured:
+        raise _no_measured(header, measured)
     columns = _columns(header.unread or {"HEADER": "INPUT [UNIT]"})
     raise BadTable(
         f"header: no column is an input; a row is a contact, and its inputs have columns such as radius [nm]. Write {columns}"
@@ -533,17 +542,26 @@ def check_inputs(header: Header) -> None:
 
 def _likely_unit(name: str, cells: Sequence[str]) -> str:
     """Return the unit that stands in the first cell, or that in which the geometric mean of the cells is nearest to the quantity's example."""
-    quantity = NOMENCLATURE[name]
     first = _first(cells).strip()
     if fits(first, name):
         return first
-    if not quantity.example:
-        return quantity.unit
+    example = _example(name)
+    if not example:
+        return NOMENCLATURE[name].unit
     logarithms = [log10(abs(float(cell))) for cell in cells if _is_number(cell) and float(cell)]
     if not logarithms:
         return _likely_units(name)[0]
-    wanted = log10(abs(parse_quantity(quantity.example, name))) - sum(logarithms) / len(logarithms)
-    return min(_likely_units(name), key=lambda unit: abs(log10(parse_quantity(f"1 {unit}", name)) - wanted))
+    wanted = log10(abs(parse_value(example, dimension_of(NOMENCLATURE[name].unit)))) - sum(logarithms) / len(logarithms)
+    return min(
+        _likely_units(name),
+        key=lambda unit: abs(log10(parse_value(f"1 {unit}", dimension_of(NOMENCLATURE[name].unit))) - wanted),
+    )
+
+
+def _example(name: str) -> str:
+    """Return a value of a quantity as it may be written, or of an input of its dimension; "" if there is none."""
+    unit = NOMENCLATURE[name].unit
+    return next((NOMENCLATURE[one].example for one in (name, *INPUTS) if NOMENCLATURE[one].unit == unit), "")
 
 
 def _likely_units(name: str) -> Sequence[str]:
@@ -553,7 +571,7 @@ def _likely_units(name: str) -> Sequence[str]:
     (['GPa', 'MPa', 'kPa', 'Pa'], ['g/cm3', 'kg/m^3'])
     """
     unit = NOMENCLATURE[name].unit
-    own = split_number(NOMENCLATURE[name].example)[2]
+    own = split_number(_example(name))[2]
     prefix = own.removesuffix(unit)
     if prefix not in _PREFIXES:
         return [own, unit]

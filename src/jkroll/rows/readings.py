@@ -23,8 +23,10 @@ _SHORT = 3  # letters of a name which half of all words resemble
 _BRACKETS = re.compile(r"([^\[\]]*?)\s*\[([^\[\]]*)\]")
 _PARENTHESES = re.compile(r"([^()]*?)\s*\(([^()]*)\)?")
 _CUT = re.compile(r"\s*[,/]\s*|\s+in\s+|_")  # between a name and a unit that stands in no brackets
+_SPELT_OUT = ("pico", "nano", "micro", "milli", "kilo", "mega", "giga")
+_WORDS = re.compile(r"[a-z]+[12]?")
 _BLANKS = re.compile(r"\s+in\s+|[\s(_/,:\[]+|$")  # between a name and what may be a unit
-_PHRASES = {"young_modulus": "youngs_modulus", "poissons_ratio": "poisson_ratio"}
+_PHRASES = {"young_modulus": "youngs_modulus", "e_modulus": "youngs_modulus", "poissons_ratio": "poisson_ratio"}
 _SYNONYMS = {word: QUANTITY_SYNONYMS[word] for word in ("elastic_modulus", "velocity", "surface_tension")}
 _LENGTHS, _PRESSURES = "m", "Pa"
 _DIAMETER = (_LENGTHS, "a diameter? A radius is half of it.")
@@ -44,7 +46,7 @@ _UNCLEAR = {
         for kind in ("reduced", "effective")
         for of in ("", "_young", "_youngs", "_elastic")
     },
-    "model": ("", _LAW),
+    **dict.fromkeys(("model", "law"), ("", _LAW)),
 }
 _SIZES = re.compile(r"(?<![^\W_])(?:diam(?:eters?)?|dia)(?![^\W_])", re.IGNORECASE)
 _NO_UNITS = ("in", "bar")  # behind an underscore they may mean inside and mean
@@ -55,7 +57,6 @@ _PARTS = {
     **dict.fromkeys(("min", "low", "lower"), "low"),
     **dict.fromkeys(("max", "high", "upper"), "high"),
 }
-_ALONE = re.compile(r"(?:±|\+/?-)\s*(?:\[([^\[\]]*)\]|\(([^()]*)\)|(.*))")
 _LONGEST_UNIT = 24  # letters of a unit that is compared with others
 _PER_CENT = ("%", "percent", "pct")
 _OF_PART = re.compile(
@@ -65,6 +66,8 @@ _ERROR = "|".join(["σ", "sigma", *(word for word, part in _PARTS.items() if par
 _PART_BEFORE = re.compile(  # as in u(R) [nm], or as in σ_E [GPa] and error of radius
     rf"(?:u|{_ERROR})\s*\(([^()]+)\)(.*)|(?:{_ERROR})(?:\s+of)?[\s_]+([^\s_].*)", re.IGNORECASE
 )
+_ALONE = re.compile(r"(?:±|\+/?-)\s*(?:\[([^\[\]]*)\]|\(([^()]*)\)|(.*))")
+_ERRORS_ALONE = ("std", "stdev", "stddev", "st_dev", "std_dev", "standard_deviation", "sd", "sem", "unc", "uncertainty")
 _RATIOS = ("poisson_ratio", "poisson_ratio2")  # the only ratios whose symbols have no other common meaning
 _OF_DIRECTIONS = re.compile(r"(G|nu|ν)_?(12|13|23|xy|xz|yz)(?![^\W_])", re.IGNORECASE)
 _SUBSCRIPTS = str.maketrans("₀₁₂", "012")
@@ -90,7 +93,7 @@ def reading_of(text: str) -> Reading:
     >>> reading_of("R2 (nm)")[:2], reading_of("E [J]")[:2], reading_of("surface_energy_mJ_m2")[:2]
     (('radius2', 'nm'), ('energy', 'J'), ('surface_energy', 'mJ/m2'))
     """
-    text = text.strip().translate(_SUBSCRIPTS)
+    text = text.strip().removeprefix("# ").translate(_SUBSCRIPTS)  # as numpy begins a line of names
     if name := _named(text):
         return Reading(name)
     if text in _UNCLEAR:
@@ -101,13 +104,16 @@ def reading_of(text: str) -> Reading:
 
 
 def unit_alone(text: str) -> str | None:
-    """Return the unit, or "", of a header that is ± alone: the uncertainty of the column at its left; None for others.
+    """Return the unit, or "", of a header that is ± or SD alone: the uncertainty of the column at its left; None for others.
 
-    >>> unit_alone("± [nm]"), unit_alone("+/-"), unit_alone("radius ±")
-    ('nm', '', None)
+    >>> unit_alone("± [nm]"), unit_alone("+/-"), unit_alone("radius ±"), unit_alone("SD (nm)"), unit_alone("error")
+    ('nm', '', None, 'nm', None)
     """
-    found = _ALONE.fullmatch(text.strip(), 0, MAX_WORD)
-    return None if found is None else next((unit for unit in found.groups() if unit), "")
+    if (found := _ALONE.fullmatch(text.strip(), 0, MAX_WORD)) is not None:
+        return next((unit for unit in found.groups() if unit), "")
+    word, unit_text = _divided(text.strip())
+    word = _plain(word.replace(".", ""))  # an error without a unit may be of anything
+    return unit_text if word in _ERRORS_ALONE or (word in ("err", "error") and unit_text) else None
 
 
 def is_of_directions(text: str) -> bool:
@@ -132,9 +138,9 @@ def measured_reading(text: str, quantity: str) -> Reading | None:
     for word, unit_text in [(found[1], found[2])] if found else [(word, rest) for word, _, rest in _cuts(text)]:
         if _is_quantity(word.strip(), quantity) and (found or fits(unit_text, quantity)):
             return Reading(quantity, unit_text.strip())
-    part = _OF_PART.fullmatch(text, 0, MAX_WORD)
-    reading = measured_reading(part[1] + part[4], quantity) if part else None
-    return reading._replace(part=_PARTS[(part[2] or part[3]).lower()]) if part and reading else None
+    part = _parted(text)
+    reading = measured_reading(part.word + part.rest, quantity) if part else None
+    return reading._replace(part=part.name) if part and reading else None
 
 
 def _is_quantity(word: str, quantity: str) -> bool:
@@ -154,19 +160,59 @@ def _with_unit(text: str) -> Reading | None:
     return None if name else _unclear(word, unit_text) or _of_symbol(word, unit_text)
 
 
-def _part(text: str) -> Reading | None:
-    """Return the meaning of a header that has a part of an input's uncertainty; None if it has none."""
+class _Part(NamedTuple):
+    """A header taken apart: what has an uncertainty, the part of it as `Reading` has it, and what stands behind."""
+
+    word: str
+    name: str
+    rest: str
+
+    @property
+    def is_share(self) -> bool:
+        """True for a part of the value, in %."""
+        return self.rest.strip(" _,/()[]").lower() in _PER_CENT
+
+
+def _parted(text: str) -> _Part | None:
+    """Take a header apart that has a word of an uncertainty; None if it has none."""
     if (before := _PART_BEFORE.fullmatch(text, 0, MAX_WORD)) is not None:
         text = f"{before[3]} ±" if before[3] else f"{before[1]} ±{before[2]}"
     found = _OF_PART.fullmatch(text, 0, MAX_WORD)
-    if found is None:
+    return found and _Part(found[1], _PARTS[(found[2] or found[3]).lower()], found[4])
+
+
+def _part(text: str) -> Reading | None:
+    """Return the meaning of a header that has a part of an input's uncertainty; None if it has none."""
+    part = _parted(text)
+    if part is None:
         return None
-    word, rest = found[1], found[4]
-    is_share = rest.strip(" _,/()[]").lower() in _PER_CENT
-    reading = reading_of(word)._replace(unit_text="%", is_symbol=False) if is_share else reading_of(word + rest)
+    is_share = part.is_share
+    reading = (
+        reading_of(part.word)._replace(unit_text="%", is_symbol=False)
+        if is_share
+        else reading_of(part.word + part.rest)
+    )
     if reading.part or not reading.name or reading.name in MATERIALS:
         return None
-    return reading._replace(part=_PARTS[(found[2] or found[3]).lower()])
+    return reading._replace(part=part.name)
+
+
+def uncertainty_beside(text: str, head: str, name: str) -> Reading | None:
+    """Return the meaning of a header that is another with a word of an uncertainty, where that one means an input; None if it is none.
+
+    >>> uncertainty_beside("F_err [nN]", "F [nN]", "load")[:3], uncertainty_beside("F2_err [nN]", "F [nN]", "load")
+    (('load', 'nN', 'both'), None)
+    """
+    part = _parted(text.strip())
+    if part is None or part.name != "both" or _plain(_divided(part.word)[0]) != _plain(_divided(head)[0]):
+        return None
+    return Reading(name, "%" if part.is_share else unit_in_header(text, name), part.name)
+
+
+def _divided(text: str) -> tuple[str, str]:
+    """Return a word and the unit in brackets behind it, or ""."""
+    found = _BRACKETS.fullmatch(text) or _PARENTHESES.fullmatch(text)
+    return (found[1], found[2].strip()) if found else (text, "")
 
 
 def _cuts(text: str) -> Iterator[tuple[str, str, str]]:
@@ -195,10 +241,10 @@ def unit_in_header(text: str, name: str) -> str | None:
     >>> unit_in_header("Kraft [nN]", "load"), unit_in_header("F_nN", "load"), unit_in_header("Kraft [nm]", "load")
     ('nN', 'nN', None)
     """
-    found = _BRACKETS.fullmatch(text) or _PARENTHESES.fullmatch(text)
-    cuts = [("", found[2].strip())] if found else [(mark, rest) for _, mark, rest in _cuts(text)]
+    cuts = [(mark, rest) for _, mark, rest in _cuts(text)]
     units = (unit_text for mark, rest in cuts for unit_text in _units_behind(mark, rest))
-    return next((unit_text for unit_text in units if fits(unit_text, name)), None)
+    in_brackets = map(str.strip, _IN_BRACKETS.split(text)[1:])
+    return next((unit_text for unit_text in (*in_brackets, *units) if fits(unit_text, name)), None)
 
 
 def may_be_diameter(text: str) -> bool:
@@ -206,15 +252,22 @@ def may_be_diameter(text: str) -> bool:
     return bool(_SIZES.search(text, 0, MAX_WORD) and unit_in_header(text, "radius"))
 
 
-def may_be_radius(text: str) -> str:
-    """Return the unit of a header that has the word radius in it, as in "grain radius (um)"; "" if it has none, or is a result's.
+def may_be_input(text: str) -> str:
+    """Return the header of the input that is named among other words, with its unit; "" if there is none, or it is a result's.
 
-    >>> may_be_radius("grain radius (um)"), may_be_radius("contact_radius [nm]")
-    ('um', '')
+    >>> may_be_input("grain radius (um)"), may_be_input("applied load, nN"), may_be_input("contact_radius [nm]")
+    ('radius [um]', 'load [nN]', '')
     """
-    words = _plain(text[:MAX_WORD]).split("_")
-    is_result = any(name in _plain(text[:MAX_WORD]) for name in NOMENCLATURE if name.endswith("_radius"))
-    return (unit_in_header(text, "radius") or "") if "radius" in words and not is_result else ""
+    words = f"_{'_'.join(_WORDS.findall(text[:MAX_WORD].casefold()))}_"
+    if any(f"_{prefix}_" in words for prefix in _SPELT_OUT):  # the unit is not what it seems, as in load_micro_N
+        return ""
+    results = [name for name in NOMENCLATURE if f"_{name}_" in words and name not in INPUTS]
+    for word, name in {**_names(), **_SYNONYMS}.items():
+        is_named = f"_{word}_" in words and not any(word in result.split("_") for result in results)
+        unit_text = unit_in_header(text, name) if is_named and name not in MATERIALS else None
+        if unit_text and unit_text != word:  # gravity is a unit, too
+            return f"{name} [{unit_text}]"
+    return ""
 
 
 def _units_behind(mark: str, rest: str) -> Iterator[str]:

@@ -161,7 +161,7 @@ def table_of(
     The first rows decide on the columns of uncertainties, unless `uncertainty` asks for all of them. Raises BadTable,
     or an error of the options.
     """
-    check_inputs(columns)
+    check_inputs(columns, fill.inverse.quantity if fill.inverse is not None else "")
     wanted = wanted_of(columns, rows, fill, asked, doubts=doubt)
     table = Table(columns, fill, wanted)
     sides = {*SIDES} if uncertainty else _sides_of(table, rows)
