@@ -171,6 +171,7 @@ def test_doubts_have_a_column(run: Run, end: str) -> None:
     ran = run(words)
     assert ran.err.splitlines()[1:] == [
         "note: material: 'quarz' is not known; a row that needs it fails",
+        "note: assumed ξ = 200 pm (--xi), P = 0 N (--load)",
         "note: 2 of 3 rows are doubtful (law>×2 in 2, M/2cRw>1 in 1, Q/P_c>=1 in 1, a/z0<3 in 1 and 3 more); column doubt says why",
         "jkroll: 1 of 3 rows failed; column status says why",
     ]
@@ -651,6 +652,7 @@ def test_a_table_without_a_radius_says_so(run: Run, tmp_path: Path) -> None:
     assert ran.err.splitlines() == [
         "read: yield_displacement [nm] from xi [nm]; passed through: size_um",
         "note: no column and no option gives a radius; what needs one is left out",
+        "note: assumed P = 0 N (--load)",
         "note: ? in 1 of 1 rows: a limit could not be judged, as it needs an input that is not given",
     ]
     assert (tmp_path / "out.csv").read_text(encoding="utf-8").splitlines()[

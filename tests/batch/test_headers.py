@@ -612,3 +612,24 @@ def test_a_quantity_that_some_cells_show_is_given_for_all_rows(run: Run) -> None
         empty, zero = csv.DictReader(file)
     assert empty["yield_force_fixed_load [N]"]
     assert {**empty, "load [nN]": "0"} == zero
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ("--material quartz --quantities yield_force", "note: assumed ξ = 200 pm (--xi), P = 0 N (--load)"),
+        ("--material quartz --quantities yield_force --xi 1nm --load 0N", ""),
+        ("--material quartz --quantities pull_off_force", ""),
+        ("--material quartz --quantities contact_radius_at_load", "note: assumed P = 0 N (--load)"),
+        ("--materials own.toml --material own --quantities yield_force", "note: assumed P = 0 N (--load)"),
+    ],
+)
+def test_what_a_table_assumes_is_said_of_one_and_of_many(run: Run, words: str, said: str) -> None:
+    own = '[materials.own]\nsurface_energy = "25 mJ/m2"\nyield_displacement = { value = "2 nm", radius = "1 um" }\n'
+    Path("own.toml").write_text(own, encoding="utf-8")
+    Path("in").mkdir()
+    for name in "ab":
+        Path(f"in/{name}.csv").write_text("R (um)\n1\n", encoding="utf-8")
+    for table in ("in/a.csv -o out.csv", "in/*.csv -o out/"):
+        lines = run(f"batch {table} {words}").err.splitlines()
+        assert [line for line in lines if "assumed" in line] == ([said] if said else [])

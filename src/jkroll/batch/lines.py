@@ -12,6 +12,7 @@ from ..rows.columns import Columns, Wanted
 from ..rows.header import BadRow, BadTable
 from ..rows.inferred import SoughtOne
 from ..rows.rows import Block, evaluated
+from ..rows.table import Table
 from ..scene.limits import NOT_JUDGED, codes
 
 BOM = b"\xef\xbb\xbf"
@@ -32,7 +33,7 @@ class Tally(NamedTuple):
     without_error_bars: int = 0
     codes: Counter[str] = _NONE  # of doubts, by their rows
     inferred: tuple[Floats, ...] = ()  # the values of an input that was sought, in parts
-    readings: tuple[str, ...] = ()  # how each table was read
+    said: tuple[str, ...] = ()  # of each table as a whole
 
     @classmethod
     def of(cls, columns: Columns, failed: Sequence[int]) -> "Tally":
@@ -60,6 +61,15 @@ def _rows_of_codes(bits: Any) -> Counter[str]:
     every = int(numpy.bitwise_or.reduce(bits))
     each = (1 << place for place in range(every.bit_length()) if every >> place & 1)
     return Counter({codes(bit): int(numpy.count_nonzero(bits & bit)) for bit in each})
+
+
+def said_of(table: Table) -> tuple[str, ...]:
+    """Return the lines about a table as a whole: how it is read, and which inputs are assumed in all rows."""
+    if not table.assumed:
+        return (table.reading,)
+    from ..answers.notes import parts_of_assumed
+
+    return table.reading, f"note: {', '.join(parts_of_assumed(table.assumed))}"
 
 
 class Converted(NamedTuple):

@@ -29,7 +29,7 @@ from .one import convert_one
 from .settings import Job, Part, Settings
 
 MANIFEST = "manifest.json"
-MAX_READINGS = 3  # ways in which tables are read that are said on stderr
+MAX_LINES = 6  # about tables, that are said on stderr
 MAX_SAID = 20  # files whose failure is said on stderr; the manifest has them all
 _REST = 20  # between two writes of the manifest, in the time that one takes
 FEW, LITTLE = 8, 1 << 20  # number and bytes of files up to which this process converts them all itself
@@ -109,8 +109,8 @@ def convert_many(path: str, job: Job, run: Runner) -> tuple[Tally, int]:
         raise
     manifest.write(tally.counts())
     if not settings.quiet:
-        for reading, count in Counter(tally.readings).most_common(MAX_READINGS):
-            say_wrapped(reading if count == len(parts) else f"{reading}: {count} of {len(parts)} files", sys.stderr)
+        for line, count in Counter(tally.said).most_common(MAX_LINES):
+            say_wrapped(line if count == len(parts) else f"{line}: {count} of {len(parts)} files", sys.stderr)
     _say_failures(manifest)
     return tally, code
 

@@ -1,6 +1,7 @@
 """A table in one file, or from a pipe, into another; columns of rows into a file."""
 
 import os
+import sys
 from collections.abc import Iterable
 from contextlib import closing
 from functools import lru_cache, partial
@@ -14,11 +15,11 @@ from ..rows.columns import Columns, Wanted
 from ..rows.header import BadTable, stated_meanings, understood
 from ..rows.table import Fill, Inverse, Table, say_gaps, say_reading, table_of
 from ..scene.failures import MissingInput
-from ..text import ending, quoted
+from ..text import ending, quoted, say_wrapped
 from .delimited import DELIMITED, Delimited
 from .files import SPREADSHEETS, Input, blocks, output_to, unnamed
 from .formats import LINES, FileFormat, compressor, format_of_name, stated, with_delimiter
-from .lines import Converted, Tally
+from .lines import Converted, Tally, said_of
 from .ndjson import NdjsonConverter
 from .run import Convert, Work, run
 from .settings import Job, Part, Settings
@@ -56,7 +57,9 @@ def table_with(names: tuple[str, ...], rows: list[list[str]], job: Job) -> Table
         raise
     if not settings.quiet:
         say_reading(columns)
-        say_gaps(columns, rows, fill, settings.quantities)
+        say_gaps(table, columns, settings.quantities)
+        for line in said_of(table)[1:]:
+            say_wrapped(line, sys.stderr)
     return table
 
 
@@ -84,7 +87,7 @@ def _convert_lines(part: Part, form: FileFormat, compression: str, job: Job) -> 
             ),
             settings,
         )
-        return tally._replace(readings=(table.reading,))
+        return tally._replace(said=said_of(table))
 
 
 def _make_convert(converter: Delimited | NdjsonConverter, compression: str) -> Convert:

@@ -26,7 +26,7 @@ from ..rows.table import Table
 from ..scene.limits import codes
 from ..text import quoted, shown
 from .files import Input, output_to
-from .lines import SAMPLE, Tally, computed
+from .lines import SAMPLE, Tally, computed, said_of
 from .progress import Bar
 from .settings import Job, Part
 
@@ -47,7 +47,7 @@ def convert_parquet(part: Part, job: Job, table_with: TableWith) -> Tally:
             table = _File(given, job, table_with)
         with Bar(table.size, quiet=job.settings.quiet) as bar:
             tally = _write(part.target, table.schema, table.batches(), bar)
-    return tally._replace(readings=(table.table.reading,))
+    return tally._replace(said=said_of(table.table))
 
 
 @contextmanager

@@ -14,11 +14,11 @@ import numpy
 from ..errors import BadRequest, JkrollError
 from ..materials.library import Material, Materials, MaterialsFileError, UnclearMaterial, UnknownMaterial
 from ..quantities.laws import law_named
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, header
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, XI, header
 from ..quantities.values import Uncertain, is_uncertain, value_of
 from ..scene.failures import MissingInput
 from ..scene.inverse import Observed, check_one
-from ..scene.scene import EXCLUSIVE, Scene
+from ..scene.scene import DEFAULTS, EXCLUSIVE, Scene
 from ..text import first_of, quoted, say, say_wrapped
 from .cells import LABEL, Indices, Lookup, Reader
 from .columns import DOUBT, SIDES, STATUS, BadCells, Wanted, remarks_of
@@ -70,7 +70,11 @@ class Fill(NamedTuple):
 class Table:
     """The input columns of a table, and the columns that are added to it."""
 
-    def __init__(self, columns: Header, fill: Fill, wanted: Wanted) -> None:
+    def __init__(
+        self, columns: Header, fill: Fill, wanted: Wanted, *, labels: Mapping[str, str], assumed: Sequence[str]
+    ) -> None:
+        """`labels`: names in the first rows that are no material's, as `_labels` has them; `assumed`: inputs that nothing gives."""
+        self.labels, self.assumed = labels, assumed
         self.inputs, self.materials_at, self.fill, self.wanted = columns.inputs, columns.materials, fill, wanted
         self.meanings, self.reading = columns.meanings, columns.reading()
         self.places = dict(self.materials_at)  # of the columns that are read
@@ -162,11 +166,14 @@ def table_of(
     or an error of the options.
     """
     check_inputs(columns, fill.inverse.quantity if fill.inverse is not None else "")
-    wanted = wanted_of(columns, rows, fill, asked, doubts=doubt)
-    table = Table(columns, fill, wanted)
+    labels = _labels(columns, rows, fill.known)
+    scene, without_labels = _typical(columns, rows, fill, labels)
+    wanted = wanted_of(scene, columns, fill, asked, doubts=doubt, labels=labels if without_labels else {})
+    assumed = _assumed(scene, wanted, columns, rows, fill)
+    table = Table(columns, fill, wanted, labels=labels, assumed=assumed)
     sides = {*SIDES} if uncertainty else _sides_of(table, rows)
     if sides:
-        table = Table(columns, fill, wanted.with_sides(sides))
+        table = Table(columns, fill, wanted.with_sides(sides), labels=labels, assumed=assumed)
     taken = set(table.added)
     for text in columns.texts:
         if text.strip() in taken:
@@ -183,19 +190,18 @@ def say_reading(columns: Header) -> None:
         say(advice, sys.stderr)  # in one line, to be copied
 
 
-def say_gaps(columns: Header, rows: Sequence[Sequence[str]], fill: Fill, quantities: str) -> None:
+def say_gaps(table: Table, columns: Header, quantities: str) -> None:
     """Say on stderr which names of materials in the first rows are unclear, and that nothing gives a radius."""
-    labels = _labels(columns, rows, fill.known)
-    if unknown := [quoted(text) for text, message in labels.items() if not message]:
+    if unknown := [quoted(text) for text, message in table.labels.items() if not message]:
         fails = (
             "is not known; a row that needs it fails"
             if len(unknown) == 1
             else "are not known; rows that need them fail"
         )
         say_wrapped(f"note: material: {first_of(unknown, _MAX_LABELS)} {fails}", sys.stderr)
-    for message in filter(None, labels.values()):
+    for message in filter(None, table.labels.values()):
         say_wrapped(f"note: {message}", sys.stderr)
-    if "radius" not in columns.names and "radius" not in fill.fixed and not quantities:
+    if "radius" not in columns.names and "radius" not in table.fill.fixed and not quantities:
         size = next(filter(may_be_diameter, columns.texts), "")
         half = f"; half of {quoted(size)} would be one" if size else ""
         say(f"note: no column and no option gives a radius; what needs one is left out{half}", sys.stderr)
@@ -216,10 +222,13 @@ def _labels(columns: Header, rows: Sequence[Sequence[str]], known: Materials) ->
     return found
 
 
-def wanted_of(columns: Header, rows: Sequence[Sequence[str]], fill: Fill, asked: Asked, *, doubts: bool) -> Wanted:
-    """Return the quantities that columns and options allow, without uncertainties; `rows`: the cells of the first rows."""
-    unknown = _labels(columns, rows, fill.known)
-    scene, has_labels = _typical(columns, rows, fill, unknown)
+def wanted_of(
+    scene: Any, columns: Header, fill: Fill, asked: Asked, *, doubts: bool, labels: Mapping[str, str]
+) -> Wanted:
+    """Return the quantities that columns and options allow, without uncertainties.
+
+    `scene`: one that has what these give; `labels`: names that are no material's, if it leaves out what they would give.
+    """
     if fill.inverse is not None:
         check_one(*fill.inverse, scene.scene)
         return SoughtOne([fill.inverse.name], [fill.inverse.quantity], sides=(), doubts=doubts)
@@ -231,9 +240,9 @@ def wanted_of(columns: Header, rows: Sequence[Sequence[str]], fill: Fill, asked:
         try:
             scene.plan(name)
         except MissingInput as error:
-            if not has_labels:
+            if not labels:
                 raise
-            texts = [message or f"material: {quoted(text)} is not known" for text, message in unknown.items()]
+            texts = [message or f"material: {quoted(text)} is not known" for text, message in labels.items()]
             raise BadTable("; ".join([*texts[:1], str(error)])) from None
     missing = scene.missing(offered)
     possible = [
@@ -272,6 +281,19 @@ def _typical(
     if labels and scene.missing(["work_of_adhesion"]):  # their rows will say that they are unknown
         return _as_known(columns, fill, [], infinite), False
     return scene, bool(labels)
+
+
+def _assumed(scene: Any, wanted: Wanted, columns: Header, rows: Sequence[Sequence[str]], fill: Fill) -> list[str]:
+    """Return the inputs of results that nothing gives, so that their defaults hold in all rows."""
+    is_inverse = fill.inverse is not None
+    whole = scene.scene if is_inverse else scene
+    used = scene.used(wanted.names) if is_inverse else scene.inputs_of(*scene.possible(wanted.names))
+    materials = [*filter(None, fill.spheres)]
+    for text in {row[place] for row in rows for _, place in columns.materials}:
+        with suppress(JkrollError):  # of a label
+            materials.append(fill.known[text])
+    own = {XI} if any(one.displacement is not None for one in materials) else set()
+    return [name for name in DEFAULTS if name in used and name not in own | whole.given.keys()]
 
 
 def _is_infinite(column: Column, rows: Sequence[Sequence[str]]) -> bool:
