@@ -85,6 +85,8 @@ def test_unequal_spheres_have_three_pairs_of_types(run: Run) -> None:
         for grain in ("quartz 100nm", "iron 300nm")
     ]
     assert float(re.findall(r"timestep (\S+)", text)[0]) <= min(steps)
+    said = "# Like spheres touch without load. The time step is the shortest of all pairs.\n"
+    assert (said in text, said in run("export lammps quartz 100nm --load -1nN").out) == (True, False)
 
 
 def test_a_work_of_adhesion_is_that_of_the_two_materials(run: Run) -> None:

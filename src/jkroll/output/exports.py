@@ -79,6 +79,9 @@ def lammps_input(scene: Scene) -> Iterator[str]:
         }
     yield f"# Contact of {bodies} by jkroll: {model.upper()}, gamma = w/2"
     yield f"# w = {work:.12g} J/m^2, xi = {lag:.12g} m, P = {load:.12g} N{place}"
+    if len(pairs) > 1:
+        at_rest = "Like spheres touch without load. " if load else ""
+        yield f"# {at_rest}The time step is the shortest of all pairs."
     yield "# units si"
     for sphere, suffix in enumerate(suffixes, 1):
         radius = scene.values.get("radius" + suffix, scene.values["radius"])
