@@ -207,7 +207,10 @@ def test_the_column_may_be_named_and_files_be_many(run: Run) -> None:
     [
         ("--infer gamma", "--infer INPUT and --measured QUANTITY go together"),
         ("--measured pull_off_force", "--infer INPUT and --measured QUANTITY go together"),
-        ("--infer gamma --measured pull_off_force=3nN", "--infer INPUT and --measured QUANTITY go together"),
+        (
+            "--infer gamma --measured pull_off_force=3nN",
+            "a table has a column of the measured values; write --measured 'pull_off_force'",
+        ),
         ("--infer gamma --measured pull_off_force --quantities r_min", "exclude each other"),
         ("--infer sigma --measured pull_off_force", "sigma"),
         ("--infer gamma --measured pull_of_force", "pull_off_force"),

@@ -53,6 +53,7 @@ def test_one_uncertainty_in_many_spellings(text: str) -> None:
         ("25 mJ/m2", "surface_energy", 0.025),
         ("+1e+3 nm", "radius", 1e-6),
         ("plane", "radius2", float("inf")),
+        ("∞", "radius2", float("inf")),
     ],
 )
 def test_what_is_read(text: str, name: str, found: object) -> None:

@@ -7,7 +7,7 @@ import sys
 
 from ..answers.questions import quantity_named
 from ..errors import BadRequest
-from ..text import say_wrapped
+from ..text import quoted, say_wrapped
 from .commands import Call
 from .request import format_name, known_materials_of
 
@@ -43,7 +43,10 @@ def _inverse(call: Call) -> tuple[str, str]:
         return "", ""
     if "," in call.infer or len(call.measured) > 1:
         raise BadRequest("batch infers one input; jkroll infer finds two, for lists and ranges too")
-    if not call.infer or not call.measured or "=" in call.measured[0]:
+    if call.measured and "=" in call.measured[0]:
+        name = call.measured[0].partition("=")[0]
+        raise BadRequest(f"--measured: a table has a column of the measured values; write --measured {quoted(name)}")
+    if not call.infer or not call.measured:
         raise BadRequest(
             "--infer INPUT and --measured QUANTITY go together, as in --infer gamma --measured pull_off_force"
         )

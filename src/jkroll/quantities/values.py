@@ -36,7 +36,7 @@ def parse_quantity(text: str, name: str) -> float:
     """
     quantity = NOMENCLATURE[name]
     word = quantity.infinity
-    if word and text.strip().lower() in (word, "inf", "infinity"):
+    if word and text.strip().lower() in (word, "inf", "infinity", "∞"):
         return INFINITY
     try:
         value = parse_value(text, dimension_of(quantity.unit))
