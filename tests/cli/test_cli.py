@@ -19,6 +19,7 @@ from harness import Run
 from jkroll import NOMENCLATURE, __version__, solve
 from jkroll.answers.questions import QUESTIONS
 from jkroll.cli.commands import COMMANDS
+from relative import approx
 
 REFERENCE = {  # audit.md, the reference point: quartz, R1 = 100 nm
     "pull_off_force": "1.1781e-8",
@@ -252,6 +253,14 @@ def test_json_of_every_command(run: Run, name: str) -> None:
         assert {"name", "symbol", "value", "unit", "equation"} <= set(result)
         assert math.isfinite(result["value"])
         assert result["unit"] == NOMENCLATURE[result["name"]].unit
+
+
+def test_json_has_what_another_law_gives_in_the_unit_that_is_asked_for(run: Run) -> None:
+    words = "pull-off quartz 100nm --json --quiet"
+    value = json.loads(run(words).out)["laws"]["maugis"]
+    in_dyn = json.loads(run(f"{words} --to dyn").out)["laws"]["maugis"]
+    assert in_dyn["pull_off_force"]["value"] == approx(value["pull_off_force"]["value"] * 1e5, rel=1e-15)
+    assert in_dyn["pull_off_force"]["over_jkr"] == value["pull_off_force"]["over_jkr"]
 
 
 def test_json_has_null_and_a_reason(run: Run) -> None:

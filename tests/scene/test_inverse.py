@@ -69,6 +69,25 @@ def test_an_example_by_hand() -> None:
     assert found == approx(3e-7 / (3 * math.pi * 2e-6), rel=1e-15)
 
 
+@pytest.mark.parametrize("word", ["approach", "delta0", "δ0"])
+def test_a_measured_approach_is_that_without_load_as_in_solve(word: str) -> None:
+    """Eq (6) without load: δ0 = (3π²w²R/4E*²)^(1/3), whatever the load is; E* = E/2(1 − ν²) of equal spheres."""
+    scene = {name: value for name, value in QUARTZ.items() if name != "youngs_modulus"}
+    radius, work, ratio = scene["radius"], 2 * scene["surface_energy"], scene["poisson_ratio"]
+    modulus = math.sqrt(3 * math.pi**2 * work**2 * radius / 2 / (4 * 1e-9**3)) * 2 * (1 - ratio**2)
+    for load in (0.0, 1e-7):
+        assert infer("young", measured={word: 1e-9}, **scene, load=load) == approx(modulus, rel=1e-12)
+        assert infer("young", measured={word: [1e-9]}, **scene, load=load) == approx([modulus], rel=1e-12)
+
+
+@pytest.mark.parametrize(("quantity", "given"), [("approach_at_load", 1e-9), ("pull_off_force", 5e-8)])
+@pytest.mark.parametrize("values", [2e-9, [2e-9, 3e-9]])
+def test_what_was_measured_is_not_given_besides(quantity: str, given: float, values: Any) -> None:
+    scene = {name: value for name, value in QUARTZ.items() if name != "surface_energy"}
+    with pytest.raises(AlreadyGiven, match=f"{quantity} is given and asked for"):
+        infer("gamma", measured={quantity: values}, **{**scene, quantity: given})
+
+
 def test_all_solutions_are_named() -> None:
     scene = Scene({"load": 5e-8}, known_materials()["quartz"])
     with pytest.raises(SeveralSolutions) as caught:

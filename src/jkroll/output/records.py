@@ -234,7 +234,7 @@ def as_object(answer: "Answer", form: Format) -> dict[str, Any]:
     if answer.condition is not None:
         found["condition"] = answer.condition
     if answer.laws and answer.scene.law.is_default:
-        found["laws"] = {BETWEEN: _differences_object(answer.laws)}
+        found["laws"] = {BETWEEN: _differences_object(answer.laws, form)}
     if answer.worth is not None:
         found["displacement"] = _worth_object(answer.worth)
     found["validity"] = [_verdict_object(verdict) for verdict in answer.validity]
@@ -279,10 +279,10 @@ def _result_object(result: "Result", form: Format) -> dict[str, Any]:
 _READINGS = ("over_jkr_at_equal_displacement", "over_jkr_at_equal_hysteresis")
 
 
-def _differences_object(found: "Sequence[Difference]") -> dict[str, dict[str, float]]:
+def _differences_object(found: "Sequence[Difference]", form: Format) -> dict[str, dict[str, float | None]]:
     return {
         each.name: {
-            "value": each.value,
+            "value": form.number(each.name, each.value) if form.holds(each.name, each.value) else None,
             "over_jkr": each.effect.ratio,
             "over_jkr_at_half_spacing": each.ratio_at_half_spacing,
             **(dict(zip(_READINGS, each.effect.readings, strict=True)) if each.effect.readings else {}),

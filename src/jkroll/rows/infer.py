@@ -11,8 +11,7 @@ from ..materials.library import Material, Materials
 from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import named
 from ..quantities.values import is_uncertain
-from ..scene.failures import GivenTwice
-from ..scene.inverse import Observed, input_named
+from ..scene.inverse import AlreadyGiven, Observed, input_named
 from ..scene.scene import broadcast, check_range
 from ..scene.solver import in_si, materials_of, refuse_arrays, with_uncertainty
 from ..scene.unknowns import solved
@@ -108,10 +107,10 @@ def infer(
             if few
             else 'write {"pull_off_force": "300 nN", "stiffness": "1 kN/m"}',
         )
-    known, _ = in_si({named(str(word)): value for word, value in measured.items()})
-    if len(known) < len(measured):
-        raise GivenTwice([*map(str, measured)])
+    known, _ = in_si({str(word): value for word, value in measured.items()}, named)
     described, _ = in_si(given)
+    for both in known.keys() & described.keys():
+        raise AlreadyGiven(both, both)
     for each, value in {**known, **described}.items():
         check_range(each, value.value if is_uncertain(value) else value)
     spheres = materials_of(material, material2, materials)

@@ -237,13 +237,21 @@ def _part(array: Any, place: Slices) -> Any:
     return array[tuple(where if length > 1 else slice(1) for where, length in zip(own, array.shape, strict=True))]
 
 
-def in_si(given: Mapping[str, Any]) -> tuple[dict[str, Any], Any]:
-    """Return SI numbers for texts, lists and pint Quantities, and the registry of the latter if there were any."""
+def name_of_input(word: str) -> str:
+    """Return the quantity for which a word stands as an input."""
+    return canonical(as_input(word))
+
+
+def in_si(given: Mapping[str, Any], name_of: Callable[[str], str] = name_of_input) -> tuple[dict[str, Any], Any]:
+    """Return SI numbers for texts, lists and pint Quantities, and the registry of the latter if there were any.
+
+    `name_of` returns the quantity that a word stands for.
+    """
     values: dict[str, Any] = {}
     words: dict[str, str] = {}
     registry = None
     for word, value in given.items():
-        name = canonical(as_input(word))
+        name = name_of(word)
         if name not in NOMENCLATURE:
             raise UnknownQuantity(word)
         if words.setdefault(name, word) != word:
