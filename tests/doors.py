@@ -5,6 +5,7 @@ import json
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
+from itertools import product
 from pathlib import Path
 from typing import Any, NamedTuple
 from unittest.mock import patch
@@ -238,10 +239,14 @@ def _error(scene: Scene, name: str) -> float:
 
 
 def _ends(scene: Scene, name: str) -> Iterator[Scene]:
-    """Iterate over the scene and those at the ends of the sources of uncertainty of a quantity."""
-    yield scene.replace()
-    for source in sources_of(scene, scene.inputs_of(name)).entering:
-        yield from (scene.replace(**dict.fromkeys(source.names, end)) for end in (source.given.low, source.given.high))
+    """Iterate over the scene and those at the ends of the sources of uncertainty of a quantity, one by one and all together."""
+    yield scene
+    sources = sources_of(scene, scene.inputs_of(name)).entering
+    for source in sources:
+        yield from (scene.replace(**dict.fromkeys(source.names, end)) for end in source.ends)
+    for corner in product(*(source.ends for source in sources)):
+        ends = zip(sources, corner, strict=True)
+        yield scene.replace(**{each: end for source, end in ends for each in source.names})
 
 
 def bits_agree(scene: Scene, one: int, other: int) -> bool:

@@ -38,7 +38,14 @@ from jkroll.quantities.nomenclature import NOMENCLATURE, header
 from jkroll.quantities.values import value_of
 from jkroll.rows.columns import DOUBT, STATUS
 from jkroll.rows.reasons import ROW
-from jkroll.scene.failures import InfiniteValue, MissingInput, OfIdenticalSpheres, RestsOnSpacing, reason_of
+from jkroll.scene.failures import (
+    InfiniteValue,
+    MissingInput,
+    NoUncertainty,
+    OfIdenticalSpheres,
+    RestsOnSpacing,
+    reason_of,
+)
 from jkroll.scene.limits import NOT_JUDGED, codes
 from jkroll.scene.scene import Scene
 from questions import SPHERES, Ask, Sheet, any_ask, mixed_sheet, sheet_of
@@ -455,7 +462,13 @@ def _in_solve(ask: Ask, floats: Rows) -> Iterator[str]:
         names = [key for key in floats.keys if not side_of(key) and key in values]
         if any(side_of(key) for key in reasons):
             names = []  # some value has no uncertainty, which is an error here
-        for name, found in solve(names, model=ask.model, **given).items():
+        results: dict[str, Any] = {}
+        try:
+            results = solve(names, model=ask.model, **given)
+        except NoUncertainty:
+            if not reasons:  # else other sources may enter than those of all quantities together
+                raise
+        for name, found in results.items():
             sides = found.sides if hasattr(found, "sides") else {}
             if (found.value if sides else found) != values[name]:
                 yield f"row {row}: {name} = {values[name]!r} and {found!r}"
