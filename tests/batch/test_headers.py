@@ -14,6 +14,7 @@ from jkroll import Interval, Measured
 from jkroll.errors import BadRequest
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.rows.header import BadTable, Header, column_options, stated_meanings, understood
+from jkroll.rows.readings import reading_of
 from relative import approx
 
 # The cell below is a plain number, as files have it.
@@ -261,6 +262,14 @@ def test_a_line_of_blanks_is_no_row(run: Run, end: str) -> None:
 def test_no_name_of_another_length_or_with_other_letters_is_compared() -> None:
     with patch("difflib.get_close_matches", side_effect=AssertionError):
         assert understood([f"xyz{number}" for number in range(5000)]).inputs == ()
+
+
+def test_plain_headers_need_no_unit_of_pint() -> None:
+    """Neither as they are nor taken for others while their separator is looked for: to load pint takes as long as many rows."""
+    with patch("jkroll.quantities.units.registry", side_effect=AssertionError):
+        reading_of.cache_clear()
+        understood(["id", "radius [m]", "surface_energy [J/m^2]", "sample_id", "poisson_ratio"])
+        assert not reading_of("[Pa],poisson_ratio,density").name
 
 
 # --- Uncertainties ----------------------------------------------------------------------------------------------------

@@ -6,7 +6,7 @@ the input's uncertainty: `gamma_err [mJ/m2]`, `E_min (GPa)`, `u(R) [nm]`.
 """
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cache, lru_cache
 from typing import NamedTuple
 
@@ -19,6 +19,7 @@ MATERIALS = ("material", "material2")
 INPUTS = ("radius", *(name for name, quantity in NOMENCLATURE.items() if quantity.option and quantity.unit))
 ALIKE = 0.85  # how similar a header is to the name of an input to be taken for a mistake
 _ALIKE_WITH_UNIT = 0.75  # the same of one that has a unit of this input
+_IN_FULL = ("", "_uncertainty")  # what stands behind the name of an input where no letter is spared
 _SHORT = 3  # letters of a name which half of all words resemble
 _BRACKETS = re.compile(r"([^\[\]]*?)\s*\[([^\[\]]*)\]")
 _PARENTHESES = re.compile(r"([^()]*?)\s*\(([^()]*)\)?")
@@ -341,15 +342,30 @@ def _slip(text: str) -> Reading | None:
         return None
     found = brackets or _PARENTHESES.fullmatch(text)
     cuts = [(found[1], "", found[2])] if found else [*_cuts(text)]
-    parts = [(word, unit_text) for word, mark, rest in cuts for unit_text in _units_behind(mark, rest.strip())]
+    parts = [(_plain(word), unit_text) for word, mark, rest in cuts for unit_text in _units_behind(mark, rest.strip())]
+    named = {f"{word}{part}": (one, part) for word, one in _names().items() if len(word) > _SHORT for part in _IN_FULL}
     for word, unit_text in parts:
-        named = {text: name for text, name in _names().items() if len(text) > _SHORT and fits(unit_text, name)}
-        named |= {f"{text}_uncertainty": f"{name}_uncertainty" for text, name in named.items()}
-        near = [text for text in named if abs(len(text) - len(word)) <= 1]
-        if near and (guess := closest(_plain(word), near, _ALIKE_WITH_UNIT)):
-            return Reading(meant=f"{named[guess]} [{unit_text}]")
-    guess = _names().get(_similar(name) or "")
-    return Reading(meant=f"{guess} [{brackets[2]}]" if brackets else guess) if guess else None
+        near = [one for one in _near(word, named, _ALIKE_WITH_UNIT) if abs(len(one) - len(word)) <= 1]
+        guess = closest(word, near, _ALIKE_WITH_UNIT) if near else None
+        if guess and fits(unit_text, named[guess][0]):  # asked last: what is no unit is looked for in pint
+            return Reading(meant=f"{''.join(named[guess])} [{unit_text}]")
+    words = (*INPUTS, *MATERIALS, *(word for word in OPTION_WORDS if word in _names()))
+    near = _near(name, words, ALIKE)
+    meant = _names().get(closest(name, near, ALIKE) or "") if near else None
+    return Reading(meant=f"{meant} [{brackets[2]}]" if brackets else meant) if meant else None
+
+
+def _near(word: str, names: Iterable[str], least: float) -> list[str]:
+    """Return the names that may be as similar to a word. One with other letters or another length is not compared: that takes long."""
+    if len(word) > MAX_WORD:
+        return []
+    letters = {*word}
+    near = []
+    for name in names:
+        in_common = least * (len(word) + len(name)) / 2  # at least, for similar words
+        if in_common <= min(len(word), len(name)) and len(letters.difference(name)) <= len(word) - in_common:
+            near.append(name)
+    return near
 
 
 def _miswritten(unit_text: str, name: str) -> str:
@@ -358,19 +374,6 @@ def _miswritten(unit_text: str, name: str) -> str:
         return ""
     similar = similar_unit(unit_text, frozenset([dimension_of(NOMENCLATURE[name].unit)]))
     return similar if similar and similar.casefold() == unit_text.casefold() else ""
-
-
-def _similar(word: str) -> str | None:
-    """Return the input whose name resembles a word. A word with other letters or another length is not compared: that takes long."""
-    if len(word) > MAX_WORD:
-        return None
-    letters = {*word}
-    names = []
-    for name in (*INPUTS, *MATERIALS, *(word for word in OPTION_WORDS if word in _names())):
-        in_common = ALIKE * (len(word) + len(name)) / 2  # at least, for similar words
-        if in_common <= min(len(word), len(name)) and len(letters.difference(name)) <= len(word) - in_common:
-            names.append(name)
-    return closest(word, names, ALIKE) if names else None
 
 
 def _looks_like_a_quantity(text: str) -> bool:
