@@ -199,6 +199,8 @@ class Delimited:
         self.said = b"".join(dialect.separator + text.encode() for text in table.said.values())
         self.places = table.places
         self.has_commas = head.has_decimal_commas
+        self.has_doubts = len(table.remarks) > 1
+        self._ends_without_status = Kept(self._end)  # by the bits of doubts: many rows have the same
 
     def convert(self, text: bytes) -> Converted:
         """Return whole records with the results behind each."""
@@ -282,16 +284,16 @@ class Delimited:
 
     def _ends(self, columns: Columns) -> list[bytes]:
         """Return the doubts and the status of each row with the end of the line."""
-        separator, has_doubts = self.dialect.separator, len(self.table.remarks) > 1
-
-        doubts = Kept(lambda bits: separator + codes(bits).encode() if has_doubts else b"")  # many rows have the same
-        without_status = Kept(lambda bits: doubts[bits] + separator + self.line_end)
         bits = columns.doubts.tolist()
-        ends = [*map(without_status.__getitem__, bits)]
+        ends = [*map(self._ends_without_status.__getitem__, bits)]
         for row in columns.reasons:
-            status = self.dialect.quoted(columns.status(row).encode())
-            ends[row] = doubts[bits[row]] + separator + status + self.line_end
+            ends[row] = self._end(bits[row], columns.status(row))
         return ends
+
+    def _end(self, bits: int, status: str = "") -> bytes:
+        separator = self.dialect.separator
+        doubts = separator + codes(bits).encode() if self.has_doubts else b""
+        return doubts + separator + self.dialect.quoted(status.encode()) + self.line_end
 
 
 def _have_commas(cells: Sequence[bytes]) -> bool:

@@ -27,12 +27,11 @@ from .elementary import arctan, at_least, at_most, cbrt, cube, pi, sqrt, where, 
 FOLD_WITHOUT_CONTACT = 0.9379474572107123  # (9π/(16(π − 1)))^(1/3): below, a vanishes before fixed grips let go
 JUMP_WITHOUT_CONTACT = 0.6551853485522241  # (9/32)^(1/3): below, approaching spheres attract before they touch
 
-_NARROW = 0.2
 _ROUNDING = 8 * 2.0**-52  # of a load or an approach that is itself computed as that of an extreme
 _STEPS = 3  # of Newton's method, each of which squares the error
 _FAR = 32.0  # √(1 + P/P_c) beyond which another start is taken, and twice as many steps
 _TINY = 1e-300  # in place of a slope of 0
-_LAG_COEFFICIENTS = tuple(4 * k / (4 * k * k - 1) for k in range(11, 0, -1))
+_LAST_OF_FRACTION = 21  # what is left out is below 1e-17 of it, up to θ = π/2
 
 
 def length_unit(work_of_adhesion: Any, reduced_radius: Any, contact_modulus: Any) -> Any:
@@ -70,14 +69,12 @@ def shape(edge_ratio: Any) -> Shape:
 
 
 def _lag(at: Shape) -> Any:
-    """Return 1 − vθ; where its terms are almost equal, as Σ (−1)^(k+1) 4k/(4k² − 1) h^(2k), to 3e-17."""
-    square = at.h * at.h
-    narrow = 0.0
-    for coefficient in _LAG_COEFFICIENTS:
-        narrow = (coefficient - narrow) * square
-    wide = 1 - at.v * at.theta
-    is_narrow = at.h < _NARROW
-    return is_narrow * narrow + (1 - is_narrow) * wide  # of an array in no order, numpy.where takes ten times as long
+    """Return 1 − vθ, where v = cot θ, by Lambert's continued fraction: θ²/(3 − θ²/(5 − θ²/(7 − …)))."""
+    square = at.theta * at.theta
+    rest = _LAST_OF_FRACTION
+    for odd in range(_LAST_OF_FRACTION - 2, 1, -2):
+        rest = odd - square / rest
+    return square / rest
 
 
 def g1(at: Shape) -> Any:
