@@ -171,17 +171,6 @@ def test_a_stretch_without_dependence_is_told(ulp: int) -> None:
     assert math.isnan(infer("radius", measured={"sticking_speed": [speed, speed]}, **given)[0])
 
 
-def test_a_jump_over_the_measured_value_is_no_solution() -> None:
-    """At a given approach the state of Maugis' law changes its branch at a radius of 13 µm."""
-    scene = Scene({"approach_at_load": 1e-10}, known_materials()["quartz"])
-    at = {radius: scene.replace(radius=radius)["approach_maugis_at_load"] for radius in (13.1e-6, 13.2e-6)}
-    assert at[13.1e-6] < 1.1e-10
-    assert at[13.2e-6] > 1.3e-10
-    found = solution("radius", "approach_maugis_at_load", 1.2e-10, scene)
-    assert found.forward == approx({"approach_maugis_at_load": 1.2e-10}, rel=1e-12)
-    assert found.values["radius"] > 1e-4
-
-
 def test_a_load_is_found_up_to_pull_off() -> None:
     scene = Scene(PLANE, known_materials()["quartz"])
     force = scene["pull_off_force"]

@@ -122,14 +122,6 @@ def test_all_solutions_of_arrays_are_named() -> None:
     assert_as_each_by_itself("radius", "approach_at_load", measured, loads, scene)
 
 
-@pytest.mark.slow
-def test_a_jump_in_arrays_is_no_solution() -> None:
-    scene = Scene({"approach_at_load": 1e-10}, known_materials()["quartz"])
-    (one,) = assert_as_each_by_itself("radius", "approach_maugis_at_load", [1.2e-10], {}, scene)
-    assert isinstance(one, Solution)
-    assert one.values["radius"] > 1e-4
-
-
 def test_loads_are_found_up_to_pull_off() -> None:
     radii = numpy.array([1e-6, 2e-6, 3e-6])
     scene = Scene({"radius2": math.inf}, known_materials()["quartz"])

@@ -493,3 +493,13 @@ def test_a_contact_holds_its_own_pull_off_force(law: str) -> None:
         load = -solve("pull_off_force", model=law, **grain)
         one = solve("contact_radius_at_load", model=law, load=load, **grain)
         assert solve("contact_radius_at_load", model=law, load=[load, 0.0], **grain)[0] == approx(one, rel=1e-6)
+
+
+@pytest.mark.parametrize("approach", [-3e-10, 1e-9, 2e-9])
+def test_at_an_approach_the_quantities_of_maugis_are_those_of_its_own_state(approach: float) -> None:
+    """Under JKR, too, which has another load there."""
+    grain: dict[str, Any] = {"surface_energy": 0.05, "youngs_modulus": 1e9, "poisson_ratio": 0.3, "radius": 1e-7}
+    names = ("approach_maugis_at_load", "approach_maugis", "load_maugis", "contact_radius_maugis")
+    jkr, maugis = (solve(names, **grain, approach_at_load=approach, model=law) for law in ("jkr", "maugis"))
+    assert jkr == approx(maugis, rel=1e-15)
+    assert jkr["approach_maugis_at_load"] == approx(approach, rel=1e-13)

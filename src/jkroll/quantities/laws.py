@@ -65,7 +65,11 @@ _GIVEN: Mapping[str, Routes] = {
     "hamaker": {"work_of_adhesion": "work_of_adhesion_of_hamaker", "atomic_spacing": "atomic_spacing_of_cutoff"},
     "hamaker2": {"work_of_adhesion": "work_of_adhesion_of_hamaker"},
 }
-_MAUGIS_AT_APPROACH: Routes = {"edge_ratio": "edge_ratio_at_approach", "zone_span": "zone_span_at_approach"}
+_MAUGIS_AT_APPROACH: Routes = {
+    "edge_ratio": "edge_ratio_at_approach",
+    "zone_span": "zone_span_at_approach",
+    "approach_maugis_at_load": "approach_maugis",  # under JKR, the load would be that of JKR
+}
 _AT_FACTOR: Routes = {"load": "load_at_factor", "load_margin": "load_margin_of_factor"}
 
 _JKR = Law(
