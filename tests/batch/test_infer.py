@@ -242,3 +242,14 @@ def test_infer_says_how_a_table_is_read(run: Run) -> None:
     assert (ran.code, ran.err.replace("\n  ", " ")) == (
         2, "jkroll: infer reads no tables; write jkroll batch forces.csv --infer gamma --measured pull_off_force\n"
     )  # fmt: skip
+
+
+@pytest.mark.parametrize("names", [["A", "B"], ["ice", "B"], ["quartz", "B"]])
+def test_names_of_samples_are_labels_where_nothing_is_needed_of_them(run: Run, names: list[str]) -> None:
+    """Whether some of them are materials or not; γ of a plane does not depend on the rest."""
+    rows = "".join(f"{name},1,200\n" for name in names)
+    Path("named.csv").write_text(f"material,R (um),P_c (nN)\n{rows}", encoding="utf-8")
+    ran = run("batch named.csv -o out.csv --infer gamma --measured pull_off_force")
+    assert ran.code == 0, ran.err
+    found = [float(row["surface_energy [J/m^2]"]) for row in results("out.csv")]
+    assert found == approx([2e-7 / (1.5 * math.pi * 1e-6)] * 2)

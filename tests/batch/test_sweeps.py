@@ -236,3 +236,13 @@ def test_what_a_file_of_rows_is_not(run: Run) -> None:
     assert run("pull-off quartz 1nm:1um:2000000 --json") == (2, "", too_many)
     assert run("pull-off quartz 1nm:1um:3 -o x.csv --resume").code == 2
     assert [*Path().iterdir()] == []
+
+
+@pytest.mark.parametrize("line", ["pull-off quartz,iron", "pull-off quartz --model jkr,dmt", "pull-off 100nm,1um"])
+def test_rows_without_a_result_are_a_table_too(run: Run, line: str) -> None:
+    """Whatever a quantity that they do not show would need."""
+    ran = run(line, terminal=True)
+    assert ran.code == 1
+    assert ran.out.startswith("2 scenes")
+    assert "need" in ran.err
+    assert "None" not in ran.out + run(f"{line} --csv").out

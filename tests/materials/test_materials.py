@@ -460,7 +460,8 @@ def test_what_is_given_outranks_a_material_s_displacement(run: Run, own: str) ->
 
 
 def test_two_solids_have_no_displacement_in_common(run: Run, own: str) -> None:
-    pairs = ("--material2 quartz", "--material2 single", "--young2 1GPa", "--gamma2 1mJ/m2 --radius2 plane")
+    alone = ("--young2 1GPa", "--gamma2 1mJ/m2 --radius2 plane", "--hamaker 6e-20J --hamaker2 2e-19J")
+    pairs = ("--material2 quartz", "--material2 single", *alone)
     for words in ("quartz 100nm --material2 own", *(f"own 100nm {words}" for words in pairs)):
         ran = run(f"yield-force {words} {own}")
         assert (ran.code, ran.out) == (2, "")

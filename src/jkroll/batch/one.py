@@ -19,7 +19,7 @@ from ..text import ending, quoted, say_wrapped
 from .delimited import DELIMITED, Delimited
 from .files import SPREADSHEETS, Input, blocks, output_to, unnamed
 from .formats import LINES, FileFormat, compressor, format_of_name, stated, with_delimiter
-from .lines import Converted, Tally, said_of
+from .lines import BOM, Converted, Tally, said_of
 from .ndjson import NdjsonConverter
 from .run import Convert, Work, run
 from .settings import Job, Part, Settings
@@ -71,7 +71,9 @@ def _convert_lines(part: Part, form: FileFormat, compression: str, job: Job) -> 
         given.check_output(part.target)
         dialect = DELIMITED[settings.delimiter] if settings.delimiter else LINES[form.kind]
         texts = blocks(given.pieces(form.compression), dialect.cut)
-        first = dialect.prepared(next(texts, b"").removeprefix(dialect.comment))
+        first = next(texts, b"")
+        mark = BOM if first.startswith(BOM) else b""
+        first = mark + dialect.prepared(first.removeprefix(mark).removeprefix(dialect.comment))
         head, rows = dialect.head(first)
         table = table_with(head.names, rows, job)
         converter = dialect.converter(head, table, strict=settings.strict, excel_safe=settings.excel_safe)
@@ -105,6 +107,8 @@ def input_format(path: str, settings: Settings) -> FileFormat:
     if settings.format:
         return stated(settings.format)
     found = format_of_name(path if path != "-" else settings.target)
+    if path == "-" and found is not None:
+        found = FileFormat(found.kind)  # its output may be compressed
     if settings.delimiter:
         return with_delimiter(settings.delimiter, found)
     if found is not None:

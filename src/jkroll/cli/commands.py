@@ -144,11 +144,10 @@ MODEL_OF_EXPORT = Option("model", "--model", str, "dmt", "Law of attraction, jkr
 _AXIS = "NAME=FROM:TO, with :lin for a linear axis"
 AXES = (Option("x", "--x", str, "AXIS", _AXIS), Option("y", "--y", str, "AXIS", _AXIS))
 AS_PRINTED = Option("as_printed", "--as-printed", bool, "", "Add Eq (41) as printed to 6b, dashed")
-_OMITTED = "Omit title and caption; the limits of the model"
 STYLE = (
     Option("width", "--width", str, "85mm", "Width of the drawing"),
     Option("style", "--style", str, "dark", "Colours, paper or dark"),
-    Option("uncaptioned", "--no-caption", bool, "", _OMITTED),
+    Option("uncaptioned", "--no-caption", bool, "", "Omit title and caption"),
 )
 PANEL = Option("panel", "--panel", str, "force", "One panel only: force, pressure or moment")
 PICTURE = (
@@ -156,7 +155,7 @@ PICTURE = (
     Option("data", "--data", str, "FILE", "Write the numbers as CSV; - is standard output"),
     Option("target", "-o", str, "FILE", "Draw a .svg, .pdf or .png file (plot extra)"),
     *STYLE,
-    Option("plain", "--plain", bool, "", _OMITTED),
+    Option("plain", "--plain", bool, "", "Omit the limits of the model"),
     MATERIALS,
     QUIET,
 )
@@ -188,7 +187,7 @@ TABLE = (
     Option("resume", "--resume", bool, "", "Convert what is left of many tables"),
     NO_DOUBT,
     Option("uncertainty", "--uncertainty", bool, "", "Add columns of error bars, though the first rows have none"),
-    Option("jobs", "--jobs", int, "N", "Number of processes (default: one per core)", 1, 64),
+    Option("jobs", "--jobs", int, "N", "Number of processes (default: one per core, at most 16)", 1, 64),
     Option("dask", "--dask", str, "ADDRESS", "Convert many tables on a Dask cluster; local starts one"),
     Option("excel_safe", "--excel-safe", bool, "", "Escape text that a spreadsheet would run"),
     Option("material", "--material", str, "NAME", _DEFAULT),
@@ -350,7 +349,7 @@ _COMMANDS = (
     _question("energies", "Energies to break, to roll and to stick, by convention.", "quartz 100nm --angle 90deg"),
     _question("resistances", "Rolling, sliding and twisting: when each yields.", "quartz 100nm --shear-strength 12MPa"),
     _question("aggregates", "When aggregates of many grains restructure and break.", "quartz 100nm --monomers 1000"),
-    _question("report", "All quantities that your inputs allow.", "quartz 100nm"),
+    _question("report", "The headline of each question that your inputs allow.", "quartz 100nm"),
     Command(
         "export",
         "Write the contact of a pair as input of LAMMPS, LIGGGHTS or DustSimulation.",

@@ -87,9 +87,10 @@ class Sweep:
         shown = {*named, *chain.from_iterable(self.shown(scene, quantities, named) for scene in self.kinds)}
         if not shown:
             raise OfIdenticalSpheres
-        inputs, sides = entering(self.kinds, lambda scene: self.shown(scene, quantities, named), quantities)
+        names = [name for name in quantities if name in shown]
+        inputs, sides = entering(self.kinds, lambda scene: self.shown(scene, names, named), names)
         return Wanted(
-            [name for name in quantities if name in shown],
+            names,
             named=named,
             inputs=in_order(inputs - shown),
             sides=sides,

@@ -17,7 +17,7 @@ from ..quantities.laws import law_named
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, XI, header
 from ..quantities.values import Uncertain, is_uncertain, value_of
 from ..scene.failures import MissingInput
-from ..scene.inverse import Observed, check_one
+from ..scene.inverse import Observed, check_one, with_placeholders
 from ..scene.scene import DEFAULTS, EXCLUSIVE, Scene
 from ..text import first_of, quoted, say, say_wrapped
 from .cells import LABEL, Indices, Lookup, Reader
@@ -272,13 +272,16 @@ def _typical(
     """Return a scene that has what the columns and options give, and whether it leaves out materials.
 
     It leaves out those of columns that have no known name in the first rows, unless they were meant as materials:
-    without them, there is no work of adhesion. `unknown`: names that are no material's.
+    without them, there is no work of adhesion, or not the quantity that was measured. `unknown`: names that are no material's.
     """
     cells = {name: {row[place] for row in rows if row[place].strip()} for name, place in columns.materials}
     labels = [name for name, own in cells.items() if own and own <= unknown.keys()]
     infinite = [column.name for column in columns.inputs if _is_infinite(column, rows)]
     scene = _as_known(columns, fill, labels, infinite)
-    if labels and scene.missing(["work_of_adhesion"]):  # their rows will say that they are unknown
+    needed, whole = "work_of_adhesion", scene
+    if fill.inverse is not None:
+        needed, whole = fill.inverse.quantity, with_placeholders(scene.scene, [fill.inverse.name])
+    if labels and whole.missing([needed]):  # their rows will say that they are unknown
         return _as_known(columns, fill, [], infinite), False
     return scene, bool(labels)
 

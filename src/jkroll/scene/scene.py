@@ -30,7 +30,7 @@ from .failures import (
     TwoRigidBodies,
     failure_of,
 )
-from .wiring import NO_PLAN, Missing, Plan, Step, depends_on, formula_of, in_order, plan_for
+from .wiring import NO_PLAN, OF_A_SOLID, Missing, Plan, Step, depends_on, formula_of, in_order, plan_for
 
 # --- Numbers that a scene takes ---------------------------------------------------------------------------------------
 
@@ -145,7 +145,7 @@ EXCLUSIVE = (
 )
 _MAY_CONTRADICT = frozenset(name for names in EXCLUSIVE for name in names)
 
-_OF_SOLID_2 = frozenset(name + "2" for name in PROPERTIES)
+_OF_SOLID_2 = frozenset(name + "2" for name in OF_A_SOLID)
 
 # The inputs that decide whether a body deforms, so that a contact has an area.
 OF_AREA = ("youngs_modulus", "youngs_modulus2", "contact_modulus")
