@@ -1,6 +1,7 @@
 """The headers of tables as people write them: each is read rightly, refused with a remedy, or named as passing through."""
 
 import csv
+from math import pi
 from pathlib import Path
 from typing import Any
 from unittest.mock import patch
@@ -552,6 +553,47 @@ def test_commas_are_those_of_columns_of_numbers(run: Run) -> None:
     Path("safe.csv").write_text("material;radius [nm];approach [nm]\nquartz;100,5;0,05\n", encoding="utf-8")
     assert run("batch safe.csv --delimiter semicolon --excel-safe --quantities load --no-doubt -o out.csv").code == 0
     assert ";-6,58" in Path("out.csv").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("rows", "forces"),
+    [
+        # read as decimal points, with a mark of thousands in a cell that fails; in units of πw·1 nm
+        (["1,200\t25.5", "800\t25.5"], ["", "800"]),
+        (["800\t25\t12,31", "900\t25\t14,7"], ["800", "900"]),
+        (["800\t25\t1,200", "900\t25\t12,345"], ["800", "900"]),
+        (["1.200\t25", "1.300\t25"], ["1.2", "1.3"]),
+        (["1,234,567\t25", "800\t25"], ["", "800"]),
+        # as decimal commas, with one of thousands that fails
+        (["850,5\t25", "1.200\t25"], ["850,5", ""]),
+        (["1.200\t25\t1.234,5", "800\t25\t3"], ["", "800"]),
+        (["0,125\t25", "1,200\t25"], ["0,125", "1,2"]),
+    ],
+)
+def test_marks_of_thousands_are_no_decimal_marks(run: Run, rows: list[str], forces: list[str]) -> None:
+    """And what passes through decides on nothing where what is read has no marks."""
+    width = 1 + rows[0].count("\t")
+    lines = ["\t".join(["R (nm)", "gamma (mJ/m2)", "n"][:width]), *rows, ""]
+    Path("x.tsv").write_text("\n".join(lines), encoding="utf-8")
+    ran = run("batch x.tsv --quantities pull_off_force --no-doubt -o out.tsv")
+    assert ran.code == ("" in forces), ran.err
+    gamma = 0.0255 if "25.5" in rows[0] else 0.025
+    for cells, force in zip(
+        (one.split("\t") for one in Path("out.tsv").read_text().splitlines()[1:]), forces, strict=True
+    ):
+        found, mark = cells[width], "," if "," in cells[width] else "."
+        assert bool(found) == bool(force)
+        if found:
+            radius = 1e-9 * float(force.replace(",", "."))
+            assert float(found.replace(mark, ".")) == approx(1.5 * pi * gamma * radius)
+
+
+@pytest.mark.parametrize("words", ["", "--infer gamma --measured pull_off_force --radius2 plane"])
+def test_where_a_comma_may_be_of_thousands_the_table_is_refused(run: Run, words: str) -> None:
+    other = "P_c (nN)" if words else "gamma (mJ/m2)"
+    Path("x.tsv").write_text(f"R (nm)\t{other}\n800\t1,200\n900\t12,500\n", encoding="utf-8")
+    message = "jkroll: '1,200' may be 1.200 or 1200: write decimal points, and no marks of thousands\n"
+    assert run(f"batch x.tsv -o out.tsv {words}") == (2, "", message)
 
 
 @pytest.mark.parametrize("quote", ["", '"'])

@@ -7,8 +7,9 @@ cell too many or too few, spoils its own line only.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from itertools import islice
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from itertools import chain, compress, islice
 from typing import NamedTuple
 
 from ..output.records import numbers_in_lines
@@ -28,8 +29,9 @@ _MISTAKEN = (
     ("|", "bars", "--delimiter bar"),
     (" ", "blanks", "--delimiter blank"),
 )
-_DECIMAL_COMMA = re.compile(rb"(?<![\d,])\d*,\d+(?![\d,])")
 _DECIMAL_POINT = re.compile(rb"\.\d")
+_MARKED = re.compile(rb"\d*[.,][\d.,]*\d")  # a number with a point or a comma
+_OF_THOUSANDS = re.compile(rb"[1-9]\d{0,2}(?:[.,]\d{3})*")
 _NUMERIC = re.compile(rb"\s*[-+(]?[\d.,]")  # the beginning of numbers, with an error bar or not
 STRIP = 128  # rows written at once: their text stays in the cache
 _NUMBER = rb"[+-]?(?:\d+%b?\d*|%b\d+)(?:[eE][+-]?\d+)?"  # with a point, or a comma
@@ -103,8 +105,11 @@ class Dialect:
         """Return lines in which a spreadsheet takes no cell of text for a formula."""
         return re.sub(self._formula, rb"\1\2'", lines)
 
-    def head(self, text: bytes) -> tuple[Head, list[list[str]]]:
-        """Return the header of a table, and the cells of the first rows after it. Raises BadTable."""
+    def head(self, text: bytes, is_read: Callable[[str], bool] = is_input) -> tuple[Head, list[list[str]]]:
+        """Return the header of a table, and the cells of the first rows after it. Raises BadTable.
+
+        `is_read`: tells of a header whether its column is one of those that are read.
+        """
         check_encoding(text, self.name)
         if not text.strip():
             raise BadTable("the table is empty: it has no header")
@@ -124,7 +129,7 @@ class Dialect:
             raise BadTable("header: is empty")
         rows = [cells for _, line, cells, _ in islice(self.records(body[size:]), SAMPLE) if line]
         whole = [unquoted(cells) for cells in rows if len(cells) == len(names)]
-        has_commas = self.separator != b"," and any(map(_have_commas, zip(*whole, strict=True)))
+        has_commas = self.separator != b"," and _have_commas([*map(is_read, names)], [*zip(*whole, strict=True)])
         first_rows = with_points(whole) if has_commas else whole
         sample = [[cell.decode("utf-8", "replace") for cell in row] for row in first_rows]
         return Head(text[: len(text) - len(body) + size], tuple(names), has_commas), sample
@@ -296,11 +301,44 @@ class Delimited:
         return doubts + separator + self.dialect.quoted(status.encode()) + self.line_end
 
 
-def _have_commas(cells: Sequence[bytes]) -> bool:
-    """Return whether most cells of a column are numbers, of which more have a decimal comma than a point."""
+def _have_commas(are_read: Sequence[bool], columns: Sequence[Sequence[bytes]]) -> bool:
+    """Return whether the numbers of a table have decimal commas. Raises BadTable for those that may be of thousands.
+
+    The columns that are read decide, and where their marks may be either, all columns.
+    """
+    for some in ([*compress(columns, are_read)], columns):
+        marks = Counter(map(_decimal_mark, chain.from_iterable(map(_marked_numbers, some))))
+        if marks[b","] != marks[b"."]:
+            return marks[b","] > marks[b"."]
+        if not any(len(mark) > 1 for mark in marks):
+            return False
+    number = next((mark.decode() for mark in marks if len(mark) > 1 and b"," in mark), "")
+    if number:
+        either = f"{number.replace(',', '.')} or {number.replace(',', '')}"
+        raise BadTable(f"{quoted(number)} may be {either}: write decimal points, and no marks of thousands")
+    return False
+
+
+def _marked_numbers(cells: Sequence[bytes]) -> list[bytes]:
+    """Return the numbers with a point or a comma of a column of which most cells are numbers."""
     numbers = [*filter(_NUMERIC.match, cells)]
-    commas, points = (sum(map(bool, map(mark.search, numbers))) for mark in (_DECIMAL_COMMA, _DECIMAL_POINT))
-    return 2 * len(numbers) > sum(1 for cell in cells if cell.strip()) and commas > points
+    is_of_numbers = 2 * len(numbers) > sum(1 for cell in cells if cell.strip())
+    return [number for cell in numbers for number in _MARKED.findall(cell)] if is_of_numbers else []
+
+
+def _decimal_mark(number: bytes) -> bytes:
+    """Return the decimal mark of a number: itself where its mark may be of thousands, and none of a list.
+
+    >>> [*map(_decimal_mark, (b"0,125", b"1.234,5", b"1,234,567", b"1,200", b"1,2,3"))]
+    [b',', b',', b'.', b'1,200', b'']
+    """
+    mark = number.rstrip(b"0123456789")[-1:]
+    whole, _, fraction = number.rpartition(mark)
+    if not _OF_THOUSANDS.fullmatch(whole):
+        return mark if whole.isdigit() or not whole else b""
+    if len(fraction) != 3 or whole.isdigit():
+        return b"" if mark in whole else mark if len(fraction) != 3 else number
+    return mark if mark not in whole else b"." if mark == b"," else b","
 
 
 def _with_decimal_points(columns: Iterable[Sequence[bytes]]) -> Iterator[tuple[int, str]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 import orjson
@@ -32,8 +32,9 @@ class Ndjson:
         """Return whole lines as they are read."""
         return text
 
-    def head(self, text: bytes) -> tuple[Head, list[list[str]]]:
+    def head(self, text: bytes, is_read: Callable[[str], bool] = bool) -> tuple[Head, list[list[str]]]:
         """Return the names in the first object, and the values of the first objects. No line is a header."""
+        del is_read  # JSON has no decimal commas
         check_encoding(text, "ndjson")
         lines = [line for line in text.removeprefix(BOM).split(b"\n")[:SAMPLE] if line.strip()]
         if not lines:

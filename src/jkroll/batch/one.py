@@ -12,7 +12,7 @@ from ..errors import missing_extra
 from ..output.records import lines
 from ..quantities.formatting import Format
 from ..rows.columns import Columns, Wanted
-from ..rows.header import BadTable, stated_meanings, understood
+from ..rows.header import BadTable, is_input, stated_meanings, understood
 from ..rows.table import Fill, Inverse, Table, say_gaps, say_reading, table_of
 from ..scene.failures import MissingInput
 from ..text import ending, quoted, say_wrapped
@@ -41,6 +41,11 @@ def convert_one(part: Part, job: Job) -> Tally:
 def _fill(job: Job) -> Fill:
     settings = job.settings
     return Fill.of(job.inputs, job.known, Inverse(settings.infer, settings.measured) if settings.infer else None)
+
+
+def _is_read(settings: Settings, name: str) -> bool:
+    """Return whether a header may be that of an input, or of what options say."""
+    return is_input(name, stated_meanings([name], settings.columns, settings.measured))
 
 
 def table_with(names: tuple[str, ...], rows: list[list[str]], job: Job) -> Table:
@@ -74,7 +79,7 @@ def _convert_lines(part: Part, form: FileFormat, compression: str, job: Job) -> 
         first = next(texts, b"")
         mark = BOM if first.startswith(BOM) else b""
         first = mark + dialect.prepared(first.removeprefix(mark).removeprefix(dialect.comment))
-        head, rows = dialect.head(first)
+        head, rows = dialect.head(first, partial(_is_read, job.settings))
         table = table_with(head.names, rows, job)
         converter = dialect.converter(head, table, strict=settings.strict, excel_safe=settings.excel_safe)
         start = compressor(compression)(converter.header_line) if converter.header_line else b""

@@ -116,7 +116,7 @@ def split_number(text: str) -> tuple[int, int, str]:
     if not digits:
         raise BadUnit("does not begin with a number")
     if rest.startswith(","):
-        raise BadUnit("has a comma: write a decimal point")
+        raise BadUnit("has a comma: write a decimal point, and no marks of thousands")
     if has_uncertainty(rest):
         raise BadUnit("has an uncertainty: give the value alone")
     if exponent and len(exponent.lstrip("+-")) > 3:
