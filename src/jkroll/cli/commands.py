@@ -145,17 +145,19 @@ _AXIS = "NAME=FROM:TO, with :lin for a linear axis"
 AXES = (Option("x", "--x", str, "AXIS", _AXIS), Option("y", "--y", str, "AXIS", _AXIS))
 AS_PRINTED = Option("as_printed", "--as-printed", bool, "", "Add Eq (41) as printed to 6b, dashed")
 STYLE = (
-    Option("width", "--width", str, "85mm", "Width of the drawing"),
+    Option("width", "--width", str, "85mm", "Width of the drawing, 70mm to 1m"),
     Option("style", "--style", str, "dark", "Colours, paper or dark"),
-    Option("uncaptioned", "--no-caption", bool, "", "Omit title and caption"),
 )
+UNCAPTIONED = Option("uncaptioned", "--no-caption", bool, "", "Omit title and caption")
+_OMITTED = "Omit title and caption, or the limits"
 PANEL = Option("panel", "--panel", str, "force", "One panel only: force, pressure or moment")
 PICTURE = (
     Option("mark", "--mark", str, "quartz@100nm", "Mark grains as points, separated by commas"),
     Option("data", "--data", str, "FILE", "Write the numbers as CSV; - is standard output"),
     Option("target", "-o", str, "FILE", "Draw a .svg, .pdf or .png file (plot extra)"),
     *STYLE,
-    Option("plain", "--plain", bool, "", "Omit the limits of the model"),
+    UNCAPTIONED._replace(help=_OMITTED),
+    Option("plain", "--plain", bool, "", _OMITTED),
     MATERIALS,
     QUIET,
 )
@@ -203,6 +205,7 @@ BENCH = (
     Option("quick", "--quick", bool, "", "Measure fewer points"),
     Option("plot", "--plot", str, "FILE", "Draw error against cost (needs the plot extra)"),
     *STYLE,
+    UNCAPTIONED,
     JSON,
     CSV,
 )
@@ -311,7 +314,7 @@ def _options_of_export() -> tuple[Option, ...]:
 
 
 _SCENE = Words("[MATERIAL] [RADIUS]...", INFINITY)
-_LOOKS = tuple(option._replace(hidden=True) for option in (*STYLE, PANEL))
+_LOOKS = tuple(option._replace(hidden=True) for option in (*STYLE, UNCAPTIONED, PANEL))
 
 
 def _options_of(name: str, *own: Option) -> tuple[Option, ...]:

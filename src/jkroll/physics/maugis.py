@@ -247,7 +247,7 @@ def load_maugis(
     edge_ratio  [1]  ≥ 0; 0 without contact
 
     Source:   Maugis 1992.
-    Accuracy: 5 ulp of the larger term, above v and T.
+    Accuracy: 8 ulp of the larger term, above v and T.
 
     >>> from math import pi
     >>> load_maugis(edge_ratio=0.0, zone_span=1.0, reduced_radius=1.0, contact_modulus=1.0, cohesive_stress=1 / pi)

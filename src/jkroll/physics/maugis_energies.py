@@ -117,7 +117,7 @@ def pull_off_work_at_dead_load_maugis(
 
     Source:   Maugis' solution along its curve, by Gauss-Legendre quadrature; Φ would cancel where λ is small.
     Valid:    Quasi-static up to the jump.
-    Accuracy: 15 ulp.
+    Accuracy: 15 ulp above v0 and v_c.
 
     >>> from .maugis import edge_ratio_at_pull_off, unloaded_edge_ratio
     >>> unit = {"work_of_adhesion": 1 / pi, "reduced_radius": 1.0, "contact_modulus": 0.75}

@@ -95,8 +95,8 @@ class Judgement(NamedTuple):
 
 
 _COMPARISONS = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
-# What rests on the law and on elasticity; in DMT, at an approach, the radius rests on no work of adhesion.
-_ELASTICITY = frozenset({"work_of_adhesion", "contact_radius_at_load"})
+# What rests on the law and on elasticity; in DMT, at an approach, the radius rests on no work of adhesion, nor does Q/P_c without load.
+_ELASTICITY = frozenset({"work_of_adhesion", "contact_radius_at_load", "yield_force_ratio"})
 _DISPLACEMENT = frozenset({"yield_displacement"})
 _MOMENT = frozenset({"yield_moment", "yield_force"})
 _STICKING = frozenset({"sticking_energy", "sticking_speed"})
@@ -110,7 +110,7 @@ LEAST_EFFECT = min(_EFFECTS)
 # The law of attraction; then what takes the meaning of an answer away; then what makes it inexact.
 LIMITS = (
     Limit(
-        "tabor_parameter", _ELASTICITY | {"yield_force_ratio"}, ">",
+        "tabor_parameter", _ELASTICITY, ">",
         tuple(
             Doubt(factor, f"off by more than {text}", f"by {LAWS[BETWEEN].title} or Lennard-Jones a result differs by more than {text}")
             for factor, text in _EFFECTS.items()
