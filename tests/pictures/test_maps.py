@@ -623,3 +623,17 @@ def test_curves_of_several_laws_have_no_equation_of_one(run: Run) -> None:
     ran = run("map pull-off quartz --x radius=1nm:1mm --model maugis,dmt")
     assert "Pull-off force, P_c." in ran.out
     assert re.search(r"quartz, DMT, R1 = \S+ nm to 1 mm: DMT is off by more than 5 %\.", " ".join(ran.out.split()))
+
+
+@pytest.mark.parametrize(
+    ("width", "marks"), [("80", "quartz@100nm,quartz@120nm,quartz@130nm"), ("40", "silica-humid@100nm")]
+)
+def test_every_mark_is_on_the_screen(run: Run, monkeypatch: pytest.MonkeyPatch, width: str, marks: str) -> None:
+    """Its dot always, and its text where the rows beside it have room."""
+    monkeypatch.setenv("COLUMNS", width)
+    drawn = run(f"map pull-off quartz --x radius=10nm:1um --mark {marks}", terminal=True).out
+    field = drawn.partition("radius of sphere 1")[0]
+    for mark in marks.split(","):
+        assert mark in field
+        field = field.replace(mark, "")
+    assert field.partition("P_c")[2].count("o") == len(marks.split(","))

@@ -143,6 +143,7 @@ def test_the_option_takes_both_and_says_what_they_stand_for(run: Run) -> None:
         assert "this Δw stands for ξ = 786.164 pm" in part.err
     assert "this ξ stands for an adhesion hysteresis of 40 % of w" in run("n-grav quartz 1um --xi 0.786164nm").err
     assert run("n-grav quartz 1um --adhesion-hysteresis 20mJ/m2±10%").code == 0
+    assert run("n-grav quartz 1um --adhesion-hysteresis 0.0001lbf/in±20%").code == 0
     assert run("n-grav quartz 1um --adhesion-hysteresis 120%").code == 2
     assert run("n-grav quartz 1um --adhesion-hysteresis 40% --xi 1nm").code == 2
     assert sqrt(0.4 / 0.1) == approx(

@@ -21,7 +21,8 @@ def run_export(call: Call) -> int:
     if not call.words:
         raise BadRequest("export: which program? write jkroll export lammps quartz 100nm")
     word, *words = call.words
-    program = PROGRAMS.get(word.casefold())
+    known = {name.replace("-", ""): program for name, program in PROGRAMS.items()}
+    program = known.get(word.casefold().replace("-", ""))
     if program is None:
         raise BadRequest(f"export: {quoted(word)} is not among the programs: {', '.join(PROGRAMS)}")
     request = request_of(call._replace(words=tuple(words)))

@@ -112,7 +112,8 @@ def checked_format(call: Call) -> str:
             remedy = "add --curve to contact, or see jkroll map --help"
             raise BadRequest(f"-o: {quoted(call.target)} is a picture; {remedy}")
         if kind in ("bare", "json", "explain", "cite"):
-            raise BadRequest(f"-o and --{kind} exclude each other; redirect the output: > FILE")
+            remedy = "name the file x.json" if kind == "json" else "redirect the output: > FILE"
+            raise BadRequest(f"-o and --{kind} exclude each other; {remedy}")
     return kind
 
 

@@ -34,7 +34,7 @@ _NOT_MODELLED = "spheres are smooth, dry and elastic here: jkroll guide measurem
 HINTS: Mapping[str, str] = {
     "convert": "jkroll batch adds results to each row of a table, --to is the unit of results",
     "plot": "jkroll map draws a quantity, jkroll figure a figure of the paper, jkroll contact --curve a force curve",
-    "--format": "write --json, --csv or --bare",
+    "--format": "write --json, --csv or --bare, or name a file: -o x.tsv",
     "--gamma12": "the energy of an interface stands in the work of adhesion: --work-of-adhesion, γ1 + γ2 - γ12",
     "--plane": "a plane is a sphere 2 without end: --radius2 plane",
     "--roughness": _NOT_MODELLED,

@@ -132,7 +132,8 @@ def curve_request(call: Call) -> "tuple[Request, Loads | None]":
 
 def _is_part(text: str) -> bool:
     """Return whether an adhesion hysteresis is given as a part of the work of adhesion: 40%, and not 5mJ/m2 ± 20%."""
-    return text.rstrip().endswith("%") and "m" not in text.partition("±")[0]
+    number = text.casefold().partition("±")[0].replace("to", "").replace("e", "")
+    return text.rstrip().endswith("%") and not any(map(str.isalpha, number))
 
 
 def _is_material(word: str) -> bool:

@@ -97,7 +97,7 @@ def lammps_input(scene: Scene) -> Iterator[str]:
         except TwoRigidBodies as error:
             yield f"# {command.partition(' {')[0]}: {error}"
     yield f"timestep {min(steps):.12g}"
-    friction = f" F_slide/(P + 2P_c) = {scene['sliding_friction_coefficient']:.3g}" if scene.law.is_default else ""
+    friction = " F_slide/(P + 2P_c)" if scene.law.is_default else ""
     yield from (remark.format(law=model, friction=friction) for remark in _REMARKS)
     yield from (remark.format(**whole, place=place) for remark in _REMARKS_ON[model])
 

@@ -84,12 +84,16 @@ class Canvas:
         self.letters: list[list[str]] = [[""] * width for _ in range(height)]
 
     def write(self, column: int, row: int, text: str) -> bool:
-        """Write a text into a row if there is room beside other texts; return True if there was."""
-        if not (0 <= row < self.height and column >= 0 and column + len(text) <= self.width):
+        """Write a text into a row if there is room beside other texts, or over the same letters; return True if there was."""
+        end = column + len(text)
+        if not (0 <= row < self.height and column >= 0 and end <= self.width):
             return False
-        if any(self.letters[row][max(0, column - 1) : column + len(text) + 1]):
+        letters = self.letters[row]
+        if any(letters[max(0, column - 1) : column] + letters[end : end + 1]):
             return False
-        self.letters[row][column : column + len(text)] = text
+        if any(old and old != new for old, new in zip(letters[column:end], text, strict=True)):
+            return False
+        letters[column:end] = text
         return True
 
     def hatch(self, column: int, row: int, sign: str, ink: Colour | None = None) -> None:
@@ -177,12 +181,8 @@ def draw_map(drawn: Map, out: TextIO) -> None:
         _draw_contours(canvas, drawn.values, levels)
     for value, text in drawn.guides:
         _across(canvas, drawn.y, value, text)
-    above = []
-    for mark in drawn.marks:
-        if mark.x is not None and mark.y is None:
-            above.append((axis.column(mark.x), mark.text))
-        else:
-            _point(canvas, drawn.x, drawn.y, mark)
+    above = [(axis.column(mark.x), mark.text) for mark in drawn.marks if mark.x is not None and mark.y is None]
+    _points(canvas, drawn.x, drawn.y, [mark for mark in drawn.marks if mark.y is not None])
     _label(canvas, drawn.values, levels, "{}", 0.5)
     if drawn.printed is not None:
         _label(canvas, drawn.printed, levels, "({})", 0.8)
@@ -206,8 +206,7 @@ def draw_picture(drawn: Picture, out: TextIO) -> None:
         canvas = Canvas(axis.width, axis.height)
         for number, curve in enumerate(panel.curves):
             _trace(canvas, panel, curve, SIGNS[number % len(SIGNS)])
-        for point in panel.points:
-            _point(canvas, panel.x, panel.y, point)
+        _points(canvas, panel.x, panel.y, panel.points)
         if panel.title:
             say(panel.title, out)
         axis.say(canvas, out)
@@ -357,12 +356,28 @@ def _across(canvas: Canvas, y: Axis, value: float, text: str) -> None:
     canvas.write(canvas.width - len(text) - 2, row, f" {text} ")
 
 
-def _point(canvas: Canvas, x: Axis, y: Axis, mark: Mark) -> None:
-    """Draw a mark with its text on the side that has room; a mark on the y axis alone goes to the right end."""
-    column = canvas.width - 1 if mark.x is None else _cell(x, mark.x, canvas.width)
-    row = canvas.height - 1 - _cell(y, y.low if mark.y is None else mark.y, canvas.height)
-    if not canvas.write(column, row, f"o {mark.text}"):
-        canvas.write(column - len(mark.text) - 1, row, f"{mark.text} o")
+def _points(canvas: Canvas, x: Axis, y: Axis, marks: Sequence[Mark]) -> None:
+    """Draw marks, each with its text as near as there is room; a mark on the y axis alone goes to the right end."""
+    places = [
+        (
+            canvas.width - 1 if mark.x is None else _cell(x, mark.x, canvas.width),
+            canvas.height - 1 - _cell(y, y.low if mark.y is None else mark.y, canvas.height),
+        )
+        for mark in marks
+    ]
+    for column, row in places:
+        canvas.letters[row][column] = "o"
+    for (column, row), mark in zip(places, marks, strict=True):
+        length = len(mark.text)
+        near = max(0, min(column + 2, canvas.width - length))
+        any(
+            canvas.write(start, at, text)
+            for start, at, text in (
+                (column, row, f"o {mark.text}"),
+                (column - length - 1, row, f"{mark.text} o"),
+                *((near, row + by, mark.text) for by in (-1, 1, -2, 2)),
+            )
+        )
 
 
 def _contours(canvas: Canvas, values: Any, levels: list[Level]) -> list[Any]:
