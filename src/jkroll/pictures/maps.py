@@ -4,7 +4,7 @@ Nothing is drawn here. Everything is computed on whole arrays. In the regions of
 meaning or is not exact.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from math import log10
 from typing import Any, NamedTuple
 
@@ -14,7 +14,7 @@ from ..quantities.laws import DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
 from ..scene.effects import effects, largest
 from ..scene.failures import MissingInput
-from ..scene.limits import LIMITS, Limit, limits_of
+from ..scene.limits import LIMITS, TOLD, Limit, bits_of, doubts, limits_of
 from ..scene.scene import Scene
 from ..scene.solver import values_of
 from ..scene.wiring import has_law
@@ -295,7 +295,7 @@ def label_of(quantity: str, *, has_log_labels: bool, unit: str = "") -> str:
 
 # --- Regions ----------------------------------------------------------------------------------------------------------
 
-_SHOWN = ("contact_radius_in_spacings", "displacement_ratio", "tabor_parameter")  # limits that have a place on a map
+SHOWN = ("contact_radius_in_spacings", "displacement_ratio", "tabor_parameter")  # limits that have a place on a map
 COARSE = 200  # points a side that are enough for the smooth border of a region
 
 
@@ -337,12 +337,17 @@ def bounds_of(scene: Scene, quantity: str) -> list[Bound]:
 def _bounds_of_limits(limits: Iterable[Limit], quantity: str, law: str) -> tuple[Bound, ...]:
     """Return the bounds of limits: the outermost doubt of each, and the line up to which a law of attraction is good."""
     by_name = {limit.name: limit for limit in limits if not limit.conclusion}
-    shown = [by_name[name] for name in _SHOWN if name in by_name and by_name[name].doubts]
+    shown = [by_name[name] for name in SHOWN if name in by_name and by_name[name].doubts]
     of_law = [limit for limit in shown if limit.by_effect and has_law(quantity)]
     return (
         *(_bound(limit) for limit in shown if not limit.by_effect),
         *(_of_effect(limit, place, quantity, law) for limit in of_law for place in (-1, 0)),
     )
+
+
+def coarse(axis: Axis) -> Axis:
+    """Return an axis with as many points as the limits of the model need."""
+    return axis._replace(size=min(axis.size, COARSE))
 
 
 def regions(scene: Scene, bounds: Iterable[Bound], x: Axis, y: Axis, values: Any) -> list[Region]:
@@ -353,7 +358,7 @@ def regions(scene: Scene, bounds: Iterable[Bound], x: Axis, y: Axis, values: Any
     """
     import numpy
 
-    x, y = (axis._replace(size=min(axis.size, COARSE)) for axis in (x, y))
+    x, y = coarse(x), coarse(y)
     here = scene.replace(**x.inputs(x.values()[None, :]), **y.inputs(y.values()[:, None]))
     known = numpy.isfinite(sampled(values, x.size, y.size))
     found: list[Region] = []
@@ -393,6 +398,16 @@ def _side(here: Scene, margin: Any, known: Any) -> str:
     if abs(up) / rows > abs(right) / columns:
         return "above" if up > 0 else "below"
     return "to the right of" if right > 0 else "to the left of"
+
+
+def beyond_others(here: Scene, quantity: str, known: Any) -> Iterator[tuple[str, Any]]:
+    """Iterate over the limits of a quantity that have no region and no line, each in words and as the known elements beyond it."""
+    import numpy
+
+    bits = numpy.where(known, doubts(here, [quantity]) & ~bits_of(SHOWN), 0)
+    for place, one in enumerate(TOLD):
+        if (is_beyond := (bits >> place & 1).astype(bool)).any():
+            yield f"{one.code}: {one.consequence}", is_beyond
 
 
 def margin_along(scene: Scene, bound: Bound, x: Axis) -> Any:

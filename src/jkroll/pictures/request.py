@@ -24,13 +24,16 @@ from .maps import (
     Picture,
     along,
     axis_around,
+    beyond_others,
     bounds_of,
+    coarse,
     evaluate,
     has_values,
     lacking,
     margin_along,
     material_marks,
     regions,
+    sampled,
     unit_of_labels,
     value_on,
 )
@@ -130,10 +133,22 @@ def map_of(request: PlotRequest, size: tuple[int, int]) -> tuple[Map, tuple[str,
         marks = (*of_materials, *chosen)
     found = tuple(regions(scene, context.bounds, x, y, values))
     gaps = _gaps(quantity, [context], [values])
-    caption = (_first_sentence(quantity, [context.scene]), *fixed_inputs(context.inputs), *own, *others, *gaps)
+    beyond = () if request.is_plain else _beyond(scene, quantity, x, y, values)
+    caption = (_first_sentence(quantity, [context.scene]), *fixed_inputs(context.inputs), *own, *others, *gaps, *beyond)
     return Map(
         quantity, scene, x, y, values, found, marks, described(quantity, unit_of_labels(quantity, values)), caption
     ), context.notes
+
+
+def _beyond(scene: Scene, quantity: str, x: Axis, y: Axis, values: Any) -> Iterator[str]:
+    """Iterate over sentences on the limits that a map goes beyond and does not draw."""
+    import numpy
+
+    x, y = coarse(x), coarse(y)
+    here = scene.replace(**x.inputs(x.values()[None, :]), **y.inputs(y.values()[:, None]))
+    known = numpy.isfinite(sampled(values, x.size, y.size))
+    for text, is_beyond in beyond_others(here, quantity, known):
+        yield f"{'Everywhere' if (is_beyond == known).all() else 'In part of the map'} {text}."
 
 
 def curves_of(request: PlotRequest, size: int) -> tuple[Picture, tuple[str, ...]]:
@@ -208,7 +223,7 @@ class Context:
 
     def __init__(self, quantity: str, scene: Scene, values: Mapping[str, float], *, is_plain: bool = False) -> None:
         """Describe a quantity of a scene; `values` holds one value of each axis. `is_plain`: without bounds."""
-        self.given = scene
+        self.given, self.quantity, self.is_plain = scene, quantity, is_plain
         self.scene = scene.replace(**values)
         self.bounds: list[Bound] = []
         notes = []
@@ -220,7 +235,8 @@ class Context:
             except NotInLaw:
                 continue
             except MissingInput as error:
-                notes.append(f"the limits are not shown: {NOMENCLATURE[error.wanted].symbol} {error.reason()}")
+                notes.append(f"limits are not judged: {NOMENCLATURE[error.wanted].symbol} {error.reason()}")
+        self.is_judged = not notes
         names = [quantity, *(bound.name for bound in self.bounds)]
         inputs = self.scene.inputs_of(*names)
         used = {*self.scene.inputs_of(quantity)}
@@ -241,19 +257,31 @@ class Context:
         """Iterate over clauses on the model, which has no meaning or is not exact, each with the part of a curve where that is so."""
         import numpy
 
+        if not self.is_judged:
+            yield "limits are not judged", ""
         has_value = numpy.isfinite(y)
         settled = set()  # numbers that are beyond their farthest bound all over
         for bound in self.bounds:
             if bound.name in settled:
                 continue
             is_beyond = has_value & (margin_along(self.given, bound, x) < 0)
-            where = x.values()[is_beyond]
             if (is_beyond == has_value).all():
                 settled.add(bound.name)
-                yield bound.beyond, _EVERYWHERE
-            elif where.size:
-                ends = (amount(x.name, float(f"{end:.2g}")) for end in (where[0], where[-1]))
-                yield bound.beyond, f"{NOMENCLATURE[x.name].symbol} = {' to '.join(ends)}"
+            if is_beyond.any():
+                yield bound.beyond, _part(x, is_beyond, has_value)
+        if not self.is_plain:
+            here = self.given.replace(**x.inputs(x.values()))
+            for beyond, is_beyond in beyond_others(here, self.quantity, has_value):
+                yield beyond, _part(x, is_beyond, has_value)
+
+
+def _part(x: Axis, is_beyond: Any, has_value: Any) -> str:
+    """Return the part of a curve on which something holds."""
+    if (is_beyond == has_value).all():
+        return _EVERYWHERE
+    where = x.values()[is_beyond]
+    ends = (amount(x.name, float(f"{end:.2g}")) for end in (where[0], where[-1]))
+    return f"{NOMENCLATURE[x.name].symbol} = {' to '.join(ends)}"
 
 
 def inputs_as_texts(scene: Scene, names: Iterable[str]) -> tuple[str, ...]:

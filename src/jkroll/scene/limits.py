@@ -276,6 +276,11 @@ def told(bits: int) -> list[Told]:
     return [one for place, one in enumerate(TOLD) if bits >> place & 1]
 
 
+def bits_of(names: Collection[str]) -> int:
+    """Return the bits of all doubts about some numbers, but for those from which something else is concluded."""
+    return sum(1 << place for place, (limit, _) in enumerate(_DOUBTS) if limit.name in names and not limit.conclusion)
+
+
 @cache  # many rows have the same doubts
 def codes(bits: int) -> str:
     """Return the codes of the doubts that bits stand for, and "?" if there are limits that could not be judged."""
