@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterator, Sequence
 from functools import cache
 from itertools import pairwise
+from math import hypot
 from textwrap import wrap
 from typing import Any
 
@@ -281,18 +282,18 @@ _TICK = 4.0  # points of the page inside the frame that its ticks take
 _ASIDE = 20.0  # times as far as it is from its line, a label may be from the middle
 # Directions from a point to its text, in the order of preference.
 _DIRECTIONS = ((1, 1), (1, -1), (-1, 1), (-1, -1), (1, 0), (-1, 0), (0, 1), (0, -1))
-_REACH = (4.0, 8.0, 14.0, 20.0)  # from a point to its text, in points of the page
+_REACH = (4.0, 8.0, 14.0, 20.0, 30.0, 42.0)  # from a point to its text, in points of the page
 
 
 def label_map(axes: Any, drawn: Map, style: Style) -> None:
     """Write the texts of contours and of marked points into a drawn map. A contour without room stays without a label."""
     lines = _lines_of(axes)
     boxes = _draw_points(axes, drawn.x, drawn.y, drawn.marks, style)
+    _label_points(axes, drawn.x, drawn.y, drawn.marks, lines, boxes, style)  # which have fewer places than contours
     labels = [level.text for level in drawn.levels()]
     for gid, middle in ((CONTOURS, (0.5, 0.5)), (PRINTED, (0.75, 0.5))):
         for contours in (one for one in axes.collections if one.get_gid() == gid):
             _label_contours(axes, contours, labels, middle, lines, boxes, style)
-    _label_points(axes, drawn.x, drawn.y, drawn.marks, lines, boxes, style)
 
 
 def thin_out(axes: Any) -> None:
@@ -335,23 +336,29 @@ def _points(x: Axis, y: Axis, marks: Sequence[Mark]) -> Iterator[tuple[str, tupl
 def _label_points(
     axes: Any, x: Axis, y: Axis, marks: Sequence[Mark], lines: Any, boxes: list[Any], style: Style
 ) -> None:
-    """Write the text of each point on the side where it covers least, with a line to the point if it stands far off."""
-    frame = axes.get_window_extent()
+    """Write the text of each point on the side where it covers least, with a line to the point if it stands far off, or nearer to another."""
+    frame, dots = axes.get_window_extent(), [*boxes]
     places = [(right, up, reach) for reach in _REACH for right, up in _DIRECTIONS]
-    for label, at in _points(x, y, marks):
+    for number, (label, at) in enumerate(_points(x, y, marks)):
         text = axes.annotate(typeset(label), at, xytext=(0, 0), textcoords="offset points", zorder=5)
         costs = []
         for place in places:
             _move(text, *place)
+            _keep_within(text, frame)
             costs.append(_cost(text.get_window_extent(), lines, boxes, frame))
         if min(costs) > 0:  # no free place: lines are kept off by a rim
             text.set_path_effects([withStroke(linewidth=2, foreground=style.paper)])
         best = places[costs.index(min(costs))]
         _move(text, *best)
+        _keep_within(text, frame)
         boxes.append(text.get_window_extent())
-        if best[2] > _REACH[1]:
+        distances = [_distance(boxes[-1], dot) for dot in dots]
+        if best[2] > _REACH[1] or min(distances) < distances[number]:
             leader = {"arrowstyle": "-", "linewidth": 0.4, "color": style.ink, "shrinkA": 2, "shrinkB": 2}
             axes.annotate("", at, xytext=text.get_position(), textcoords="offset points", arrowprops=leader)
+            point, scale = axes.transData.transform(at), axes.figure.dpi / 72
+            ways = ([part * scale * along for along in text.get_position()] for part in (0.25, 0.5, 0.75))
+            boxes += [_box(point + way, scale) for way in ways]
 
 
 def _move(text: Any, right: int, up: int, reach: float) -> None:
@@ -362,6 +369,20 @@ def _move(text: Any, right: int, up: int, reach: float) -> None:
         ha={1: "left", 0: "center", -1: "right"}[right],
         va={1: "bottom", 0: "center", -1: "top"}[up],
     )
+
+
+def _keep_within(text: Any, frame: Any) -> None:
+    """Move a text to the left or to the right, into the frame."""
+    box = text.get_window_extent()
+    shift = max(frame.x0 - box.x0, 0) or min(frame.x1 - box.x1, 0)
+    x, y = text.get_position()
+    text.set_position((x + shift * 72 / text.figure.dpi, y))
+
+
+def _distance(box: Any, other: Any) -> float:
+    """Return how far two boxes are apart."""
+    across, up = max(other.x0 - box.x1, box.x0 - other.x1, 0), max(other.y0 - box.y1, box.y0 - other.y1, 0)
+    return hypot(across, up)
 
 
 def _cost(box: Any, lines: Any, boxes: Sequence[Any], frame: Any) -> float:
