@@ -664,3 +664,9 @@ def test_a_caption_has_every_doubt_of_the_rows(run: Run, words: str, axis: str) 
         )
         assert said in drawn, code
     assert not any(code in run(f"map {words} --x {axis} --plain", terminal=True).out for code in codes)
+
+
+def test_a_displacement_beyond_the_panel_of_moments_is_told(run: Run) -> None:
+    words = "contact quartz 100nm --curve --panel moment --xi"
+    assert "drawn up to ξ_max = 1.33026 nm, before this ξ" in run(f"{words} 3nm", terminal=True).out.replace("\n", " ")
+    assert "drawn up" not in run(f"{words} 1nm", terminal=True).out
