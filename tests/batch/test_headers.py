@@ -684,3 +684,22 @@ def test_what_a_table_assumes_is_said_of_one_and_of_many(run: Run, words: str, s
     for table in ("in/a.csv -o out.csv", "in/*.csv -o out/"):
         lines = run(f"batch {table} {words}").err.splitlines()
         assert [line for line in lines if "assumed" in line] == ([said] if said else [])
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("radius R (nm),gamma (mJ/m2)\n100,25\n", "did you mean radius [nm]?"),
+        ("radius [nm],gamma_sv (mJ/m2)\n100,25\n", "did you mean surface_energy [mJ/m2]?"),
+        ("radius [nm],gama2 (mJ/m2)\n100,25\n", "did you mean surface_energy2 [mJ/m2]?"),
+        ("R,gamma\n[nm],[mJ/m2]\n100,25\n", "the first row has units"),
+        ("Radius,Surface energy\n(nm),(mJ/m2)\n100,25\n", "the first row has units"),
+        ("Durchmesser (um),gamma (mJ/m2)\n100,25\n", "half of 'Durchmesser (um)' would be one"),
+        ("R (nm),gamma (mJ/m2),gamma_sem (mJ/m2)\n100,25,2\n", '± "gamma_sem (mJ/m2)"'),
+        ("R (nm),SEM,gamma (mJ/m2)\n100,image1.tif,25\n", "passed through: SEM"),
+        ("R (nm),SEM,gamma (mJ/m2)\n100,5,25\n", "± SEM"),
+    ],
+)
+def test_what_is_said_of_a_header(run: Run, text: str, said: str) -> None:
+    Path("x.csv").write_text(text, encoding="utf-8")
+    assert said in run("batch x.csv -o out.csv --quantities pull_off_force").err.replace("\n  ", " ")

@@ -179,7 +179,9 @@ def curves_of_contact(
     is_whole = is_one and len(panels) == len(PANELS)
     shown = ("Both branches of the force curve; pressure; moment without load.",) if is_whole else ()
     beyond = [one.x.high for one in panels if is_one and one.x.name == "yield_displacement" and not one.points]
-    limits = (f"The moment is drawn up to ξ_max = {amount('yield_displacement', end)}, before this ξ." for end in beyond)
+    limits = (
+        f"The moment is drawn up to ξ_max = {amount('yield_displacement', end)}, before this ξ." for end in beyond
+    )
     caption = (*shown, *fixed_inputs([*held]), *limits)
     about = _OF_MOMENT if panel == "moment" else OF_CURVE
     doubtful = [note.worded for note in Answer(about, scenes[0]).doubts()] if is_one else []

@@ -278,15 +278,11 @@ def _meaning(
     uncertainty; `of_directions`: a header of the table that says that moduli are those along directions.
     """
     reading = _reading(text, meanings)
-    if at_left and not reading.name and unit_alone(text) is not None and text.strip() not in meanings:
+    is_alone = unit_alone(text) is not None and not _is_text(_first(cells))
+    if at_left and not reading.name and is_alone and text.strip() not in meanings:
         reading = Reading(at_left, part="both")
     name = reading.name
-    if (
-        reading.is_symbol
-        and not reading.part
-        and not _have_units(name, cells)
-        and not fits(_first(cells).strip(), name)
-    ):
+    if reading.is_symbol and not reading.part and not _have_units(name, cells) and not fits(_unit_of_row(cells), name):
         is_named = name.removesuffix("2") in _NAMED and _is_number(_first(cells))
         return Reading(is_alike=True), with_unit(name, cells) if is_named else ""
     if of_directions and name.removesuffix("2") == "youngs_modulus" and text.strip() not in meanings:
@@ -459,6 +455,16 @@ def _first(cells: Sequence[str]) -> str:
     return next(filter(str.strip, cells), "")
 
 
+def _unit_of_row(cells: Sequence[str]) -> str:
+    """Return the first cell as a unit, which may stand in brackets."""
+    return _first(cells).strip().strip("[]()")
+
+
+def _is_text(cell: str) -> bool:
+    """Return whether a cell is neither a number nor empty, as programs write that."""
+    return cell.strip()[:1].isalpha() and cell.strip().casefold() not in _NOTHING
+
+
 def _is_number(text: str) -> bool:
     try:
         return isfinite(float(text))
@@ -508,7 +514,7 @@ def check_units(header: Header, rows: Sequence[Sequence[str]]) -> None:
             lacks = f"has no unit, and neither has its first cell {quoted(first)}. If it is in {guess}, write"
             raise BadTable(f"header: {quoted(text)} {lacks} {_remedies(meant)}") from None
         except QuantityError:
-            if fits(first.strip(), column.name):
+            if fits(_unit_of_row(cells), column.name):
                 in_first_row |= meant  # else it is a bad row, not a bad header
     if in_first_row:
         raise BadTable(f"header: the first row has units. Delete it, and write {_remedies(in_first_row)}")
@@ -542,9 +548,8 @@ def check_inputs(header: Header, measured: str = "") -> None:
 
 def _likely_unit(name: str, cells: Sequence[str]) -> str:
     """Return the unit that stands in the first cell, or that in which the geometric mean of the cells is nearest to the quantity's example."""
-    first = _first(cells).strip()
-    if fits(first, name):
-        return first
+    if fits(unit := _unit_of_row(cells), name):
+        return unit
     example = _example(name)
     if not example:
         return NOMENCLATURE[name].unit

@@ -49,10 +49,10 @@ _UNCLEAR = {
     },
     **dict.fromkeys(("model", "law"), ("", _LAW)),
 }
-_SIZES = re.compile(r"(?<![^\W_])(?:diam(?:eters?)?|dia)(?![^\W_])", re.IGNORECASE)
+_SIZES = re.compile(r"(?<![^\W_])(?:diam(?:eters?)?|dia|durchmesser|ø)(?![^\W_])", re.IGNORECASE)
 _NO_UNITS = ("in", "bar")  # behind an underscore they may mean inside and mean
 _PARTS = {
-    **dict.fromkeys(("±", "+/-", "err", "error", "std", "stdev", "sd", "unc", "uncertainty"), "both"),
+    **dict.fromkeys(("±", "+/-", "err", "error", "std", "stdev", "sd", "sem", "se", "unc", "uncertainty"), "both"),
     "minus": "minus",
     "plus": "plus",
     **dict.fromkeys(("min", "low", "lower"), "low"),
@@ -356,16 +356,27 @@ def _slip(text: str) -> Reading | None:
 
 
 def _near(word: str, names: Iterable[str], least: float) -> list[str]:
-    """Return the names that may be as similar to a word. One with other letters or another length is not compared: that takes long."""
+    """Return the names that may be as similar to a word, of the same sphere.
+
+    One with other letters or another length is not compared: that takes long.
+    """
     if len(word) > MAX_WORD:
         return []
-    letters = {*word}
+    letters, sphere = {*word}, _sphere(word)
     near = []
     for name in names:
+        if _sphere(name) != sphere:
+            continue
         in_common = least * (len(word) + len(name)) / 2  # at least, for similar words
         if in_common <= min(len(word), len(name)) and len(letters.difference(name)) <= len(word) - in_common:
             near.append(name)
     return near
+
+
+def _sphere(word: str) -> str:
+    """Return the sphere of which a name is, by the digits in it: "2", or "" for sphere 1."""
+    digits = "".join(filter(str.isdigit, word))
+    return "" if digits == "1" else digits
 
 
 def _miswritten(unit_text: str, name: str) -> str:

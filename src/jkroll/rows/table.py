@@ -202,9 +202,13 @@ def say_gaps(table: Table, columns: Header, quantities: str) -> None:
     for message in filter(None, table.labels.values()):
         say_wrapped(f"note: {message}", sys.stderr)
     if "radius" not in columns.names and "radius" not in table.fill.fixed and not quantities:
-        size = next(filter(may_be_diameter, columns.texts), "")
-        half = f"; half of {quoted(size)} would be one" if size else ""
-        say(f"note: no column and no option gives a radius; what needs one is left out{half}", sys.stderr)
+        say(f"note: no column and no option gives a radius; what needs one is left out{half_of(columns)}", sys.stderr)
+
+
+def half_of(columns: Header) -> str:
+    """Return a clause on the column that may be a diameter, or an empty text."""
+    size = next(filter(may_be_diameter, columns.texts), "")
+    return f"; half of {quoted(size)} would be one" if size else ""
 
 
 def _labels(columns: Header, rows: Sequence[Sequence[str]], known: Materials) -> dict[str, str]:
