@@ -703,3 +703,11 @@ def test_what_a_table_assumes_is_said_of_one_and_of_many(run: Run, words: str, s
 def test_what_is_said_of_a_header(run: Run, text: str, said: str) -> None:
     Path("x.csv").write_text(text, encoding="utf-8")
     assert said in run("batch x.csv -o out.csv --quantities pull_off_force").err.replace("\n  ", " ")
+
+
+def test_columns_without_a_name_are_no_reason_to_refuse(run: Run) -> None:
+    """As a spreadsheet leaves them at the right."""
+    Path("x.csv").write_text("R (nm);gamma (mJ/m2);;;\n100;25;;;\n", encoding="utf-8")
+    ran = run("batch x.csv -o out.csv --delimiter semicolon --quantities pull_off_force --no-doubt")
+    assert (ran.code, "passed through" in ran.err) == (0, False)
+    assert Path("out.csv").read_text(encoding="utf-8").splitlines()[1].startswith("100;25;;;;1.178")

@@ -64,6 +64,7 @@ NAMED = {
     "RADIUS": Option("radius", "--radius", str, "100nm"),
 }
 MAX_OTHERS = 3
+_DASHES = ("–", "—")  # as word processors make them of hyphens
 
 
 def read(words: Sequence[str]) -> Action:
@@ -138,6 +139,8 @@ def _read(
             return [*arguments, *rest], given
         if "RADIUS" in kinds and (spelt := _named_value(word, flags)):
             word = spelt
+        elif word[:1] in _DASHES and word[1:2].isalpha():
+            raise BadRequest(f"{quoted(word)} begins with a dash; options begin with hyphens: --{word[1:]}")
         elif not word.startswith("-") or word == "-" or ("IN" in kinds and _is_negative(word)):
             arguments.append(_with_unit(word, rest) if "RADIUS" in kinds else word)
             continue

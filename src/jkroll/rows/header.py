@@ -151,16 +151,16 @@ class Header(NamedTuple):
         return frozenset({column.name for column in self.inputs} | {name for name, _ in self.materials})
 
     def reading(self) -> str:
-        """Return the sentence that says how the table is read. What looks like a quantity stands first among what passes through."""
+        """Return the sentence that says how the table is read. What looks like an input, and then like a quantity, stands first among what passes through."""
         materials = [_from(name, "", self.texts[place]) for name, place in self.materials]
         read = [*materials, *map(self._reading_of, self.inputs)]
         places = {place for _, place in self.materials}
         places = places.union(*(column.places.values() for column in self.inputs))
         others = [text for place, text in enumerate(self.texts) if place not in places]
         sentence = f"read: {', '.join(read) or 'no input'}"
-        if not others:
+        passing = [_easy(text) for text in dict.fromkeys((*self.unread, *self.alike, *others)) if text.strip()]
+        if not passing:
             return sentence
-        passing = [_easy(text) for text in dict.fromkeys((*self.alike, *others))]
         count = f"{len(others)} columns: " if len(others) > _MAX_SAID else ""
         return f"{sentence}; passed through: {count}{first_of(passing, _MAX_SAID)}"
 
@@ -332,8 +332,8 @@ def _no_input(text: str, reading: Reading, cells: Sequence[str]) -> BadTable:
 
 
 def _check_new(text: str, key: str, seen: dict[str, str]) -> None:
-    """Raise BadTable for the second column of one meaning. `seen`: the headers of before, by what they mean."""
-    if key in seen:
+    """Raise BadTable for the second column of one meaning, if it has a name. `seen`: the headers of before, by what they mean."""
+    if key in seen and key.strip():
         other = seen[key]
         both = f"two columns {quoted(text)}" if other == text else f"the columns {quoted(other)} and {quoted(text)}"
         raise BadTable(f"header: {both}, of which one must go")
