@@ -711,3 +711,11 @@ def test_columns_without_a_name_are_no_reason_to_refuse(run: Run) -> None:
     ran = run("batch x.csv -o out.csv --delimiter semicolon --quantities pull_off_force --no-doubt")
     assert (ran.code, "passed through" in ran.err) == (0, False)
     assert Path("out.csv").read_text(encoding="utf-8").splitlines()[1].startswith("100;25;;;;1.178")
+
+
+def test_a_number_that_is_too_small_is_no_zero(run: Run) -> None:
+    """Whatever stands beside it."""
+    Path("x.csv").write_text("radius [nm],load [nN]\n100,1\n100,1e-400\n100,0\n100,1e-300\n", encoding="utf-8")
+    assert run("batch x.csv -o out.csv --material quartz --quantities contact_radius_at_load --no-doubt").code == 1
+    statuses = [line.partition(",,")[2] for line in Path("out.csv").read_text(encoding="utf-8").splitlines()[1:]]
+    assert [bool(status) for status in statuses] == [False, True, False, True]

@@ -371,3 +371,12 @@ def test_a_displacement_that_a_material_scales_with_the_radius_is_no_range_besid
     assert isinstance(solve("pull_off_force", radius="0.8 to 1.2 um", **bead), Interval)
     assert solve("yield_force", radius="1 um ± 20%", **bead).minus == approx(1.5729e-10, rel=1e-4)
     assert solve("r_min", radius="0.8 to 1.2 um", yield_displacement=2e-9, **bead).low == approx(320e-6, rel=1e-9)
+
+
+@pytest.mark.parametrize("radius", [1e50, 1e-56])
+def test_shares_are_those_of_changes_whose_squares_no_double_holds(radius: float) -> None:
+    scene = Scene({"radius": Measured(radius, 0.1 * radius), "density": Measured(1e4, 3e3)})
+    found, _ = uncertainties(scene, ["mass"])
+    mass = found["mass"]
+    assert isinstance(mass, Propagated)
+    assert mass.shares == approx({"radius": 0.5, "density": 0.5}, rel=0.02)

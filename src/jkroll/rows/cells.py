@@ -30,6 +30,7 @@ MAX_KEPT = 10_000  # texts whose meaning is remembered
 _NUMBER = rb"[-+]?(?:0|[1-9][0-9]{0,19})(?:\.[0-9]{1,20})?(?:[eE][-+]?[0-9]{1,2})?"
 _CELL = re.compile(rb"\s*(" + _NUMBER + rb")( ?[^\s0-9.,][^,]*)?\s*")
 _POWER = re.compile(rb"e([+-]?[0-9]{1,3}),")
+_TINY = re.compile(rb"[eE]-[0-9]{3}")
 
 
 class Numbers(NamedTuple):
@@ -163,7 +164,9 @@ def plain_numbers(text: bytes, exponent: int, count: int, *, has_empty: bool) ->
         found = orjson.loads(b"[" + text[1:-1] + b"]")
     except orjson.JSONDecodeError:
         return None
-    return numpy.array(found, dtype=float) if len(found) == count else None
+    numbers = numpy.array(found, dtype=float)
+    may_underflow = not numbers.all() and _TINY.search(text) is not None  # a cell by itself says so
+    return numbers if len(found) == count and not may_underflow else None
 
 
 # --- Materials --------------------------------------------------------------------------------------------------------

@@ -287,8 +287,14 @@ def _in_quadrature(
         middle = (minus + plus) / 2
         minus, plus = where(alike, middle, minus), where(alike, middle, plus)
         has_influence = at_least(plus, minus) > ROUNDING * abs(value)
-        parts = (low * low + high * high for low, high in changes)
-        yield name, _Bar({"minus": minus, "plus": plus}, has_influence, parts)
+        yield name, _Bar({"minus": minus, "plus": plus}, has_influence, _squares(changes))
+
+
+def _squares(changes: Iterable[tuple[float, float]]) -> Iterator[float]:
+    """Iterate over the squares of the changes of a number by each source, over the largest of them: they may leave the doubles."""
+    sizes = [hypot(low, high) for low, high in changes]
+    largest = max(sizes)
+    yield from ((size / largest) ** 2 if size else 0.0 for size in sizes)
 
 
 def _range(value: Any, low: Any, high: Any) -> _Bar:

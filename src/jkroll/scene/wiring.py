@@ -13,9 +13,10 @@ from typing import Any, NamedTuple
 from ..physics import FORMULAS
 from ..quantities.errors import UnknownQuantity
 from ..quantities.laws import DEFAULT_LAW, Routes, differs, routes, routes_anywhere
-from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
+from ..quantities.nomenclature import NOMENCLATURE
 
-OF_A_SOLID = frozenset({*PROPERTIES, "hamaker"})  # what another material of sphere 2 does not take over from sphere 1
+# What another material of sphere 2 does not take over from sphere 1: all that each sphere has, but for the radius.
+OF_A_SOLID = frozenset(name for name, one in NOMENCLATURE.items() if one.option and f"{name}2" in NOMENCLATURE)
 
 
 class Step(NamedTuple):
