@@ -719,3 +719,11 @@ def test_a_number_that_is_too_small_is_no_zero(run: Run) -> None:
     assert run("batch x.csv -o out.csv --material quartz --quantities contact_radius_at_load --no-doubt").code == 1
     statuses = [line.partition(",,")[2] for line in Path("out.csv").read_text(encoding="utf-8").splitlines()[1:]]
     assert [bool(status) for status in statuses] == [False, True, False, True]
+
+
+def test_a_label_that_is_another_name_of_a_material_is_told(run: Run) -> None:
+    Path("x.csv").write_text("material,R (nm),gamma (mJ/m2)\nA,100,25\nC,100,25\n", encoding="utf-8")
+    ran = run("batch x.csv -o out.csv --quantities pull_off_force --no-doubt")
+    assert (ran.code, "note: material: 'C' is graphite" in ran.err) == (0, True)
+    Path("x.csv").write_text("material,R (nm),gamma (mJ/m2)\nC,100,25\n", encoding="utf-8")
+    assert "is graphite" not in run("batch x.csv -o out.csv --quantities pull_off_force --no-doubt").err

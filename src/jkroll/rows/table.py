@@ -73,7 +73,7 @@ class Table:
     def __init__(
         self, columns: Header, fill: Fill, wanted: Wanted, *, labels: Mapping[str, str], assumed: Sequence[str]
     ) -> None:
-        """`labels`: names in the first rows that are no material's, as `_labels` has them; `assumed`: inputs that nothing gives."""
+        """`labels`: names in the first rows that are, or may be, no material's, as `_labels` has them; `assumed`: inputs that nothing gives."""
         self.labels, self.assumed = labels, assumed
         self.inputs, self.materials_at, self.fill, self.wanted = columns.inputs, columns.materials, fill, wanted
         self.meanings, self.reading = columns.meanings, columns.reading()
@@ -170,6 +170,7 @@ def table_of(
     scene, without_labels = _typical(columns, rows, fill, labels)
     wanted = wanted_of(scene, columns, fill, asked, doubts=doubt, labels=labels if without_labels else {})
     assumed = _assumed(scene, wanted, columns, rows, fill)
+    labels = labels and {**labels, **_aliases(columns, rows, fill.known)}
     table = Table(columns, fill, wanted, labels=labels, assumed=assumed)
     sides = {*SIDES} if uncertainty else _sides_of(table, rows)
     if sides:
@@ -211,10 +212,15 @@ def half_of(columns: Header) -> str:
     return f"; half of {quoted(size)} would be one" if size else ""
 
 
+def _materials_named(columns: Header, rows: Sequence[Sequence[str]]) -> list[str]:
+    """Return what stands in the columns of materials in some rows, once each."""
+    return [*dict.fromkeys(row[place] for _, place in columns.materials for row in rows if row[place].strip())]
+
+
 def _labels(columns: Header, rows: Sequence[Sequence[str]], known: Materials) -> dict[str, str]:
     """Return the names in some rows that are no material's; with the message, if one stands for several."""
     found: dict[str, str] = {}
-    for text in dict.fromkeys(row[place] for _, place in columns.materials for row in rows if row[place].strip()):
+    for text in _materials_named(columns, rows):
         try:
             known[text]
         except UnclearMaterial as error:
@@ -223,6 +229,16 @@ def _labels(columns: Header, rows: Sequence[Sequence[str]], known: Materials) ->
             found[text] = ""
         except JkrollError:
             continue
+    return found
+
+
+def _aliases(columns: Header, rows: Sequence[Sequence[str]], known: Materials) -> dict[str, str]:
+    """Return the names in some rows that are another name of a material, with the message: beside labels, they may be labels."""
+    found: dict[str, str] = {}
+    for text in _materials_named(columns, rows):
+        with suppress(JkrollError):
+            if (name := known[text].name).casefold() != text.strip().casefold():
+                found[text] = f"material: {quoted(text)} is {name}"
     return found
 
 
