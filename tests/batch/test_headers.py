@@ -727,3 +727,30 @@ def test_a_label_that_is_another_name_of_a_material_is_told(run: Run) -> None:
     assert (ran.code, "note: material: 'C' is graphite" in ran.err) == (0, True)
     Path("x.csv").write_text("material,R (nm),gamma (mJ/m2)\nC,100,25\n", encoding="utf-8")
     assert "is graphite" not in run("batch x.csv -o out.csv --quantities pull_off_force --no-doubt").err
+
+
+def test_a_header_between_rows_is_told_as_such(run: Run) -> None:
+    """As it stands where two tables were joined."""
+    Path("x.csv").write_text("n,R (nm),gamma (mJ/m2)\n1,100,25\nn,R (nm),gamma (mJ/m2)\n1,200,25\n", encoding="utf-8")
+    assert run("batch x.csv -o out.csv --quantities pull_off_force --no-doubt").code == 1
+    assert Path("out.csv").read_text(encoding="utf-8").splitlines()[2].endswith(",,the row repeats the header")
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ("--density 2g/cm3 --quantities pull_off_force", "note: --density changes no result here\n"),
+        (
+            "--density 2g/cm3 --gravity 3m/s2 --quantities r_min",
+            "note: --density and --gravity change no result here\n",
+        ),
+        ("--density 2g/cm3 --quantities n_grav", ""),
+        ("--z0 3angstrom --quantities pull_off_force", ""),
+        ("--z0 3angstrom --quantities pull_off_force --no-doubt", "note: --z0 changes no result here\n"),
+    ],
+)
+def test_an_option_that_changes_nothing_is_told(run: Run, words: str, said: str) -> None:
+    Path("x.csv").write_text("R (nm),gamma (mJ/m2)\n100,25\n", encoding="utf-8")
+    err = run(f"batch x.csv -o out.csv {words}").err
+    assert said in err
+    assert ("no result here" in err) == bool(said)

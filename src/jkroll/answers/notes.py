@@ -155,8 +155,14 @@ def about_middles(uncertain: "Mapping[str, Uncertain]") -> list[Note]:
 def about_idle(scene: Scene, entering: Collection[str]) -> list[Note]:
     """Return a note on the inputs that were given though no result depends on them; `entering` are those that enter."""
     entering = {*entering, *(OF_AREA if scene.is_rigid else ())}  # which refuses, and so changes something
-    idle = [NOMENCLATURE[name].option or name for name in scene.stated if name not in entering]
-    return [Note("result", f"{listed(idle)} change{'' if idle[1:] else 's'} no result here")] if idle else []
+    idle = [name for name in scene.stated if name not in entering]
+    return [Note("result", idle_in_words(idle))] if idle else []
+
+
+def idle_in_words(names: Sequence[str]) -> str:
+    """Return the sentence on inputs that change nothing."""
+    options = [NOMENCLATURE[name].option or name for name in names]
+    return f"{listed(options)} change{'' if options[1:] else 's'} no result here"
 
 
 def about_data(scene: Scene, inputs: Collection[str]) -> list[Note]:

@@ -12,7 +12,7 @@ from ..rows.columns import Columns, Wanted
 from ..rows.header import BadRow, BadTable
 from ..rows.inferred import SoughtOne
 from ..rows.rows import Block, evaluated
-from ..rows.table import Table
+from ..rows.table import Table, idle_of
 from ..scene.limits import NOT_JUDGED, codes
 
 BOM = b"\xef\xbb\xbf"
@@ -64,12 +64,15 @@ def _rows_of_codes(bits: Any) -> Counter[str]:
 
 
 def said_of(table: Table) -> tuple[str, ...]:
-    """Return the lines about a table as a whole: how it is read, and which inputs are assumed in all rows."""
-    if not table.assumed:
+    """Return the lines about a table as a whole: how it is read, which inputs are assumed in all rows, and which options change nothing."""
+    idle = idle_of(table)
+    if not (table.assumed or idle):
         return (table.reading,)
-    from ..answers.notes import parts_of_assumed
+    from ..answers.notes import idle_in_words, parts_of_assumed
 
-    return table.reading, f"note: {', '.join(parts_of_assumed(table.assumed))}"
+    notes = [", ".join(parts_of_assumed(table.assumed))] if table.assumed else []
+    notes += [idle_in_words(idle)] if idle else []
+    return table.reading, *(f"note: {text}" for text in notes)
 
 
 class Converted(NamedTuple):

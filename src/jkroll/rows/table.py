@@ -13,12 +13,14 @@ import numpy
 
 from ..errors import BadRequest, JkrollError
 from ..materials.library import Material, Materials, MaterialsFileError, UnclearMaterial, UnknownMaterial
-from ..quantities.laws import law_named
+from ..quantities.laws import DEFAULT_LAW, law_named
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, XI, header
 from ..quantities.values import Uncertain, is_uncertain, value_of
 from ..scene.failures import MissingInput
 from ..scene.inverse import Observed, check_one, with_placeholders
+from ..scene.limits import LIMITS
 from ..scene.scene import DEFAULTS, EXCLUSIVE, Scene
+from ..scene.wiring import depends_on
 from ..text import first_of, quoted, say, say_wrapped
 from .cells import LABEL, Indices, Lookup, Reader
 from .columns import DOUBT, SIDES, STATUS, BadCells, Wanted, remarks_of
@@ -76,7 +78,7 @@ class Table:
         """`labels`: names in the first rows that are, or may be, no material's, as `_labels` has them; `assumed`: inputs that nothing gives."""
         self.labels, self.assumed = labels, assumed
         self.inputs, self.materials_at, self.fill, self.wanted = columns.inputs, columns.materials, fill, wanted
-        self.meanings, self.reading = columns.meanings, columns.reading()
+        self.meanings, self.reading, self.texts = columns.meanings, columns.reading(), columns.texts
         self.places = dict(self.materials_at)  # of the columns that are read
         for column in self.inputs:
             self.places |= column.places
@@ -133,6 +135,8 @@ class Table:
 
     def scene_of(self, text_of: Callable[[str], str]) -> Any:
         """Return the scene of a row. `text_of` gives the cell of a column. Raises BadCells, or an error of the scene."""
+        if all(text_of(name).strip() == self.texts[place].strip() for name, place in self.places.items()):
+            raise BadCells("the row repeats the header")
         found: dict[str, Any] = dict(zip(MATERIALS, self.fill.spheres, strict=True))
         texts = {column.name: column.joined(*map(text_of, column.places)) for column in self.inputs}
         texts |= {name: text_of(name) for name, _ in self.materials_at}
@@ -317,6 +321,17 @@ def _assumed(scene: Any, wanted: Wanted, columns: Header, rows: Sequence[Sequenc
             materials.append(fill.known[text])
     own = {XI} if any(one.displacement is not None for one in materials) else set()
     return [name for name in DEFAULTS if name in used and name not in own | whole.given.keys()]
+
+
+def idle_of(table: Table) -> list[str]:
+    """Return the inputs of options on which no result of a table and no limit can depend."""
+    fill, wanted = table.fill, table.wanted
+    quantities = wanted.names if fill.inverse is None else [fill.inverse.quantity]
+    law = [fill.model or DEFAULT_LAW]
+    entering = depends_on(quantities, law)
+    if wanted.doubts:
+        entering |= depends_on([limit.name for limit in LIMITS if limit.touches & entering], law)
+    return [name for name in fill.fixed if name not in entering]
 
 
 def _is_infinite(column: Column, rows: Sequence[Sequence[str]]) -> bool:
