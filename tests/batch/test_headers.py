@@ -588,6 +588,15 @@ def test_marks_of_thousands_are_no_decimal_marks(run: Run, rows: list[str], forc
             assert float(found.replace(mark, ".")) == approx(1.5 * pi * gamma * radius)
 
 
+@pytest.mark.parametrize(("other", "mark"), [("1234,5", ","), ("1,200", "."), ("1234.5", ".")])
+def test_results_between_semicolons_have_the_marks_of_the_other_numbers(run: Run, other: str, mark: str) -> None:
+    """Where what is read has none."""
+    Path("x.csv").write_text(f"R (nm);gamma (mJ/m2);n\n100;25;{other}\n", encoding="utf-8")
+    assert run("batch x.csv -o out.csv --delimiter semicolon --quantities pull_off_force --no-doubt").code == 0
+    row = Path("out.csv").read_text(encoding="utf-8").splitlines()[1]
+    assert row == f"100;25;{other};1{mark}1780972450961723e-8;"
+
+
 @pytest.mark.parametrize("words", ["", "--infer gamma --measured pull_off_force --radius2 plane"])
 def test_where_a_comma_may_be_of_thousands_the_table_is_refused(run: Run, words: str) -> None:
     other = "P_c (nN)" if words else "gamma (mJ/m2)"

@@ -50,7 +50,7 @@ REFUSED = {
     "batch in.csv -o x.csv --output y.csv": "--output is given more than once",
     "materials quartz iron": "'iron' is one word too many: jkroll materials [MATERIAL]",
     "verify quickly": "'quickly' is one word too many: jkroll verify",
-    "batch a.csv b.csv": "'b.csv' is one word too many: jkroll batch [IN]",
+    "batch a.csv b.csv": "'b.csv' is one word too many: jkroll batch IN",
     "pull-off quartz 1um --=x": "no such option '--'; see jkroll pull-off --help",
     "pull-off quartz 1um -output x.csv": "no such option '-output'; did you mean -o?",
     "pull-off quartz 1um --format xml": "no such option '--format'; write --json, --csv or --bare, or name a file: -o x.tsv",

@@ -129,10 +129,29 @@ class Dialect:
             raise BadTable("header: is empty")
         rows = [cells for _, line, cells, _ in islice(self.records(body[size:]), SAMPLE) if line]
         whole = [unquoted(cells) for cells in rows if len(cells) == len(names)]
-        has_commas = self.separator != b"," and _have_commas([*map(is_read, names)], [*zip(*whole, strict=True)])
+        has_commas = self.separator != b"," and self._have_commas([*map(is_read, names)], [*zip(*whole, strict=True)])
         first_rows = with_points(whole) if has_commas else whole
         sample = [[cell.decode("utf-8", "replace") for cell in row] for row in first_rows]
         return Head(text[: len(text) - len(body) + size], tuple(names), has_commas), sample
+
+    def _have_commas(self, are_read: Sequence[bool], columns: Sequence[Sequence[bytes]]) -> bool:
+        """Return whether the numbers of a table have decimal commas. Raises BadTable for those that may be of thousands.
+
+        The columns that are read decide; all columns where their marks may be either, or where they have none between
+        semicolons, which are written in place of commas.
+        """
+        read, every = (
+            Counter(map(_decimal_mark, chain.from_iterable(map(_marked_numbers, some))))
+            for some in (compress(columns, are_read), columns)
+        )
+        unclear = [mark.decode() for mark in read if len(mark) > 1]
+        for marks in (read, every) if unclear or (not read and self.separator == b";") else (read,):
+            if marks[b","] != marks[b"."]:
+                return marks[b","] > marks[b"."]
+        for number in (number for number in unclear if "," in number):
+            either = f"{number.replace(',', '.')} or {number.replace(',', '')}"
+            raise BadTable(f"{quoted(number)} may be {either}: write decimal points, and no marks of thousands")
+        return False
 
     def _check_separator(self, names: Sequence[str], line: str) -> None:
         """Refuse a header that only another separator makes a header of, and the line that tells a spreadsheet its separator."""
@@ -299,24 +318,6 @@ class Delimited:
         separator = self.dialect.separator
         doubts = separator + codes(bits).encode() if self.has_doubts else b""
         return doubts + separator + self.dialect.quoted(status.encode()) + self.line_end
-
-
-def _have_commas(are_read: Sequence[bool], columns: Sequence[Sequence[bytes]]) -> bool:
-    """Return whether the numbers of a table have decimal commas. Raises BadTable for those that may be of thousands.
-
-    The columns that are read decide, and where their marks may be either, all columns.
-    """
-    for some in ([*compress(columns, are_read)], columns):
-        marks = Counter(map(_decimal_mark, chain.from_iterable(map(_marked_numbers, some))))
-        if marks[b","] != marks[b"."]:
-            return marks[b","] > marks[b"."]
-        if not any(len(mark) > 1 for mark in marks):
-            return False
-    number = next((mark.decode() for mark in marks if len(mark) > 1 and b"," in mark), "")
-    if number:
-        either = f"{number.replace(',', '.')} or {number.replace(',', '')}"
-        raise BadTable(f"{quoted(number)} may be {either}: write decimal points, and no marks of thousands")
-    return False
 
 
 def _marked_numbers(cells: Sequence[bytes]) -> list[bytes]:

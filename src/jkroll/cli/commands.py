@@ -372,7 +372,7 @@ _COMMANDS = (
     Command(
         "batch",
         "Add results to each row of a table.",
-        Words("[IN]", 1),
+        Words("IN", 1),
         lambda: TABLE,
         "runners:run_batch",
         "grains.csv -o forces.csv",

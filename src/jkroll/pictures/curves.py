@@ -177,7 +177,8 @@ def curves_of_contact(
     if not panels:
         raise missing[0]
     is_whole = is_one and len(panels) == len(PANELS)
-    shown = ("Both branches of the force curve; pressure; moment without load.",) if is_whole else ()
+    branches = "Both branches of the force curve" if loads is None else "Force curve"
+    shown = (f"{branches}; pressure; moment without load.",) if is_whole else ()
     beyond = [one.x.high for one in panels if is_one and one.x.name == "yield_displacement" and not one.points]
     limits = (
         f"The moment is drawn up to ξ_max = {amount('yield_displacement', end)}, before this ξ." for end in beyond
