@@ -13,6 +13,7 @@ import pytest
 import jkroll
 from harness import Run
 from jkroll import Measured, infer, known_materials, solve
+from jkroll.quantities.values import parse_quantity
 from jkroll.scene.inverse import (
     AlreadyGiven,
     CannotInfer,
@@ -417,3 +418,15 @@ def test_the_reason_is_said_of_inputs_and_of_absurd_values_too(run: Run, words: 
     ran = run(f"infer {words}")
     assert (ran.code, ran.out) == (1, "")
     assert ran.err.startswith(f"jkroll: {message}")
+
+
+@pytest.mark.parametrize("part", [1.0, 0.3, 0.1, 0.03])
+def test_the_values_that_an_error_names_can_be_typed(part: float) -> None:
+    """Next to pull-off six digits are too few: the frequency falls to 0 there."""
+    given: dict[str, Any] = {"material": "quartz", "model": "dmt", "load": -2.8e-8}
+    frequency = part * solve("vertical_frequency", radius=2e-7, **given)
+    with pytest.raises(SeveralSolutions) as caught:
+        infer("radius", measured={"vertical_frequency": frequency}, **given)
+    for text in caught.value.reason().partition(" all give")[0].split(" and "):
+        radius = parse_quantity(text, "radius")
+        assert solve("vertical_frequency", radius=radius, **given) == approx(frequency, rel=2e-3)

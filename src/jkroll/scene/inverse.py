@@ -13,10 +13,11 @@ from typing import Any, NamedTuple, TypeVar
 from ..errors import JkrollError, NoResult
 from ..materials.library import Material
 from ..quantities.errors import nearest
-from ..quantities.formatting import amount
+from ..quantities.formatting import DIGITS, Format, amount
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, named
 from ..quantities.values import is_uncertain
 from ..text import listed, quoted
+from .failures import MAX_DIGITS
 from .scene import EXCLUSIVE, Scene
 
 Values = Mapping[str, float]  # by name
@@ -81,6 +82,7 @@ _HALVINGS = 200  # more than lead from any interval to neighbouring doubles
 _NEAR_END = (1e-6, 1e-4, 1e-2, 0.1, 0.3)
 _JUMP = 1e-6  # part of the values around it that a change of sign may leave, if it is a crossing and no jump
 _DIGITS = 1e-14  # of a value: a difference as small as this comes from rounding, and is no jump
+_AS_SHOWN = 1e-3  # relative difference of a quantity at a place as it is shown
 STEP = 1e-6  # relative, of the differences that give a slope
 
 Found = TypeVar("Found")
@@ -349,13 +351,16 @@ class NoSolution(NoResult):
 class SeveralSolutions(NoResult):
     """Error raised where several values of the inputs give the measured values."""
 
-    def __init__(self, names: Sequence[str], measured: Values, found: Sequence[Values]) -> None:
-        super().__init__(tuple(names), dict(measured), tuple(found))
+    def __init__(self, names: Sequence[str], measured: Values, found: Sequence[Values], digits: int = DIGITS) -> None:
+        """`digits`: that the values need, if they are to be typed."""
+        super().__init__(tuple(names), dict(measured), tuple(found), digits)
         self.name, self.names, self.measured, self.found = ",".join(names), tuple(names), measured, tuple(found)
+        self.digits = digits
 
     def reason(self) -> str:
         """Return all of them."""
-        texts = [", ".join(amount(*item) for item in one.items()) for one in self.found]
+        form = Format(digits=self.digits)
+        texts = [", ".join(amount(*item, form) for item in one.items()) for one in self.found]
         words = listed(texts) if len(self.names) == 1 else f"the pairs {', '.join(f'({text})' for text in texts)}"
         return f"{words} all give {equal(self.measured)}"
 
@@ -540,8 +545,20 @@ def _value(name: str, quantity: str, measured: float, pieces: Sequence[Piece]) -
     if not found:
         raise NoSolution([name], {quantity: measured}, quantity, (min(outcomes), max(outcomes)))
     if len(found) > 1:
-        raise SeveralSolutions([name], {quantity: measured}, [{name: value} for value in found])
+        digits = DIGITS
+        for value in found:
+            digits = yield from _digits(value, measured, digits)
+        raise SeveralSolutions([name], {quantity: measured}, [{name: value} for value in found], digits)
     return found[0]
+
+
+def _digits(place: float, level: float, least: int) -> Search[int]:
+    """Return with how many digits, at least so many, a function still has its level at a place: next to pull-off it takes more."""
+    for digits in range(least, MAX_DIGITS):
+        value = yield float(f"{place:.{digits}g}")
+        if abs(value - level) <= _AS_SHOWN * abs(level):
+            return digits
+    return MAX_DIGITS
 
 
 def _all_values(measured: float, pieces: Sequence[Piece]) -> Search[tuple[list[float], list[float]]]:
