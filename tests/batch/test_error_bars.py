@@ -215,3 +215,17 @@ def test_an_error_bar_that_a_hamaker_constant_outranks(run: Run) -> None:
         "surface_energy2_plus",
         "pull_off_force",
     ]
+
+
+def test_a_range_that_enters_no_error_bar_is_told(run: Run) -> None:
+    """Of a material that has ± as well, as at the prompt."""
+    Path("own.toml").write_text(
+        '[materials.own]\nsurface_energy = { value = "25±5 mJ/m2" }\n'
+        'yield_displacement = { value = "1.8 to 2.6 nm", radius = "0.95 um" }\n',
+        encoding="utf-8",
+    )
+    Path("x.csv").write_text("material,radius [nm]\nown,950\nquartz,100\n", encoding="utf-8")
+    words = "batch x.csv -o out.csv --materials own.toml --quantities"
+    assert "note: error bars: ranges are left out beside ±: ξ\n" in run(f"{words} yield_force").err
+    assert "left out" not in run(f"{words} pull_off_force").err
+    assert "ranges are left out beside ±: ξ" in run("yield-force own 950nm --materials own.toml").err

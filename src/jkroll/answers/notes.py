@@ -19,7 +19,7 @@ from .results import Note, NoValue, Result
 
 if TYPE_CHECKING:
     from ..quantities.values import Uncertain
-    from ..scene.uncertainty import Propagated, Sources
+    from ..scene.uncertainty import Propagated, Source, Sources
 
 MAX_NAMES = 3  # of quantities in a note
 CUTOFFS = (4e-10, 1.65e-10)  # the spacing of solids, and the convention: w at the one that was not given
@@ -337,14 +337,18 @@ def about_uncertainties(found: Mapping[str, "Propagated | JkrollError"], sources
     """Return notes on uncertainties that do not exist, and on sources that are left out."""
     failures = {name: one for name, one in found.items() if isinstance(one, JkrollError)}
     notes = [Note("missing", f"{first_symbols(names)}: {NO_END}{reason}") for names, reason in grouped(failures)]
-    left_out: dict[str, list[str]] = {}
-    for source in sources.left_out:
+    values = [(source, f" = {amount(source.names[0], source.given)}") for source in sources.left_out]
+    return notes + [Note("error bars", text) for text in left_out_in_words(values)]
+
+
+def left_out_in_words(sources: "Iterable[tuple[Source, str]]") -> Iterator[str]:
+    """Iterate over sentences on sources that enter no error bar, as others are of the other kind; each has a text behind its symbol."""
+    found: dict[str, dict[str, None]] = {}
+    for source, text in sources:
         reason = "ranges are left out beside ±" if source.given.kind == "range" else "± is left out beside ranges"
-        name = source.names[0]
-        left_out.setdefault(reason, []).append(f"{symbol_of(name)} = {amount(name, source.given)}")
-    return notes + [
-        Note("error bars", f"error bars: {reason}: {', '.join(texts)}") for reason, texts in left_out.items()
-    ]
+        found.setdefault(reason, {})[f"{symbol_of(source.names[0])}{text}"] = None
+    for reason, texts in found.items():
+        yield f"error bars: {reason}: {', '.join(texts)}"
 
 
 def first_symbols(names: list[str]) -> str:

@@ -64,14 +64,15 @@ def _rows_of_codes(bits: Any) -> Counter[str]:
 
 
 def said_of(table: Table) -> tuple[str, ...]:
-    """Return the lines about a table as a whole: how it is read, which inputs are assumed in all rows, and which options change nothing."""
+    """Return the lines about a table as a whole: how it is read, which inputs are assumed in all rows, which options change nothing, and what enters no error bar."""
     idle = idle_of(table)
-    if not (table.assumed or idle):
+    if not (table.assumed or idle or table.left_out):
         return (table.reading,)
-    from ..answers.notes import idle_in_words, parts_of_assumed
+    from ..answers.notes import idle_in_words, left_out_in_words, parts_of_assumed
 
     notes = [", ".join(parts_of_assumed(table.assumed))] if table.assumed else []
     notes += [idle_in_words(idle)] if idle else []
+    notes += left_out_in_words((source, "") for source in table.left_out)
     return table.reading, *(f"note: {text}" for text in notes)
 
 

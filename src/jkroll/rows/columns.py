@@ -91,11 +91,13 @@ class Wanted:
         of_each = dict.fromkeys(self.names, sides)
         return Wanted(self.names, named=self.named, inputs=self.inputs, sides=of_each, doubts=self.doubts)
 
-    def sides_in(self, scene: Any) -> set[str]:
-        """Return the sides of the uncertainties that enter the quantities of a scene."""
+    def sources_in(self, scene: Any) -> "Sources | None":
+        """Return the sources of uncertainty of the quantities of a scene; None if it has no uncertainty."""
+        if not scene.is_uncertain:
+            return None
         from ..scene.uncertainty import sources_of_results
 
-        return sources_of_results(scene, self.names).sides if scene.is_uncertain else set()
+        return sources_of_results(scene, self.names)
 
     def lacks(self, scene: Any) -> bool:
         """Return whether a scene lacks inputs of some quantity."""

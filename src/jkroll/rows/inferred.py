@@ -28,7 +28,7 @@ from .columns import (
 from .reasons import ROW, UNCERTAINTY
 
 if TYPE_CHECKING:
-    from ..scene.uncertainty import Source
+    from ..scene.uncertainty import Sources
 
 
 class Sought(Wanted):
@@ -59,7 +59,8 @@ class Sought(Wanted):
             errors.append(None)
             try:
                 check(names, quantities, one.scene)
-                sides |= plain.sides_in(one)
+                sources = plain.sources_in(one)
+                sides |= set() if sources is None else sources.sides
             except MissingInput as error:
                 errors[-1] = error
             except NoResult:
@@ -73,9 +74,13 @@ class Sought(Wanted):
         """Return the same inputs with columns for some sides of their uncertainties."""
         return type(self)(self.names, self.quantities, inputs=self.inputs, sides=sides, doubts=self.doubts)
 
-    def sides_in(self, scene: Observed) -> set[str]:
-        """Return the sides of the uncertainties that enter the inputs."""
-        return {side for source in self._sources(scene) for side in source.given.sides}
+    def sources_in(self, scene: Observed) -> "Sources | None":
+        """Return the sources of uncertainty of the inputs; None if there is no uncertainty."""
+        if not scene.is_uncertain:
+            return None
+        from ..scene.uncertainty import inferred_sources
+
+        return inferred_sources(self.names, scene)
 
     def lacks(self, scene: Observed) -> bool:
         """Return whether a scene lacks an input without which the quantities have no value."""
@@ -109,25 +114,15 @@ class Sought(Wanted):
 
     def _left_out(self, scene: Observed) -> LeftOut | None:
         """Return the remark on uncertainties for which there are no columns, if there are some. Raises NotShown if a cell has one."""
-        if not self.uncertainties or self.sides_in(scene) <= self.known_sides:
+        if not self.uncertainties or (sources := self.sources_in(scene)) is None:
             return None
-        from ..scene.uncertainty import inferred_sources
-
-        sources = inferred_sources(self.names, scene)
         stated = [name for name, one in scene.measured.items() if is_uncertain(one)]
         return left_out(self, scene.scene, sources, stated=stated)
 
     def _uncertain(self, scene: Observed) -> dict[str, Any]:
         """Return the inputs, and the measured values, from which the uncertainty comes."""
-        sources = self._sources(scene) if self.known_sides else ()
-        return {name: source.given for source in sources for name in source.names}
-
-    def _sources(self, scene: Observed) -> "Sequence[Source]":
-        if not scene.is_uncertain:
-            return ()
-        from ..scene.uncertainty import inferred_sources
-
-        return inferred_sources(self.names, scene).entering
+        sources = self.sources_in(scene) if self.known_sides else None
+        return {} if sources is None else sources.given
 
 
 class SoughtOne(Sought):

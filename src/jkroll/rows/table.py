@@ -7,7 +7,7 @@ import sys
 from collections.abc import Callable, Collection, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy
 
@@ -28,6 +28,9 @@ from .header import BadTable, Column, Header, check_inputs, check_units
 from .inferred import SoughtOne
 from .readings import MATERIALS, may_be_diameter
 from .rows import Block, groups
+
+if TYPE_CHECKING:
+    from ..scene.uncertainty import Source, Sources
 
 _MAX_LABELS = 3  # that are named
 _RENAMED = {STATUS: "", "model": "", DOUBT: ", or write --no-doubt"}  # besides another name
@@ -73,10 +76,20 @@ class Table:
     """The input columns of a table, and the columns that are added to it."""
 
     def __init__(
-        self, columns: Header, fill: Fill, wanted: Wanted, *, labels: Mapping[str, str], assumed: Sequence[str]
+        self,
+        columns: Header,
+        fill: Fill,
+        wanted: Wanted,
+        *,
+        labels: Mapping[str, str],
+        assumed: Sequence[str],
+        left_out: "Sequence[Source]" = (),
     ) -> None:
-        """`labels`: names in the first rows that are, or may be, no material's, as `_labels` has them; `assumed`: inputs that nothing gives."""
-        self.labels, self.assumed = labels, assumed
+        """`labels`: names in the first rows that are, or may be, no material's, as `_labels` has them; `assumed`: inputs that nothing gives.
+
+        `left_out`: sources of uncertainty in the first rows that enter no error bar.
+        """
+        self.labels, self.assumed, self.left_out = labels, assumed, left_out
         self.inputs, self.materials_at, self.fill, self.wanted = columns.inputs, columns.materials, fill, wanted
         self.meanings, self.reading, self.texts = columns.meanings, columns.reading(), columns.texts
         self.places = dict(self.materials_at)  # of the columns that are read
@@ -176,9 +189,12 @@ def table_of(
     assumed = _assumed(scene, wanted, columns, rows, fill)
     labels = labels and {**labels, **_aliases(columns, rows, fill.known)}
     table = Table(columns, fill, wanted, labels=labels, assumed=assumed)
-    sides = {*SIDES} if uncertainty else _sides_of(table, rows)
+    sources = _sources_of(table, rows)
+    sides = {*SIDES} if uncertainty else {side for one in sources for side in one.sides}
+    sides |= {side for value in fill.fixed.values() if is_uncertain(value) for side in value.sides}
     if sides:
-        table = Table(columns, fill, wanted.with_sides(sides), labels=labels, assumed=assumed)
+        left_out = [source for one in sources for source in one.left_out]
+        table = Table(columns, fill, wanted.with_sides(sides), labels=labels, assumed=assumed, left_out=left_out)
     taken = set(table.added)
     for text in columns.texts:
         if text.strip() in taken:
@@ -369,13 +385,13 @@ def _some(name: str) -> float:
     return _SOME if limits.admits(_SOME) else limits.low
 
 
-def _sides_of(table: Table, rows: Sequence[Sequence[str]]) -> set[str]:
-    """Return the sides of the uncertainties that options have, or that enter results of some rows."""
-    found = {side for value in table.fill.fixed.values() if is_uncertain(value) for side in value.sides}
+def _sources_of(table: Table, rows: Sequence[Sequence[str]]) -> "list[Sources]":
+    """Return the sources of uncertainty of results of some rows."""
+    found: list[Sources] = []
     cells = {name: [row[place].encode() for row in rows] for name, place in table.places.items()}
     block = table.block(len(rows), cells, {})
     for places, given in groups(block):
         with suppress(JkrollError):  # bad rows, which their status will explain
-            scene = block.scene(given, places)
-            found |= table.wanted.sides_in(scene)
+            sources = table.wanted.sources_in(block.scene(given, places))
+            found += [] if sources is None else [sources]
     return found
