@@ -130,12 +130,7 @@ def quotient(value: Any, divisor: Any, otherwise: float) -> Any:
     (1.5, 1.0)
     """
     is_known = abs(divisor) > 0
-    if isinstance(value, NUMBER) and isinstance(divisor, NUMBER):
-        return value / divisor if is_known else otherwise
-    import numpy
-
-    found = numpy.full(numpy.broadcast_shapes(numpy.shape(value), numpy.shape(divisor)), otherwise)
-    return numpy.divide(value, divisor, out=found, where=is_known)
+    return where(is_known, value / where(is_known, divisor, 1.0), otherwise)
 
 
 def where(condition: Any, value: Any, otherwise: Any) -> Any:
