@@ -4,6 +4,7 @@ Nothing is drawn here. Everything is computed on whole arrays. In the regions of
 meaning or is not exact.
 """
 
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from math import log10
 from typing import Any, NamedTuple
@@ -407,7 +408,8 @@ def beyond_others(here: Scene, quantity: str, known: Any) -> Iterator[tuple[str,
     bits = numpy.where(known, doubts(here, [quantity]) & ~bits_of(SHOWN), 0)
     for place, one in enumerate(TOLD):
         if (is_beyond := (bits >> place & 1).astype(bool)).any():
-            yield f"{one.code}: {one.consequence}", is_beyond
+            number, sign, threshold = re.split(r"([<>])=?", one.code)
+            yield f"{number} {sign} {threshold}: {one.consequence}", is_beyond
 
 
 def margin_along(scene: Scene, bound: Bound, x: Axis) -> Any:
