@@ -167,8 +167,10 @@ def test_a_stretch_without_dependence_is_told(ulp: int) -> None:
     """By Maugis' law v_stick of quartz does not depend on the radius below some 7 µm."""
     given: dict[str, Any] = {"material": "quartz", "model": "maugis", "atomic_spacing": 4e-10}
     speed = solve("sticking_speed", radius=1e-6, **given) * (1 + ulp * 2.0**-52)
-    with pytest.raises(Undetermined, match=r"every value from 1 pm to 5\.62341 µm gives sticking_speed"):
+    with pytest.raises(Undetermined, match=r"every value from 1 pm to 7\.18713 µm gives sticking_speed") as caught:
         infer("radius", measured={"sticking_speed": speed}, **given)
+    parameter = solve("transition_parameter", radius=caught.value.span[1], **given)
+    assert parameter == approx((9 / 32) ** (1 / 3), rel=1e-3)  # below, spheres attract before they touch
     assert math.isnan(infer("radius", measured={"sticking_speed": [speed, speed]}, **given)[0])
 
 

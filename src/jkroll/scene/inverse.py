@@ -160,16 +160,18 @@ def _to_end(inside: float, outside: float) -> Search[dict[float, float]]:
     return found
 
 
-def _end(inside: float, outside: float) -> Search[float]:
-    """Return the last place with a value on the way from one that has a value to one that has none."""
+def _end(
+    inside: float, outside: float, is_inside: Callable[[float], bool] = lambda value: not isnan(value)
+) -> Search[float]:
+    """Return the last place inside on the way to one outside; inside there is a value, or one of some kind."""
     for _ in range(_HALVINGS):
         middle = (inside + outside) / 2
         if middle in (inside, outside):
             break
-        if isnan((yield middle)):
-            outside = middle
-        else:
+        if is_inside((yield middle)):
             inside = middle
+        else:
+            outside = middle
     return inside
 
 
@@ -533,14 +535,16 @@ def _pieces(name: str, quantity: str, places: Sequence[float], scan: Sequence[fl
 
 def _value(name: str, quantity: str, measured: float, pieces: Sequence[Piece]) -> Search[float]:
     """Return the one value of an input at which a quantity has its measured value; raise Undetermined, NoSolution or SeveralSolutions."""
+
+    def is_alike(value: float) -> bool:
+        return abs(value - measured) <= _ROUNDING * abs(measured)
+
     for places, values in pieces:
-        alike = [
-            place
-            for place, value in zip(places, values, strict=True)
-            if abs(value - measured) <= _ROUNDING * abs(measured)
-        ]
-        if len(alike) > PER_DECADE and alike[-1] >= 10 * alike[0] > 0:
-            raise Undetermined(name, {quantity: measured}, (alike[0], alike[-1]))
+        alike = [at for at, value in enumerate(values) if is_alike(value)]
+        if len(alike) > PER_DECADE and places[alike[-1]] >= 10 * places[alike[0]] > 0:
+            low = yield from _end(places[alike[0]], places[max(alike[0] - 1, 0)], is_alike)
+            high = yield from _end(places[alike[-1]], places[min(alike[-1] + 1, len(places) - 1)], is_alike)
+            raise Undetermined(name, {quantity: measured}, (low, high))
     found, outcomes = yield from _all_values(measured, pieces)
     if not found:
         raise NoSolution([name], {quantity: measured}, quantity, (min(outcomes), max(outcomes)))
