@@ -224,7 +224,8 @@ class Delimited:
         self.places = table.places
         self.has_commas = head.has_decimal_commas
         self.has_doubts = len(table.remarks) > 1
-        self._ends_without_status = Kept(self._end)  # by the bits of doubts: many rows have the same
+        self._doubts = Kept(self._doubts_of)  # by their bits: many rows have the same
+        self._ends_without_status = Kept(self._end_without_status)
 
     def convert(self, text: bytes) -> Converted:
         """Return whole records with the results behind each."""
@@ -311,13 +312,16 @@ class Delimited:
         bits = columns.doubts.tolist()
         ends = [*map(self._ends_without_status.__getitem__, bits)]
         for row in columns.reasons:
-            ends[row] = self._end(bits[row], columns.status(row))
+            status = self.dialect.quoted(columns.status(row).encode())
+            ends[row] = self._doubts[bits[row]] + status + self.line_end
         return ends
 
-    def _end(self, bits: int, status: str = "") -> bytes:
+    def _doubts_of(self, bits: int) -> bytes:
         separator = self.dialect.separator
-        doubts = separator + codes(bits).encode() if self.has_doubts else b""
-        return doubts + separator + self.dialect.quoted(status.encode()) + self.line_end
+        return separator + codes(bits).encode() + separator if self.has_doubts else separator
+
+    def _end_without_status(self, bits: int) -> bytes:
+        return self._doubts[bits] + self.line_end
 
 
 def _marked_numbers(cells: Sequence[bytes]) -> list[bytes]:
