@@ -12,6 +12,9 @@ import pytest
 
 from harness import Run
 from jkroll import Interval, Measured
+from jkroll.batch.formats import FileFormat
+from jkroll.batch.one import input_format, output_format
+from jkroll.batch.settings import Settings
 from jkroll.errors import BadRequest
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.rows.header import BadTable, Header, column_options, stated_meanings, understood
@@ -568,6 +571,7 @@ def test_commas_are_those_of_columns_of_numbers(run: Run) -> None:
         (["850,5\t25", "1.200\t25"], ["850,5", ""]),
         (["1.200\t25\t1.234,5", "800\t25\t3"], ["", "800"]),
         (["0,125\t25", "1,200\t25"], ["0,125", "1,2"]),
+        (["1,234E2\t25", "2,345E2\t25"], ["123,4", "234,5"]),
     ],
 )
 def test_marks_of_thousands_are_no_decimal_marks(run: Run, rows: list[str], forces: list[str]) -> None:
@@ -743,6 +747,8 @@ def test_a_header_between_rows_is_told_as_such(run: Run) -> None:
     Path("x.csv").write_text("n,R (nm),gamma (mJ/m2)\n1,100,25\nn,R (nm),gamma (mJ/m2)\n1,200,25\n", encoding="utf-8")
     assert run("batch x.csv -o out.csv --quantities pull_off_force --no-doubt").code == 1
     assert Path("out.csv").read_text(encoding="utf-8").splitlines()[2].endswith(",,the row repeats the header")
+    Path("x.csv").write_text("material\nquartz\nmaterial\n", encoding="utf-8")
+    assert "not known" not in run("batch x.csv -o out.csv --quantities pull_off_force --radius 100nm").err
 
 
 @pytest.mark.parametrize(
@@ -755,6 +761,8 @@ def test_a_header_between_rows_is_told_as_such(run: Run) -> None:
         ),
         ("--density 2g/cm3 --quantities n_grav", ""),
         ("--z0 3angstrom --quantities pull_off_force", ""),
+        ("--z0 3angstrom --quantities pull_off_force --young 1GPa --poisson 0.3 --model maugis --no-doubt", ""),
+        ("--young inf --quantities pull_off_force --no-doubt", ""),
         ("--z0 3angstrom --quantities pull_off_force --no-doubt", "note: --z0 changes no result here\n"),
     ],
 )
@@ -763,3 +771,17 @@ def test_an_option_that_changes_nothing_is_told(run: Run, words: str, said: str)
     err = run(f"batch x.csv -o out.csv {words}").err
     assert said in err
     assert ("no result here" in err) == bool(said)
+
+
+@pytest.mark.parametrize("kind", ["csv", "ndjson"])
+def test_a_pipe_is_not_compressed_as_its_output_is(kind: str) -> None:
+    settings = Settings(target=f"out.{kind}.gz")
+    form = input_format("-", settings)
+    assert (form, output_format(settings, form)) == (FileFormat(kind), FileFormat(kind, "gzip"))
+    assert input_format("-", settings._replace(format=f"{kind}.gz")) == FileFormat(kind, "gzip")
+
+
+def test_a_mark_before_the_header_may_follow_one_of_encoding(run: Run) -> None:
+    Path("x.txt").write_bytes(b"\xef\xbb\xbf# R_nm gamma_mJ_m2\n100 25\n")
+    assert run("batch x.txt --delimiter blank -o out.tsv --quantities pull_off_force --no-doubt").code == 0
+    assert Path("out.tsv").read_text(encoding="utf-8").splitlines()[1].startswith("100\t25\t1.178")

@@ -669,3 +669,18 @@ def test_a_displacement_beyond_the_panel_of_moments_is_told(run: Run) -> None:
     words = "contact quartz 100nm --curve --panel moment --xi"
     assert "drawn up to ξ_max = 1.33026 nm, before this ξ" in run(f"{words} 3nm", terminal=True).out.replace("\n", " ")
     assert "drawn up" not in run(f"{words} 1nm", terminal=True).out
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        ("pull-off gold,quartz", "gold: limits are not judged."),
+        ("pull-off gold", "gold: limits are not judged."),
+        ("pull-off --gamma 25mJ/m2", " Limits are not judged."),
+    ],
+)
+def test_curves_whose_limits_are_not_judged(run: Run, words: str, sentence: str) -> None:
+    drawn = run(f"map {words} --x radius=100nm:1um", terminal=True)
+    assert sentence in f" {drawn.out.replace(chr(10), ' ')}"
+    assert "limits are not judged: a/z0 needs" in drawn.err.replace("\n  ", " ")
+    assert "not judged" not in run("map pull-off quartz --x radius=100nm:1um", terminal=True).out

@@ -115,6 +115,13 @@ def test_doubts_of_arrays_are_those_of_each_scene() -> None:
         assert codes_of(int(found[place])) == here
 
 
+def test_a_ratio_of_forces_has_the_doubts_of_its_contact() -> None:
+    """Without load, too, where nothing of the contact enters 4ξ/R1."""
+    soft = {"radius": 3e-10, "surface_energy": 0.025, "youngs_modulus": 5e9, "poisson_ratio": 0.2}
+    of_loads = [codes(doubts(Scene({**soft, "load": load}), ["yield_force_ratio"])).split() for load in (0.0, 1e-18)]
+    assert {"a/z0<3", "e_h>0.01"} <= {*of_loads[0]} == {*of_loads[1]}
+
+
 def test_the_paraboloid_is_off_by_what_the_next_term_gives() -> None:
     """r²/2R + r⁴/8 (R1⁻³ + R2⁻³) against the sum of two circles, and 1 % at a = 0.2 R1."""
     for radius2 in (1e-7, 4e-8, 1e-5):

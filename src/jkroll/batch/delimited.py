@@ -30,7 +30,7 @@ _MISTAKEN = (
     (" ", "blanks", "--delimiter blank"),
 )
 _DECIMAL_POINT = re.compile(rb"\.\d")
-_MARKED = re.compile(rb"\d*[.,][\d.,]*\d")  # a number with a point or a comma
+_MARKED = re.compile(rb"\d*[.,][\d.,]*\d(?:[eE][+-]?\d+)?")  # a number with a point or a comma
 _OF_THOUSANDS = re.compile(rb"[1-9]\d{0,2}(?:[.,]\d{3})*")
 _NUMERIC = re.compile(rb"\s*[-+(]?[\d.,]")  # the beginning of numbers, with an error bar or not
 STRIP = 128  # rows written at once: their text stays in the cache
@@ -138,7 +138,7 @@ class Dialect:
         """Return whether the numbers of a table have decimal commas. Raises BadTable for those that may be of thousands.
 
         The columns that are read decide; all columns where their marks may be either, or where they have none between
-        semicolons, which are written in place of commas.
+        semicolons, which are written in place of commas. Where nothing decides, points are decimal.
         """
         read, every = (
             Counter(map(_decimal_mark, chain.from_iterable(map(_marked_numbers, some))))
@@ -148,7 +148,7 @@ class Dialect:
         for marks in (read, every) if unclear or (not read and self.separator == b";") else (read,):
             if marks[b","] != marks[b"."]:
                 return marks[b","] > marks[b"."]
-        for number in (number for number in unclear if "," in number):
+        if number := next((number for number in unclear if "," in number), ""):
             either = f"{number.replace(',', '.')} or {number.replace(',', '')}"
             raise BadTable(f"{quoted(number)} may be {either}: write decimal points, and no marks of thousands")
         return False
@@ -321,7 +321,8 @@ class Delimited:
         return separator + codes(bits).encode() + separator if self.has_doubts else separator
 
     def _end_without_status(self, bits: int) -> bytes:
-        return self._doubts[bits] + self.line_end
+        doubts: bytes = self._doubts[bits]
+        return doubts + self.line_end
 
 
 def _marked_numbers(cells: Sequence[bytes]) -> list[bytes]:
@@ -334,12 +335,13 @@ def _marked_numbers(cells: Sequence[bytes]) -> list[bytes]:
 def _decimal_mark(number: bytes) -> bytes:
     """Return the decimal mark of a number: itself where its mark may be of thousands, and none of a list.
 
-    >>> [*map(_decimal_mark, (b"0,125", b"1.234,5", b"1,234,567", b"1,200", b"1,2,3"))]
-    [b',', b',', b'.', b'1,200', b'']
+    >>> [*map(_decimal_mark, (b"0,125", b"1,200e3", b"1.234,5", b"1,234,567", b"1,200", b"1,2,3"))]
+    [b',', b',', b',', b'.', b'1,200', b'']
     """
-    mark = number.rstrip(b"0123456789")[-1:]
-    whole, _, fraction = number.rpartition(mark)
-    if not _OF_THOUSANDS.fullmatch(whole):
+    mantissa, has_exponent, _ = number.lower().partition(b"e")
+    mark = mantissa.rstrip(b"0123456789")[-1:]
+    whole, _, fraction = mantissa.rpartition(mark)
+    if has_exponent or not _OF_THOUSANDS.fullmatch(whole):
         return mark if whole.isdigit() or not whole else b""
     if len(fraction) != 3 or whole.isdigit():
         return b"" if mark in whole else mark if len(fraction) != 3 else number

@@ -139,7 +139,7 @@ def _read(
             return [*arguments, *rest], given
         if "RADIUS" in kinds and (spelt := _named_value(word, flags)):
             word = spelt
-        elif word[:1] in _DASHES and word[1:2].isalpha():
+        elif word[:1] in _DASHES and word[1:2].isalpha() and "IN" not in kinds:
             raise BadRequest(f"{quoted(word)} begins with a dash; options begin with hyphens: --{word[1:]}")
         elif not word.startswith("-") or word == "-" or ("IN" in kinds and _is_negative(word)):
             arguments.append(_with_unit(word, rest) if "RADIUS" in kinds else word)

@@ -318,7 +318,8 @@ class Bound(NamedTuple):
             factor = numpy.minimum(largest(effects(here, [self.effect_on])), _FARTHEST)
             has_value = numpy.isfinite(values_of(here, [self.effect_on])[self.effect_on])
             return numpy.where(has_value, numpy.log10(self.value / factor), numpy.nan)
-        ratio = numpy.log10(values_of(here, [self.name])[self.name] / self.value)
+        with numpy.errstate(divide="ignore"):  # a number may be 0
+            ratio = numpy.log10(values_of(here, [self.name])[self.name] / self.value)
         return ratio if self.sign == "<" else -ratio
 
 

@@ -212,7 +212,8 @@ def _doubts_along(x: Axis, curves: Sequence[Curve], contexts: "Sequence[Context]
         if places == [(curve.text, _EVERYWHERE) for curve in curves]:
             yield f"Everywhere {doubt}."
         else:
-            yield f"{'; '.join(', '.join(filter(None, place)) for place in places)}: {doubt}."
+            where = "; ".join(filter(None, (", ".join(filter(None, place)) for place in places)))
+            yield f"{where}: {doubt}." if where else f"{capitalized(doubt)}."
 
 
 class Context:

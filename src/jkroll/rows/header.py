@@ -156,11 +156,11 @@ class Header(NamedTuple):
         read = [*materials, *map(self._reading_of, self.inputs)]
         places = {place for _, place in self.materials}
         places = places.union(*(column.places.values() for column in self.inputs))
-        others = [text for place, text in enumerate(self.texts) if place not in places]
+        others = [text for place, text in enumerate(self.texts) if place not in places and text.strip()]
         sentence = f"read: {', '.join(read) or 'no input'}"
-        passing = [_easy(text) for text in dict.fromkeys((*self.unread, *self.alike, *others)) if text.strip()]
-        if not passing:
+        if not others:
             return sentence
+        passing = [_easy(text) for text in dict.fromkeys((*self.unread, *self.alike, *others)) if text.strip()]
         count = f"{len(others)} columns: " if len(others) > _MAX_SAID else ""
         return f"{sentence}; passed through: {count}{first_of(passing, _MAX_SAID)}"
 

@@ -374,9 +374,9 @@ def _near(word: str, names: Iterable[str], least: float) -> list[str]:
 
 
 def _sphere(word: str) -> str:
-    """Return the sphere of which a name is, by the digits in it: "2", or "" for sphere 1."""
+    """Return the sphere of which a name is, by the digits in it: "2", "" for sphere 1, or "12" for both."""
     digits = "".join(filter(str.isdigit, word))
-    return "" if digits == "1" else digits
+    return digits if digits == "12" else "2" * digits.endswith("2")
 
 
 def _miswritten(unit_text: str, name: str) -> str:

@@ -17,7 +17,7 @@ from ..quantities.laws import DEFAULT_LAW, law_named
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, XI, header
 from ..quantities.values import Uncertain, is_uncertain, value_of
 from ..scene.failures import MissingInput
-from ..scene.inverse import Observed, check_one, with_placeholders
+from ..scene.inverse import Observed, check_one
 from ..scene.limits import LIMITS
 from ..scene.scene import DEFAULTS, EXCLUSIVE, Scene
 from ..scene.wiring import depends_on
@@ -233,8 +233,9 @@ def half_of(columns: Header) -> str:
 
 
 def _materials_named(columns: Header, rows: Sequence[Sequence[str]]) -> list[str]:
-    """Return what stands in the columns of materials in some rows, once each."""
-    return [*dict.fromkeys(row[place] for _, place in columns.materials for row in rows if row[place].strip())]
+    """Return what stands in the columns of materials in some rows, once each, without a header that is repeated."""
+    names = ((row[place], columns.texts[place]) for _, place in columns.materials for row in rows)
+    return [*dict.fromkeys(name for name, head in names if name.strip() not in ("", head.strip()))]
 
 
 def _labels(columns: Header, rows: Sequence[Sequence[str]], known: Materials) -> dict[str, str]:
@@ -312,16 +313,14 @@ def _typical(
     """Return a scene that has what the columns and options give, and whether it leaves out materials.
 
     It leaves out those of columns that have no known name in the first rows, unless they were meant as materials:
-    without them, there is no work of adhesion, or not the quantity that was measured. `unknown`: names that are no material's.
+    without them, there is no work of adhesion, or it is not known whether there is. `unknown`: names that are no material's.
     """
     cells = {name: {row[place] for row in rows if row[place].strip()} for name, place in columns.materials}
     labels = [name for name, own in cells.items() if own and own <= unknown.keys()]
     infinite = [column.name for column in columns.inputs if _is_infinite(column, rows)]
     scene = _as_known(columns, fill, labels, infinite)
-    needed, whole = "work_of_adhesion", scene
-    if fill.inverse is not None:
-        needed, whole = fill.inverse.quantity, with_placeholders(scene.scene, [fill.inverse.name])
-    if labels and whole.missing([needed]):  # their rows will say that they are unknown
+    may_lack = fill.inverse is not None or scene.missing(["work_of_adhesion"])
+    if labels and may_lack:  # their rows will say that they are unknown
         return _as_known(columns, fill, [], infinite), False
     return scene, bool(labels)
 
@@ -340,14 +339,14 @@ def _assumed(scene: Any, wanted: Wanted, columns: Header, rows: Sequence[Sequenc
 
 
 def idle_of(table: Table) -> list[str]:
-    """Return the inputs of options on which no result of a table and no limit can depend."""
+    """Return the inputs of options on which no result of a table and no limit can depend. One that is infinite may make a body rigid."""
     fill, wanted = table.fill, table.wanted
     quantities = wanted.names if fill.inverse is None else [fill.inverse.quantity]
     law = [fill.model or DEFAULT_LAW]
     entering = depends_on(quantities, law)
     if wanted.doubts:
         entering |= depends_on([limit.name for limit in LIMITS if limit.touches & entering], law)
-    return [name for name in fill.fixed if name not in entering]
+    return [name for name, value in fill.fixed.items() if name not in entering and value != INFINITY]
 
 
 def _is_infinite(column: Column, rows: Sequence[Sequence[str]]) -> bool:
