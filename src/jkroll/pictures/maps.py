@@ -347,9 +347,13 @@ def _bounds_of_limits(limits: Iterable[Limit], quantity: str, law: str) -> tuple
     )
 
 
-def coarse(axis: Axis) -> Axis:
-    """Return an axis with as many points as the limits of the model need."""
-    return axis._replace(size=min(axis.size, COARSE))
+def coarse(scene: Scene, x: Axis, y: Axis, values: Any) -> tuple[Axis, Axis, Scene, Any]:
+    """Return axes with as many points as the limits of the model need, the scene there, and where a map with these values has some."""
+    import numpy
+
+    x, y = (axis._replace(size=min(axis.size, COARSE)) for axis in (x, y))
+    here = scene.replace(**x.inputs(x.values()[None, :]), **y.inputs(y.values()[:, None]))
+    return x, y, here, numpy.isfinite(sampled(values, x.size, y.size))
 
 
 def regions(scene: Scene, bounds: Iterable[Bound], x: Axis, y: Axis, values: Any) -> list[Region]:
@@ -360,9 +364,7 @@ def regions(scene: Scene, bounds: Iterable[Bound], x: Axis, y: Axis, values: Any
     """
     import numpy
 
-    x, y = coarse(x), coarse(y)
-    here = scene.replace(**x.inputs(x.values()[None, :]), **y.inputs(y.values()[:, None]))
-    known = numpy.isfinite(sampled(values, x.size, y.size))
+    x, y, here, known = coarse(scene, x, y, values)
     found: list[Region] = []
     settled = set()
     for bound in bounds:

@@ -33,7 +33,6 @@ from .maps import (
     margin_along,
     material_marks,
     regions,
-    sampled,
     unit_of_labels,
     value_on,
 )
@@ -142,11 +141,7 @@ def map_of(request: PlotRequest, size: tuple[int, int]) -> tuple[Map, tuple[str,
 
 def _beyond(scene: Scene, quantity: str, x: Axis, y: Axis, values: Any) -> Iterator[str]:
     """Iterate over sentences on the limits that a map goes beyond and does not draw."""
-    import numpy
-
-    x, y = coarse(x), coarse(y)
-    here = scene.replace(**x.inputs(x.values()[None, :]), **y.inputs(y.values()[:, None]))
-    known = numpy.isfinite(sampled(values, x.size, y.size))
+    _, _, here, known = coarse(scene, x, y, values)
     for text, is_beyond in beyond_others(here, quantity, known):
         yield f"{'Everywhere' if (is_beyond == known).all() else 'In part of the map'} {text}."
 
