@@ -345,7 +345,9 @@ def _label_points(
         for place in places:
             _move(text, *place)
             _keep_within(text, frame)
-            costs.append(_cost(text.get_window_extent(), lines, boxes, frame))
+            others = [box for box in boxes if box is not dots[number]]
+            crossed = sum(box.overlaps(one) for box in _way(axes, at, text) for one in others)
+            costs.append(_cost(text.get_window_extent(), lines, boxes, frame) + 300 * crossed * (place[2] > _REACH[1]))
         if min(costs) > 0:  # no free place: lines are kept off by a rim
             text.set_path_effects([withStroke(linewidth=2, foreground=style.paper)])
         best = places[costs.index(min(costs))]
@@ -356,9 +358,14 @@ def _label_points(
         if best[2] > _REACH[1] or min(distances) < distances[number]:
             leader = {"arrowstyle": "-", "linewidth": 0.4, "color": style.ink, "shrinkA": 2, "shrinkB": 2}
             axes.annotate("", at, xytext=text.get_position(), textcoords="offset points", arrowprops=leader)
-            point, scale = axes.transData.transform(at), axes.figure.dpi / 72
-            ways = ([part * scale * along for along in text.get_position()] for part in (0.25, 0.5, 0.75))
-            boxes += [_box(point + way, scale) for way in ways]
+            boxes += _way(axes, at, text)
+
+
+def _way(axes: Any, at: tuple[float, float], text: Any) -> list[Any]:
+    """Return boxes along the line from a point to its text."""
+    point, scale = axes.transData.transform(at), axes.figure.dpi / 72
+    ways = ([part * scale * along for along in text.get_position()] for part in (0.25, 0.5, 0.75))
+    return [_box(point + way, scale) for way in ways]
 
 
 def _move(text: Any, right: int, up: int, reach: float) -> None:
