@@ -655,3 +655,26 @@ def test_the_readme_shows_the_pictures_that_are_kept() -> None:
 if __name__ == "__main__":
     for words, file, rest in SHOWN:
         written(words, rest, KEPT / file)
+
+
+def test_texts_of_marks_keep_apart() -> None:
+    """From each other, from contours' and within the frame; where another dot is nearer, a line leads to its own."""
+    marks = "quartz@100nm,silica-dry@100nm,iron@1um,gold@10nm,graphite@10um,ice-warm@1um,polystyrene@1um"
+    call = Call(words=("pull-off",), x="radius=1nm:1mm", y="gamma=1mJ/m2:10J/m2", mark=marks)
+    drawn, _ = map_of(map_request(call), (80, 80))
+    with settings(PAPER):
+        page = figure_of(drawn, 85 / 25.4, PAPER, has_caption=False)
+    axes: Any = page.axes[0]
+    texts: dict[str, Any] = {text.get_text(): text for text in axes.texts if "@" in text.get_text()}
+    assert [*texts] == marks.split(",")
+    boxes = [text.get_window_extent() for text in texts.values()]
+    contours = [text.get_window_extent() for text in axes.texts if text.get_bbox_patch() is not None]
+    assert not any(one.overlaps(other) for one, other in itertools.combinations([*boxes, *contours], 2))
+    frame = axes.get_window_extent().padded(1)
+    assert all(frame.count_contains(box.corners()) == 4 for box in boxes)
+    led = {tuple(line.xy) for line in axes.texts if not line.get_text() and line.arrow_patch is not None}
+    dots = [axes.transData.transform(text.xy) for text in texts.values()]
+    for place, (text, box) in enumerate(zip(texts.values(), boxes, strict=True)):
+        far = [math.hypot(*(np.clip(dot, box.min, box.max) - dot)) for dot in dots]
+        assert far[place] == min(far) or tuple(text.xy) in led
+    assert len(led) >= 2
