@@ -31,6 +31,7 @@ _MISTAKEN = (
 )
 _DECIMAL_POINT = re.compile(rb"\.\d")
 _MARKED = re.compile(rb"\d*[.,][\d.,]*\d(?:[eE][+-]?\d+)?")  # a number with a point or a comma
+_OTHER_MARK = {b",": b".", b".": b","}
 _OF_THOUSANDS = re.compile(rb"[1-9]\d{0,2}(?:[.,]\d{3})*")
 _NUMERIC = re.compile(rb"\s*[-+(]?[\d.,]")  # the beginning of numbers, with an error bar or not
 STRIP = 128  # rows written at once: their text stays in the cache
@@ -343,9 +344,12 @@ def _decimal_mark(number: bytes) -> bytes:
     whole, _, fraction = mantissa.rpartition(mark)
     if has_exponent or not _OF_THOUSANDS.fullmatch(whole):
         return mark if whole.isdigit() or not whole else b""
-    if len(fraction) != 3 or whole.isdigit():
-        return b"" if mark in whole else mark if len(fraction) != 3 else number
-    return mark if mark not in whole else b"." if mark == b"," else b","
+    is_repeated = mark in whole
+    if len(fraction) != 3:
+        return b"" if is_repeated else mark
+    if whole.isdigit():
+        return number
+    return _OTHER_MARK[mark] if is_repeated else mark
 
 
 def _with_decimal_points(columns: Iterable[Sequence[bytes]]) -> Iterator[tuple[int, str]]:

@@ -4,7 +4,6 @@ Nothing is drawn here. Everything is computed on whole arrays. In the regions of
 meaning or is not exact.
 """
 
-import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from math import log10
 from typing import Any, NamedTuple
@@ -15,7 +14,7 @@ from ..quantities.laws import DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
 from ..scene.effects import effects, largest
 from ..scene.failures import MissingInput
-from ..scene.limits import LIMITS, TOLD, Limit, bits_of, doubts, limits_of
+from ..scene.limits import DOUBTS, LIMITS, TOLD, Doubt, Limit, bits_of, doubts, limits_of
 from ..scene.scene import Scene
 from ..scene.solver import values_of
 from ..scene.wiring import has_law
@@ -296,7 +295,7 @@ def label_of(quantity: str, *, has_log_labels: bool, unit: str = "") -> str:
 
 # --- Regions ----------------------------------------------------------------------------------------------------------
 
-SHOWN = ("contact_radius_in_spacings", "displacement_ratio", "tabor_parameter")  # limits that have a place on a map
+_SHOWN = ("contact_radius_in_spacings", "displacement_ratio", "tabor_parameter")  # limits that have a place on a map
 COARSE = 200  # points a side that are enough for the smooth border of a region
 
 
@@ -339,7 +338,7 @@ def bounds_of(scene: Scene, quantity: str) -> list[Bound]:
 def _bounds_of_limits(limits: Iterable[Limit], quantity: str, law: str) -> tuple[Bound, ...]:
     """Return the bounds of limits: the outermost doubt of each, and the line up to which a law of attraction is good."""
     by_name = {limit.name: limit for limit in limits if not limit.conclusion}
-    shown = [by_name[name] for name in SHOWN if name in by_name and by_name[name].doubts]
+    shown = [by_name[name] for name in _SHOWN if name in by_name and by_name[name].doubts]
     of_law = [limit for limit in shown if limit.by_effect and has_law(quantity)]
     return (
         *(_bound(limit) for limit in shown if not limit.by_effect),
@@ -347,24 +346,33 @@ def _bounds_of_limits(limits: Iterable[Limit], quantity: str, law: str) -> tuple
     )
 
 
-def coarse(scene: Scene, x: Axis, y: Axis, values: Any) -> tuple[Axis, Axis, Scene, Any]:
-    """Return axes with as many points as the limits of the model need, the scene there, and where a map with these values has some."""
+class Coarse(NamedTuple):
+    """The points of a map at which limits of the model are judged: the scene there, and whether the map has a value."""
+
+    x: Axis
+    y: Axis
+    here: Scene
+    known: Any
+
+
+def coarse(scene: Scene, x: Axis, y: Axis, values: Any) -> Coarse:
+    """Return as many points of a map with these values as the limits of the model need."""
     import numpy
 
     x, y = (axis._replace(size=min(axis.size, COARSE)) for axis in (x, y))
     here = scene.replace(**x.inputs(x.values()[None, :]), **y.inputs(y.values()[:, None]))
-    return x, y, here, numpy.isfinite(sampled(values, x.size, y.size))
+    return Coarse(x, y, here, numpy.isfinite(sampled(values, x.size, y.size)))
 
 
-def regions(scene: Scene, bounds: Iterable[Bound], x: Axis, y: Axis, values: Any) -> list[Region]:
-    """Return the regions in which bounds are broken, of a map with these values. A bound that lacks an input is left out.
+def regions(at: Coarse, bounds: Iterable[Bound]) -> list[Region]:
+    """Return the regions of a map in which bounds are broken. A bound that lacks an input is left out.
 
     What counts is where the map has values; a region that holds all of them is everywhere, and a nearer bound of the
     same number says no more.
     """
     import numpy
 
-    x, y, here, known = coarse(scene, x, y, values)
+    x, y, here, known = at
     found: list[Region] = []
     settled = set()
     for bound in bounds:
@@ -408,11 +416,10 @@ def beyond_others(here: Scene, quantity: str, known: Any) -> Iterator[tuple[str,
     """Iterate over the limits of a quantity that have no region and no line, each in words and as the known elements beyond it."""
     import numpy
 
-    bits = numpy.where(known, doubts(here, [quantity]) & ~bits_of(SHOWN), 0)
-    for place, one in enumerate(TOLD):
+    bits = numpy.where(known, doubts(here, [quantity]) & ~bits_of(_SHOWN), 0)
+    for place, (limit, doubt) in enumerate(DOUBTS):
         if (is_beyond := (bits >> place & 1).astype(bool)).any():
-            number, sign, threshold = re.split(r"([<>])=?", one.code)
-            yield f"{number} {sign} {threshold}: {one.consequence}", is_beyond
+            yield f"{_beyond(limit, doubt)}: {TOLD[place].consequence}", is_beyond
 
 
 def margin_along(scene: Scene, bound: Bound, x: Axis) -> Any:
@@ -426,9 +433,12 @@ def margin_along(scene: Scene, bound: Bound, x: Axis) -> Any:
 def _bound(limit: Limit) -> Bound:
     """Return the outermost doubt of a limit of the model as a bound."""
     doubt = limit.doubts[-1]
-    sign = limit.sign[0]
-    beyond = f"{NOMENCLATURE[limit.name].symbol} {sign} {doubt.threshold:g}: {doubt.consequence}"
-    return Bound(limit.name, doubt.threshold, sign, beyond)
+    return Bound(limit.name, doubt.threshold, limit.sign[0], f"{_beyond(limit, doubt)}: {doubt.consequence}")
+
+
+def _beyond(limit: Limit, doubt: Doubt) -> str:
+    """Return a number beyond a threshold as a formula."""
+    return f"{NOMENCLATURE[limit.name].symbol} {limit.sign[0]} {doubt.threshold:g}"
 
 
 def _of_effect(limit: Limit, place: int, quantity: str, law: str) -> Bound:

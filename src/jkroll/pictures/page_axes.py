@@ -341,18 +341,17 @@ def _label_points(
     places = [(right, up, reach) for reach in _REACH for right, up in _DIRECTIONS]
     for number, (label, at) in enumerate(_points(x, y, marks)):
         text = axes.annotate(typeset(label), at, xytext=(0, 0), textcoords="offset points", zorder=5)
+        others = [box for box in boxes if box is not dots[number]]
         costs = []
         for place in places:
-            _move(text, *place)
-            _keep_within(text, frame)
-            others = [box for box in boxes if box is not dots[number]]
-            crossed = sum(box.overlaps(one) for box in _way(axes, at, text) for one in others)
-            costs.append(_cost(text.get_window_extent(), lines, boxes, frame) + 300 * crossed * (place[2] > _REACH[1]))
+            _move(text, *place, frame)
+            way = _way(axes, at, text) if place[2] > _REACH[1] else []
+            crossed = sum(box.overlaps(other) for box in way for other in others)
+            costs.append(_cost(text.get_window_extent(), lines, boxes, frame) + 300 * crossed)
         if min(costs) > 0:  # no free place: lines are kept off by a rim
             text.set_path_effects([withStroke(linewidth=2, foreground=style.paper)])
         best = places[costs.index(min(costs))]
-        _move(text, *best)
-        _keep_within(text, frame)
+        _move(text, *best, frame)
         boxes.append(text.get_window_extent())
         distances = [_distance(boxes[-1], dot) for dot in dots]
         if best[2] > _REACH[1] or min(distances) < distances[number]:
@@ -368,18 +367,14 @@ def _way(axes: Any, at: tuple[float, float], text: Any) -> list[Any]:
     return [_box(point + way, scale) for way in ways]
 
 
-def _move(text: Any, right: int, up: int, reach: float) -> None:
-    """Put a text beside its point."""
+def _move(text: Any, right: int, up: int, reach: float, frame: Any) -> None:
+    """Put a text beside its point, and to the left or to the right into the frame."""
     shorter = reach * (0.7 if right and up else 1.0)
     text.set(
         position=(right * shorter, up * shorter),
         ha={1: "left", 0: "center", -1: "right"}[right],
         va={1: "bottom", 0: "center", -1: "top"}[up],
     )
-
-
-def _keep_within(text: Any, frame: Any) -> None:
-    """Move a text to the left or to the right, into the frame."""
     box = text.get_window_extent()
     shift = max(frame.x0 - box.x0, 0) or min(frame.x1 - box.x1, 0)
     x, y = text.get_position()

@@ -17,6 +17,7 @@ from ..text import capitalized, quoted
 from .axes import Axis, described
 from .maps import (
     Bound,
+    Coarse,
     Curve,
     Map,
     Mark,
@@ -130,20 +131,20 @@ def map_of(request: PlotRequest, size: tuple[int, int]) -> tuple[Map, tuple[str,
     if scene.material is None and {x.name, y.name} & {*PROPERTIES}:
         of_materials, others = material_marks(request.materials, x, y)
         marks = (*of_materials, *chosen)
-    found = tuple(regions(scene, context.bounds, x, y, values))
+    at = coarse(scene, x, y, values)
+    found = tuple(regions(at, context.bounds))
     gaps = _gaps(quantity, [context], [values])
-    beyond = () if request.is_plain else _beyond(scene, quantity, x, y, values)
+    beyond = () if request.is_plain else _beyond(at, quantity)
     caption = (_first_sentence(quantity, [context.scene]), *fixed_inputs(context.inputs), *own, *others, *gaps, *beyond)
     return Map(
         quantity, scene, x, y, values, found, marks, described(quantity, unit_of_labels(quantity, values)), caption
     ), context.notes
 
 
-def _beyond(scene: Scene, quantity: str, x: Axis, y: Axis, values: Any) -> Iterator[str]:
+def _beyond(at: Coarse, quantity: str) -> Iterator[str]:
     """Iterate over sentences on the limits that a map goes beyond and does not draw."""
-    _, _, here, known = coarse(scene, x, y, values)
-    for text, is_beyond in beyond_others(here, quantity, known):
-        yield f"{'Everywhere' if (is_beyond == known).all() else 'In part of the map'} {text}."
+    for text, is_beyond in beyond_others(at.here, quantity, at.known):
+        yield f"{'Everywhere' if (is_beyond == at.known).all() else 'In part of the map'} {text}."
 
 
 def curves_of(request: PlotRequest, size: int) -> tuple[Picture, tuple[str, ...]]:

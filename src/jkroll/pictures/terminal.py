@@ -370,14 +370,10 @@ def _points(canvas: Canvas, x: Axis, y: Axis, marks: Sequence[Mark]) -> None:
     for (column, row), mark in zip(places, marks, strict=True):
         length = len(mark.text)
         near = max(0, min(column + 2, canvas.width - length))
-        any(
-            canvas.write(start, at, text)
-            for start, at, text in (
-                (column, row, f"o {mark.text}"),
-                (column - length - 1, row, f"{mark.text} o"),
-                *((near, row + by, mark.text) for by in (-1, 1, -2, 2)),
-            )
-        )
+        beside = (column, row, f"o {mark.text}"), (column - length - 1, row, f"{mark.text} o")
+        for place in (*beside, *((near, row + by, mark.text) for by in (-1, 1, -2, 2))):
+            if canvas.write(*place):
+                break
 
 
 def _contours(canvas: Canvas, values: Any, levels: list[Level]) -> list[Any]:

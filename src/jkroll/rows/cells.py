@@ -142,7 +142,7 @@ def _exponent(unit_text: bytes, name: str) -> int | None:
 def plain_numbers(text: bytes, exponent: int, count: int, *, has_empty: bool) -> Floats | None:
     """Return numbers, each with a comma behind it, times a power of ten; nan for an empty text, if there may be some.
 
-    Returns None if there is anything else before a comma, or not as many.
+    Returns None if there is anything else before a comma, or not as many, or a 0 that may be a number below the doubles.
 
     >>> plain_numbers(b"1,2.5,+1E2,5.0e-1,,", -9, 5, has_empty=True)
     array([1.0e-09, 2.5e-09, 1.0e-07, 5.0e-10,     nan])
@@ -164,9 +164,10 @@ def plain_numbers(text: bytes, exponent: int, count: int, *, has_empty: bool) ->
         found = orjson.loads(b"[" + text[1:-1] + b"]")
     except orjson.JSONDecodeError:
         return None
+    if len(found) != count:
+        return None
     numbers = numpy.array(found, dtype=float)
-    may_underflow = not numbers.all() and _TINY.search(text) is not None  # a cell by itself says so
-    return numbers if len(found) == count and not may_underflow else None
+    return None if not numbers.all() and _TINY.search(text) else numbers
 
 
 # --- Materials --------------------------------------------------------------------------------------------------------

@@ -208,9 +208,9 @@ LIMITS = (
 
 # A doubt is a bit until it is worded: one for each doubt of each limit, in their order, and a last one for limits that could not
 # be judged.
-_DOUBTS = tuple((limit, doubt) for limit in LIMITS for doubt in limit.doubts)
+DOUBTS = tuple((limit, doubt) for limit in LIMITS for doubt in limit.doubts)
 _FIRST = tuple(accumulate((len(limit.doubts) for limit in LIMITS), initial=0))  # the bit of the first doubt of each
-NOT_JUDGED = 1 << len(_DOUBTS)
+NOT_JUDGED = 1 << len(DOUBTS)
 
 
 class Told(NamedTuple):
@@ -220,7 +220,7 @@ class Told(NamedTuple):
     consequence: str
 
 
-TOLD = tuple(Told(limit.code(doubt), doubt.consequence.partition(";")[0]) for limit, doubt in _DOUBTS)
+TOLD = tuple(Told(limit.code(doubt), doubt.consequence.partition(";")[0]) for limit, doubt in DOUBTS)
 
 
 def judged(scene: Scene, names: Collection[str]) -> Judgement:
@@ -278,7 +278,7 @@ def told(bits: int) -> list[Told]:
 
 def bits_of(names: Collection[str]) -> int:
     """Return the bits of all doubts about some numbers, but for those from which something else is concluded."""
-    return sum(1 << place for place, (limit, _) in enumerate(_DOUBTS) if limit.name in names and not limit.conclusion)
+    return sum(1 << place for place, (limit, _) in enumerate(DOUBTS) if limit.name in names and not limit.conclusion)
 
 
 @cache  # many rows have the same doubts
