@@ -51,7 +51,7 @@ VALUES = {
     "jobs": ("1", "1", "01", "0", "65", "-1", "x", "1.0"),
     "mark": ("quartz@100nm", "@1um", "iron", "quartz@100nm,@1nm", "quarz@1nm", "@", "quartz@", "@5nN", ",", "a@b@c", ""),
 }  # fmt: skip
-# How often each command is drawn: figures, tables and the audit take a hundred times as long as a scene.
+# How often each command is drawn: figures and tables take a hundred times as long as a scene.
 WEIGHTS = dict.fromkeys(QUESTIONS, 100.0)
 WEIGHTS |= {"infer": 100, "materials": 50, "batch": 12, "map": 16, "export": 30, "quantities": 10, "guide": 3}
 WEIGHTS |= {"figure": 1, "verify": 0.3, "bench": 1}

@@ -19,7 +19,7 @@ SOURCE = Path(jkroll.__file__).parent
 MODULES = sorted(SOURCE.rglob("*.py"))
 
 # From the top down: a folder imports from those below it. The files outside a folder are the ground.
-FOLDERS = "cli batch bench audit pictures output answers rows scene materials quantities physics ground".split()
+FOLDERS = "cli batch bench pictures output answers rows scene materials quantities physics ground".split()
 # The package and its script hand out names of all folders; the wheel's build adds the module of shipped materials.
 PUBLIC = {"__init__", "__main__"}
 ONLY = {

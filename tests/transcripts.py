@@ -27,7 +27,6 @@ _IN_TEXT = re.compile(r"`(jkroll [^`]+)`")
 _ALL_DIGITS = re.compile(r"\d+\.\d{14,}")  # of a number that is written for programs
 _NOT_RUN = (
     "jkroll bench",
-    "jkroll verify",
     "jkroll --install-completion",
     "jkroll COMMAND",
     "jkroll --show-completion",

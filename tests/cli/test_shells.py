@@ -13,7 +13,7 @@ from harness import Run
 from jkroll.cli.commands import COMMANDS, flags_of
 from jkroll.cli.shells import app
 
-SLOW = {"figure", "bench", "verify", "map"}
+SLOW = {"figure", "bench", "map"}
 FORMS = """\
 pull-off quartz 100nm
 pull-off quartz 100nm --bare

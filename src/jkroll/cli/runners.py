@@ -95,11 +95,10 @@ def run_guide(call: Call) -> int:
     return 0
 
 
-def run_verify(call: Call) -> int:
-    """Compute the audit of the paper; return 1 if a verdict is not the expected one."""
-    from ..audit.verify import write_verification
-
-    return write_verification(sys.stdout, format_name(call))
+def run_verify(_: Call) -> int:
+    """Say where the audit of the paper went; the command itself goes with 1.0."""
+    say_wrapped("The audit of the paper is `jkroll guide paper` now; the tests recompute it.", sys.stdout)
+    return 0
 
 
 def run_bench(call: Call) -> int:

@@ -10,7 +10,7 @@ from functools import cached_property
 from math import cbrt, cos, hypot, inf, pi, sin, sqrt
 from typing import Final
 
-from .checks import Check, across, integral, lowest, nearest, over_disc, root, slope, to_rim
+from audit.checks import Check, across, integral, lowest, nearest, over_disc, root, slope, to_rim
 
 
 class Pair:

@@ -6,8 +6,8 @@ Appendices A and B, Eqs 50-88: the cylinder on a plane, where E means E/(1 âˆ’ Î
 from math import cos, pi, sqrt
 from typing import Final
 
-from .checks import Check, across, first_order, integral, principal_value, slope, to_rim
-from .pair import pair, plane
+from audit.checks import Check, across, first_order, integral, principal_value, slope, to_rim
+from audit.pair import pair, plane
 
 R_INSIDE: Final = 0.37 * pair.a  # a distance from the centre
 A_HALF: Final = 1.09 * pair.a  # radius of one half-circle

@@ -1,0 +1,45 @@
+"""All claims of the paper, in its order, and the table of those that do not hold, as `jkroll guide paper` has it.
+
+    python tests/audit/claims.py
+
+writes that table into the page anew.
+"""
+
+import sys
+from pathlib import Path
+
+if __package__ in (None, ""):
+    sys.path.insert(0, str(Path(__file__).parents[1]))
+from audit.checks import Check
+from audit.moment import cylinder, moment
+from audit.pair import collisions, statics, vibrations
+
+PAGE = Path(__file__).parents[2] / "src" / "jkroll" / "guide" / "paper.md"
+HEAD = "| Eq | claim | printed | follows | printed over follows | verdict | from |\n|---|---|---|---|---|---|---|\n"
+
+
+def claims() -> tuple[Check, ...]:
+    """Evaluate every claim of the paper, in its order, and what follows in its place."""
+    return (*moment(), *statics(), *vibrations(), *collisions(), *cylinder())
+
+
+def table() -> str:
+    """Return the claims that do not hold as a table in Markdown, each with its numbers at the values of the audit."""
+    rows = [check.row() for check in claims() if check.verdict != "holds"]
+    cells = (
+        (row.equation, row.claim.replace("|", "\\|"), f"{row.printed:.4g}", f"{row.follows:.4g}",
+         f"{row.printed / row.follows:.3g}", row.verdict, row.reason)
+        for row in rows
+    )  # fmt: skip
+    return HEAD + "".join(f"| {' | '.join(line)} |\n" for line in cells)
+
+
+def with_table(page: str) -> str:
+    """Return a page with the table in place of the one that it has."""
+    before, _, rest = page.partition(HEAD)
+    after = rest.partition("\n\n")[2]
+    return f"{before}{table()}\n{after}"
+
+
+if __name__ == "__main__":
+    PAGE.write_text(with_table(PAGE.read_text(encoding="utf-8")), encoding="utf-8")
