@@ -1,12 +1,12 @@
-"""`jkroll guide validation`: its table is computed from the measurements when it is shown."""
+"""`jkroll guide validation`: its table is that of the measurements."""
 
 import math
 import re
 
 from harness import Run
 from jkroll import solve
-from jkroll.output.validation import MEASUREMENTS, comparisons
 from relative import approx
+from tools.measurements import MEASUREMENTS, PAGE, comparisons, measurements_table
 
 COMPARED = comparisons()
 
@@ -14,6 +14,11 @@ COMPARED = comparisons()
 def rows(page: str) -> list[list[str]]:
     """Return the cells of the table of measurements, row by row."""
     return [[cell.strip() for cell in line.strip("|").split("|")] for line in re.findall(r"^\| \d+ \|.*$", page, re.M)]
+
+
+def test_the_page_has_the_table() -> None:
+    """If it fails: `python tests/tools/measurements.py` writes it anew."""
+    assert measurements_table() in PAGE.read_text(encoding="utf-8")
 
 
 def test_each_measurement_has_a_row_and_its_origin(run: Run) -> None:

@@ -10,10 +10,10 @@ from harness import Run
 from jkroll.answers.displacement import FORCES, PAIR, SCALED, worth
 from jkroll.answers.results import Note
 from jkroll.materials.library import known_materials
-from jkroll.output.validation import MEASUREMENTS
 from jkroll.quantities.values import value_of
 from jkroll.scene.scene import Scene
 from relative import approx
+from tools.measurements import MEASUREMENTS
 
 
 def of(material: str, radius: float, **given: float) -> Scene:

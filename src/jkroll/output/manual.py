@@ -8,7 +8,6 @@ from ..text import closest, fitting, quoted, say
 
 _FOLDER = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "guide")
 _ENDING = ".md"
-_MEASUREMENTS = "(measurements)\n"  # a line in whose place the table of measurements is shown
 
 
 class UnknownTopic(JkrollError):
@@ -31,18 +30,9 @@ def topics() -> tuple[str, ...]:
 
 
 def page(topic: str) -> str:
-    """Return the page of a topic as Markdown, with its table of measurements if it has one, or raise UnknownTopic."""
+    """Return the page of a topic as Markdown, or raise UnknownTopic."""
     if topic not in topics():
         raise UnknownTopic(topic)
-    text = _written(topic)
-    if _MEASUREMENTS in text:
-        from .validation import measurements_table
-
-        text = text.replace(_MEASUREMENTS, measurements_table() + "\n")
-    return text
-
-
-def _written(topic: str) -> str:
     with open(os.path.join(_FOLDER, topic + _ENDING), encoding="utf-8") as file:
         return file.read()
 
@@ -63,5 +53,5 @@ def write_topics(out: TextIO) -> None:
     names = topics()
     width = max(map(len, names))
     for topic in names:
-        title = _written(topic).partition("\n")[0].removeprefix("# ")
+        title = page(topic).partition("\n")[0].removeprefix("# ")
         say(f"{topic:{width}}  {title}", out)

@@ -1,18 +1,25 @@
-"""Measurements beside what this program computes for them: the data, and the table of them, computed when it is shown.
+"""Measurements beside what this program computes for them: the data, and the table of them in `jkroll guide validation`.
 
-A row has only what was read in the source itself or in a text that cites it, and says which. What was not stated there,
+    python tests/tools/measurements.py
+
+writes the table into the page anew. A row has only what was read in the source itself or in a text that cites it, and says which. What was not stated there,
 such as the shape of the other body, is said in the remark.
 """
 
 from collections.abc import Iterator, Mapping
 from math import log
+from pathlib import Path
 from typing import NamedTuple
 
-from ..materials.library import known_materials
-from ..quantities.formatting import Format, amount, in_words, significant
-from ..quantities.nomenclature import NOMENCLATURE
-from ..quantities.values import value_of
-from ..scene.scene import DEFAULTS, Scene
+from jkroll.materials.library import known_materials
+from jkroll.quantities.formatting import Format, amount, in_words, significant
+from jkroll.quantities.nomenclature import NOMENCLATURE
+from jkroll.quantities.values import value_of
+from jkroll.scene.scene import DEFAULTS, Scene
+
+PAGE = Path(__file__).parents[2] / "src" / "jkroll" / "guide" / "validation.md"
+HEAD = "| row | solids | R1 | what | measured | computed | ratio |\n|---|---|---|---|---|---|---|\n"
+END = "\n*abstract*:"  # the paragraph below the table and its origins
 
 _OF_RATIOS = "yield_force_ratio"  # a quantity without a unit, as which ratios are read and printed
 _ROUNDED = Format(digits=3)
@@ -165,8 +172,13 @@ def measurements_table() -> str:
         )
         rows.append(f"| {' | '.join(cells)} |")
         origins.append(f"{place}. {row.source} ({row.read}). Computed for {each.scene}. {row.remark}.")
-    heads = "| row | solids | R1 | what | measured | computed | ratio |\n|---|---|---|---|---|---|---|"
-    return "\n".join([heads, *rows, "", *origins])
+    return HEAD + "\n".join([*rows, "", *origins, ""])
+
+
+def with_table(page: str) -> str:
+    """Return a page with the table in place of the one that it has."""
+    before, _, rest = page.partition(HEAD)
+    return f"{before}{measurements_table()}{END}{rest.partition(END)[2]}"
 
 
 def _compared(row: Measurement) -> Compared:
@@ -198,3 +210,7 @@ def _told(scene: Scene, row: Measurement) -> Iterator[str]:
 def _middle(text: str, name: str) -> float:
     found = value_of(text, name)
     return found if isinstance(found, float) else found.value
+
+
+if __name__ == "__main__":
+    PAGE.write_text(with_table(PAGE.read_text(encoding="utf-8")), encoding="utf-8")
