@@ -244,8 +244,9 @@ def of_sides(value: float, sides: Mapping[str, float]) -> float | Uncertain:
 
 def _checked_number(owner: str, value: object) -> float:
     """Return a number as a float; raise BadRequest for anything else."""
+    may_have_unit = any(hasattr(value, word) for word in ("attrs", "dims", "unit", "units"))
     try:
-        if not isinstance(value, str | bytes) and not isnan(number := float(value)):  # type: ignore[arg-type]
+        if not isinstance(value, str | bytes) and not may_have_unit and not isnan(number := float(value)):  # type: ignore[arg-type]
             return number
     except (TypeError, ValueError, OverflowError):
         pass

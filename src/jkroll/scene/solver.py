@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 Slices = tuple[slice, ...]  # of a block in an array
 ELEMENTS_AT_ONCE = 1 << 14  # few enough that intermediate results stay in the processor's cache
+_PLAIN = float, int, str  # types of values that hold no others
 
 
 @overload
@@ -75,8 +76,8 @@ def solve(
     model
         The law of attraction: "jkr" (the paper's, the default), "maugis" or "dmt".
     **given
-        Inputs by name: a float, an array or a list in SI units, a text with a unit ("100 nm"), or a pint Quantity.
-        Arrays broadcast. `radius2` may be infinite (a plane), and one Young's modulus too (a rigid body).
+        Inputs by name: a float, an array or a list in SI units, a text with a unit ("100 nm"), or a pint Quantity,
+        which an array of xarray or dask may hold. Arrays broadcast. `radius2` may be infinite (a plane), and one Young's modulus too (a rigid body).
         Single values may be uncertain: `Measured`, `Interval`, "25±5 mJ/m2", "20 to 30 mJ/m2", or a pint Measurement.
 
     Returns
@@ -259,9 +260,33 @@ def in_si(given: Mapping[str, Any], name_of: Callable[[str], str] = name_of_inpu
         if isinstance(value, float):
             values[name] = float(value)
             continue
-        registry = _registry(value) or registry
-        values[name] = _number(name, value)
+        content = _content(name, value)
+        registry = _registry(content) or registry
+        values[name] = _number(name, content)
     return values, registry
+
+
+def _content(name: str, value: Any) -> Any:
+    """Return the numbers, texts or pint Quantities that a container holds.
+
+    xarray and dask hold Quantities, and numpy would drop their units. Any other unit raises QuantityError: that of
+    astropy or unyt, and one that is a word among the attributes of an array.
+    """
+    if isinstance(value, _PLAIN) or hasattr(value, "m_as") or is_uncertain(value):
+        return value
+    if isinstance(value, list | tuple):
+        return [_content(name, item) for item in value]
+    for word in getattr(value, "attrs", ()):
+        if str(word).casefold() in ("unit", "units"):
+            unit = f"{word} = {value.attrs[word]}"
+            raise QuantityError(name, unit, "is an attribute, which is not read; give SI numbers or a pint Quantity")
+    if hasattr(value, "unit") or hasattr(value, "units"):
+        raise QuantityError(name, str(value), "has a unit, and only those of pint are read; give SI numbers")
+    if not hasattr(value, "dtype"):  # what is no array: a set of data of xarray has variables
+        return value
+    if hasattr(value, "dims"):
+        return _content(name, value.data)
+    return _content(name, value.compute()) if hasattr(value, "__dask_graph__") else value
 
 
 def _registry(value: Any) -> Any:
@@ -304,13 +329,11 @@ def as_floats(name: str, value: Any) -> Any:
 
     if numpy.ma.isMaskedArray(value):
         raise QuantityError(name, "a masked array", "has cells without a value; fill it first")
-    if hasattr(value, "unit") or hasattr(value, "units"):  # as of astropy and unyt, which numpy would drop
-        raise QuantityError(name, str(value), "has a unit, and only those of pint are read; give SI numbers")
     try:
         array = numpy.asarray(value)
         if array.dtype.kind in "fiu":
             return array.astype(float, copy=False) if array.ndim else float(array)
-    except (ValueError, OverflowError):
+    except (TypeError, ValueError, OverflowError):
         pass
     raise QuantityError(name, str(value), "is not a number")
 
@@ -323,8 +346,9 @@ def _of_numbers(formula: Callable[..., Any]) -> Callable[..., Any]:
 
     @wraps(formula)
     def call(**arguments: Any) -> Any:
+        contents = {name: _content(name, value) for name, value in arguments.items()}
         return formula(
-            **{name: value if hasattr(value, "m_as") else as_floats(name, value) for name, value in arguments.items()}
+            **{name: value if hasattr(value, "m_as") else as_floats(name, value) for name, value in contents.items()}
         )
 
     return call
