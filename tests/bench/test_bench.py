@@ -13,43 +13,34 @@ import pytest
 
 from harness import Run, Stream
 from jkroll import physics, solve
-from jkroll.bench.points import REGIONS, each, exact, ordinary, references, regions, scenes
+from jkroll.bench.points import REGIONS, each, exact, references, regions
 from jkroll.bench.report import (
     DEFAULT,
     HEADS,
-    MACHINE_HEADS,
     PLOTTED,
     PROMISE,
     PROMISE_OF_MAUGIS,
     QUICK,
-    RATIO_HEADS,
-    USUAL,
-    Error,
     Plot,
     Row,
-    by_hand_in_blocks,
-    compare,
     measure,
-    off_front,
     picture_of,
     plot_bench,
-    with_front,
     write_bench,
 )
-from jkroll.bench.ways import OTHER_WAYS, QUANTITIES, by_hand
-from jkroll.scene.solver import ELEMENTS_AT_ONCE
-from maugis_reference import approach, at_load, mpf, stiffness
+from jkroll.bench.ways import OTHER_WAYS, QUANTITIES
+from maugis_reference import at_load, mpf
 from reference import BOUND, conditions, exact_results, ulp_error
 from relative import approx
 
-OF_MAUGIS = ("contact_radius_maugis", "approach_maugis", "stiffness_maugis")
-SMALL = QUICK._replace(points=24, elements=1000, numbers=5, repeats=1, scenes=1000)
+OF_MAUGIS = "contact_radius_maugis"
+SMALL = QUICK._replace(points=24, elements=1000, numbers=5, repeats=1)
 
 
 @cache
 def rows() -> dict[tuple[str, str], Row]:
     """Return the rows of a small benchmark."""
-    return {(row.quantity, row.way): row for rows in measure(SMALL) for row in rows}
+    return {(row.quantity, row.way): row for row in measure(SMALL)}
 
 
 @pytest.mark.slow
@@ -59,12 +50,10 @@ def test_every_quantity_has_other_ways_and_a_reference() -> None:
 
 
 @pytest.mark.parametrize("quantity", QUANTITIES)
-@pytest.mark.parametrize("way", [DEFAULT, "jkroll, floats", "jkroll, pint arrays"])
+@pytest.mark.parametrize("way", [DEFAULT, "jkroll, floats"])
 def test_the_default_keeps_the_promise_in_every_region(quantity: str, way: str) -> None:
     row = rows()[quantity, way]
-    assert row.worst_stated <= (PROMISE_OF_MAUGIS if quantity in OF_MAUGIS else PROMISE)
-    if quantity not in OF_MAUGIS:  # whose κ is left: a change of λ by its last digit
-        assert row.worst_ulp < 8
+    assert row.worst <= (PROMISE_OF_MAUGIS if quantity == OF_MAUGIS else PROMISE)
 
 
 def test_the_promise_is_that_of_the_guide() -> None:
@@ -83,8 +72,7 @@ def test_no_load_reaches_the_fold() -> None:
 def test_approximations_of_maugis_law_are_as_rough_as_is_known() -> None:
     """Carpick, Ogletree & Salmeron's radius is within 3 %; JKR and DMT have an error of order one, outside their limits."""
     fit, jkr, dmt = (
-        rows()["contact_radius_maugis", way].errors["ordinary"].worst_ulp * 2.0**-53
-        for way in ("COS 1999", "JKR", "DMT")
+        rows()["contact_radius_maugis", way].errors["ordinary"].worst * 2.0**-53 for way in ("COS 1999", "JKR", "DMT")
     )
     assert 0.005 < fit < 0.03
     assert min(jkr, dmt) > 0.1
@@ -93,21 +81,16 @@ def test_approximations_of_maugis_law_are_as_rough_as_is_known() -> None:
 @pytest.mark.parametrize(
     ("quantity", "way", "lost"),
     [
-        ("yield_moment", "s = √(1+P/P_c)", 1e5),
-        ("n_roll", "Eq 49 as printed", 1e5),
-        ("stiffness", "s = √(1+P/P_c)", 1e6),
-        ("stiffness", "slopes of P(â) and δ(â)", 1e6),
-        ("approach_at_load", "8+9P/P_c", 1e6),
         ("load_factor_at_approach", "closed form, radicals", math.inf),
-        ("load_factor_at_approach", "Newton on the quartic", 1e4),
-        ("load_factor_at_approach", "closed form, Vieta", 1e4),
+        ("load_factor_at_approach", "table of 10⁴ nodes", 1e9),
         ("yield_moment", "half-circles, Eq 19", 1e12),
+        ("yield_moment", "Gauss 8 in r", 1e12),
     ],
 )
 def test_what_is_known_to_lose_digits_loses_them(quantity: str, way: str, lost: float) -> None:
     row = rows()[quantity, way]
-    assert row.worst_ulp >= lost
-    assert row.worst_ulp > row.errors["ordinary"].worst_ulp
+    assert row.worst >= lost
+    assert row.worst > row.errors["ordinary"].worst
 
 
 def test_the_closed_form_of_other_programs_has_no_number_where_spheres_are_pressed_hard() -> None:
@@ -118,20 +101,13 @@ def test_the_closed_form_of_other_programs_has_no_number_where_spheres_are_press
 
 
 def test_quadrature_converges_in_the_angle_and_hardly_in_the_radius() -> None:
-    in_radius, more, in_angle = (
-        rows()["yield_moment", way].errors["ordinary"].median
-        for way in ("Gauss 8 in r", "Gauss 64 in r", "Gauss 8 in angle")
+    in_radius, in_angle = (
+        rows()["yield_moment", way].errors["ordinary"].median for way in ("Gauss 8 in r", "Gauss 16 in angle")
     )
-    assert in_radius > more > in_radius / 100
-    assert in_angle < 1e-9 * more
-    assert rows()["yield_moment", "Gauss 16 in angle"].errors["ordinary"].median < 10
+    assert in_angle < min(10, 1e-9 * in_radius)
 
 
-def test_single_precision_keeps_half_of_the_digits() -> None:
-    assert 2.0**26 < rows()["yield_moment", "jkroll, float32"].errors["ordinary"].median < 2.0**30
-
-
-@pytest.mark.parametrize("points", [ordinary(40), regions(40)["extreme"]], ids=["ordinary", "extreme"])
+@pytest.mark.parametrize("points", [regions(40)["ordinary"], regions(40)["extreme"]], ids=["ordinary", "extreme"])
 def test_two_references_agree(points: dict[str, np.ndarray]) -> None:
     """The package's reference and that of the tests take the load in different terms."""
     for point in each(points):
@@ -147,7 +123,7 @@ def test_two_references_agree(points: dict[str, np.ndarray]) -> None:
         }
         wanted = exact_results(given)
         for quantity in QUANTITIES:
-            if quantity not in ("load_factor_at_approach", *OF_MAUGIS):
+            if quantity not in ("load_factor_at_approach", OF_MAUGIS):
                 nearest = exact(quantity, {**point, "load": 0.0}).nearest
                 assert ulp_error(nearest, wanted[quantity]) <= 0.5 + 1e-9
 
@@ -155,7 +131,7 @@ def test_two_references_agree(points: dict[str, np.ndarray]) -> None:
 def test_two_conditions_agree() -> None:
     """κ in the load, by the package's decimals and by the tests' mpmath."""
     names = ("contact_radius_at_load", "stiffness", "yield_moment", "vertical_frequency", "n_roll")
-    for point in each(ordinary(10)):
+    for point in each(regions(10)["ordinary"]):
         given = {
             **{name: point[name] for name in ("radius", "radius2", "density", "yield_displacement", "gravity", "load")},
             "surface_energy": point["work_of_adhesion"] / 2,
@@ -169,7 +145,7 @@ def test_two_conditions_agree() -> None:
 
 def test_the_reference_of_maugis_law_solves_his_equations() -> None:
     """Against the equations of the tests, which were written for another unknown and another precision."""
-    for point in each(ordinary(8)):
+    for point in each(regions(8)["ordinary"]):
         pair: dict[str, Any] = {
             name: point[name] for name in ("radius", "radius2", "work_of_adhesion", "contact_modulus")
         }
@@ -179,56 +155,8 @@ def test_the_reference_of_maugis_law_solves_his_equations() -> None:
         ).values()
         force = math.pi * point["work_of_adhesion"] * reduced
         length = (math.pi * point["work_of_adhesion"] * reduced**2 / (4 / 3 * point["contact_modulus"])) ** (1 / 3)
-        radius, t = at_load(mpf(transition), mpf(point["load"] / force))
-        delta = approach(radius, t, mpf(transition))
+        radius, _ = at_load(mpf(transition), mpf(point["load"] / force))
         assert exact("contact_radius_maugis", point)[0] == approx(float(radius) * length, rel=1e-12)
-        assert exact("approach_maugis", point)[0] == approx(float(delta) * length**2 / reduced, rel=1e-11)
-        slope = float(stiffness(t, mpf(transition)))
-        assert exact("stiffness_maugis", point)[0] == approx(slope * force * reduced / length**2, rel=1e-11)
-
-
-def test_by_hand_is_the_plain_program_of_the_rivals() -> None:
-    given = scenes(50)
-    values: dict[str, Any] = {**given, "yield_displacement": 2e-10}
-    functions = {"sqrt": np.sqrt, "cbrt": np.cbrt, "fmin": np.minimum, "fmax": np.maximum, "pi": math.pi}
-    for line in (Path(__file__).parents[1] / "benchmarks" / "formulas.txt").read_text(encoding="utf-8").splitlines():
-        name, _, expression = line.partition("=")
-        values[name.strip()] = eval(expression, functions, values)
-    found = by_hand(np.sqrt, np.cbrt, np.minimum, np.maximum, **given)
-    numbers = by_hand(math.sqrt, math.cbrt, min, max, **each(given)[7])
-    wanted = solve(USUAL, **given)
-    for name in USUAL:
-        np.testing.assert_array_equal(found[name], values[name], err_msg=name)
-        np.testing.assert_allclose(found[name], wanted[name], rtol=1e-13, err_msg=name)
-        assert numbers[name] == approx(wanted[name][7], rel=1e-13)
-
-
-def test_by_hand_in_blocks_is_by_hand() -> None:
-    many = scenes(ELEMENTS_AT_ONCE + 50)
-    whole = by_hand(np.sqrt, np.cbrt, np.minimum, np.maximum, **many)
-    for name, values in by_hand_in_blocks(many).items():
-        np.testing.assert_array_equal(values, whole[name], err_msg=name)
-
-
-def test_the_front_is_made_of_those_that_no_other_beats() -> None:
-    def row(way: str, cost: float, error: float) -> Row:
-        return Row("r_min", way, cost, 1.0, {"ordinary": Error(0.0, error, error)})
-
-    found = with_front(
-        [row(DEFAULT, 10, 2), row("rough", 1, 9), row("slow", 20, 2), row("poor", 10.5, 3), row("exact", 99, 0.5)]
-    )
-    assert [one.way for one in found if one.on_front] == [DEFAULT, "rough", "exact"]
-    assert off_front(found) == []
-    beaten = with_front([row(DEFAULT, 10, 3), row("another", 5, 1)])
-    assert off_front(beaten) == ["r_min: better than the default: another, 5 ns and 1 ulp for 10 ns and 3 ulp"]
-    tied = with_front([row(DEFAULT, 10, 2), row("another", 5, 1)])
-    assert off_front(tied) == ["r_min: within 1 ulp of the default: another, 5 ns and 1 ulp for 10 ns and 2 ulp"]
-
-
-def test_the_cost_of_solve_is_compared() -> None:
-    arrays, one, between = compare(SMALL)
-    assert (arrays.scenes, one.scenes, between.scenes) == (1000, 1, 1000)
-    assert arrays.ratio > 0
 
 
 @pytest.fixture
@@ -249,22 +177,15 @@ def test_what_is_written(kind: str) -> None:
     assert write_bench(out, kind, quick=True) == 0
     text = out.text()
     if kind == "json":
-        whole = json.loads(text)
-        assert tuple(whole["machine"][0]) == MACHINE_HEADS
-        assert tuple(whole["ways"][0]) == HEADS
-        assert tuple(whole["solve"][0]) == RATIO_HEADS
+        assert {tuple(row) for row in json.loads(text)} == {HEADS}
     elif kind == "csv":
-        machine, first, second = text.split("\n\n")
-        assert tuple(next(csv.reader(io.StringIO(machine)))) == MACHINE_HEADS
-        assert tuple(next(csv.reader(io.StringIO(first)))) == HEADS
-        assert tuple(next(csv.reader(io.StringIO(second)))) == RATIO_HEADS
+        assert {len(line) for line in csv.reader(io.StringIO(text))} == {len(HEADS)}
     elif kind == "plain":
-        assert text.startswith("\t".join(MACHINE_HEADS) + "\n")
-        widths = {len(heads) - 1 for heads in (MACHINE_HEADS, HEADS, RATIO_HEADS)}
-        assert {line.count("\t") for line in text.splitlines()} == {0, *widths}
+        assert text.startswith("\t".join(HEADS) + "\n")
+        assert {line.count("\t") for line in text.splitlines()} == {len(HEADS) - 1}
     else:
         assert f"numpy {np.__version__}" in text.splitlines()[0]
-        assert "8(P+P_c)+P" in text
+        assert "Eq 6 through â, stable s" in text
 
 
 def test_a_plot_has_a_point_and_the_name_of_every_way() -> None:
@@ -279,7 +200,7 @@ def test_a_plot_has_a_point_and_the_name_of_every_way() -> None:
             assert point.x is not None
             assert point.x == approx(row.cost * 1e-9)
             assert point.y is not None
-            assert point.y == (row.worst_stated if 0.1 < row.worst_stated < 2**53 else approx(2**53))
+            assert point.y == (row.worst if 0.1 < row.worst < 2**53 else approx(2**53))
             assert panel.x.low < point.x < panel.x.high
             assert panel.y.low < point.y < panel.y.high
 
