@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from jkroll.batch import delimited
-from jkroll.batch.delimited import DIALECTS, Delimited, unquoted
+from jkroll.batch.delimited import DIALECTS, Delimited, as_lines
 from jkroll.batch.lines import Converted, Head
 from jkroll.batch.one import table_with
 from jkroll.batch.settings import Job, Settings
@@ -71,7 +71,7 @@ def test_quick_or_careful(*, table: list[list[str]], dialect: str, end: str, las
     text = (end.join(separator.join(row) for row in table) + last).encode()
     quick = converted(dialect, end, text, excel_safe=excel_safe)
     with (
-        patch.object(Delimited, "_quickly", return_value=None),
+        patch.object(Delimited, "_cut", return_value=None),
         patch.object(Reader, "_together", return_value=None),
         patch.object(delimited, "STRIP", 1),
     ):
@@ -83,7 +83,7 @@ def test_the_quick_way_is_taken() -> None:
     text = b"a,quartz,100,1,0.2,50 nm\n" * 300 + b"b,quartz,-5,0,0.2,50 nm\n"
     convert = converter("csv", "\n", excel_safe=False).convert
     with (
-        patch.object(Delimited, "_carefully", side_effect=AssertionError),
+        patch.object(Delimited, "_read", side_effect=AssertionError),
         patch.object(Reader, "_of_many_kinds") as one_by_one,
     ):
         found = convert(text)
@@ -97,14 +97,16 @@ def test_the_quick_way_is_taken() -> None:
 @settings(deadline=None)
 @given(text=st.text(st.sampled_from('a,"\n\r'), max_size=24).map(str.encode))
 def test_records_are_those_of_csv(text: bytes) -> None:
-    """Where the csv module of Python takes all of a text, its records and cells are the same."""
-    records = [unquoted(cells) for _, line, cells, problem in DIALECTS["csv"].records(text) if line or problem]
+    """Where the csv module of Python takes all of a text, its records and cells are the same, and so are their lines."""
+    dialect, lines = DIALECTS["csv"], as_lines(text)
+    records = [*dialect.records(lines)]
+    assert "".join("".join(lines[record.start : record.stop]) for record in records).encode() == text
     try:
-        expected = [row for row in csv.reader(io.StringIO(text.decode(), newline="\n"), strict=True) if row]
+        expected = [*csv.reader(io.StringIO(text.decode(), newline="\n"), strict=True)]
     except csv.Error:
-        assert [] in records
+        assert any(record.problem for record in records)
     else:
-        assert [[cell.decode() for cell in cells] for cells in records] == expected
+        assert [record.cells for record in records] == expected
 
 
 @settings(deadline=None)
@@ -115,8 +117,8 @@ def test_records_are_those_of_csv(text: bytes) -> None:
 def test_no_record_is_cut(text: bytes, rest: bytes) -> None:
     """Whatever comes after it, a text is cut where a record ends."""
 
-    def records(text: bytes) -> list[tuple[bytes, str]]:
-        return [(line, problem) for _, line, _, problem in DIALECTS["csv"].records(text) if line or problem]
+    def records(text: bytes) -> list[tuple[list[str], str]]:
+        return [(record.cells, record.problem) for record in DIALECTS["csv"].records(as_lines(text))]
 
     size = DIALECTS["csv"].cut(text)
     assert records(text[:size]) + records(text[size:] + rest) == records(text + rest)

@@ -14,9 +14,8 @@ from ..rows.columns import BLOCK
 from ..rows.header import BadTable
 from ..text import ending, quoted, say
 from .formats import CHUNK, FileFormat, decompressed
-from .lines import SAMPLE
+from .lines import MAX_RECORD, SAMPLE
 
-MAX_RECORD = 1 << 24
 SPREADSHEETS = ("xlsx", "xls", "ods")  # are neither read nor written
 
 Cut = Callable[[bytes], int]  # number of bytes of whole records at the beginning of a text

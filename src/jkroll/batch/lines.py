@@ -16,6 +16,7 @@ from ..rows.table import Table, idle_of
 from ..scene.limits import NOT_JUDGED, codes
 
 BOM = b"\xef\xbb\xbf"
+MAX_RECORD = 1 << 24  # bytes
 SAMPLE = 200  # rows that decide how a table is read
 _COMPRESSED = {b"\x1f\x8b": "gz", b"\x28\xb5\x2f\xfd": "zst"}  # by the first bytes
 _UTF_16 = (b"\xff\xfe", b"\xfe\xff")
