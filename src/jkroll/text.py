@@ -32,6 +32,23 @@ def ascii_text(text: str) -> str:
     return "".join(pieces).encode("ascii", "replace").decode()
 
 
+_RAISED = frozenset("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻₀₁₂₃₄₅₆₇₈₉")
+
+
+def composed(text: str) -> str:
+    """Return a text with letters and marks as one character, and wide and square forms as the usual ones; superscripts stay.
+
+    >>> composed("1㎚"), composed("A\u030a"), composed("１（ｍ²）")
+    ('1nm', 'Å', '1(m²)')
+    """
+    if text.isascii():
+        return text
+    from unicodedata import normalize
+
+    letters = normalize("NFC", text)
+    return "".join(letter if letter in _RAISED else normalize("NFKC", letter) for letter in letters)
+
+
 def _replace(error: UnicodeError) -> tuple[str, int]:
     """Return the replacement of characters that a stream cannot encode: an error handler of `codecs`."""
     assert isinstance(error, UnicodeEncodeError)

@@ -405,7 +405,7 @@ HEADERS = {
     "radius [nm],r_min [m]": "header: the table already has a column 'r_min [m]'; rename it, or leave it out of the results with --quantities",
     "poisson_ratio,x": "pull_off_force needs radius of sphere 1 and surface energy per surface; give --gamma 25mJ/m2 and a radius such as 100nm; --work-of-adhesion 50mJ/m2 may replace some",
     "name,x": "header: no column is an input; a row is a contact, and its inputs have columns such as radius [nm]. Write --column 'HEADER=INPUT [UNIT]'",
-    "# grains of 2020,x": "header: the first line is a comment; take out the lines before the columns' names, and the # before these",
+    "# grains of 2020,x": "header: '100' is a number; begin with a line of the columns' names",
     '"radius [nm],x': "header: has a quote that is not closed",
     "": "header: is empty",
 }

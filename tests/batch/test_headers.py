@@ -443,7 +443,7 @@ def test_an_uncertainty_in_another_unit_or_of_nothing_is_refused() -> None:
     with pytest.raises(BadTable, match="not an uncertainty of surface_energy"):
         understood(["dG", "R (nm)"], meanings=column_options(["dG=surface_energy_err [mJ/m2]"]))
     header = understood(["gamma [mJ/m2]", "dG"], meanings=column_options(["dG=surface_energy_err [mJ/m2]"]))
-    assert header.inputs[0].joined("25", "5") == "25±5"
+    assert header.inputs[0].joined("25", "5") == "(25±5)"
 
 
 # --- Materials --------------------------------------------------------------------------------------------------------

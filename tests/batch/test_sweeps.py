@@ -54,7 +54,7 @@ INFERENCES = [
     "infer xi quartz,ice-warm 0.95um --measured yield_force=1.21±0.36nN --model jkr,maugis",
     "infer adhesion-hysteresis quartz 1um --measured yield_force=0.1nN:1nN:3 --material2 quartz,iron",
     "infer gamma 1um,2um --gamma2 25±5mJ/m2,30mJ/m2 --measured pull_off_force=200nN",
-    "infer gamma quartz 1um --measured n_roll=3,4 --energy 1aJ:1fJ:2",
+    "infer gamma quartz 1um --measured n_roll=3.0,4.0 --energy 1aJ:1fJ:2",
     "infer gamma 1um --young rigid,54GPa --poisson 0.17 --measured contact_radius=30nm,40nm",
 ]
 

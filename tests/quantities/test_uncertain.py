@@ -112,7 +112,7 @@ def test_every_number_is_rounded_once(value: Decimal, other: Decimal, unit: str)
     factor = {"nm": "1e-9", "um": "1e-6", "ft": "0.3048"}[unit]
     low, high = (float(one * Decimal(factor)) for one in sorted((value, other)))
     if 3 * min(value, other) < max(value, other):
-        found = value_of(f"{max(value, other)}±{min(value, other)} {unit}", "radius")
+        found = value_of(f"({max(value, other)}±{min(value, other)}) {unit}", "radius")
         assert found == Measured(high, low, low)
         interval = value_of(f"{min(value, other)} to {max(value, other)} {unit}", "radius")
         assert interval == Interval(float((value + other) * Decimal(factor) / 2), low, high)

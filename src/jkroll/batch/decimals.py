@@ -21,7 +21,7 @@ def has_decimal_commas(are_read: Sequence[bool], columns: Sequence[Sequence[byte
     """Return whether the numbers of a table have decimal commas. Raises BadTable for those that may be of thousands.
 
     The columns that are read decide; all columns where the marks of these may be either. If they have none, all decide
-    if `by_all`. Where nothing decides, points are decimal.
+    if `by_all`, as between semicolons. Where nothing decides, points are decimal.
     """
     read, every = (
         Counter(map(_decimal_mark, chain.from_iterable(map(_marked_numbers, some))))
@@ -31,9 +31,12 @@ def has_decimal_commas(are_read: Sequence[bool], columns: Sequence[Sequence[byte
     for marks in (read, every) if unclear or (not read and by_all) else (read,):
         if marks[b","] != marks[b"."]:
             return marks[b","] > marks[b"."]
-    if number := next((number for number in unclear if "," in number), ""):
-        either = f"{number.replace(',', '.')} or {number.replace(',', '')}"
-        raise BadTable(f"{quoted(number)} may be {either}: write decimal points, and no marks of thousands")
+    if number := next((number for number in unclear if "," in number or by_all), ""):
+        either = f"{number.replace(',', '.')} or {re.sub('[,.]', '', number)}"
+        remedy = "write decimal points, and no marks of thousands"
+        if "," not in number:
+            remedy = "leave marks of thousands out, or save the table with commas between its columns"
+        raise BadTable(f"{quoted(number)} may be {either}: {remedy}")
     return False
 
 

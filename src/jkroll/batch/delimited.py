@@ -11,7 +11,7 @@ import csv
 import io
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from itertools import islice
+from itertools import islice, takewhile
 from typing import NamedTuple
 
 from ..output.records import numbers_in_lines
@@ -32,6 +32,7 @@ _MISTAKEN = (
     ("|", "bars", "--delimiter bar"),
     (" ", "blanks", "--delimiter blank"),
 )
+_COMMENT = re.compile(rb"[ \t]*#+ *")
 STRIP = 128  # rows written at once: their text stays in the cache
 BYTES = "latin-1"  # a character for each byte, as the csv module reads characters
 _OPEN = "a quote is not closed"
@@ -53,8 +54,6 @@ class Record(NamedTuple):
 
 class Dialect:
     """The rules by which cells are separated and records end."""
-
-    comment = b""  # which may stand before the header
 
     def __init__(self, name: str, separator: bytes) -> None:
         """`separator`: one byte."""
@@ -101,6 +100,27 @@ class Dialect:
         if any(mark in cell for mark in (self.mark, '"', "\n", "\r")):
             return '"' + cell.replace('"', '""') + '"'
         return cell
+
+    def without_preamble(self, text: bytes, is_read: Callable[[str], bool]) -> tuple[bytes, int]:
+        """Return a table without the lines that begin with # before its header, and their number.
+
+        The last of them that names columns that are read is the header itself, and loses its mark, unless the line
+        below all of them names some.
+        """
+        lines = text.split(b"\n")
+        comments = [*takewhile(_COMMENT.match, lines[:SAMPLE])]
+        if not comments:
+            return text, 0
+
+        def names_inputs(line: bytes) -> bool:
+            cells = self.prepared(_COMMENT.sub(b"", line).strip()).split(self.separator)
+            return any(is_read(cell.decode("utf-8", "replace").strip('"')) for cell in cells)
+
+        headers = [place for place, line in enumerate(comments) if names_inputs(line)]
+        if not headers or any(map(names_inputs, lines[len(comments) : len(comments) + 1])):
+            return b"\n".join(lines[len(comments) :]), len(comments)
+        header, *rest = lines[headers[-1] :]
+        return b"\n".join([_COMMENT.sub(b"", header), *rest]), headers[-1]
 
     def head(self, text: bytes, is_read: Callable[[str], bool] = is_input) -> tuple[Head, list[list[str]]]:
         """Return the header of a table, and the cells of the first rows after it. Raises BadTable.
@@ -162,8 +182,6 @@ class Dialect:
 
 class Blanks(Dialect):
     """The rules of a table whose columns are divided by any number of blanks: it is read, and written, with a tab in place of them."""
-
-    comment = b"#"
 
     def prepared(self, text: bytes) -> bytes:
         """Return lines with tabs. Raises BadTable for quotes, whose blanks would divide a cell."""

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import json
+from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from typing import Any
 
 import orjson
@@ -22,11 +25,14 @@ _UNWRITTEN = "[...]"  # stands for a value that is nested too deeply
 class Ndjson:
     """Lines that are JSON objects; the names in the first of them are the columns."""
 
-    comment = b""
-
     def cut(self, text: bytes) -> int:
         """Return the number of bytes of whole lines."""
         return text.rfind(b"\n") + 1
+
+    def without_preamble(self, text: bytes, is_read: Callable[[str], bool]) -> tuple[bytes, int]:
+        """Return lines as they are read, of which none is a comment."""
+        del is_read
+        return text, 0
 
     def prepared(self, text: bytes) -> bytes:
         """Return whole lines as they are read."""
@@ -42,6 +48,8 @@ class Ndjson:
         first = _object(lines[0])
         if not first:
             raise BadTable("the first line is not a JSON object with members")
+        if (name := _twice(lines[0], first)) is not None:
+            raise BadTable(f"header: two columns {quoted(name)}, of which one must go")
         names = tuple(first)
         sample = [[_text(row.get(name)) for name in names] for row in map(_object, lines) if row is not None]
         return Head(BOM if text.startswith(BOM) else b"", names), sample
@@ -71,7 +79,7 @@ class NdjsonConverter:
         if not places:
             return Converted(text, len(lines))
         objects = [_object(lines[place]) for place in places]
-        odd = {row: problem for row, one in enumerate(objects) if (problem := self._problem(one))}
+        odd = {row: problem for row, one in enumerate(objects) if (problem := self._problem(lines[places[row]], one))}
         rows = [one or {} for one in objects]
         cells = {name: _cells([row.get(key) for row in rows]) for name, key in self.keys.items()}
         block = self.table.block(len(rows), cells, odd)
@@ -80,10 +88,12 @@ class NdjsonConverter:
             lines[place] = _beginning(lines[place], one) + members
         return Converted(b"\n".join([*lines, b""]), len(lines), tally)
 
-    def _problem(self, one: Object | None) -> str:
-        """Return why a line is no row: it holds no object, or one with an input or a result that the first line has not."""
+    def _problem(self, line: bytes, one: Object | None) -> str:
+        """Return why a line is no row: it holds no object, one with a member twice, or with an input or a result that the first line has not."""
         if one is None:
             return "is not a JSON object"
+        if (name := _twice(line, one)) is not None:
+            return f"has {quoted(name)} twice"
         if one.keys() == self.known:
             return ""
         meanings, others = self.table.meanings, one.keys() - self.known
@@ -117,6 +127,16 @@ def _object(line: bytes) -> Object | None:
     except orjson.JSONDecodeError:
         return None
     return found if isinstance(found, dict) else None
+
+
+def _twice(line: bytes, read: Object) -> str | None:
+    """Return the name of a member that stands twice in the object of a line, of which orjson keeps the last; None if none does."""
+    if line.count(b":") == len(read):  # each member has a colon
+        return None
+    members: list[tuple[str, Any]] = []
+    with suppress(RecursionError):
+        members = json.loads(line, object_pairs_hook=list)
+    return next((name for name, count in Counter(name for name, _ in members).items() if count > 1), None)
 
 
 def _text(value: object) -> str:

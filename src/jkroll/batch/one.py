@@ -48,11 +48,15 @@ def _is_read(settings: Settings, name: str) -> bool:
     return is_input(name, stated_meanings([name], settings.columns, settings.measured))
 
 
-def table_with(names: tuple[str, ...], rows: list[list[str]], job: Job) -> Table:
-    """Return the table with this header that the job asks for; `rows`: the cells of its first rows."""
+def table_with(names: tuple[str, ...], rows: list[list[str]], job: Job, preamble: int = 0) -> Table:
+    """Return the table with this header that the job asks for; `rows`: the cells of its first rows.
+
+    `preamble`: the number of lines before the header that are passed over.
+    """
     settings = job.settings
     fill = _fill(job)
-    columns = understood(names, rows, stated_meanings(names, settings.columns, settings.measured))
+    meanings = stated_meanings(names, settings.columns, settings.measured)
+    columns = understood(names, rows, meanings)._replace(preamble=preamble)
     asked = quantities_named(settings.quantities) if settings.quantities else ([], EVERYTHING)
     try:
         table = table_of(columns, rows, fill, asked, doubt=settings.doubt, uncertainty=settings.uncertainty)
@@ -80,15 +84,17 @@ def _convert_lines(part: Part, form: FileFormat, compression: str, job: Job) -> 
         texts = blocks(given.pieces(form.compression), dialect.cut)
         first = next(texts, b"")
         mark = BOM if first.startswith(BOM) else b""
-        first = mark + dialect.prepared(first.removeprefix(mark).removeprefix(dialect.comment))
-        head, rows = dialect.head(first, partial(_is_read, job.settings))
-        table = table_with(head.names, rows, job)
+        is_read = partial(_is_read, job.settings)
+        body, preamble = dialect.without_preamble(first.removeprefix(mark), is_read)
+        first = mark + dialect.prepared(body)
+        head, rows = dialect.head(first, is_read)
+        table = table_with(head.names, rows, job, preamble)
         converter = dialect.converter(head, table, strict=settings.strict, excel_safe=settings.excel_safe)
         start = compressor(compression)(converter.header_line) if converter.header_line else b""
         tally = run(
             Work(
                 header_line=start,
-                lines_of_header=head.text.count(b"\n"),
+                lines_of_header=preamble + head.text.count(b"\n"),
                 blocks=filter(None, chain([first[len(head.text) :]], texts)),
                 make_convert=partial(_make_convert, converter, compression),
                 size=given.size,

@@ -224,12 +224,12 @@ def _is_cell(kind: Any) -> bool:
 
 
 def _text(value: object, name: str = "") -> str:
-    """Return a value as a cell of text, a float as its shortest, an infinite input as its word; an empty one for null or nan."""
+    """Return a value as a cell of text, a float as its shortest, an infinite input as its word; an empty one for null."""
     if isinstance(value, bytes):
         return value.decode(errors="replace")
     if value == INFINITY and name in NOMENCLATURE:
         return NOMENCLATURE[name].infinity or str(value)
-    return "" if value is None or (isinstance(value, float) and isnan(value)) else str(value)
+    return "" if value is None else str(value)
 
 
 def _numbers(batch: Any, reader: Reader) -> Numbers:
@@ -246,4 +246,9 @@ def _numbers(batch: Any, reader: Reader) -> Numbers:
     if unit is not None:
         with numpy.errstate(over="ignore"):
             values = given * float(unit.numerator) / float(unit.denominator)
-    return Numbers(values, numpy.flatnonzero(numpy.isinf(values) & ~numpy.isinf(given)).tolist())
+    is_bad = numpy.isinf(values) & ~numpy.isinf(given)
+    if array.null_count < (count := numpy.count_nonzero(numpy.isnan(given))) and count:
+        is_bad |= numpy.isnan(given) & array.is_valid().to_numpy(
+            zero_copy_only=False
+        )  # a number that is none is no empty cell
+    return Numbers(values, numpy.flatnonzero(is_bad).tolist())

@@ -10,7 +10,7 @@ from functools import cache, lru_cache
 from math import gcd
 from typing import Any, NamedTuple
 
-from ..text import closest, quoted, shown
+from ..text import closest, composed, quoted, shown
 from .unit_table import PLAIN, PREFIXABLE, PREFIXES
 
 MAX_TEXT = 80
@@ -73,11 +73,11 @@ class UnknownUnit(BadUnit):
 
 # Characters that mean the same as one of ours. Whatever else is outside the grammar is refused.
 _SAME = str.maketrans(
-    {"−": "-", "·": "*", "⋅": "*", "×": "*", "μ": "u", "µ": "u", "\u212b": "Å"}
+    {"−": "-", "·": "*", "⋅": "*", "×": "*", "∕": "/", "⁄": "/", "μ": "u", "µ": "u"}
     | dict.fromkeys("\t\u00a0\u2009\u200a\u202f\u2002\u2003\u2007\u2008", " ")
 )
-_SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
-_TERM = r"([A-Za-zÅ°%_]+)(?: ?(?:\^|\*\*) ?([+-]?[0-9]+)|([+-]?[0-9]+)|([⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+))?"
+SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
+_TERM = r"([A-Za-zÅ°%_]+)(?: ?(?:\^|\*\*) ?([+-]?[0-9]+)|([+-]?[0-9]+)|\^?([⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+))?"
 _SEPARATOR = r" ?([*/]) ?| "
 _RECIPROCAL = r"(?:1 ?)?/ ?"
 
@@ -91,7 +91,7 @@ def normalized(text: str) -> str:
         raise BadUnit(f"is longer than {MAX_TEXT} characters")
     if _MICRO_INSIDE.search(text):
         raise BadUnit("has a µ that is not the first letter of a unit")
-    return text.strip().translate(_SAME)
+    return composed(text).strip().translate(_SAME)
 
 
 @lru_cache(maxsize=1000)
@@ -198,7 +198,7 @@ def _terms(text: str) -> list[Term]:
         if match is None:
             raise BadUnit("is not a number and a unit")
         position = match.end()
-        power = match[2] or match[3] or (match[4] or "1").translate(_SUPERSCRIPTS)
+        power = match[2] or match[3] or (match[4] or "1").translate(SUPERSCRIPTS)
         if len(terms) == MAX_TERMS or len(power) > 3 or abs(int(power)) > MAX_POWER:
             raise BadUnit(f"has more than {MAX_TERMS} units or a power above {MAX_POWER}")
         terms.append((match[1], sign * int(power)))

@@ -14,7 +14,18 @@ from ..errors import BadRequest
 from ..text import quoted
 from .errors import BareNumber, QuantityError
 from .nomenclature import INFINITY, NOMENCLATURE
-from .units import MAX_TEXT, BadUnit, Dimension, Unit, dimension_of, kind_of, normalized, parse_unit, power_of_ten
+from .units import (
+    MAX_TEXT,
+    SUPERSCRIPTS,
+    BadUnit,
+    Dimension,
+    Unit,
+    dimension_of,
+    kind_of,
+    normalized,
+    parse_unit,
+    power_of_ten,
+)
 
 # --- Texts to numbers -------------------------------------------------------------------------------------------------
 
@@ -39,12 +50,39 @@ def parse_quantity(text: str, name: str) -> float:
     if word and text.strip().lower() in (word, "inf", "infinity", "∞"):
         return INFINITY
     try:
-        value = parse_value(text, dimension_of(quantity.unit))
+        value = parse_value(written(text), dimension_of(quantity.unit))
     except BadUnit as error:
         raise error_about(name, text, error) from None
     if not quantity.range.admits(value):
         raise QuantityError(name, text, quantity.range.words)
     return value
+
+
+_POWER_OF_TEN = re.compile(
+    r"(?<=[0-9.)]) ?[*x] ?10(?:(?:\^|\*\*)\^?([+-]?[0-9]{1,3})|\^?([⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3}))(?![0-9])"
+)
+_POWER_LOST = re.compile(r"[0-9.)] ?[*x] ?10 ?[-+0-9]")
+_TWO_POWERS = re.compile(r"([+-]?[0-9.]+) ?(±|\+[0-9.]+ ?/ ?-) ?([0-9.]+)([eE][+-]?[0-9]+)")
+
+
+def written(text: str) -> str:
+    """Return a value with one spelling for signs, error bars and powers of ten. Raises a `BadUnit` for two readings.
+
+    >>> written("1.2×10⁻⁷ m"), written("1E−07"), written("(1.00+/-0.05)e-07")
+    ('1.2e-7 m', '1E-07', '(1.00±0.05)e-07')
+    """
+    text = normalized(text).replace("+/-", "±").replace("+-", "±")
+    if "10" in text:
+        text = _POWER_OF_TEN.sub(lambda power: f"e{power[1] or power[2].translate(SUPERSCRIPTS)}", text)
+        if _POWER_LOST.search(text):
+            raise BadUnit("has a power of ten without its mark", "write 1.2e-7")
+    if match := _TWO_POWERS.match(text):
+        value, mark, uncertainty, power = match.groups()
+        plain = f"{value}{mark}{uncertainty}"
+        raise BadUnit(
+            f"can be read as ({plain}){power} or as {value}{mark}({uncertainty}{power})", "write the one that is meant"
+        )
+    return text
 
 
 def unit_of(text: str, name: str) -> Unit:
@@ -266,7 +304,7 @@ def value_of(text: str, name: str) -> float | Uncertain:
     if not has_uncertainty(text):
         return parse_quantity(text, name)
     try:
-        found = _read(normalized(text).replace("+/-", "±").replace("+-", "±"), dimension_of(NOMENCLATURE[name].unit))
+        found = _read(written(text), dimension_of(NOMENCLATURE[name].unit))
     except BadUnit as error:
         raise error_about(name, text, error) from None
     return parse_quantity(text, name) if found is None else checked(found, name, text)
@@ -305,7 +343,7 @@ def _read(text: str, dimension: Dimension) -> Uncertain | None:
         value, digits, power, unit = match.groups()
         places = len(value.partition(".")[2])
         nominal, uncertainty = _decimal(value, power), _decimal(f"{digits}e-{places}", power)
-        if 2 * int(digits) > abs(float(value)):
+        if not power and 2 * int(digits) > abs(float(value)):
             plain = f"{value}±{int(digits) / 10**places:.{places}f}"
             raise BadUnit(f"can be read as {plain} or as {value}e{digits}", "write the one that is meant")
         return _symmetric(nominal, uncertainty, unit_in(unit, dimension))
@@ -418,12 +456,19 @@ class Spread:
         return 0.0 if is_nothing else float(f"{value:.15g}")
 
 
+_LIST_OR_NUMBER = re.compile(r"[+-]?[0-9]+,[0-9]+|[+-]?[0-9]{1,3}(?:,[0-9]{3})+")  # 1,5 and 2,500,000
+
+
 def spreads_of(text: str, name: str) -> list[Spread]:
     """Read values separated by commas, and ranges `FROM:TO:COUNT`, with `:lin` or `:log` at the end or not.
 
     >>> [*spreads_of("1nm:1um:4", "radius")[0]]
     [1e-09, 1e-08, 1e-07, 1e-06]
     """
+    if NOMENCLATURE[name].unit == "1" and _LIST_OR_NUMBER.fullmatch(text.strip()):
+        items = [f"{item}.0" for item in text.strip().split(",")]
+        remedy = f"a list of numbers without a unit has decimal points, {','.join(items)}, and a number has no comma"
+        raise QuantityError(name, text, "may be a list or a number with a comma", remedy)
     spreads: list[Spread] = []
     items = text.split(",")
     for item in items:

@@ -12,8 +12,8 @@ from ..errors import BadRequest, JkrollError
 from ..quantities.errors import BareNumber, QuantityError
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI
 from ..quantities.nomenclature import header as header_of
-from ..quantities.units import Unit, dimension_of, exponent_of, kind_of
-from ..quantities.values import Uncertain, parse_value, split_number, unit_of, value_of
+from ..quantities.units import BadUnit, Unit, dimension_of, exponent_of, kind_of
+from ..quantities.values import Uncertain, error_about, parse_value, split_number, unit_of, value_of, written
 from ..text import closest, first_of, listed, quoted, shown
 from .readings import (
     INPUTS,
@@ -32,7 +32,7 @@ from .readings import (
 
 _PLUS_MINUS = re.compile(r"±|\+/?[-−]")
 _OF_VALUE = re.compile(r"(?:(?:±|\+/?-)[^±]*%)?$", re.DOTALL)  # as in 25±20 %
-_BARE = re.compile(r"(?:[-+−±()/.0-9\s]|(?<=[0-9.])[eE](?=[-+0-9])|\bto\b)*")  # numbers without a unit
+_BARE = re.compile(r"(?:[-+±()/.0-9\s]|(?<=[0-9.)])[eE](?=[-+0-9])|\bto\b)*")  # numbers without a unit
 _EASY = re.compile(r"[\w*.-]+( \[[^\[\] ]*\])?")  # a header that needs no quotes in a sentence
 _PARTS = "values have a column of ± beside them, or two, of minus and plus; a range has low and high alone"
 _MAX_SAID = 8  # columns that pass through and are named
@@ -100,7 +100,7 @@ class Column(NamedTuple):
         if not self.is_range and len(others) == 1:
             unit_text = self.sides[0].unit_text
             if are_bare and not unit_text:
-                return f"{first}±{others[0]}"
+                return f"({first}±{others[0]})"
             return f"{self._with_unit(first)}±{_in_unit(others[0], unit_text or self.unit_text)}"
         if not are_bare:
             first, *others = map(self._with_unit, (first, *others))
@@ -132,7 +132,14 @@ class Column(NamedTuple):
             raise QuantityError(self.name, text, "is an error bar without a value")
         if text.strip().casefold() in _NOTHING:
             raise QuantityError(self.name, text, "is no number", "leave the cell empty if there is none")
-        return value_of(self._with_unit(text.strip()), self.name)
+        try:
+            return value_of(self._with_unit(written(text)), self.name)
+        except BadUnit as error:
+            raise error_about(self.name, text, error) from None
+        except BareNumber:
+            if self.unit is None:
+                raise
+            raise QuantityError(self.name, text, f"is not a number of {self.unit_text}") from None
 
 
 class Header(NamedTuple):
@@ -144,6 +151,7 @@ class Header(NamedTuple):
     alike: tuple[str, ...] = ()  # columns that pass through though they look like quantities
     meanings: Mapping[str, Reading] = MappingProxyType({})  # what `--column` says of headers
     unread: Mapping[str, str] = MappingProxyType({})  # columns that pass through, and the inputs that they may be
+    preamble: int = 0  # lines before the header that are passed over
 
     @property
     def names(self) -> frozenset[str]:
@@ -158,6 +166,9 @@ class Header(NamedTuple):
         places = places.union(*(column.places.values() for column in self.inputs))
         others = [text for place, text in enumerate(self.texts) if place not in places and text.strip()]
         sentence = f"read: {', '.join(read) or 'no input'}"
+        if self.preamble:
+            lines = "a line" if self.preamble == 1 else f"{self.preamble} lines"
+            sentence += f"; passed over: {lines} before the header"
         if not others:
             return sentence
         passing = [_easy(text) for text in dict.fromkeys((*self.unread, *self.alike, *others)) if text.strip()]
