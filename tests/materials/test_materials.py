@@ -20,6 +20,7 @@ import jkroll
 from harness import Run
 from jkroll.errors import JkrollError
 from jkroll.materials.library import SHIPPED, Material, Materials, MaterialsFileError
+from jkroll.scene.failures import MissingInput
 from jkroll.scene.scene import Scene
 from jkroll.text import quoted
 from material_files import read
@@ -492,12 +493,15 @@ def test_every_door_has_a_material_s_displacement(run: Run, own: str, tmp_path: 
     assert answered.uncertain.sides == {"low": low, "high": high}
 
 
-def test_the_material_of_a_scene_is_that_of_sphere_2_of_another(own: str) -> None:
+def test_another_value_of_a_property_is_the_solid_s_and_none_of_its_data(own: str) -> None:
     material = Materials(own.split()[1])["single"]
-    pair = Scene({"radius": 1e-6}, material)
-    again = Scene({"radius": 0.95e-6}, material, pair.material)
-    assert again["yield_displacement"] == 2e-9
-    assert again["yield_force"] == Scene({"radius": 0.95e-6}, material)["yield_force"]
+    scene = Scene({"radius": 1e-6}, material, material)
+    other = scene.replace(surface_energy=0.1, surface_energy2=0.1)
+    assert other["yield_displacement"] == scene["yield_displacement"]
+    assert other["work_of_adhesion"] == 0.2
+    assert scene.data.keys() - other.data.keys() == {"surface_energy", "surface_energy2"}
+    with pytest.raises(MissingInput):
+        Scene({"radius": 1e-6, "surface_energy2": 0.1}, material, material)["yield_displacement"]
 
 
 def test_a_radius_with_an_error_bar_moves_the_displacement(run: Run, own: str) -> None:

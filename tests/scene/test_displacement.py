@@ -47,7 +47,7 @@ def test_another_solid_takes_over_the_displacement_and_not_the_force() -> None:
 @pytest.mark.parametrize("model", ["jkr", "maugis"])
 def test_each_quantity_follows_by_its_own_power(model: str) -> None:
     names = ["yield_force", "n_grav", "r_min", "n_roll", "pull_off_force"]
-    scene = of("quartz", 3e-7).under(model)
+    scene = of("quartz", 3e-7).replace(model=model)
     found = worth(scene, names)
     assert found is not None
     assert found.here is not None
@@ -127,7 +127,7 @@ def test_it_is_said_at_the_prompt_in_explanations_and_in_json(run: Run) -> None:
 
 @pytest.mark.parametrize("model", ["jkr", "maugis"])
 def test_a_part_of_the_work_of_adhesion(model: str) -> None:
-    scene = of("quartz", 1e-6).under(model)
+    scene = of("quartz", 1e-6).replace(model=model)
     names = ("yield_moment", "yield_displacement")
     of_part = scene.replace(hysteresis_fraction=0.4).numbers(*names)
     assert of_part == approx(scene.replace(adhesion_hysteresis=0.02).numbers(*names))

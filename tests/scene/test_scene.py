@@ -75,6 +75,12 @@ def test_a_scene_with_other_inputs_is_another_scene() -> None:
     doubled = scene.replace(radius=2e-7)
     assert doubled["pull_off_force"] == 2 * scene["pull_off_force"]
     assert scene.values["radius"] == 1e-7
+    with pytest.raises(MissingInput):
+        scene.replace(surface_energy=None)["pull_off_force"]
+    assert (
+        scene.replace(model="dmt", radius=2e-7)["pull_off_force"]
+        == Scene({**QUARTZ, "radius": 2e-7}, model="dmt")["pull_off_force"]
+    )
 
 
 @pytest.mark.parametrize("name", ["youngs_modulus2", "radius2"])

@@ -98,7 +98,7 @@ def with_differences(verdict: Verdict, found: Sequence[Difference], scene: Scene
             text = f"{LAWS[BETWEEN].title} is no better for energies of jumps"
             return verdict._replace(text=text, sentence=f"{lead}; {text}")
     if verdict.name == "hysteresis_ratio" and scene.law.is_default:
-        between = scene.under(BETWEEN).numbers("zone_radius").get("zone_radius")
+        between = scene.replace(model=BETWEEN).numbers("zone_radius").get("zone_radius")
         if between is not None:
             ratio = verdict.value * (scene["zone_radius"] / between)
             return verdict._replace(text=f"{verdict.text}; {ratio:.3g} for this moment by Maugis' law")
@@ -150,7 +150,7 @@ def with_force_by_maugis(error: BeyondPullOff, scene: Scene) -> BeyondPullOff:
     """Return the error of a load beyond pull-off, with the pull-off force of Maugis' law if that holds the load."""
     if not scene.law.is_default:
         return error
-    force = scene.under(BETWEEN).numbers("pull_off_force").get("pull_off_force", 0.0)
+    force = scene.replace(model=BETWEEN).numbers("pull_off_force").get("pull_off_force", 0.0)
     return BeyondPullOff(error.load, error.least, -force) if force >= -error.load else error
 
 

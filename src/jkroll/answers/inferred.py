@@ -97,7 +97,7 @@ class Inferred(Answer):
         own = self.scene.plan(*self.observed.measured).steps
         found: dict[str, Solution] = {}
         for law in LAWS:
-            other = self.observed.scene.under(law)
+            other = self.observed.scene.replace(model=law)
             try:
                 if with_placeholders(other, self.names).plan(*self.observed.measured).steps != own:
                     found[law] = solved(self.names, self.observed._replace(scene=other))

@@ -246,7 +246,7 @@ def about_law(scene: Scene, names: Collection[str]) -> Iterator[Note]:
     if scene.law.name != BETWEEN:
         return
     if "yield_moment" in names and scene.given.keys().isdisjoint(("adhesion_hysteresis", "hysteresis_fraction")):
-        jkr = scene.under(DEFAULT_LAW).numbers("yield_moment", "zone_radius")
+        jkr = scene.replace(model=DEFAULT_LAW).numbers("yield_moment", "zone_radius")
         own = scene.numbers("zone_radius", "yield_moment")
         if len(jkr) == len(own) == 2:
             moment = jkr["yield_moment"] * (own["zone_radius"] / jkr["zone_radius"])

@@ -136,7 +136,7 @@ def with_law(results: Sequence[Result], scene: Scene) -> list[Result]:
 
     A result without a value is among them, without a source: the definition of JKR is not what it lacks.
     """
-    numbers = scene.under(DEFAULT_LAW).numbers(*(result.name for result in results))
+    numbers = scene.replace(model=DEFAULT_LAW).numbers(*(result.name for result in results))
     of_jkr = {name: number for name, number in numbers.items() if isfinite(number)}
     sources = {
         result.name: equation_of(scene, result.name) if result.value is not None else ""

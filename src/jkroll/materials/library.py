@@ -256,11 +256,17 @@ class Material(NamedTuple):
     uncertainties: Mapping[str, "Uncertain"] = MappingProxyType({})  # of properties that have one
     origins: Mapping[str, Origin] = MappingProxyType({})  # of properties whose origin is stated
     displacement: Displacement | None = None  # from which that of a contact follows
+    replaced: frozenset[str] = frozenset()  # properties with another value than its data have
 
     @property
     def key(self) -> tuple[str, str]:
         """The file and the name, by which a material is the same, whatever became of its properties in a scene."""
         return self.path, self.name
+
+    def with_properties(self, values: Mapping[str, Any]) -> "Material":
+        """Return the material with other values of properties, of which None takes one away, and which are not its data."""
+        properties = {name: value for name, value in {**self.properties, **values}.items() if value is not None}
+        return self._replace(properties=properties, replaced=self.replaced | values.keys())
 
     def sources_of(self, name: str) -> list[Mapping[str, str]]:
         """Return the references of a property: its own if one is stated, else those that belong to no other property."""
@@ -505,10 +511,8 @@ def _displacement(table: Mapping[str, Any], name: str) -> tuple[Displacement, Or
     if not isinstance(radius, float):
         raise Malformed(f"{shown(where)}: the radius of the spheres is a single one")
     found = _property(XI, table["value"], name, f"{where}.value")
-    measured = (
-        Interval(found, found, found) if isinstance(found, float) else Interval(found.value, found.low, found.high)
-    )
-    return Displacement(measured, radius), _origin(where, table, "radius")
+    ends = (found, found, found) if isinstance(found, float) else (found.value, found.low, found.high)
+    return Displacement(Interval(*ends), radius), _origin(where, table, "radius")
 
 
 def _origin(where: str, table: Mapping[str, Any], *others: str) -> Origin:
@@ -552,7 +556,6 @@ def _property(key: str, value: object, name: str, where: str) -> float | Uncerta
 
 
 # --- Places of the user's files ---------------------------------------------------------------------------------------
-
 
 ENVIRONMENT = "JKROLL_MATERIALS"
 

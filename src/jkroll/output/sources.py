@@ -256,7 +256,7 @@ def write_citations(answers: Iterable[Answer], out: TextIO) -> None:
 
 def _of_law(scene: Scene, names: Sequence[str]) -> list[Mapping[str, str]]:
     """Return the reference of the law of attraction, if some quantity rests on one."""
-    between = scene.under(BETWEEN)
+    between = scene.replace(model=BETWEEN)
     return [scene.law.reference] if any(uses_law(between, name) for name in between.possible(names)) else []
 
 

@@ -98,7 +98,7 @@ def _moment(scenes: Sequence[Scene], _: Loads | None) -> Panel:
     """Return the moment without load against ξ, up to the ξ at which JKR's leading edge would interpenetrate."""
     import numpy
 
-    limit = scenes[0].under(DEFAULT_LAW)["displacement_limit"]
+    limit = scenes[0].replace(model=DEFAULT_LAW)["displacement_limit"]
     points: list[Mark] = []
     if len(scenes) == 1:
         (scene,) = scenes

@@ -77,7 +77,7 @@ def effects(scene: Scene, names: Collection[str]) -> dict[str, Effect]:
 
 def between_of(scene: Scene) -> Scene:
     """Return a scene under the law that holds, with the atomic spacing that was given or is assumed."""
-    return scene.under(BETWEEN, atomic_spacing=scene["atomic_spacing"])
+    return scene.replace(model=BETWEEN, atomic_spacing=scene["atomic_spacing"])
 
 
 def _is_at_displacement(scene: Scene) -> bool:

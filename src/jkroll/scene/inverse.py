@@ -51,7 +51,7 @@ class Observed(NamedTuple):
         """Return the same with other values of some inputs and measured quantities, without uncertainties."""
         others = {name: value for name, value in changed.items() if name not in self.measured}
         return Observed(
-            self.scene.varied(others),
+            self.scene.replace(**others),
             {**self.values, **{name: changed[name] for name in self.measured if name in changed}},
         )
 
@@ -427,7 +427,7 @@ def solutions(name: str, quantity: str, measured: Any, scene: Scene) -> list[flo
     found: list[float | NoResult | None] = []
     for start in range(0, len(measured), _TOGETHER):
         part = slice(start, start + _TOGETHER)
-        found += _side_by_side(name, quantity, measured[part], scene.elements(part))
+        found += _side_by_side(name, quantity, measured[part], _elements(scene, part))
     return found
 
 
@@ -437,7 +437,7 @@ def _side_by_side(name: str, quantity: str, measured: Any, scene: Scene) -> list
 
     def outcomes(rows: list[int], values: Any) -> Any:
         """Return the quantity in some rows, nan where the physics has no result. `values`: of the input, a row along the last axis."""
-        found = with_inputs(scene.elements(rows), {name: numpy.array(values)}).evaluate((quantity,))[quantity]
+        found = with_inputs(_elements(scene, rows), {name: numpy.array(values)}).evaluate((quantity,))[quantity]
         shape = (*numpy.shape(values)[:-1], len(rows))
         return numpy.broadcast_to(nan if isinstance(found, NoResult) else found, shape)
 
@@ -463,6 +463,11 @@ def _side_by_side(name: str, quantity: str, measured: Any, scene: Scene) -> list
     for row, value in found_by_all(searches, outcome).items():
         found[row] = value
     return found
+
+
+def _elements(scene: Scene, places: Any) -> Scene:
+    """Return the scene of some elements of its arrays."""
+    return scene.replace(**{name: value[places] for name, value in scene.arrays.items()})
 
 
 def input_named(word: str) -> str:

@@ -6,10 +6,9 @@ the names in DEFAULTS have values if nothing else is said. A scene takes numbers
 """
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from functools import reduce
+from functools import cached_property, reduce
 from math import isfinite, nan
 from operator import and_
-from types import MappingProxyType
 from typing import Any
 
 from ..errors import JkrollError
@@ -17,9 +16,9 @@ from ..materials.library import Material
 from ..physics.elementary import NUMBER, where
 from ..physics.pair import reduced_radius
 from ..quantities.errors import OutOfRange, UnknownQuantity
-from ..quantities.laws import DEFAULT_LAW, Law, law_named, routed_apart
+from ..quantities.laws import DEFAULT_LAW, Law, law_named
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE, UP_TO_INFINITE, XI
-from ..quantities.values import Uncertain, is_uncertain
+from ..quantities.values import Interval, Uncertain, is_uncertain
 from .failures import (
     Contradiction,
     MissingInput,
@@ -145,7 +144,8 @@ EXCLUSIVE = (
 )
 _MAY_CONTRADICT = frozenset(name for names in EXCLUSIVE for name in names)
 
-_OF_SOLID_2 = frozenset(name + "2" for name in OF_A_SOLID)
+# What was stated in place of a solid's yield displacement, or makes sphere 2 one of another solid.
+_OTHER_DISPLACEMENT = frozenset((*IN_ITS_PLACE, *(name + "2" for name in OF_A_SOLID)))
 
 # The inputs that decide whether a body deforms, so that a contact has an area.
 OF_AREA = ("youngs_modulus", "youngs_modulus2", "contact_modulus")
@@ -175,35 +175,30 @@ class Scene:
         material2: Material | None = None,
         *,
         model: str | None = None,
-        checked: Mapping[str, Any] = MappingProxyType({}),
     ) -> None:
         """Take SI values by name, over those of the materials of sphere 1 and, if it has one of its own, of sphere 2.
 
         `model` is the law of attraction; None stands for the paper's, JKR. The scene computes with the middle of a
-        value that has an uncertainty; `scene.uncertainty` computes with the rest. `checked`: values whose ranges need
-        no check. Raises OutOfRange, or ShapeMismatch for arrays that do not broadcast.
+        value that has an uncertainty; `scene.uncertainty` computes with the rest. Raises
+        OutOfRange, or ShapeMismatch for arrays that do not broadcast.
         """
         self.law = law_named(DEFAULT_LAW if model is None else model)
         self.stated_model = None if model is None else self.law.name
         if not _MAY_CONTRADICT.isdisjoint(given):
             _check_exclusive(given)
-        if material2 is not None:
-            material2 = _without_displacement(material2)  # that of another scene's contact
         self.material, self.material2 = material, material2
         self.uncertain: dict[str, Uncertain] = {name: one for name, one in given.items() if is_uncertain(one)}
         self.stated = {**given, **{name: one.value for name, one in self.uncertain.items()}}
-        self.arrays = {name: value for name, value in self.stated.items() if not isinstance(value, NUMBER)}
-        self.shape = broadcast(self.arrays)
-        self._has_displacement = any(one.displacement is not None for one, _ in self.materials)
-        if self._has_displacement and material is not None:
-            self.material = material = _with_displacement(material, material2, self.stated)
-        own = dict(material.properties) if material is not None else {}
+        own = material.properties if material is not None else {}
         own2 = {name + "2": value for name, value in material2.properties.items()} if material2 is not None else {}
-        self.given = {**own, **own2, **self.stated}
-        self._has_arrays = not all(isinstance(value, NUMBER) for value in self.given.values())
+        self.given: dict[str, Any] = {**own, **own2, **self.stated}
+        self.arrays = {name: value for name, value in self.given.items() if not isinstance(value, NUMBER)}
+        self.shape = broadcast(self.arrays)
         for name, value in self.given.items():
-            if checked.get(name) is not value:
-                check_range(name, value)
+            check_range(name, value)
+        self.displacement = self._displacement_of_solid() if self._has_displacement else None
+        if self.displacement is not None:
+            self.given[XI] = self.displacement.value
         self.values = {**_assumed(self.given, others=(XI,) if self._has_displacement else ()), **self.given}
         self._implied = _implied(self.values, self.law, self.uncertain)
         for values in self._implied.values():
@@ -217,57 +212,19 @@ class Scene:
         self.known = frozenset(self.values)
 
     def replace(self, **values: Any) -> "Scene":
-        """Return the scene in which some inputs have other values, or with None are not given.
+        """Return the scene with other values of inputs, of which None takes one away; `model` is its law of attraction.
 
-        What does not follow from these inputs is not evaluated again.
+        A property that a material gave has the value in the material, the others are stated.
         """
-        return self._changed(values, self.stated_model)
-
-    def under(self, model: str, **values: Any) -> "Scene":
-        """Return the scene under another law of attraction, with other values of some inputs.
-
-        What follows from neither is not evaluated again.
-        """
-        return self._changed(values, model)
-
-    def varied(self, values: Mapping[str, Any]) -> "Scene":
-        """Return the scene with other values of inputs that it has; a property of a material is another in the material.
-
-        What does not follow from these inputs is not evaluated again.
-        """
-        others = dict(values)
-        spheres: list[Material | None] = []
-        for material, suffix in ((self.material, ""), (self.material2, "2")):
-            properties = {} if material is None else material.properties
-            names = [name for name in PROPERTIES if name in properties and name + suffix not in self.stated]
-            own = {name: others.pop(name + suffix) for name in names if name + suffix in others}
-            spheres.append(material and material._replace(properties={**properties, **own}))
-        stated = {**self.stated, **others}
-        return self._reusing(Scene(stated, *spheres, model=self.stated_model, checked=self.given))
-
-    def anew(self) -> "Scene":
-        """Return the scene with nothing evaluated, without uncertainties."""
-        return Scene(self.stated, self.material, self.material2, model=self.stated_model, checked=self.given)
-
-    def _changed(self, values: Mapping[str, Any], model: str | None) -> "Scene":
-        others = {**self.stated, **self.uncertain, **values}
-        stated = {name: value for name, value in others.items() if value is not None}
-        return self._reusing(Scene(stated, self.material, self.material2, model=model, checked=self.given))
-
-    def _reusing(self, other: "Scene") -> "Scene":
-        """Return another scene with what it shares with this one, if both know the same inputs."""
-        if other.known == self.known:
-            other._take_over(self)
-        return other
-
-    def elements(self, places: Any) -> "Scene":
-        """Return the scene of some elements of its arrays, without uncertainties."""
-
-        def some(values: Mapping[str, Any]) -> dict[str, Any]:
-            return {name: value if isinstance(value, NUMBER) else value[places] for name, value in values.items()}
-
-        spheres = [one and one._replace(properties=some(one.properties)) for one in (self.material, self.material2)]
-        return Scene(some(self.stated), *spheres, model=self.stated_model)
+        model = values.pop("model", self.stated_model)
+        stated = {**self.stated, **self.uncertain, **values}
+        spheres = {"": self.material, "2": self.material2}
+        for material, suffix in self.materials:
+            of_solid = [name for name in material.properties if name + suffix not in self.stated]
+            changed = {name: stated.pop(name + suffix) for name in of_solid if name + suffix in values}
+            spheres[suffix] = material.with_properties(changed)
+        given = {name: value for name, value in stated.items() if value is not None}
+        return Scene(given, *spheres.values(), model=model)
 
     @property
     def materials(self) -> list[tuple[Material, str]]:
@@ -276,15 +233,42 @@ class Scene:
         return [(material, suffix) for material, suffix in both if material is not None]
 
     @property
+    def _has_displacement(self) -> bool:
+        return any(material.displacement is not None for material, _ in self.materials)
+
+    def _displacement_of_solid(self) -> Interval | None:
+        """Return the yield displacement that the solid of both spheres has at these radii; None if they are of two, or it is stated."""
+        material, radius = self.material, self.given.get("radius")
+        if material is None or material.displacement is None or radius is None:
+            return None
+        is_of_two = self.material2 is not None and self.material2.key != material.key
+        if is_of_two or not self.stated.keys().isdisjoint(_OTHER_DISPLACEMENT):
+            return None
+        return material.displacement.at(2 * reduced_radius(radius=radius, radius2=self.given.get("radius2", radius)))
+
+    @cached_property
+    def data(self) -> Mapping[str, tuple[Material, str]]:
+        """The inputs that are data of a material, each with this material and its property."""
+        found = {
+            name + suffix: (material, name)
+            for material, suffix in self.materials
+            for name in material.properties
+            if name + suffix not in self.stated and name not in material.replaced
+        }
+        return found if self.displacement is None or self.material is None else {**found, XI: (self.material, XI)}
+
+    @property
     def is_uncertain(self) -> bool:
         """True if an input, or a property of a material, has an uncertainty."""
-        return bool(self.uncertain) or any(material.uncertainties for material, _ in self.materials)
+        return bool(self.uncertain) or any(self.uncertainty_of(name) is not None for name in self.data)
 
     def uncertainty_of(self, name: str) -> Uncertain | None:
         """Return the uncertainty of an input, whether it was stated or is that of a material; None if it has none."""
-        for material, of_material in self.data_used([name]):
-            if of_material in material.uncertainties:
-                return material.uncertainties[of_material]
+        if name == XI and self.displacement is not None:
+            return self.displacement
+        if name in self.data:
+            material, of_material = self.data[name]
+            return material.uncertainties.get(of_material)
         return self.uncertain.get(name)
 
     @property
@@ -296,12 +280,7 @@ class Scene:
 
     def data_used(self, inputs: Collection[str]) -> list[tuple[Material, str]]:
         """Return the materials and those of their properties that are among the inputs and were not stated otherwise."""
-        return [
-            (material, name)
-            for material, suffix in self.materials
-            for name in material.properties
-            if name + suffix in inputs and name + suffix not in self.stated
-        ]
+        return [used for name, used in self.data.items() if name in inputs]
 
     @property
     def stated_of_1(self) -> dict[str, Any]:
@@ -418,7 +397,7 @@ class Scene:
         has no answer is nan.
         """
         found = self._grown_plan(names)
-        if self._has_arrays:
+        if self.arrays:
             import numpy
 
             with numpy.errstate(all="ignore"):
@@ -455,24 +434,6 @@ class Scene:
                 values[name] = value
             else:
                 failures[name] = failure_of(name, given) or NoFiniteValue(name, value)
-
-    def _take_over(self, other: "Scene") -> None:
-        """Take the results of another scene of the same inputs, as far as they follow neither from those that differ nor from the law."""
-        differ = {name for name in self.known if self.values[name] is not other.values[name]}
-        if not differ.isdisjoint(OF_AREA):
-            differ.update(_ON_AREA)
-        if self.law is other.law:
-            self._plan = other._plan
-        else:
-            differ.update(routed_apart(self.law.name, other.law.name, self.known))
-        for name, _, arguments in other._plan.steps:
-            if name in differ or not differ.isdisjoint(source for _, source in arguments):
-                differ.add(name)
-            elif name in other.values:
-                self.values[name] = other.values[name]
-            elif name in other._failures:
-                self._failures[name] = other._failures[name]
-        self._gaps = other._gaps & self.values.keys()
 
     def _with_gaps(self, name: str, value: Any, sources: Sequence[str]) -> Any:
         """Return an array with nan in place of the elements that are no answer, or whose formula has an argument that is none."""
@@ -537,33 +498,6 @@ def _assumed(given: Mapping[str, Any], others: Sequence[str]) -> dict[str, Any]:
     """Return the defaults of what nothing else says; `others` are left to the materials."""
     said = [*others, *(name for name, same in _SAYS.items() if not given.keys().isdisjoint(same))]
     return {name: value for name, value in DEFAULTS.items() if name not in said}
-
-
-def _with_displacement(material: Material, material2: Material | None, stated: Mapping[str, Any]) -> Material:
-    """Return the material of sphere 1 with the yield displacement of this contact, unless that is stated or sphere 2 is another solid.
-
-    Sphere 2 is another solid where a property of its own is stated, too.
-    """
-    material = _without_displacement(material)
-    is_alike = stated.keys().isdisjoint(_OF_SOLID_2) and (material2 is None or material2.key == material.key)
-    if material.displacement is not None and is_alike and "radius" in stated and stated.keys().isdisjoint(IN_ITS_PLACE):
-        radii = {name: stated.get(name, stated["radius"]) for name in ("radius", "radius2")}
-        for name, value in radii.items():
-            check_range(name, value)
-        found = material.displacement.at(2 * reduced_radius(**radii))
-        return material._replace(
-            properties={**material.properties, XI: found.value}, uncertainties={**material.uncertainties, XI: found}
-        )
-    return material
-
-
-def _without_displacement(material: Material) -> Material:
-    """Return a material without the yield displacement of a contact."""
-    if XI not in material.properties:
-        return material
-    properties = {name: value for name, value in material.properties.items() if name != XI}
-    uncertainties = {name: found for name, found in material.uncertainties.items() if name != XI}
-    return material._replace(properties=properties, uncertainties=uncertainties)
 
 
 def _has_area(given: Mapping[str, Any], *, own_material2: bool) -> Any:

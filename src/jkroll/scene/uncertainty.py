@@ -141,12 +141,11 @@ def _stated(scene: Scene) -> Iterator[Source]:
 
 def _of_materials(scene: Scene) -> Iterable[Source]:
     found: dict[tuple[tuple[str, str], str], Source] = {}
-    for material, suffix in scene.materials:
-        for name, given in material.uncertainties.items():
-            if name + suffix not in scene.stated:
-                key = (material.key, name)
-                names = (*found[key].names, name + suffix) if key in found else (name + suffix,)
-                found[key] = Source(names, given)
+    for name, (material, of_material) in scene.data.items():
+        if (given := scene.uncertainty_of(name)) is not None:
+            key = (material.key, of_material)
+            names = (*found[key].names, name) if key in found else (name,)
+            found[key] = Source(names, given)
     return found.values()
 
 
@@ -174,14 +173,9 @@ def uncertainties_of_elements(
 
 
 def _evaluation(scene: Scene) -> Evaluate:
-    @cache
-    def base(names: tuple[str, ...]) -> Scene:
-        """Return the scene with a plan that leads to these quantities alone."""
-        found = scene.anew()
-        found.evaluate(names)
-        return found
-
-    return lambda changed, names: base(names).varied(changed).evaluate(names)
+    """Return the function from changed inputs to quantities of a scene; the other inputs have the middle of their uncertainty."""
+    middles = {name: given.value for name, given in scene.uncertain.items()}
+    return lambda changed, names: scene.replace(**{**middles, **changed}).evaluate(names)
 
 
 def inferred_sources(names: Sequence[str], observed: Observed) -> Sources:
