@@ -5,6 +5,7 @@ import math
 import re
 
 import pytest
+from scipy.integrate import quad
 
 from harness import Run
 from jkroll import solve
@@ -104,6 +105,14 @@ def test_softer_grains(power: float, step: float, kept: str) -> None:
     for name in (kept, "yield_moment"):
         assert math.isclose(after[name], before[name], rel_tol=1e-12)
     assert math.isclose(before["sliding_frequency"] / after["sliding_frequency"], q**step, rel_tol=1e-12)
+
+
+def test_loss_of_a_collision_in_lammps() -> None:
+    """On the JKR curve from touching to the largest tension, in P_cδ0; z³ = 6â^1.5 is 4 where they touch and 3 there."""
+    lost = -quad(lambda z: z**3 * (z**3 - 6) / 9 * 2 * 6 ** (-1 / 3) * (z**3 - 1), 3 ** (1 / 3), 4 ** (1 / 3))[0]
+    at_the_fold = solve("sticking_energy", **QUARTZ) / solve("adhesion_energy", **QUARTZ)
+    for number in (lost, at_the_fold, math.sqrt(lost / at_the_fold)):
+        assert f"{number:.4f}" in page("dem")
 
 
 def test_mixing_of_lethe() -> None:

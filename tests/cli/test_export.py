@@ -5,9 +5,11 @@ import re
 from typing import Any
 
 import pytest
+from scipy.integrate import solve_ivp
 
 from harness import Run
 from jkroll import solve
+from jkroll.output.exports import ALL_STICK
 from relative import approx
 
 NUMBER = r"([-+.e\d]+)"
@@ -87,6 +89,27 @@ def test_unequal_spheres_have_three_pairs_of_types(run: Run) -> None:
     assert float(re.findall(r"timestep (\S+)", text)[0]) <= min(steps)
     said = "# Like spheres touch without load. The time step is the shortest of all pairs.\n"
     assert (said in text, said in run("export lammps quartz 100nm --load -1nN").out) == (True, False)
+
+
+@pytest.mark.parametrize(
+    ("words", "radii"),
+    [
+        ("quartz 100nm", (1e-7, 1e-7)),
+        ("quartz 1mm --radius2 100nm", (1e-3, 1e-7)),
+        ("quartz 1um --radius2 plane", (1e-6, math.inf)),
+        ("quartz 100nm --young 1MPa", (1e-7, 1e-7)),
+    ],
+)
+def test_skin_of_lammps_reaches_all_contacts(run: Run, words: str, radii: tuple[float, float]) -> None:
+    """A default of 1 mm is refused for small grains; spheres in contact are up to 0.397 δ0 apart, and like pairs are written, too."""
+    text = run(f"export lammps {words}").out
+    [skin] = map(float, re.findall(r"^neighbor (\S+) bin$", text, re.MULTILINE))
+    young = {"youngs_modulus": 1e6} if "1MPa" in words else {}
+    pairs = [(radii[0], radii[0]), radii, *([(radii[1], radii[1])] if math.isfinite(radii[1]) else [])]
+    for radius, radius2 in pairs:
+        scene: dict[str, Any] = {"material": "quartz", "radius": radius, "radius2": radius2, **young}
+        assert skin >= 0.397 * solve("approach", **scene)
+    assert skin <= max(radii)
 
 
 def test_a_work_of_adhesion_is_that_of_the_two_materials(run: Run) -> None:
@@ -283,3 +306,50 @@ def test_the_middle_of_a_range_is_said_to_be_that(run: Run) -> None:
     assert "middle" not in run("export lammps quartz 5um").out
     drawn = run("map pull-off --gamma 25±5mJ/m2 --x radius=1um:10um --data out.csv")
     assert "note: computed with the middle of γ1 = 25.0 ± 5.0 mJ/m²" in drawn.err.splitlines()
+
+
+def bounces(viscosity: float, speed: float) -> bool:
+    """Return whether grains that meet at a speed part again, by DustSimulation's force 2(T_vis/ν²)E*a dδ/dt on the JKR curve.
+
+    In units of δ0 and √(P_cδ0/m), with dt = 2·6^(-1/3)(z³ - 1)dσ: the motion is polynomial in z and u; they part at z = 1.
+    """
+    c = 6 ** (-1 / 3)
+
+    def motion(_: float, state: Any) -> list[float]:
+        z, u = state
+        return [u, 2 * c * (z**3 - 1) * (-(z**3) * (z**3 - 6) / 9 - 2 * viscosity * c**2 * z**2 * u)]
+
+    def parts(_: float, state: Any) -> float:
+        return float(state[0] - 1.0000001)
+
+    def turns(_: float, state: Any) -> float:
+        """Return the speed, which rises through 0 where grains that were leaving are drawn back."""
+        return float(state[1])
+
+    for event, direction in ((parts, -1), (turns, 1)):
+        event.terminal, event.direction = True, direction  # type: ignore[attr-defined]
+    start = [4 ** (1 / 3), speed]
+    found = solve_ivp(motion, (0, 1e3), start, "DOP853", events=(parts, turns), rtol=1e-9, atol=1e-12)
+    return bool(len(found.t_events[0]))
+
+
+def test_critical_viscosity_by_the_equation_of_motion() -> None:
+    """Slightly below it a fast grain bounces, and slightly above it none does."""
+    for speed in (30.0, 300.0, 3000.0):
+        assert not bounces(1.005 * ALL_STICK, speed)
+    assert bounces(0.98 * ALL_STICK, 300.0)
+    assert not bounces(0.98 * ALL_STICK, 3.0)  # too slow
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ("quartz 100nm", "T* = 1.95 here: these grains stick at every speed, as all below 246 nm do"),
+        ("quartz 600nm", "T* = 0.241 here; grains below 246 nm stick at every speed"),
+    ],
+)
+def test_grains_that_stick_at_every_speed_in_dust_simulation(run: Run, words: str, said: str) -> None:
+    assert said in run(f"export dust-simulation {words}").err
+    names = ("contact_modulus", "contact_radius", "reduced_mass")
+    modulus, radius, mass = solve(names, material="quartz", radius=246.4e-9).values()
+    assert 1.25e-11 / 0.17**2 * math.sqrt(modulus * radius / mass) == approx(ALL_STICK, rel=1e-3)

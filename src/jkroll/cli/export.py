@@ -39,8 +39,8 @@ def run_export(call: Call) -> int:
     answer = Answer(Question(names, names), scene)
     notes = [*(f"note: {note.text}" for note in about_middles(answer.uncertain)), *every_line(answer)]
     notes = [line.replace(f"; --model {BETWEEN}", "") for line in notes]  # a law that no program has
-    if program.note:
-        for line in (f"note: {program.note}", *notes):
+    if program.about:
+        for line in (*(f"note: {text}" for text in program.about(scene)), *notes):
             say_wrapped(line, sys.stderr)
     else:
         for line in notes:
