@@ -5,7 +5,7 @@ import math
 import re
 
 import pytest
-from scipy.integrate import quad
+from scipy.integrate import quad  # type: ignore[import-untyped]
 
 from harness import Run
 from jkroll import solve

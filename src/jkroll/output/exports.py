@@ -257,7 +257,9 @@ class Program(NamedTuple):
     lines: Callable[[Scene], Iterator[str]]
     quantities: tuple[str, ...]
     models: tuple[str, ...] = (DEFAULT_LAW,)
-    about: Callable[[Scene], Iterator[str]] | None = None  # notes on an input without comments: all that is said goes to stderr
+    about: Callable[[Scene], Iterator[str]] | None = (
+        None  # notes on an input without comments: all that is said goes to stderr
+    )
 
 
 PROGRAMS: Mapping[str, Program] = {
