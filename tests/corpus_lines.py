@@ -107,7 +107,7 @@ def among_input_files() -> Iterator[None]:
 
 
 def _restore(name: str) -> None:
-    """Write an input file, always of the same time, which manifests of tables depend on."""
+    """Write an input file, always of the same time."""
     Path(name).write_bytes(CONTENTS[name])
     os.utime(name, (0, 0))
 

@@ -168,11 +168,8 @@ def test_an_interrupt_of_many_tables_leaves_whole_ones_only() -> None:
         _, message = process.communicate()
     assert (process.returncode, message) == (130, "")
     left = {path.name: path.read_text(encoding="utf-8") for path in Path("forces").iterdir()}
-    done = {one["output"]: one["rows"] for one in json.loads(left.pop("manifest.json"))["files"]}
     assert {name: len(text.splitlines()) for name, text in left.items()} == dict.fromkeys(left, 2_001)
-    assert set(done.values()) == {2_000}
-    assert done.keys() <= left.keys()
-    assert len(left) <= len(done) + 2  # one of each process
+    assert 2 < len(left) < 30
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="processes are found in /proc")

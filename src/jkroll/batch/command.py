@@ -3,13 +3,13 @@
 import sys
 from collections.abc import Mapping
 
-from ..errors import ROWS_FAILED, BadRequest, missing_extra
+from ..errors import ROWS_FAILED, BadRequest
 from ..materials.library import Materials
 from ..quantities.formatting import amount
 from ..rows.columns import DOUBT, STATUS
 from ..text import first_of, say, say_wrapped
 from .lines import Tally
-from .many import Runner, by_processes, convert_many, is_many
+from .many import convert_many, is_many
 from .one import convert_one
 from .settings import Job, Part, Settings
 
@@ -20,7 +20,7 @@ def run(path: str, settings: Settings, inputs: Mapping[str, str], known: Materia
     """Convert a table, or several; return the exit code."""
     job = Job(settings, inputs, known)
     if is_many(path, settings):
-        tally, code = convert_many(path, job, _runner(settings))
+        tally, code = convert_many(path, job)
     else:
         if settings.resume or settings.dask:
             flag = "--resume" if settings.resume else "--dask"
@@ -65,11 +65,3 @@ def _summary(name: str, tally: Tally) -> str:
     low, median, high = numpy.quantile(found, [0.25, 0.5, 0.75]).tolist()
     middle = f"median {amount(name, median)}, quartiles {amount(name, low)} and {amount(name, high)}"
     return f"{sentence}; {middle}; mean {amount(name, float(found.mean()))}, scatter {amount(name, float(found.std(ddof=1)))}"
-
-
-def _runner(settings: Settings) -> Runner:
-    if not settings.dask:
-        return by_processes
-    with missing_extra("dask"):
-        from .cluster import on_cluster
-    return on_cluster

@@ -186,11 +186,11 @@ TABLE = (
         repeats=True,
     ),
     Option("strict", "--strict", bool, "", "Stop at the first row that fails"),
-    Option("resume", "--resume", bool, "", "Convert what is left of many tables"),
+    Option("resume", "--resume", bool, "", "Keep what is newer than its table, of many"),
     NO_DOUBT,
     Option("uncertainty", "--uncertainty", bool, "", "Add columns of error bars, though the first rows have none"),
     Option("jobs", "--jobs", int, "N", "Number of processes (default: one per core, at most 16)", 1, 64),
-    Option("dask", "--dask", str, "ADDRESS", "Convert many tables on a Dask cluster; local starts one"),
+    Option("dask", "--dask", str, "ADDRESS", "Convert many tables on a Dask cluster"),
     Option("excel_safe", "--excel-safe", bool, "", "Escape text that a spreadsheet would run"),
     Option("material", "--material", str, "NAME", _DEFAULT),
     *(
