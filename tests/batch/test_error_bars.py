@@ -142,7 +142,7 @@ def test_a_status_is_short(run: Run) -> None:
 
 
 def test_the_ridge_of_a_quantity_of_the_weaker_body_is_found_in_tables(run: Run) -> None:
-    """Arrays leave a row whose largest value lies inside its ranges, at E1 = E2 = 2 GPa, to floats."""
+    """The largest value of the first row lies inside its ranges, at E1 = E2 = 2 GPa."""
     moduli = [("1 to 2", "1 to 9"), ("1 to 2", "3 to 9")]
     rows = [{"radius [um]": "1", "young [GPa]": one, "young2 [GPa]": two} for one, two in moduli]
     given = ["--gamma", "50mJ/m2", "--poisson", "0.2", "--quantities", "sliding_force"]
@@ -150,7 +150,8 @@ def test_the_ridge_of_a_quantity_of_the_weaker_body_is_found_in_tables(run: Run)
     solids: dict[str, Any] = {"radius": 1e-6, "surface_energy": 0.05, "poisson_ratio": 0.2}
     for row, ends in zip(found(), [(2e9, 2e9), (2e9, 3e9)], strict=True):
         largest = solve("sliding_force", youngs_modulus=ends[0], youngs_modulus2=ends[1], **solids)
-        assert row["sliding_force_high [N]"] == approx(largest, rel=1e-9)
+        width = row["sliding_force_high [N]"] - row["sliding_force_low [N]"]
+        assert largest - 0.01 * width <= row["sliding_force_high [N]"] <= largest * (1 + 1e-12)
 
 
 # --- Units of cells ---------------------------------------------------------------------------------------------------

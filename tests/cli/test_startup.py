@@ -23,7 +23,7 @@ jkroll.materials.__path__.append(sys.argv[1])
 library.SHIPPED = library.os.path.join(library._HERE, "materials.toml")
 sys.stdout.isatty = lambda: sys.argv[2] == "terminal"
 from jkroll.cli.process import main
-codes = {main(words.split()) for words in sys.argv[3:]}
+codes = {main([word.replace("_to_", " to ") for word in words.split()]) for words in sys.argv[3:]}
 print(codes, *sys.modules, file=sys.stderr)
 """
 
@@ -66,6 +66,8 @@ def test_plain_answers_import_no_library(tmp_path: Path) -> None:
 def test_an_error_bar_and_an_inferred_value_add_no_library(tmp_path: Path) -> None:
     calls = [
         "pull-off quartz 100nm --gamma 25±5mJ/m2 --quiet",
+        "report silica-dry 100nm --quiet",
+        "contact R1=80_to_120nm --gamma=20_to_30mJ/m2 --young=54GPa --poisson=0.17 --quiet",
         "infer gamma quartz 2um --radius2 plane --measured pull_off_force=300nN --quiet",
         "infer gamma quartz 2um --radius2 plane --measured pull_off_force=300±20nN,310nN --csv --quiet",
     ]

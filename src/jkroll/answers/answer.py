@@ -28,6 +28,7 @@ from ..scene.wiring import depends_on
 from .notes import (
     about_given,
     about_limits,
+    about_lost_contacts,
     about_missing,
     about_results,
     about_uncertainties,
@@ -307,7 +308,14 @@ class Answer:
             *about_missing([*self.results], self.errors),
             *about_limits(unjudged),
             *(about_uncertainties(found, sources) if sources is not None else ()),
+            *(about_lost_contacts(scene, sources) if sources is not None and self._has_bars_at_load else ()),
         )
+
+    @property
+    def _has_bars_at_load(self) -> bool:
+        """True if results that depend on the load have error bars, all of them."""
+        found, _ = self._uncertainties
+        return "load" in self.inputs and bool(found) and not any(isinstance(one, JkrollError) for one in found.values())
 
     @cached_property
     def failure(self) -> JkrollError | None:

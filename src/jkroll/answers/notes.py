@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from ..scene.uncertainty import Propagated, Source, Sources
 
 MAX_NAMES = 3  # of quantities in a note
+LOST = 0.01  # part of the values of uncertain inputs from which on a note says that they have no contact
 CUTOFFS = (4e-10, 1.65e-10)  # the spacing of solids, and the convention: w at the one that was not given
 ROUGH = 1e-6  # radius from which most spheres are rough
 _SMOOTH = 4.0  # the factor by which forces on smooth glass lie below the computed ones
@@ -339,6 +340,17 @@ def about_uncertainties(found: Mapping[str, "Propagated | JkrollError"], sources
     notes = [Note("missing", f"{first_symbols(names)}: {NO_END}{reason}") for names, reason in grouped(failures)]
     values = [(source, f" = {amount(source.names[0], source.given)}") for source in sources.left_out]
     return notes + [Note("error bars", text) for text in left_out_in_words(values)]
+
+
+def about_lost_contacts(scene: Scene, sources: "Sources") -> list[Note]:
+    """Return a note where a load is beyond pull-off at a part of the values that the error bars of the inputs stand for."""
+    from ..scene.uncertainty import part_beyond_pull_off
+
+    part = part_beyond_pull_off(scene, sources.entering)
+    if part < LOST:
+        return []
+    text = f"error bars are of contacts that hold: at {100 * part:.2g} % of the uncertain values the load is beyond pull-off"
+    return [Note("error bars", text)]
 
 
 def left_out_in_words(sources: "Iterable[tuple[Source, str]]") -> Iterator[str]:

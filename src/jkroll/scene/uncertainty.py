@@ -1,36 +1,30 @@
 """The uncertainty of results, from those of the inputs: standard uncertainties in quadrature, ranges by their extremes.
 
 Every source is moved over the whole of its uncertainty, and the quantities are computed anew there. No derivatives are
-taken, so that a result may respond differently to either side, or have a turning point inside a range.
-
-Floats define an error bar. Arrays give the same where the values at the ends of the sources decide; elsewhere an
-element is open, and is to be computed by itself.
+taken, so that a result may respond differently to either side. Over ranges a result has its least and its largest
+value among the places along the edges of their box: within 1 % of the distance of these where it turns inside.
 """
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from functools import cache, reduce
-from itertools import pairwise, product
-from math import fsum, inf, isfinite, nan
+from itertools import product
+from math import erfc, fsum, isfinite, isnan, nan, sqrt
 from typing import Any, NamedTuple
 
 from ..errors import JkrollError, NoResult
 from ..physics.elementary import at_least, at_most, hypot, where
 from ..quantities.nomenclature import NOMENCLATURE, XI
 from ..quantities.values import Interval, Measured, Uncertain, is_uncertain
-from .inverse import Observed, found_by, highest_between, solutions
+from .inverse import Observed, solutions
 from .scene import Scene
 from .unknowns import solved_near
 from .wiring import in_order
 
 MAX_RANGES = 8  # whose corners are computed, all together
 ASYMMETRIC = 0.1  # relative difference of the two sides from which on they are given one by one
-SAMPLES = 12  # parts of a range in which turning points are looked for
-NEAR = 1e-4  # of such a part, the distance from an end at which the quantity shows whether it grows inwards
+STEPS = 64  # along each edge of the box of ranges
+STEPS_OF_SHARES = 12  # along each range in the middle of the others
 ROUNDING = 4e-15  # of a value: a change as small as this comes from rounding, and not from a source
-_ROUNDS = 10  # of a search along one range after the other
-
-# From changed inputs and the names of quantities to the outcome of each.
-Evaluate = Callable[[Mapping[str, Any], tuple[str, ...]], Mapping[str, Any]]
+FEW = 800  # places that floats compute in the time of importing numpy: those of up to three ranges
 
 
 class MixedKinds(JkrollError):
@@ -62,6 +56,9 @@ class Inseparable(JkrollError):
         return "ξ of the material is scaled with the radius, which has a range here; give --xi, or single radii"
 
 
+# --- Sources ----------------------------------------------------------------------------------------------------------
+
+
 class Source(NamedTuple):
     """A value with an uncertainty, and the inputs that have this value and move with it."""
 
@@ -91,23 +88,6 @@ class Sources(NamedTuple):
         return {side for source in self.entering for side in source.given.sides}
 
 
-class Propagated(NamedTuple):
-    """The uncertainty of a result, and the part that each source has in it."""
-
-    uncertainty: Uncertain
-    shares: Mapping[str, float]  # by the first input of a source; of the variance, or of the width of a range
-
-
-class Elements(NamedTuple):
-    """The uncertainty of a quantity of a scene of arrays, element by element."""
-
-    sides: Mapping[str, Any]  # minus and plus, or low and high; nan where there is none
-    is_open: Any  # where an end of a source has no value, or the extremes of a range need a search
-
-
-Found = dict[str, Propagated | JkrollError]  # by the quantity; an error is the reason why there is none
-
-
 def sources_of(scene: Scene, used: Collection[str], measured: Sequence[Source] = ()) -> Sources:
     """Return the sources that enter quantities, given the inputs that these depend on, and measured values if any.
 
@@ -123,14 +103,14 @@ def sources_of(scene: Scene, used: Collection[str], measured: Sequence[Source] =
         raise MixedKinds(symbols[Measured], symbols[Interval])
     kind = Measured if Measured in kinds else Interval
     left_out = [source for source in of_materials if not isinstance(source.given, kind)]
-    entering = [source for source in (*stated, *of_materials) if isinstance(source.given, kind)]
-    found = Sources(entering, left_out)
+    sources = Sources([source for source in (*stated, *of_materials) if isinstance(source.given, kind)], left_out)
     if kind is Interval:
-        if len(entering) > MAX_RANGES:
-            raise TooManyRanges(len(entering))
-        if XI in found.given and XI not in scene.stated and not found.given.keys().isdisjoint(("radius", "radius2")):
+        if len(sources.entering) > MAX_RANGES:
+            raise TooManyRanges(len(sources.entering))
+        moves_radius = not sources.given.keys().isdisjoint(("radius", "radius2"))
+        if XI in sources.given and XI not in scene.stated and moves_radius:
             raise Inseparable
-    return found
+    return sources
 
 
 def _stated(scene: Scene) -> Iterator[Source]:
@@ -140,13 +120,13 @@ def _stated(scene: Scene) -> Iterator[Source]:
 
 
 def _of_materials(scene: Scene) -> Iterable[Source]:
-    found: dict[tuple[tuple[str, str], str], Source] = {}
+    sources: dict[tuple[tuple[str, str], str], Source] = {}
     for name, (material, of_material) in scene.data.items():
         if (given := scene.uncertainty_of(name)) is not None:
             key = (material.key, of_material)
-            names = (*found[key].names, name) if key in found else (name,)
-            found[key] = Source(names, given)
-    return found.values()
+            names = (*sources[key].names, name) if key in sources else (name,)
+            sources[key] = Source(names, given)
+    return sources.values()
 
 
 def sources_of_results(scene: Scene, names: Sequence[str]) -> Sources:
@@ -154,66 +134,25 @@ def sources_of_results(scene: Scene, names: Sequence[str]) -> Sources:
     return sources_of(scene, scene.inputs_of(*scene.possible(names)))
 
 
-def uncertainties(scene: Scene, names: Sequence[str]) -> tuple[Found, Sources]:
-    """Return the uncertainties of quantities of a scene, and their sources.
+# --- Error bars -------------------------------------------------------------------------------------------------------
 
-    A quantity without a finite value, or one on which no source has an influence, is left out. An error is the reason
-    why a quantity has no value at one end of a source.
-    """
-    values = {name: value for name, value in scene.numbers(*names).items() if isfinite(value)}
-    sources = sources_of_results(scene, names)
-    return _propagated(_evaluation(scene), values, sources.entering), sources
+Place = Sequence[Any]  # a value of each source
+Outcomes = Iterable[Mapping[str, Any]]  # quantities at places: numbers, arrays, or errors that say why there are none
+Evaluate = Callable[[Sequence[Place]], Outcomes]
 
 
-def uncertainties_of_elements(
-    scene: Scene, values: Mapping[str, Any], sources: Sequence[Source]
-) -> dict[str, Elements]:
-    """Return the uncertainties of quantities of a scene of arrays."""
-    return _elements(_evaluation(scene), values, sources)
+class Propagated(NamedTuple):
+    """The uncertainty of a result, and the part that each source has in it."""
+
+    uncertainty: Uncertain
+    shares: Mapping[str, float]  # by the first input of a source; of the variance, or of the width of a range
 
 
-def _evaluation(scene: Scene) -> Evaluate:
-    """Return the function from changed inputs to quantities of a scene; the other inputs have the middle of their uncertainty."""
-    middles = {name: given.value for name, given in scene.uncertain.items()}
-    return lambda changed, names: scene.replace(**{**middles, **changed}).evaluate(names)
+class Elements(NamedTuple):
+    """The uncertainty of a quantity of a scene of arrays, element by element."""
 
-
-def inferred_sources(names: Sequence[str], observed: Observed) -> Sources:
-    """Return the sources of the uncertainty of inferred inputs: the measured values, and the inputs of the scene."""
-    of_measured = [Source((quantity,), one) for quantity, one in observed.measured.items() if is_uncertain(one)]
-    return sources_of(observed.scene, observed.used(names), of_measured)
-
-
-def inferred_uncertainties(values: Mapping[str, float], observed: Observed) -> tuple[Found, Sources]:
-    """Return the uncertainties of inferred inputs, and their sources."""
-    sources = inferred_sources([*values], observed)
-
-    def evaluate(changed: Mapping[str, float], _: tuple[str, ...]) -> Mapping[str, Any]:
-        try:
-            return solved_near(values, observed.changed(changed))
-        except NoResult as error:
-            return dict.fromkeys(values, error)
-
-    return _propagated(evaluate, values, sources.entering), sources
-
-
-def inferred_uncertainty_of_elements(name: str, values: Any, observed: Observed) -> dict[str, Elements]:
-    """Return the uncertainty of the values of an inferred input."""
-    import numpy
-
-    def evaluate(changed: Mapping[str, Any], _: tuple[str, ...]) -> Mapping[str, Any]:
-        other = observed.changed(changed)
-        ((quantity, at),) = other.measured.items()
-        found = solutions(name, quantity, numpy.broadcast_to(at, values.shape), other.scene)
-        return {name: numpy.array([one if isinstance(one, float) else nan for one in found])}
-
-    return _elements(evaluate, {name: values}, inferred_sources([name], observed).entering)
-
-
-# --- From the values at the ends of the sources, of numbers and of arrays ---------------------------------------------
-
-Place = tuple[Any, ...]  # a value of each source
-Outcomes = Callable[[Place], Mapping[str, Any]]  # of quantities by name
+    sides: Mapping[str, Any]  # minus and plus, or low and high; nan where there is none
+    is_open: Any  # where a place of the sources has no value; floats say why
 
 
 class _Bar(NamedTuple):
@@ -221,40 +160,199 @@ class _Bar(NamedTuple):
 
     sides: Mapping[str, Any]
     has_influence: Any  # of a source
-    parts: Iterable[float] = ()  # of each source, from which its share follows
-    is_open: Any = False  # whether there is a turning point inside the ranges
+    changes: Sequence[Any] = ()  # by a source
 
 
-def _propagated(evaluate: Evaluate, values: Mapping[str, float], sources: Sequence[Source]) -> Found:
-    """Return the uncertainties of numbers, from sources of one kind and a function that computes them from changed inputs."""
-    if not sources:
+Bars = dict[str, Propagated | JkrollError]  # by the quantity; an error is the reason why there is none
+
+
+def uncertainties(scene: Scene, names: Sequence[str]) -> tuple[Bars, Sources]:
+    """Return the uncertainties of quantities of a scene, and their sources.
+
+    A quantity without a finite value, or one on which no source has an influence, is left out. An error is the reason
+    why a quantity has no value at one place of the sources.
+    """
+    values = {name: value for name, value in scene.numbers(*names).items() if isfinite(value)}
+    sources = sources_of_results(scene, names)
+    return propagated(_evaluation(scene, [*values], sources.entering), values, sources.entering), sources
+
+
+def part_beyond_pull_off(scene: Scene, sources: Sequence[Source]) -> float:
+    """Return the part of all values that standard uncertainties stand for, normally distributed, at which a load is beyond pull-off.
+
+    The distance P + P_c is taken as normally distributed, too. Ranges have none: their ends hold.
+    """
+    force = scene.numbers("pull_off_force")
+    if not (force and sources and isinstance(sources[0].given, Measured)):
+        return 0.0
+    bar = propagated(_evaluation(scene, ["pull_off_force"], sources), force, sources).get("pull_off_force")
+    of_force = bar.uncertainty.sides["minus"] if isinstance(bar, Propagated) else 0.0
+    of_load = sum(source.given.sides["minus"] for source in sources if "load" in source.names)
+    spread = hypot(of_force, of_load)
+    distance = scene["load"] + force["pull_off_force"]
+    return erfc(distance / (sqrt(2) * spread)) / 2 if spread else 0.0
+
+
+def uncertainties_of_elements(
+    scene: Scene, values: Mapping[str, Any], sources: Sequence[Source]
+) -> dict[str, Elements]:
+    """Return the uncertainties of quantities of a scene of arrays."""
+    return elements(_evaluation(scene, [*values], sources), values, sources)
+
+
+def moved(sources: Sequence[Source], place: Place) -> dict[str, Any]:
+    """Return the inputs of sources at a place."""
+    return {name: value for source, value in zip(sources, place, strict=True) for name in source.names}
+
+
+def _evaluation(scene: Scene, names: Sequence[str], sources: Sequence[Source]) -> Evaluate:
+    """Return what computes quantities of a scene at places, one after the other, or many places of numbers as arrays."""
+    middles = {name: given.value for name, given in scene.uncertain.items()}
+
+    def at(place: Place) -> Mapping[str, Any]:
+        return scene.replace(**{**middles, **moved(sources, place)}).evaluate(names)
+
+    def evaluate(places: Sequence[Place]) -> Outcomes:
+        if len(places) <= FEW or scene.shape:
+            return map(at, places)
+        return _as_arrays(at, places)
+
+    return evaluate
+
+
+def _as_arrays(at: Callable[[Place], Mapping[str, Any]], places: Sequence[Place]) -> Outcomes:
+    """Iterate over quantities at many places. A place without a value has the reason that it has by itself."""
+    import numpy
+
+    columns = {
+        name: [outcome] * len(places)
+        if isinstance(outcome, JkrollError)
+        else numpy.broadcast_to(outcome, len(places)).tolist()
+        for name, outcome in at(numpy.transpose(places)).items()
+    }
+    for place, row in zip(places, zip(*columns.values(), strict=True), strict=True):
+        outcomes = dict(zip(columns, row, strict=True))
+        has_gap = any(isinstance(outcome, float) and isnan(outcome) for outcome in row)
+        yield at(place) if has_gap else outcomes
+
+
+def propagated(evaluate: Evaluate, values: Mapping[str, float], sources: Sequence[Source]) -> Bars:
+    """Return the uncertainties of numbers, from sources of one kind."""
+    if not (sources and values):
         return {}
-    found: Found = {}
-    kind = type(sources[0].given)
-    for name, bar in (_in_quadrature if kind is Measured else _over_ranges)(evaluate, values, sources):
+    bars: Bars = {}
+    is_range = isinstance(sources[0].given, Interval)
+    found = (_over_ranges if is_range else _in_quadrature)(evaluate, values, sources)
+    widths = _widths(evaluate, values, sources) if is_range else {}
+    for name, bar in found.items():
         if isinstance(bar, JkrollError):
-            found[name] = bar
+            bars[name] = bar
         elif bar.has_influence:
-            found[name] = Propagated(kind(values[name], **bar.sides), _shares(sources, [*bar.parts]))
-    return found
+            shares = _shares(sources, widths[name] if is_range else _squares(bar.changes))
+            bars[name] = Propagated(type(sources[0].given)(values[name], **bar.sides), shares)
+    return bars
 
 
-def _elements(evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Source]) -> dict[str, Elements]:
-    """Return the uncertainties of arrays, as `_propagated` does for numbers."""
-    if not sources:
+def elements(evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Source]) -> dict[str, Elements]:
+    """Return the uncertainties of arrays, as `propagated` does for numbers."""
+    if not (sources and values):
         return {}
     import numpy
 
-    found: dict[str, Elements] = {}
-    combine = _in_quadrature if isinstance(sources[0].given, Measured) else _on_edges
-    for name, bar in combine(evaluate, values, sources):
+    bars: dict[str, Elements] = {}
+    is_range = isinstance(sources[0].given, Interval)
+    for name, bar in (_over_ranges if is_range else _in_quadrature)(evaluate, values, sources).items():
         if isinstance(bar, JkrollError):
-            found[name] = Elements({}, is_open=True)
+            bars[name] = Elements({}, is_open=True)
             continue
-        is_open = bar.is_open | numpy.isnan(sum(bar.sides.values()))
+        is_open = numpy.isnan(sum(bar.sides.values()))
         is_known = bar.has_influence & ~is_open
-        found[name] = Elements({side: where(is_known, numbers, nan) for side, numbers in bar.sides.items()}, is_open)
-    return found
+        bars[name] = Elements({side: where(is_known, numbers, nan) for side, numbers in bar.sides.items()}, is_open)
+    return bars
+
+
+def _in_quadrature(
+    evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Source]
+) -> dict[str, _Bar | JkrollError]:
+    """Return standard uncertainties: the changes at both ends of each source, each side added in quadrature."""
+    middle = [source.given.value for source in sources]
+    places = [[*middle[:axis], end, *middle[axis + 1 :]] for axis, source in enumerate(sources) for end in source.ends]
+    outcomes = [*evaluate(places)]
+    return {name: _quadrature(value, [outcome[name] for outcome in outcomes]) for name, value in values.items()}
+
+
+def _quadrature(value: Any, outcomes: Sequence[Any]) -> _Bar | JkrollError:
+    """Return the error bar of a value, from the outcomes at the lower and the upper end of each source in turn."""
+    for outcome in outcomes:
+        if isinstance(outcome, JkrollError):
+            return outcome
+    changes = [(low - value, high - value) for low, high in zip(outcomes[::2], outcomes[1::2], strict=True)]
+    minus = hypot(*(at_most(at_most(low, high), 0.0) for low, high in changes))
+    plus = hypot(*(at_least(at_least(low, high), 0.0) for low, high in changes))
+    alike = abs(plus - minus) <= ASYMMETRIC * at_least(plus, minus)
+    middle = (minus + plus) / 2
+    minus, plus = where(alike, middle, minus), where(alike, middle, plus)
+    return _Bar({"minus": minus, "plus": plus}, at_least(plus, minus) > ROUNDING * abs(value), changes)
+
+
+def _over_ranges(
+    evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Source]
+) -> dict[str, _Bar | JkrollError]:
+    """Return the least and the largest values on the edges of the box of all ranges.
+
+    The largest value of a quantity that has no turning point is that of a corner. One that is that of the weaker body,
+    and falls off where the other becomes the weaker, has it at a corner or where such a ridge meets an edge.
+    """
+    low, high, errors = dict(values), dict(values), dict[str, JkrollError]()
+    for outcomes in evaluate([*_edges([source.ends for source in sources])]):
+        for name, outcome in outcomes.items():
+            if isinstance(outcome, JkrollError):
+                errors.setdefault(name, outcome)
+            else:
+                low[name], high[name] = at_most(low[name], outcome), at_least(high[name], outcome)
+    return {
+        name: errors.get(name)
+        or _Bar({"low": low[name], "high": high[name]}, high[name] - low[name] > ROUNDING * abs(value))
+        for name, value in values.items()
+    }
+
+
+def _edges(ends: Sequence[tuple[Any, Any]]) -> Iterator[Place]:
+    """Iterate over places along the edges of the box of ranges."""
+    for axis, (low, high) in enumerate(ends):
+        for corner in product(*(pair if other != axis else (low,) for other, pair in enumerate(ends))):
+            for value in _steps(low, high, STEPS):
+                yield [*corner[:axis], value, *corner[axis + 1 :]]
+
+
+def _steps(low: Any, high: Any, count: int) -> list[Any]:
+    """Return values from one end of a range to the other: by ratio, or by difference where the range has 0 in it."""
+    parts = [number / count for number in range(1, count)]
+    is_by_ratio = low * high > 0
+    ratio = where(is_by_ratio, high, 1.0) / where(is_by_ratio, low, 1.0)
+    return [low, *(where(is_by_ratio, low * ratio**part, low + part * (high - low)) for part in parts), high]
+
+
+def _widths(
+    evaluate: Evaluate, values: Mapping[str, float], sources: Sequence[Source]
+) -> Mapping[str, Sequence[float]]:
+    """Return by quantity how far it moves along each range, in the middle of the others."""
+    middle = [source.given.value for source in sources]
+    widths: dict[str, list[float]] = {name: [] for name in values}
+    for axis, source in enumerate(sources):
+        line = [[*middle[:axis], value, *middle[axis + 1 :]] for value in _steps(*source.ends, STEPS_OF_SHARES)]
+        outcomes = [*evaluate(line)]
+        for name, own in widths.items():
+            numbers = [outcome[name] for outcome in outcomes if not isinstance(outcome[name], JkrollError)]
+            own.append(max(numbers) - min(numbers) if numbers else 0.0)
+    return widths
+
+
+def _squares(changes: Iterable[tuple[float, float]]) -> list[float]:
+    """Return the squares of the changes of a number by each source, over the largest of them: they may leave the doubles."""
+    sizes = [hypot(low, high) for low, high in changes]
+    largest = max(sizes)
+    return [(size / largest) ** 2 if size else 0.0 for size in sizes]
 
 
 def _shares(sources: Sequence[Source], parts: Sequence[float]) -> dict[str, float]:
@@ -264,211 +362,38 @@ def _shares(sources: Sequence[Source], parts: Sequence[float]) -> dict[str, floa
     return dict(sorted(shares.items(), key=lambda share: -share[1]))
 
 
-def _in_quadrature(
-    evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Source]
-) -> Iterator[tuple[str, _Bar | JkrollError]]:
-    """Iterate over standard uncertainties: the changes at both ends of each source, each side added in quadrature."""
-    ends = [[evaluate(_at([source], (end,)), (*values,)) for end in source.ends] for source in sources]
-    for name, value in values.items():
-        outcomes = [[end[name] for end in pair] for pair in ends]
-        if failures := [end for pair in outcomes for end in pair if isinstance(end, JkrollError)]:
-            yield name, failures[0]
-            continue
-        changes = [(low - value, high - value) for low, high in outcomes]
-        minus = hypot(*(at_most(at_most(low, high), 0.0) for low, high in changes))
-        plus = hypot(*(at_least(at_least(low, high), 0.0) for low, high in changes))
-        alike = abs(plus - minus) <= ASYMMETRIC * at_least(plus, minus)
-        middle = (minus + plus) / 2
-        minus, plus = where(alike, middle, minus), where(alike, middle, plus)
-        has_influence = at_least(plus, minus) > ROUNDING * abs(value)
-        yield name, _Bar({"minus": minus, "plus": plus}, has_influence, _squares(changes))
+# --- Inferred inputs --------------------------------------------------------------------------------------------------
 
 
-def _squares(changes: Iterable[tuple[float, float]]) -> Iterator[float]:
-    """Iterate over the squares of the changes of a number by each source, over the largest of them: they may leave the doubles."""
-    sizes = [hypot(low, high) for low, high in changes]
-    largest = max(sizes)
-    yield from ((size / largest) ** 2 if size else 0.0 for size in sizes)
+def inferred_sources(names: Sequence[str], observed: Observed) -> Sources:
+    """Return the sources of the uncertainty of inferred inputs: the measured values, and the inputs of the scene."""
+    of_measured = [Source((quantity,), one) for quantity, one in observed.measured.items() if is_uncertain(one)]
+    return sources_of(observed.scene, observed.used(names), of_measured)
 
 
-def _range(value: Any, low: Any, high: Any) -> _Bar:
-    """Return the error bar of a value, from the least and the largest value over all ranges together."""
-    low, high = at_most(value, low), at_least(value, high)
-    return _Bar({"low": low, "high": high}, high - low > ROUNDING * abs(value))
+def inferred_uncertainties(values: Mapping[str, float], observed: Observed) -> tuple[Bars, Sources]:
+    """Return the uncertainties of inferred inputs, and their sources."""
+    sources = inferred_sources([*values], observed)
 
-
-def _at(sources: Sequence[Source], place: Place) -> dict[str, Any]:
-    """Return the inputs of sources at a place."""
-    return {name: value for source, value in zip(sources, place, strict=True) for name in source.names}
-
-
-def _moved(place: Place, axis: int, value: Any) -> Place:
-    """Return a place with another value of one source."""
-    return (*place[:axis], value, *place[axis + 1 :])
-
-
-def _edges(limits: Sequence[tuple[Any, Any]]) -> Iterator[tuple[int, Place]]:
-    """Iterate over the edges of the box of all ranges: the source that varies along each, and a place on it.
-
-    The largest value of a quantity that has no turning point is that of a corner. One that is that of the weaker body,
-    and falls off where the other becomes the weaker, has it at a corner or where such a ridge meets an edge.
-    """
-    for axis in range(len(limits)):
-        others = [ends if place != axis else ends[:1] for place, ends in enumerate(limits)]
-        yield from ((axis, place) for place in product(*others))
-
-
-def _steps(low: Any, high: Any) -> list[Any]:
-    """Return values from one end of a range to the other: by ratio, or by difference where the range has 0 in it."""
-    parts = [number / SAMPLES for number in range(1, SAMPLES)]
-    is_by_ratio = low * high > 0
-    ratio = where(is_by_ratio, high, 1.0) / where(is_by_ratio, low, 1.0)
-    return [low, *(where(is_by_ratio, low * ratio**part, low + part * (high - low)) for part in parts), high]
-
-
-def _inwards(end: Any, beside: Any) -> Any:
-    """Return the value near an end of a range at which a quantity shows whether it grows inwards. `beside`: the next step."""
-    return end + NEAR * (beside - end)
-
-
-# --- Ranges of arrays -------------------------------------------------------------------------------------------------
-
-
-def _on_edges(evaluate: Evaluate, values: Mapping[str, Any], sources: Sequence[Source]) -> Iterator[tuple[str, _Bar]]:
-    """Iterate over ranges, from the values at steps along the edges. They are open where a quantity both rises and falls on one."""
-    limits = [source.ends for source in sources]
-    found = {name: (value, value, False) for name, value in values.items()}
-    for axis, place in _edges(limits):
-        low, *inner, high = _steps(*limits[axis])
-        along = (low, _inwards(low, inner[0]), *inner, _inwards(high, inner[-1]), high)
-        outcomes = [evaluate(_at(sources, _moved(place, axis, value)), (*values,)) for value in along]
-        for name, (least, largest, turns) in found.items():
-            numbers = [nan if isinstance(one[name], JkrollError) else one[name] for one in outcomes]
-            rises = falls = False
-            for before, after in pairwise(numbers):
-                rises, falls = rises | (after > before), falls | (after < before)
-            found[name] = reduce(at_most, numbers, least), reduce(at_least, numbers, largest), turns | rises & falls
-    for name, (least, largest, turns) in found.items():
-        bar = _range(values[name], least, largest)
-        yield name, bar._replace(is_open=bar.has_influence & turns)
-
-
-# --- Ranges of numbers ------------------------------------------------------------------------------------------------
-
-
-def _over_ranges(
-    evaluate: Evaluate, values: Mapping[str, float], sources: Sequence[Source]
-) -> Iterator[tuple[str, _Bar | JkrollError]]:
-    """Iterate over ranges, from the edges of their box and turning points."""
-    limits = [source.ends for source in sources]
-    edges = [_line(place, axis, limits) for axis, place in _edges(limits)]
-    together = cache(lambda place: evaluate(_at(sources, place), (*values,)))
-    for name, value in values.items():
-        alone = cache(_alone(name, evaluate, sources)) if len(values) > 1 else together
-        low, high = (_Surface(name, limits, edges, together, alone, sign) for sign in (-1.0, 1.0))
+    def at(place: Place) -> Mapping[str, Any]:
         try:
-            bar = _range(value, -low.highest(), high.highest())
-            yield name, bar._replace(parts=_widths(name, sources, together)) if bar.has_influence else bar
-        except JkrollError as error:
-            yield name, error
+            return solved_near(values, observed.changed(moved(sources.entering, place)))
+        except NoResult as error:
+            return dict.fromkeys(values, error)
+
+    return propagated(lambda places: map(at, places), values, sources.entering), sources
 
 
-def _alone(name: str, evaluate: Evaluate, sources: Sequence[Source]) -> Outcomes:
-    return lambda place: evaluate(_at(sources, place), (name,))
+def inferred_uncertainty_of_elements(name: str, values: Any, observed: Observed) -> dict[str, Elements]:
+    """Return the uncertainty of the values of an inferred input."""
+    import numpy
 
+    sources = inferred_sources([name], observed).entering
 
-def _widths(name: str, sources: Sequence[Source], together: Outcomes) -> list[float]:
-    """Return how far a quantity moves along each range, in the middle of the others."""
-    middle, limits = tuple(source.given.value for source in sources), [source.ends for source in sources]
-    widths = []
-    for axis in range(len(limits)):
-        heights = [_number_of(name, together, place) for place in _line(middle, axis, limits).places]
-        widths.append(max(heights) - min(heights))
-    return widths
+    def at(place: Place) -> Mapping[str, Any]:
+        other = observed.changed(moved(sources, place))
+        ((quantity, level),) = other.measured.items()
+        found = solutions(name, quantity, numpy.broadcast_to(level, values.shape), other.scene)
+        return {name: numpy.array([one if isinstance(one, float) else nan for one in found])}
 
-
-class _Line(NamedTuple):
-    """Places from one end of a range to the other."""
-
-    axis: int  # the source that varies
-    places: list[Place]
-
-
-def _line(place: Place, axis: int, limits: Sequence[tuple[float, float]]) -> _Line:
-    """Return the line through a place along one range."""
-    return _Line(axis, [_moved(place, axis, value) for value in _steps(*limits[axis])])
-
-
-def _number_of(name: str, outcomes: Outcomes, place: Place) -> float:
-    """Return the value of a quantity at a place. Raises the reason why it has none."""
-    outcome = outcomes(place)[name]
-    if isinstance(outcome, JkrollError):
-        raise outcome
-    return float(outcome)
-
-
-class _Surface:
-    """A quantity over all ranges, or with sign −1 its negative."""
-
-    def __init__(
-        self,
-        name: str,
-        limits: Sequence[tuple[float, float]],
-        edges: Sequence[_Line],
-        together: Outcomes,
-        alone: Outcomes,
-        sign: float,
-    ) -> None:
-        """`together`: the outcomes of all quantities at a place, for places that they share; `alone`: of this one."""
-        self.limits, self.edges = limits, edges
-        self.height: Callable[[Place], float] = lambda place: sign * _number_of(name, together, place)
-        self.beside: Callable[[Place], float] = lambda place: sign * _number_of(name, alone, place)
-
-    def highest(self) -> float:
-        """Return the largest value: that on an edge, or of a turning point beside it. Raises the reason why it has none at a place."""
-        best = max(map(self._peak, self.edges), key=_height)
-        for _ in range(_ROUNDS):
-            before = best
-            for axis in range(len(self.limits)):
-                best = max(best, self._peak(_line(best.place, axis, self.limits)), key=_height)
-            if best == before:
-                break
-        return best.height
-
-    def _peak(self, line: _Line) -> "_Peak":
-        """Return the largest value on a line: at one of its places, or found by a golden-section search around one.
-
-        Searched is around each that is higher than those beside it, as a hump between two of them may be the highest.
-        """
-        heights = [*map(self.height, line.places)]
-        found = [_Peak(height, place) for height, place in zip(heights, line.places, strict=True)]
-        for at, (before, here, after) in enumerate(zip([-inf, *heights], heights, [*heights[1:], -inf], strict=False)):
-            if before < here >= after and (0 < at < SAMPLES or self._grows_inwards(line, at, here)):
-                found.append(self._top(line, at))
-        return max(found, key=_height)
-
-    def _grows_inwards(self, line: _Line, end: int, height: float) -> bool:
-        """Return whether the quantity grows from an end of a line, where it has some height."""
-        axis, places = line
-        beside = places[1 if end == 0 else SAMPLES - 1]
-        inwards = _inwards(places[end][axis], beside[axis])
-        return self.height(_moved(places[end], axis, inwards)) > height
-
-    def _top(self, line: _Line, at: int) -> "_Peak":
-        """Return the top of the hump around a place of a line."""
-        axis, places = line
-        left, right = (places[max(0, min(beside, SAMPLES))][axis] for beside in (at - 1, at + 1))
-        value = found_by(highest_between(left, right), lambda value: self.beside(_moved(places[at], axis, value)))
-        found = _moved(places[at], axis, value)
-        return _Peak(self.beside(found), found)
-
-
-class _Peak(NamedTuple):
-    """The largest value on a line, and where it is."""
-
-    height: float
-    place: Place
-
-
-def _height(peak: _Peak) -> float:
-    return peak.height
+    return elements(lambda places: map(at, places), {name: values}, sources)
