@@ -228,7 +228,7 @@ def _as_arrays(at: Callable[[Place], Mapping[str, Any]], places: Sequence[Place]
         name: [outcome] * len(places)
         if isinstance(outcome, JkrollError)
         else numpy.broadcast_to(outcome, len(places)).tolist()
-        for name, outcome in at(numpy.transpose(places)).items()
+        for name, outcome in at([*numpy.transpose(places)]).items()
     }
     for place, row in zip(places, zip(*columns.values(), strict=True), strict=True):
         outcomes = dict(zip(columns, row, strict=True))
