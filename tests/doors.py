@@ -254,15 +254,13 @@ def bits_agree(scene: Scene, one: int, other: int) -> bool:
     unlike = one ^ other
     if unlike & NOT_JUDGED:
         return False
-    place = 0
     for limit in LIMITS:
-        if unlike >> place & (1 << len(limit.doubts)) - 1:
+        if unlike & limit.bits:
             value = scene.evaluate((limit.name,))[limit.name]
             if isinstance(value, JkrollError):
                 return False
-            if not any(agree(scene, limit.name, value, doubt.threshold) for doubt in limit.doubts):
+            if not any(agree(scene, limit.name, value, threshold) for threshold in limit.codes):
                 return False
-        place += len(limit.doubts)
     return True
 
 

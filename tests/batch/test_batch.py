@@ -29,7 +29,7 @@ from jkroll.rows.columns import Columns, Row, Wanted
 from jkroll.rows.header import Column, understood
 from jkroll.rows.reasons import ROW
 from jkroll.rows.rows import Block, evaluated
-from jkroll.scene.limits import TOLD
+from jkroll.scene.limits import CODES
 from relative import approx
 from tables import IN_SMALL_BLOCKS, random_table
 
@@ -187,7 +187,7 @@ def test_doubts_have_a_column(run: Run, end: str) -> None:
 
 
 def test_the_guide_explains_the_codes_of_doubts() -> None:
-    assert all(f"`{code}`" in page("models") for code in {told.code for told in TOLD} | {"?"})
+    assert all(f"`{code}`" in page("models") for code in {*CODES, "?"})
 
 
 @pytest.mark.slow

@@ -692,7 +692,7 @@ def test_every_answer_says_how_far_it_can_be_trusted(run: Run) -> None:
     assert validity["displacement_ratio"]["holds"]
     assert validity["energy_over_yield"]["holds"]
     doubts = run("yield-force quartz 3nm").err.splitlines()[0]
-    assert "; also μ = 0.0423 (law>×2), " in doubts
+    assert "by Maugis' law (Tabor parameter 0.042, " in doubts
     assert "ξ/ξ_max = 1.56" in doubts
     assert "Q/P_c = 1.6" in run("yield-force quartz 0.5nm", terminal=True).err
     assert "does not roll" in run("n-roll quartz 10nm --energy 1e-21J").err
@@ -810,7 +810,7 @@ def test_a_curve_is_doubted_as_its_pull_off_force_wherever_it_is_written(run: Ru
     rows = list(csv.DictReader(run("contact quartz 100nm --curve --csv").out.splitlines()))
     answers = json.loads(run("contact quartz 100nm --curve --json").out)
     inexact = run("pull-off quartz 100nm").err.splitlines()[0]
-    assert "JKR is inexact here" in inexact
+    assert "P_c = 14–15 nN by Maugis' law" in inexact
     assert single == "law>25%"
     assert {row["doubt"] for row in rows} == {single}
     assert {verdict["code"] for answer in answers for verdict in answer["validity"]} == {single, None}

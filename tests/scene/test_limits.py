@@ -13,9 +13,9 @@ from jkroll import NOMENCLATURE, solve
 from jkroll.answers.questions import QUESTIONS
 from jkroll.errors import NoResult
 from jkroll.materials.library import known_materials
-from jkroll.scene.effects import effects
+from jkroll.scene.alternatives import factor_of_law
 from jkroll.scene.failures import TwoRigidBodies
-from jkroll.scene.limits import LIMITS, Doubt, Limit, codes, doubts, judged, told
+from jkroll.scene.limits import CODES, LIMITS, Doubt, Limit, bits_of, codes, codes_of, doubts
 from jkroll.scene.scene import Scene
 from jkroll.scene.wiring import depends_on
 from relative import approx
@@ -24,35 +24,47 @@ from scenes import OTHER, QUARTZ
 
 def verdicts(*names: str, **given: Any) -> dict[str, str]:
     """Return the code of each limit that is judged for these names."""
-    return {one.name: one.code for one in judged(Scene({**QUARTZ, **given}), names).verdicts}
+    return {one.limit.name: one.code for one in doubts(Scene({**QUARTZ, **given}), names)}
 
 
-def codes_of(bits: int) -> set[str]:
-    """Return the codes of doubts."""
-    return {one.code for one in told(bits)}
+def bits(scene: Scene, names: list[str]) -> Any:
+    """Return the codes of the answers to these names as bits."""
+    return bits_of(doubts(scene, names))
 
 
-THRESHOLDS = [(limit, doubt) for limit in LIMITS for doubt in limit.doubts if np.isfinite(doubt.threshold)]
+THRESHOLDS = [(limit, threshold) for limit in LIMITS for threshold in limit.codes]
 
 
-@pytest.mark.parametrize(("limit", "doubt"), THRESHOLDS)
-def test_either_side_of_a_threshold(limit: Limit, doubt: Doubt) -> None:
-    below, above = (float(np.nextafter(doubt.threshold, end)) for end in (-np.inf, np.inf))
+@pytest.mark.parametrize(("limit", "threshold"), THRESHOLDS)
+def test_either_side_of_a_threshold(limit: Limit, threshold: float) -> None:
+    below, above = (float(np.nextafter(threshold, end)) for end in (-np.inf, np.inf))
     beyond, before = (below, above) if limit.sign.startswith("<") else (above, below)
-    verdict = limit.judge(beyond, beyond)
-    assert (verdict.holds, verdict.code) == (False, limit.code(doubt))
-    assert doubt.consequence in verdict.text
-    assert limit.judge(before, before).code != limit.code(doubt)
-    assert (limit.judge(doubt.threshold, doubt.threshold).code == limit.code(doubt)) == limit.sign.endswith("=")
-    expected = {below: below == beyond, doubt.threshold: limit.sign.endswith("="), above: above == beyond}
-    place = limit.doubts.index(doubt)
-    assert (limit.level(np.array([*expected, np.nan])) > place).tolist() == [*expected.values(), False]
+    code = limit.codes[threshold]
+    doubt = Doubt(limit, beyond, limit.excess(beyond))
+    assert (doubt.is_exceeded, doubt.code) == (True, code)
+    assert limit.consequence.partition("{}")[0] in doubt.text
+    assert Doubt(limit, before, limit.excess(before)).code != code
+    assert (Doubt(limit, threshold, limit.excess(threshold)).code == code) == limit.sign.endswith("=")
+    expected = {below: below == beyond, threshold: limit.sign.endswith("="), above: above == beyond}
+    numbers = np.array([*expected, np.nan])
+    levels = Doubt(limit, numbers, limit.excess(numbers)).level
+    assert (levels > [*limit.codes].index(threshold)).tolist() == [*expected.values(), False]
+
+
+def test_an_excess_is_the_logarithm_of_a_factor() -> None:
+    (few,) = [one for one in doubts(Scene({**QUARTZ, "radius": 1e-9}), ["pull_off_force"]) if one.code == "a/z0<3"]
+    assert few.excess == approx(np.log(3 / few.value))
+    assert few.factor == approx(3 / few.value)
+    (law,) = [one for one in doubts(Scene(QUARTZ), ["pull_off_force"]) if one.code.startswith("law")]
+    of_laws = [solve("pull_off_force", model=model, atomic_spacing=4e-10, **QUARTZ) for model in ("jkr", "maugis")]
+    fit = solve("pull_off_force_lennard_jones", **QUARTZ)
+    assert law.factor == approx(max(of_laws[1], fit) / of_laws[0] / 1.05)
 
 
 def test_a_threshold_that_words_name_is_the_one_that_is_judged() -> None:
-    for limit, doubt in THRESHOLDS:
-        for number, percent in re.findall(r"(?:above|below) ([\d.]+)( %)?", f"{doubt.condition}; {limit.fine}"):
-            assert float(number) / (100 if percent else 1) == doubt.threshold, limit.name
+    for limit, threshold in THRESHOLDS:
+        for number, percent in re.findall(r"(?:above|below) ([\d.]+)( %)?", f"{limit.condition}; {limit.fine}"):
+            assert float(number) / (100 if percent else 1) == threshold, limit.name
 
 
 def test_every_limit_touches_what_a_command_shows() -> None:
@@ -64,9 +76,8 @@ def test_every_limit_touches_what_a_command_shows() -> None:
 
 
 def test_codes_are_short_and_differ() -> None:
-    codes = [limit.code(doubt) for limit, doubt in THRESHOLDS]
-    assert len({*codes}) == len(codes)
-    assert {"law>5%", "law>25%", "law>×2", "μ<0.7", "a/z0<3", "e_h>0.01", "s<=0", "W0/U_stick>1"} <= {*codes}
+    assert len({*CODES}) == len(CODES)
+    assert {"law>5%", "law>25%", "law>×2", "μ<0.7", "a/z0<3", "e_h>0.01", "s<=0", "W0/U_stick>1"} <= {*CODES}
 
 
 @pytest.mark.parametrize(
@@ -89,7 +100,7 @@ def test_codes_are_short_and_differ() -> None:
 )
 def test_a_scene_in_doubt(name: str, given: dict[str, Any], code: str) -> None:
     assert code in verdicts(name, **given).values()
-    assert code in codes_of(doubts(Scene({**QUARTZ, **given}), [name]))
+    assert code in codes_of(bits(Scene({**QUARTZ, **given}), [name]))
 
 
 def test_what_is_not_judged() -> None:
@@ -109,16 +120,16 @@ def test_a_load_of_exactly_the_pull_off_force_is_not_stable() -> None:
 def test_doubts_of_arrays_are_those_of_each_scene() -> None:
     radii = np.geomspace(2e-10, 1e-2, 200)
     names = ["yield_force", "n_grav", "r_min", "n_roll"]
-    found = doubts(Scene({**QUARTZ, "radius": radii, "speed": 0.1}), names)
+    found = bits(Scene({**QUARTZ, "radius": radii, "speed": 0.1}), names)
     for place, radius in enumerate(radii.tolist()):
         here = {code for code in verdicts(*names, radius=radius, speed=0.1).values() if code}
-        assert codes_of(int(found[place])) == here
+        assert {*codes_of(int(found[place]))} == here
 
 
 def test_a_ratio_of_forces_has_the_doubts_of_its_contact() -> None:
     """Without load, too, where nothing of the contact enters 4ξ/R1."""
     soft = {"radius": 3e-10, "surface_energy": 0.025, "youngs_modulus": 5e9, "poisson_ratio": 0.2}
-    of_loads = [codes(doubts(Scene({**soft, "load": load}), ["yield_force_ratio"])).split() for load in (0.0, 1e-18)]
+    of_loads = [codes(bits(Scene({**soft, "load": load}), ["yield_force_ratio"])).split() for load in (0.0, 1e-18)]
     assert {"a/z0<3", "e_h>0.01"} <= {*of_loads[0]} == {*of_loads[1]}
 
 
@@ -267,7 +278,7 @@ def test_a_report_and_a_table_of_a_plane_end_alike(run: Run, tmp_path: Any) -> N
 def test_the_law_of_adhesion_is_judged_by_its_effect(name: str, given: dict[str, Any], code: str) -> None:
     model = given.pop("model", "jkr")
     scene = Scene({"radius": given["radius"]}, known_materials()[given["material"]], model=model)
-    assert {one for one in codes_of(doubts(scene, [name])) if one.startswith("law")} == ({code} if code else set())
+    assert {one for one in codes_of(bits(scene, [name])) if one.startswith("law")} == ({code} if code else set())
 
 
 def test_a_contact_that_only_one_law_has_is_doubtful() -> None:
@@ -275,7 +286,7 @@ def test_a_contact_that_only_one_law_has_is_doubtful() -> None:
     force = solve("pull_off_force", **QUARTZ, model="dmt")
     held = {**QUARTZ, "radius": 1e-4, "load": -0.9 * 1e3 * force}
     scene = Scene(held, model="dmt")
-    assert "law>×2" in codes_of(doubts(scene, ["approach_at_load"]))
+    assert "law>×2" in codes_of(bits(scene, ["approach_at_load"]))
 
 
 @pytest.mark.parametrize(
@@ -292,14 +303,14 @@ def test_an_answer_of_zero_is_not_compared_with_that_of_another_law(
     zero, both = (Scene({**QUARTZ, name: given}, model=model) for given in (value, np.array([value, other])))
     for one in names:
         assert zero[one] == both[one][0] == 0
-        assert effects(zero, names)[one].ratio == effects(both, names)[one].ratio[0] == 1
-        assert effects(both, names)[one].ratio[1] != 1
+        assert factor_of_law(zero, [one]) == factor_of_law(both, [one])[0] == 1
+        assert factor_of_law(both, [one])[1] != 1
 
 
 def test_a_dmt_contact_at_an_approach_is_doubtful_without_a_work_of_adhesion_too() -> None:
     """Its radius √(Rδ) rests on no work of adhesion, and Maugis' contact is far wider."""
     scenes = [Scene({**QUARTZ, "approach_at_load": given}, model="dmt") for given in (1e-11, np.array([1e-11, 1e-12]))]
     for name, first in (("contact_radius_at_load", "law>×2 a/z0<3"), ("stiffness", "law>25% a/z0<3")):
-        one, both = (doubts(scene, [name]) for scene in scenes)
+        one, both = (bits(scene, [name]) for scene in scenes)
         assert codes(one) == codes(int(both[0])) == first
         assert codes(int(both[1])) == "law>×2 a/z0<3"

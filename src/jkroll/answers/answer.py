@@ -1,19 +1,15 @@
-"""The answer of a command for one scene: its results, the inputs as understood, limits and notes.
-
-Where the law of attraction is in doubt, its results stand beside those of Maugis' law, which holds there.
-"""
+"""The answer of a command for one scene: its results, the inputs as understood, limits and notes."""
 
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 from math import log
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from ..errors import JkrollError, NoResult
-from ..quantities.formatting import Format, amount, in_words
-from ..quantities.laws import BETWEEN, LAWS
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE, XI
+from ..quantities.formatting import Format, in_words
+from ..quantities.laws import BETWEEN
+from ..quantities.nomenclature import INFINITY, XI
 from ..rows.columns import outcomes
-from ..scene.effects import Effect, between_of
 from ..scene.failures import (
     BeyondPullOff,
     MissingInput,
@@ -22,7 +18,7 @@ from ..scene.failures import (
     RestsOnSpacing,
     reason_of,
 )
-from ..scene.limits import JUMP, LEAST_EFFECT, Judgement, Verdict, against_limit, judged, not_judged, sentence
+from ..scene.limits import Doubt, doubts, not_judged
 from ..scene.scene import Scene
 from ..scene.wiring import depends_on
 from .notes import (
@@ -38,113 +34,12 @@ from .notes import (
     with_spacing,
 )
 from .questions import Question
-from .results import Note, NoValue, Result, at_half_spacing, over_spacing, propagated_of, with_law
+from .results import Note, NoValue, Result, over_spacing, propagated_of, with_law
 
 if TYPE_CHECKING:
     from ..quantities.values import Uncertain
     from ..scene.uncertainty import Propagated, Sources
     from .displacement import Worth
-
-_DECIMALS = 9  # decimals of a logarithm, beyond which equal differences may differ by rounding
-_LARGE = log(1.25)  # difference that is told beside both readings of a larger one
-_NO_CHANGE = 0.005  # relative change that is no per cent
-# Below the Tabor parameter of a jump, a well of Lennard-Jones is deeper still than Maugis', and to the energies of jumps his law is no
-# correction as it is to forces.
-_OF_WELL = ("well_energy", "pull_off_work", "disruption_energy", "disruption_speed")
-_OF_JUMPS = ("pull_off_work_at_dead_load", "sticking_energy", "sticking_speed")
-_MATTERS = 0.05  # relative change with the atomic spacing that is shown
-_BESIDE = 0.02  # relative difference of Lennard-Jones' law from Maugis' that is shown
-
-
-class Difference(NamedTuple):
-    """A quantity under Maugis' law, over that of the law in use, with the assumed atomic spacing and with half of it."""
-
-    name: str
-    value: float
-    ratio_at_half_spacing: float
-    effect: Effect
-
-    @property
-    def size(self) -> float:
-        """The size of the difference, by the larger reading, as the logarithm of a factor."""
-        return log(self.effect.factor)
-
-
-def differences(scene: Scene, found: Mapping[str, Effect]) -> tuple[Difference, ...]:
-    """Return how quantities of a scene differ under Maugis' law, the largest difference first; of equal ones that which was asked first."""
-    if not found:
-        return ()
-    between = between_of(scene)
-    at_spacing, at_half = between.numbers(*found), at_half_spacing(between).numbers(*found)
-    differ = [
-        Difference(name, at_spacing[name], at_half[name] / scene[name], effect)
-        for name, effect in found.items()
-        if effect.ratio > 0 and scene[name] and at_half.get(name)
-    ]
-    return tuple(sorted(differ, key=lambda each: -round(each.size, _DECIMALS)))
-
-
-def with_differences(verdict: Verdict, found: Sequence[Difference], scene: Scene) -> Verdict:
-    """Return a verdict with what Maugis' law says in place of a doubt about the law in use."""
-    if verdict.holds:
-        return verdict
-    if verdict.name == "tabor_parameter" and not verdict.conclusion:
-        lead = f"{scene.law.title} is inexact here (Tabor parameter μ = {verdict.value:.3g})"
-        has_jump = verdict.value >= JUMP
-        corrected = [each for each in found if has_jump or each.name not in _OF_JUMPS]
-        if corrected:
-            text = _sentence(corrected, scene, has_jump=has_jump)
-            return verdict._replace(text=text, sentence=f"{lead}: {text}", size=corrected[0].size)
-        if found:
-            text = f"{LAWS[BETWEEN].title} is no better for energies of jumps"
-            return verdict._replace(text=text, sentence=f"{lead}; {text}")
-    if verdict.name == "hysteresis_ratio" and scene.law.is_default:
-        between = scene.replace(model=BETWEEN).numbers("zone_radius").get("zone_radius")
-        if between is not None:
-            ratio = verdict.value * (scene["zone_radius"] / between)
-            return verdict._replace(text=f"{verdict.text}; {ratio:.3g} for this moment by Maugis' law")
-    return verdict
-
-
-def _sentence(found: Sequence[Difference], scene: Scene, *, has_jump: bool) -> str:
-    """Return the largest differences: "by Maugis–Dugdale P_c is 27 % larger"; of rolling quantities both readings.
-
-    `has_jump`: whether a contact of Lennard-Jones' law jumps; if not, its well is deeper still.
-    """
-    spacing = amount("atomic_spacing", scene["atomic_spacing"] / 2)
-    parts = []
-    least = _LARGE if found[0].effect.readings else _NO_CHANGE
-    rest = [one for one in found[1:] if one.size >= least and not one.effect.readings]
-    for name, _, at_half, effect in [found[0], *rest[:1]]:
-        symbol = NOMENCLATURE[name].symbol
-        if effect.readings:
-            at_displacement, at_hysteresis = map(_change, effect.readings)
-            parts.append(f"{symbol} is {at_displacement} at equal ξ and {at_hysteresis} at equal hysteresis")
-            continue
-        matters = abs(at_half / effect.ratio - 1) > _MATTERS
-        beside = [f"{_change(at_half, effect.ratio)} at z0 = {spacing}"] if matters else []
-        if effect.lennard_jones is not None and abs(effect.lennard_jones / effect.ratio - 1) > _BESIDE:
-            beside.append(f"{_change(effect.lennard_jones, effect.ratio)} by Lennard-Jones")
-        in_brackets = f" ({', '.join(beside)})" if beside and not found[0].effect.readings else ""
-        at_least = "" if has_jump or name not in _OF_WELL else "at least "
-        parts.append(f"{symbol} is {at_least}{_change(effect.ratio)}{in_brackets}")
-    return f"by {LAWS[BETWEEN].title} {', '.join(parts)}; --model {BETWEEN}"
-
-
-def _change(ratio: float, beside: float = 0.0) -> str:
-    """Return a ratio in words: "27 % larger", "3.2 times as large"; without the words beside a ratio that has the same."""
-    if abs(ratio - 1) < _NO_CHANGE:
-        return "within 0.5 %"
-    if not _is_share(ratio):
-        return f"{ratio:.2g} times as large"
-    text = f"{100 * abs(ratio - 1):.0f} %"
-    has_same = _is_share(beside) and (ratio > 1) == (beside > 1)
-    return text if has_same else f"{text} {'larger' if ratio > 1 else 'smaller'}"
-
-
-def _is_share(ratio: float) -> bool:
-    """Return whether a ratio is told in per cent."""
-    return 0.1 < ratio < 2
 
 
 def with_force_by_maugis(error: BeyondPullOff, scene: Scene) -> BeyondPullOff:
@@ -234,11 +129,13 @@ class Answer:
         return {name: one for name, one in given.items() if name in self.inputs}
 
     @cached_property
-    def laws(self) -> tuple[Difference, ...]:
-        """The differences of Maugis' law from the law in use, of what the command is named after."""
-        compared = (*self.question.headline, *self.question.also_by_maugis)
-        found = self._judgement.effects
-        return differences(self.scene, {name: effect for name, effect in found.items() if name in compared})
+    def laws(self) -> Mapping[str, Mapping[str, float | None]]:
+        """What stands in place of the results under the law that holds between JKR and DMT, and how far it is from them."""
+        if self.scene.law.name == BETWEEN or self.scene.missing(["tabor_parameter"]):
+            return {}
+        from .alternatives import over_this_law  # which a line in a pipe does not show
+
+        return over_this_law(self.scene, self._known)
 
     @cached_property
     def worth(self) -> "Worth | None":
@@ -250,27 +147,27 @@ class Answer:
         return worth(self.scene, self._known)
 
     @cached_property
-    def _judgement(self) -> Judgement:
-        return judged(self.scene, self._known)
-
-    @cached_property
-    def validity(self) -> tuple[Verdict, ...]:
-        """The limits of the model, with what follows from them for these results."""
-        verdicts = self._judgement.verdicts
-        if all(verdict.holds for verdict in verdicts):
-            return verdicts
-        found = self.laws
-        if not any(each.effect.factor > LEAST_EFFECT for each in found):
-            found = differences(self.scene, self._judgement.effects)
-        return tuple(with_differences(each, found, self.scene) for each in verdicts)
+    def validity(self) -> tuple[Doubt, ...]:
+        """The limits of the model, judged for these results or with the reason why not."""
+        return tuple(doubts(self.scene, self._known))
 
     def doubts(self) -> list[Note]:
-        """Return a note for each limit of the model that does not hold."""
-        return [
-            Note("doubt", sentence(one), against_limit(one), bool(one.sentence), one.size)
-            for one in sorted(self.validity, key=lambda one: -one.size)
-            if not one.holds
-        ]
+        """Return a note for each limit of the model that does not hold, the one that is exceeded most first."""
+        found = sorted((doubt for doubt in self.validity if doubt.is_exceeded), key=lambda doubt: -doubt.excess)
+        return [self._note_on(doubt) for doubt in found]
+
+    def _note_on(self, doubt: Doubt) -> Note:
+        is_of_law = doubt.limit.factor is not None
+        return Note("doubt", self.about(doubt) if is_of_law else doubt.sentence, doubt.brief, is_of_law, doubt.excess)
+
+    def about(self, doubt: Doubt) -> str:
+        """Return what follows from a limit for these results: of a law that is not exact, what stands in their place."""
+        if not doubt.is_exceeded or doubt.limit.factor is None:
+            return doubt.text
+        from .alternatives import about_law
+
+        names = [name for name in self._known if name in self.question.headline]
+        return about_law(doubt, self.scene, names or self._known)
 
     @property
     def width(self) -> float:
@@ -279,7 +176,7 @@ class Answer:
 
     @cached_property
     def _of_limits(self) -> Sequence[str]:
-        return self.scene.inputs_of(*(verdict.name for verdict in self.validity))
+        return self.scene.inputs_of(*(doubt.limit.name for doubt in self.validity if doubt.error is None))
 
     @cached_property
     def _entering(self) -> set[str]:
@@ -298,7 +195,7 @@ class Answer:
         possible = [name for name in self.shown if not isinstance(self.errors.get(name), MissingInput)]
         found, sources = self._uncertainties
         lacking = [name for name, error in self.errors.items() if isinstance(error, MissingInput)]
-        unjudged = not_judged(scene, self._known)
+        unjudged = not_judged(self.validity)
         lacking += [name for names in unjudged.values() for name in names]
         displaced = [] if self.worth is None else [self.worth.note(self.question.headline)]
         entering = with_limits(self.inputs, self._of_limits) | depends_on(lacking, [scene.law.name])

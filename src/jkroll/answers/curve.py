@@ -11,11 +11,11 @@ from ..quantities.values import parse_quantity
 from ..rows.columns import Row, Wanted
 from ..rows.sweep import entering
 from ..scene.failures import MissingInput
-from ..scene.limits import Verdict, doubts
+from ..scene.limits import Doubt, bits_of, doubts
 from ..scene.scene import Scene
 from ..scene.wiring import in_order
 from ..text import quoted
-from .answer import Answer, Difference
+from .answer import Answer
 from .questions import Question
 from .results import NoValue, Result
 
@@ -183,7 +183,7 @@ class WholeCurve(Answer):
     @cached_property
     def bits(self) -> int:
         """The doubts as bits."""
-        return int(doubts(self.scene, self.shown))
+        return int(bits_of(doubts(self.scene, self.shown)))
 
 
 class At(NamedTuple):
@@ -229,14 +229,18 @@ class AtState(Answer):
         return tuple(one if one.name not in known else _as_known(one, known[one.name]) for one in super().results)
 
     @cached_property
-    def laws(self) -> tuple[Difference, ...]:
+    def laws(self) -> Mapping[str, Mapping[str, float | None]]:
         """The differences of Maugis' law from that of the curve."""
         return self.curve.laws
 
     @cached_property
-    def validity(self) -> tuple[Verdict, ...]:
+    def validity(self) -> tuple[Doubt, ...]:
         """The limits of the model for the whole curve."""
         return self.curve.validity
+
+    def about(self, doubt: Doubt) -> str:
+        """Return what follows from a limit for the whole curve."""
+        return self.curve.about(doubt)
 
 
 def _as_known(result: Result, value: float | NoValue) -> Result:

@@ -12,11 +12,11 @@ from ..quantities.laws import LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.failures import MissingInput, reason_of
 from ..scene.inverse import PER_DECADE, Observed, Solution, sizes_in_words, with_placeholders
-from ..scene.limits import Verdict
+from ..scene.limits import Doubt
 from ..scene.scene import Scene
 from ..scene.unknowns import solved
 from ..text import listed
-from .answer import Answer, Difference
+from .answer import Answer
 from .notes import about_missing, about_uncertainties
 from .questions import Question
 from .results import Note, Result, propagated_of
@@ -106,9 +106,9 @@ class Inferred(Answer):
         return found
 
     @cached_property
-    def laws(self) -> tuple[Difference, ...]:
+    def laws(self) -> Mapping[str, Mapping[str, float | None]]:
         """None: what is found under each law stands beside the results."""
-        return ()
+        return {}
 
     @cached_property
     def worth(self) -> "Worth | None":
@@ -116,9 +116,13 @@ class Inferred(Answer):
         return self.forward.worth if self.solution is not None else None
 
     @cached_property
-    def validity(self) -> tuple[Verdict, ...]:
+    def validity(self) -> tuple[Doubt, ...]:
         """The limits of the model for what was measured."""
         return self.forward.validity if self.solution is not None else ()
+
+    def about(self, doubt: Doubt) -> str:
+        """Return what follows from a limit for what was measured."""
+        return self.forward.about(doubt)
 
     @cached_property
     def notes(self) -> tuple[Note, ...]:

@@ -11,7 +11,7 @@ from ..quantities.formatting import amount, significant
 from ..quantities.laws import BETWEEN, DEFAULT_LAW
 from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI
 from ..scene.failures import NO_END, MissingInput, grouped
-from ..scene.limits import IMPACT, limits_of, not_judged
+from ..scene.limits import IMPACT, doubts, not_judged, touched
 from ..scene.scene import DEFAULTS, IN_ITS_PLACE, OF_AREA, Scene
 from ..scene.wiring import depends_on
 from ..text import first_of, listed
@@ -44,7 +44,7 @@ def notes_on_rows(scene: Scene, names: Sequence[str]) -> list[Note]:
     possible = scene.possible(names)
     if not possible:
         return []
-    every = [*names, *(limit.name for limit in limits_of(scene, possible))]
+    every = [*names, *(limit.name for limit in touched(scene, possible))]
     of_limits = scene.inputs_of(*scene.possible(every))
     inputs = with_spacing(scene.inputs_of(*possible), of_limits)
     entering = with_limits(inputs, of_limits) | depends_on(scene.missing(every), [scene.law.name])
@@ -64,7 +64,7 @@ def notes_on_rows(scene: Scene, names: Sequence[str]) -> list[Note]:
         *left_out,
         *(note for note in about_given(scene, possible, inputs, entering, displaced) if note.kind != "material"),
         *about_conventions(scene, possible),
-        *about_limits(not_judged(scene, possible)),
+        *about_limits(not_judged(doubts(scene, possible))),
     ]
 
 

@@ -9,7 +9,7 @@ from ..errors import JkrollError, NoResult
 from ..quantities.formatting import Format, OutOfUnit, amount
 from ..quantities.laws import DEFAULT_LAW
 from ..quantities.nomenclature import NOMENCLATURE
-from ..scene.effects import uses_law
+from ..scene.alternatives import at_half_spacing, uses_law
 from ..scene.scene import Scene
 
 if TYPE_CHECKING:
@@ -161,8 +161,3 @@ def over_spacing(name: str, scene: Scene) -> str:
     ends = [scene.replace(atomic_spacing=scene["atomic_spacing"]), at_half_spacing(scene)]
     texts = [f"{amount(name, end[name])} at z0 = {amount('atomic_spacing', end['atomic_spacing'])}" for end in ends]
     return f"from {' to '.join(texts)}; give --z0"
-
-
-def at_half_spacing(scene: Scene) -> Scene:
-    """Return a scene whose atomic spacing is half as large."""
-    return scene.replace(atomic_spacing=scene["atomic_spacing"] / 2)

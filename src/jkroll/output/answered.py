@@ -127,7 +127,7 @@ def answer(
     >>> str(found["pull_off_force"]), found["P_c"].unit
     ('11.781 nN', 'N')
     >>> found.doubts
-    ('JKR is inexact here (Tabor parameter μ = 0.136): by Maugis–Dugdale P_c is 27 % larger (20 % at z0 = 200 pm); --model maugis',)
+    ("P_c = 14–15 nN by Maugis' law (Tabor parameter 0.14, z0 = 200–400 pm); --model maugis",)
     """
     described, _ = in_si(given)
     for name, value in described.items():

@@ -12,7 +12,7 @@ from ..rows.columns import Columns, as_list
 from ..rows.reasons import ROW, UNCERTAINTY, Reasons, of_quantities
 from ..rows.sweep import Pair
 from ..scene.failures import NO_END, grouped
-from ..scene.limits import told
+from ..scene.limits import MEANINGS, codes_of
 from ..scene.scene import Scene
 
 MAX_LINES = 3  # below a single answer
@@ -108,12 +108,10 @@ class OfRows:
                 for matter, text in worded[id(reasons)]:
                     self._add("missing", matter, text, "", self.count + row + 1)
             bits = as_list(columns.doubts)
-            of_bits = {each: told(each) for each in {*bits}}
+            of_bits = {each: codes_of(each) for each in {*bits}}
             for row, each in enumerate(bits):
-                for doubt in of_bits[each]:
-                    self._add(
-                        "doubt", doubt.code, f"{doubt.code}, {doubt.consequence}", doubt.code, self.count + row + 1
-                    )
+                for code in of_bits[each]:
+                    self._add("doubt", code, f"{code}, {MEANINGS[code]}", code, self.count + row + 1)
             failed = columns.failed()
             if failed and self.failure is None:
                 self.failure = columns.failure(min(failed))

@@ -3,7 +3,7 @@
 Text of a user or a file is never read as markup, and nothing is cut where it does not fit.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain, groupby
 from math import isnan, nan
 from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
@@ -17,10 +17,10 @@ from ..scene.limits import codes
 from ..text import json_text, say, spelled
 
 if TYPE_CHECKING:
-    from ..answers.answer import Answer, Difference
+    from ..answers.answer import Answer
     from ..answers.displacement import Worth
     from ..answers.results import Result
-    from ..scene.limits import Verdict
+    from ..scene.limits import Doubt
 
 Cell = str | float | None
 
@@ -233,11 +233,11 @@ def as_object(answer: "Answer", form: Format) -> dict[str, Any]:
     found["results"] = [_result_object(result, form) for result in answer.results]
     if answer.condition is not None:
         found["condition"] = answer.condition
-    if answer.laws and answer.scene.law.is_default:
-        found["laws"] = {BETWEEN: _differences_object(answer.laws, form)}
+    if answer.laws:
+        found["laws"] = {BETWEEN: {name: _law_object(name, numbers, form) for name, numbers in answer.laws.items()}}
     if answer.worth is not None:
         found["displacement"] = _worth_object(answer.worth)
-    found["validity"] = [_verdict_object(verdict) for verdict in answer.validity]
+    found["validity"] = [_doubt_object(doubt, answer.about(doubt)) for doubt in answer.validity if doubt.error is None]
     found["notes"] = [note.text for note in answer.notes]
     found["version"] = __version__
     return found
@@ -276,19 +276,11 @@ def _result_object(result: "Result", form: Format) -> dict[str, Any]:
     return entry
 
 
-_READINGS = ("over_jkr_at_equal_displacement", "over_jkr_at_equal_hysteresis")
-
-
-def _differences_object(found: "Sequence[Difference]", form: Format) -> dict[str, dict[str, float | None]]:
-    return {
-        each.name: {
-            "value": form.number(each.name, each.value) if form.holds(each.name, each.value) else None,
-            "over_jkr": each.effect.ratio,
-            "over_jkr_at_half_spacing": each.ratio_at_half_spacing,
-            **(dict(zip(_READINGS, each.effect.readings, strict=True)) if each.effect.readings else {}),
-        }
-        for each in found
-    }
+def _law_object(name: str, numbers: Mapping[str, float | None], form: Format) -> dict[str, float | None]:
+    """Return what stands in place of a quantity under another law, in its unit."""
+    value = numbers["value"]
+    shown = form.number(name, value) if value is not None and form.holds(name, value) else None
+    return {**numbers, "value": shown}
 
 
 def _worth_object(found: "Worth") -> dict[str, Any]:
@@ -300,13 +292,15 @@ def _worth_object(found: "Worth") -> dict[str, Any]:
     }
 
 
-def _verdict_object(verdict: "Verdict") -> dict[str, Any]:
+def _doubt_object(doubt: "Doubt", text: str) -> dict[str, Any]:
     return {
-        "name": verdict.name,
-        "symbol": NOMENCLATURE[verdict.name].symbol,
-        "value": verdict.value,
-        "holds": verdict.holds,
-        "text": verdict.text,
-        "code": verdict.code or None,
-        **({"verdict": verdict.conclusion} if verdict.conclusion else {}),
+        "name": doubt.limit.name,
+        "symbol": NOMENCLATURE[doubt.limit.name].symbol,
+        "value": doubt.value,
+        "limit": doubt.threshold,
+        "factor": doubt.factor,
+        "holds": not doubt.is_exceeded,
+        "text": text,
+        "code": doubt.code or None,
+        **({"verdict": doubt.limit.conclusion} if doubt.limit.conclusion else {}),
     }

@@ -12,7 +12,7 @@ from ..errors import BadRequest, JkrollError
 from ..quantities.formatting import Format, amount, in_words
 from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import NOMENCLATURE
-from ..scene.effects import uses_law
+from ..scene.alternatives import uses_law
 from ..scene.inverse import logarithmic_slope
 from ..scene.scene import Scene
 from ..scene.wiring import Step

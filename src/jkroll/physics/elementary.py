@@ -40,6 +40,20 @@ def cbrt(value: Any) -> Any:
     return root - (cube(root) - value) / (slope + (slope == 0))  # the root of 0 is exact
 
 
+def ln(value: Any) -> Any:
+    """Return the natural logarithm, −∞ of 0 and of what is below it.
+
+    >>> ln(1.0), ln(0.0)
+    (0.0, -inf)
+    """
+    if isinstance(value, NUMBER):
+        return math.log(value) if value > 0 else value if math.isnan(value) else -math.inf
+    import numpy
+
+    with numpy.errstate(divide="ignore"):
+        return numpy.log(numpy.maximum(value, 0.0))
+
+
 def cube(value: Any) -> Any:
     """Return the third power by products, which round alike for numbers and arrays; numpy's power is 5 times slower.
 

@@ -17,25 +17,24 @@ from ..physics.maugis import edge_ratio_at_pull_off, pull_off_force_maugis
 from ..physics.shifted import exact_pressure, half_circle_pressure, rolled_over_displacement, unloaded_half_width
 from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE
+from ..scene.limits import Limit
 from ..scene.scene import DEFAULTS, Scene
 from ..scene.wiring import depends_on
 from ..text import capitalized
 from .axes import Axis
 from .curves import AREA_AND_PRESSURES, POINTS, across, pressure_panel
 from .maps import (
-    Bound,
     Curve,
     Map,
     Mark,
     Panel,
     Picture,
     Region,
-    bounds,
-    coarse,
     evaluate,
     label_of,
+    limits_of_paper,
+    limits_on_map,
     material_marks,
-    regions,
     solved,
 )
 from .request import mark_at
@@ -127,8 +126,9 @@ def paper_map(
     x, y = declared.x._replace(size=size[0]), RADII._replace(size=size[1])
     values = evaluate(scene, declared.quantity, x, y)
     printed = evaluate(scene, declared.printed, x, y) if as_printed and declared.printed else None
-    limits = () if is_plain else bounds(declared.quantity)
+    limits = [] if is_plain else limits_of_paper(declared.quantity)
     shaded = (_no_rolling(scene, values, x, y),) if declared.shades_no_rolling and limits else ()
+    regions, _ = limits_on_map(scene, declared.quantity, x, y, values, limits)
     marks, others = material_marks(materials, x, y)
     points = (Mark(declared.point[2], *declared.point[:2]),) if declared.point else ()
     return Map(
@@ -137,7 +137,7 @@ def paper_map(
         x,
         y,
         values,
-        (*shaded, *regions(coarse(scene, x, y, values), limits)),
+        (*shaded, *regions),
         (*marks, *points),
         f"Fig. {name}: {label_of(declared.quantity, has_log_labels=declared.has_log_labels)}",
         (*_caption(declared, limits, as_printed=printed is not None), *others),
@@ -157,7 +157,7 @@ def _no_rolling(scene: Scene, turns: Any, x: Axis, y: Axis) -> Region:
     return Region("2πR1 n_roll < ξ: it does not roll", x, y, numpy.log10(rolled), "rolled_over_displacement")
 
 
-def _caption(declared: PaperMap, limits: Collection[Bound], *, as_printed: bool) -> tuple[str, ...]:
+def _caption(declared: PaperMap, limits: Collection[Limit], *, as_printed: bool) -> tuple[str, ...]:
     """Return the caption: the quantity and its equation, and the assumptions."""
     quantity = NOMENCLATURE[declared.quantity]
     at_a_corner = {RADII.name: RADII.high, **declared.x.inputs(declared.x.low)}
@@ -166,7 +166,7 @@ def _caption(declared: PaperMap, limits: Collection[Bound], *, as_printed: bool)
     if as_printed:
         shown += f" Dashed: Eq ({NOMENCLATURE[declared.printed].equation}) as printed."
     used = _assumed(scene, declared, {declared.quantity})
-    of_limits = _assumed(scene, declared, {bound.name for bound in limits}) if limits else []
+    of_limits = _assumed(scene, declared, {limit.name for limit in limits}) if limits else []
     elsewhere = [text for text in of_limits if text not in used]
     parts = [", ".join(["identical spheres", *used]), f"hatches: {', '.join(elsewhere)}" if elsewhere else ""]
     return shown, f"Assumed: {'; '.join(filter(None, parts))}."

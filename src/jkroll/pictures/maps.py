@@ -5,16 +5,15 @@ meaning or is not exact.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from math import log10
+from math import log, log10
 from typing import Any, NamedTuple
 
 from ..errors import NoResult
 from ..materials.library import Materials
-from ..quantities.laws import DEFAULT_LAW, LAWS
+from ..quantities.laws import DEFAULT_LAW, LAWS, Law
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
-from ..scene.effects import effects, largest
 from ..scene.failures import MissingInput
-from ..scene.limits import DOUBTS, LIMITS, TOLD, Doubt, Limit, bits_of, doubts, limits_of
+from ..scene.limits import LIMITS, Doubt, Limit, judged, touched
 from ..scene.scene import Scene
 from ..scene.solver import values_of
 from ..scene.wiring import has_law
@@ -24,7 +23,7 @@ from .styles import BORDER
 MAX_CONTOURS = 12
 NEIGHBOURS = ((0, 1), (0, -1), (1, 0), (-1, 0))  # steps of rows and columns
 _WIDE = 30.0  # ratio of the ends from which contours are logarithmic
-_FARTHEST = 1e3  # factor between laws that has a place on a map
+_FARTHEST = log(1e3)  # excess of a limit that has a place on a map
 _HALVINGS = 40  # of an interval that holds an edge: its place is known to 1e-12 of a cell
 
 
@@ -295,163 +294,103 @@ def label_of(quantity: str, *, has_log_labels: bool, unit: str = "") -> str:
 
 # --- Regions ----------------------------------------------------------------------------------------------------------
 
-_SHOWN = ("contact_radius_in_spacings", "displacement_ratio", "tabor_parameter")  # limits that have a place on a map
+_DRAWN = ("contact_radius_in_spacings", "displacement_ratio", "tabor_parameter")  # limits that have a place on a map
 COARSE = 200  # points a side that are enough for the smooth border of a region
 
 
-class Bound(NamedTuple):
-    """A quantity that limits the model: the value that it must at least, or at most, have, and what holds beyond that."""
-
-    name: str
-    value: float
-    sign: str  # "<" or ">": on which side of the value the model has no meaning
-    beyond: str
-    is_line: bool = False  # whether a line at the value is drawn in place of the region beyond it
-    effect_on: str = ""  # a quantity, where the number is the factor by which that is off under the law of attraction
-
-    def margin(self, here: Scene) -> Any:
-        """Return the distance of a scene of arrays from the bound in powers of ten, negative beyond it."""
-        import numpy
-
-        if self.effect_on:
-            factor = numpy.minimum(largest(effects(here, [self.effect_on])), _FARTHEST)
-            has_value = numpy.isfinite(values_of(here, [self.effect_on])[self.effect_on])
-            return numpy.where(has_value, numpy.log10(self.value / factor), numpy.nan)
-        with numpy.errstate(divide="ignore"):  # a number may be 0
-            ratio = numpy.log10(values_of(here, [self.name])[self.name] / self.value)
-        return ratio if self.sign == "<" else -ratio
+def limits_of(scene: Scene, quantity: str) -> list[Limit]:
+    """Return the limits that concern a quantity of a scene, those that are drawn on a map first. Raises MissingInput."""
+    return sorted(touched(scene, [quantity]), key=_place)
 
 
-def bounds(quantity: str) -> tuple[Bound, ...]:
-    """Return the bounds of JKR: first those beyond which the model has no meaning, then those of the law for a quantity."""
-    return _bounds_of_limits([limit for limit in LIMITS if DEFAULT_LAW in (limit.laws or LAWS)], quantity, DEFAULT_LAW)
+def limits_of_paper(quantity: str) -> list[Limit]:
+    """Return the limits of JKR that are drawn on a map of the paper: those within which a point has a meaning, and that of the law."""
+    drawn = [limit for limit in LIMITS if is_drawn(limit) and DEFAULT_LAW in (limit.laws or LAWS)]
+    return sorted((limit for limit in drawn if limit.factor is None or has_law(quantity)), key=_place)
 
 
-def bounds_of(scene: Scene, quantity: str) -> list[Bound]:
-    """Return the bounds that concern a quantity of a scene."""
-    try:
-        return [*_bounds_of_limits(limits_of(scene, [quantity]), quantity, scene.law.name)]
-    except MissingInput:
-        return []
+def is_drawn(limit: Limit) -> bool:
+    """Return whether a limit has a place on a map."""
+    return limit.name in _DRAWN and bool(limit.codes) and not limit.conclusion
 
 
-def _bounds_of_limits(limits: Iterable[Limit], quantity: str, law: str) -> tuple[Bound, ...]:
-    """Return the bounds of limits: the outermost doubt of each, and the line up to which a law of attraction is good."""
-    by_name = {limit.name: limit for limit in limits if not limit.conclusion}
-    shown = [by_name[name] for name in _SHOWN if name in by_name and by_name[name].doubts]
-    of_law = [limit for limit in shown if limit.by_effect and has_law(quantity)]
-    return (
-        *(_bound(limit) for limit in shown if not limit.by_effect),
-        *(_of_effect(limit, place, quantity, law) for limit in of_law for place in (-1, 0)),
-    )
+def _place(limit: Limit) -> int:
+    return _DRAWN.index(limit.name) if is_drawn(limit) else len(_DRAWN)
 
 
-class Coarse(NamedTuple):
-    """The points of a map at which limits of the model are judged: the scene there, and whether the map has a value."""
+def beyond(doubt: Doubt, law: Law, known: Any) -> Iterator[tuple[float, str, Any]]:
+    """Iterate over the thresholds that known elements of a doubt pass, each with the text on it and the distance from it, negative beyond it.
 
-    x: Axis
-    y: Axis
-    here: Scene
-    known: Any
+    Of a law it is the last threshold, then the first, unless all elements are beyond the last.
+    """
+    import numpy
+
+    thresholds, steps = [*doubt.limit.codes], doubt.limit.steps
+    excess = numpy.clip(numpy.broadcast_to(doubt.excess, known.shape), -_FARTHEST, _FARTHEST)
+    for place in dict.fromkeys((len(thresholds) - 1, 0)) if thresholds else ():
+        margin = steps[place] - excess
+        if not (margin[known] < 0).any():
+            continue
+        yield thresholds[place], _beyond(doubt.limit, thresholds[place], law), margin
+        if not (margin[known] >= 0).any():
+            return
 
 
-def coarse(scene: Scene, x: Axis, y: Axis, values: Any) -> Coarse:
-    """Return as many points of a map with these values as the limits of the model need."""
+def _beyond(limit: Limit, threshold: float, law: Law) -> str:
+    """Return what holds beyond a threshold."""
+    condition, _, consequence = limit.text(threshold).partition(": ")
+    if limit.factor is not None:
+        return f"{law.title} is {condition}"
+    return f"{NOMENCLATURE[limit.name].symbol} {limit.sign[0]} {threshold:g}: {consequence.partition(';')[0]}"
+
+
+def limits_on_map(
+    scene: Scene, quantity: str, x: Axis, y: Axis, values: Any, limits: Sequence[Limit]
+) -> tuple[list[Region], list[str]]:
+    """Return the regions of a map with these values in which limits are broken, and sentences on limits that are not drawn.
+
+    What counts is where the map has values; a region that holds all of them is everywhere. They are judged at as many
+    points as their borders need.
+    """
     import numpy
 
     x, y = (axis._replace(size=min(axis.size, COARSE)) for axis in (x, y))
     here = scene.replace(**x.inputs(x.values()[None, :]), **y.inputs(y.values()[:, None]))
-    return Coarse(x, y, here, numpy.isfinite(sampled(values, x.size, y.size)))
-
-
-def regions(at: Coarse, bounds: Iterable[Bound]) -> list[Region]:
-    """Return the regions of a map in which bounds are broken. A bound that lacks an input is left out.
-
-    What counts is where the map has values; a region that holds all of them is everywhere, and a nearer bound of the
-    same number says no more.
-    """
-    import numpy
-
-    x, y, here, known = at
-    found: list[Region] = []
-    settled = set()
-    for bound in bounds:
-        if bound.name in settled:
+    known = numpy.isfinite(sampled(values, x.size, y.size))
+    regions, sentences = [], []
+    for doubt in judged(limits, here, [quantity]):
+        if doubt.error is not None:
             continue
-        try:
-            margin = numpy.broadcast_to(bound.margin(here), (y.size, x.size))
-        except (MissingInput, NoResult):
-            continue
-        if not (margin[known] < 0).any():
-            continue
-        if (margin[known] >= 0).any():
-            text = f"{bound.beyond} {_side(here, margin, known)} this line" if bound.is_line else bound.beyond
-            found.append(Region(text, x, y, margin, BORDER if bound.is_line else bound.name))
-        else:
-            settled.add(bound.name)
-            found.append(Region(f"everywhere {bound.beyond}", x, y, margin, None))
-    return found
+        for threshold, text, margin in beyond(doubt, here.law, known):
+            is_everywhere = not (margin[known] >= 0).any()
+            if not is_drawn(doubt.limit):
+                sentences.append(f"{'Everywhere' if is_everywhere else 'In part of the map'} {text}.")
+            elif is_everywhere:
+                regions.append(Region(f"everywhere {text}", x, y, margin, None))
+            elif doubt.limit.factor is not None and threshold == doubt.threshold:
+                regions.append(Region(f"{text} {_side(here, margin, known)} this line", x, y, margin, BORDER))
+            else:
+                regions.append(Region(text, x, y, margin, doubt.limit.name))
+    return regions, sentences
 
 
 def _side(here: Scene, margin: Any, known: Any) -> str:
     """Return where a map is beyond a line of the law of attraction: on one side by μ, if that decides, or else by its axes."""
     import numpy
 
-    beyond, others = known & (margin < 0), known & (margin >= 0)
+    inside, others = known & (margin < 0), known & (margin >= 0)
     tabor = numpy.broadcast_to(here["tabor_parameter"], margin.shape)
-    if tabor[beyond].max() <= tabor[others].min():
+    if tabor[inside].max() <= tabor[others].min():
         return "where μ is smaller than on"
-    if tabor[beyond].min() >= tabor[others].max():
+    if tabor[inside].min() >= tabor[others].max():
         return "where μ is larger than on"
     up, right = (
-        numpy.mean(one) - numpy.mean(other) for one, other in zip(beyond.nonzero(), others.nonzero(), strict=True)
+        numpy.mean(one) - numpy.mean(other) for one, other in zip(inside.nonzero(), others.nonzero(), strict=True)
     )
     rows, columns = margin.shape
     if abs(up) / rows > abs(right) / columns:
         return "above" if up > 0 else "below"
     return "to the right of" if right > 0 else "to the left of"
-
-
-def beyond_others(here: Scene, quantity: str, known: Any) -> Iterator[tuple[str, Any]]:
-    """Iterate over the limits of a quantity that have no region and no line, each in words and as the known elements beyond it."""
-    import numpy
-
-    bits = numpy.where(known, doubts(here, [quantity]) & ~bits_of(_SHOWN), 0)
-    for place, (limit, doubt) in enumerate(DOUBTS):
-        if (is_beyond := (bits >> place & 1).astype(bool)).any():
-            yield f"{_beyond(limit, doubt)}: {TOLD[place].consequence}", is_beyond
-
-
-def margin_along(scene: Scene, bound: Bound, x: Axis) -> Any:
-    """Return the distance from a bound along one axis, negative beyond it."""
-    import numpy
-
-    values = x.values()
-    return numpy.broadcast_to(bound.margin(scene.replace(**x.inputs(values))), values.shape)
-
-
-def _bound(limit: Limit) -> Bound:
-    """Return the outermost doubt of a limit of the model as a bound."""
-    doubt = limit.doubts[-1]
-    return Bound(limit.name, doubt.threshold, limit.sign[0], f"{_beyond(limit, doubt)}: {doubt.consequence}")
-
-
-def _beyond(limit: Limit, doubt: Doubt) -> str:
-    """Return a number beyond a threshold as a formula."""
-    return f"{NOMENCLATURE[limit.name].symbol} {limit.sign[0]} {doubt.threshold:g}"
-
-
-def _of_effect(limit: Limit, place: int, quantity: str, law: str) -> Bound:
-    """Return a doubt about the law of attraction as a bound of its effect on a quantity: the first as a line, the last as a region."""
-    doubt = limit.doubts[place]
-    return Bound(
-        limit.name,
-        doubt.threshold,
-        ">",
-        f"{LAWS[law].title} is {doubt.condition}",
-        is_line=not place,
-        effect_on=quantity,
-    )
 
 
 # --- Panels of curves -------------------------------------------------------------------------------------------------

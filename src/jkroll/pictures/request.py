@@ -12,12 +12,11 @@ from ..quantities.formatting import amount, in_words
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
 from ..quantities.values import parse_quantity
 from ..scene.failures import MissingInput, NotInLaw, RestsOnSpacing, reason_of
+from ..scene.limits import Limit, judged
 from ..scene.scene import Scene
 from ..text import capitalized, quoted
 from .axes import Axis, described
 from .maps import (
-    Bound,
-    Coarse,
     Curve,
     Map,
     Mark,
@@ -25,15 +24,14 @@ from .maps import (
     Picture,
     along,
     axis_around,
-    beyond_others,
-    bounds_of,
-    coarse,
+    beyond,
     evaluate,
     has_values,
+    is_drawn,
     lacking,
-    margin_along,
+    limits_of,
+    limits_on_map,
     material_marks,
-    regions,
     unit_of_labels,
     value_on,
 )
@@ -131,20 +129,27 @@ def map_of(request: PlotRequest, size: tuple[int, int]) -> tuple[Map, tuple[str,
     if scene.material is None and {x.name, y.name} & {*PROPERTIES}:
         of_materials, others = material_marks(request.materials, x, y)
         marks = (*of_materials, *chosen)
-    at = coarse(scene, x, y, values)
-    found = tuple(regions(at, context.bounds))
+    regions, exceeded = limits_on_map(scene, quantity, x, y, values, context.limits)
     gaps = _gaps(quantity, [context], [values])
-    beyond = () if request.is_plain else _beyond(at, quantity)
-    caption = (_first_sentence(quantity, [context.scene]), *fixed_inputs(context.inputs), *own, *others, *gaps, *beyond)
+    caption = (
+        _first_sentence(quantity, [context.scene]),
+        *fixed_inputs(context.inputs),
+        *own,
+        *others,
+        *gaps,
+        *exceeded,
+    )
     return Map(
-        quantity, scene, x, y, values, found, marks, described(quantity, unit_of_labels(quantity, values)), caption
+        quantity,
+        scene,
+        x,
+        y,
+        values,
+        tuple(regions),
+        marks,
+        described(quantity, unit_of_labels(quantity, values)),
+        caption,
     ), context.notes
-
-
-def _beyond(at: Coarse, quantity: str) -> Iterator[str]:
-    """Iterate over sentences on the limits that a map goes beyond and does not draw."""
-    for text, is_beyond in beyond_others(at.here, quantity, at.known):
-        yield f"{'Everywhere' if (is_beyond == at.known).all() else 'In part of the map'} {text}."
 
 
 def curves_of(request: PlotRequest, size: int) -> tuple[Picture, tuple[str, ...]]:
@@ -213,28 +218,27 @@ def _doubts_along(x: Axis, curves: Sequence[Curve], contexts: "Sequence[Context]
 
 
 class Context:
-    """The inputs that are fixed all over a picture, the bounds of the model, and notes on the data.
+    """The inputs that are fixed all over a picture, the limits of the model, and notes on the data.
 
     Raises MissingInput if the quantity cannot be computed.
     """
 
     def __init__(self, quantity: str, scene: Scene, values: Mapping[str, float], *, is_plain: bool = False) -> None:
-        """Describe a quantity of a scene; `values` holds one value of each axis. `is_plain`: without bounds."""
+        """Describe a quantity of a scene; `values` holds one value of each axis. `is_plain`: without limits."""
         self.given, self.quantity, self.is_plain = scene, quantity, is_plain
         self.scene = scene.replace(**values)
-        self.bounds: list[Bound] = []
+        self.limits: list[Limit] = []
         notes = []
-        bounds = [] if is_plain else bounds_of(self.scene, quantity)
-        for bound in bounds:
+        for limit in [] if is_plain or self.scene.missing([quantity]) else limits_of(self.scene, quantity):
             try:
-                self.scene.plan(bound.name)
-                self.bounds.append(bound)
+                self.scene.plan(limit.name)
+                self.limits.append(limit)
             except NotInLaw:
                 continue
             except MissingInput as error:
                 notes.append(f"limits are not judged: {NOMENCLATURE[error.wanted].symbol} {error.reason()}")
         self.is_judged = not notes
-        names = [quantity, *(bound.name for bound in self.bounds)]
+        names = [quantity, *(limit.name for limit in self.limits if is_drawn(limit))]
         inputs = self.scene.inputs_of(*names)
         used = {*self.scene.inputs_of(quantity)}
         # The limits are judged at an assumed load, which is no assumption about a quantity that does not depend on it.
@@ -257,19 +261,10 @@ class Context:
         if not self.is_judged:
             yield "limits are not judged", ""
         has_value = numpy.isfinite(y)
-        settled = set()  # numbers that are beyond their farthest bound all over
-        for bound in self.bounds:
-            if bound.name in settled:
-                continue
-            is_beyond = has_value & (margin_along(self.given, bound, x) < 0)
-            if (is_beyond == has_value).all():
-                settled.add(bound.name)
-            if is_beyond.any():
-                yield bound.beyond, _part(x, is_beyond, has_value)
-        if not self.is_plain:
-            here = self.given.replace(**x.inputs(x.values()))
-            for beyond, is_beyond in beyond_others(here, self.quantity, has_value):
-                yield beyond, _part(x, is_beyond, has_value)
+        here = self.given.replace(**x.inputs(x.values()))
+        for doubt in judged(self.limits, here, [self.quantity]):
+            for _, text, margin in beyond(doubt, here.law, has_value):
+                yield text, _part(x, has_value & (margin < 0), has_value)
 
 
 def _part(x: Axis, is_beyond: Any, has_value: Any) -> str:

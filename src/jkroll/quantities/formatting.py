@@ -154,6 +154,17 @@ def amount(name: str, value: "float | str | Uncertain", form: Format = AS_USUAL)
     return f"{number} {pretty(unit)}".strip()
 
 
+def span(name: str, low: float, high: float) -> str:
+    """Return the ends of a range with two digits for a sentence; one number where both are the same.
+
+    >>> span("pull_off_force", 1.437e-8, 1.5e-8), span("atomic_spacing", 4e-10, 4e-10)
+    ('14–15 nN', '400 pm')
+    """
+    unit, scale = AS_USUAL.common_unit(name, [low, high]) or (NOMENCLATURE[name].unit.removeprefix("1"), Unit(1, 1, ()))
+    texts = dict.fromkeys(significant(convert(end, scale), 2) for end in (low, high))
+    return f"{(' to ' if low < 0 else '–').join(texts)} {pretty(unit)}".strip()
+
+
 def _range(found: "Interval", scale: Unit, digits: int | None) -> str:
     """Return a range, whose ends are rounded to two digits of the distance between them unless there is a number of digits.
 

@@ -20,7 +20,7 @@ from ..scene.failures import (
     hold_of,
     written_outcome,
 )
-from ..scene.limits import doubts, possible_doubts
+from ..scene.limits import bits_of, doubts, possible_bits
 from ..scene.scene import Scene
 from ..scene.wiring import Step
 from ..text import listed
@@ -130,7 +130,7 @@ class Wanted:
         return Row(
             inputs,
             [numbers.get(key, nan) for key in self.keys],
-            doubts(scene, [*values]) if self.doubts and values else 0,
+            bits_of(doubts(scene, [*values])) if self.doubts and values else 0,
             reasons,
         )
 
@@ -381,12 +381,12 @@ class _Arrays:
 
         bits = numpy.zeros(self.size, dtype=numpy.int64)
         if self.wanted.doubts and self.known:
-            bits[...] = doubts(self.scene, self.known)
+            bits[...] = bits_of(doubts(self.scene, self.known))
             has_value = {name: ~numpy.isnan(self.numbers[self.wanted.places[name]]) for name in self.known}
             if not all(rows.all() for rows in has_value.values()):
                 concerned = numpy.zeros_like(bits)
                 for name, rows in has_value.items():
-                    concerned |= numpy.where(rows, possible_doubts(self.scene, [name]), 0)
+                    concerned |= numpy.where(rows, possible_bits(self.scene, [name]), 0)
                 bits &= concerned
         return bits
 

@@ -10,7 +10,7 @@ from ..quantities.nomenclature import PROPERTIES
 from ..quantities.values import is_uncertain
 from ..scene.failures import MissingInput
 from ..scene.inverse import SIZES, Observed, computed, failure, solutions, with_inputs, with_placeholders
-from ..scene.limits import doubts
+from ..scene.limits import bits_of, doubts
 from ..scene.scene import Scene
 from ..scene.unknowns import check, solved
 from ..scene.wiring import in_order
@@ -109,7 +109,7 @@ class Sought(Wanted):
             from ..scene.uncertainty import inferred_uncertainties
 
             fill_sides(self, inferred_uncertainties(found.values, scene)[0], numbers, reasons)
-        bits = doubts(found.scene, self.quantities) if self.doubts else 0
+        bits = bits_of(doubts(found.scene, self.quantities)) if self.doubts else 0
         return Row(inputs, [numbers.get(key, nan) for key in self.keys], bits, reasons)
 
     def _left_out(self, scene: Observed) -> LeftOut | None:
@@ -164,7 +164,7 @@ class SoughtOne(Sought):
         inputs = scene.echo(self.names, some) | self._uncertain(scene)
         bits = numpy.zeros(size, dtype=numpy.int64)
         if self.doubts:
-            bits[...] = doubts(with_inputs(scene.scene, some), self.quantities)
+            bits[...] = bits_of(doubts(with_inputs(scene.scene, some), self.quantities))
             bits[failed] = 0
         numbers = numpy.full((len(self.keys), size), nan)
         numbers[0] = values

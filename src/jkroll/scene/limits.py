@@ -1,100 +1,141 @@
-"""The limits of the model: one table of numbers and thresholds, which serves answers, maps and tables alike."""
+"""The limits of the model: one table of numbers, thresholds and codes, and the doubts that follow from it for any scene."""
 
-import operator
-from collections.abc import Collection, Iterator, Mapping
-from functools import cache
-from itertools import accumulate
-from math import log, nan
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from functools import cache, reduce
+from math import exp, inf, nan
+from operator import or_
 from typing import Any, Literal, NamedTuple
 
 from ..errors import JkrollError
-from ..physics.elementary import where
+from ..physics.elementary import ln, where
 from ..quantities.laws import BETWEEN, LAWS
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE, STATE_OR_LOAD
-from .effects import Effect, effects, largest
+from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD
+from .alternatives import factor_of_law
 from .failures import MissingInput, NotInLaw
 from .scene import Scene
 
-
-class Doubt(NamedTuple):
-    """A threshold, the state of a number beyond it, and what that means for an answer."""
-
-    threshold: float
-    condition: str
-    consequence: str
+_TIE = 5e-324  # excess of a number on a threshold that it must not reach
 
 
 class Limit(NamedTuple):
     """A number that limits the model, the quantities whose use it touches, and the words for either side.
 
-    A value is in doubt where it is, for example, "<" a threshold. Several doubts of one number stand in the order in
-    which a value meets them. The law of attraction is judged by its effect on the answers, beside which the number is
-    told.
+    A value is in doubt where it is, for example, "<" a threshold. Several thresholds of one number stand in the order in
+    which a value meets them, each with the code of the doubt.
     """
 
     name: str
     touches: frozenset[str]
     sign: Literal["<", "<=", ">", ">="]
-    doubts: tuple[Doubt, ...]
+    codes: Mapping[float, str]  # by threshold
+    condition: str  # of a number beyond the threshold, which may stand in it as {}
+    consequence: str
     fine: str
     stated: frozenset[str] = frozenset()  # inputs; unless one of them was stated, the limit is not judged
     laws: tuple[str, ...] = ()  # of attraction, under which alone the limit is judged
     conclusion: str = ""  # the name of what follows, if it is not that of the number
-    by_effect: bool = False  # judged by the factor between answers under the law in use and under the one that holds
-    is_error: bool = False  # the number is a relative error
+    factor: Callable[[Scene, Collection[str]], Any] | None = (
+        None  # what is judged, if it is not the number beside which it is told
+    )
 
-    def level(self, value: Any) -> Any:
-        """Return how many doubts a number, or each element of an array, meets: the last of them is the one to be told.
+    def excess(self, number: Any) -> Any:
+        """Return how far a number, or each element of an array, is beyond the first threshold: ln of their ratio, or the distance from 0."""
+        if not self.codes:
+            return -inf
+        return self._beyond(number) + (_TIE if self.sign.endswith("=") else 0.0)
 
-        It is 0 where the limit holds, and for nan.
-        """
-        compare = _COMPARISONS[self.sign]
-        return sum(1 * compare(value, doubt.threshold) for doubt in self.doubts)
+    def _beyond(self, number: Any) -> Any:
+        first = next(iter(self.codes))
+        size = ln(number / first) if first else number
+        return size if self.sign.startswith(">") else -size
 
-    def code(self, doubt: Doubt) -> str:
-        """Return a short text for a doubt: "a/z0<3", "law>5%"."""
-        if self.by_effect:
-            return f"law>{100 * (doubt.threshold - 1):.0f}%" if doubt.threshold < 2 else f"law>×{doubt.threshold:g}"
-        return f"{NOMENCLATURE[self.name].symbol}{self.sign}{doubt.threshold:g}"
+    @property
+    def steps(self) -> list[float]:
+        """The excess from which on each code holds."""
+        return [self._beyond(threshold) for threshold in self.codes]
 
-    def judge(self, value: float, factor: float) -> "Verdict":
-        """Return what follows from a value, in words; `factor`: between answers under the two laws."""
-        level = self.level(factor if self.by_effect else value)
-        if not level:
-            return Verdict(self.name, value, True, self.fine, "", self.conclusion)
-        doubt = self.doubts[level - 1]
-        text = f"{doubt.condition}: {doubt.consequence}"
-        return Verdict(self.name, value, False, text, self.code(doubt), self.conclusion, size=self._size(value, factor))
+    @property
+    def place(self) -> int:
+        """The place of the first code among those of all limits."""
+        return CODES.index(next(iter(self.codes.values()))) if self.codes else 0
 
-    def _size(self, value: float, factor: float) -> float:
-        """Return how far a doubt reaches, as the logarithm of a factor: between the laws, or of a number over its first threshold."""
-        if self.by_effect:
-            return log(factor)
-        over = 1 + value if self.is_error else abs(value / self.doubts[0].threshold) if self.doubts[0].threshold else 0
-        return abs(log(over)) if 0 < over < INFINITY else INFINITY
+    @property
+    def bits(self) -> int:
+        """All codes as bits."""
+        return (1 << len(self.codes)) - 1 << self.place
 
-
-class Verdict(NamedTuple):
-    """A number that limits the model, and what follows from it for an answer."""
-
-    name: str
-    value: float
-    holds: bool
-    text: str
-    code: str  # of the doubt; empty where the limit holds
-    conclusion: str = ""  # the name of what follows, if it is not that of the number
-    sentence: str = ""  # that says all of it, in place of the number and the text
-    size: float = 0.0  # of a doubt: the logarithm of a factor
+    def text(self, threshold: float) -> str:
+        """Return what a number beyond a threshold is, and what follows for an answer."""
+        return f"{self.condition}: {self.consequence}".replace("{}", in_words(threshold))
 
 
-class Judgement(NamedTuple):
-    """The verdicts of one scene, and the effects of the law."""
+class Doubt(NamedTuple):
+    """A limit that was judged: its number, and how far that is beyond the first threshold, as the logarithm of a factor; above 0, it is exceeded.
 
-    verdicts: tuple[Verdict, ...]
-    effects: Mapping[str, Effect]
+    Both are numbers, or arrays for a scene of arrays.
+    """
+
+    limit: Limit
+    value: Any
+    excess: Any
+    error: MissingInput | None = None  # why it could not be judged
+
+    @property
+    def is_exceeded(self) -> bool:
+        """True if the number is in doubt."""
+        return bool(self.excess > 0)
+
+    @property
+    def level(self) -> Any:
+        """The number of thresholds that are passed: the last of them has the code."""
+        return sum(1 * (self.excess > step) for step in self.limit.steps)
+
+    @property
+    def code(self) -> str:
+        """The code of the last threshold that is passed; empty where the limit holds."""
+        level: int = self.level
+        return ["", *self.limit.codes.values()][level]
+
+    @property
+    def threshold(self) -> float | None:
+        """The first threshold; None for a limit that always holds."""
+        return next(iter(self.limit.codes), None)
+
+    @property
+    def factor(self) -> float | None:
+        """How many times the number is beyond the first threshold, below 1 where the limit holds; None if that is 0, or the factor infinite."""
+        return exp(self.excess) if self.threshold and self.excess < inf else None
+
+    @property
+    def text(self) -> str:
+        """What follows from the number for an answer."""
+        level: int = self.level
+        return self.limit.text([*self.limit.codes][level - 1]) if level else self.limit.fine
+
+    @property
+    def sentence(self) -> str:
+        """The text with the number: "a/z0 = 2.15, few atoms in the contact: elasticity is in doubt"."""
+        return f"{NOMENCLATURE[self.limit.name].symbol} = {self.value:.3g}, {self.text}"
+
+    @property
+    def brief(self) -> str:
+        """The number and the limit that it exceeds: "a/z0 = 0.21 (<3)"."""
+        symbol = NOMENCLATURE[self.limit.name].symbol
+        return f"{symbol} = {self.value:.3g} ({self.code.removeprefix(symbol)})"
+
+    @property
+    def bits(self) -> Any:
+        """The code as a bit: a whole number, or an array."""
+        if self.error is not None:
+            return NOT_JUDGED
+        return (1 << self.level >> 1) << self.limit.place
 
 
-_COMPARISONS = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
+def in_words(factor: float) -> str:
+    """Return a factor as a text: "5 %", "a factor of 2"."""
+    return f"{100 * (factor - 1):.0f} %" if 1 < factor < 2 else f"a factor of {factor:g}"
+
+
 # What rests on the law and on elasticity; in DMT, at an approach, the radius rests on no work of adhesion, nor does Q/P_c without load.
 _ELASTICITY = frozenset({"work_of_adhesion", "contact_radius_at_load", "yield_force_ratio"})
 _DISPLACEMENT = frozenset({"yield_displacement"})
@@ -104,221 +145,169 @@ JUMP = 0.7  # Tabor parameter below which no jump was found of a contact of Lenn
 _TURNS = frozenset({"n_roll", "n_roll_energy_balance", "n_roll_after_impact"})
 IMPACT = frozenset({"energy", "energy_ratio", "speed"})
 
-_EFFECTS = {1.05: "5 %", 1.25: "25 %", 2.0: "a factor of 2"}  # of the law of attraction, as factors
-LEAST_EFFECT = min(_EFFECTS)
+LAW_MATTERS = 1.05  # factor between the answers of two laws
 
 # The law of attraction; then what takes the meaning of an answer away; then what makes it inexact.
 LIMITS = (
     Limit(
-        "tabor_parameter", _ELASTICITY, ">",
-        tuple(
-            Doubt(factor, f"off by more than {text}", f"by {LAWS[BETWEEN].title} or Lennard-Jones a result differs by more than {text}")
-            for factor, text in _EFFECTS.items()
-        ),
-        f"within {_EFFECTS[LEAST_EFFECT]} of {LAWS[BETWEEN].title}",
+        "tabor_parameter", _ELASTICITY, ">", {LAW_MATTERS: "law>5%", 1.25: "law>25%", 2.0: "law>×2"},
+        "off by more than {}", f"by {LAWS[BETWEEN].title} or Lennard-Jones a result differs by more than {{}}",
+        f"within 5 % of {LAWS[BETWEEN].title}",
         laws=tuple(law for law in LAWS if law != BETWEEN),
-        by_effect=True,
+        factor=factor_of_law,
     ),
-    Limit("tabor_parameter", _ELASTICITY, ">", (), f"{LAWS[BETWEEN].title} covers all from DMT to JKR", laws=(BETWEEN,)),
+    Limit("tabor_parameter", _ELASTICITY, ">", {}, "", "", f"{LAWS[BETWEEN].title} covers all from DMT to JKR", laws=(BETWEEN,)),
     Limit(
-        "load_margin", frozenset({"load_factor"}), "<=",
-        (Doubt(0.0, "at or beyond pull-off", "only fixed grips hold this state"),),
+        "load_margin", frozenset({"load_factor"}), "<=", {0.0: "s<=0"},
+        "at or beyond pull-off", "only fixed grips hold this state",
         "stable at its load",
         STATE_OR_LOAD,
     ),
     Limit(
-        "displacement_ratio", _DISPLACEMENT, ">=",
-        (Doubt(1.0, "above 1", "the shifted circle is impossible; the moment holds all the same while M/2cRw < 1"),),
+        "displacement_ratio", _DISPLACEMENT, ">=", {1.0: "ξ/ξ_max>=1"},
+        "above 1", "the shifted circle is impossible; the moment holds all the same while M/2cRw < 1",
         "below 1: the shifted contact is possible",
     ),
     Limit(
-        "displacement_over_contact_radius", _DISPLACEMENT, ">",
-        (Doubt(1.0, "above 1", "the contact would lose its apex"),),
+        "displacement_over_contact_radius", _DISPLACEMENT, ">", {1.0: "ξ/a>1"},
+        "above 1", "the contact would lose its apex",
         "below 1: the contact keeps its apex",
     ),
     Limit(
-        "yield_force_ratio", frozenset({"yield_force"}), ">=",
-        (Doubt(1.0, "above 1", "the contact breaks before it rolls"),),
+        "yield_force_ratio", frozenset({"yield_force"}), ">=", {1.0: "Q/P_c>=1"},
+        "above 1", "the contact breaks before it rolls",
         "below 1: it rolls before it breaks",
     ),
     Limit(
-        "peeling_over_sliding", frozenset({"sliding_force"}), "<",
-        (Doubt(1.0, "below 1", "the contact peels off before it slides, if it is brittle"),),
+        "peeling_over_sliding", frozenset({"sliding_force"}), "<", {1.0: "T/F_slide<1"},
+        "below 1", "the contact peels off before it slides, if it is brittle",
         "above 1: it slides before it peels off",
     ),
     Limit(
-        "yield_angle", frozenset({"yield_angle", "r_min"}), ">",
-        (Doubt(1.0, "above 1 rad", "angles are small in the model"),),
+        "yield_angle", frozenset({"yield_angle", "r_min"}), ">", {1.0: "δ_α>1"},
+        "above 1 rad", "angles are small in the model",
         "below 1 rad: a small angle",
     ),
     Limit(
-        "r_min_over_radius", frozenset({"r_min"}), "<",
-        (Doubt(1.0, "below 1", "no chain bends within one of its spheres"),),
+        "r_min_over_radius", frozenset({"r_min"}), "<", {1.0: "R_min/R1<1"},
+        "below 1", "no chain bends within one of its spheres",
         "above 1: a chain can bend so far",
     ),
     Limit(
-        "n_grav", frozenset({"n_grav"}), "<",
-        (Doubt(1.0, "below 1", "held out level, even one sphere rolls down; it falls off where Bo is below 1"),),
+        "n_grav", frozenset({"n_grav"}), "<", {1.0: "N_grav<1"},
+        "below 1", "held out level, even one sphere rolls down; it falls off where Bo is below 1",
         "above 1: a sphere stands out level",
     ),
     Limit(
-        "energy_over_yield", _TURNS, "<=",
-        (Doubt(1.0, "below 1", "the contact springs back and does not roll"),),
+        "energy_over_yield", _TURNS, "<=", {1.0: "W0/W_yield<=1"},
+        "below 1", "the contact springs back and does not roll",
         "above 1: it rolls",
     ),
     Limit(
-        "energy_over_sticking", _TURNS, ">",
-        (Doubt(1.0, "above 1", "after a head-on impact the spheres do not stick"),),
+        "energy_over_sticking", _TURNS, ">", {1.0: "W0/U_stick>1"},
+        "above 1", "after a head-on impact the spheres do not stick",
         "below 1: the spheres stick",
         IMPACT,
     ),
     Limit(
-        "hysteresis_ratio", _MOMENT, ">",
-        (
-            Doubt(
-                1.0, "above 1",
-                "the moment exceeds what adhesion hysteresis can supply (2cRw); viscous, plastic or capillary loss could",
-            ),
-        ),
+        "hysteresis_ratio", _MOMENT, ">", {1.0: "M/2cRw>1"},
+        "above 1", "the moment exceeds what adhesion hysteresis can supply (2cRw); viscous, plastic or capillary loss could",
         "below 1: adhesion hysteresis can supply it",
     ),
     Limit(
-        "tabor_parameter", _STICKING, "<",
-        (
-            Doubt(
-                JUMP, f"below {JUMP:g}",
-                "a Lennard-Jones (3–9) contact makes and breaks without a jump, and adhesion alone loses nothing; μ goes as 1/z0 (--z0)",
-            ),
-        ),
+        "tabor_parameter", _STICKING, "<", {JUMP: "μ<0.7"},
+        f"below {JUMP:g}", "a Lennard-Jones (3–9) contact makes and breaks without a jump, and adhesion alone loses nothing; μ goes as 1/z0 (--z0)",
         "contacts jump together and apart",
         conclusion="has_jump",
     ),
     Limit(
-        "contact_radius_in_spacings", _ELASTICITY, "<",
-        (Doubt(3.0, "few atoms in the contact", "elasticity is in doubt"),),
+        "contact_radius_in_spacings", _ELASTICITY, "<", {3.0: "a/z0<3"},
+        "few atoms in the contact", "elasticity is in doubt",
         "many atoms in the contact",
     ),
     Limit(
-        "profile_error", _ELASTICITY, ">",
-        (Doubt(0.01, "above 1 %", "the contact is so wide that a sphere is no paraboloid"),),
+        "profile_error", _ELASTICITY, ">", {0.01: "e_h>0.01"},
+        "above 1 %", "the contact is so wide that a sphere is no paraboloid",
         "below 1 %: in the contact, spheres are paraboloids",
-        is_error=True,
     ),
 )  # fmt: skip
 
-# A doubt is a bit until it is worded: one for each doubt of each limit, in their order, and a last one for limits that could not
-# be judged.
-DOUBTS = tuple((limit, doubt) for limit in LIMITS for doubt in limit.doubts)
-_FIRST = tuple(accumulate((len(limit.doubts) for limit in LIMITS), initial=0))  # the bit of the first doubt of each
-NOT_JUDGED = 1 << len(DOUBTS)
+# In columns a doubt is a bit: one for each code, in their order, and a last one for limits that could not be judged.
+CODES = tuple(code for limit in LIMITS for code in limit.codes.values())
+MEANINGS = {
+    code: limit.consequence.partition(";")[0].replace("{}", in_words(threshold))
+    for limit in LIMITS
+    for threshold, code in limit.codes.items()
+}
+NOT_JUDGED = 1 << len(CODES)
 
 
-class Told(NamedTuple):
-    """A doubt in words that fit any scene: its code, and what it means."""
-
-    code: str
-    consequence: str
+def doubts(scene: Scene, names: Collection[str]) -> list[Doubt]:
+    """Return the limits of the answers to these names, judged as far as the scene allows it, or with the reason why not."""
+    return judged(touched(scene, names), scene, names)
 
 
-TOLD = tuple(Told(limit.code(doubt), doubt.consequence.partition(";")[0]) for limit, doubt in DOUBTS)
-
-
-def judged(scene: Scene, names: Collection[str]) -> Judgement:
-    """Return what limits the answers to these names, as far as the scene allows to judge it."""
-    verdicts: list[Verdict] = []
-    of_law: Mapping[str, Effect] = {}
-    for limit, _, value in _touching(scene, names):
-        if not isinstance(value, JkrollError):
-            of_law = effects(scene, names) if limit.by_effect else of_law
-            verdicts.append(limit.judge(value, largest(of_law)))
-    return Judgement(tuple(verdicts), of_law)
-
-
-def not_judged(scene: Scene, names: Collection[str]) -> dict[str, list[str]]:
-    """Return the limits of the answers to these names that could not be judged, by the inputs that they need."""
-    missing: dict[str, list[str]] = {}
-    for limit, _, value in _touching(scene, names):
+def judged(limits: Iterable[Limit], scene: Scene, names: Collection[str]) -> list[Doubt]:
+    """Return limits of the answers to these names as doubts."""
+    found = []
+    for limit, value in _with_numbers(limits, scene):
         if isinstance(value, MissingInput):
-            missing.setdefault(value.needs(), []).append(limit.name)
-    return missing
-
-
-def doubts(scene: Scene, names: Collection[str]) -> Any:
-    """Return the doubts about the answers to these names as bits: a whole number, or an array for a scene of arrays."""
-    found: Any = 0
-    for limit, first, value in _touching(scene, names):
-        if not isinstance(value, JkrollError):
-            level = limit.level(_effect_where(value, scene, names) if limit.by_effect else value)
-            found = found | (1 << level >> 1) << first  # no bit at level 0, else that of the last doubt that is met
-        elif isinstance(value, MissingInput):
-            found = found | NOT_JUDGED
+            found.append(Doubt(limit, nan, nan, value))
+            continue
+        number = value if limit.factor is None else where(value == value, limit.factor(scene, names), nan)  # noqa: PLR0124
+        found.append(Doubt(limit, value, limit.excess(number)))
     return found
 
 
-def _effect_where(number: Any, scene: Scene, names: Collection[str]) -> Any:
-    """Return the largest effect of the law where there is a number beside which it is told, and nan elsewhere."""
-    return where(number == number, largest(effects(scene, names)), nan)  # noqa: PLR0124
+def _with_numbers(limits: Iterable[Limit], scene: Scene) -> Iterator[tuple[Limit, Any]]:
+    """Iterate over limits, each with its number or the input that it needs. One that the law or the contact does not have is left out."""
+    limits = [*limits]
+    values = scene.evaluate([limit.name for limit in limits])
+    for limit in limits:
+        value = values[limit.name]
+        if not isinstance(value, JkrollError) or (isinstance(value, MissingInput) and not isinstance(value, NotInLaw)):
+            yield limit, value
 
 
-def possible_doubts(scene: Scene, names: Collection[str]) -> int:
-    """Return the bits of all doubts that the answers to these names can have, whatever the numbers are."""
-    found = 0
-    for limit, first, value in _touching(scene, names):
-        if not isinstance(value, JkrollError):
-            found |= (1 << len(limit.doubts)) - 1 << first
-        elif isinstance(value, MissingInput):
-            found |= NOT_JUDGED
-    return found
-
-
-def told(bits: int) -> list[Told]:
-    """Return the doubts that bits stand for."""
-    return [one for place, one in enumerate(TOLD) if bits >> place & 1]
-
-
-def bits_of(names: Collection[str]) -> int:
-    """Return the bits of all doubts about some numbers, but for those from which something else is concluded."""
-    return sum(1 << place for place, (limit, _) in enumerate(DOUBTS) if limit.name in names and not limit.conclusion)
-
-
-@cache  # many rows have the same doubts
-def codes(bits: int) -> str:
-    """Return the codes of the doubts that bits stand for, and "?" if there are limits that could not be judged."""
-    return " ".join([*(one.code for one in told(bits)), *(["?"] if bits & NOT_JUDGED else [])])
-
-
-def sentence(verdict: Verdict) -> str:
-    """Return a verdict with its number: "a/z0 = 2.15, few atoms in the contact: elasticity is in doubt"."""
-    return verdict.sentence or f"{NOMENCLATURE[verdict.name].symbol} = {verdict.value:.3g}, {verdict.text}"
-
-
-def against_limit(verdict: Verdict) -> str:
-    """Return a doubt as a number and the limit that it exceeds: "a/z0 = 0.21 (<3)"."""
-    symbol = NOMENCLATURE[verdict.name].symbol
-    return f"{symbol} = {verdict.value:.3g} ({verdict.code.removeprefix(symbol)})"
-
-
-def limits_of(scene: Scene, names: Collection[str]) -> list[Limit]:
+def touched(scene: Scene, names: Collection[str]) -> list[Limit]:
     """Return the limits that concern the answers to these names; raise MissingInput if the scene does not allow one."""
-    return [limit for limit, _ in _touched(scene, names)]
-
-
-def _touched(scene: Scene, names: Collection[str]) -> list[tuple[Limit, int]]:
-    """Return these limits, each with the bit of its first doubt."""
     used = scene.plan(*names).taken.union(names)
     return [
-        (limit, first)
-        for limit, first in zip(LIMITS, _FIRST[:-1], strict=True)
+        limit
+        for limit in LIMITS
         if limit.touches & used
         and (not limit.laws or scene.law.name in limit.laws)
         and (not limit.stated or limit.stated & scene.stated.keys())
     ]
 
 
-def _touching(scene: Scene, names: Collection[str]) -> Iterator[tuple[Limit, int, Any]]:
-    """Iterate over these limits, as far as the law has them, with the bit of the first doubt of each, and its number or why it has none."""
-    touched = _touched(scene, names)
-    values = scene.evaluate([limit.name for limit, _ in touched])
-    for limit, first in touched:
-        if not isinstance(values[limit.name], NotInLaw):
-            yield limit, first, values[limit.name]
+def bits_of(found: Iterable[Doubt]) -> Any:
+    """Return the codes of doubts as bits: a whole number, or an array for a scene of arrays."""
+    return reduce(or_, (doubt.bits for doubt in found), 0)
+
+
+def possible_bits(scene: Scene, names: Collection[str]) -> int:
+    """Return the codes that the answers to these names can have, whatever the numbers are, as bits."""
+    found = _with_numbers(touched(scene, names), scene)
+    return reduce(or_, (NOT_JUDGED if isinstance(value, MissingInput) else limit.bits for limit, value in found), 0)
+
+
+@cache  # many rows have the same doubts
+def codes_of(bits: int) -> tuple[str, ...]:
+    """Return the codes that bits stand for."""
+    return tuple(code for place, code in enumerate(CODES) if bits >> place & 1)
+
+
+@cache
+def codes(bits: int) -> str:
+    """Return the codes that bits stand for as a text, and "?" if there are limits that could not be judged."""
+    return " ".join([*codes_of(bits), *(["?"] if bits & NOT_JUDGED else [])])
+
+
+def not_judged(found: Iterable[Doubt]) -> dict[str, list[str]]:
+    """Return the numbers of limits that could not be judged, by the inputs that they need."""
+    missing: dict[str, list[str]] = {}
+    for doubt in found:
+        if doubt.error is not None:
+            missing.setdefault(doubt.error.needs(), []).append(doubt.limit.name)
+    return missing

@@ -1,0 +1,84 @@
+"""Scenes that may stand in place of the one that was asked: the same under another law of attraction, and how far their answers differ."""
+
+from collections.abc import Collection, Iterable
+from functools import reduce
+from typing import Any
+
+from ..errors import JkrollError
+from ..physics.elementary import at_least, at_most, quotient, where
+from ..quantities.laws import BETWEEN, DEFAULT_LAW, routed_apart
+from ..quantities.nomenclature import INFINITY, XI
+from .scene import DEFAULTS, IN_ITS_PLACE, LEAST, MOST, Scene
+from .wiring import depends_on
+
+
+def by_law(scene: Scene) -> Scene:
+    """Return the scene under the law that holds between JKR and DMT; under that law, by JKR. The atomic spacing is as given or assumed."""
+    if scene.law.name == BETWEEN:
+        return scene.replace(model=DEFAULT_LAW)
+    return scene.replace(model=BETWEEN, atomic_spacing=scene["atomic_spacing"])
+
+
+def at_half_spacing(scene: Scene) -> Scene:
+    """Return a scene whose atomic spacing is half as large."""
+    return scene.replace(atomic_spacing=scene["atomic_spacing"] / 2)
+
+
+def is_at_displacement(scene: Scene) -> bool:
+    """Return whether equal inputs are equal displacements, and not equal hystereses."""
+    return scene.given.keys().isdisjoint(IN_ITS_PLACE[1:])
+
+
+def at_other_reading(scene: Scene, other: Scene) -> Scene | None:
+    """Return a scene of another law with the other of equal displacement and equal hysteresis; None without a contact."""
+    needed = ("adhesive_force", "zone_radius")
+    own, theirs = scene.numbers(XI, *needed), other.numbers(*needed)
+    if len(own) <= len(needed) or len(theirs) < len(needed):
+        return None
+    displacement = own[XI]
+    if is_at_displacement(scene):
+        forces, radii = (own[name] / theirs[name] for name in needed)
+        displacement = displacement * forces / radii
+    is_known = (displacement >= LEAST) & (displacement <= MOST)
+    where_none = own[XI] if is_at_displacement(scene) else DEFAULTS[XI]  # where there is no contact
+    displacement = where(is_known, displacement, where_none)
+    return other.replace(**{**dict.fromkeys(IN_ITS_PLACE), XI: displacement})
+
+
+def uses_law(scene: Scene, name: str) -> bool:
+    """Return whether a quantity of a scene rests on a formula that JKR does not have."""
+    plan, apart = scene.plan(name), routed_apart(scene.law.name, DEFAULT_LAW, scene.known)
+    return plan.found[name] in apart or any(source in apart for step in plan.steps for _, source in step.arguments)
+
+
+def factor_of_law(scene: Scene, names: Collection[str]) -> Any:
+    """Return how far the answers to these names are from those under the law that holds, as the factor of the farthest.
+
+    A rolling quantity is compared at equal displacement and at equal hysteresis, a pull-off force with Lennard-Jones'
+    law, too. The factor is infinite where only the law in use has an answer, or answers differ in sign.
+    """
+    other = by_law(scene)
+    missing = other.missing([*names])
+    own = scene.numbers(*(name for name in names if name not in missing and uses_law(other, name)))
+    rolling = [name for name in own if XI in depends_on([name], [BETWEEN])]
+    reading = at_other_reading(scene, other) if rolling else None
+    compared = [*other.evaluate([*own]).items()]
+    if reading is not None:
+        compared += reading.evaluate(rolling).items()
+    if "pull_off_force" in own:
+        fit = scene.evaluate(["pull_off_force_lennard_jones"])
+        compared += (("pull_off_force", value) for value in fit.values())
+    return farthest(ratio(theirs, own[name]) for name, theirs in compared)
+
+
+def ratio(theirs: Any, own: Any) -> Any:
+    """Return the ratio of two answers: 0, or nan in an array, where only the second exists, 1 where that has none or is nought."""
+    return quotient(0.0 if isinstance(theirs, JkrollError) else theirs, own, 1.0)
+
+
+def farthest(ratios: Iterable[Any]) -> Any:
+    """Return the one of some ratios that is farthest from 1, or its inverse if that is larger; infinite where answers differ in sign, 1 if there are none."""
+    every = [*ratios] or [1.0]
+    least, most = reduce(at_most, every), reduce(at_least, every)
+    is_positive = least > 0
+    return where(is_positive, at_least(most, 1 / where(is_positive, least, 1.0)), INFINITY)
