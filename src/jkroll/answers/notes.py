@@ -9,7 +9,7 @@ from ..errors import JkrollError
 from ..materials.library import Material
 from ..quantities.formatting import amount, significant
 from ..quantities.laws import BETWEEN, DEFAULT_LAW
-from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI
+from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI, of_sphere
 from ..scene.failures import NO_END, MissingInput, grouped
 from ..scene.limits import IMPACT, doubts, not_judged, touched
 from ..scene.scene import DEFAULTS, IN_ITS_PLACE, OF_AREA, Scene
@@ -138,7 +138,9 @@ def _about_hamaker(scene: Scene) -> Note:
 
 def _about_shear(scene: Scene, steps: Collection[str]) -> Iterator[str]:
     """Iterate over what is assumed of the contact under shear, given the quantities on the way to the results."""
-    are_alike = all(scene.given.get(name + "2", one) == one for name, one in scene.given.items() if name in _ELASTIC)
+    are_alike = all(
+        scene.given.get(of_sphere(2, name), one) == one for name, one in scene.given.items() if name in _ELASTIC
+    )
     if "shear_strength" in steps:
         softer = "" if are_alike else " of the softer solid, a rule of this program"
         for strength in scene.numbers("shear_strength").values():

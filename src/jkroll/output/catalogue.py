@@ -10,7 +10,7 @@ from ..quantities.errors import QUANTITY_SYNONYMS, UnknownQuantity
 from ..quantities.formatting import AS_USUAL, amount, in_words, pretty
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, XI, header, named, with_symbol
 from ..rows.columns import Wanted
-from ..scene.wiring import depends_on, formula_of, parameters_of, suffix_of
+from ..scene.wiring import arguments_of, depends_on, formula_of
 from ..text import first_of, json_text, say, say_wrapped
 from .records import Cell, write_records
 from .sources import bibtex, docstring_fields
@@ -290,7 +290,7 @@ def _write_quantity(name: str, out: TextIO) -> None:
     quantity = NOMENCLATURE[name]
     formula = formula_of(name)
     fields = docstring_fields(formula) if formula else {}
-    parameters = [parameter + suffix_of(name) for parameter in parameters_of(formula)] if formula else []
+    parameters = [argument for _, argument in arguments_of(name)] if formula else []
     option = f"{quantity.option} {quantity.example}" if quantity.option else ""
     facts = {
         "symbol": quantity.symbol,

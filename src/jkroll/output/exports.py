@@ -19,7 +19,7 @@ from typing import NamedTuple
 from ..errors import JkrollError
 from ..quantities.formatting import Format, amount, significant
 from ..quantities.laws import DEFAULT_LAW
-from ..quantities.nomenclature import INFINITY, PROPERTIES, STATE, STATE_OR_LOAD
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE, STATE_OR_LOAD, of_sphere
 from ..scene.failures import MissingInput, OfIdenticalSpheres, TwoRigidBodies
 from ..scene.scene import Scene
 
@@ -70,18 +70,18 @@ def lammps_input(scene: Scene) -> Iterator[str]:
             raise value
     model = scene.law.name
     work, lag, load = scene["work_of_adhesion"], scene["yield_displacement"], scene["load"]
-    suffixes: tuple[str, ...] = ("", "2")
+    spheres: tuple[int, ...] = (1, 2)
     if scene.values.get("radius2") == INFINITY:
-        bodies, place, suffixes = "a sphere and a plane", " at the wall, which is put at z = 0", ("",)
-        pairs = {"pair_coeff 1 1 {}": pair_of(scene, ""), "fix wall all wall/gran granular {} zplane 0 NULL": scene}
+        bodies, place, spheres = "a sphere and a plane", " at the wall, which is put at z = 0", (1,)
+        pairs = {"pair_coeff 1 1 {}": pair_of(scene, 1), "fix wall all wall/gran granular {} zplane 0 NULL": scene}
     elif scene.is_identical:
-        bodies, place, suffixes = "two spheres", "", ("",)
+        bodies, place, spheres = "two spheres", "", (1,)
         pairs = {"pair_coeff 1 1 {}": scene}
     else:
         bodies, place = "two spheres", " for types 1 and 2"
         pairs = {
-            "pair_coeff 1 1 {}": pair_of(scene, ""),
-            "pair_coeff 2 2 {}": pair_of(scene, "2"),
+            "pair_coeff 1 1 {}": pair_of(scene, 1),
+            "pair_coeff 2 2 {}": pair_of(scene, 2),
             "pair_coeff 1 2 {}": scene,
         }
     yield f"# Contact of {bodies} by jkroll: {model.upper()}, gamma = w/2"
@@ -90,9 +90,9 @@ def lammps_input(scene: Scene) -> Iterator[str]:
         at_rest = "Like spheres touch without load. " if load else ""
         yield f"# {at_rest}The time step is the shortest of all pairs."
     yield "# units si"
-    for sphere, suffix in enumerate(suffixes, 1):
-        radius = scene.values.get("radius" + suffix, scene.values["radius"])
-        yield f"# set type {sphere} diameter {2 * radius:.12g} density {scene['density' + suffix]:.12g}"
+    for sphere in spheres:
+        radius = scene.values.get(of_sphere(sphere, "radius"), scene.values["radius"])
+        yield f"# set type {sphere} diameter {2 * radius:.12g} density {scene[of_sphere(sphere, 'density')]:.12g}"
     yield "comm_modify vel yes"
     yield f"neighbor {_skin(scene, pairs.values()):.12g} bin"
     yield "pair_style granular"
@@ -118,15 +118,15 @@ def _skin(scene: Scene, pairs: Iterable[Scene]) -> float:
     return float(max(SKIN * smallest, *(LEAST_SKIN * approach for approach in approaches)))
 
 
-def pair_of(scene: Scene, suffix: str) -> Scene:
+def pair_of(scene: Scene, sphere: int) -> Scene:
     """Return the pair of two spheres like sphere 1, or like sphere 2, without load."""
     stated = {name: value for name, value in scene.stated_of_1.items() if name not in STATE_OR_LOAD}
-    own = {name.removesuffix("2"): value for name, value in scene.stated.items() if name.endswith("2")}
-    if not suffix:
+    of_2 = {of_sphere(1, name): value for name, value in scene.stated.items() if NOMENCLATURE[name].sphere == 2}
+    if sphere == 1:
         return Scene(stated, scene.material, model=scene.law.name)
     if scene.material2 is not None:
         stated = {name: value for name, value in stated.items() if name not in PROPERTIES}
-    return Scene({**stated, **own}, scene.material2 or scene.material, model=scene.law.name)
+    return Scene({**stated, **of_2}, scene.material2 or scene.material, model=scene.law.name)
 
 
 def _coefficients(pair: Scene) -> str:
@@ -209,13 +209,14 @@ def liggghts_input(scene: Scene) -> Iterator[str]:
     scene.plan("pull_off_force", "contact_modulus", "density")
     _refuse_state(scene, "liggghts")
     at_wall = scene.values.get("radius2") == INFINITY
-    suffixes = ("",) if scene.is_identical else ("", "2")
-    solids = [(scene["youngs_modulus" + suffix], scene["poisson_ratio" + suffix]) for suffix in suffixes]
+    elastic = ("youngs_modulus", "poisson_ratio")
+    spheres = (1,) if scene.is_identical else (1, 2)
+    solids = [tuple(scene[of_sphere(sphere, name)] for name in elastic) for sphere in spheres]
     if any(modulus == INFINITY for modulus, _ in solids):
         raise NotInProgram("liggghts", "needs a finite Young's modulus of each body")
     pairs = [scene]
     if not scene.is_identical:
-        pairs = [pair_of(scene, ""), scene, scene, scene if at_wall else pair_of(scene, "2")]
+        pairs = [pair_of(scene, 1), scene, scene, scene if at_wall else pair_of(scene, 2)]
     yield f"# Contact by jkroll: Hertz less k A, with the pull-off force of JKR, {scene['pull_off_force']:.12g} N"
     yield "# units si" + ("; type 2 is the wall" if at_wall else "")
     yield "fix m1 all property/global youngsModulus peratomtype" + _words(modulus for modulus, _ in solids)

@@ -124,7 +124,7 @@ def _line(name: str, scene: Scene, form: Format, remark: str) -> str:
 def _formula_of(step: Step) -> str:
     """Return the formula of a step, with the indices of sphere 2 if it was evaluated for sphere 2."""
     formula = docstring_fields(step.formula)["formula"]
-    is_of_sphere_2 = step.name.endswith("2") and step.name != step.formula.__name__
+    is_of_sphere_2 = NOMENCLATURE[step.name].sphere == 2
     return re.sub(r"(?<=[^\W\d])1(?![0-9])", "2", formula) if is_of_sphere_2 else formula
 
 

@@ -11,7 +11,7 @@ from rich.text import Text
 
 from ..answers.notes import parts_of_assumed, symbol_of
 from ..quantities.formatting import Format, amount, in_words, pretty
-from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
+from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
 from ..text import fitting, say, terminal_width
 
 if TYPE_CHECKING:
@@ -95,7 +95,7 @@ def _result_cells(result: "Result", form: Format) -> dict[str, str]:
     }
 
 
-_LEADERS = dict.fromkeys(PROPERTIES, "material") | {name + "2": "material2" for name in PROPERTIES}
+_LEADERS = dict.fromkeys(PROPERTIES, "material") | {of_sphere(2, name): "material2" for name in PROPERTIES}
 
 
 def sweep_table(columns: "Columns", out: TextIO, form: Format) -> None:

@@ -59,6 +59,8 @@ class Quantity(NamedTuple):
     hidden_with: Collection[str] = ()  # inputs; it is not shown where one of them was stated
     of_identical: bool = False  # shown for identical spheres only
     variant_of: str = ""  # the quantity that it is by another formula or on another way
+    sphere: int = 0  # 1 or 2 for what belongs to one of the spheres
+    twin: str = ""  # the name of the same quantity of the other sphere
 
     @property
     def is_word(self) -> bool:
@@ -186,29 +188,23 @@ _PER_SPHERE = {
 }
 
 
-def _of_sphere_2(quantity: Quantity) -> Quantity:
-    return quantity._replace(
+def _of_both(name: str, quantity: Quantity) -> dict[str, Quantity]:
+    """Return a quantity of sphere 1, and that of sphere 2."""
+    of_1 = quantity._replace(sphere=1, twin=f"{name}2")
+    of_2 = of_1._replace(
         symbol=quantity.symbol.replace("1", "2"),
         sentence=quantity.sentence.replace(" of sphere 1", "") + " of sphere 2",
-        option=quantity.option and quantity.option + "2",
+        option=quantity.option and f"{quantity.option}2",
+        sphere=2,
+        twin=name,
     )
+    return {name: of_1, of_1.twin: of_2}
 
 
-_BOTH_SPHERES = {
-    of_sphere + suffix: _of_sphere_2(quantity) if suffix else quantity
-    for of_sphere, quantity in _PER_SPHERE.items()
-    for suffix in ("", "2")
-} | {
-    "radius2": Quantity(
-        "R2",
-        "m",
-        "radius of sphere 2, or plane",
-        range=UP_TO_INFINITE,
-        infinity="plane",
-        option="--radius2",
-        example="1um",
-    )
-}
+_BOTH_SPHERES = {name: both for of_1 in _PER_SPHERE.items() for name, both in _of_both(*of_1).items()}
+_BOTH_SPHERES["radius2"] = _BOTH_SPHERES["radius2"]._replace(
+    sentence="radius of sphere 2, or plane", range=UP_TO_INFINITE, infinity="plane", option="--radius2", example="1um"
+)
 
 _TRAILING = (
     "for the moment of a contact that trails at ξ all the time, 4P_cξ in JKR; n_roll has the mean moment, half of it"
@@ -217,10 +213,10 @@ _TRAILING = (
 _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
     {
         # what the user gives
-        "material": Quantity("", "", "material of sphere 1"),
+        "material": Quantity("", "", "material of sphere 1", sphere=1, twin="material2"),
         "model": Quantity("model", "", f"law of attraction: {', '.join(LAWS)}", option="--model", example="maugis"),
         "state": Quantity("state", "", "state of the contact on its force curve"),
-        "material2": Quantity("", "", "material of sphere 2", option="--material2", example="iron"),
+        "material2": Quantity("", "", "material of sphere 2", option="--material2", example="iron", sphere=2, twin="material"),
         **_BOTH_SPHERES,
         "yield_displacement": Quantity("ξ", "m", "yield displacement", range=POSITIVE, option="--xi", example="2angstrom", shown_with=["adhesion_hysteresis", "hysteresis_fraction"]),
         "load": Quantity("P", "N", "load, tension negative", "5", range=FINITE, option="--load", example="-5nN", may_be_zero=True, shown_with=STATE),
@@ -407,6 +403,16 @@ _BY_A_LAW = {
     if route not in _QUANTITIES
 }
 NOMENCLATURE: Mapping[str, Quantity] = MappingProxyType({**_QUANTITIES, **_BY_A_LAW})
+
+
+def of_sphere(sphere: int, name: str) -> str:
+    """Return a quantity of either sphere as that of a sphere, 1 or 2; another name as it is.
+
+    >>> of_sphere(2, "density"), of_sphere(1, "density2"), of_sphere(2, "load")
+    ('density2', 'density', 'load')
+    """
+    quantity = NOMENCLATURE.get(name)
+    return name if quantity is None or quantity.sphere in (0, sphere) else quantity.twin
 
 
 # The names of inputs by the words of their options.

@@ -12,7 +12,7 @@ from math import prod
 from typing import TYPE_CHECKING, Any
 
 from ..materials.library import Material
-from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.nomenclature import NOMENCLATURE, of_sphere
 from ..quantities.values import Spread
 from ..scene.failures import OfIdenticalSpheres
 from ..scene.scene import FOLLOWS, Scene
@@ -108,10 +108,10 @@ class Sweep:
 
     def _may_be_alike(self, name: str) -> bool:
         """Return whether an input of sphere 2 may have a value of sphere 1, and one of them has several."""
-        own, first = self.spreads[name], self.spreads.get(name.removesuffix("2"), ())
+        own, first = self.spreads[name], self.spreads.get(of_sphere(1, name), ())
         several = sum(map(len, own)) + sum(map(len, first)) > 2
         overlap = any(one.low <= other.high and other.low <= one.high for one in own for other in first)
-        return name.endswith("2") and several and overlap
+        return NOMENCLATURE[name].sphere == 2 and several and overlap
 
     # --- Columns ------------------------------------------------------------------------------------------------------
 

@@ -273,7 +273,7 @@ def wanted_of(
     if fill.inverse is not None:
         check_one(*fill.inverse, scene.scene)
         return SoughtOne([fill.inverse.name], [fill.inverse.quantity], sides=(), doubts=doubts)
-    has_own_2 = any(name.endswith("2") for name in columns.names)
+    has_own_2 = any(NOMENCLATURE[name].sphere == 2 for name in columns.names)
     explicit, offered = asked
     for name in explicit:
         if name in columns.names or name in fill.fixed:

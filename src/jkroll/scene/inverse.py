@@ -14,7 +14,7 @@ from ..errors import JkrollError, NoResult
 from ..materials.library import Material
 from ..quantities.errors import nearest
 from ..quantities.formatting import DIGITS, Format, amount
-from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, named
+from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, named, of_sphere
 from ..quantities.values import is_uncertain
 from ..text import listed, quoted
 from .failures import MAX_DIGITS
@@ -490,7 +490,8 @@ def with_placeholders(scene: Scene, names: Iterable[str]) -> Scene:
 def names_in(scene: Scene, name: str) -> tuple[str, ...]:
     """Return the names of an input that is inferred: those of both spheres if one material was named for both."""
     is_shared = scene.material2 is not None and scene.material is not None and scene.material2.key == scene.material.key
-    return (name, name + "2") if is_shared and name in PROPERTIES and name + "2" not in scene.stated else (name,)
+    name2 = of_sphere(2, name)
+    return (name, name2) if is_shared and name in PROPERTIES and name2 not in scene.stated else (name,)
 
 
 def check_one(name: str, quantity: str, scene: Scene) -> None:

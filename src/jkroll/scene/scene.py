@@ -17,7 +17,7 @@ from ..physics.elementary import NUMBER, where
 from ..physics.pair import reduced_radius
 from ..quantities.errors import OutOfRange, UnknownQuantity
 from ..quantities.laws import DEFAULT_LAW, Law, law_named
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE, UP_TO_INFINITE, XI
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE, UP_TO_INFINITE, XI, of_sphere
 from ..quantities.values import Interval, Uncertain, is_uncertain
 from .failures import (
     Contradiction,
@@ -84,8 +84,8 @@ _SCALED = {name for name, one in NOMENCLATURE.items() if one.range.low <= 0 and 
 SMALLEST = 2.2250738585072014e-308  # of the doubles that have all their digits
 # The quantities of sphere 2 that are infinite for a plane, such as its mass.
 _OF_A_PLANE = [
-    name for name, one in NOMENCLATURE.items()
-    if one.range is UP_TO_INFINITE and name.endswith("2") and formula_of(name) is not None
+    name for name, quantity in NOMENCLATURE.items()
+    if quantity.range is UP_TO_INFINITE and quantity.sphere == 2 and formula_of(name) is not None
 ]  # fmt: skip
 MAY_BE_ZERO = frozenset(name for name, quantity in NOMENCLATURE.items() if quantity.may_be_zero)
 
@@ -145,7 +145,7 @@ EXCLUSIVE = (
 _MAY_CONTRADICT = frozenset(name for names in EXCLUSIVE for name in names)
 
 # What was stated in place of a solid's yield displacement, or makes sphere 2 one of another solid.
-_OTHER_DISPLACEMENT = frozenset((*IN_ITS_PLACE, *(name + "2" for name in OF_A_SOLID)))
+_OTHER_DISPLACEMENT = frozenset((*IN_ITS_PLACE, *(of_sphere(2, name) for name in OF_A_SOLID)))
 
 # The inputs that decide whether a body deforms, so that a contact has an area.
 OF_AREA = ("youngs_modulus", "youngs_modulus2", "contact_modulus")
@@ -189,9 +189,12 @@ class Scene:
         self.material, self.material2 = material, material2
         self.uncertain: dict[str, Uncertain] = {name: one for name, one in given.items() if is_uncertain(one)}
         self.stated = {**given, **{name: one.value for name, one in self.uncertain.items()}}
-        own = material.properties if material is not None else {}
-        own2 = {name + "2": value for name, value in material2.properties.items()} if material2 is not None else {}
-        self.given: dict[str, Any] = {**own, **own2, **self.stated}
+        self.given: dict[str, Any] = {
+            of_sphere(sphere, name): value
+            for solid, sphere in self.materials
+            for name, value in solid.properties.items()
+        }
+        self.given |= self.stated
         self.arrays = {name: value for name, value in self.given.items() if not isinstance(value, NUMBER)}
         self.shape = broadcast(self.arrays)
         for name, value in self.given.items():
@@ -218,19 +221,23 @@ class Scene:
         """
         model = values.pop("model", self.stated_model)
         stated = {**self.stated, **self.uncertain, **values}
-        spheres = {"": self.material, "2": self.material2}
-        for material, suffix in self.materials:
-            of_solid = [name for name in material.properties if name + suffix not in self.stated]
-            changed = {name: stated.pop(name + suffix) for name in of_solid if name + suffix in values}
-            spheres[suffix] = material.with_properties(changed)
+        spheres = {1: self.material, 2: self.material2}
+        for material, sphere in self.materials:
+            of_solid = {name: of_sphere(sphere, name) for name in material.properties}
+            changed = {
+                name: stated.pop(given)
+                for name, given in of_solid.items()
+                if given in values and given not in self.stated
+            }
+            spheres[sphere] = material.with_properties(changed)
         given = {name: value for name, value in stated.items() if value is not None}
         return Scene(given, *spheres.values(), model=model)
 
     @property
-    def materials(self) -> list[tuple[Material, str]]:
-        """The materials of the spheres that have one, each with the suffix of the names of its properties."""
-        both = ((self.material, ""), (self.material2, "2"))
-        return [(material, suffix) for material, suffix in both if material is not None]
+    def materials(self) -> list[tuple[Material, int]]:
+        """The materials of the spheres that have one of their own, each with the number of the sphere."""
+        both = ((self.material, 1), (self.material2, 2))
+        return [(material, sphere) for material, sphere in both if material is not None]
 
     @property
     def _has_displacement(self) -> bool:
@@ -250,10 +257,10 @@ class Scene:
     def data(self) -> Mapping[str, tuple[Material, str]]:
         """The inputs that are data of a material, each with this material and its property."""
         found = {
-            name + suffix: (material, name)
-            for material, suffix in self.materials
+            given: (material, name)
+            for material, sphere in self.materials
             for name in material.properties
-            if name + suffix not in self.stated and name not in material.replaced
+            if (given := of_sphere(sphere, name)) not in self.stated and name not in material.replaced
         }
         return found if self.displacement is None or self.material is None else {**found, XI: (self.material, XI)}
 
@@ -274,9 +281,9 @@ class Scene:
     @property
     def is_identical(self) -> Any:
         """True if nothing was said that makes sphere 2 differ from sphere 1, element by element for arrays."""
-        own = {name.removesuffix("2"): value for name, value in self.given.items() if name.endswith("2")}
-        lacking = self.material2 is not None and any(name in self.given and name not in own for name in PROPERTIES)
-        return reduce(and_, (value == self.given.get(name) for name, value in own.items()), not lacking)
+        of_2 = {of_sphere(1, name): value for name, value in self.given.items() if NOMENCLATURE[name].sphere == 2}
+        lacking = self.material2 is not None and any(name in self.given and name not in of_2 for name in PROPERTIES)
+        return reduce(and_, (value == self.given.get(name) for name, value in of_2.items()), not lacking)
 
     def data_used(self, inputs: Collection[str]) -> list[tuple[Material, str]]:
         """Return the materials and those of their properties that are among the inputs and were not stated otherwise."""
@@ -286,7 +293,9 @@ class Scene:
     def stated_of_1(self) -> dict[str, Any]:
         """The stated inputs that hold for two spheres like sphere 1: nothing of sphere 2, and no work of adhesion of two materials."""
         of_pair = () if self.material2 is None else ("work_of_adhesion",)
-        return {name: value for name, value in self.stated.items() if not name.endswith("2") and name not in of_pair}
+        return {
+            name: value for name, value in self.stated.items() if NOMENCLATURE[name].sphere != 2 and name not in of_pair
+        }
 
     # --- Plans --------------------------------------------------------------------------------------------------------
 
@@ -369,8 +378,8 @@ class Scene:
         """Return the error of a quantity that needs more inputs, with the materials that should have had them."""
         if missing.lacking:
             return NotInLaw(name, missing.lacking, self.law.title)
-        materials = {True: self.material2 or self.material, False: self.material}
-        without = [materials[each.endswith("2")] for each in missing.names if each.removesuffix("2") in PROPERTIES]
+        materials = {1: self.material, 2: self.material2 or self.material}
+        without = [materials[NOMENCLATURE[each].sphere] for each in missing.names if of_sphere(1, each) in PROPERTIES]
         lacking = dict.fromkeys(
             f"{material.name} has none in {material.title}" for material in without if material and material.name
         )

@@ -141,6 +141,8 @@ def _properties(argument: str, material: Material) -> Mapping[str, float]:
         raise QuantityError(argument, str(given), "is not a mapping of properties", "write {name: value}")
     properties, _ = in_si(given)
     for name, value in properties.items():
+        if not NOMENCLATURE[name].twin:
+            raise QuantityError(name, str(value), "is not a property of a material", "give it by its name")
         if not isinstance(value, float):
             raise QuantityError(name, str(value), "is not a single number")
     return properties

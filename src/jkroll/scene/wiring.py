@@ -13,10 +13,10 @@ from typing import Any, NamedTuple
 from ..physics import FORMULAS
 from ..quantities.errors import UnknownQuantity
 from ..quantities.laws import DEFAULT_LAW, Routes, differs, routes, routes_anywhere
-from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.nomenclature import NOMENCLATURE, of_sphere
 
 # What another material of sphere 2 does not take over from sphere 1: all that each sphere has, but for the radius.
-OF_A_SOLID = frozenset(name for name, one in NOMENCLATURE.items() if one.option and f"{name}2" in NOMENCLATURE)
+OF_A_SOLID = frozenset(name for name, quantity in NOMENCLATURE.items() if quantity.sphere == 1 and quantity.option)
 
 
 class Step(NamedTuple):
@@ -103,14 +103,13 @@ class _Path:
 
     def _add(self, name: str, wanted: str) -> str:
         """Add the formula of a quantity after those of its arguments."""
-        formula, suffix = formula_of(name), suffix_of(name)
         before = len(self.missing)
-        arguments = tuple((parameter, self.visit(parameter + suffix)) for parameter in parameters_of(formula))
-        if suffix and not any(source.endswith("2") for _, source in arguments):
-            return self.visit(name.removesuffix(suffix))  # in this, sphere 2 is like sphere 1
+        arguments = tuple((parameter, self.visit(argument)) for parameter, argument in arguments_of(name))
+        if NOMENCLATURE[name].sphere == 2 and not any(NOMENCLATURE[source].sphere == 2 for _, source in arguments):
+            return self.visit(of_sphere(1, name))  # in this, sphere 2 is like sphere 1
         if len(self.missing) > before and NOMENCLATURE[wanted].option:
             self.instead.append(wanted)
-        self.steps.setdefault(name, Step(name, formula, arguments))
+        self.steps.setdefault(name, Step(name, formula_of(name), arguments))
         return name
 
     def _source(self, name: str) -> str | None:
@@ -119,20 +118,20 @@ class _Path:
             return name
         if name in self.by_law:
             return self.by_law[name]
-        is_property_of_2 = self.own_material2 and name.removesuffix("2") in OF_A_SOLID
-        if name.endswith("2") and formula_of(name) is None and not is_property_of_2:
-            return name.removesuffix("2")
-        return name
+        of_1 = of_sphere(1, name)
+        has_own = formula_of(name) is not None or (self.own_material2 and of_1 in OF_A_SOLID)
+        return name if has_own else of_1
 
 
 def formula_of(name: str) -> Any:
     """Return the formula of a quantity, which for sphere 2 is that of sphere 1; None for an input."""
-    return FORMULAS.get(name) or FORMULAS.get(name.removesuffix("2"))
+    return FORMULAS.get(of_sphere(1, name))
 
 
-def suffix_of(name: str) -> str:
-    """Return "2" for a quantity of sphere 2 that has the formula of sphere 1, otherwise ""."""
-    return "2" if name not in FORMULAS and name.endswith("2") else ""
+def arguments_of(name: str) -> list[tuple[str, str]]:
+    """Return the parameters of a quantity's formula, each with the name of its value: of sphere 2 for a quantity of sphere 2."""
+    parameters, is_of_2 = parameters_of(formula_of(name)), NOMENCLATURE[name].sphere == 2
+    return [(parameter, of_sphere(2, parameter) if is_of_2 else parameter) for parameter in parameters]
 
 
 def in_order(names: Collection[str]) -> tuple[str, ...]:
@@ -160,8 +159,8 @@ def _dependence(names: tuple[str, ...], models: tuple[str, ...]) -> frozenset[st
         if name not in found:
             found.add(name)
             for route in [name, *routes_to.get(name, ())]:
-                if (formula := formula_of(route)) is not None:
-                    pending += [parameter + suffix_of(route) for parameter in parameters_of(formula)]
+                if formula_of(route) is not None:
+                    pending += [argument for _, argument in arguments_of(route)]
     return frozenset(found)
 
 
