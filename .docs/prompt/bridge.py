@@ -1,0 +1,107 @@
+"""The program in a browser: a line that was typed in, what it prints and its exit code out. Runs in Pyodide."""
+
+import importlib
+import io
+import os
+import shlex
+import sys
+from collections.abc import Sequence
+from importlib.abc import MetaPathFinder
+from typing import Any
+
+WIDTH = "80"
+FILES = {"-o", "--output", "--plot", "--data", "--materials", "--resume"}
+LIBRARIES = {"numpy", "orjson", "pint", "matplotlib", "pyarrow", "typer"}
+FROM_PYODIDE = {"numpy", "orjson"}  # the others are nowhere to be loaded from
+INSTALL = "pip install jkroll"
+
+
+class Terminal(io.StringIO):
+    """What a command prints, as on a terminal."""
+
+    encoding = "utf-8"
+
+    def isatty(self) -> bool:
+        """Return True: answers are tables with colours."""
+        return True
+
+
+class Absent(MetaPathFinder):
+    """The last finder of modules: it finds nothing, and remembers which libraries were looked for."""
+
+    def __init__(self) -> None:
+        self.names: set[str] = set()
+
+    def find_spec(self, name: str, *_: Any) -> None:
+        """Remember a library that no other finder has found."""
+        if name in LIBRARIES:
+            self.names.add(name)
+
+
+_absent = Absent()
+
+
+def begin() -> None:
+    """Set up the streams' width and colours, and the finder."""
+    os.environ.update(COLUMNS=WIDTH, LINES="40", TERM="xterm-256color", FORCE_COLOR="1")
+    sys.meta_path.append(_absent)
+
+
+def run(line: str) -> dict[str, Any]:
+    """Run a line; return its text with ANSI colours, its exit code, and the libraries that it lacked."""
+    try:
+        words = shlex.split(line)
+    except ValueError as error:
+        return {"text": f"jkroll: {error}\n", "code": 2, "missing": []}
+    if words[:1] == ["jkroll"]:
+        words = words[1:]
+    if needed := needs_files(words):
+        return {"text": f"jkroll: {needed} needs files, which this page has not: {INSTALL}\n", "code": 1, "missing": []}
+    from jkroll.cli.process import main
+
+    _absent.names.clear()
+    importlib.invalidate_caches()  # a library may have come since
+    kept, terminal = (sys.stdout, sys.stderr), Terminal()
+    sys.stdout = sys.stderr = terminal
+    try:
+        code = main(words)
+    finally:
+        sys.stdout, sys.stderr = kept
+    missing = sorted(_absent.names)
+    text = terminal.getvalue()
+    if missing and not FROM_PYODIDE.issuperset(missing):
+        text = f"jkroll: this line needs {', '.join(missing)}, which this page has not: {INSTALL}\n"
+    return {"text": text, "code": code, "missing": [name for name in missing if name in FROM_PYODIDE]}
+
+
+def needs_files(words: Sequence[str]) -> str:
+    """Return the word that needs files, or an empty text."""
+    if words[:1] == ["batch"]:
+        return "batch"
+    return next((word for word in words if word.partition("=")[0] in FILES), "")
+
+
+def candidates(line: str) -> list[str]:
+    """Return the words that may stand in place of the last one of a line: commands, materials, options, pages."""
+    from jkroll.cli.commands import COMMANDS
+    from jkroll.materials.library import known_materials
+
+    words = line.split(" ")
+    last = words[-1]
+    before = [word for word in words[:-1] if word and word != "jkroll"]
+    if not before:
+        names = [*COMMANDS]
+    elif last.startswith("-"):
+        command = COMMANDS.get(before[0])
+        names = (
+            sorted({flag for option in command.options() for flag in option.flags if not option.hidden})
+            if command
+            else []
+        )
+    elif before[0] == "guide":
+        from jkroll.output.manual import topics
+
+        names = [*topics()]
+    else:
+        names = sorted(known_materials().materials)
+    return [name for name in names if name.startswith(last) and name != last][:30]

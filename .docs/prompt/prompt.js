@@ -1,0 +1,154 @@
+// The prompt: a line to type, its answer, history by arrow keys, completion by Tab, a link that carries the line.
+const form = document.forms[0];
+const [line, answer, status, choices] = ["line", "answer", "status", "choices"].map((id) => document.getElementById(id));
+const worker = new Worker("./worker.js", { type: "module" });
+const waiting = new Map();
+let last = 0;
+
+const ask = (question) =>
+  new Promise((resolve) => {
+    waiting.set(++last, resolve);
+    worker.postMessage({ id: last, ...question });
+  });
+worker.onmessage = ({ data }) => {
+  waiting.get(data.id)(data);
+  waiting.delete(data.id);
+};
+worker.onerror = () => (status.textContent = "This browser cannot run Python (WebAssembly, module workers): pip install jkroll");
+
+// --- Colours: the ANSI codes of a terminal as classes of the page ---
+
+const ANSI = /\x1b\[([\d;]*)m/g;
+
+function coloured(text) {
+  const fragment = document.createDocumentFragment();
+  let classes = [];
+  let from = 0;
+  const put = (part) => {
+    if (!part) return;
+    const span = document.createElement("span");
+    span.className = classes.join(" ");
+    span.textContent = part;
+    fragment.append(span);
+  };
+  for (const match of text.matchAll(ANSI)) {
+    put(text.slice(from, match.index));
+    from = match.index + match[0].length;
+    for (const code of match[1].split(";").map(Number)) {
+      if (code === 0) classes = [];
+      else classes.push(`ansi${code}`);
+    }
+  }
+  put(text.slice(from));
+  return fragment;
+}
+
+// --- A line and its answer ---
+
+const history = JSON.parse(sessionStorage.getItem("history") ?? "[]");
+let place = history.length;
+
+async function run(text) {
+  status.textContent = "working …";
+  answer.setAttribute("aria-busy", "true");
+  const found = await ask({ line: text });
+  answer.replaceChildren(coloured(found.text));
+  answer.raw = found.text;
+  answer.setAttribute("aria-busy", "false");
+  answer.dataset.code = found.code;
+  answer.dataset.line = text;
+  status.textContent = found.code ? `ended with code ${found.code}` : "";
+}
+
+form.onsubmit = (event) => {
+  event.preventDefault();
+  const text = line.value.trim();
+  hide();
+  if (!text) return;
+  if (history.at(-1) !== text) history.push(text);
+  place = history.length;
+  sessionStorage.setItem("history", JSON.stringify(history.slice(-200)));
+  window.history.replaceState(null, "", `?c=${encodeURIComponent(text)}`);
+  run(text);
+};
+
+function recall(step) {
+  place = Math.min(Math.max(place + step, 0), history.length);
+  line.value = history[place] ?? "";
+  line.setSelectionRange(line.value.length, line.value.length);
+}
+
+// --- Completion ---
+
+let chosen = -1;
+
+function hide() {
+  choices.replaceChildren();
+  choices.hidden = true;
+  chosen = -1;
+  line.setAttribute("aria-expanded", "false");
+  line.removeAttribute("aria-activedescendant");
+}
+
+function take(word) {
+  line.value = line.value.slice(0, line.value.lastIndexOf(" ") + 1) + word + " ";
+  hide();
+  line.focus();
+}
+
+function choose(step) {
+  const options = [...choices.children];
+  chosen = (chosen + step + options.length) % options.length;
+  options.forEach((option, n) => option.setAttribute("aria-selected", n === chosen));
+  options[chosen].scrollIntoView({ block: "nearest" });
+  line.setAttribute("aria-activedescendant", options[chosen].id);
+}
+
+async function complete() {
+  const { words } = await ask({ prefix: line.value });
+  if (!words?.length) return hide();
+  if (words.length === 1) return take(words[0]);
+  choices.replaceChildren(
+    ...words.map((word, n) => {
+      const option = document.createElement("li");
+      Object.assign(option, { id: `choice${n}`, textContent: word, onclick: () => take(word) });
+      option.setAttribute("role", "option");
+      return option;
+    }),
+  );
+  choices.hidden = false;
+  chosen = -1;
+  line.setAttribute("aria-expanded", "true");
+  choose(1);
+}
+
+line.oninput = hide;
+line.onkeydown = (event) => {
+  const isOpen = !choices.hidden;
+  const act = {
+    ArrowUp: () => (isOpen ? choose(-1) : recall(-1)),
+    ArrowDown: () => (isOpen ? choose(1) : recall(1)),
+    Escape: isOpen && hide,
+    Enter: isOpen && (() => take(choices.children[chosen].textContent)),
+    // Tab completes a word that was begun, and leaves the line otherwise, as on any page.
+    Tab: !event.shiftKey && (isOpen ? () => choose(1) : /\S$/.test(line.value) && complete),
+  }[event.key];
+  if (!act) return;
+  event.preventDefault();
+  act();
+};
+
+// --- Links and copies ---
+
+async function copy(text, what) {
+  await navigator.clipboard.writeText(text);
+  status.textContent = `${what} copied`;
+}
+document.getElementById("copy").onclick = () => copy(`$ jkroll ${answer.dataset.line}\n${answer.textContent}`, "answer");
+document.getElementById("link").onclick = () => copy(location.href, "link");
+
+line.value = new URLSearchParams(location.search).get("c")?.replace(/^jkroll /, "") ?? line.value;
+ask({}).then(async () => {
+  await run(line.value);
+  document.body.dataset.ready = "yes";
+});

@@ -1,0 +1,103 @@
+"""What the site has beside the pages of the manual: generated pages, a gallery, and the prompt."""
+
+import io
+import re
+import shutil
+import sys
+from contextlib import redirect_stdout
+from pathlib import Path
+from typing import Any
+
+from mkdocs.structure.files import File, Files
+
+from jkroll.cli.process import main
+from jkroll.materials.library import known_materials
+from jkroll.quantities.nomenclature import NOMENCLATURE
+
+HERE = Path(__file__).parent
+sys.path.insert(0, str(HERE))
+from prompt_files import put_prompt  # noqa: E402
+
+CHECKOUT = HERE.parent
+FIGURES = ("2", "3a", "3b", "3c", "3d", "6a", "6b", "8", "9", "laws")
+MAPS = {
+    "Pull-off force of quartz": "map pull-off quartz --x radius=1nm:1mm --y gamma=1mJ/m2:10J/m2 --mark quartz@100nm",
+    "Frequencies": "map frequencies quartz,iron --x radius=10nm:1um --mark quartz@100nm",
+    "A contact under load": "contact quartz 100nm --curve",
+}
+
+
+# --- Pages ------------------------------------------------------------------------------------------------------------
+
+
+def on_files(files: Files, config: Any) -> Files:
+    """Add the generated pages."""
+    pages = {
+        "index.md": home(),
+        "try.md": "# Try it\n\n<iframe class=prompt src=../prompt/ title='a prompt that runs jkroll'></iframe>\n",
+        "all-quantities.md": quantities(),
+        "all-materials.md": materials(),
+        "gallery.md": gallery(),
+        "run.js": (HERE / "run.js").read_text(encoding="utf-8"),
+        "run.css": (HERE / "run.css").read_text(encoding="utf-8"),
+    }
+    for path, text in pages.items():
+        files.append(File.generated(config, path, content=text))
+    return files
+
+
+def home() -> str:
+    """Return the README, with links that hold on the site."""
+    text = (CHECKOUT / "README.md").read_text(encoding="utf-8")
+    text = text.replace("](tests/data/contact.svg)", "](gallery/contact.svg)")
+    text = re.sub(r"\]\(src/jkroll/guide/?([^)]*)\)", lambda match: f"]({match[1] or 'commands.md'})", text)
+    return re.sub(r"\[([^]]*)\]\(\.github/[^)]*\)", r"\1", text)
+
+
+def quantities() -> str:
+    """Return all quantities as a table."""
+    rows = [
+        f"| {quantity.symbol} | `{name}` | {quantity.unit or '1'} | {quantity.sentence} | {quantity.equation or ''} |"
+        for name, quantity in NOMENCLATURE.items()
+    ]
+    head = "# All quantities\n\n| symbol | name | unit | meaning | Eq |\n|---|---|---|---|---|\n"
+    return head + "\n".join(row.replace("|d", "\\|d") for row in rows) + "\n"
+
+
+def materials() -> str:
+    """Return the sheets of all materials."""
+    sheets = (f"## {name}\n\n```text\n{printed(f'materials {name}')}```\n" for name in known_materials().materials)
+    return "# All materials\n\n" + "\n".join(sheets)
+
+
+def gallery() -> str:
+    """Return a page of the figures of the paper and some maps, each below the line that draws it."""
+    lines = {f"Figure {number}": f"figure {number}" for number in FIGURES} | MAPS
+    shown = (
+        f"## {title}\n\n```console\n$ jkroll {line}\n```\n\n![{title}](gallery/{number}.svg)\n"
+        for number, (title, line) in enumerate(lines.items())
+    )
+    return "# Gallery\n\nThe figures of the paper as this program draws them, and maps.\n\n" + "\n".join(shown)
+
+
+def printed(line: str) -> str:
+    """Return what a command prints in a pipe."""
+    stream = io.StringIO()
+    with redirect_stdout(stream):
+        if main(line.split()):
+            raise SystemExit(f"jkroll {line} failed")
+    return stream.getvalue()
+
+
+# --- Files ------------------------------------------------------------------------------------------------------------
+
+
+def on_post_build(config: Any) -> None:
+    """Draw the gallery, and put the prompt beside the pages."""
+    site = Path(config["site_dir"])
+    folder = site / "gallery"
+    folder.mkdir(exist_ok=True)
+    shutil.copy(CHECKOUT / "tests" / "data" / "contact.svg", folder)
+    for number, line in enumerate([*(f"figure {figure}" for figure in FIGURES), *MAPS.values()]):
+        printed(f"{line} -o {folder / f'{number}.svg'}")
+    put_prompt(site / "prompt")

@@ -1,0 +1,103 @@
+"""A headless Chromium, driven by Debian's chromedriver over the WebDriver protocol, and a folder served on loopback."""
+
+import base64
+import json
+import shutil
+import subprocess
+import time
+import urllib.request
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from threading import Thread
+from typing import Any
+
+CHROMIUM, DRIVER = shutil.which("chromium"), shutil.which("chromedriver")
+QUIET = [
+    "--headless=new", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-sync",
+    "--disable-background-networking", "--disable-component-update", "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",
+]  # fmt: skip
+KEYS = {"Enter": "\ue007", "Tab": "\ue004", "ArrowUp": "\ue013", "ArrowDown": "\ue015", "Escape": "\ue00c"}
+
+
+class _Silent(SimpleHTTPRequestHandler):
+    def log_message(self, *_: object) -> None:
+        """Say nothing."""
+
+
+@contextmanager
+def served(folder: Path) -> Iterator[str]:
+    """Serve a folder on loopback; give its address."""
+    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(_Silent, directory=str(folder)))
+    Thread(target=server.serve_forever, daemon=True).start()
+    try:
+        yield f"http://127.0.0.1:{server.server_port}/"
+    finally:
+        server.shutdown()
+        server.server_close()
+
+
+class Browser:
+    """A window of a browser."""
+
+    def __init__(self, port: int, profile: Path) -> None:
+        self.driver = f"http://127.0.0.1:{port}"
+        options = {"binary": CHROMIUM, "args": [*QUIET, f"--user-data-dir={profile}"]}
+        wanted = {"capabilities": {"alwaysMatch": {"browserName": "chrome", "goog:chromeOptions": options}}}
+        self.session = f"/session/{self.call('POST', '/session', wanted)['sessionId']}"
+
+    def call(self, method: str, path: str, body: Any = None) -> Any:
+        """Send a command of the protocol; return its value."""
+        data = None if body is None else json.dumps(body).encode()
+        request = urllib.request.Request(self.driver + path, data, {"Content-Type": "application/json"}, method=method)
+        with urllib.request.urlopen(request, timeout=300) as answer:
+            return json.loads(answer.read())["value"]
+
+    def open(self, address: str, width: int = 1000, height: int = 900) -> None:
+        """Open a page in a window of a size."""
+        self.call("POST", f"{self.session}/window/rect", {"width": width, "height": height})
+        self.call("POST", f"{self.session}/url", {"url": address})
+
+    def script(self, code: str, *arguments: Any) -> Any:
+        """Return what a script returns."""
+        return self.call("POST", f"{self.session}/execute/sync", {"script": code, "args": list(arguments)})
+
+    def wait(self, condition: str, seconds: float = 120) -> None:
+        """Wait until an expression is true."""
+        end = time.monotonic() + seconds
+        while not self.script(f"return Boolean({condition})"):
+            if time.monotonic() > end:
+                raise TimeoutError(condition)
+            time.sleep(0.05)
+
+    def type(self, text: str) -> None:
+        """Type a text, or a key of KEYS, into what has the focus."""
+        element = self.call("GET", f"{self.session}/element/active")
+        self.call(
+            "POST", f"{self.session}/element/{next(iter(element.values()))}/value", {"text": KEYS.get(text, text)}
+        )
+
+    def picture(self, path: Path) -> None:
+        """Save what the window shows."""
+        path.write_bytes(base64.b64decode(self.call("GET", f"{self.session}/screenshot")))
+
+
+@contextmanager
+def browser(profile: Path) -> Iterator[Browser]:
+    """Run a headless browser with a new profile."""
+    assert DRIVER is not None
+    with subprocess.Popen(
+        [DRIVER, "--port=0"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
+    ) as process:
+        assert process.stdout is not None
+        try:
+            line = next(line for line in process.stdout if "successfully on port" in line)
+            window = Browser(int(line.rpartition("port ")[2].rstrip(".\n")), profile)
+            try:
+                yield window
+            finally:
+                window.call("DELETE", window.session)
+        finally:
+            process.terminate()
