@@ -136,6 +136,9 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
             "load_factor": x,
             "contact_radius_at_load": a0 * a_,
             "approach_at_load": delta,
+            "load_ratio": P / P_c,
+            "contact_radius_ratio": a_,
+            "approach_ratio": delta / delta0,
             "stiffness": P_c / delta0 * slope,
             "hertz_pressure": 6 * P_c / (pi * a0**2) * a_,
             "boussinesq_pressure": -2 * P_c / (pi * a0**2) / sqrt(a_),
@@ -155,6 +158,7 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
             "mean_rolling_force": mean_M / R1,
             "r_min": R1 * R2 / xi,
             "n_grav": sqrt(M / (m1 * g * R1)),
+            **({"gravity_moment": m1 * g * R1 * known["monomers"] ** 2} if "monomers" in known else {}),
             "bond_number": P_c / (m1 * g),
             "rolling_frequency": sqrt(k / I) / (2 * pi),
             "rolling_frequency_as_printed": 3 / (2 * pi) * sqrt(gamma / (5 * R1**3 * rho1)),
@@ -427,6 +431,9 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "approach_at_load": lambda delta0, x, s, P, P_c: (
         delta0 * cbrt(x) * ((3 * s - 1) / 2 if s < 0 else (8 * P_c + 9 * P) / (2 * P_c * (1 + 3 * s)))
     ),
+    "load_ratio": lambda P, P_c: P / P_c,
+    "contact_radius_ratio": lambda a, a0: a / a0,
+    "approach_ratio": lambda delta, delta0: delta / delta0,
     "stiffness": lambda E, a, s: 6 * E * a * s / (2 + 3 * s),
     "hertz_pressure": lambda a, E, R: 2 * a * E / (pi * R),
     "boussinesq_pressure": lambda p_H, x: -p_H / (3 * x),
@@ -457,6 +464,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "half_circles_moment": lambda M, E, a, xi, R: M + 2 * E * a * xi**3 / R,
     # chains
     "r_min": lambda R1, R2, xi: R1 * R2 / xi,
+    "gravity_moment": lambda n, m1, g, R1: m1 * g * R1 * n**2,
     "n_grav": lambda M, m1, g, R1: sqrt(M / (m1 * g * R1)),
     "bond_number": lambda P_c, m1, g: P_c / (m1 * g),
     # vibrations

@@ -3,6 +3,7 @@
 import json
 import math
 import re
+from fractions import Fraction
 
 import pytest
 from scipy.integrate import quad  # type: ignore[import-untyped]
@@ -57,6 +58,45 @@ def test_what_comes_first(run: Run, words: str, said: str) -> None:
     assert said in run(f"resistances {words}").err
 
 
+def test_turns_of_a_sphere_that_arrives(run: Run) -> None:
+    """At a speed it does not spin yet: its own number stands first, and the others are said to be those of another sphere."""
+    ran = run("n-roll quartz 1um --speed 5cm/s")
+    assert [line.split()[0] for line in ran.out.splitlines()] == [
+        "n_roll_after_impact", "n_roll", "n_roll_energy_balance"
+    ]  # fmt: skip
+    said = "a sphere that arrives at a speed does not spin yet: it turns n_imp times; n_roll and n_bal are those of one that"
+    for words in (
+        "n-roll quartz 1um --speed 5cm/s",
+        "n-roll quartz 1um,2um --speed 5cm/s",
+        "report quartz 1um --speed 5cm/s",
+    ):
+        assert said in run(words).err
+    assert "does not spin" not in run("n-roll quartz 1um --energy 1aJ").err
+
+
+def test_moment_of_a_chain(run: Run) -> None:
+    """Eq 29 at the number of Eq 30 is the moment at which the first contact rolls."""
+    spheres, moment = solve(["n_grav", "yield_moment"], **QUARTZ, radius2=3e-7).values()
+    assert solve("gravity_moment", monomers=spheres, **QUARTZ, radius2=3e-7) == approx(moment, rel=1e-14)
+    assert "gravity_moment" in run("n-grav quartz 100nm --monomers 500").out
+    assert "gravity_moment" not in run("n-grav quartz 100nm").out
+
+
+@pytest.mark.parametrize("model", ["jkr", "maugis", "dmt"])
+def test_ratios_of_a_state(run: Run, model: str) -> None:
+    """Eq 4: -1 at pull-off in every law, and 1 without load; by Eqs 5 and 6 JKR's radius and approach at pull-off."""
+    least = -solve("pull_off_force", model=model, **QUARTZ)
+    names = ["load_ratio", "contact_radius_ratio", "approach_ratio"]
+    assert [*solve(names, model=model, **QUARTZ).values()] == approx([0, 1, 1], rel=1e-12)
+    at_pull_off = solve(names, model=model, load=least, **QUARTZ)
+    assert at_pull_off["load_ratio"] == approx(-1, rel=1e-12)
+    if model == "jkr":
+        assert at_pull_off["contact_radius_ratio"] == approx(2 ** (-2 / 3), rel=1e-7)
+        assert at_pull_off["approach_ratio"] == approx(-(2 ** (-4 / 3)), rel=1e-7)
+    assert "load_ratio" in run(f"contact quartz 100nm --load -5nN --model {model}").out
+    assert "load_ratio" not in run(f"contact quartz 100nm --model {model}").out
+
+
 def test_a_sweep_and_another_law(run: Run) -> None:
     lines = run("resistances quartz,iron 100nm --bare --quantities sliding_force").out.splitlines()
     assert [float(line) for line in lines] == [
@@ -92,19 +132,28 @@ def test_sources_of_aggregates_are_cited(run: Run) -> None:
 
 
 @pytest.mark.parametrize(
-    ("power", "step", "kept"),
-    [(0.0, -1 / 3, "pull_off_force"), (2 / 5, -2 / 5, "sticking_energy"), (1.0, -1 / 2, "tabor_parameter")],
+    ("power", "step", "slide", "slide_at_strength", "kept"),
+    [
+        (0.0, -1 / 3, 1 / 3, -2 / 3, "pull_off_force"),
+        (2 / 5, -2 / 5, 3 / 5, -2 / 5, "sticking_energy"),
+        (1.0, -1 / 2, 1.0, 0.0, "tabor_parameter"),
+    ],
 )
-def test_softer_grains(power: float, step: float, kept: str) -> None:
-    """The recipe of `guide dem`: γ q^power and ξ q^-power keep a quantity and the moment, and set the time step."""
+def test_softer_grains(power: float, step: float, slide: float, slide_at_strength: float, kept: str) -> None:
+    """The recipe of `guide dem`: γ q^power and ξ q^-power keep a quantity and the moment, and set time step and friction."""
     q, xi = 0.01, 2e-10
-    names = [kept, "yield_moment", "sliding_frequency"]
+    names = [kept, "yield_moment", "sliding_frequency", "sliding_force"]
     before = solve(names, **QUARTZ, xi=xi)
-    softer = {**QUARTZ, "youngs_modulus": q * 54e9, "surface_energy": 0.025 * q**power}
-    after = solve(names, **softer, xi=xi * q**-power)
+    softer = {**QUARTZ, "youngs_modulus": q * 54e9, "surface_energy": 0.025 * q**power, "xi": xi * q**-power}
+    after = solve(names, **softer)
     for name in (kept, "yield_moment"):
         assert math.isclose(after[name], before[name], rel_tol=1e-12)
     assert math.isclose(before["sliding_frequency"] / after["sliding_frequency"], q**step, rel_tol=1e-12)
+    assert math.isclose(after["sliding_force"] / before["sliding_force"], q**slide, rel_tol=1e-12)
+    held, held_softer = (solve("sliding_force", **scene, shear_strength=1e8) for scene in (QUARTZ, softer))
+    assert math.isclose(held_softer / held, q**slide_at_strength, rel_tol=1e-12)
+    factor = f"q^({Fraction(slide).limit_denominator(9)})" if slide % 1 else "q"
+    assert f"× {factor} |" in page("dem")
 
 
 def test_loss_of_a_collision_in_lammps() -> None:

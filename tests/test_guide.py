@@ -9,8 +9,10 @@ from pathlib import Path
 import pytest
 
 from harness import Run
+from jkroll import solve
 from jkroll.cli.commands import COMMANDS
 from jkroll.output.manual import page, topics
+from relative import approx
 from transcripts import copied, exit_code, printed, rounded, transcripts
 
 FORCE_CURVE = Path(__file__).parent / "data" / "force_curve.csv"
@@ -96,3 +98,32 @@ def test_the_word_of_an_option_is_the_name(run: Run, word: str) -> None:
     assert run("pull-off", "quartz", "100nm", "--quantities", "contact-modulus").out.startswith("contact_modulus ")
     refused = run("pull-off", "100nm", "--gamma", "25mJ/m2", "--quantities", word)
     assert refused.err == "jkroll: --quantities: surface_energy is an input here\n"
+
+
+def test_claims_of_the_text() -> None:
+    """The radii of `guide paper` are those at which the formulas give what the claims have, within their last digit."""
+    text = PAGES["paper"]
+
+    def stated(pattern: str) -> list[tuple[str, str]]:
+        """Return the numbers that a sentence has, each with its material."""
+        [found] = re.findall(pattern, text)
+        return list(zip(("iron", "graphite", "polystyrene", "quartz"), found.split(", "), strict=True))
+
+    def near(name: str, material: str, radius: str) -> float:
+        return float(solve(name, material=material, radius=radius))
+
+    for pattern, name in ((r"R1 = ([^;|]*) by Eq 49", "n_roll"), (r"7/2 of it, ([^|]*) \|", "n_roll_energy_balance")):
+        for material, radius in stated(pattern):
+            assert near(name, material, radius) == approx(1, rel=0.01)
+    for material, radius in stated(r"P_c, up to R1 = ([^|]*) at τ"):
+        force, slide = solve(["pull_off_force", "sliding_force"], material=material, radius=radius).values()
+        assert slide == approx(force, rel=2e-3)
+    for material, ratio in stated(r"T_peel = ([^|]*) P_c;"):
+        force, peel = solve(["pull_off_force", "peeling_force"], material=material, radius=1e-7).values()
+        assert peel / force == approx(float(ratio), rel=5e-3)
+    for material, radius in stated(r"50 Å at R1 = ([^|]*), and goes"):
+        assert near("contact_radius", material, radius) == approx(5e-9, rel=0.02)
+    for material, frequency in stated(r"([.\d, ]*) GHz at R1 = 100 nm"):
+        assert near("vertical_frequency", material, "100nm") == approx(1e9 * float(frequency), rel=0.02)
+    ten, hundred = (near("vertical_frequency", "quartz", radius) for radius in ("10nm", "100nm"))
+    assert round(ten / hundred) == 15

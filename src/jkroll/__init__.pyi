@@ -39,13 +39,16 @@ from .physics.collision import n_roll_after_impact as n_roll_after_impact
 from .physics.collision import n_roll_energy_balance as n_roll_energy_balance
 from .physics.contact import approach as approach
 from .physics.contact import approach_at_load as approach_at_load
+from .physics.contact import approach_ratio as approach_ratio
 from .physics.contact import boussinesq_pressure as boussinesq_pressure
 from .physics.contact import boussinesq_pressure_at_approach as boussinesq_pressure_at_approach
 from .physics.contact import contact_radius as contact_radius
 from .physics.contact import contact_radius_at_load as contact_radius_at_load
+from .physics.contact import contact_radius_ratio as contact_radius_ratio
 from .physics.contact import hertz_pressure as hertz_pressure
 from .physics.contact import load_factor as load_factor
 from .physics.contact import load_margin as load_margin
+from .physics.contact import load_ratio as load_ratio
 from .physics.contact import pressure as pressure
 from .physics.contact import pull_off_force as pull_off_force
 from .physics.contact import pull_off_force_dmt as pull_off_force_dmt
@@ -117,6 +120,7 @@ from .physics.pair import rolling_mass as rolling_mass
 from .physics.pair import work_of_adhesion as work_of_adhesion
 from .physics.rolling import bond_number as bond_number
 from .physics.rolling import fixed_approach_moment as fixed_approach_moment
+from .physics.rolling import gravity_moment as gravity_moment
 from .physics.rolling import half_circles_moment as half_circles_moment
 from .physics.rolling import mean_rolling_force as mean_rolling_force
 from .physics.rolling import mean_rolling_moment as mean_rolling_moment

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from ..quantities.values import Uncertain
     from ..scene.uncertainty import Propagated, Source, Sources
 
+_OF_SPINNING = ("n_roll", "n_roll_energy_balance")  # of a sphere that spins from the start
 MAX_NAMES = 3  # of quantities in a note
 LOST = 0.01  # part of the values of uncertain inputs from which on a note says that they have no contact
 CUTOFFS = (4e-10, 1.65e-10)  # the spacing of solids, and the convention: w at the one that was not given
@@ -269,7 +270,13 @@ def about_conventions(scene: Scene, names: Sequence[str]) -> list[Note]:
         is_implied = scene.is_identical and name == "rolling_frequency_no_slip"
         if NOMENCLATURE[name].note and not is_implied:
             by_note.setdefault(NOMENCLATURE[name].note, []).append(symbol_of(name))
-    return [Note("result", f"{', '.join(symbols)}: {note}") for note, symbols in by_note.items()]
+    notes = [Note("result", f"{', '.join(symbols)}: {note}") for note, symbols in by_note.items()]
+    spinning = [symbol_of(name) for name in _OF_SPINNING if name in names]
+    if spinning and "speed" in scene.stated:
+        are = "are those" if spinning[1:] else "is that"
+        text = f"a sphere that arrives at a speed does not spin yet: it turns n_imp times; {listed(spinning)} {are} of one that rolls from the start, with this W0"
+        notes.insert(0, Note("caveat", text))
+    return notes
 
 
 def _about_noted(results: Iterable[Result], noted: Collection[str]) -> Iterator[Note]:

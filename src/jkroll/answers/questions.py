@@ -45,7 +45,7 @@ _QUESTIONS = {
         ),
     ),
     "r-min": Question(("r_min",), ("r_min",)),
-    "n-grav": Question(("n_grav",), ("n_grav", "bond_number")),
+    "n-grav": Question(("n_grav",), ("n_grav", "gravity_moment", "bond_number")),
     "frequencies": Question(
         ("vertical_frequency", "rolling_frequency"),
         (
@@ -58,7 +58,7 @@ _QUESTIONS = {
         ),
         noted=("rolling_frequency_as_printed",),
     ),
-    "n-roll": Question(("n_roll",), ("n_roll", "n_roll_energy_balance", "n_roll_after_impact")),
+    "n-roll": Question(("n_roll",), ("n_roll_after_impact", "n_roll", "n_roll_energy_balance")),
     "contact": Question(
         ("contact_radius_at_load", "approach_at_load"),
         (
@@ -67,6 +67,9 @@ _QUESTIONS = {
             "load",
             "contact_radius_at_load",
             "approach_at_load",
+            "load_ratio",
+            "contact_radius_ratio",
+            "approach_ratio",
             "stiffness",
             "hertz_pressure",
             "boussinesq_pressure",
@@ -92,7 +95,7 @@ _QUESTIONS = {
     ),
 }
 # What stands beside a headline and contradicts it; Eq (41) as printed does so in `frequencies` alone.
-_BESIDE = ("n_roll_energy_balance",)
+_BESIDE = ("n_roll_energy_balance", "n_roll_after_impact")
 _REPORT = Question(
     tuple(name for question in _QUESTIONS.values() for name in question.headline),
     tuple(

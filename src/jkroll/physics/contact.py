@@ -167,6 +167,57 @@ def approach_at_load(
     return unit * where(load_margin < 0, (3 * load_margin - 1) / 2, ratio)
 
 
+def load_ratio(*, load: Force, pull_off_force: Force) -> Number:
+    """Return the load over the pull-off force.
+
+        P/P_c
+
+    load  [N]  any; tension is negative
+
+    Source:   Eq (4).
+    Valid:    −1 at pull-off.
+    Accuracy: 0.5 ulp above P and P_c.
+
+    >>> load_ratio(load=-3.0, pull_off_force=4.0)
+    -0.75
+    """
+    return load / pull_off_force
+
+
+def contact_radius_ratio(*, contact_radius_at_load: Length, contact_radius: Length) -> Number:
+    """Return the radius of the contact circle over that without load.
+
+        a/a0
+
+    contact_radius_at_load  [m]  ≥ 0
+
+    Source:   Eq (4).
+    Valid:    In JKR 0.630 at pull-off and 0.303 where fixed grips let go.
+    Accuracy: 0.5 ulp above a and a0.
+
+    >>> contact_radius_ratio(contact_radius_at_load=3.0, contact_radius=4.0)
+    0.75
+    """
+    return contact_radius_at_load / contact_radius
+
+
+def approach_ratio(*, approach_at_load: Length, approach: Length) -> Number:
+    """Return the approach of the centres over that without load.
+
+        δ/δ0
+
+    approach_at_load  [m]  any
+
+    Source:   Eq (4).
+    Valid:    In JKR −0.397 at pull-off and −0.825 where fixed grips let go.
+    Accuracy: 0.5 ulp above δ and δ0.
+
+    >>> approach_ratio(approach_at_load=-3.0, approach=4.0)
+    -0.75
+    """
+    return approach_at_load / approach
+
+
 def stiffness(*, contact_modulus: Stress, contact_radius_at_load: Length, load_margin: Number) -> Stiffness:
     """Return the normal stiffness of the contact: (6/5)E*a0 without load, 0 at pull-off.
 

@@ -271,6 +271,21 @@ def r_min(*, radius: Length, radius2: Length, yield_displacement: Length) -> Len
     return radius * (radius2 / yield_displacement)
 
 
+def gravity_moment(*, monomers: Number, mass: Mass, gravity: Acceleration, radius: Length) -> Moment:
+    """Return the moment with which N spheres 1 that hang level from a fixed body 2 turn the first contact.
+
+        M_grav = m1 g R1 N²
+
+    Source:   Eq (29).
+    Valid:    A straight chain, all of one mass. It rolls where M_grav exceeds M, beyond N_grav spheres.
+    Accuracy: 2.5 ulp above m1.
+
+    >>> gravity_moment(monomers=3.0, mass=2.0, gravity=10.0, radius=1.0)
+    180.0
+    """
+    return mass * gravity * radius * monomers**2
+
+
 def n_grav(*, yield_moment: Moment, mass: Mass, gravity: Acceleration, radius: Length) -> Number:
     """Return the number of spheres 1 that hang level from a fixed body 2 before the first contact rolls.
 

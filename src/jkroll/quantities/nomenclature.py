@@ -119,7 +119,7 @@ OF_DEM: Mapping[str, Quantity] = {
     "sliding_friction_coefficient": Quantity("μ_slide", "1", "coefficient of sliding friction in LAMMPS"),
     "twisting_friction_coefficient": Quantity("μ_twist", "m", "coefficient of twisting friction in LAMMPS, a length"),
     # aggregates
-    "monomers": Quantity("N", "1", "number of grains of an aggregate", range=SEVERAL, option="--monomers", example="1000"),
+    "monomers": Quantity("N", "1", "number of grains of an aggregate or a chain", range=SEVERAL, option="--monomers", example="1000"),
     "contacts": Quantity("n_c", "1", "number of contacts of an aggregate", range=POSITIVE, option="--contacts", example="2500"),
     "filling_factor": Quantity("φ", "1", "filling factor of an aggregate", range=LOOSE, option="--filling-factor", example="0.1"),
     "restructuring_energy": Quantity(
@@ -251,6 +251,9 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
             "δ", "m", "approach of the centres at the load", "6", range=FINITE, option="--approach", example="0.05nm",
             may_be_zero=True,
         ),
+        "load_ratio": Quantity("P/P_c", "1", "load over the pull-off force", "4", range=FINITE, may_be_zero=True, shown_with=STATE_OR_LOAD),
+        "contact_radius_ratio": Quantity("a/a0", "1", "contact radius over that without load", "4", may_be_zero=True, shown_with=STATE_OR_LOAD),
+        "approach_ratio": Quantity("δ/δ0", "1", "approach over that without load", "4", range=FINITE, may_be_zero=True, shown_with=STATE_OR_LOAD),
         "load_at_factor": Quantity("P", "N", "load that holds the contact", "5", may_be_zero=True, variant_of="load"),
         "load_margin_of_factor": Quantity("s", "1", "√(1 + P/P_c)", "5", may_be_zero=True, variant_of="load_margin"),
         "load_margin_at_approach": Quantity("s", "1", "√(1 + P/P_c) at the approach", "6", may_be_zero=True, variant_of="load_margin"),
@@ -289,6 +292,7 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "mean_rolling_force": Quantity("⟨Q⟩", "N", "mean force against steady rolling", "44"),
         # chains
         "r_min": Quantity("R_min", "m", "smallest curvature radius of a chain", "28"),
+        "gravity_moment": Quantity("M_grav", "N m", "moment of a level chain on its first contact", "29", shown_with=["monomers"]),
         "n_grav": Quantity("N_grav", "1", "spheres of the longest level chain", "30"),
         "bond_number": Quantity("Bo", "1", "pull-off force over the weight of sphere 1"),
         "adhesion_hysteresis": Quantity(
