@@ -274,7 +274,7 @@ def _content(name: str, value: Any) -> Any:
     xarray and dask hold Quantities, and numpy would drop their units. Any other unit raises QuantityError: that of
     astropy or unyt, and one that is a word among the attributes of an array.
     """
-    if isinstance(value, _PLAIN) or hasattr(value, "m_as") or is_uncertain(value):
+    if isinstance(value, _PLAIN) or hasattr(value, "m_as") or hasattr(value, "std_dev") or is_uncertain(value):
         return value
     if isinstance(value, list | tuple):
         return [_content(name, item) for item in value]
