@@ -80,7 +80,7 @@ def over_this_law(scene: Scene, names: Collection[str]) -> dict[str, dict[str, f
     law, other = scene.law.name, by_law(scene)
     half = at_half_spacing(other).numbers(*values)
     rolling = [name for name in values if XI in depends_on([name], [BETWEEN])]
-    reading = at_other_reading(scene, other) if rolling else None
+    reading = at_other_reading(scene) if rolling else None
     readings = reading.numbers(*rolling) if reading is not None else {}
     keys = (f"over_{law}_at_equal_displacement", f"over_{law}_at_equal_hysteresis")
     found: dict[str, dict[str, float | None]] = {}

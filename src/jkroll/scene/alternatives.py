@@ -1,6 +1,6 @@
 """Scenes that may stand in place of the one that was asked: the same under another law of attraction, and how far their answers differ."""
 
-from collections.abc import Collection, Iterable
+from collections.abc import Callable, Collection, Iterable
 from functools import reduce
 from typing import Any
 
@@ -12,6 +12,18 @@ from .scene import DEFAULTS, IN_ITS_PLACE, LEAST, MOST, Scene
 from .wiring import depends_on
 
 
+def _kept(make: Callable[[Scene], Scene]) -> Callable[[Scene], Scene]:
+    """Return a function that makes an alternative of a scene once."""
+
+    def alternative(scene: Scene) -> Scene:
+        if make.__name__ not in scene.alternatives:
+            scene.alternatives[make.__name__] = make(scene)
+        return scene.alternatives[make.__name__]
+
+    return alternative
+
+
+@_kept
 def by_law(scene: Scene) -> Scene:
     """Return the scene under the law that holds between JKR and DMT; under that law, by JKR. The atomic spacing is as given or assumed."""
     if scene.law.name == BETWEEN:
@@ -19,6 +31,7 @@ def by_law(scene: Scene) -> Scene:
     return scene.replace(model=BETWEEN, atomic_spacing=scene["atomic_spacing"])
 
 
+@_kept
 def at_half_spacing(scene: Scene) -> Scene:
     """Return a scene whose atomic spacing is half as large."""
     return scene.replace(atomic_spacing=scene["atomic_spacing"] / 2)
@@ -29,9 +42,9 @@ def is_at_displacement(scene: Scene) -> bool:
     return scene.given.keys().isdisjoint(IN_ITS_PLACE[1:])
 
 
-def at_other_reading(scene: Scene, other: Scene) -> Scene | None:
-    """Return a scene of another law with the other of equal displacement and equal hysteresis; None without a contact."""
-    needed = ("adhesive_force", "zone_radius")
+def at_other_reading(scene: Scene) -> Scene | None:
+    """Return the scene under the other law with the other of equal displacement and equal hysteresis; None without a contact."""
+    other, needed = by_law(scene), ("adhesive_force", "zone_radius")
     own, theirs = scene.numbers(XI, *needed), other.numbers(*needed)
     if len(own) <= len(needed) or len(theirs) < len(needed):
         return None
@@ -42,7 +55,8 @@ def at_other_reading(scene: Scene, other: Scene) -> Scene | None:
     is_known = (displacement >= LEAST) & (displacement <= MOST)
     where_none = own[XI] if is_at_displacement(scene) else DEFAULTS[XI]  # where there is no contact
     displacement = where(is_known, displacement, where_none)
-    return other.replace(**{**dict.fromkeys(IN_ITS_PLACE), XI: displacement})
+    changed = other.replace(**{**dict.fromkeys(IN_ITS_PLACE), XI: displacement})
+    return changed.with_results_of(other, IN_ITS_PLACE)
 
 
 def uses_law(scene: Scene, name: str) -> bool:
@@ -61,7 +75,7 @@ def factor_of_law(scene: Scene, names: Collection[str]) -> Any:
     missing = other.missing([*names])
     own = scene.numbers(*(name for name in names if name not in missing and uses_law(other, name)))
     rolling = [name for name in own if XI in depends_on([name], [BETWEEN])]
-    reading = at_other_reading(scene, other) if rolling else None
+    reading = at_other_reading(scene) if rolling else None
     compared = [*other.evaluate([*own]).items()]
     if reading is not None:
         compared += reading.evaluate(rolling).items()

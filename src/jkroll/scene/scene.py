@@ -213,6 +213,9 @@ class Scene:
         self._gaps: set[str] = set()  # quantities of which some elements are no answer
         self._plan = NO_PLAN
         self.known = frozenset(self.values)
+        self.alternatives: dict[
+            str, Scene
+        ] = {}  # that may stand in its place, by their kind, made when they are asked for
 
     def replace(self, **values: Any) -> "Scene":
         """Return the scene with other values of inputs, of which None takes one away; `model` is its law of attraction.
@@ -232,6 +235,22 @@ class Scene:
             spheres[sphere] = material.with_properties(changed)
         given = {name: value for name, value in stated.items() if value is not None}
         return Scene(given, *spheres.values(), model=model)
+
+    def with_results_of(self, other: "Scene", changed: Collection[str]) -> "Scene":
+        """Return the scene with the results of another one of the same law that do not follow from some inputs.
+
+        Between laws most of the cost is the state of the contact, from which no displacement follows.
+        """
+        changed = {*changed}
+        for name, _, arguments in other._plan.steps:
+            if name in changed or not changed.isdisjoint(source for _, source in arguments):
+                changed.add(name)
+            elif name in other.values:
+                self.values[name] = other.values[name]
+            elif name in other._failures:
+                self._failures[name] = other._failures[name]
+        self._gaps |= other._gaps - changed
+        return self
 
     @property
     def materials(self) -> list[tuple[Material, int]]:
