@@ -230,7 +230,7 @@ def test_plain_lines_have_name_value_unit(run: Run) -> None:
     assert [line[0] for line in lines] == ["yield_force", "yield_force_ratio", "yield_moment", "yield_angle"]
     assert all(float(line[1]) > 0 for line in lines)
     assert [line[2:] for line in lines] == [["N"], [], ["N m"], ["rad"]]
-    assert ran.err.startswith("note: ξ = 200 pm (--xi) is the paper's; ")
+    assert ran.err.startswith("note: ξ = 200 pm (--xi) is assumed; ")
 
 
 def test_quiet(run: Run) -> None:

@@ -38,8 +38,11 @@ def test_as_dict_is_the_object_of_json(run: Run, words: str, wanted: str | list[
     assert [*found.notes] == printed["notes"]
     unmet = [each for each in printed["validity"] if not each["holds"]]
     assert len(found.doubts) == len(unmet)
+    assert {one.code: (one.value, one.limit, one.factor) for one in found.doubts} == {
+        each["code"]: (each["value"], each["limit"], each["factor"]) for each in unmet
+    }
     unmet.sort(key=lambda each: -(each["factor"] or math.inf))
-    assert all(each["text"] in text for each, text in zip(unmet, found.doubts, strict=True))
+    assert all(each["text"] in str(text) for each, text in zip(unmet, found.doubts, strict=True))
 
 
 def test_error_bars_and_units() -> None:

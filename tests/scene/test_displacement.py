@@ -1,22 +1,25 @@
-"""What the assumed yield displacement is worth, and hysteresis of adhesion as a part of the work of adhesion."""
+"""What forces that were measured mean in place of the assumed yield displacement, and hysteresis of adhesion as a part of w."""
 
 import json
 import random
-from math import log, pi, sqrt
+from math import pi, sqrt
+from typing import Any
 
 import pytest
 
 from harness import Run
-from jkroll.answers.displacement import FORCES, PAIR, SCALED, worth
-from jkroll.answers.results import Note
+from jkroll.answers.alternatives import about_displacement, by_data, displacement_in_full
 from jkroll.materials.library import known_materials
-from jkroll.quantities.values import value_of
+from jkroll.quantities.values import Interval, value_of
+from jkroll.scene.alternatives import FORCES, ROLLED, at_least_measured, at_most_measured, rolled_solid
 from jkroll.scene.scene import Scene
 from relative import approx
 from tools.measurements import MEASUREMENTS
 
+SIZES = (1e-7, 3e-6)
 
-def of(material: str, radius: float, **given: float) -> Scene:
+
+def of(material: str, radius: float, **given: Any) -> Scene:
     return Scene({"radius": radius, **given}, known_materials()[material])
 
 
@@ -28,97 +31,110 @@ def test_the_forces_are_those_that_are_compared() -> None:
     assert approx((min(middles), max(middles))) == FORCES
 
 
-def test_at_the_pairs_that_were_measured_the_displacement_gives_their_forces() -> None:
-    for material in ("quartz", "silica-dry", "silica-humid"):
-        scene = of(material, PAIR["radius"])
-        found = worth(scene, ["yield_force"])
-        assert found is not None
-        assert found.here is not None
-        assert found.here == approx([force / (6 * pi * scene["surface_energy"]) for force in FORCES])
-        assert [ratio * scene["yield_force"] for ratio in found.factors["yield_force"]] == approx(FORCES)
+def ends(scene: Scene, name: str) -> tuple[float, float]:
+    """Return the ends of a range by measured forces."""
+    found = by_data(scene, [name]).values[name]
+    assert isinstance(found, Interval)
+    return found.low, found.high
 
 
-def test_another_solid_takes_over_the_displacement_and_not_the_force() -> None:
-    found = worth(of("ice-warm", PAIR["radius"]), ["yield_force"])
-    assert found is not None
-    assert found.at_pair == approx([force / (6 * pi * PAIR["surface_energy"]) for force in FORCES])
+@pytest.mark.parametrize("model", ["jkr", "maugis"])
+@pytest.mark.parametrize("material", ["quartz", "silica-humid"])
+def test_at_the_spheres_that_were_rolled_stand_their_forces(material: str, model: str) -> None:
+    """With any surface energy: a displacement follows from the force and from γ, so that the force has no error bar from γ."""
+    scene = of(material, ROLLED["radius"]).replace(model=model)
+    assert rolled_solid(scene) == "SiO2"
+    assert ends(scene, "yield_force") == approx(FORCES)
+    assert ends(
+        of("quartz", ROLLED["radius"], surface_energy=value_of("22±3 mJ/m2", "surface_energy")), "yield_force"
+    ) == approx(FORCES)
+
+
+def test_the_displacement_is_that_of_the_force() -> None:
+    scene = of("quartz", ROLLED["radius"])
+    found = [end(scene)["yield_displacement"] for end in (at_least_measured, at_most_measured)]
+    assert found == approx([force / (6 * pi * 0.025) for force in FORCES])
 
 
 @pytest.mark.parametrize("model", ["jkr", "maugis"])
 def test_each_quantity_follows_by_its_own_power(model: str) -> None:
-    names = ["yield_force", "n_grav", "r_min", "n_roll", "pull_off_force"]
     scene = of("quartz", 3e-7).replace(model=model)
-    found = worth(scene, names)
-    assert found is not None
-    assert found.here is not None
-    low, high = (end / 2e-10 for end in found.here)
+    low, high = (end(scene)["yield_displacement"] / 2e-10 for end in (at_least_measured, at_most_measured))
     powers = {"yield_force": 1.0, "n_grav": 0.5, "r_min": -1.0, "n_roll": -1.0}
-    assert found.factors == {name: approx((low**power, high**power)) for name, power in powers.items()}
+    for name, power in powers.items():
+        assert ends(scene, name) == approx(sorted(scene[name] * end**power for end in (low, high)))
+    assert "pull_off_force" not in by_data(scene, ["pull_off_force", "yield_force"]).values
 
 
 def test_between_two_scalings() -> None:
     random.seed(1)
+    here = [end(of("quartz", ROLLED["radius"]))["yield_displacement"] for end in (at_least_measured, at_most_measured)]
     for _ in range(20):
-        radius = random.uniform(*SCALED)
-        found = worth(of("quartz", radius), ["yield_force"])
-        assert found is not None
-        assert found.here is not None
-        one, other = radius / PAIR["radius"], (radius / PAIR["radius"]) ** (2 / 3)
-        assert found.here[0] == approx(found.at_pair[0] * min(one, other))
-        assert found.here[1] == approx(found.at_pair[1] * max(one, other))
-        assert found.size == approx(max(abs(log(ratio)) for ratio in found.factors["yield_force"]))
+        radius = random.uniform(*SIZES)
+        scene = of("quartz", radius)
+        ratios = [radius / ROLLED["radius"], (radius / ROLLED["radius"]) ** (2 / 3)]
+        assert at_least_measured(scene)["yield_displacement"] == approx(here[0] * min(ratios))
+        assert at_most_measured(scene)["yield_displacement"] == approx(here[1] * max(ratios))
 
 
 def test_a_sphere_on_a_plane_counts_by_the_reduced_radius() -> None:
-    on_plane = worth(of("quartz", 2e-7, radius2=float("inf")), ["yield_force"])
-    pair = worth(of("quartz", 4e-7), ["yield_force"])
-    assert on_plane is not None
-    assert pair is not None
-    assert on_plane.here == approx(pair.here)
+    on_plane, pair = of("quartz", 2e-7, radius2=float("inf")), of("quartz", 4e-7)
+    assert at_most_measured(on_plane)["yield_displacement"] == approx(at_most_measured(pair)["yield_displacement"])
 
 
-def test_where_nothing_is_said_of_it() -> None:
-    assert worth(of("quartz", 5e-8), ["yield_force"]) is None  # small spheres
-    assert worth(of("quartz", 1e-6), ["pull_off_force", "yield_displacement"]) is None
-    assert worth(of("quartz", 1e-6, yield_displacement=2e-10), ["yield_force"]) is None
-    assert worth(of("quartz", 1e-6, hysteresis_fraction=0.4), ["yield_force"]) is None
-    above = worth(of("quartz", 4e-6), ["yield_force"])
-    assert above is not None
-    assert above.here is None
+def test_polystyrene_has_its_own() -> None:
+    scene = of("polystyrene", 5e-6, radius2=float("inf"))
+    assert rolled_solid(scene) == "polystyrene"
+    assert ends(scene, "yield_force") == approx([scene["yield_force"] * 42e-9 / 2e-10] * 2)
 
 
-def words(scene: Scene, *names: str) -> Note:
-    found = worth(scene, names)
-    assert found is not None
-    return found.note(names)
+@pytest.mark.parametrize(
+    ("material", "radius", "given"),
+    [
+        ("quartz", 5e-8, {}),  # small spheres
+        ("quartz", 4e-6, {}),
+        ("ice-warm", 1e-6, {}),  # whose γ was scaled from rolling forces
+        ("silica-dry", 1e-6, {}),  # whose γ is not that of the spheres that were rolled
+        ("quartz", 1e-6, {"surface_energy": 0.05}),
+        ("quartz", 1e-6, {"yield_displacement": 2e-10}),
+        ("quartz", 1e-6, {"hysteresis_fraction": 0.4}),
+    ],
+)
+def test_where_nothing_of_the_solid_was_measured(material: str, radius: float, given: dict[str, float]) -> None:
+    assert rolled_solid(of(material, radius, **given)) == ""
+
+
+def words(scene: Scene, *names: str) -> str:
+    note = about_displacement(scene, names)
+    assert note is not None
+    assert note.kind == "displacement"
+    return note.text
 
 
 def test_words() -> None:
-    large = words(of("quartz", 0.95e-6), "yield_force", "r_min", "n_grav")
-    assert large.text == (
-        "ξ = 200 pm (--xi) is the paper's; forces on SiO2 of 1 µm mean 1.8–2.6 nm: Q × 9–13, R_min / 9–13, N_grav × 3–3.6"
+    assert words(of("quartz", ROLLED["radius"]), "yield_force") == (
+        "ξ = 200 pm (--xi) is assumed; Q = 850–1200 pN by forces on SiO2 of 1 µm; above Q = 900 pN adhesion hysteresis cannot supply the moment"
     )
-    assert large.kind == "displacement"
-    assert words(of("quartz", 1e-7), "yield_force").text.endswith(
-        "1.8–2.6 nm, 0.19–0.57 nm here by our scalings, R^(2/3) to R: Q × 0.95–2.9"
-    )
-    assert "no measurement supports it here: polystyrene has 42 nm at 5 µm" in words(of("quartz", 1e-5), "r_min").text
-    small = words(of("silica-dry", PAIR["radius"]), "yield_force")
-    assert small._replace(size=None) == Note(
-        "displacement", "ξ = 200 pm (--xi) is the paper's; by forces on SiO2 Q × 1.1–1.6"
-    )
+    scaled = words(of("quartz", 1e-7), "yield_force")
+    assert "Q = 89–270 pN by forces on SiO2 of 1 µm (850–1200 pN), scaled by our rule (R^(2/3) to R)" in scaled
+    assert words(of("ice-warm", 1e-6), "r_min").endswith("is assumed: none of ice-warm was measured at this size")
+    assert "polystyrene has 42 nm at 5 µm" in words(of("quartz", 1e-5), "r_min")
+    assert about_displacement(of("quartz", 5e-8), ["yield_force"]) is None
+    assert about_displacement(of("quartz", 1e-6), ["pull_off_force"]) is None
 
 
 def test_it_is_said_at_the_prompt_in_explanations_and_in_json(run: Run) -> None:
-    lead = "note: ξ = 200 pm (--xi) is the paper's; forces on SiO2 of 1 µm mean 1.8–2.6 nm"
-    assert run("yield-force quartz 0.95um").err.startswith(lead)
+    lead = "note: ξ = 200 pm (--xi) is assumed; Q = 850–1200 pN by forces on SiO2 of 1 µm"
+    assert lead in run("yield-force quartz 0.95um").err
     assert lead in run("yield-force quartz 0.95um --explain").out
-    assert run("yield-force quartz,iron 0.95um --csv").err.count(lead) == 1
+    assert run("yield-force quartz,iron 0.95um --csv").err.count("forces on SiO2 of 1 µm mean 1.8–2.6 nm") == 1
     found = json.loads(run("yield-force quartz 0.95um --json").out)
     assert any(text.startswith(lead.removeprefix("note: ")) for text in found["notes"])
-    assert found["displacement"]["over_assumed"]["yield_force"] == approx(
-        [force / 94.2478e-12 for force in FORCES], rel=1e-5
-    )
+    assert found["displacement"]["values"]["yield_force"] == approx(FORCES)
+    over = found["displacement"]["over_assumed"]["yield_force"]
+    assert over == approx([force / 94.2478e-12 for force in FORCES], rel=1e-5)
+    assert found["displacement"]["here"] == approx(found["displacement"]["at_pair"])
+    assert displacement_in_full(of("ice-warm", 1e-6), ["yield_force"]) is not None
     assert "displacement" not in json.loads(run("pull-off quartz 0.95um --json").out)
 
 

@@ -1,27 +1,35 @@
-"""What may stand in place of the results of one scene: those under the law of attraction that holds between JKR and DMT."""
+"""What may stand in place of the results of one scene: by another law of attraction, or by forces that were measured."""
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from math import log
+from typing import Any, NamedTuple
 
 from ..errors import JkrollError
-from ..quantities.formatting import span
-from ..quantities.laws import BETWEEN
+from ..quantities.formatting import amount, span
+from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, XI
+from ..quantities.values import Interval
 from ..scene.alternatives import (
+    FORCES,
+    ROLLED,
+    SIO2,
+    assumes_displacement,
     at_half_spacing,
+    at_least_measured,
+    at_most_measured,
     at_other_reading,
     by_law,
+    displacements_where_measured,
     farthest,
     is_at_displacement,
     ratio,
+    rolled_solid,
     uses_law,
 )
 from ..scene.limits import JUMP, LAW_MATTERS, Doubt
-from ..scene.scene import Scene
+from ..scene.scene import DEFAULTS, Scene
 from ..scene.wiring import depends_on
-
-if TYPE_CHECKING:
-    from ..quantities.values import Uncertain
+from .results import Note
 
 # Below the Tabor parameter of a jump, Maugis' law is no correction to energies: a well of Lennard-Jones' law is deeper still, and its
 # contacts form and open without a jump.
@@ -34,74 +42,145 @@ _OF_ENERGY = (
     "disruption_energy",
     "disruption_speed",
 )
-MAX_ADVISED = 2  # quantities in a note
+MAX_TOLD = 2  # quantities in a note
+_SMALLEST = 1e-7  # radius of an identical pair below which nothing is said of measurements
+_LARGE = 3e-6  # and from which measurements on other solids are told
+_ALIKE = 0.2  # relative difference of radii that needs no scaling
+_ELSEWHERE = "polystyrene has 42 nm at 5 µm, ice 0.19 mm at 1 mm"  # Sümer & Sitti; Musiolik & Wurm 2019
 
 
 class Alternative(NamedTuple):
     """The answers of a scene that may stand in place of the one that was asked, by quantity.
 
-    None stands for a quantity that has no value there. One that is not among them is the same.
+    A value is a number, one with its error bar, or a range; None stands for a quantity that has none there. A quantity that
+    is not among them is the same.
     """
 
     key: str  # in names of columns and in JSON
     head: str  # of a column
-    values: "Mapping[str, float | Uncertain | None]"
+    values: Mapping[str, Any]
+    none: str = "–"  # in place of a value
 
 
-def under_other_law(scene: Scene, names: Sequence[str]) -> Alternative:
+def head_of(law: str) -> str:
+    """Return the head of the column of a law."""
+    return LAWS[law].title.partition("–")[0]
+
+
+def by_other_law(scene: Scene, names: Sequence[str]) -> Alternative:
     """Return the answers under the law that holds between JKR and DMT; under that law, those of JKR."""
     other = by_law(scene)
     between = scene if scene.law.name == BETWEEN else other
     missing = {*other.missing(names), *scene.missing(names)}
     found = other.evaluate([name for name in names if name in missing or uses_law(between, name)])
     values = {name: None if isinstance(value, JkrollError) else value for name, value in found.items()}
-    return Alternative(other.law.name, other.law.title.partition("–")[0], _with_error_bars(other, values))
+    return Alternative(other.law.name, head_of(other.law.name), {**values, **_error_bars(scene, values, by_law)})
 
 
-def _with_error_bars(scene: Scene, values: "Mapping[str, float | None]") -> "Mapping[str, float | Uncertain | None]":
-    """Return values of a scene with their error bars, if its inputs have some."""
+def by_data(scene: Scene, names: Sequence[str]) -> Alternative:
+    """Return the answers with the displacements that forces measured on the same solid mean, as ranges."""
+    following = [name for name in names if name != XI and XI in depends_on([name], [scene.law.name])]
+    ends = []
+    for end in (at_least_measured, at_most_measured):
+        numbers = end(scene).numbers(*following)
+        ends.append({**numbers, **_error_bars(scene, numbers, end)})
+    values = {name: _between(ends[0].get(name), ends[1].get(name)) for name in following}
+    size = "1 µm" if rolled_solid(scene) == SIO2 else "5 µm"
+    return Alternative("data", f"by {size} data", values, "no data")
+
+
+def _between(one: Any, other: Any) -> Interval | None:
+    """Return the range of two values, with their error bars; None if one is missing."""
+    if one is None or other is None:
+        return None
+    ends = [
+        end for value in (one, other) for end in ((value,) if isinstance(value, float) else (value.low, value.high))
+    ]
+    return Interval(sum(ends) / len(ends), min(ends), max(ends))
+
+
+def _error_bars(scene: Scene, values: Mapping[str, Any], alternative: Callable[[Scene], Scene]) -> dict[str, Any]:
+    """Return those values of an alternative that have error bars, with them. Sources of two kinds together give none."""
     known = [name for name, value in values.items() if value is not None]
     if not scene.is_uncertain or not known:
-        return values
-    from ..scene.uncertainty import uncertainties
+        return {}
+    from ..scene.uncertainty import Propagated, uncertainties
 
-    found, _ = uncertainties(scene, known)
-    bars = {name: bar.uncertainty for name, bar in found.items() if not isinstance(bar, JkrollError)}
-    return {**values, **bars}
+    try:
+        bars, _ = uncertainties(scene, known, alternative)
+    except JkrollError:
+        return {}
+    return {name: bar.uncertainty for name, bar in bars.items() if isinstance(bar, Propagated)}
+
+
+# --- In full, for programs --------------------------------------------------------------------------------------------
 
 
 def over_this_law(scene: Scene, names: Collection[str]) -> dict[str, dict[str, float | None]]:
-    """Return by quantity its value under the law that holds, over that under the law in use: with the atomic spacing and with half of it.
+    """Return by quantity its value under the other law, over that under the law in use: with the atomic spacing and with half of it.
 
     A rolling quantity has both readings: at equal displacement, and at equal hysteresis of adhesion.
     """
     known = {name: value for name, value in scene.numbers(*names).items() if value}
-    values = under_other_law(scene, [*known]).values
     law, other = scene.law.name, by_law(scene)
-    half = at_half_spacing(other).numbers(*values)
+    between, missing = scene if law == BETWEEN else other, other.missing([*known])
+    values = other.evaluate([name for name in known if name in missing or uses_law(between, name)])
+    half = {} if law == BETWEEN else at_half_spacing(other).numbers(*values)
     rolling = [name for name in values if XI in depends_on([name], [BETWEEN])]
     reading = at_other_reading(scene) if rolling else None
     readings = reading.numbers(*rolling) if reading is not None else {}
-    keys = (f"over_{law}_at_equal_displacement", f"over_{law}_at_equal_hysteresis")
     found: dict[str, dict[str, float | None]] = {}
-    for name, value in other.numbers(*values).items():
-        found[name] = {"value": value, f"over_{law}": value / known[name]}
-        found[name][f"over_{law}_at_half_spacing"] = half[name] / known[name] if name in half else None
-        if name in readings:
-            both = [value / known[name], readings[name] / known[name]]
-            found[name] |= zip(keys, both if is_at_displacement(scene) else reversed(both), strict=True)
+    for name, value in values.items():
+        own = known[name]
+        found[name] = (
+            {"value": None} if isinstance(value, JkrollError) else {"value": value, f"over_{law}": value / own}
+        )
+        if law != BETWEEN:
+            found[name][f"over_{law}_at_half_spacing"] = half[name] / own if name in half else None
+        if name in readings and not isinstance(value, JkrollError):
+            both = [value / own, readings[name] / own]
+            found[name] |= zip(readings_of(law), both if is_at_displacement(scene) else reversed(both), strict=True)
     return found
+
+
+def readings_of(law: str) -> tuple[str, str]:
+    """Return the keys of the two readings of a rolling quantity."""
+    return f"over_{law}_at_equal_displacement", f"over_{law}_at_equal_hysteresis"
+
+
+def displacement_in_full(scene: Scene, names: Sequence[str]) -> dict[str, Any] | None:
+    """Return the measured displacement where it was measured and here, and the results with it, also over those with the assumed one.
+
+    None where it is not assumed, enters no result, or the spheres are small.
+    """
+    following = [name for name in names if name != XI and XI in depends_on([name], [scene.law.name])]
+    if not following or not assumes_displacement(scene) or _radius(scene) < _SMALLEST:
+        return None
+    found: dict[str, Any] = {"at_pair": [*displacements_where_measured(scene)], "here": None, "over_assumed": {}}
+    if rolled_solid(scene):
+        ends = at_least_measured(scene), at_most_measured(scene)
+        own, low, high = (each.numbers(*following) for each in (scene, *ends))
+        found["here"] = [end[XI] for end in ends]
+        both = [name for name in following if own.get(name) and name in low and name in high]
+        found["over_assumed"] = {name: [low[name] / own[name], high[name] / own[name]] for name in both}
+        found["values"] = {name: [low[name], high[name]] for name in both}
+    return found
+
+
+def _radius(scene: Scene) -> float:
+    """Return the radius of the identical pair with the same reduced radius."""
+    return 2 * float(scene.numbers("reduced_radius").get("reduced_radius", 0.0))
+
+
+# --- In words ---------------------------------------------------------------------------------------------------------
 
 
 def about_law(doubt: Doubt, scene: Scene, names: Sequence[str]) -> str:
     """Return what stands in place of answers that a law does not give exactly: "P_c = 14–15 nN by Maugis' law"."""
     told = [text for name in names if doubt.value >= JUMP or name not in _OF_ENERGY for text in _advised(scene, name)]
     spacing = span("atomic_spacing", scene["atomic_spacing"] / 2, scene["atomic_spacing"])
-    lead = (
-        ", ".join(told[:MAX_ADVISED]) + " by Maugis' law"
-        if told
-        else f"{scene.law.title} is inexact here, and Maugis' law, too"
-    )
+    inexact = f"{scene.law.title} is inexact here, and Maugis' law, too"
+    lead = ", ".join(told[:MAX_TOLD]) + " by Maugis' law" if told else inexact
     return f"{lead} (Tabor parameter {doubt.value:.2g}, z0 = {spacing}); --model {BETWEEN}"
 
 
@@ -121,3 +200,51 @@ def _advised(scene: Scene, name: str) -> Iterator[str]:
         yield f"{symbol} has no value"
     elif not farthest(ratio(value, own) for value in found) <= LAW_MATTERS:
         yield f"{symbol} = {span(name, min(found), max(found))}"
+
+
+def about_displacement(scene: Scene, names: Sequence[str]) -> Note | None:
+    """Return the note on a displacement that is assumed for quantities; None where nothing was measured near their size."""
+    following = [name for name in names if name != XI and XI in depends_on([name], [scene.law.name])]
+    radius = _radius(scene)
+    if not following or not assumes_displacement(scene) or radius < _SMALLEST:
+        return None
+    assumed = f"ξ = {amount(XI, DEFAULTS[XI])} (--xi) is assumed"
+    solid = rolled_solid(scene)
+    if not solid:
+        of_solid = f" of {scene.material.name}" if scene.material is not None and scene.material2 is None else ""
+        near = "" if radius < _LARGE else f"; {_ELSEWHERE}"
+        return Note("displacement", f"{assumed}: none{of_solid} was measured at this size{near}")
+    values = by_data(scene, following[:MAX_TOLD]).values
+    own = scene.numbers(*values)
+    size = log(farthest(ratio(end, own[name]) for name, one in values.items() if one for end in (one.low, one.high)))
+    told = ", ".join(
+        f"{NOMENCLATURE[name].symbol} = {span(name, one.low, one.high)}" for name, one in values.items() if one
+    )
+    text = f"{assumed}; {told} by {_forces(solid, radius)}{_beyond_hysteresis(scene)}"
+    return Note("displacement", text, size=size)
+
+
+def _forces(solid: str, radius: float) -> str:
+    """Return what was measured, and how it was brought to the size of a scene."""
+    if solid != SIO2:
+        return "displacements of polystyrene on glass at 5 µm, scaled by our rule (R^(2/3) to R)"
+    text = f"forces on {SIO2} of 1 µm"
+    if abs(radius / ROLLED["radius"] - 1) < _ALIKE:
+        return text
+    return f"{text} ({span('yield_force', *FORCES)}), scaled by our rule (R^(2/3) to R)"
+
+
+def _beyond_hysteresis(scene: Scene) -> str:
+    """Return the clause on a moment beyond what adhesion hysteresis can supply, to which it is proportional."""
+    most = at_most_measured(scene).numbers("hysteresis_ratio", "yield_force")
+    if len(most) < 2 or most["hysteresis_ratio"] <= 1:
+        return ""
+    force = most["yield_force"] / most["hysteresis_ratio"]
+    return f"; above Q = {span('yield_force', force, force)} adhesion hysteresis cannot supply the moment"
+
+
+def note_of_rows(scene: Scene) -> Note:
+    """Return the note where ξ is assumed for rows of a kind, of which the scene is one."""
+    ends = displacements_where_measured(scene)
+    text = f"ξ = {amount(XI, DEFAULTS[XI])} (--xi) is assumed; forces on {SIO2} of 1 µm mean {span(XI, *ends)}, and it grows with the sphere"
+    return Note("displacement", text)

@@ -3,11 +3,11 @@
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 from math import log
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ..errors import JkrollError, NoResult
 from ..quantities.formatting import Format, in_words
-from ..quantities.laws import BETWEEN
+from ..quantities.laws import BETWEEN, DEFAULT_LAW
 from ..quantities.nomenclature import INFINITY, XI
 from ..rows.columns import outcomes
 from ..scene.failures import (
@@ -39,7 +39,7 @@ from .results import Note, NoValue, Result, over_spacing, propagated_of, with_la
 if TYPE_CHECKING:
     from ..quantities.values import Uncertain
     from ..scene.uncertainty import Propagated, Sources
-    from .displacement import Worth
+    from .alternatives import Alternative
 
 
 def with_force_by_maugis(error: BeyondPullOff, scene: Scene) -> BeyondPullOff:
@@ -102,7 +102,7 @@ class Answer:
             else Result(name, self.outcomes[name], error=model_error(name, scene))
             for name in self.shown
         ]
-        results = plain if scene.law.is_default else with_law(plain, scene)
+        results = plain if scene.law.is_default else [with_law(result, scene) for result in plain]
         found, _ = self._uncertainties
         return tuple(result._replace(propagated=propagated_of(found, result.name)) for result in results)
 
@@ -130,21 +130,41 @@ class Answer:
 
     @cached_property
     def laws(self) -> Mapping[str, Mapping[str, float | None]]:
-        """What stands in place of the results under the law that holds between JKR and DMT, and how far it is from them."""
-        if self.scene.law.name == BETWEEN or self.scene.missing(["tabor_parameter"]):
+        """What stands in place of the results under the other law, and how far it is from them."""
+        if self.scene.missing(["tabor_parameter"]):
             return {}
         from .alternatives import over_this_law  # which a line in a pipe does not show
 
         return over_this_law(self.scene, self._known)
 
     @cached_property
-    def worth(self) -> "Worth | None":
-        """The worth of the assumed displacement for these results."""
+    def of_jkr(self) -> Mapping[str, float]:
+        """The values of JKR, to stand beside those of another law."""
+        numbers = self.scene.replace(model=DEFAULT_LAW).numbers(*self.shown)
+        return {name: number for name, number in numbers.items() if number < INFINITY}
+
+    @cached_property
+    def displacement(self) -> Mapping[str, Any] | None:
+        """What the assumed displacement is worth for the results, as far as forces were measured."""
         if XI not in self.inputs:
             return None
-        from .displacement import worth  # most answers rest on no ξ, or on one that was given
+        from .alternatives import displacement_in_full  # most answers rest on no ξ, or on one that was given
 
-        return worth(self.scene, self._known)
+        return displacement_in_full(self.scene, self._known)
+
+    @cached_property
+    def alternatives(self) -> "list[Alternative]":
+        """What may stand in place of the results: by the other law where that moves one of them, and by measured forces."""
+        from ..scene.alternatives import rolled_solid
+        from .alternatives import by_data, by_other_law
+
+        found = []
+        law_matters = any(doubt.is_exceeded for doubt in self.validity if doubt.limit.factor is not None)
+        if self._known and (self.scene.law.name == BETWEEN or law_matters):
+            found.append(by_other_law(self.scene, self.shown))
+        if XI in self.inputs and rolled_solid(self.scene):
+            found.append(by_data(self.scene, self._known))
+        return [one for one in found if one.values]
 
     @cached_property
     def validity(self) -> tuple[Doubt, ...]:
@@ -153,12 +173,19 @@ class Answer:
 
     def doubts(self) -> list[Note]:
         """Return a note for each limit of the model that does not hold, the one that is exceeded most first."""
-        found = sorted((doubt for doubt in self.validity if doubt.is_exceeded), key=lambda doubt: -doubt.excess)
-        return [self._note_on(doubt) for doubt in found]
+        return [
+            Note("doubt", self.sentence(doubt), doubt.brief, doubt.limit.factor is not None, doubt.excess)
+            for doubt in self.exceeded
+        ]
 
-    def _note_on(self, doubt: Doubt) -> Note:
-        is_of_law = doubt.limit.factor is not None
-        return Note("doubt", self.about(doubt) if is_of_law else doubt.sentence, doubt.brief, is_of_law, doubt.excess)
+    def sentence(self, doubt: Doubt) -> str:
+        """Return what follows from a limit with its number."""
+        return doubt.sentence if doubt.limit.factor is None else self.about(doubt)
+
+    @property
+    def exceeded(self) -> list[Doubt]:
+        """The limits of the model that do not hold, the one that is exceeded most first."""
+        return sorted((doubt for doubt in self.validity if doubt.is_exceeded), key=lambda doubt: -doubt.excess)
 
     def about(self, doubt: Doubt) -> str:
         """Return what follows from a limit for these results: of a law that is not exact, what stands in their place."""
@@ -197,7 +224,7 @@ class Answer:
         lacking = [name for name, error in self.errors.items() if isinstance(error, MissingInput)]
         unjudged = not_judged(self.validity)
         lacking += [name for names in unjudged.values() for name in names]
-        displaced = [] if self.worth is None else [self.worth.note(self.question.headline)]
+        displaced = self._about_displacement()
         entering = with_limits(self.inputs, self._of_limits) | depends_on(lacking, [scene.law.name])
         return (
             *about_given(scene, possible, self._entering, entering, displaced),
@@ -213,6 +240,15 @@ class Answer:
         """True if results that depend on the load have error bars, all of them."""
         found, _ = self._uncertainties
         return "load" in self.inputs and bool(found) and not any(isinstance(one, JkrollError) for one in found.values())
+
+    def _about_displacement(self) -> list[Note]:
+        if XI not in self.inputs or XI in self.scene.given:
+            return []
+        from .alternatives import about_displacement
+
+        headline = [name for name in self._known if name in self.question.headline]
+        note = about_displacement(self.scene, headline) or about_displacement(self.scene, self._known)
+        return [] if note is None else [note]
 
     @cached_property
     def failure(self) -> JkrollError | None:

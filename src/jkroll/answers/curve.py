@@ -15,6 +15,7 @@ from ..scene.limits import Doubt, bits_of, doubts
 from ..scene.scene import Scene
 from ..scene.wiring import in_order
 from ..text import quoted
+from .alternatives import Alternative
 from .answer import Answer
 from .questions import Question
 from .results import NoValue, Result
@@ -232,6 +233,11 @@ class AtState(Answer):
     def laws(self) -> Mapping[str, Mapping[str, float | None]]:
         """The differences of Maugis' law from that of the curve."""
         return self.curve.laws
+
+    @property
+    def alternatives(self) -> "list[Alternative]":
+        """None: a state of the curve has no place on that of another law."""
+        return []
 
     @cached_property
     def validity(self) -> tuple[Doubt, ...]:

@@ -4,11 +4,11 @@ from collections.abc import Mapping, Sequence
 from copy import copy
 from functools import cached_property
 from math import isfinite
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ..errors import JkrollError, NoResult
 from ..quantities.formatting import amount, in_words
-from ..quantities.laws import LAWS
+from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.failures import MissingInput, reason_of
 from ..scene.inverse import PER_DECADE, Observed, Solution, sizes_in_words, with_placeholders
@@ -16,6 +16,7 @@ from ..scene.limits import Doubt
 from ..scene.scene import Scene
 from ..scene.unknowns import solved
 from ..text import listed
+from .alternatives import Alternative, head_of
 from .answer import Answer
 from .notes import about_missing, about_uncertainties
 from .questions import Question
@@ -23,7 +24,6 @@ from .results import Note, Result, propagated_of
 
 if TYPE_CHECKING:
     from ..scene.uncertainty import Propagated, Sources
-    from .displacement import Worth
 
 # The properties of a material that an inferred input takes the place of.
 _REPLACED = {"work_of_adhesion": ("surface_energy",)}
@@ -111,9 +111,14 @@ class Inferred(Answer):
         return {}
 
     @cached_property
-    def worth(self) -> "Worth | None":
-        """The worth of the assumed displacement for what was measured."""
-        return self.forward.worth if self.solution is not None else None
+    def displacement(self) -> Mapping[str, Any] | None:
+        """What the assumed displacement is worth for what was measured."""
+        return self.forward.displacement if self.solution is not None else None
+
+    @cached_property
+    def alternatives(self) -> list[Alternative]:
+        """The values under the other laws."""
+        return [Alternative(law, head_of(law), solution.values) for law, solution in self._by_law.items()]
 
     @cached_property
     def validity(self) -> tuple[Doubt, ...]:
@@ -121,7 +126,10 @@ class Inferred(Answer):
         return self.forward.validity if self.solution is not None else ()
 
     def about(self, doubt: Doubt) -> str:
-        """Return what follows from a limit for what was measured."""
+        """Return what follows from a limit for what was measured; of a law that is not exact, the values by Maugis' law."""
+        if doubt.is_exceeded and doubt.limit.factor is not None and BETWEEN in self._by_law:
+            values = _equal(self._by_law[BETWEEN].values)
+            return f"{values} by Maugis' law (Tabor parameter {doubt.value:.2g}); --model {BETWEEN}"
         return self.forward.about(doubt)
 
     @cached_property

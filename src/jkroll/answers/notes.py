@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from ..errors import JkrollError
 from ..materials.library import Material
 from ..quantities.formatting import amount, significant
-from ..quantities.laws import BETWEEN, DEFAULT_LAW
+from ..quantities.laws import BETWEEN
 from ..quantities.nomenclature import NOMENCLATURE, STATE_OR_LOAD, XI, of_sphere
 from ..scene.failures import NO_END, MissingInput, grouped
 from ..scene.limits import IMPACT, doubts, not_judged, touched
@@ -51,7 +51,7 @@ def notes_on_rows(scene: Scene, names: Sequence[str]) -> list[Note]:
     entering = with_limits(inputs, of_limits) | depends_on(scene.missing(every), [scene.law.name])
     displaced = []
     if XI in inputs and XI not in scene.given:
-        from .displacement import note_of_rows
+        from .alternatives import note_of_rows
 
         displaced = [note_of_rows(scene)]
     left_out: list[Note] = []
@@ -249,16 +249,6 @@ def about_law(scene: Scene, names: Collection[str]) -> Iterator[Note]:
         yield Note("result", "F_cδ_c and its multiples are those of JKR")
     if scene.law.name != BETWEEN:
         return
-    if "yield_moment" in names and scene.given.keys().isdisjoint(("adhesion_hysteresis", "hysteresis_fraction")):
-        jkr = scene.replace(model=DEFAULT_LAW).numbers("yield_moment", "zone_radius")
-        own = scene.numbers("zone_radius", "yield_moment")
-        if len(jkr) == len(own) == 2:
-            moment = jkr["yield_moment"] * (own["zone_radius"] / jkr["zone_radius"])
-            text = (
-                f"M: {amount('yield_moment', moment)}, {moment / jkr['yield_moment']:.3g} times JKR's, at the adhesion "
-                "hysteresis that JKR has at this ξ; ξ is not the same number in every law"
-            )
-            yield Note("result", text)
     if "contact_radius_at_load" in names and scene["contact_radius_at_load"] == 0:
         yield Note("result", "a: the spheres are bound without touching")
 

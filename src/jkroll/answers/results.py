@@ -1,13 +1,11 @@
-"""A result, a note about an answer, and results under a law of attraction other than JKR."""
+"""A result, and a note about an answer."""
 
-from collections.abc import Mapping, Sequence
-from math import isfinite
+from collections.abc import Mapping
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from ..errors import JkrollError, NoResult
 from ..quantities.formatting import Format, OutOfUnit, amount
-from ..quantities.laws import DEFAULT_LAW
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.alternatives import at_half_spacing, uses_law
 from ..scene.scene import Scene
@@ -17,14 +15,6 @@ if TYPE_CHECKING:
     from ..scene.uncertainty import Propagated
 else:
     Propagated = object  # a quoted type would start Python's compiler, which costs a call a millisecond
-
-
-class OtherLaw(NamedTuple):
-    """The law of attraction other than JKR by which a quantity was computed, or by which it has no value."""
-
-    name: str
-    equation: str  # of the paper, or the source of the law; empty where there is no value
-    jkr: float | None  # the value of JKR, to stand beside it
 
 
 class NoValue(NoResult):
@@ -54,12 +44,13 @@ class Result(NamedTuple):
     growth: float | None = None
     by_law: Mapping[str, float] = MappingProxyType({})  # of an inferred value: what it would be under the other laws
     propagated: Propagated | None = None  # its uncertainty, if an input has one
-    law: OtherLaw | None = None
+    law: str = ""  # of attraction, if it is not JKR and gives the quantity in its own way or not at all
+    of_law: str = ""  # the equation of the paper by which it does, or its source
 
     @property
     def equation(self) -> str:
         """The equation that gives the quantity, or the source of its law."""
-        return self.law.equation if self.law else NOMENCLATURE[self.name].equation
+        return self.of_law if self.law else NOMENCLATURE[self.name].equation
 
     @property
     def source(self) -> str:
@@ -73,13 +64,11 @@ class Result(NamedTuple):
 
     def in_unit(self, form: Format) -> "Result":
         """Return the result, without its value if no double holds it in its unit."""
-        beside = self.law.jkr if self.law else None
-        numbers = filter(None, (self.value, beside, *self.sides().values(), *self.by_law.values()))
+        numbers = filter(None, (self.value, *self.sides().values(), *self.by_law.values()))
         if all(form.holds(self.name, number) for number in numbers):
             return self
         reason = self.reason or OutOfUnit(self.name, form.unit(self.name)).reason()
-        law = self.law and self.law._replace(equation="", jkr=None)
-        return self._replace(value=None, reason=reason, error=None, by_law={}, propagated=None, law=law)
+        return self._replace(value=None, reason=reason, error=None, by_law={}, propagated=None, of_law="")
 
     def sides(self) -> dict[str, float]:
         """Return the numbers of the uncertainty by name: minus and plus, or low and high; none if there is no uncertainty."""
@@ -131,24 +120,18 @@ def propagated_of(found: "Mapping[str, Propagated | JkrollError]", name: str) ->
 # --- Other laws of attraction -----------------------------------------------------------------------------------------
 
 
-def with_law(results: Sequence[Result], scene: Scene) -> list[Result]:
-    """Return the results of a law with its name and its source, and with the values of JKR beside them.
+def with_law(result: Result, scene: Scene) -> Result:
+    """Return a result of a law other than JKR with its name and its source.
 
-    A result without a value is among them, without a source: the definition of JKR is not what it lacks.
+    A result without a value has no source: the definition of JKR is not what it lacks.
     """
-    numbers = scene.replace(model=DEFAULT_LAW).numbers(*(result.name for result in results))
-    of_jkr = {name: number for name, number in numbers.items() if isfinite(number)}
-    sources = {
-        result.name: equation_of(scene, result.name) if result.value is not None else ""
-        for result in results
-        if result.value is None or uses_law(scene, result.name)
-    }
-    return [
-        result._replace(law=OtherLaw(scene.law.name, sources[result.name], of_jkr.get(result.name)))
-        if result.name in sources
+    if result.value is None:
+        return result._replace(law=scene.law.name)
+    return (
+        result._replace(law=scene.law.name, of_law=equation_of(scene, result.name))
+        if uses_law(scene, result.name)
         else result
-        for result in results
-    ]
+    )
 
 
 def equation_of(scene: Scene, name: str) -> str:

@@ -32,11 +32,25 @@ class Value(NamedTuple):
         return amount(self.name, self.value if self.uncertain is None else self.uncertain)
 
 
+class Exceeded(NamedTuple):
+    """A limit of the model that does not hold; a text of it is the sentence."""
+
+    text: str
+    code: str
+    name: str  # of the number that limits the model
+    value: float  # of that
+    limit: float  # the first threshold of what is judged: of a law, of the factor between answers
+    factor: float | None  # how many times that is beyond it; None if it is infinite, or the limit 0
+
+    def __str__(self) -> str:
+        return self.text
+
+
 class Answered:
     """The answer to a question about one scene.
 
     `values` are the results by name, `inputs` what was understood and assumed, `doubts` the limits of the model that do
-    not hold, `notes` the other sentences. `as_dict()` is the object of `--json`.
+    not hold, `alternatives` what may stand in place of the values, `notes` the other sentences. `as_dict()` is the object of `--json`.
     """
 
     def __init__(self, found: Answer) -> None:
@@ -63,9 +77,24 @@ class Answered:
         return {**self._found.inputs, **self._found.uncertain}
 
     @cached_property
-    def doubts(self) -> tuple[str, ...]:
-        """A sentence for each limit of the model that does not hold."""
-        return tuple(note.text for note in self._found.doubts())
+    def doubts(self) -> tuple[Exceeded, ...]:
+        """The limits of the model that do not hold, the one that is exceeded most first."""
+        return tuple(
+            Exceeded(
+                self._found.sentence(doubt),
+                doubt.code,
+                doubt.limit.name,
+                doubt.value,
+                doubt.threshold or 0.0,
+                doubt.factor,
+            )
+            for doubt in self._found.exceeded
+        )
+
+    @cached_property
+    def alternatives(self) -> Mapping[str, Mapping[str, float | Uncertain | None]]:
+        """What may stand in place of the values: "maugis", by the law that holds there, and "data", by forces that were measured."""
+        return {one.key: one.values for one in self._found.alternatives}
 
     @cached_property
     def notes(self) -> tuple[str, ...]:
@@ -126,8 +155,8 @@ def answer(
     >>> found = answer("pull-off", material="quartz", radius="100 nm")
     >>> str(found["pull_off_force"]), found["P_c"].unit
     ('11.781 nN', 'N')
-    >>> found.doubts
-    ("P_c = 14–15 nN by Maugis' law (Tabor parameter 0.14, z0 = 200–400 pm); --model maugis",)
+    >>> print(*found.doubts)
+    P_c = 14–15 nN by Maugis' law (Tabor parameter 0.14, z0 = 200–400 pm); --model maugis
     """
     described, _ = in_si(given)
     for name, value in described.items():

@@ -9,7 +9,7 @@ from math import isnan, nan
 from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
 
 from ..quantities.formatting import Format, OutOfUnit, in_words
-from ..quantities.laws import BETWEEN
+from ..quantities.laws import BETWEEN, DEFAULT_LAW
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, header
 from ..quantities.values import is_uncertain
 from ..rows.columns import DOUBT, STATUS, Columns, Wanted, as_list, remarks_of
@@ -18,7 +18,6 @@ from ..text import json_text, say, spelled
 
 if TYPE_CHECKING:
     from ..answers.answer import Answer
-    from ..answers.displacement import Worth
     from ..answers.results import Result
     from ..scene.limits import Doubt
 
@@ -230,20 +229,21 @@ def as_object(answer: "Answer", form: Format) -> dict[str, Any]:
     found: dict[str, Any] = {"inputs": dict(answer.inputs)}
     if answer.uncertain:
         found["uncertainties"] = {name: one.as_object() for name, one in answer.uncertain.items()}
-    found["results"] = [_result_object(result, form) for result in answer.results]
+    found["results"] = [_result_object(result, answer, form) for result in answer.results]
     if answer.condition is not None:
         found["condition"] = answer.condition
     if answer.laws:
-        found["laws"] = {BETWEEN: {name: _law_object(name, numbers, form) for name, numbers in answer.laws.items()}}
-    if answer.worth is not None:
-        found["displacement"] = _worth_object(answer.worth)
+        other = DEFAULT_LAW if answer.scene.law.name == BETWEEN else BETWEEN
+        found["laws"] = {other: {name: _law_object(name, numbers, form) for name, numbers in answer.laws.items()}}
+    if answer.displacement is not None:
+        found["displacement"] = _displacement_object(answer.displacement, form)
     found["validity"] = [_doubt_object(doubt, answer.about(doubt)) for doubt in answer.validity if doubt.error is None]
     found["notes"] = [note.text for note in answer.notes]
     found["version"] = __version__
     return found
 
 
-def _result_object(result: "Result", form: Format) -> dict[str, Any]:
+def _result_object(result: "Result", answer: "Answer", form: Format) -> dict[str, Any]:
     quantity = NOMENCLATURE[result.name]
     entry: dict[str, Any] = {
         "name": result.name,
@@ -254,8 +254,9 @@ def _result_object(result: "Result", form: Format) -> dict[str, Any]:
         "description": quantity.sentence,
     }
     if result.law:
-        entry["model"] = result.law.name
-        entry["jkr"] = None if result.law.jkr is None else form.number(result.name, result.law.jkr)
+        entry["model"] = result.law
+        jkr = answer.of_jkr.get(result.name)
+        entry["jkr"] = form.number(result.name, jkr) if jkr is not None and form.holds(result.name, jkr) else None
     for key in ("note",) if result.law else ("note", "definition", "reference"):
         if text := getattr(quantity, key):
             entry[key] = text
@@ -283,12 +284,13 @@ def _law_object(name: str, numbers: Mapping[str, float | None], form: Format) ->
     return {**numbers, "value": shown}
 
 
-def _worth_object(found: "Worth") -> dict[str, Any]:
-    """Return what the assumed displacement is worth: the measured one where it was measured and here, and the factors of results."""
+def _displacement_object(found: Mapping[str, Any], form: Format) -> dict[str, Any]:
+    """Return what the assumed displacement is worth, its values in their units."""
+    if "values" not in found:
+        return dict(found)
     return {
-        "at_pair": [*found.at_pair],
-        "here": None if found.here is None else [*found.here],
-        "over_assumed": {name: [*ends] for name, ends in found.factors.items()},
+        **found,
+        "values": {name: [form.number(name, end) for end in ends] for name, ends in found["values"].items()},
     }
 
 

@@ -6,11 +6,12 @@ from math import isfinite
 from typing import Any, TextIO
 
 from .. import __version__
+from ..answers.alternatives import readings_of
 from ..answers.answer import Answer
 from ..answers.results import Result
 from ..errors import BadRequest, JkrollError
 from ..quantities.formatting import Format, amount, in_words
-from ..quantities.laws import BETWEEN
+from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.alternatives import uses_law
 from ..scene.inverse import logarithmic_slope
@@ -61,7 +62,7 @@ def write_explanation(answers: Iterable[Answer], out: TextIO, form: Format) -> N
             if not is_first:
                 say("", out)
             is_first = False
-            for line in _explanation(result, answer.scene, form):
+            for line in [*_explanation(result, answer.scene, form), *_readings(result, answer, form)]:
                 say_wrapped(line, out, _STEP_INDENT if line.startswith("    ") else _INDENT)
         for line in every_line(answer):
             say_wrapped(line, out)
@@ -88,6 +89,17 @@ def _explanation(result: Result, scene: Scene, form: Format) -> list[str]:
     if quantity.note:
         lines.append(f"  note      {quantity.note}")
     return lines
+
+
+def _readings(result: Result, answer: Answer, form: Format) -> list[str]:
+    """Return the line with a rolling quantity under the other law, in both readings."""
+    numbers = answer.laws.get(result.name, {})
+    readings = [numbers.get(key) for key in readings_of(answer.scene.law.name)]
+    if result.value is None or None in readings:
+        return []
+    at_displacement, at_hysteresis = (amount(result.name, ratio * result.value, form) for ratio in readings if ratio)
+    other = LAWS[DEFAULT_LAW if answer.scene.law.name == BETWEEN else BETWEEN].title
+    return [f"  by law    {at_displacement} at equal ξ, {at_hysteresis} at equal hysteresis ({other})"]
 
 
 def _found(result: Result, form: Format) -> list[str]:

@@ -1,6 +1,6 @@
 """Tables on a terminal, set by rich."""
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from math import isnan
 from typing import TYPE_CHECKING, Any, TextIO
 
@@ -10,8 +10,9 @@ from rich.table import Column, Table
 from rich.text import Text
 
 from ..answers.notes import parts_of_assumed, symbol_of
-from ..quantities.formatting import Format, amount, in_words, pretty
+from ..quantities.formatting import Format, amount, in_words, pretty, significant
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
+from ..quantities.units import Unit, convert
 from ..text import fitting, say, terminal_width
 
 if TYPE_CHECKING:
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
 
 _AMOUNT = ("symbol", "value", "unit")
 _NAMED = ("quantity", *_AMOUNT)
-_JKR = "JKR"  # the value of that law, shown beside that of another
 # The columns of a scene's table, for narrower and narrower terminals: of results, and of results by convention.
 _COLUMNS: Sequence[tuple[str, ...]] = ((*_NAMED, "Eq"), _NAMED, _AMOUNT)
 _COLUMNS_BY_CONVENTION: Sequence[tuple[str, ...]] = (
@@ -36,31 +36,70 @@ _TEXTS = ("quantity", "definition", "reference")  # which may be broken into lin
 MAX_ACROSS = 20  # scenes that are tried as columns
 MIN_WRAPPED = 16  # characters of a column of texts on a narrow terminal
 GAP = 3  # between two columns
+_DIGITS_BESIDE = 4  # of a value that may stand in place of another
 
 
 def scene_table(answer: "Answer", out: TextIO, form: Format) -> None:
-    """Write the inputs of one scene, and its results below each other, or in a grid if all of them are JKR's and it fits."""
+    """Write the inputs of one scene, and its results below each other, or in a grid if it fits.
+
+    What may stand in their place has columns beside them, or a second table where these do not fit.
+    """
     say(_inputs({**answer.inputs, **answer.uncertain}, form, assumed=answer.assumed), out)
     grid = answer.question.grid
     if grid and not any(result.law for result in answer.results) and _print(_grid_table(grid, answer, out, form), out):
+        _second_table(answer, out, form)
         return
     results = [one for one in answer.results if one.value is None or one.name not in answer.question.noted]
-    rows = [_result_cells(result, form) for result in results]
-    # Dimmed is what stands beside a headline, or has no value.
-    styles = ["dim" if NOMENCLATURE[result.name].note or result.value is None else "" for result in results]
     by_convention = all(NOMENCLATURE[result.name].definition for result in results)
     columns_of = _COLUMNS_BY_CONVENTION if by_convention else _COLUMNS
-    if any(result.law and result.law.jkr is not None for result in results):
-        columns_of = [(*heads, _JKR) for heads in columns_of]
-    right = {"value", "Eq", _JKR}
-    for heads in columns_of:
-        cells = [[row[head] for head in heads] for row in rows]
-        texts = [head for head in reversed(heads) if head in _TEXTS]
-        for count in range(len(texts) + 1):
-            if _print(_table(heads, cells, out, right, styles, texts[:count]), out):
-                return
+    rows = [_result_cells(result, answer, form) for result in results]
+    if answer.alternatives:
+        named = ("quantity", "symbol", _own_head(answer), *(one.head for one in answer.alternatives), "unit")
+        of_conventions = (*named, "definition", "reference")
+        if _print_first(results, rows, [of_conventions if by_convention else named], out):
+            return
+        if not by_convention and _print_first(results, rows, [named], out, ("quantity",)):
+            return
+    if _print_first(results, rows, columns_of, out, _TEXTS):
+        _second_table(answer, out, form)
+        return
     for row in rows:
         say(" ".join(row[head] for head in _AMOUNT if row[head]), out)
+
+
+def _print_first(
+    results: "Sequence[Result]",
+    rows: Sequence[Mapping[str, str]],
+    columns_of: Iterable[Sequence[str]],
+    out: TextIO,
+    wrapped: Collection[str] = (),
+) -> bool:
+    """Print the first of some choices of columns that fits, if one does; its texts are broken into lines where that helps."""
+    # Dimmed is what stands beside a headline, or has no value.
+    styles = ["dim" if NOMENCLATURE[result.name].note or result.value is None else "" for result in results]
+    for heads in columns_of:
+        cells = [[row[head] for head in heads] for row in rows]
+        texts = [head for head in reversed(heads) if head in wrapped]
+        right = {head for head in heads if head not in (*_TEXTS, "symbol", "unit")}
+        for count in range(len(texts) + 1):
+            if _print(_table(heads, cells, out, right, styles, texts[:count]), out):
+                return True
+    return False
+
+
+def _second_table(answer: "Answer", out: TextIO, form: Format) -> None:
+    """Write what may stand in place of results below their table, if there is something."""
+    differing = {name for one in answer.alternatives for name, value in one.values.items() if value is not None}
+    results = [result for result in answer.results if result.name in differing]
+    if results:
+        say("", out)
+        rows = [_result_cells(result, answer, form) for result in results]
+        _print_first(results, rows, [("symbol", *(one.head for one in answer.alternatives), "unit")], out)
+
+
+def _own_head(answer: "Answer") -> str:
+    """Return the head of the values of the law in use."""
+    return answer.scene.law.title.partition("–")[0]
 
 
 def _grid_table(grid: "Grid", answer: "Answer", out: TextIO, form: Format) -> Table:
@@ -76,23 +115,46 @@ def _grid_table(grid: "Grid", answer: "Answer", out: TextIO, form: Format) -> Ta
     return _table(grid.heads, rows, out, grid.heads[1:])
 
 
-def _result_cells(result: "Result", form: Format) -> dict[str, str]:
-    """Return the cells of a result by the heads of their columns."""
+def _result_cells(result: "Result", answer: "Answer", form: Format) -> dict[str, str]:
+    """Return the cells of a result by the heads of their columns, and of what may stand in its place in the same unit."""
     quantity = NOMENCLATURE[result.name]
     value, unit = ("—", "") if (found := result.measure) is None else form.rounded(result.name, found)
     definition, reference = ("", "") if result.law else (quantity.definition, quantity.reference)
-    beside = result.law.jkr if result.law else None
-    jkr = "" if beside is None else amount(result.name, beside, form)
+    others = {one.head: one.values[result.name] for one in answer.alternatives if result.name in one.values}
+    known = [other for other in (found, *others.values()) if other is not None]
+    scale = form.common_unit(result.name, known[:1]) if known else None
+    scale = scale or (form.unit(result.name).removeprefix("1"), Unit(1, 1, ()))
+    cells = {}
+    for one in answer.alternatives:
+        same = "" if result.value is None else f"as {_own_head(answer)}"
+        other = others.get(one.head)
+        cells[one.head] = one.none if other is None else _short(other, scale, form)
+        if one.head not in others:
+            cells[one.head] = same
     return {
         "quantity": quantity.sentence,
         "symbol": quantity.symbol,
         "value": value,
-        "unit": pretty(unit),
+        _own_head(answer): value,
+        "unit": pretty(unit or (scale[0] if known else "")),
         "Eq": result.equation,
         "definition": definition,
         "reference": reference or result.source,
-        _JKR: jkr,
+        **cells,
     }
+
+
+def _short(value: "float | Uncertain", unit: tuple[str, Unit], form: Format) -> str:
+    """Return a value beside another in its unit: with four digits, a range with two, or with its error bar."""
+    if isinstance(value, tuple) and value.kind != "range":
+        return form.in_unit(value, unit)
+    if isinstance(value, tuple):
+        ends = (convert(end, unit[1]) for end in (value.low, value.high))
+        return "–".join(dict.fromkeys(significant(end, form.digits or 2) for end in ends))
+    number = convert(value, unit[1])
+    text = significant(number, form.digits or _DIGITS_BESIDE)
+    keeps_zeros = form.digits is None and 1e-4 <= abs(number) < 10**_DIGITS_BESIDE
+    return f"{number:#.{_DIGITS_BESIDE}g}".removesuffix(".") if keeps_zeros else text
 
 
 _LEADERS = dict.fromkeys(PROPERTIES, "material") | {of_sphere(2, name): "material2" for name in PROPERTIES}

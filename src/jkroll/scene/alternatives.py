@@ -1,13 +1,15 @@
-"""Scenes that may stand in place of the one that was asked: the same under another law of attraction, and how far their answers differ."""
+"""Scenes that may stand in place of the one that was asked: under another law of attraction, or with the displacement that measured forces mean."""
 
 from collections.abc import Callable, Collection, Iterable
 from functools import reduce
 from typing import Any
 
 from ..errors import JkrollError
+from ..materials.library import Displacement
 from ..physics.elementary import at_least, at_most, quotient, where
 from ..quantities.laws import BETWEEN, DEFAULT_LAW, routed_apart
 from ..quantities.nomenclature import INFINITY, XI
+from ..quantities.values import Interval
 from .scene import DEFAULTS, IN_ITS_PLACE, LEAST, MOST, Scene
 from .wiring import depends_on
 
@@ -57,6 +59,81 @@ def at_other_reading(scene: Scene) -> Scene | None:
     displacement = where(is_known, displacement, where_none)
     changed = other.replace(**{**dict.fromkeys(IN_ITS_PLACE), XI: displacement})
     return changed.with_results_of(other, IN_ITS_PLACE)
+
+
+# --- Measured forces --------------------------------------------------------------------------------------------------
+
+SIO2 = "SiO2"
+FORCES = (
+    0.85e-9,
+    1.21e-9,
+)  # rolling forces on pairs of SiO2 spheres: Heim et al. 1999, Blum & Wurm 2000, Gundlach et al. 2011
+ROLLED = {"radius": 0.95e-6, "surface_energy": 0.025, "youngs_modulus": 54e9, "poisson_ratio": 0.17}  # these pairs
+_OF_SPHERES = (0.02, 0.025)  # surface energies that these spheres may have
+_POLYSTYRENE = ("polystyrene", "polystyrene-glassy")
+_OF_POLYSTYRENE = Displacement(Interval(42e-9, 42e-9, 42e-9), 1e-5)  # spheres of 5 µm on a plane: Sümer & Sitti
+_SIZES = {
+    SIO2: (1e-7, 3e-6),
+    _POLYSTYRENE[0]: (3e-6, 1e-4),
+}  # radii of identical pairs, to which what was measured is scaled
+
+
+def rolled_solid(scene: Scene) -> str:
+    """Return the solid on which rolling was measured, if both spheres are of it, near enough in size, and ξ is assumed; else an empty text.
+
+    The spheres of SiO2 had the surface energy of humid silica. That of ice was itself scaled from rolling forces.
+    """
+    solid = scene.material
+    if solid is None or not assumes_displacement(scene) or scene.material2 not in (None, solid):
+        return ""
+    known = scene.numbers("surface_energy", "reduced_radius")
+    if SIO2 in solid.aliases and _OF_SPHERES[0] <= known.get("surface_energy", 0.0) <= _OF_SPHERES[1]:
+        found = SIO2
+    else:
+        found = _POLYSTYRENE[0] if solid.name in _POLYSTYRENE else ""
+    return found if found and _SIZES[found][0] <= 2 * known.get("reduced_radius", 0.0) <= _SIZES[found][1] else ""
+
+
+def assumes_displacement(scene: Scene) -> bool:
+    """Return whether nothing says where rolling begins, so that the paper's displacement is assumed."""
+    return XI in scene.values and scene.given.keys().isdisjoint(IN_ITS_PLACE)
+
+
+def displacements_where_measured(scene: Scene) -> tuple[float, float]:
+    """Return the displacements for which the forces on SiO2 stand, with the work of adhesion, the modulus and the law in use."""
+    is_same = (
+        scene.material is not None and SIO2 in scene.material.aliases and scene.material2 in (None, scene.material)
+    )
+    own = scene.numbers("work_of_adhesion", "contact_modulus") if is_same else {}
+    given = {"radius": ROLLED["radius"], **own} if len(own) == 2 else ROLLED
+    spacing = {"atomic_spacing": scene.values["atomic_spacing"]} if "atomic_spacing" in scene.values else {}
+    pair = Scene({**given, **spacing, XI: DEFAULTS[XI]}, model=scene.law.name)
+    low, high = (DEFAULTS[XI] * (force / pair["yield_force"]) for force in FORCES)
+    return low, high
+
+
+def _measured(scene: Scene) -> Interval:
+    """Return the measured displacement of a solid, scaled to the radii of a scene."""
+    found = _OF_POLYSTYRENE
+    if scene.material is not None and SIO2 in scene.material.aliases:
+        low, high = displacements_where_measured(scene)
+        found = Displacement(Interval((low + high) / 2, low, high), ROLLED["radius"])
+    return found.at(2 * scene["reduced_radius"])
+
+
+@_kept
+def at_least_measured(scene: Scene) -> Scene:
+    """Return the scene with the least displacement that forces on the same solid mean."""
+    return scene.replace(**{XI: _measured(scene).low}).with_results_of(scene, IN_ITS_PLACE)
+
+
+@_kept
+def at_most_measured(scene: Scene) -> Scene:
+    """Return the scene with the largest displacement that forces on the same solid mean."""
+    return scene.replace(**{XI: _measured(scene).high}).with_results_of(scene, IN_ITS_PLACE)
+
+
+# --- The size of a doubt about the law --------------------------------------------------------------------------------
 
 
 def uses_law(scene: Scene, name: str) -> bool:

@@ -166,15 +166,18 @@ class _Bar(NamedTuple):
 Bars = dict[str, Propagated | JkrollError]  # by the quantity; an error is the reason why there is none
 
 
-def uncertainties(scene: Scene, names: Sequence[str]) -> tuple[Bars, Sources]:
-    """Return the uncertainties of quantities of a scene, and their sources.
+def uncertainties(
+    scene: Scene, names: Sequence[str], alternative: Callable[[Scene], Scene] | None = None
+) -> tuple[Bars, Sources]:
+    """Return the uncertainties of quantities of a scene, or of one that is made of it, and their sources.
 
     A quantity without a finite value, or one on which no source has an influence, is left out. An error is the reason
     why a quantity has no value at one place of the sources.
     """
-    values = {name: value for name, value in scene.numbers(*names).items() if isfinite(value)}
-    sources = sources_of_results(scene, names)
-    return propagated(_evaluation(scene, [*values], sources.entering), values, sources.entering), sources
+    middle = scene if alternative is None else alternative(scene)
+    values = {name: value for name, value in middle.numbers(*names).items() if isfinite(value)}
+    sources = sources_of_results(middle, names)
+    return propagated(_evaluation(scene, [*values], sources.entering, alternative), values, sources.entering), sources
 
 
 def part_beyond_pull_off(scene: Scene, sources: Sequence[Source]) -> float:
@@ -205,12 +208,18 @@ def moved(sources: Sequence[Source], place: Place) -> dict[str, Any]:
     return {name: value for source, value in zip(sources, place, strict=True) for name in source.names}
 
 
-def _evaluation(scene: Scene, names: Sequence[str], sources: Sequence[Source]) -> Evaluate:
+def _evaluation(
+    scene: Scene,
+    names: Sequence[str],
+    sources: Sequence[Source],
+    alternative: Callable[[Scene], Scene] | None = None,
+) -> Evaluate:
     """Return what computes quantities of a scene at places, one after the other, or many places of numbers as arrays."""
     middles = {name: given.value for name, given in scene.uncertain.items()}
 
     def at(place: Place) -> Mapping[str, Any]:
-        return scene.replace(**{**middles, **moved(sources, place)}).evaluate(names)
+        changed = scene.replace(**{**middles, **moved(sources, place)})
+        return (changed if alternative is None else alternative(changed)).evaluate(names)
 
     def evaluate(places: Sequence[Place]) -> Outcomes:
         if len(places) <= FEW or scene.shape:
