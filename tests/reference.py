@@ -110,7 +110,7 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
         | of_approach
         | vibration
         | _aggregates(known, gamma, R1, m1, xi, adhesion_energy)
-        | _peeling((E1, E2), (nu1, nu2), E, P_c, a0, s)
+        | _peeling((E1, E2), (nu1, nu2), E, P_c, a0, s, M / R1)
         | {
             "work_of_adhesion": 2 * gamma,
             "radius_ratio": R1 / R2,
@@ -176,6 +176,7 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
             "displacement_limit": a0 / (3 * sqrt(a_)),
             "displacement_ratio": 3 * xi * sqrt(a_) / a0,
             "contact_radius_in_spacings": a0 * a_ / z0,
+            "hertz_pressure_over_modulus": 2 * a0 * a_ / (pi * R),
             "profile_error": (a0 * a_) ** 2 * (1 / R1**3 + 1 / R2**3) / (4 * (1 / R1 + 1 / R2)),
             "displacement_over_contact_radius": xi / (a0 * a_),
             "r_min_over_radius": R2 / xi,
@@ -231,7 +232,7 @@ def _shearing(
 
 
 def _peeling(
-    moduli: tuple[Exact, ...], ratios: tuple[Exact, ...], E: Exact, P_c: Exact, a0: Exact, s: Exact
+    moduli: tuple[Exact, ...], ratios: tuple[Exact, ...], E: Exact, P_c: Exact, a0: Exact, s: Exact, Q: Exact
 ) -> dict[str, Exact]:
     """The contact that peels under a tangential force, at a load that it holds by itself."""
     if s < 0:
@@ -241,7 +242,9 @@ def _peeling(
     G = 1 / sum((2 - nu) / each for nu, each in zip(ratios, shear, strict=True))
     force, radius = 4 * sqrt(P_c * (P + P_c) * G / E), a0 * cbrt((P + 2 * P_c) / (4 * P_c))
     ratio = force / (min(shear) / (4 * pi) * radius**2)
-    return {"peeling_force": force, "peeling_radius": radius, "peeling_over_sliding": ratio}
+    first = _given_way(force, ratio, s)
+    found = {"peeling_force": force, "peeling_radius": radius, "peeling_over_sliding": ratio}
+    return found | {"sliding_or_peeling_force": first, "rolling_over_sliding": Q / first if first else mpf("inf")}
 
 
 def _aggregates(
@@ -374,6 +377,7 @@ SYMBOLS = {
     "R_min": "r_min", "U_stick": "sticking_energy", "W_adhesion": "adhesion_energy", "W_yield": "yield_energy", "z0": "atomic_spacing", "limit": "displacement_limit",
     "tau": "shear_strength", "F_slide": "sliding_force", "s_slide": "sliding_displacement", "k_t": "twisting_stiffness",
     "M_twist": "twisting_moment", "phi_twist": "twisting_angle", "T_peel": "peeling_force", "a_peel": "peeling_radius",
+    "T_over_slide": "peeling_over_sliding", "T_first": "sliding_or_peeling_force",
     "n": "monomers", "n_c": "contacts", "phi": "filling_factor", "E_roll": "roll_energy_quarter_turn", "E_roll_half": "roll_energy_half_turn",
     "E_break": "pull_off_work", "E_break_rule": "break_energy_dust_simulation", "E_restr": "restructuring_energy",
     "E_restr_1": "restructuring_energy_ormel", "E_disr": "disruption_energy", "E_disr_rule": "disruption_energy_dust_simulation",
@@ -391,6 +395,19 @@ def _held(s: Exact) -> Exact:
     if s < 0:
         raise ValueError
     return s
+
+
+def _given_way(T_peel: Exact, T_over_slide: Exact, s: Exact) -> Exact:
+    """The force that reaches the strength of the area that is left, at T = T_peel sin φ; T_peel where none does."""
+    if T_over_slide <= 1:
+        return T_peel
+
+
+    def excess(angle: Exact) -> Exact:  # of T over the strength of the area that is left, both over that of the peeled contact
+        left = (1 + s**2 + 2 * s * digits.cos(angle)) / (1 + s**2)
+        return T_over_slide * digits.sin(angle) - cbrt(left) ** 2
+
+    return T_peel * digits.sin(digits.findroot(excess, (mpf(0), pi / 2), solver="illinois", tol=mpf(10) ** -70, verify=False))
 
 
 def _shifted_pressure(X_c: Exact, a: Exact, E: Exact, R: Exact, xi: Exact, p_H: Exact, p_B: Exact) -> list[Exact]:
@@ -501,6 +518,8 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "twisting_friction_coefficient": lambda M_twist, P, P_c: M_twist / (P + 2 * P_c),
     "peeling_force": lambda P_c, s, G, E: 4 * P_c * _held(s) * sqrt(G / E),
     "peeling_radius": lambda w, R, E, s: cbrt(9 * pi * w * R**2 / (2 * E) * (1 + _held(s) ** 2) / 4),
+    "sliding_or_peeling_force": lambda T_peel, T_over_slide, s: _given_way(T_peel, T_over_slide, _held(s)),
+    "rolling_over_sliding": lambda Q, T_first: Q / T_first,
     "peeling_over_sliding": lambda T_peel, tau, a_peel: T_peel / (pi * a_peel**2 * tau),
     # aggregates
     "contacts": lambda n: n,
@@ -530,6 +549,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "displacement_limit": lambda a0, x: a0 / (3 * cbrt(x)),
     "displacement_ratio": lambda xi, limit: xi / limit,
     "contact_radius_in_spacings": lambda a, z0: a / z0,
+    "hertz_pressure_over_modulus": lambda p_H, E: p_H / E,
     "profile_error": lambda a, R1, R2: a**2 * (1 / R1**3 + 1 / R2**3) / (4 * (1 / R1 + 1 / R2)),
     "displacement_over_contact_radius": lambda xi, a: xi / a,
     "r_min_over_radius": lambda R_min, R1: R_min / R1,
@@ -554,7 +574,6 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "exact_pressure": lambda X_c, a, E, R, xi, p_H, p_B: sum(_shifted_pressure(X_c, a, E, R, xi, p_H, p_B)),
     "half_circle_pressure": lambda r, A, delta, E, R: sum(_half_circle_pressure(r, A, delta, E, R)),
     "unloaded_half_width": lambda w, R_c, E_strain: cbrt(32 * w * R_c**2 / (pi * E_strain)),
-    "rolled_over_displacement": lambda n_roll, R1, xi: 2 * pi * R1 * n_roll / xi,
     **law_reference.EQUATIONS,
 }
 

@@ -52,6 +52,8 @@ def test_three_rows(run: Run, load: float) -> None:
         ("quartz 1um", "peels off before it slides"),
         ("quartz 1um --shear-strength 10MPa", "slides before it peels off"),
         ("quartz 100nm --xi 1nm", "pushed, it rolls before it slides"),
+        ("quartz 0.5nm", "pushed, it slides before it rolls"),
+        ("quartz 100nm", "T_first = 21.6"),  # where its whole area slides at 29.2 nN
     ],
 )
 def test_what_comes_first(run: Run, words: str, said: str) -> None:
@@ -95,6 +97,13 @@ def test_ratios_of_a_state(run: Run, model: str) -> None:
         assert at_pull_off["approach_ratio"] == approx(-(2 ** (-4 / 3)), rel=1e-7)
     assert "load_ratio" in run(f"contact quartz 100nm --load -5nN --model {model}").out
     assert "load_ratio" not in run(f"contact quartz 100nm --model {model}").out
+
+
+def test_what_rolls_is_told_once(run: Run) -> None:
+    """A contact that slides at 25 pN and rolls at 94 does not break before: it slides."""
+    said = run("resistances quartz 0.5nm --explain").out
+    assert "slides or peels off before it rolls" in said
+    assert "breaks before it rolls" not in said
 
 
 def test_a_sweep_and_another_law(run: Run) -> None:

@@ -106,14 +106,15 @@ def test_fig_8_what_does_not_roll_at_10_nm_and_what_turns_at_100_nm() -> None:
     def turns(ratio: float, radius: float) -> float:
         return float(solve("n_roll", contact_modulus=ratio, surface_energy=1.0, radius=radius))
 
-    assert 2 * math.pi * 1e-8 * turns(2.6e12, 1e-8) == approx(2e-10, rel=0.03)
+    # Eq (48) has 2πn⟨M⟩ = (2/7)W0, and W_yield = ⟨M⟩ξ/R: they are equal where 2πRn = ξ.
+    assert 2 * math.pi * 5e-9 * turns(9.2e11, 1e-8) == approx(2e-10, rel=0.03)
     assert turns(1.5e9, 1e-7) == approx(1, rel=0.03)
     shaded = MAPS["8"].regions[0]
     assert shaded.look is not None
     assert LOOKS[shaded.look].shade > 0
     row = int(np.argmin(abs(np.log(shaded.y.values() / 1e-8))))
     inside = shaded.x.values()[shaded.margin[row] < 0]
-    assert inside.min() == approx(2.6e12, rel=0.2)
+    assert inside.min() == approx(9.2e11, rel=0.2)
     assert inside.max() == MAPS["8"].x.high
     assert not (shaded.margin[-1] < 0).any()
 

@@ -218,7 +218,7 @@ def about_results(results: list[Result], scene: Scene, noted: Collection[str] = 
     if "disruption_energy" in names:
         as_many = "" if "contacts" in scene.given else "; n_c = N (--contacts)"
         notes.insert(0, Note("result", f"N and n_c are of each of two equal aggregates{as_many}"))
-    if {"yield_force", "sliding_force", "peeling_force", "twisting_moment"} <= {*names}:
+    if {"yield_force", "sliding_force", "sliding_or_peeling_force", "twisting_moment"} <= {*names}:
         notes.append(_first_to_yield(scene))
     if not {"pull_off_force", "bond_number"}.isdisjoint(names) and scene.values.get("radius", 0.0) >= ROUGH:
         notes.append(Note("roughness", _ROUGHNESS, size=log(_SMOOTH)))
@@ -278,16 +278,19 @@ def _about_noted(results: Iterable[Result], noted: Collection[str]) -> Iterator[
 
 
 def _first_to_yield(scene: Scene) -> Note:
-    """Return what yields first where a pair is pushed, and where it is turned. Sliding against peeling takes the area that is left."""
-    names = ("yield_force", "sliding_force", "peeling_force", "yield_moment", "twisting_moment", "peeling_over_sliding")
-    roll, slide, peel, bend, twist, ratio = scene.evaluate(names).values()
-    breaks, yields = ("peels off", "slides") if ratio < 1 else ("slides", "peels off")
-    rolls = "rolls before it slides" if roll < min(slide, peel) else f"{breaks} before it rolls"
-    pushed = f"pushed, it {rolls}; where it cannot roll, it {breaks} before it {yields}"
+    """Return what yields first where a pair is pushed, and where it is turned. A brittle contact shrinks while it is pushed."""
+    names = ("yield_force", "sliding_or_peeling_force", "yield_moment", "twisting_moment", "peeling_over_sliding")
+    roll, first, bend, twist, ratio = scene.evaluate(names).values()
+    gives_way, last = ("peels off", "slides") if ratio < 1 else ("slides", "peels off")
+    rolls = "rolls before it slides" if roll < first else f"{gives_way} before it rolls"
+    force = f"{symbol_of('sliding_or_peeling_force')} = {amount('sliding_or_peeling_force', first)}"
+    pushed = (
+        f"pushed, it {rolls}; where it cannot roll, it {gives_way} before it {last}, at {force}, if it is brittle and shrinks; "
+        f"with all of its area it slides at {symbol_of('sliding_force')}"
+    )
     turned = "rolls it before it twists it" if bend < twist else "twists it before it rolls it"
     moments = f"M_twist = {twist / bend:.3g} M" if bend < twist else f"M = {bend / twist:.3g} M_twist"
-    text = f"{pushed} (T_peel = {amount('peeling_force', peel)}); a moment {turned} ({moments})"
-    return Note("result", text)
+    return Note("result", f"{pushed}; a moment {turned} ({moments})")
 
 
 def model_error(name: str, scene: Scene) -> float | None:

@@ -140,7 +140,7 @@ _THREE = Grid(
 )
 _RESISTANCES = Question(
     ("yield_force", "sliding_force", "twisting_moment"),
-    (*_THREE.quantities, "peeling_force", "peeling_radius"),
+    (*_THREE.quantities, "sliding_or_peeling_force", "peeling_force", "peeling_radius"),
     grid=_THREE,
 )
 _AGGREGATES = Question(

@@ -65,7 +65,7 @@ def yield_force_ratio_of_forces(*, yield_force: Force, pull_off_force: Force) ->
         Q/P_c
 
     Source:   As Eq (27).
-    Valid:    As the forces. Above 1, the contact breaks before it rolls.
+    Valid:    As the forces.
     Accuracy: 0.5 ulp above Q and P_c.
 
     >>> yield_force_ratio_of_forces(yield_force=1.0, pull_off_force=4.0)

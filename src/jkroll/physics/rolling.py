@@ -131,7 +131,7 @@ def yield_force_ratio(*, load_factor: Number, yield_displacement: Length, radius
         Q/P_c = 4 â^(3/2) ξ/R1
 
     Source:   Eq (27).
-    Valid:    As Eq (25). Above 1, the contact breaks before it rolls.
+    Valid:    As Eq (25).
     Accuracy: 1.5 ulp above x.
 
     >>> yield_force_ratio(load_factor=1.0, yield_displacement=2.5, radius=10.0)

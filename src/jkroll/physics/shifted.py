@@ -6,7 +6,7 @@ The centre of the circle, X = 0, lags by ξ behind the contact point, x = X − 
 from __future__ import annotations
 
 from .contact import boussinesq_pressure_at_approach, hertz_pressure, pressure
-from .dimensions import Length, Number, Stress, SurfaceEnergy
+from .dimensions import Length, Stress, SurfaceEnergy
 from .elementary import cbrt, pi, sqrt
 
 
@@ -93,18 +93,3 @@ def unloaded_half_width(
     2.0
     """
     return cbrt(32 / pi * work_of_adhesion / plane_strain_modulus * cylinder_radius**2)
-
-
-def rolled_over_displacement(*, n_roll: Number, radius: Length, yield_displacement: Length) -> Number:
-    """Return the distance that sphere 1 rolls, over the yield displacement: below 1 it springs back, as in the corner of Fig. 8.
-
-        2πR1 n_roll/ξ
-
-    Source:   Caption of Fig. 8.
-    Valid:    As Eq (48).
-    Accuracy: 2 ulp above n_roll.
-
-    >>> rolled_over_displacement(n_roll=1.0, radius=1.0, yield_displacement=2 * pi)
-    1.0
-    """
-    return 2 * pi * n_roll * (radius / yield_displacement)

@@ -5,6 +5,8 @@ from __future__ import annotations
 from .dimensions import Angle, Energy, Force, Length, Moment, Number, Stiffness, Stress, SurfaceEnergy
 from .elementary import at_least, cbrt, cube, pi, sqrt, within
 
+_NEWTON_STEPS = 4
+
 
 def shear_strength(
     *, youngs_modulus: Stress, poisson_ratio: Number, youngs_modulus2: Stress, poisson_ratio2: Number
@@ -206,6 +208,52 @@ def peeling_over_sliding(*, peeling_force: Force, shear_strength: Stress, peelin
     4.0
     """
     return peeling_force / (pi * shear_strength * peeling_radius**2)
+
+
+def sliding_or_peeling_force(
+    *, peeling_force: Force, peeling_over_sliding: Number, load_margin: Number
+) -> Force:
+    """Return the tangential force at which a brittle contact gives way, at a fixed normal load: it slides or peels off.
+
+        T = πa²τ, with 4E*a³/(3R) = P + 2P_c + √(4P_c(P + P_c) − T²E*/(4G*)); T_peel where it peels before
+
+    peeling_force         [N]  ≥ 0
+    peeling_over_sliding  [1]  ≥ 0
+    load_margin           [1]  ≥ 0
+
+    Source:   Griffith, as the peeling force: the contact shrinks while T rises, until T reaches the strength of the area that is left.
+    Valid:    As the peeling force. A contact that keeps its area slides at F_slide, which is larger.
+    Accuracy: 3 ulp above T_peel, T_peel/F_slide and s.
+
+    >>> sliding_or_peeling_force(peeling_force=2.0, peeling_over_sliding=0.5, load_margin=1.0)
+    2.0
+    """
+    # With T = T_peel √(1 − c²), the area left is (1 + ec)^(2/3) times that of the peeled contact: c lies between 0 and 1.
+    e = 2 * load_margin / (1 + load_margin**2)
+    ratio = at_least(peeling_over_sliding, 1.0)
+    share, rest = 1 / ratio**2, (ratio - 1) / ratio * ((ratio + 1) / ratio)
+    h = 2 / 3 * share * e
+    c = rest / (h + sqrt(h**2 + rest) + (rest == 0))
+    for _ in range(_NEWTON_STEPS):  # from above, on a convex function
+        growth = 1 + e * c
+        root = cbrt(growth)
+        c = c - (share * growth * root - (1 - c) * (1 + c)) / (4 / 3 * share * e * root + 2 * c)
+    return peeling_force / ratio * cbrt(1 + e * c) ** 2
+
+
+def rolling_over_sliding(*, yield_force: Force, sliding_or_peeling_force: Force) -> Number:
+    """Return the force that starts sphere 1 rolling over the tangential force that slides or peels the contact.
+
+        Q/T_first
+
+    Source:   Forces at the centre of sphere 1: below 1, it rolls first.
+    Valid:    As the forces.
+    Accuracy: 0.5 ulp above both.
+
+    >>> rolling_over_sliding(yield_force=1.0, sliding_or_peeling_force=4.0)
+    0.25
+    """
+    return yield_force / sliding_or_peeling_force
 
 
 # --- As LAMMPS has them -----------------------------------------------------------------------------------------------

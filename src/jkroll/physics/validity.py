@@ -69,6 +69,25 @@ def contact_radius_in_spacings(*, contact_radius_at_load: Length, atomic_spacing
     return contact_radius_at_load / atomic_spacing
 
 
+def hertz_pressure_over_modulus(*, hertz_pressure: Stress, contact_modulus: Stress) -> Number:
+    """Return the Hertz part of the pressure over the contact modulus, which tells whether the solid would yield.
+
+        p_H/E* = 2a/(πR)
+
+    hertz_pressure  [Pa]  ≥ 0
+
+    Source:   A crystal without flaws yields under a shear of about G/30 ("Yield (engineering)", Wikipedia), so that its yield stress Y,
+              twice that, is about E/30. The largest shear below a Hertz contact is 0.31 p_H, 0.48a deep (ν = 0.3), so that the
+              contact yields at p_H = 1.6Y (Tresca; Johnson, Contact Mechanics, 1985): for like solids, about 0.1 E*.
+    Valid:    An upper bound: with flaws, solids yield at far less. The pull at the rim is left out.
+    Accuracy: 0.5 ulp above p_H.
+
+    >>> hertz_pressure_over_modulus(hertz_pressure=1.0, contact_modulus=8.0)
+    0.125
+    """
+    return hertz_pressure / contact_modulus
+
+
 def profile_error(*, contact_radius_at_load: Length, radius: Length, radius2: Length) -> Number:
     """Return how far the paraboloids of the model are from the spheres at the edge of the contact, relative to their depth.
 
@@ -93,7 +112,7 @@ def displacement_over_contact_radius(*, yield_displacement: Length, contact_radi
 
         ξ/a
 
-    Source:   Fig. 4: the circle lags behind by ξ.
+    Source:   Fig. 2: the circle lags behind by ξ.
     Accuracy: 0.5 ulp above a.
 
     >>> displacement_over_contact_radius(yield_displacement=1.0, contact_radius_at_load=2.0)
@@ -133,11 +152,13 @@ def yield_energy(*, work_of_adhesion: SurfaceEnergy, yield_displacement: Length,
 
 
 def energy_over_yield(*, energy: Energy, yield_energy: Energy) -> Number:
-    """Return the energy of sphere 1 over that which makes the contact yield: below 1 it does not roll.
+    """Return the energy of sphere 1 over that which makes the contact yield.
 
         W0/(3πw â^(3/2) ξ²)
 
     Source:   As the yield energy.
+    Valid:    Without slip, it rolls where this is above 1. Of a sphere that arrives without spin 5/7 of W0 is left, so that this is
+              to be above 7/5; of one that spins in place, which is the paper's Eq (47), 2/7 and 7/2.
     Accuracy: 0.5 ulp above W0 and the yield energy.
 
     >>> energy_over_yield(energy=4.0, yield_energy=2.0)

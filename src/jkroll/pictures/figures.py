@@ -6,7 +6,7 @@ The paper's other figures carry no data.
 from collections.abc import Callable, Collection, Mapping, Sequence
 from math import pi
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from ..answers.results import equation_of
 from ..materials.library import Materials
@@ -14,7 +14,7 @@ from ..physics.any_law import pull_off_force_lennard_jones, transition_parameter
 from ..physics.contact import pressure
 from ..physics.cylinder import asymmetric_pressure, contact_point_moment, half_strips_moment, symmetric_pressure
 from ..physics.maugis import edge_ratio_at_pull_off, pull_off_force_maugis
-from ..physics.shifted import exact_pressure, half_circle_pressure, rolled_over_displacement, unloaded_half_width
+from ..physics.shifted import exact_pressure, half_circle_pressure, unloaded_half_width
 from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.limits import Limit
@@ -53,7 +53,7 @@ class PaperMap(NamedTuple):
     guide: tuple[float, str] | None = None  # a radius that the text speaks of
     point: tuple[float, float, str] | None = None  # (x, R1) that the text speaks of
     printed: str = ""
-    shades_no_rolling: bool = False  # where spheres roll by less than ξ
+    shades_no_rolling: bool = False  # where spheres spring back
 
 
 RADII = Axis("radius", 5e-10, 1e-3)
@@ -108,7 +108,7 @@ PAPER_MAPS: Mapping[str, PaperMap] = MappingProxyType(
             Axis("modulus_over_energy", 1e9, 1e13, beside={"surface_energy": 1.0}),  # γ may be any
             {},
             "For W0 = P_cδ0; in general these are n_roll/(W0/P_cδ0). An energy balance gives 7/2 of Eq (49). Below 10 nm, spheres "
-            "with E*/γ above 3·10¹² m⁻¹ do not roll; below 100 nm a full turn takes E*/γ below 1.5·10⁹ m⁻¹.",
+            "with E*/γ above 9·10¹¹ m⁻¹ do not roll; below 100 nm a full turn takes E*/γ below 1.5·10⁹ m⁻¹.",
             has_log_labels=False,
             guide=(1e-8, "10 nm"),
             shades_no_rolling=True,
@@ -127,7 +127,7 @@ def paper_map(
     values = evaluate(scene, declared.quantity, x, y)
     printed = evaluate(scene, declared.printed, x, y) if as_printed and declared.printed else None
     limits = [] if is_plain else limits_of_paper(declared.quantity)
-    shaded = (_no_rolling(scene, values, x, y),) if declared.shades_no_rolling and limits else ()
+    shaded = (_no_rolling(scene, x, y),) if declared.shades_no_rolling and limits else ()
     regions, _ = limits_on_map(scene, declared.quantity, x, y, values, limits)
     marks, others = material_marks(materials, x, y)
     points = (Mark(declared.point[2], *declared.point[:2]),) if declared.point else ()
@@ -148,13 +148,12 @@ def paper_map(
     )
 
 
-def _no_rolling(scene: Scene, turns: Any, x: Axis, y: Axis) -> Region:
-    """Return the region in which spheres roll by less than ξ, given their turns."""
+def _no_rolling(scene: Scene, x: Axis, y: Axis) -> Region:
+    """Return the region in which spheres do not roll through their yield angle: the spin of Eq (47) has (2/7)W0, less than W_yield."""
     import numpy
 
-    shift = scene.values["yield_displacement"]
-    rolled = rolled_over_displacement(n_roll=turns, radius=y.values()[:, None], yield_displacement=shift)
-    return Region("2πR1 n_roll < ξ: it does not roll", x, y, numpy.log10(rolled), "rolled_over_displacement")
+    left = 2 / 7 * evaluate(scene, "energy_over_yield", x, y)
+    return Region("(2/7)W0 < W_yield: it springs back", x, y, numpy.log10(left), "energy_over_yield")
 
 
 def _caption(declared: PaperMap, limits: Collection[Limit], *, as_printed: bool) -> tuple[str, ...]:

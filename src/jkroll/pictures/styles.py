@@ -43,7 +43,7 @@ LOOKS: Mapping[str, Look] = MappingProxyType(
         "contact_radius_in_spacings": Look("x", hatch="...."),
         "displacement_ratio": Look("/", hatch="////"),
         "tabor_parameter": Look("|", hatch="||||"),
-        "rolled_over_displacement": Look("^", shade=0.25),
+        "energy_over_yield": Look("^", shade=0.25),
         BORDER: Look("'", line=(0.9, "dashdot")),
     }
 )

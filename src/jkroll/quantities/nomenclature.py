@@ -108,6 +108,10 @@ OF_DEM: Mapping[str, Quantity] = {
     "peeling_force": Quantity("T_peel", "N", "tangential force at which the contact peels off", may_be_zero=True),
     "peeling_radius": Quantity("a_peel", "m", "contact radius at which it peels off"),
     "peeling_over_sliding": Quantity("T/F_slide", "1", "peeling force over the force to slide the contact as it peels", may_be_zero=True),
+    "sliding_or_peeling_force": Quantity(
+        "T_first", "N", "tangential force at which a brittle contact slides or peels off", may_be_zero=True
+    ),
+    "rolling_over_sliding": Quantity("Q/T_first", "1", "yield force over the force that slides or peels"),
     "twisting_stiffness": Quantity("k_t", "N m", "torsional stiffness at the load", may_be_zero=True),
     "twisting_moment": Quantity("M_twist", "N m", "moment at which the contact twists (torsion)"),
     "twisting_angle": Quantity("φ_twist", "rad", "angle of torsion at which the contact twists"),
@@ -325,7 +329,8 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         "displacement_limit": Quantity("ξ_max", "m", "largest meaningful displacement", "25"),
         "displacement_ratio": Quantity("ξ/ξ_max", "1", "displacement over its limit", "25"),
         "contact_radius_in_spacings": Quantity("a/z0", "1", "contact radius over the atomic spacing", "2", may_be_zero=True),
-        "profile_error": Quantity("e_h", "1", "error of the paraboloid at the edge of the contact", "4", may_be_zero=True),
+        "hertz_pressure_over_modulus": Quantity("p_H/E*", "1", "Hertz part of the pressure over the contact modulus", "8", may_be_zero=True),
+        "profile_error": Quantity("e_h", "1", "error of the paraboloid at the edge of the contact", may_be_zero=True),
         "displacement_over_contact_radius": Quantity("ξ/a", "1", "displacement over the contact radius", "25"),
         "r_min_over_radius": Quantity("R_min/R1", "1", "smallest curvature radius over the radius", "28"),
         "yield_energy": Quantity("W_yield", "J", "energy to roll to the yield displacement", "25"),

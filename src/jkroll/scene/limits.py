@@ -165,7 +165,7 @@ LIMITS = (
     ),
     Limit(
         "displacement_ratio", _DISPLACEMENT, ">=", {1.0: "ξ/ξ_max>=1"},
-        "above 1", "the shifted circle is impossible; the moment holds all the same while M/2cRw < 1",
+        "above 1", "the shifted circle is impossible: its leading edge would interpenetrate",
         "below 1: the shifted contact is possible",
     ),
     Limit(
@@ -174,9 +174,9 @@ LIMITS = (
         "below 1: the contact keeps its apex",
     ),
     Limit(
-        "yield_force_ratio", frozenset({"yield_force"}), ">=", {1.0: "Q/P_c>=1"},
-        "above 1", "the contact breaks before it rolls",
-        "below 1: it rolls before it breaks",
+        "rolling_over_sliding", frozenset({"yield_force"}), ">=", {1.0: "Q/T_first>=1"},
+        "above 1", "the contact slides or peels off before it rolls",
+        "below 1: it rolls before it slides or peels off",
     ),
     Limit(
         "peeling_over_sliding", frozenset({"sliding_force"}), "<", {1.0: "T/F_slide<1"},
@@ -198,10 +198,17 @@ LIMITS = (
         "below 1", "held out level, even one sphere rolls down; it falls off where Bo is below 1",
         "above 1: a sphere stands out level",
     ),
-    Limit(
-        "energy_over_yield", _TURNS, "<=", {1.0: "W0/W_yield<=1"},
-        "below 1", "the contact springs back and does not roll",
-        "above 1: it rolls",
+    *(
+        Limit(
+            "energy_over_yield", frozenset({turns}), "<=", {least: f"W0/W_yield<={least:g}"},
+            f"below {least:g}", f"with {energy} the contact springs back and does not roll",
+            f"above {least:g}: with {energy} it rolls",
+        )
+        for turns, least, energy in (
+            ("n_roll", 7 / 2, "the (2/7)W0 of n_roll"),
+            ("n_roll_after_impact", 7 / 5, "the (5/7)W0 of n_imp"),
+            ("n_roll_energy_balance", 1.0, "all of W0, as n_bal,"),
+        )
     ),
     Limit(
         "energy_over_sticking", _TURNS, ">", {1.0: "W0/U_stick>1"},
@@ -224,6 +231,11 @@ LIMITS = (
         "contact_radius_in_spacings", _ELASTICITY, "<", {3.0: "a/z0<3"},
         "few atoms in the contact", "elasticity is in doubt",
         "many atoms in the contact",
+    ),
+    Limit(
+        "hertz_pressure_over_modulus", _ELASTICITY, ">", {0.1: "p_H/E*>0.1"},
+        "above 0.1", "even a solid without flaws yields under less; no plasticity is modelled",
+        "below 0.1: a solid without flaws would not yield",
     ),
     Limit(
         "profile_error", _ELASTICITY, ">", {0.01: "e_h>0.01"},
@@ -306,8 +318,8 @@ def codes(bits: int) -> str:
 
 def not_judged(found: Iterable[Doubt]) -> dict[str, list[str]]:
     """Return the numbers of limits that could not be judged, by the inputs that they need."""
-    missing: dict[str, list[str]] = {}
+    missing: dict[str, dict[str, None]] = {}
     for doubt in found:
         if doubt.error is not None:
-            missing.setdefault(doubt.error.needs(), []).append(doubt.limit.name)
-    return missing
+            missing.setdefault(doubt.error.needs(), {})[doubt.limit.name] = None
+    return {needs: [*names] for needs, names in missing.items()}
