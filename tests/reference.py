@@ -402,12 +402,15 @@ def _given_way(T_peel: Exact, T_over_slide: Exact, s: Exact) -> Exact:
     if T_over_slide <= 1:
         return T_peel
 
-
-    def excess(angle: Exact) -> Exact:  # of T over the strength of the area that is left, both over that of the peeled contact
+    def excess(
+        angle: Exact,
+    ) -> Exact:  # of T over the strength of the area that is left, both over that of the peeled contact
         left = (1 + s**2 + 2 * s * digits.cos(angle)) / (1 + s**2)
         return T_over_slide * digits.sin(angle) - cbrt(left) ** 2
 
-    return T_peel * digits.sin(digits.findroot(excess, (mpf(0), pi / 2), solver="illinois", tol=mpf(10) ** -70, verify=False))
+    return T_peel * digits.sin(
+        digits.findroot(excess, (mpf(0), pi / 2), solver="illinois", tol=mpf(10) ** -70, verify=False)
+    )
 
 
 def _shifted_pressure(X_c: Exact, a: Exact, E: Exact, R: Exact, xi: Exact, p_H: Exact, p_B: Exact) -> list[Exact]:

@@ -138,11 +138,13 @@ from .physics.rolling import yield_moment as yield_moment
 from .physics.tangential import peeling_force as peeling_force
 from .physics.tangential import peeling_over_sliding as peeling_over_sliding
 from .physics.tangential import peeling_radius as peeling_radius
+from .physics.tangential import rolling_over_sliding as rolling_over_sliding
 from .physics.tangential import shear_strength as shear_strength
 from .physics.tangential import sliding_displacement as sliding_displacement
 from .physics.tangential import sliding_energy as sliding_energy
 from .physics.tangential import sliding_force as sliding_force
 from .physics.tangential import sliding_friction_coefficient as sliding_friction_coefficient
+from .physics.tangential import sliding_or_peeling_force as sliding_or_peeling_force
 from .physics.tangential import twisting_angle as twisting_angle
 from .physics.tangential import twisting_energy as twisting_energy
 from .physics.tangential import twisting_friction_coefficient as twisting_friction_coefficient
@@ -154,6 +156,7 @@ from .physics.validity import displacement_over_contact_radius as displacement_o
 from .physics.validity import displacement_ratio as displacement_ratio
 from .physics.validity import energy_over_sticking as energy_over_sticking
 from .physics.validity import energy_over_yield as energy_over_yield
+from .physics.validity import hertz_pressure_over_modulus as hertz_pressure_over_modulus
 from .physics.validity import profile_error as profile_error
 from .physics.validity import r_min_over_radius as r_min_over_radius
 from .physics.validity import tabor_parameter as tabor_parameter

@@ -107,7 +107,9 @@ def test_a_definition_of_jkr_stands_beside_values_of_jkr_alone(
 def test_many_doubts_are_a_number_and_its_limit(run: Run) -> None:
     first = run("report quartz 0.3nm").err.splitlines()[0]
     worded, _, more = first.partition("; also ")
-    assert worded.startswith("note: doubtful: W0/W_yield = 0.0287, below 3.5: with the (2/7)W0 of n_roll the contact springs")
+    assert worded.startswith(
+        "note: doubtful: W0/W_yield = 0.0287, below 3.5: with the (2/7)W0 of n_roll the contact springs"
+    )
     assert worded.count(": ") == 4  # "note: doubtful: ", and two doubts
     assert more.endswith(": jkroll guide models")
     assert dict(re.findall(r"(\S+) = \S+ \((\S+)\)", more)) == {
@@ -126,7 +128,9 @@ def test_the_largest_doubt_stands_first(run: Run) -> None:
     numbers = {
         one["symbol"]: one for one in json.loads(run("report quartz 0.3nm --json").out)["validity"] if not one["holds"]
     }
-    beyond = {symbol: abs(math.log(one["value"])) for symbol, one in numbers.items() if re.search("[<>]=?1$", one["code"])}
+    beyond = {
+        symbol: abs(math.log(one["value"])) for symbol, one in numbers.items() if re.search("[<>]=?1$", one["code"])
+    }
     said = run("report quartz 0.3nm").err
     order = sorted(beyond, key=lambda symbol: said.index(f"{symbol} = "))
     assert order == sorted(order, key=lambda symbol: -beyond[symbol])

@@ -232,7 +232,8 @@ def test_elements_of_two_rigid_bodies_are_nan(size: int) -> None:
 def test_what_could_not_be_judged_is_said(run: Run) -> None:
     ran = run("pull-off gold 100nm")
     assert (
-        "note: not checked: μ, a/z0, p_H/E*, e_h: need Young's modulus and Poisson's ratio; gold has none in Table 1" in ran.err
+        "note: not checked: μ, a/z0, p_H/E*, e_h: need Young's modulus and Poisson's ratio; gold has none in Table 1"
+        in ran.err
     )
     assert "z0 = " not in ran.err  # which nothing was judged by
     assert "not checked" not in run("pull-off quartz 100nm").err

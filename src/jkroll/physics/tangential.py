@@ -210,9 +210,7 @@ def peeling_over_sliding(*, peeling_force: Force, shear_strength: Stress, peelin
     return peeling_force / (pi * shear_strength * peeling_radius**2)
 
 
-def sliding_or_peeling_force(
-    *, peeling_force: Force, peeling_over_sliding: Number, load_margin: Number
-) -> Force:
+def sliding_or_peeling_force(*, peeling_force: Force, peeling_over_sliding: Number, load_margin: Number) -> Force:
     """Return the tangential force at which a brittle contact gives way, at a fixed normal load: it slides or peels off.
 
         T = πa²τ, with 4E*a³/(3R) = P + 2P_c + √(4P_c(P + P_c) − T²E*/(4G*)); T_peel where it peels before
