@@ -172,14 +172,14 @@ def test_doubts_have_a_column(run: Run, end: str) -> None:
     assert ran.err.splitlines()[1:] == [
         "note: material: 'quarz' is not known; a row that needs it fails",
         "note: assumed ξ = 200 pm (--xi), P = 0 N (--load)",
-        "note: 2 of 3 rows are doubtful (law>×2 in 2, M/2cRw>1 in 1, Q/P_c>=1 in 1, a/z0<3 in 1 and 3 more); column doubt says why",
+        "note: 2 of 3 rows are doubtful (law>×2 in 2, M/2cRw>1 in 1, Q/T_first>=1 in 1, a/z0<3 in 1 and 4 more); column doubt says why",
         "jkroll: 1 of 3 rows failed; column status says why",
     ]
     found = read_table(end)
     assert [*found[0]][-3:] == ["yield_force [N]", "doubt", "status"]
     assert [row["doubt"] or "" for row in found] == [
         "law>×2",
-        "law>×2 ξ/ξ_max>=1 ξ/a>1 Q/P_c>=1 M/2cRw>1 a/z0<3 e_h>0.01",
+        "law>×2 ξ/ξ_max>=1 ξ/a>1 Q/T_first>=1 M/2cRw>1 a/z0<3 p_H/E*>0.1 e_h>0.01",
         "",
     ]
     assert "doubtful" not in run(f"{words} --no-doubt").err

@@ -694,7 +694,7 @@ def test_every_answer_says_how_far_it_can_be_trusted(run: Run) -> None:
     doubts = run("yield-force quartz 3nm").err.splitlines()[0]
     assert "by Maugis' law (Tabor parameter 0.042, " in doubts
     assert "ξ/ξ_max = 1.56" in doubts
-    assert "Q/P_c = 1.6" in run("yield-force quartz 0.5nm", terminal=True).err
+    assert "Q/T_first = 3.8" in run("yield-force quartz 0.5nm", terminal=True).err
     assert "does not roll" in run("n-roll quartz 10nm --energy 1e-21J").err
     r_min = json.loads(run("r-min 100nm --json").out)
     assert [one["name"] for one in r_min["validity"] if one["holds"]] == ["yield_angle", "r_min_over_radius"]
@@ -748,7 +748,7 @@ def test_notes_are_few_and_say_their_rows(run: Run) -> None:
     lines = run("pull-off quartz 0.5nm 1nm 5um").err.splitlines()
     assert len(lines) == 3
     assert lines[0].endswith(
-        "; a/z0<3, elasticity is in doubt: rows 1-2; also e_h>0.01 (row 1), law>5% (row 3): jkroll guide models"
+        "; a/z0<3, elasticity is in doubt: rows 1-2; also p_H/E*>0.1 (rows 1-2), e_h>0.01 (row 1), law>5% (row 3): jkroll guide models"
     )
     assert lines[2] == "note: assumed z0 = 400 pm (--z0); 1 more: --explain"
 

@@ -117,6 +117,7 @@ def test_many_doubts_are_a_number_and_its_limit(run: Run) -> None:
         "ξ/ξ_max": ">=1",
         "μ": "law>×2",
         "Q/T_first": ">=1",
+        "M/2cRw": ">1",
         "p_H/E*": ">0.1",
         "ξ/a": ">1",
         "δ_α": ">1",
@@ -144,7 +145,7 @@ def test_the_largest_doubt_stands_first(run: Run) -> None:
         ("energies quartz 100nm", ["Maugis' law", "ξ = 200 pm"]),  # a factor of 1e4 in U_stick
         ("pull-off iron 100nm", ["Maugis' law", "P_DMT"]),
         ("pull-off iron 100±20nm", ["P_DMT", "Maugis' law"]),  # 9 % are less than the error bar
-        ("pull-off iron 100±2nm", ["Maugis' law", "P_DMT"]),
+        ("pull-off iron 400±8nm --z0 5angstrom", ["Maugis' law", "P_DMT"]),
     ],
 )
 def test_doubts_stand_by_size_unless_error_bars_are_wider(run: Run, words: str, kinds: list[str]) -> None:

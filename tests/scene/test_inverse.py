@@ -339,8 +339,8 @@ def test_rows_have_the_doubts_of_what_was_measured(run: Run) -> None:
     assert column(ran.out, "doubt") == column(
         run("pull-off", "quartz", radii.replace(",", "m,") + "m", "--csv").out, "doubt"
     )
-    assert column(ran.out, "doubt") == ["law>25% a/z0<3", "law>25%", ""]
-    assert "; a/z0<3, elasticity is in doubt: row 1\n" in ran.err
+    assert column(ran.out, "doubt") == ["law>25% a/z0<3 p_H/E*>0.1", "law>25%", ""]
+    assert "; a/z0<3, elasticity is in doubt: row 1; also p_H/E*>0.1 (row 1)" in ran.err
     assert not any(column(run("infer gamma quartz 1um --measured pull_off_force=3N,4N --csv").out, "doubt"))
 
 

@@ -136,7 +136,7 @@ def test_iron_of_100_nm_is_pressed_to_where_a_solid_yields() -> None:
     for material, ratio, is_in_doubt in (("iron", 0.16, True), ("quartz", 0.051, False)):
         scene = Scene({"radius": 1e-7}, known_materials()[material])
         assert scene["hertz_pressure"] / scene["contact_modulus"] == approx(ratio, rel=0.02)
-        assert ("p_H/E*>0.1" in codes_of(doubts(scene, ["contact_radius"]))) is is_in_doubt
+        assert ("p_H/E*>0.1" in codes_of(bits(scene, ["contact_radius"]))) is is_in_doubt
 
 
 def test_the_largest_shear_below_a_hertz_contact_is_a_third_of_its_pressure() -> None:
