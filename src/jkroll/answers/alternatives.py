@@ -24,6 +24,7 @@ from ..scene.alternatives import (
     is_at_displacement,
     ratio,
     rolled_solid,
+    solid_of_kind,
     uses_law,
 )
 from ..scene.limits import JUMP, LAW_MATTERS, Doubt
@@ -245,6 +246,10 @@ def _beyond_hysteresis(scene: Scene) -> str:
 
 def note_of_rows(scene: Scene) -> Note:
     """Return the note where ξ is assumed for rows of a kind, of which the scene is one."""
+    assumed = f"ξ = {amount(XI, DEFAULTS[XI])} (--xi) is assumed"
+    if scene.material is not None and not solid_of_kind(scene):
+        return Note("displacement", f"{assumed}: none of {scene.material.name} was measured")
     ends = displacements_where_measured(scene)
-    text = f"ξ = {amount(XI, DEFAULTS[XI])} (--xi) is assumed; forces on {SIO2} of 1 µm mean {span(XI, *ends)}, and it grows with the sphere"
-    return Note("displacement", text)
+    return Note(
+        "displacement", f"{assumed}; forces on {SIO2} of 1 µm mean {span(XI, *ends)}, and it grows with the sphere"
+    )

@@ -59,7 +59,15 @@ def table_with(names: tuple[str, ...], rows: list[list[str]], job: Job, preamble
     columns = understood(names, rows, meanings)._replace(preamble=preamble)
     asked = quantities_named(settings.quantities) if settings.quantities else ([], EVERYTHING)
     try:
-        table = table_of(columns, rows, fill, asked, doubt=settings.doubt, uncertainty=settings.uncertainty)
+        table = table_of(
+            columns,
+            rows,
+            fill,
+            asked,
+            doubt=settings.doubt,
+            uncertainty=settings.uncertainty,
+            alternatives=settings.alternatives,
+        )
     except MissingInput as error:
         if not settings.quiet:
             say_reading(columns)  # a column may not be understood

@@ -25,6 +25,7 @@ class Settings(NamedTuple):
     quiet: bool = False
     columns: tuple[str, ...] = ()  # what headers mean, as `--column` has it
     doubt: bool = True  # whether there is a column of doubts
+    alternatives: bool = False  # whether there are columns of the results under the other law
     infer: str = ""  # the input that is sought
     measured: str = ""  # the quantity from which it follows, whose measured values a column has
     uncertainty: bool = False  # whether there are columns of uncertainties, though the first rows have none

@@ -94,6 +94,7 @@ class Call(NamedTuple):
     quantities: str | None = None
     infer: str = ""
     no_doubt: bool = False
+    alternatives: bool = False
     settings: Mapping[str, Any] = MappingProxyType({})  # of `batch` alone: fields of its Settings
     # of the measurements of speed
     quick: bool = False
@@ -104,6 +105,7 @@ _FORMAT = "Numbers only, JSON or CSV; output file"
 _INSTEAD = "Show the derivation or the BibTeX entry instead of results"
 MATERIALS = Option("materials", "--materials", str, "FILE", "Read materials from your own file as well")
 NO_DOUBT = Option("no_doubt", "--no-doubt", bool, "", "Omit the column of doubts")
+ALTERNATIVES = Option("alternatives", "--alternatives", bool, "", "Add the results by the other law: ..._by_maugis")
 QUIET = Option("quiet", "--quiet", bool, "", "Suppress notes")
 _OUTPUT = (
     Option("to", "--to", str, "UNIT", "Unit of the results; several with commas"),
@@ -113,6 +115,7 @@ _OUTPUT = (
     Option("csv", "--csv", bool, "", _FORMAT),
     Option("target", "-o", str, "OUT", _FORMAT),
     NO_DOUBT._replace(hidden=True),
+    ALTERNATIVES,
     Option("explain", "--explain", bool, "", _INSTEAD),
     Option("cite", "--cite", bool, "", _INSTEAD),
     MATERIALS,
@@ -188,6 +191,7 @@ TABLE = (
     Option("strict", "--strict", bool, "", "Stop at the first row that fails"),
     Option("resume", "--resume", bool, "", "Keep what is newer than its table, of many"),
     NO_DOUBT,
+    ALTERNATIVES,
     Option("uncertainty", "--uncertainty", bool, "", "Add columns of error bars, though the first rows have none"),
     Option("jobs", "--jobs", int, "N", "Number of processes (default: one per core, at most 16)", 1, 64),
     Option("dask", "--dask", str, "ADDRESS", "Convert many tables on a Dask cluster"),

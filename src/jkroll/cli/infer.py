@@ -44,6 +44,10 @@ class _Inverse:
         """Return the columns of the rows."""
         return self.sought.of(self.names, self.quantities, sweep.kinds)
 
+    def with_alternatives(self, wanted: Wanted, sweep: Sweep, *, is_table: bool) -> Wanted:  # noqa: ARG002
+        """Return the same columns: each value is one of its own law."""
+        return wanted
+
     def bare(self, *, doubts: bool) -> Wanted:
         """Return the columns of the values alone."""
         return self.sought(self.names, self.quantities, doubts=doubts)
@@ -58,6 +62,8 @@ def run_infer(call: Call) -> int:
     if not call.words:
         raise BadRequest(f"infer needs an input: one of {', '.join(SIZES)}")
     names = _names(call.words[0])
+    if call.alternatives:
+        raise BadRequest("infer writes no --alternatives; --json has the values by each law")
     if tables := [word for word in call.words[1:] if is_table(word)]:
         if len(names) > 1:
             raise BadRequest(

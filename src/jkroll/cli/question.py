@@ -40,6 +40,9 @@ class Asked(Protocol):
     def wanted(self, sweep: Sweep) -> Wanted:
         """Return the columns of the rows. Raises what is wrong with all of them."""
 
+    def with_alternatives(self, wanted: Wanted, sweep: Sweep, *, is_table: bool) -> Wanted:
+        """Return the same columns with what may stand in place of results; in a table on a terminal, of the headline."""
+
     def bare(self, *, doubts: bool) -> Wanted:
         """Return the columns of the headline alone."""
 
@@ -62,6 +65,11 @@ class _OfQuestion:
 
     def wanted(self, sweep: Sweep) -> Wanted:
         return sweep.wanted(self.question.quantities, self.question.named)
+
+    def with_alternatives(self, wanted: Wanted, sweep: Sweep, *, is_table: bool) -> Wanted:
+        if is_table and len(sweep.models) > 1:
+            return wanted
+        return wanted.with_alternatives(sweep.kinds, self.headline if is_table else wanted.names, data=is_table)
 
     def bare(self, *, doubts: bool) -> Wanted:
         shown = [name for name in self.headline if name in self.question.named or not NOMENCLATURE[name].of_identical]
@@ -91,7 +99,7 @@ def write_asked(asked: Asked, sweep: Sweep, kind: str, form: Format, call: Call)
         asked.wanted(sweep)  # what is wrong with rows is raised before one is written
     answers = map(asked.answer, sweep.scenes())
     with text_output(call.target or "-") as out:
-        return write_answers(answers, count, kind, form, out, quiet=call.quiet)
+        return write_answers(answers, count, kind, form, out, quiet=call.quiet, alternatives=call.alternatives)
 
 
 def checked(call: Call) -> tuple[Question, str, Format]:
@@ -107,6 +115,8 @@ def checked(call: Call) -> tuple[Question, str, Format]:
 def checked_format(call: Call) -> str:
     """Return the name of the output format; raise BadRequest for one that does not go with `-o`."""
     kind = format_name(call)
+    if call.alternatives and (kind in ("bare", "explain", "cite") or call.curve):
+        raise BadRequest(f"--alternatives and --{'curve' if call.curve else kind} exclude each other")
     if call.target is not None and not is_json(call.target):
         if _is_picture(call.target):
             remedy = "add --curve to contact, or see jkroll map --help"
@@ -152,6 +162,8 @@ def _write_rows(asked: Asked, sweep: Sweep, kind: str, form: Format, call: Call)
     """Write a row for each scene; return the exit code."""
     wanted = asked.bare(doubts=not call.quiet) if kind == "bare" else asked.wanted(sweep)
     is_shown = kind == "table" and call.target is None and len(sweep) <= asked.most_in_table
+    if is_shown or (call.alternatives and kind != "bare"):
+        wanted = asked.with_alternatives(wanted, sweep, is_table=is_shown and not call.alternatives)
     blocks = sweep.columns(wanted, one_by_one=is_shown)
     if len(sweep) == 1:
         headline = [name for name in asked.headline if name in wanted.names and name not in sweep.spreads]
@@ -209,7 +221,16 @@ def _failed(failed: int, count: int, first: JkrollError | None) -> int:
 # --- Answers ----------------------------------------------------------------------------------------------------------
 
 
-def write_answers(answers: Iterable[Answer], count: int, kind: str, form: Format, out: TextIO, *, quiet: bool) -> int:
+def write_answers(
+    answers: Iterable[Answer],
+    count: int,
+    kind: str,
+    form: Format,
+    out: TextIO,
+    *,
+    quiet: bool,
+    alternatives: bool = False,
+) -> int:
     """Write answers one by one, and the notes of a single one unless these are in it; return the exit code."""
     failures: list[JkrollError] = []
 
@@ -239,7 +260,7 @@ def write_answers(answers: Iterable[Answer], count: int, kind: str, form: Format
 
             scene_table(only, out, form)
         else:
-            write_plain(only, out, form)
+            write_plain(only, out, form, alternatives=alternatives)
         out.flush()
         if not quiet:
             for line in note_lines.of_answer(only, has_head=kind == "table"):

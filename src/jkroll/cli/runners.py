@@ -30,6 +30,7 @@ def run_batch(call: Call) -> int:
         quantities=call.quantities or "",
         quiet=call.quiet,
         doubt=not call.no_doubt,
+        alternatives=call.alternatives,
         infer=infer,
         measured=measured,
         **call.settings,
@@ -52,6 +53,8 @@ def _inverse(call: Call) -> tuple[str, str]:
         )
     if call.quantities:
         raise BadRequest("--infer and --quantities exclude each other")
+    if call.alternatives:
+        raise BadRequest("--infer and --alternatives exclude each other")
     from ..scene.inverse import input_named
 
     return input_named(call.infer), quantity_named(call.measured[0])

@@ -9,7 +9,7 @@ from math import isnan, nan
 from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
 
 from ..quantities.formatting import Format, OutOfUnit, in_words
-from ..quantities.laws import BETWEEN, DEFAULT_LAW
+from ..quantities.laws import other_law
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, header
 from ..quantities.values import is_uncertain
 from ..rows.columns import DOUBT, STATUS, Columns, Wanted, as_list, remarks_of
@@ -199,8 +199,12 @@ def _json_text(text: str) -> bytes:
 # --- Objects ----------------------------------------------------------------------------------------------------------
 
 
-def write_plain(answer: "Answer", out: TextIO, form: Format) -> None:
-    """Write a line `name value unit` for each result of a scene, and for each side of its uncertainty."""
+def write_plain(answer: "Answer", out: TextIO, form: Format, *, alternatives: bool = False) -> None:
+    """Write a line `name value unit` for each result of a scene, and for each side of its uncertainty.
+
+    `alternatives`: whether what may stand in its place under the other law has a line, too.
+    """
+    by_law = answer.laws if alternatives else {}
     if "model" in answer.inputs:
         say(f"model {answer.inputs['model']}", out)
     for result in answer.results:
@@ -208,6 +212,8 @@ def write_plain(answer: "Answer", out: TextIO, form: Format) -> None:
             numbers = {result.name: result.value} | {
                 f"{result.name}_{side}": number for side, number in result.sides().items()
             }
+            if (value := by_law.get(result.name, {}).get("value")) is not None:
+                numbers[f"{result.name}_by_{other_law(answer.scene.law.name)}"] = value
             for name, number in numbers.items():
                 say(
                     f"{name} {spelled(form.number(result.name, number))} {form.unit(result.name)}".removesuffix(" 1"),
@@ -233,8 +239,11 @@ def as_object(answer: "Answer", form: Format) -> dict[str, Any]:
     if answer.condition is not None:
         found["condition"] = answer.condition
     if answer.laws:
-        other = DEFAULT_LAW if answer.scene.law.name == BETWEEN else BETWEEN
-        found["laws"] = {other: {name: _law_object(name, numbers, form) for name, numbers in answer.laws.items()}}
+        found["laws"] = {
+            other_law(answer.scene.law.name): {
+                name: _law_object(name, numbers, form) for name, numbers in answer.laws.items()
+            }
+        }
     if answer.displacement is not None:
         found["displacement"] = _displacement_object(answer.displacement, form)
     found["validity"] = [_doubt_object(doubt, answer.about(doubt)) for doubt in answer.validity if doubt.error is None]

@@ -11,7 +11,7 @@ from ..answers.answer import Answer
 from ..answers.results import Result
 from ..errors import BadRequest, JkrollError
 from ..quantities.formatting import Format, amount, in_words
-from ..quantities.laws import BETWEEN, DEFAULT_LAW, LAWS
+from ..quantities.laws import BETWEEN, LAWS, other_law
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.alternatives import uses_law
 from ..scene.inverse import logarithmic_slope
@@ -98,7 +98,7 @@ def _readings(result: Result, answer: Answer, form: Format) -> list[str]:
     if result.value is None or None in readings:
         return []
     at_displacement, at_hysteresis = (amount(result.name, ratio * result.value, form) for ratio in readings if ratio)
-    other = LAWS[DEFAULT_LAW if answer.scene.law.name == BETWEEN else BETWEEN].title
+    other = LAWS[other_law(answer.scene.law.name)].title
     return [f"  by law    {at_displacement} at equal ξ, {at_hysteresis} at equal hysteresis ({other})"]
 
 

@@ -9,10 +9,15 @@ from rich.console import Console
 from rich.table import Column, Table
 from rich.text import Text
 
+from ..answers.alternatives import head_of
 from ..answers.notes import parts_of_assumed, symbol_of
 from ..quantities.formatting import Format, amount, in_words, pretty, significant
+from ..quantities.laws import DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
 from ..quantities.units import Unit, convert
+from ..quantities.values import Interval
+from ..rows.columns import DATA, as_list
+from ..scene.limits import OF_LAW
 from ..text import fitting, say, terminal_width
 
 if TYPE_CHECKING:
@@ -99,7 +104,7 @@ def _second_table(answer: "Answer", out: TextIO, form: Format) -> None:
 
 def _own_head(answer: "Answer") -> str:
     """Return the head of the values of the law in use."""
-    return answer.scene.law.title.partition("–")[0]
+    return head_of(answer.scene.law.name)
 
 
 def _grid_table(grid: "Grid", answer: "Answer", out: TextIO, form: Format) -> Table:
@@ -171,7 +176,7 @@ def sweep_table(columns: "Columns", out: TextIO, form: Format) -> None:
     say(_inputs(common, form, f"{len(columns)} scenes"), out)
     several = [name for name, values in cells.inputs.items() if len({*values} - {None}) != 1]
     leading = [name for name in several if not cells.is_implied(name)]
-    results = [name for name in columns.wanted.names if name not in cells.inputs]
+    results = [key for name in columns.wanted.names if name not in cells.inputs for key in (name, *cells.beside(name))]
     if _print(cells.table([*leading, *results], out), out):
         return
     if len(columns) <= MAX_ACROSS and any(_print(table, out) for table in cells.across(leading, results, out)):
@@ -205,9 +210,35 @@ class _Cells:
         sides = [{side: columns.column(key)[row] for side, key in keys.items()} for row in range(len(columns))]
         return [None if value is None else of_sides(value, own) for value, own in zip(found, sides, strict=True)]
 
-    def column(self, name: str) -> list[str]:
-        """Return the head and the cells of a column."""
-        return column(name, self.values(name), self.form)
+    def beside(self, name: str) -> list[str]:
+        """Return the keys of the columns beside a quantity: by the other law where that moves a result, and by measured forces if there are some."""
+        keys = self.columns.wanted.beside(name)
+        law_matters = any(bits & OF_LAW for bits in as_list(self.columns.doubts)) or DEFAULT_LAW in keys
+        found = [key for kind, key in keys.items() if kind in LAWS and law_matters]
+        has_data = DATA[0] in keys and not all(map(isnan, self.columns.column(keys[DATA[0]])))
+        return [*found, *([keys[DATA[0]]] if has_data else [])]
+
+    def column(self, key: str) -> list[str]:
+        """Return the head and the cells of a column: of an input, of a result, or of what may stand in its place."""
+        name, _, kind = key.partition("_by_")
+        if not kind:
+            return column(name, self.values(name), self.form)
+        ends = [self.columns.column(each) for each in self._ends(name, kind)]
+        own = self.form.common_unit(name, [value for value in self.values(name) if value is not None])
+        unit = own or (self.form.unit(name).removeprefix("1"), Unit(1, 1, ()))
+        head = "by 1 µm data" if kind in DATA else f"{symbol_of(name)} by {head_of(kind)}"
+        cells = []
+        for row in zip(*map(as_list, ends), strict=True):
+            if any(map(isnan, row)):
+                cells.append("no data" if kind in DATA else "–")
+            else:
+                value = row[0] if len(row) == 1 else Interval(sum(row) / 2, min(row), max(row))
+                cells.append(_short(value, unit, self.form))
+        return [head if own or not unit[0] else f"{head} [{pretty(unit[0])}]", *cells]
+
+    def _ends(self, name: str, kind: str) -> list[str]:
+        keys = self.columns.wanted.beside(name)
+        return [keys[end] for end in DATA] if kind in DATA else [keys[kind]]
 
     def table(self, names: Sequence[str], out: TextIO) -> Table:
         """Return a table with a row for each scene."""
@@ -221,7 +252,10 @@ class _Cells:
         distinct = [self.column(name) for name in leading] or [numbers]
         heads = ["\n".join(parts) for parts in zip(*distinct, strict=True)]
         rows = [self.column(name) for name in results]
-        words = [NOMENCLATURE[name].sentence for name in results]
+        words = [
+            NOMENCLATURE[key].sentence if key in NOMENCLATURE else row[0]
+            for key, row in zip(results, rows, strict=True)
+        ]
         yield _table(
             ["quantity", *heads], [[word, *row] for word, row in zip(words, rows, strict=True)], out, set(heads[1:])
         )

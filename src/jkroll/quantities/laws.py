@@ -213,6 +213,11 @@ DEFAULT_LAW = _JKR.name
 BETWEEN = _MAUGIS.name  # the law that holds between JKR and DMT
 
 
+def other_law(name: str) -> str:
+    """Return the law whose results may stand in place of those of a law: the one between JKR and DMT, or under that one JKR."""
+    return DEFAULT_LAW if name == BETWEEN else BETWEEN
+
+
 def law_named(name: str) -> Law:
     """Return the law of a name in any case, or raise UnknownLaw."""
     if not isinstance(name, str) or name.casefold() not in LAWS:

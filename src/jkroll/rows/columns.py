@@ -7,12 +7,16 @@ a gap that no frequent reason explains, or an uncertainty needs a search, the ro
 from collections.abc import Callable, Collection, Hashable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property, partial
 from math import isnan, nan
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..errors import JkrollError
 from ..physics.elementary import where
 from ..quantities.formatting import OutOfUnit
+from ..quantities.laws import BETWEEN, DEFAULT_LAW
+from ..quantities.nomenclature import XI
 from ..quantities.values import is_uncertain
+from ..scene.alternatives import at_least_measured, at_most_measured, by_law, moved_by_law, rolled_solid, solid_of_kind
 from ..scene.failures import (
     MissingInput,
     OfIdenticalSpheres,
@@ -22,7 +26,7 @@ from ..scene.failures import (
 )
 from ..scene.limits import bits_of, doubts, possible_bits
 from ..scene.scene import Scene
-from ..scene.wiring import Step
+from ..scene.wiring import Step, depends_on
 from ..text import listed
 from .reasons import ROW, UNCERTAINTY, Reasons, lack, worded
 
@@ -35,6 +39,7 @@ _BESIDE = 15  # cost of the rest of a row, in formulas
 _JUDGED = 8  # a row whose limits are judged takes 8 times as long: Maugis' law is evaluated, too
 DOUBT = "doubt"  # the column of the limits of the model that a row exceeds, as codes
 STATUS = "status"  # the column of reasons
+DATA = ("data_low", "data_high")  # the ends of what measured forces mean, as columns beside a quantity
 _NO_COLUMNS = "for which the table has no columns; --uncertainty adds them"
 
 
@@ -61,15 +66,18 @@ class Wanted:
         inputs: Iterable[str] = (),
         sides: Mapping[str, Collection[str]] | None = None,
         doubts: bool = True,
+        alternatives: Mapping[str, Sequence[str]] = MappingProxyType({}),
     ) -> None:
         """`named`: quantities that were asked for by name, and concern any row; `inputs`: that stand before them.
 
         `sides`: of the uncertainties of quantities, those of SIDES that have columns; None where uncertainties are not
-        wanted. `doubts`: whether limits are judged.
+        wanted. `doubts`: whether limits are judged. `alternatives`: by the quantity, what may stand in its place and has
+        columns: the name of a law, or the ends of what measured forces mean, `DATA`.
         """
         self.names, self.named, self.inputs, self.doubts = tuple(names), frozenset(named), tuple(inputs), doubts
         self.uncertainties = sides is not None
         self.sides = {name: tuple(side for side in SIDES if side in own) for name, own in (sides or {}).items()}
+        self.alternatives = {name: own for name, own in alternatives.items() if name in self.names}
         self.keys = tuple(key for name in self.names for key in self.keys_of(name))
         self.places = {key: place for place, key in enumerate(self.keys)}
         self.known_sides = frozenset(side for own in self.sides.values() for side in own)
@@ -79,8 +87,12 @@ class Wanted:
         return {side: f"{name}_{side}" for side in self.sides.get(name, ())}
 
     def keys_of(self, name: str) -> tuple[str, ...]:
-        """Return the keys of the columns of a quantity: its own, and those of its uncertainty."""
-        return (name, *self.sides_of(name).values())
+        """Return the keys of the columns of a quantity: its own, those of its uncertainty, and of what may stand in its place."""
+        return (name, *self.sides_of(name).values(), *self.beside(name).values())
+
+    def beside(self, name: str) -> dict[str, str]:
+        """Return the keys of the columns of what may stand in place of a quantity, by its kind: "pull_off_force_by_maugis"."""
+        return {kind: f"{name}_by_{kind}" for kind in self.alternatives.get(name, ())}
 
     def heads(self, header: Callable[[str], str]) -> list[str]:
         """Return the headers of all columns, such as "radius_minus [nm]"; `header` gives that of a quantity."""
@@ -89,7 +101,43 @@ class Wanted:
     def with_sides(self, sides: Collection[str]) -> "Wanted":
         """Return the same quantities with columns for some sides of their uncertainties."""
         of_each = dict.fromkeys(self.names, sides)
-        return Wanted(self.names, named=self.named, inputs=self.inputs, sides=of_each, doubts=self.doubts)
+        return Wanted(
+            self.names,
+            named=self.named,
+            inputs=self.inputs,
+            sides=of_each,
+            doubts=self.doubts,
+            alternatives=self.alternatives,
+        )
+
+    def with_alternatives(self, scenes: Sequence[Scene], names: Collection[str], *, data: bool = False) -> "Wanted":
+        """Return the same quantities with columns of what some of them are under the other law, and by measured forces.
+
+        `scenes`: of each kind of rows. Where they are under several laws, the other law is the one that holds between them.
+        """
+        others = {by_law(scene).law.name for scene in scenes}
+        law = others.pop() if len(others) == 1 else BETWEEN
+        moved = {name for scene in scenes for name in moved_by_law(scene, self.names)}
+        rolled = {name for name in self.names if data and XI in depends_on([name])} - {XI}
+        rolled = rolled if any(map(solid_of_kind, scenes)) else set()
+        kinds = {name: ((law,) if name in moved else ()) + (DATA if name in rolled else ()) for name in names}
+        sides = self.sides if self.uncertainties else None
+        return Wanted(
+            self.names, named=self.named, inputs=self.inputs, sides=sides, doubts=self.doubts, alternatives=kinds
+        )
+
+    def values_beside(self, scene: Scene, shown: Collection[str]) -> dict[str, Any]:
+        """Return the values that may stand in place of the quantities shown, by their keys; that of the law is left out under it."""
+        made = {law: by_law for law in (BETWEEN, DEFAULT_LAW) if law != scene.law.name}
+        if any(DATA[0] in kinds for kinds in self.alternatives.values()) and rolled_solid(scene):
+            made |= dict(zip(DATA, (at_least_measured, at_most_measured), strict=True))
+        values = {}
+        for kind, make in made.items():
+            names = [name for name in shown if kind in self.alternatives.get(name, ())]
+            for name, outcome in make(scene).evaluate(names).items() if names else ():
+                if not isinstance(written := written_outcome(name, outcome), JkrollError):
+                    values[f"{name}_by_{kind}"] = written
+        return values
 
     def sources_in(self, scene: Any) -> "Sources | None":
         """Return the sources of uncertainty of the quantities of a scene; None if it has no uncertainty."""
@@ -116,7 +164,7 @@ class Wanted:
         if not found:
             reasons[ROW] = OfIdenticalSpheres()
         values = {name: outcome for name, outcome in found.items() if name not in reasons}
-        numbers: dict[str, float] = dict(values)
+        numbers: dict[str, float] = {**values, **self.values_beside(scene, [*found])}
         inputs = scene.echo(scene.inputs_used(self.names, [*found])) if self.inputs else {}
         if self.uncertainties and scene.is_uncertain:
             from ..scene.uncertainty import uncertainties
@@ -335,6 +383,9 @@ class _Arrays:
         for name, outcome in outcomes.items():
             if name not in self.lacking:
                 self._take(name, outcome)
+        for key, value in wanted.values_beside(scene, [*outcomes]).items():
+            is_shown = self.shown[key.rpartition("_by_")[0]]
+            self.numbers[wanted.places[key]][...] = where(is_shown, value, numpy.nan)
         self.known = [name for name in outcomes if name not in self.whole and name not in self.lacking]
         inputs, reasons = self._of_unequal([*outcomes])
         self.columns = Columns(wanted, inputs, self.numbers, self._doubts(), reasons)

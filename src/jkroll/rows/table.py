@@ -175,7 +175,14 @@ class Table:
 
 
 def table_of(
-    columns: Header, rows: Sequence[Sequence[str]], fill: Fill, asked: Asked, *, doubt: bool, uncertainty: bool
+    columns: Header,
+    rows: Sequence[Sequence[str]],
+    fill: Fill,
+    asked: Asked,
+    *,
+    doubt: bool,
+    uncertainty: bool,
+    alternatives: bool,
 ) -> Table:
     """Return the table that a header, the cells of its first rows and the options ask for.
 
@@ -186,6 +193,8 @@ def table_of(
     labels = _labels(columns, rows, fill.known)
     scene, without_labels = _typical(columns, rows, fill, labels)
     wanted = wanted_of(scene, columns, fill, asked, doubts=doubt, labels=labels if without_labels else {})
+    if alternatives:
+        wanted = wanted.with_alternatives([scene], wanted.names)
     assumed = _assumed(scene, wanted, columns, rows, fill)
     labels = labels and {**labels, **_aliases(columns, rows, fill.known)}
     table = Table(columns, fill, wanted, labels=labels, assumed=assumed)

@@ -1,6 +1,6 @@
 """Scenes that may stand in place of the one that was asked: under another law of attraction, or with the displacement that measured forces mean."""
 
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Collection, Iterable, Sequence
 from functools import reduce
 from typing import Any
 
@@ -61,6 +61,14 @@ def at_other_reading(scene: Scene) -> Scene | None:
     return changed.with_results_of(other, IN_ITS_PLACE)
 
 
+def moved_by_law(scene: Scene, names: Sequence[str]) -> list[str]:
+    """Return those of some quantities that the other law has by formulas of its own."""
+    other = by_law(scene)
+    between = scene if scene.law.name == BETWEEN else other
+    missing = {*scene.missing(names), *other.missing(names)}
+    return [name for name in names if name not in missing and uses_law(between, name)]
+
+
 # --- Measured forces --------------------------------------------------------------------------------------------------
 
 SIO2 = "SiO2"
@@ -79,19 +87,26 @@ _SIZES = {
 
 
 def rolled_solid(scene: Scene) -> str:
-    """Return the solid on which rolling was measured, if both spheres are of it, near enough in size, and ξ is assumed; else an empty text.
+    """Return the solid on which rolling was measured, if both spheres are of it, near enough in size, and ξ is assumed; else an empty text."""
+    if not (solid := solid_of_kind(scene)):
+        return ""
+    known = scene.numbers("surface_energy", "reduced_radius")
+    has_energy = solid != SIO2 or _OF_SPHERES[0] <= known["surface_energy"] <= _OF_SPHERES[1]
+    has_size = _SIZES[solid][0] <= 2 * known.get("reduced_radius", 0.0) <= _SIZES[solid][1]
+    return solid if has_energy and has_size else ""
+
+
+def solid_of_kind(scene: Scene) -> str:
+    """Return the solid on which rolling was measured, if both spheres are of it, whatever their size and surface energy are, and ξ is assumed.
 
     The spheres of SiO2 had the surface energy of humid silica. That of ice was itself scaled from rolling forces.
     """
     solid = scene.material
     if solid is None or not assumes_displacement(scene) or scene.material2 not in (None, solid):
         return ""
-    known = scene.numbers("surface_energy", "reduced_radius")
-    if SIO2 in solid.aliases and _OF_SPHERES[0] <= known.get("surface_energy", 0.0) <= _OF_SPHERES[1]:
-        found = SIO2
-    else:
-        found = _POLYSTYRENE[0] if solid.name in _POLYSTYRENE else ""
-    return found if found and _SIZES[found][0] <= 2 * known.get("reduced_radius", 0.0) <= _SIZES[found][1] else ""
+    if SIO2 in solid.aliases:
+        return SIO2
+    return _POLYSTYRENE[0] if solid.name in _POLYSTYRENE else ""
 
 
 def assumes_displacement(scene: Scene) -> bool:

@@ -252,6 +252,7 @@ MEANINGS = {
     for threshold, code in limit.codes.items()
 }
 NOT_JUDGED = 1 << len(CODES)
+OF_LAW = sum(limit.bits for limit in LIMITS if limit.factor is not None)  # the codes of a law that is not exact
 
 
 def doubts(scene: Scene, names: Collection[str]) -> list[Doubt]:
