@@ -27,6 +27,7 @@ from jkroll.rows.columns import SIDES, Columns, Row, Wanted
 from jkroll.rows.reasons import ROW
 from jkroll.rows.rows import Block, evaluated
 from jkroll.rows.table import table_of
+from jkroll.scene.alternatives import by_law
 from jkroll.scene.failures import BeyondFold, BeyondPullOff
 from jkroll.scene.limits import LIMITS, NOT_JUDGED
 from jkroll.scene.scene import LEAST, Scene
@@ -75,6 +76,11 @@ def side_of(key: str) -> str:
     return name if key not in NOMENCLATURE and side in SIDES else ""
 
 
+def law_of(key: str) -> str:
+    """Return the law whose results a column has in place of a quantity; an empty text for other columns."""
+    return key.partition("_by_")[2]
+
+
 # --- Doors ------------------------------------------------------------------------------------------------------------
 
 
@@ -99,12 +105,15 @@ def scenes_of(ask: Ask) -> list[Scene]:
     return [*request_of(call_of(ask)).sweep.scenes()]
 
 
-def of_list(ask: Ask, *, by_arrays: bool) -> Rows:
-    """Return the rows of a list."""
+def of_list(ask: Ask, *, by_arrays: bool, alternatives: bool = False) -> Rows:
+    """Return the rows of a list, or with what may stand in place of its results."""
     call = call_of(ask)
     sweep, question = request_of(call).sweep, question_of(call, QUESTIONS[call.command])
     with computed(by_arrays=by_arrays):
-        return rows_of([*sweep.columns(sweep.wanted(question.quantities, question.named))])
+        wanted = sweep.wanted(question.quantities, question.named)
+        if alternatives:
+            wanted = wanted.with_alternatives(sweep.kinds, wanted.names)
+        return rows_of([*sweep.columns(wanted)])
 
 
 def printed(run: Run, ask: Ask, form: str, *more: str, by_arrays: bool) -> tuple[Ran, list[dict[str, Any]]]:
@@ -309,6 +318,8 @@ def _same(scene: Scene | None, key: str, one: float | None, other: float | None)
         return one == other
     if side_of(key):
         return sides_agree(scene, side_of(key), one, other)
+    if law_of(key):
+        scene, key = by_law(scene), key.partition("_by_")[0]
     return one is not None and other is not None and agree(scene, key, one, other)
 
 

@@ -23,6 +23,7 @@ from doors import (
     call_of,
     differences,
     is_at_its_end,
+    law_of,
     of_list,
     of_table,
     printed,
@@ -30,10 +31,12 @@ from doors import (
     side_of,
 )
 from harness import Run
-from jkroll import solve
+from jkroll import answer, solve
 from jkroll.answers.questions import QUESTIONS
 from jkroll.cli.question import question_of
 from jkroll.errors import JkrollError, NoResult
+from jkroll.pictures.axes import Axis
+from jkroll.pictures.maps import evaluate, limits_of, limits_on_map
 from jkroll.quantities.nomenclature import NOMENCLATURE, header
 from jkroll.quantities.values import value_of
 from jkroll.rows.columns import DOUBT, STATUS
@@ -46,7 +49,7 @@ from jkroll.scene.failures import (
     RestsOnSpacing,
     reason_of,
 )
-from jkroll.scene.limits import NOT_JUDGED, codes
+from jkroll.scene.limits import NOT_JUDGED, bits_of, codes, doubts
 from jkroll.scene.scene import Scene
 from questions import SPHERES, Ask, Sheet, any_ask, mixed_sheet, sheet_of
 
@@ -111,6 +114,7 @@ PLAIN = {
     "poisson_ratio": ["0.17"],
     "density": ["2600 kg/m^3"],
 }
+PLAIN_VALUES = {name: value_of(texts[0], name) for name, texts in PLAIN.items()}
 # What was found by random questions, as small as it shows.
 FOUND = {
     "a row that is computed again, of an uncertain input": Ask(
@@ -293,6 +297,124 @@ def check(run: Run, seed: int, count: int) -> None:
         assert [*mixed_disagreements(run, sheet, random.choice([1, 200]))] == [], (seed, number, sheet)
 
 
+# --- What may stand in place of answers -------------------------------------------------------------------------------
+
+
+def test_doors_agree_on_alternatives(run: Run) -> None:
+    check_alternatives(run, seed=7, count=FEW)
+
+
+@pytest.mark.slow
+def test_doors_agree_on_alternatives_of_fresh_questions(run: Run) -> None:
+    check_alternatives(run, seed=int(os.environ["ACCURACY_SEED"]), count=MANY)
+
+
+def check_alternatives(run: Run, seed: int, count: int) -> None:
+    """Ask random questions at all doors with what may stand in place of the answers."""
+    for number in range(count):
+        ask = any_ask(Random(f"alternatives {seed} {number}"))
+        assert [*alternative_disagreements(run, ask)] == [], (seed, number, ask)
+
+
+def alternative_disagreements(run: Run, ask: Ask) -> Iterator[str]:
+    """Iterate over all in which the doors differ on what may stand in place of answers, and on what they doubt."""
+    try:
+        floats = of_list(ask, by_arrays=False, alternatives=True)
+    except JkrollError:
+        return
+    plain = of_list(ask, by_arrays=False)
+    arrays = of_list(ask, by_arrays=True, alternatives=True)
+    yield from (f"arrays: {text}" for text in differences(floats, arrays, scenes_of(ask)))
+    yield from (f"without: {text}" for text in _in_shared(plain, floats))
+    yield from _in_files(run, ask, floats)
+    sheet = sheet_of(ask)
+    try:
+        found = of_table(run, sheet._replace(options=[*sheet.options, "--alternatives"]))
+    except Refused:
+        found = None
+    if found is not None:
+        yield from (f"table: {text}" for text in differences(found.by_floats, found.rows, found.scenes))
+        yield from (f"table: {text}" for text in _in_shared(floats, found.by_floats))
+        yield from (f"table: {text}" for text in _in_written(found.rows, found.cells))
+    for row, (texts, scene) in enumerate(zip(ask.rows(), scenes_of(ask), strict=True)):
+        yield from (f"row {row}: {text}" for text in _in_answer(ask, texts, floats, row))
+        yield from (f"row {row}: {text}" for text in _in_law(scene, floats.values[row]))
+
+
+def _in_shared(one: Rows, other: Rows) -> Iterator[str]:
+    """Iterate over what differs in the columns that two doors share."""
+    both = [key for key in one.keys if key in other.keys and not side_of(key)]
+    for row, (values, others) in enumerate(zip(one.values, other.values, strict=True)):
+        yield from (f"row {row}: {key}" for key in both if values.get(key) != others.get(key))
+
+
+def _in_files(run: Run, ask: Ask, floats: Rows) -> Iterator[str]:
+    """Iterate over the cells that are not those of rows."""
+    try:
+        _, cells = printed(run, ask, "--csv", "--alternatives", by_arrays=False)
+    except Refused:
+        return
+    for row, line in enumerate(cells):
+        for key in filter(law_of, floats.keys):
+            name = key.partition("_by_")[0]
+            if _read(line[header(name).replace(name, key, 1)], "") != floats.values[row].get(key):
+                yield f"csv: row {row}: {key} = {floats.values[row].get(key)!r} and {line}"
+
+
+def _in_answer(ask: Ask, texts: Mapping[str, str], floats: Rows, row: int) -> Iterator[str]:
+    """Iterate over what differs between a row and the answer to it in Python, which has the object of JSON."""
+    names = [key for key in floats.keys if not side_of(key) and not law_of(key) and key in floats.values[row]]
+    given: dict[str, Any] = {name: text if name in SPHERES else value_of(text, name) for name, text in texts.items()}
+    try:
+        found = answer(names, model=ask.model, **given)
+        laws = found.as_dict().get("laws", {})
+    except JkrollError:
+        return
+    for law, entries in laws.items():
+        for name, entry in entries.items():
+            key = f"{name}_by_{law}"
+            if key in floats.keys and entry["value"] != floats.values[row].get(key):
+                yield f"json: {key} = {floats.values[row].get(key)!r} and {entry['value']!r}"
+    for law, values in found.alternatives.items():
+        for name in [name for name in values if f"{name}_by_{law}" in floats.keys]:
+            value = getattr(values[name], "value", values[name])
+            if value != floats.values[row].get(f"{name}_by_{law}"):
+                yield f"answer: {name} by {law}: {floats.values[row].get(f'{name}_by_{law}')!r} and {value!r}"
+    if {one.code for one in found.doubts} != {*codes(floats.doubts[row] & ~NOT_JUDGED).split()}:
+        yield f"doubts {codes(floats.doubts[row])} and {found.doubts}"
+
+
+def _in_law(scene: Scene, values: Mapping[str, float]) -> Iterator[str]:
+    """Iterate over the values by the other law that are not those of that law."""
+    for key in filter(law_of, values):
+        name, _, law = key.partition("_by_")
+        other = Scene(scene.stated, scene.material, scene.material2, model=law)
+        spacing = {"atomic_spacing": other["atomic_spacing"]} if law == "maugis" else {}
+        if (value := other.replace(**spacing).evaluate((name,))[name]) != values[key]:
+            yield f"{key} = {values[key]!r} and {value!r}"
+
+
+@pytest.mark.parametrize("quantity", ["pull_off_force", "yield_force", "n_roll"])
+def test_a_map_doubts_where_its_points_are_doubted(quantity: str) -> None:
+    scene, x, y = Scene(PLAIN_VALUES), Axis("radius", 1e-9, 1e-5, size=9), Axis("surface_energy", 1e-3, 1e0, size=7)
+    values = evaluate(scene, quantity, x, y)
+    regions, _ = limits_on_map(scene, quantity, x, y, values, limits_of(scene, quantity))
+    begins = {
+        "a/z0": "a/z0<3",
+        "JKR is off by more than 5 %": "law>",
+        "JKR is off by more than a factor of 2": "law>×2",
+    }
+    drawn = [
+        (region.margin, code) for text, code in begins.items() for region in regions if region.text.startswith(text)
+    ]
+    assert len(drawn) > 1
+    for up, energy in enumerate(y.values().tolist()):
+        for across, radius in enumerate(x.values().tolist()):
+            here = codes(bits_of(doubts(scene.replace(radius=radius, surface_energy=energy), [quantity])))
+            for margin, code in drawn:
+                assert (margin[up, across] < 0) == (code in here), (code, here)
+
+
 # --- What is written --------------------------------------------------------------------------------------------------
 
 
@@ -354,7 +476,7 @@ def _in_cells(floats: Rows, cells: Sequence[Cells], options: Sequence[str]) -> I
 
 def _head(key: str) -> str:
     """Return the header of a column of results."""
-    name = side_of(key) or key
+    name = side_of(key) or key.partition("_by_")[0]
     return header(name).replace(name, key, 1)
 
 

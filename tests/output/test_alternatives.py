@@ -1,0 +1,99 @@
+"""What may stand in place of results, as columns of tables, lines and files."""
+
+import csv
+import json
+import re
+from typing import Any
+
+import pytest
+
+from harness import Run
+from jkroll import answer, solve
+from relative import approx
+
+QUARTZ: dict[str, Any] = {"material": "quartz", "radius": 1e-7}
+
+
+def cells(run: Run, words: str, symbol: str) -> list[str]:
+    """Return the cells of the row of a symbol in a table on a terminal, from the symbol on."""
+    table = re.sub(r"\x1b\[[0-9;]*m", "", run(words, terminal=True).out)
+    (line,) = [line for line in table.splitlines() if f" {symbol} " in line or line.startswith(f"{symbol} ")]
+    return re.split(r"\s{2,}", line[line.index(f"{symbol} ") :].strip())
+
+
+def test_a_law_stands_beside_jkr_where_it_moves_a_result() -> None:
+    force = solve("pull_off_force", model="maugis", **QUARTZ, atomic_spacing=4e-10)
+    assert answer("pull-off", **QUARTZ).alternatives == {"maugis": {"pull_off_force": force}}
+    assert answer("pull-off", material="iron", radius=1e-3).alternatives == {}  # JKR holds
+    assert answer("r-min", **QUARTZ).alternatives.keys() == {"data"}  # which no law enters
+    (of_jkr,) = answer("pull-off", model="maugis", **QUARTZ).alternatives.values()
+    assert of_jkr["pull_off_force"] == solve("pull_off_force", **QUARTZ)
+    assert answer("pull-off", model="dmt", material="quartz", radius=1e-4).alternatives.keys() == {"maugis"}
+
+
+def test_columns_of_a_table(run: Run) -> None:
+    by_maugis = solve("yield_force", model="maugis", **QUARTZ, atomic_spacing=4e-10)
+    symbol, own, maugis, data, unit = cells(run, "yield-force quartz 100nm", "Q")
+    assert (symbol, float(own), unit) == ("Q", approx(94.2478), "pN")
+    assert float(maugis) == approx(by_maugis * 1e12, rel=1e-3)
+    assert data == "89–270"
+    assert cells(run, "yield-force quartz 100nm", "δ_α")[1:] == ["4", "as JKR", "3.8–11", "mrad"]
+    assert cells(run, "pull-off quartz 100nm", "P_c") == ["P_c", "11.781", "15.00", "nN"]  # with their zeros
+
+
+def test_every_quantity_that_is_shown_is_compared(run: Run) -> None:
+    """Also one that the other law has not, or with a contact without a radius, and energies of the well."""
+    bound = answer("contact", **QUARTZ, approach_at_load=-0.08e-9)
+    of_maugis = solve(["stiffness", "load"], model="maugis", **QUARTZ, approach_at_load=-0.08e-9, atomic_spacing=4e-10)
+    values = bound.alternatives["maugis"]
+    assert values["contact_radius_at_load"] == 0
+    assert values["boussinesq_pressure"] is None
+    assert {name: values[name] for name in of_maugis} == of_maugis
+    assert cells(run, "contact quartz 100nm --approach -0.08nm", "p_B")[2] == "–"
+    well = answer("contact", **QUARTZ)
+    assert well.alternatives["maugis"]["well_energy"] == approx(2.85 * well["well_energy"].value, rel=2e-3)
+
+
+def test_where_columns_do_not_fit_they_are_a_second_table(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "46")
+    lines = run("yield-force quartz 100nm", terminal=True).out.splitlines()
+    heads = [line for line in lines if "symbol" in line]
+    assert len(heads) == 2
+    assert "Maugis" not in heads[0]
+    assert "by 1 µm data" in heads[1]
+
+
+def test_error_bars_are_those_of_the_other_law() -> None:
+    given = {**QUARTZ, "gamma": "25±5 mJ/m2"}
+    found = answer("pull-off", **given).alternatives["maugis"]["pull_off_force"]
+    assert found == solve("pull_off_force", model="maugis", **given, atomic_spacing=4e-10)
+
+
+def test_lists_have_it_beside_the_headline(run: Run) -> None:
+    out = run("pull-off quartz,iron 100nm,1mm", terminal=True).out
+    assert "P_c by Maugis" in out
+    assert "by Maugis" not in run("pull-off iron 1mm,2mm", terminal=True).out
+    assert "by Maugis" not in run("pull-off quartz 100nm --model jkr,maugis", terminal=True).out
+    assert "P_c by JKR" in run("pull-off quartz 100nm,1um --model maugis", terminal=True).out
+    assert re.search(r"no data.*\n.*880–1300", run("yield-force quartz 2nm 1um", terminal=True).out)
+
+
+def test_files_and_lines_have_it_where_it_is_asked_for(run: Run) -> None:
+    head = "pull_off_force_by_maugis [N]"
+    assert head not in run("pull-off quartz 100nm --csv").out
+    (row,) = csv.DictReader(run("pull-off quartz 100nm --csv --alternatives").out.splitlines())
+    by_maugis = json.loads(run("pull-off quartz 100nm --json").out)["laws"]["maugis"]["pull_off_force"]["value"]
+    assert float(row[head]) == by_maugis
+    assert f"pull_off_force_by_maugis {row[head]} N" in run("pull-off quartz 100nm --alternatives").out.splitlines()
+    assert "_by_" not in run("pull-off quartz 100nm").out
+    for words in (
+        "pull-off quartz 100nm --bare",
+        "contact quartz 100nm --curve --csv",
+        "infer gamma quartz 1um --measured P_c=1nN",
+    ):
+        assert run(f"{words} --alternatives").code == 2
+
+
+def test_both_readings_of_a_rolling_quantity_are_in_explanations(run: Run) -> None:
+    said = run("yield-force quartz 100nm --quantities yield_force --explain").out
+    assert re.search(r"by law +40\.47\d* pN at equal ξ, 170\.\d* pN at equal hysteresis \(Maugis–Dugdale\)", said)
