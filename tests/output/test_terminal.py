@@ -22,10 +22,11 @@ def test_scenes_are_rows_or_columns_or_several_tables(
     run: Run, monkeypatch: pytest.MonkeyPatch, columns: str, first: str, rows: int
 ) -> None:
     monkeypatch.setenv("COLUMNS", columns)
-    lines = run("report quartz,iron 100nm --quiet", terminal=True).out.splitlines()
+    words = "report graphite,iron 1mm --quiet"  # which no other law moves, and on which no rolling was measured
+    lines = run(words, terminal=True).out.splitlines()
     heads = [line for line in lines if line.startswith(first)]
     assert (len(heads) > 1) == (columns == "30")
-    assert all(({"quartz", "iron"} <= set(head.split())) == (rows == 11) for head in heads)
+    assert all(({"graphite", "iron"} <= set(head.split())) == (rows == 11) for head in heads)
     if len(heads) == 1:
         assert len(lines) - lines.index(heads[0]) - 2 == rows
         assert all(len(line) <= int(columns) for line in lines)
@@ -143,8 +144,8 @@ def test_the_largest_doubt_stands_first(run: Run) -> None:
         ("pull-off quartz 1um", ["smooth spheres", "Maugis' law"]),  # a factor of 3 before 20 %
         ("yield-force quartz 100nm", ["ξ = 200 pm", "Maugis' law"]),  # 2.9 before 2.3
         ("energies quartz 100nm", ["Maugis' law", "ξ = 200 pm"]),  # a factor of 1e4 in U_stick
-        ("pull-off iron 100nm", ["Maugis' law", "P_DMT"]),
-        ("pull-off iron 100±20nm", ["P_DMT", "Maugis' law"]),  # 9 % are less than the error bar
+        ("pull-off quartz 100nm", ["Maugis' law", "P_DMT"]),
+        ("pull-off quartz 100±30nm", ["P_DMT", "Maugis' law"]),  # 27 % are less than the error bar
         ("pull-off iron 400±8nm --z0 5angstrom", ["Maugis' law", "P_DMT"]),
     ],
 )

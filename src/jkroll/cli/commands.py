@@ -115,7 +115,7 @@ _OUTPUT = (
     Option("csv", "--csv", bool, "", _FORMAT),
     Option("target", "-o", str, "OUT", _FORMAT),
     NO_DOUBT._replace(hidden=True),
-    ALTERNATIVES,
+    ALTERNATIVES._replace(hidden=True),
     Option("explain", "--explain", bool, "", _INSTEAD),
     Option("cite", "--cite", bool, "", _INSTEAD),
     MATERIALS,

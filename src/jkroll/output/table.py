@@ -16,7 +16,8 @@ from ..quantities.laws import DEFAULT_LAW, LAWS
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, of_sphere
 from ..quantities.units import Unit, convert
 from ..quantities.values import Interval
-from ..rows.columns import DATA, as_list
+from ..rows.columns import as_list
+from ..scene.alternatives import DATA
 from ..scene.limits import OF_LAW
 from ..text import fitting, say, terminal_width
 

@@ -13,10 +13,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from ..errors import JkrollError
 from ..physics.elementary import where
 from ..quantities.formatting import OutOfUnit
-from ..quantities.laws import BETWEEN, DEFAULT_LAW
-from ..quantities.nomenclature import XI
 from ..quantities.values import is_uncertain
-from ..scene.alternatives import at_least_measured, at_most_measured, by_law, moved_by_law, rolled_solid, solid_of_kind
+from ..scene.alternatives import beside, kinds_beside
 from ..scene.failures import (
     MissingInput,
     OfIdenticalSpheres,
@@ -26,7 +24,7 @@ from ..scene.failures import (
 )
 from ..scene.limits import bits_of, doubts, possible_bits
 from ..scene.scene import Scene
-from ..scene.wiring import Step, depends_on
+from ..scene.wiring import Step
 from ..text import listed
 from .reasons import ROW, UNCERTAINTY, Reasons, lack, worded
 
@@ -39,7 +37,6 @@ _BESIDE = 15  # cost of the rest of a row, in formulas
 _JUDGED = 8  # a row whose limits are judged takes 8 times as long: Maugis' law is evaluated, too
 DOUBT = "doubt"  # the column of the limits of the model that a row exceeds, as codes
 STATUS = "status"  # the column of reasons
-DATA = ("data_low", "data_high")  # the ends of what measured forces mean, as columns beside a quantity
 _NO_COLUMNS = "for which the table has no columns; --uncertainty adds them"
 
 
@@ -111,33 +108,26 @@ class Wanted:
         )
 
     def with_alternatives(self, scenes: Sequence[Scene], names: Collection[str], *, data: bool = False) -> "Wanted":
-        """Return the same quantities with columns of what some of them are under the other law, and by measured forces.
+        """Return the same quantities, some of them with columns of what may stand in their place.
 
-        `scenes`: of each kind of rows. Where they are under several laws, the other law is the one that holds between them.
+        `scenes`: of each kind of rows; `data`: whether measured forces have columns, too.
         """
-        others = {by_law(scene).law.name for scene in scenes}
-        law = others.pop() if len(others) == 1 else BETWEEN
-        moved = {name for scene in scenes for name in moved_by_law(scene, self.names)}
-        rolled = {name for name in self.names if data and XI in depends_on([name])} - {XI}
-        rolled = rolled if any(map(solid_of_kind, scenes)) else set()
-        kinds = {name: ((law,) if name in moved else ()) + (DATA if name in rolled else ()) for name in names}
-        sides = self.sides if self.uncertainties else None
         return Wanted(
-            self.names, named=self.named, inputs=self.inputs, sides=sides, doubts=self.doubts, alternatives=kinds
+            self.names,
+            named=self.named,
+            inputs=self.inputs,
+            sides=self.sides if self.uncertainties else None,
+            doubts=self.doubts,
+            alternatives=kinds_beside(scenes, [name for name in self.names if name in names], data=data),
         )
 
     def values_beside(self, scene: Scene, shown: Collection[str]) -> dict[str, Any]:
-        """Return the values that may stand in place of the quantities shown, by their keys; that of the law is left out under it."""
-        made = {law: by_law for law in (BETWEEN, DEFAULT_LAW) if law != scene.law.name}
-        if any(DATA[0] in kinds for kinds in self.alternatives.values()) and rolled_solid(scene):
-            made |= dict(zip(DATA, (at_least_measured, at_most_measured), strict=True))
-        values = {}
-        for kind, make in made.items():
-            names = [name for name in shown if kind in self.alternatives.get(name, ())]
-            for name, outcome in make(scene).evaluate(names).items() if names else ():
-                if not isinstance(written := written_outcome(name, outcome), JkrollError):
-                    values[f"{name}_by_{kind}"] = written
-        return values
+        """Return the values that may stand in place of the quantities shown, by their keys."""
+        wanted = {name: kinds for name, kinds in self.alternatives.items() if name in shown}
+        outcomes = {
+            f"{name}_by_{kind}": written_outcome(name, one) for (name, kind), one in beside(scene, wanted).items()
+        }
+        return {key: outcome for key, outcome in outcomes.items() if not isinstance(outcome, JkrollError)}
 
     def sources_in(self, scene: Any) -> "Sources | None":
         """Return the sources of uncertainty of the quantities of a scene; None if it has no uncertainty."""

@@ -1,6 +1,6 @@
 """Scenes that may stand in place of the one that was asked: under another law of attraction, or with the displacement that measured forces mean."""
 
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import reduce
 from typing import Any
 
@@ -146,6 +146,38 @@ def at_least_measured(scene: Scene) -> Scene:
 def at_most_measured(scene: Scene) -> Scene:
     """Return the scene with the largest displacement that forces on the same solid mean."""
     return scene.replace(**{XI: _measured(scene).high}).with_results_of(scene, IN_ITS_PLACE)
+
+
+# --- Columns of rows --------------------------------------------------------------------------------------------------
+
+DATA = ("data_low", "data_high")  # the ends of what measured forces mean
+
+
+def kinds_beside(scenes: Sequence[Scene], names: Sequence[str], *, data: bool) -> dict[str, tuple[str, ...]]:
+    """Return by the quantity which kinds of alternatives have columns: the name of the other law, and the ends of measured forces.
+
+    `scenes`: of each kind of rows. Where they are under several laws, the other law is the one that holds between them.
+    """
+    others = {by_law(scene).law.name for scene in scenes}
+    law = others.pop() if len(others) == 1 else BETWEEN
+    moved = {name for scene in scenes for name in moved_by_law(scene, names)}
+    has_data = data and any(map(solid_of_kind, scenes))
+    rolled = {name for name in names if has_data and name != XI and XI in depends_on([name])}
+    return {name: (*([law] if name in moved else ()), *(DATA if name in rolled else ())) for name in names}
+
+
+def beside(scene: Scene, wanted: Mapping[str, Collection[str]]) -> dict[tuple[str, str], Any]:
+    """Return what may stand in place of quantities, by the quantity and the kind: nothing in a column of the law in use."""
+    found: dict[tuple[str, str], Any] = {}
+    if not wanted:
+        return found
+    made: dict[str, Callable[[Scene], Scene]] = {by_law(scene).law.name: by_law}
+    if any(DATA[0] in kinds for kinds in wanted.values()) and rolled_solid(scene):
+        made |= dict(zip(DATA, (at_least_measured, at_most_measured), strict=True))
+    for kind, make in made.items():
+        if names := [name for name, kinds in wanted.items() if kind in kinds]:
+            found.update(((name, kind), outcome) for name, outcome in make(scene).evaluate(names).items())
+    return found
 
 
 # --- The size of a doubt about the law --------------------------------------------------------------------------------
