@@ -105,7 +105,7 @@ _FORMAT = "Numbers only, JSON or CSV; output file"
 _INSTEAD = "Show the derivation or the BibTeX entry instead of results"
 MATERIALS = Option("materials", "--materials", str, "FILE", "Read materials from your own file as well")
 NO_DOUBT = Option("no_doubt", "--no-doubt", bool, "", "Omit the column of doubts")
-ALTERNATIVES = Option("alternatives", "--alternatives", bool, "", "Add the results by the other law: ..._by_maugis")
+ALTERNATIVES = Option("alternatives", "--alternatives", bool, "", "Add the results by Maugis' law")
 QUIET = Option("quiet", "--quiet", bool, "", "Suppress notes")
 _OUTPUT = (
     Option("to", "--to", str, "UNIT", "Unit of the results; several with commas"),
