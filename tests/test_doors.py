@@ -37,7 +37,6 @@ from jkroll.errors import JkrollError, NoResult
 from jkroll.quantities.nomenclature import NOMENCLATURE, header
 from jkroll.quantities.values import value_of
 from jkroll.rows.columns import DOUBT, STATUS
-from jkroll.rows.reasons import ROW
 from jkroll.scene.failures import (
     InfiniteValue,
     MissingInput,
@@ -92,8 +91,8 @@ def _in_refusals(run: Run, ask: Ask, error: JkrollError) -> Iterator[str]:
             yield f"table: {error} and {other}"
         return
     yield from differences(found.by_floats, found.rows, found.scenes)
-    if not any(isinstance(reasons.get(ROW), type(error)) for reasons in found.rows.reasons):
-        yield f"table: {error} and {found.rows.reasons}"
+    if not any((error.phrase or str(error)) in status for status in found.rows.status):
+        yield f"table: {error} and {found.rows.status}"
 
 
 def _lacks(text: str) -> bool:
@@ -435,7 +434,7 @@ def _in_written(rows: Rows, cells: Sequence[Cells]) -> Iterator[str]:
                 yield f"row {row}: {key} = {rows.values[row].get(key)!r} and {line[_head(key)]}"
         if line.get(DOUBT, "") != codes(rows.doubts[row]) and DOUBT in line:
             yield f"row {row}: {line[DOUBT]!r}"
-        if bool(line[STATUS]) != bool(rows.reasons[row]):
+        if line[STATUS] != rows.status[row]:
             yield f"row {row}: {line[STATUS]!r}"
 
 

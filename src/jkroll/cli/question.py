@@ -166,7 +166,7 @@ def _write_rows(asked: Asked, sweep: Sweep, kind: str, form: Format, call: Call)
 def unless_failed(columns: Columns, headline: Sequence[str]) -> Columns:
     """Return the columns of a single row, or raise its failure if it lacks the headline of the question."""
     numbers = [columns.column(name)[0] for name in headline if name in columns.wanted.places]
-    if columns.failed() and all(map(isnan, numbers)):
+    if columns.failed and all(map(isnan, numbers)):
         raise columns.failure(0)
     return columns
 

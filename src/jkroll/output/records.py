@@ -93,7 +93,7 @@ def lines(kind: str, wanted: Wanted, blocks: Iterable[Columns], form: Format, *,
         if DOUBT in remarks:
             cells.append([_cell(codes(bits), line_format) for bits in as_list(columns.doubts)])
         if STATUS in remarks:
-            cells.append([_cell(columns.status(row), line_format) for row in range(len(columns))])
+            cells.append([_cell(columns.status.get(row), line_format) for row in range(len(columns))])
         if line_format.is_json:
             keys = [b"%b:" % _json_text(name) for name in names]
             rows = zip(*(_cells(column, line_format.gap) for column in cells), strict=True)
@@ -164,7 +164,8 @@ def writable(columns: Columns, form: Format) -> Columns:
             if not all(isnan(number) or form.holds(name, number) for number in numbers):
                 for column in own:
                     column[row] = nan
-                columns.reasons[row] = {**columns.reasons.get(row, {}), name: OutOfUnit(name, form.unit(name))}
+                reasons = {**columns.reasons.get(row, {}), name: OutOfUnit(name, form.unit(name))}
+                columns.tell([row], reasons, is_empty=False)
     return columns
 
 

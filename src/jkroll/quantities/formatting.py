@@ -27,6 +27,8 @@ _PREFIXABLE = ("m", "s", "N", "J", "Pa", "Hz", "rad", "m/s", "N m", "N/m", "J/m^
 class OutOfUnit(NoResult):
     """Error raised for a value that no double holds in the unit in which it is wanted."""
 
+    phrase = "outside the unit's range"
+
     def __init__(self, name: str, unit: str) -> None:
         super().__init__(name, unit)
         self.name, self.unit = name, unit

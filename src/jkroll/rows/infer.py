@@ -181,18 +181,23 @@ def _each(wanted: SoughtOne, arrays: Mapping[str, Any], row: Callable[[Mapping[s
 
 def _block(wanted: SoughtOne, arrays: Mapping[str, Any], row: Callable[[Mapping[str, Any]], Observed]) -> Any:
     """Return the inferred values of some rows; raise the first error that is no NoResult."""
+    from .block import Block
     from .cells import Numbers
-    from .rows import Block, evaluated
+    from .rows import evaluated
 
-    block = Block(
-        len(next(iter(arrays.values()))),
-        {name: Numbers(values) for name, values in arrays.items()},
-        (),
-        lambda inputs, _: row(inputs),
-        lambda place: row({name: float(values[place]) for name, values in arrays.items()}),
-        lambda _: None,
-    )
-    columns = evaluated(wanted, block)
+    class Elements(Block):
+        """Rows of the elements of arrays."""
+
+        def scene(self, given: Mapping[str, Any], rows: Any) -> Any:
+            """Return the row of arrays."""
+            del rows
+            return row(given)
+
+        def scene_of(self, place: int) -> Any:
+            return row({name: float(values[place]) for name, values in arrays.items()})
+
+    numbers = {name: Numbers(values) for name, values in arrays.items()}
+    columns = evaluated(wanted, Elements(len(next(iter(arrays.values()))), numbers))
     for error in chain.from_iterable(reasons.values() for reasons in columns.reasons.values()):
         if not isinstance(error, NoResult):
             raise error

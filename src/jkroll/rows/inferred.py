@@ -1,6 +1,6 @@
 """Rows of the inverse problem: the value of an input at which each scene has its measured value of a quantity, or of two inputs."""
 
-from collections.abc import Callable, Collection, Hashable, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from functools import partial
 from math import nan
 from typing import TYPE_CHECKING, Any, Self
@@ -22,7 +22,7 @@ from .columns import (
     Wanted,
     fill_sides,
     left_out,
-    put_one,
+    put_row,
     repeated,
 )
 from .reasons import ROW, UNCERTAINTY
@@ -149,7 +149,6 @@ class SoughtOne(Sought):
         scene: Observed,
         size: int,
         one: Callable[[int], Any],
-        wording: Callable[[int], Hashable],  # noqa: ARG002
     ) -> Columns:
         """Return the columns of arrays of measured values; `one` returns a row by itself."""
         import numpy
@@ -168,15 +167,11 @@ class SoughtOne(Sought):
             bits[failed] = 0
         numbers = numpy.full((len(self.keys), size), nan)
         numbers[0] = values
-        reasons = {}
+        columns = Columns(self, {name: repeated(inputs.get(name), size) for name in self.inputs}, numbers, bits)
         for row in numpy.flatnonzero(failed).tolist():
             own = found[row]
-            reasons[row] = {
-                self.name: own if isinstance(own, NoResult) else failure(self.name, self.quantity, one(row).scene)
-            }
-        columns = Columns(
-            self, {name: repeated(inputs.get(name), size) for name in self.inputs}, numbers, bits, reasons
-        )
+            error = own if isinstance(own, NoResult) else failure(self.name, self.quantity, one(row).scene)
+            columns.tell([row], {self.name: error}, is_empty=True)
         if self.known_sides and scene.is_uncertain:
             self._add_sides(columns, scene, one)
         return columns
@@ -194,4 +189,4 @@ class SoughtOne(Sought):
 
         found = inferred_uncertainty_of_elements(self.name, columns.column(self.name), scene)
         for row in numpy.flatnonzero(columns.put_sides(found)).tolist():
-            put_one(columns, row, partial(one, row))
+            put_row(columns, row, partial(one, row))

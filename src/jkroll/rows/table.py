@@ -21,18 +21,18 @@ from ..scene.inverse import Observed, check_one
 from ..scene.limits import LIMITS
 from ..scene.scene import DEFAULTS, EXCLUSIVE, Scene
 from ..scene.wiring import depends_on
-from ..text import first_of, quoted, say, say_wrapped
-from .cells import LABEL, Indices, Lookup, Reader
-from .columns import DOUBT, SIDES, STATUS, BadCells, Wanted, remarks_of
+from ..text import quoted, say, say_wrapped
+from .block import Block
+from .cells import LABEL, Indices, Lookup, Numbers, Reader
+from .columns import DOUBT, SIDES, STATUS, BadCells, BadRecord, Wanted, remarks_of
 from .header import BadTable, Column, Header, check_inputs, check_units
 from .inferred import SoughtOne
 from .readings import MATERIALS, may_be_diameter
-from .rows import Block, groups
+from .rows import groups
 
 if TYPE_CHECKING:
     from ..scene.uncertainty import Source, Sources
 
-_MAX_LABELS = 3  # that are named
 _RENAMED = {STATUS: "", "model": "", DOUBT: ", or write --no-doubt"}  # besides another name
 _SOME = 0.25  # a value that most inputs can have
 Asked = tuple[Sequence[str], Sequence[str]]  # quantities by name, and those that may lack inputs
@@ -68,7 +68,7 @@ class Fill(NamedTuple):
         if self.inverse is None:
             return Scene(given, *spheres, model=self.model)
         if self.inverse.quantity not in given:
-            raise BadCells(f"{self.inverse.quantity}: the row has no measured value")
+            raise BadRecord(f"{self.inverse.quantity}: the row has no measured value", "no measured value")
         return Observed.of([self.inverse.quantity], given, *spheres, model=self.model)
 
 
@@ -112,66 +112,70 @@ class Table:
         """Return rows of texts, by the names of the columns. `odd`: records that are no rows, and why."""
         numbers = {reader.column.name: reader.numbers(cells) for reader in self.readers}
         materials = {name: self.lookups[name].indices(cells[name]) for name, _ in self.materials_at}
-        return self.block_of(
-            size, numbers, materials, odd, lambda row, name: cells[name][row].decode("utf-8", "replace")
-        )
-
-    def block_of(
-        self,
-        size: int,
-        numbers: Mapping[str, Any],
-        materials: Mapping[str, Indices],
-        odd: Mapping[int, str],
-        text: Callable[[int, str], str],
-    ) -> Block:
-        """Return rows of numbers and of materials by their indices; `text` is that of a row's cell in a column."""
-        own = [materials.get(name, numpy.zeros(size, dtype=numpy.int64)) for name in self.lookups]
-        lookups = [*self.lookups.values()]
-
-        def scene(given: Mapping[str, Any], rows: Indices) -> Any:
-            spheres = [lookup.together(of_sphere[rows]) for lookup, of_sphere in zip(lookups, own, strict=True)]
-            found = self.fill.scene(given, *spheres)
-            if LABEL in spheres and self.wanted.lacks(found):
-                raise BadCells  # each row by itself says which name is no material's
-            return found
-
-        kinds = [lookup.kinds(of_sphere) for lookup, of_sphere in zip(lookups, own, strict=True)]
-        return Block(
-            size,
-            numbers,
-            kinds,
-            scene,
-            lambda row: self.scene_of(partial(text, row)),
-            lambda row: tuple(int(of_sphere[row]) for of_sphere in own),
-            odd,
-        )
+        text = partial(_cell, cells)
+        return TableBlock(self, size, numbers, materials, odd, text)
 
     def scene_of(self, text_of: Callable[[str], str]) -> Any:
         """Return the scene of a row. `text_of` gives the cell of a column. Raises BadCells, or an error of the scene."""
         if all(text_of(name).strip() == self.texts[place].strip() for name, place in self.places.items()):
-            raise BadCells("the row repeats the header")
+            raise BadRecord("the row repeats the header")
         found: dict[str, Any] = dict(zip(MATERIALS, self.fill.spheres, strict=True))
         texts = {column.name: column.joined(*map(text_of, column.places)) for column in self.inputs}
         texts |= {name: text_of(name) for name, _ in self.materials_at}
         readers: dict[str, Callable[[str], Any]] = {column.name: column.read for column in self.inputs}
         readers |= {name: lookup.material for name, lookup in self.lookups.items()}
-        problems: list[str] = []
-        labels: list[str] = []
+        problems: list[JkrollError] = []
+        labels: list[JkrollError] = []
         for name, text in texts.items():
             try:
                 if text.strip():
                     found[name] = readers[name](text)
             except (UnknownMaterial, UnclearMaterial, MaterialsFileError) as error:
                 found[name] = LABEL
-                labels.append(str(error))
+                labels.append(error)
             except JkrollError as error:
-                problems.append(str(error))
+                problems.append(error)
         spheres = [found.pop(name) for name in MATERIALS]
         if not problems and labels and not self.wanted.lacks(scene := self.fill.scene(found, *spheres)):
             return scene
         if problems or labels:
-            raise BadCells("; ".join([*labels, *problems]))
+            raise BadCells([*labels, *problems])
         return self.fill.scene(found, *spheres)
+
+
+def _cell(cells: Mapping[str, Sequence[bytes]], row: int, name: str) -> str:
+    return cells[name][row].decode("utf-8", "replace")
+
+
+class TableBlock(Block):
+    """Some rows of a table. Those whose materials have the same properties are alike."""
+
+    def __init__(
+        self,
+        table: Table,
+        size: int,
+        numbers: Mapping[str, Numbers],
+        materials: Mapping[str, Indices],
+        odd: Mapping[int, str],
+        text: Callable[[int, str], str],
+    ) -> None:
+        """`materials`: their indices, by column; `text`: returns the cell of a row in a column."""
+        self.table, self.text = table, text
+        self.indices = {name: materials.get(name, numpy.zeros(size, dtype=numpy.int64)) for name in table.lookups}
+        kinds = [lookup.kinds(self.indices[name]) for name, lookup in table.lookups.items()]
+        super().__init__(size, numbers, kinds, odd)
+
+    def scene(self, given: Mapping[str, Any], rows: Indices) -> Any:
+        """Return the scene of the inputs of rows that are alike."""
+        spheres = [lookup.together(self.indices[name][rows]) for name, lookup in self.table.lookups.items()]
+        scene = self.table.fill.scene(given, *spheres)
+        if LABEL in spheres and self.table.wanted.lacks(scene):
+            raise BadCells([])  # each row by itself says which name is no material's
+        return scene
+
+    def scene_of(self, row: int) -> Any:
+        """Return the scene of a row by itself."""
+        return self.table.scene_of(partial(self.text, row))
 
 
 def table_of(
@@ -213,13 +217,6 @@ def say_reading(columns: Header) -> None:
 
 def say_gaps(table: Table, columns: Header, quantities: str) -> None:
     """Say on stderr which names of materials in the first rows are unclear, and that nothing gives a radius."""
-    if unknown := [quoted(text) for text, message in table.labels.items() if not message]:
-        fails = (
-            "is not known; a row that needs it fails"
-            if len(unknown) == 1
-            else "are not known; rows that need them fail"
-        )
-        say_wrapped(f"note: material: {first_of(unknown, _MAX_LABELS)} {fails}", sys.stderr)
     for message in filter(None, table.labels.values()):
         say_wrapped(f"note: {message}", sys.stderr)
     if "radius" not in columns.names and "radius" not in table.fill.fixed and not quantities:

@@ -309,7 +309,7 @@ class NoDependence(NoResult):
 
     def __init__(self, name: str, quantity: str) -> None:
         super().__init__(name, quantity)
-        self.name, self.quantity = name, quantity
+        self.name, self.quantity, self.phrase = name, quantity, "no dependence"
 
     def reason(self) -> str:
         """Return what does not depend on what."""
@@ -322,7 +322,7 @@ class Undetermined(NoResult):
     def __init__(self, name: str, measured: Values, span: tuple[float, float]) -> None:
         """`span`: values of the input between which all give the measured value."""
         super().__init__(name, dict(measured), span)
-        self.name, self.measured, self.span = name, measured, span
+        self.name, self.measured, self.span, self.phrase = name, measured, span, "any value gives it"
 
     def reason(self) -> str:
         """Return the values that give the measured one."""
@@ -337,7 +337,7 @@ class NoSolution(NoResult):
         """`measured`: as far as the search came; `span`: of the quantity at which it ended."""
         super().__init__(tuple(names), dict(measured), quantity, span)
         self.name, self.names, self.measured = ",".join(names), tuple(names), measured
-        self.quantity, self.span = quantity, span
+        self.quantity, self.span, self.phrase = quantity, span, "no value gives it"
 
     def reason(self) -> str:
         """Return the values that the quantity can have."""
@@ -357,7 +357,7 @@ class SeveralSolutions(NoResult):
         """`digits`: that the values need, if they are to be typed."""
         super().__init__(tuple(names), dict(measured), tuple(found), digits)
         self.name, self.names, self.measured, self.found = ",".join(names), tuple(names), measured, tuple(found)
-        self.digits = digits
+        self.digits, self.phrase = digits, "several values give it"
 
     def reason(self) -> str:
         """Return all of them."""

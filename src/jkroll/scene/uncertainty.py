@@ -30,6 +30,8 @@ FEW = 800  # places that floats compute in the time of importing numpy: those of
 class MixedKinds(JkrollError):
     """Error raised for a range and a standard uncertainty in one scene."""
 
+    phrase = "± and range together"
+
     def __init__(self, measured: str, interval: str) -> None:
         super().__init__(measured, interval)
         self.measured, self.interval = measured, interval
@@ -40,6 +42,8 @@ class MixedKinds(JkrollError):
 
 class TooManyRanges(JkrollError):
     """Error raised for more ranges than can be combined."""
+
+    phrase = "too many ranges"
 
     def __init__(self, count: int) -> None:
         super().__init__(count)
