@@ -254,7 +254,7 @@ STATUS = {
     "x,quartz,0,0": ("bad radius", "radius: '0 nm' must be positive; expected a length such as 100nm"),
     "x,quartz,1N,0": ("bad radius", "radius: '1N' is a force; expected a length such as 100nm"),
     "x,quartz,one,0": ("bad radius", "radius: 'one' does not begin with a number; expected a length such as 100nm"),
-    "x,quartz,100,-20": ("beyond pull-off", "load: -20 nN is beyond pull-off; this contact holds down to -11.781 nN"),
+    "x,quartz,100,-20": ("beyond pull-off", "load: -20 nN is beyond pull-off; this contact holds down to -11.78097 nN"),
     "x,quartz,100": ("row is short: 3 cells for 4", "row is short: 3 cells for 4"),
     "x,quartz,100,0,": ("row is long: 5 cells for 4", "row is long: 5 cells for 4"),
     'x,"quartz,100,0': ("a quote is not closed", "a quote is not closed"),

@@ -112,7 +112,7 @@ MESSAGES = {
     ),
     "yield-force quartz 100nm --load -20nN": (
         1,
-        "load: -20 nN is beyond pull-off; this contact holds down to -11.781 nN",
+        "load: -20 nN is beyond pull-off; this contact holds down to -11.78097 nN",
     ),
     "yield-force quartz 100nm --load -11.78098nN": (
         1,
@@ -336,7 +336,7 @@ def test_tension_beyond_pull_off_takes_what_depends_on_the_load(run: Run) -> Non
     ran = run("report quartz 10nm --load -5nN --json")
     data = json.loads(ran.out)
     assert ran.code == 1
-    assert ran.err.startswith("jkroll: load: -5 nN is beyond pull-off; this contact holds down to -1.1781 nN\n")
+    assert ran.err.startswith("jkroll: load: -5 nN is beyond pull-off; this contact holds down to -1.178097 nN\n")
     values = {result["name"]: result["value"] for result in data["results"]}
     assert values["pull_off_force"] > 0
     assert values["r_min"] > 0

@@ -12,6 +12,7 @@ from ..physics.contact import pull_off_force_dmt
 from ..physics.jkr import FOLD_APPROACH
 from ..quantities.formatting import DIGITS, Format, amount
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
+from ..quantities.values import parse_quantity
 from ..text import listed
 from .wiring import parameters_of
 
@@ -103,6 +104,15 @@ def _told_apart(name: str, value: float, limit: float) -> tuple[str, str]:
     return texts
 
 
+def _held(name: str, least: float) -> str:
+    """Return the least value that a contact holds as it may be typed: with so many digits that rounding does not put it beyond."""
+    digits, text = DIGITS, amount(name, least)
+    while parse_quantity(text, name) < least and digits < MAX_DIGITS:
+        digits += 1
+        text = amount(name, least, Format(digits=digits))
+    return text
+
+
 class Contradiction(JkrollError):
     """Error raised for inputs of which one follows from the other."""
 
@@ -148,11 +158,11 @@ class BeyondPullOff(NoContact):
 
     def reason(self) -> str:
         """Return which loads this contact holds."""
-        load, held = _told_apart("load", self.load, self.least)
-        text = f"{load} is beyond pull-off; this contact holds down to {held}"
+        load, _ = _told_apart("load", self.load, self.least)
+        text = f"{load} is beyond pull-off; this contact holds down to {_held('load', self.least)}"
         if not self.by_maugis:
             return text
-        return f"{text}; by Maugis' law it holds down to {amount('load', self.by_maugis)} (--model maugis)"
+        return f"{text}; by Maugis' law it holds down to {_held('load', self.by_maugis)} (--model maugis)"
 
 
 class BeyondFold(NoContact):
@@ -167,7 +177,8 @@ class BeyondFold(NoContact):
 
     def reason(self) -> str:
         """Return which approaches this contact holds."""
-        approach, least = _told_apart("approach_at_load", self.approach, self.least)
+        approach, _ = _told_apart("approach_at_load", self.approach, self.least)
+        least = _held("approach_at_load", self.least)
         return f"{approach} is beyond the fold; fixed grips hold this contact down to {least}"
 
 
