@@ -727,3 +727,34 @@ def test_the_first_block_has_the_rows_that_decide_whatever_the_pieces() -> None:
     rows = [b"%d," % place + b"x" * 1000 + b"\n" for place in range(500)]
     first = next(files.blocks(iter([b"a,b\n", *rows]), lambda text: text.rfind(b"\n") + 1))
     assert first.count(b"\n") > SAMPLE
+
+
+# --- Columns that exclude each other, and quantities that a law does not have --------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("columns", "cells", "quantity"),
+    [
+        ("energy [J],speed [m/s]", ["1e-18,", ",0.1"], "kinetic_energy"),
+        ("xi [nm],adhesion_hysteresis [mJ/m2]", ["0.2,", ",10"], "hysteresis_moment"),
+        ("load [nN],approach [nm]", ["1,", ",0.1"], "stiffness"),
+    ],
+)
+def test_the_place_of_a_column_decides_nothing(run: Run, columns: str, cells: list[str], quantity: str) -> None:
+    found = []
+    for step in (1, -1):
+        lines = [",".join(line.split(",")[::step]) for line in (columns, *cells)]
+        name = table("".join(f"100,{line}\n" for line in lines).replace("100", "radius [nm]", 1))
+        written = batch(run, name, "--material", "quartz", "--quantities", quantity, "--no-doubt")
+        found.append([[*row.values()][3:] for row in written])
+    assert found[0] == found[1]
+    assert found[0][1][0] != ""
+
+
+def test_a_quantity_that_the_law_does_not_have_is_an_empty_column(run: Run) -> None:
+    words = ("--model", "dmt", "--quantities", "sticking_speed,pull_off_force")
+    (row,) = batch(run, table("radius [nm]\n100\n"), "--material", "quartz", *words)
+    (listed,) = rows(run("pull-off", "quartz", "100nm", *words, "--csv").out)
+    assert row["sticking_speed [m/s]"] == listed["sticking_speed [m/s]"] == ""
+    assert row["status"] == listed["status"] == "not in DMT"
+    assert row["pull_off_force [N]"] == listed["pull_off_force [N]"] != ""
