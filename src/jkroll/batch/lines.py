@@ -11,7 +11,7 @@ from ..rows.block import Block
 from ..rows.cells import Floats
 from ..rows.columns import Columns, Wanted
 from ..rows.header import BadRow, BadTable
-from ..rows.inferred import SoughtOne
+from ..rows.inferred import Unknowns
 from ..rows.reasons import Gaps, joined, worded
 from ..rows.rows import evaluated
 from ..rows.table import Table, idle_of
@@ -36,7 +36,7 @@ class Tally(NamedTuple):
     doubtful: int = 0
     not_judged: int = 0  # for some limit
     codes: Counter[str] = _NONE  # of doubts, by their rows
-    inferred: tuple[Floats, ...] = ()  # the values of an input that was sought, in parts
+    inferred: tuple[Floats, ...] = ()  # the values of the unknown, in parts
     said: tuple[str, ...] = ()  # of each table as a whole
 
     @classmethod
@@ -46,7 +46,7 @@ class Tally(NamedTuple):
         doubts, not_judged = bits & ~NOT_JUDGED, int(numpy.count_nonzero(bits & NOT_JUDGED))
         doubtful, of_codes = int(numpy.count_nonzero(doubts)), _rows_of_codes(doubts)
         wanted = columns.wanted
-        inferred = (numpy.asarray(columns.column(wanted.name)).copy(),) if isinstance(wanted, SoughtOne) else ()
+        inferred = (numpy.asarray(columns.column(wanted.names[0])).copy(),) if isinstance(wanted, Unknowns) else ()
         failed = len(columns.failed)
         return cls(len(columns), failed, columns.gaps(), doubtful, not_judged, of_codes, inferred)
 

@@ -17,7 +17,7 @@ from ..quantities.laws import DEFAULT_LAW, law_named
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, XI, header
 from ..quantities.values import Uncertain, is_uncertain, value_of
 from ..scene.failures import MissingInput, NotInLaw
-from ..scene.inverse import Observed, check_one
+from ..scene.inverse import Problem
 from ..scene.limits import LIMITS
 from ..scene.scene import DEFAULTS, EXCLUSIVE, Scene
 from ..scene.wiring import depends_on
@@ -26,7 +26,7 @@ from .block import Block
 from .cells import LABEL, Indices, Lookup, Numbers, Reader
 from .columns import DOUBT, SIDES, STATUS, BadCells, BadRecord, Wanted, remarks_of
 from .header import BadTable, Column, Header, check_inputs, check_units
-from .inferred import SoughtOne
+from .inferred import Unknowns
 from .readings import MATERIALS, may_be_diameter
 from .rows import groups
 
@@ -68,7 +68,7 @@ class Fill(NamedTuple):
             return Scene(given, *spheres, model=self.model)
         if self.inverse.quantity not in given:
             raise BadRecord(f"{self.inverse.quantity}: the row has no measured value", "no measured value")
-        return Observed.of([self.inverse.quantity], given, *spheres, model=self.model)
+        return Problem.of([self.inverse.name], [self.inverse.quantity], given, *spheres, model=self.model)
 
 
 class Table:
@@ -267,8 +267,8 @@ def wanted_of(
     `labels`: names that are no material's, if the scenes leave out what they would give.
     """
     if fill.inverse is not None:
-        check_one(*fill.inverse, scenes[0].scene)
-        return SoughtOne([fill.inverse.name], [fill.inverse.quantity], sides=(), doubts=doubts)
+        scenes[0].check()
+        return Unknowns([fill.inverse.name], [fill.inverse.quantity], sides=(), doubts=doubts)
     explicit, offered = asked
     for name in explicit:
         if name in columns.names or name in fill.fixed:
@@ -333,7 +333,7 @@ def _assumed(
     """Return the inputs of results that nothing gives, so that their defaults hold in all rows."""
     used: set[str] = set()
     for scene in scenes:
-        used |= {*scene.used(wanted.names)} if fill.inverse else {*scene.inputs_of(*scene.possible(wanted.names))}
+        used |= {*scene.used()} if fill.inverse else {*scene.inputs_of(*scene.possible(wanted.names))}
     materials = [*filter(None, fill.spheres)]
     for text in {row[place] for row in rows for _, place in columns.materials}:
         with suppress(JkrollError):  # of a label

@@ -10,13 +10,12 @@ from itertools import product
 from math import erfc, fsum, isfinite, isnan, nan, sqrt
 from typing import Any, NamedTuple
 
-from ..errors import JkrollError, NoResult
+from ..errors import JkrollError
 from ..physics.elementary import at_least, at_most, hypot, where
 from ..quantities.nomenclature import NOMENCLATURE, XI
 from ..quantities.values import Interval, Measured, Uncertain, is_uncertain
-from .inverse import Observed, solutions
+from .inverse import Problem
 from .scene import Scene
-from .unknowns import solved_near
 from .wiring import in_order
 
 MAX_RANGES = 8  # whose corners are computed, all together
@@ -233,6 +232,13 @@ def _evaluation(
     return evaluate
 
 
+def as_columns(places: Sequence[Place]) -> list[Any]:
+    """Return the values of each source at all places, as an array."""
+    import numpy
+
+    return [*numpy.transpose(places)]
+
+
 def _as_arrays(at: Callable[[Place], Mapping[str, Any]], places: Sequence[Place]) -> Outcomes:
     """Iterate over quantities at many places. A place without a value has the reason that it has by itself."""
     import numpy
@@ -241,7 +247,7 @@ def _as_arrays(at: Callable[[Place], Mapping[str, Any]], places: Sequence[Place]
         name: [outcome] * len(places)
         if isinstance(outcome, JkrollError)
         else numpy.broadcast_to(outcome, len(places)).tolist()
-        for name, outcome in at([*numpy.transpose(places)]).items()
+        for name, outcome in at(as_columns(places)).items()
     }
     for place, row in zip(places, zip(*columns.values(), strict=True), strict=True):
         outcomes = dict(zip(columns, row, strict=True))
@@ -375,38 +381,41 @@ def _shares(sources: Sequence[Source], parts: Sequence[float]) -> dict[str, floa
     return dict(sorted(shares.items(), key=lambda share: -share[1]))
 
 
-# --- Inferred inputs --------------------------------------------------------------------------------------------------
+# --- Unknowns ---------------------------------------------------------------------------------------------------------
 
 
-def inferred_sources(names: Sequence[str], observed: Observed) -> Sources:
-    """Return the sources of the uncertainty of inferred inputs: the measured values, and the inputs of the scene."""
-    of_measured = [Source((quantity,), one) for quantity, one in observed.measured.items() if is_uncertain(one)]
-    return sources_of(observed.scene, observed.used(names), of_measured)
+def sources_of_problem(problem: Problem) -> Sources:
+    """Return the sources of the uncertainty of unknowns: the measured values, and the inputs of the scene."""
+    of_measured = [Source((quantity,), given) for quantity, given in problem.measured.items() if is_uncertain(given)]
+    return sources_of(problem.scene, problem.used(), of_measured)
 
 
-def inferred_uncertainties(values: Mapping[str, float], observed: Observed) -> tuple[Bars, Sources]:
-    """Return the uncertainties of inferred inputs, and their sources."""
-    sources = inferred_sources([*values], observed)
+def uncertainties_of_unknowns(values: Mapping[str, float], problem: Problem) -> tuple[Bars, Sources]:
+    """Return the uncertainties of the unknowns that solve a problem, and their sources."""
+    from .unknowns import solutions
 
-    def at(place: Place) -> Mapping[str, Any]:
-        try:
-            return solved_near(values, observed.changed(moved(sources.entering, place)))
-        except NoResult as error:
-            return dict.fromkeys(values, error)
+    sources = sources_of_problem(problem)
 
-    return propagated(lambda places: map(at, places), values, sources.entering), sources
+    def evaluate(places: Sequence[Place]) -> Outcomes:
+        changed = moved(sources.entering, as_columns(places))
+        found = solutions(problem.replace(changed), len(places), near=values)
+        for row in range(len(places)):
+            error = found.failures.get(row)
+            yield {name: error or float(column[row]) for name, column in found.values.items()}
+
+    return propagated(evaluate, values, sources.entering), sources
 
 
-def inferred_uncertainty_of_elements(name: str, values: Any, observed: Observed) -> dict[str, Elements]:
-    """Return the uncertainty of the values of an inferred input."""
-    import numpy
+def uncertainties_of_elements_of_unknowns(
+    values: Mapping[str, Any], size: int, problem: Problem
+) -> dict[str, Elements]:
+    """Return the uncertainties of the unknowns that solve a problem of arrays."""
+    from .unknowns import solutions
 
-    sources = inferred_sources([name], observed).entering
+    sources = sources_of_problem(problem).entering
 
-    def at(place: Place) -> Mapping[str, Any]:
-        other = observed.changed(moved(sources, place))
-        ((quantity, level),) = other.measured.items()
-        found = solutions(name, quantity, numpy.broadcast_to(level, values.shape), other.scene)
-        return {name: numpy.array([one if isinstance(one, float) else nan for one in found])}
+    def evaluate(places: Sequence[Place]) -> Outcomes:
+        changed = (problem.replace(moved(sources, place)) for place in places)
+        return (solutions(other, size, near=values).values for other in changed)
 
-    return elements(lambda places: map(at, places), {name: values}, sources)
+    return elements(evaluate, values, sources)
