@@ -288,7 +288,7 @@ def test_all_pairs_are_named(radius: float) -> None:
     assert first["radius"] != approx(second["radius"], rel=0.01)
     for pair in (first, second):
         assert Scene({**given, **pair}, model="dmt").numbers(*measured) == approx(measured, rel=1e-13)
-    words = f"surface_energy,radius: the pairs ({amount('surface_energy', first['surface_energy'])}, {amount('radius', first['radius'])}), ("
+    words = f"surface_energy,radius: the pairs ({amount('surface_energy', first['surface_energy'])}, {amount('radius', first['radius'])}) and ("
     assert str(caught.value).startswith(words)
 
 

@@ -12,7 +12,7 @@ from ..quantities.formatting import amount, in_words
 from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.failures import MissingInput, reason_of
-from ..scene.inverse import PER_DECADE, Problem, Solution, sizes_in_words
+from ..scene.inverse import PER_DECADE, SIZES, Problem, Solution, Values, sizes_in_words
 from ..scene.limits import Doubt
 from ..scene.scene import Scene
 from ..text import listed
@@ -147,17 +147,11 @@ class Inferred(Answer):
         return tuple(dict.fromkeys(notes))  # both ways leave out the same
 
     def _proofs(self) -> list[Note]:
-        """Return what of the materials is not used, and the proof of the values, with what they are under other laws."""
+        """Return what of the materials is not used, what is unusual, and the proof of the values."""
         assert self.solution is not None
-        unused = [
-            note for name in self.problem.unknowns for note in _unused(name, [*self.problem.measured], self.scene)
-        ]
-        texts = (
-            _proof(self.solution, self._by_law)
-            if self.condition is None
-            else _proof_of_two(self.solution, self._by_law)
-        )
-        return [*unused, *(Note("model", text) for text in texts)]
+        names = self.problem.unknowns
+        unused = [note for name in names for note in _unused(name, [*self.problem.measured], self.scene)]
+        return [*_unusual(self.solution.values), *unused, *(Note("model", text) for text in _proof(self.solution))]
 
     @cached_property
     def explained(self) -> Answer:
@@ -169,14 +163,24 @@ class Inferred(Answer):
         return explained
 
 
-def _proof(found: Solution, by_law: Mapping[str, Solution]) -> list[str]:
-    """Return the proof of one value, with how errors grow, and the values under other laws."""
-    (name,), (quantity,) = found.values, found.forward
-    symbol, of_measured = NOMENCLATURE[name].symbol, NOMENCLATURE[quantity].symbol
-    proof = f"{_equal(found.values)} gives {_equal(found.forward)}{_of_both(name, found.scene)}"
-    growth = f"κ = |d ln {symbol}/d ln {of_measured}| = {found.condition:.3g}"
-    others = [f"{amount(name, other.values[name])} under {LAWS[law].title}" for law, other in by_law.items()]
-    return ["; ".join(filter(None, (proof, growth, ", ".join(others))))]
+def _unusual(values: Values) -> list[Note]:
+    """Return a note on each value that lies beyond the sizes that are looked for first: a unit may be wrong."""
+    names = [name for name, value in values.items() if value and not SIZES[name][0] <= abs(value) <= SIZES[name][1]]
+    return [
+        Note("caveat", f"{_equal({name: values[name]})} is beyond usual values, {sizes_in_words([name])}")
+        for name in names
+    ]
+
+
+def _proof(solution: Solution) -> list[str]:
+    """Return the proof of the values, how errors grow, and where two values were looked for."""
+    names, quantities = [*solution.values], [*solution.forward]
+    if names[1:]:
+        proof = f"{_equal(solution.values)} give {_equal(solution.forward)}; κ = {solution.condition:.3g}"
+        return [proof, f"scanned: {sizes_in_words(names)}, {PER_DECADE} values a decade"]
+    symbol, of_measured = NOMENCLATURE[names[0]].symbol, NOMENCLATURE[quantities[0]].symbol
+    proof = f"{_equal(solution.values)} gives {_equal(solution.forward)}{_of_both(names[0], solution.scene)}"
+    return [f"{proof}; κ = |d ln {symbol}/d ln {of_measured}| = {solution.condition:.3g}"]
 
 
 def _of_both(name: str, found: Scene) -> str:
@@ -184,15 +188,6 @@ def _of_both(name: str, found: Scene) -> str:
     if name != "surface_energy" or "radius2" not in found.stated or "surface_energy2" in found.given:
         return ""
     return f" if γ2 = γ1, so w = {amount('work_of_adhesion', found['work_of_adhesion'])}"
-
-
-def _proof_of_two(found: Solution, by_law: Mapping[str, Solution]) -> list[str]:
-    """Return the proof of two values, those under other laws, and where they were looked for."""
-    return [
-        f"{_equal(found.values)} give {_equal(found.forward)}; κ = {found.condition:.3g}",
-        *(f"{_equal(other.values)} under {LAWS[law].title}" for law, other in by_law.items()),
-        f"scanned: {sizes_in_words(found.values)}, {PER_DECADE} values a decade",
-    ]
 
 
 def _unused(name: str, quantities: Sequence[str], found: Scene) -> list[Note]:

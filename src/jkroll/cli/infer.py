@@ -11,7 +11,7 @@ from ..quantities.values import Spread, spreads_of
 from ..rows.columns import Wanted
 from ..rows.inferred import Unknowns
 from ..rows.sweep import Sweep
-from ..scene.inverse import SIZES, AlreadyGiven, Problem, input_named
+from ..scene.inverse import SIZES, Problem, already_given, input_named
 from ..scene.scene import Scene
 from ..text import quoted
 from .commands import Call
@@ -70,7 +70,7 @@ def run_infer(call: Call) -> int:
     request = request_of(call._replace(words=call.words[1:]))
     for quantity in measured:
         if quantity in request.spreads:
-            raise AlreadyGiven(quantity, quantity)
+            raise already_given(quantity, quantity)
     inverse = _Inverse(names, [*measured])
     sweep = Sweep(request.pairs, {**request.spreads, **measured}, request.models, inverse.row)
     if len(names) > 1 and len(sweep) > MAX_PAIRS:

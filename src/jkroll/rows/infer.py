@@ -2,14 +2,14 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from math import prod
-from typing import Any, overload
+from typing import Any
 
 from ..errors import NoResult
 from ..materials.library import Material, Materials
 from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import named
 from ..quantities.values import is_uncertain
-from ..scene.inverse import AlreadyGiven, Problem, input_named
+from ..scene.inverse import Problem, already_given, input_named
 from ..scene.scene import broadcast, check_range
 from ..scene.solver import in_si, materials_of, refuse_arrays, with_uncertainty
 
@@ -22,30 +22,6 @@ class InferredValues(dict[str, Any]):
         self.condition = condition
 
 
-@overload
-def infer(
-    wanted: str,
-    /,
-    *,
-    measured: Mapping[str, Any],
-    material: str | Material | None = None,
-    material2: str | Material | None = None,
-    materials: Materials | None = None,
-    model: str | None = None,
-    **given: Any,
-) -> Any: ...
-@overload
-def infer(
-    wanted: Sequence[str],
-    /,
-    *,
-    measured: Mapping[str, Any],
-    material: str | Material | None = None,
-    material2: str | Material | None = None,
-    materials: Materials | None = None,
-    model: str | None = None,
-    **given: Any,
-) -> InferredValues: ...
 def infer(
     wanted: str | Sequence[str],
     /,
@@ -105,7 +81,7 @@ def infer(
     known, _ = in_si({str(word): value for word, value in measured.items()}, named)
     described, _ = in_si(given)
     for both in known.keys() & described.keys():
-        raise AlreadyGiven(both, both)
+        raise already_given(both, both)
     for each, value in {**known, **described}.items():
         check_range(each, value.value if is_uncertain(value) else value)
     spheres = materials_of(material, material2, materials)

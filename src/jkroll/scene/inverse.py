@@ -43,27 +43,23 @@ MAX_CONDITION = 1e8  # beyond which rounding leaves the differences that the con
 class CannotInfer(JkrollError):
     """Error raised for a word that does not stand for an input that can be inferred."""
 
-    def __init__(self, word: str) -> None:
-        super().__init__(word)
-        self.word = word
-
-    def __str__(self) -> str:
-        guess = None if self.word in NOMENCLATURE else nearest(self.word, SIZES)
-        meant = f"did you mean {guess}? " if guess else ""
-        return f"{quoted(self.word)} cannot be inferred; {meant}{', '.join(SIZES)} can"
-
 
 class AlreadyGiven(JkrollError):
     """Error raised where an unknown, or the measured quantity, is given as an input, too."""
 
-    def __init__(self, name: str, stated: str) -> None:
-        super().__init__(name, stated)
-        self.name, self.stated = name, stated
 
-    def __str__(self) -> str:
-        if self.name == self.stated:
-            return f"{self.name} is given and asked for; leave one of the two out"
-        return f"{self.name} is asked for, and {self.stated} is given: one follows from the other"
+def no_unknown(word: str) -> CannotInfer:
+    """Return the error of a word that does not stand for an input that can be inferred."""
+    guess = None if word in NOMENCLATURE else nearest(word, SIZES)
+    meant = f"did you mean {guess}? " if guess else ""
+    return CannotInfer(f"{quoted(word)} cannot be inferred; {meant}{', '.join(SIZES)} can")
+
+
+def already_given(name: str, stated: str) -> AlreadyGiven:
+    """Return the error of a name that is asked for, where it, or an input from which it follows, is stated."""
+    if name == stated:
+        return AlreadyGiven(f"{name} is given and asked for; leave one of the two out")
+    return AlreadyGiven(f"{name} is asked for, and {stated} is given: one follows from the other")
 
 
 class Unsolved(NoResult):
@@ -243,7 +239,7 @@ class Problem(NamedTuple):
         """Raise the error of a problem that has no solution whatever the measured values are."""
         for name in self.unknowns:
             if name not in SIZES:
-                raise CannotInfer(name)
+                raise no_unknown(name)
         if len(self.unknowns) > 1 and any({*self.unknowns} <= {*names} for names in EXCLUSIVE):
             raise Contradiction(self.unknowns)
         for name, quantity in product(self.unknowns, self.measured):
@@ -268,7 +264,7 @@ class Problem(NamedTuple):
         followed = {name for names in EXCLUSIVE if unknown in names for name in names} | {unknown, quantity}
         for stated in self.scene.stated:
             if stated in followed:
-                raise AlreadyGiven(quantity if stated == quantity else unknown, stated)
+                raise already_given(quantity if stated == quantity else unknown, stated)
 
     def failure(self) -> JkrollError:
         """Return the reason why a measured quantity has no value for any values of the unknowns."""
@@ -281,5 +277,5 @@ class Problem(NamedTuple):
 def input_named(word: str) -> str:
     """Return the input that a word stands for; raise CannotInfer if it cannot be inferred."""
     if (name := named(word)) not in SIZES:
-        raise CannotInfer(word)
+        raise no_unknown(word)
     return name

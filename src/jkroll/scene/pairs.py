@@ -8,6 +8,7 @@ import numpy
 from ..errors import JkrollError
 from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE
+from ..text import listed
 from .inverse import (
     MAX_CONDITION,
     SIZES,
@@ -237,7 +238,7 @@ class Pairs:
         """Return the error of several pairs."""
         pairs = [dict(zip(self.problem.unknowns, pair, strict=True)) for pair in values.T.tolist()]
         texts = [f"({', '.join(amount(*item) for item in pair.items())})" for pair in pairs]
-        text = f"the pairs {', '.join(texts)} all give {equal(self._levels)}"
+        text = f"the pairs {listed(texts)} {'all' if len(pairs) > 2 else 'both'} give {equal(self._levels)}"
         return SeveralSolutions(self.problem.unknowns, text, pairs)
 
     @property

@@ -31,32 +31,15 @@ class MixedKinds(JkrollError):
 
     phrase = "± and range together"
 
-    def __init__(self, measured: str, interval: str) -> None:
-        super().__init__(measured, interval)
-        self.measured, self.interval = measured, interval
-
-    def __str__(self) -> str:
-        return f"{self.measured} has a standard uncertainty (±) and {self.interval} a range; give both as ± or both as ranges"
-
 
 class TooManyRanges(JkrollError):
     """Error raised for more ranges than can be combined."""
 
     phrase = "too many ranges"
 
-    def __init__(self, count: int) -> None:
-        super().__init__(count)
-        self.count = count
-
-    def __str__(self) -> str:
-        return f"{self.count} ranges are more than {MAX_RANGES}; give some of these inputs one value"
-
 
 class Inseparable(JkrollError):
     """Error raised for a range of a radius with which the displacement of a material moves, of which it has a range at each."""
-
-    def __str__(self) -> str:
-        return "ξ of the material is scaled with the radius, which has a range here; give --xi, or single radii"
 
 
 # --- Sources ----------------------------------------------------------------------------------------------------------
@@ -103,16 +86,19 @@ def sources_of(scene: Scene, used: Collection[str], measured: Sequence[Source] =
     kinds = {type(source.given) for source in stated or of_materials}
     if len(kinds) > 1 and stated:
         symbols = {type(source.given): NOMENCLATURE[source.names[0]].symbol for source in stated}
-        raise MixedKinds(symbols[Measured], symbols[Interval])
+        mixed = f"{symbols[Measured]} has a standard uncertainty (±) and {symbols[Interval]} a range"
+        raise MixedKinds(f"{mixed}; give both as ± or both as ranges")
     kind = Measured if Measured in kinds else Interval
     left_out = [source for source in of_materials if not isinstance(source.given, kind)]
     sources = Sources([source for source in (*stated, *of_materials) if isinstance(source.given, kind)], left_out)
     if kind is Interval:
         if len(sources.entering) > MAX_RANGES:
-            raise TooManyRanges(len(sources.entering))
+            count = len(sources.entering)
+            raise TooManyRanges(f"{count} ranges are more than {MAX_RANGES}; give some of these inputs one value")
         moves_radius = not sources.given.keys().isdisjoint(("radius", "radius2"))
         if XI in sources.given and XI not in scene.stated and moves_radius:
-            raise Inseparable
+            remedy = "give --xi, or single radii"
+            raise Inseparable(f"ξ of the material is scaled with the radius, which has a range here; {remedy}")
     return sources
 
 
@@ -370,8 +356,7 @@ def _widths(
 def _squares(changes: Iterable[tuple[float, float]]) -> list[float]:
     """Return the squares of the changes of a number by each source, over the largest of them: they may leave the doubles."""
     sizes = [hypot(low, high) for low, high in changes]
-    largest = max(sizes)
-    return [(size / largest) ** 2 if size else 0.0 for size in sizes]
+    return [(size / max(sizes)) ** 2 if size else 0.0 for size in sizes]
 
 
 def _shares(sources: Sequence[Source], parts: Sequence[float]) -> dict[str, float]:

@@ -84,7 +84,7 @@ def _pairs(problem: Problem, size: int, near: Values | None) -> Solutions:
         is_found &= condition <= MAX_CONDITION
         for column, own in zip(solved, (values, condition, growths), strict=True):
             column[..., is_found] = own[..., is_found]
-        rest = rest[~is_found]
+        rest = rest[~is_found & numpy.isfinite(start).all(axis=0)]
     for row in rest.tolist():
         try:
             pair = Pairs(problem.rows(row)).solve()
@@ -190,7 +190,9 @@ class _Scan:
             form = Format(digits=int(needed[rows == row].max()))
             values = roots[rows == row].tolist()
             texts = listed([amount(self.unknown, value, form) for value in values])
-            text = f"{texts} all give {equal({self.quantity: float(self.levels[row])})}"
+            text = (
+                f"{texts} {'all' if len(values) > 2 else 'both'} give {equal({self.quantity: float(self.levels[row])})}"
+            )
             self.failures[row] = SeveralSolutions([self.unknown], text, [{self.unknown: value} for value in values])
 
     def _condition(self, values: Any) -> Any:
