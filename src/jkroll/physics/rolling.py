@@ -268,7 +268,7 @@ def r_min(*, radius: Length, radius2: Length, yield_displacement: Length) -> Len
     >>> f"{r_min(radius=1e-7, radius2=1e-7, yield_displacement=2e-10):.4e}"
     '5.0000e-05'
     """
-    return radius * radius2 / yield_displacement
+    return radius * (radius2 / yield_displacement)
 
 
 def gravity_moment(*, monomers: Number, mass: Mass, gravity: Acceleration, radius: Length) -> Moment:
