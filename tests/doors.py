@@ -23,9 +23,10 @@ from jkroll.cli.reader import read
 from jkroll.cli.request import request_of
 from jkroll.errors import JkrollError
 from jkroll.quantities.nomenclature import INFINITY, NOMENCLATURE
+from jkroll.rows.block import Block
 from jkroll.rows.columns import SIDES, Columns, Row, Wanted
 from jkroll.rows.reasons import ROW
-from jkroll.rows.rows import Block, evaluated
+from jkroll.rows.rows import evaluated
 from jkroll.rows.table import table_of
 from jkroll.scene.alternatives import by_law
 from jkroll.scene.failures import BeyondFold, BeyondPullOff
@@ -49,25 +50,30 @@ class Refused(Exception):
 
 
 class Rows(NamedTuple):
-    """What a door answers: for each row its values, without the gaps, its doubts as bits, and the reasons of gaps."""
+    """What a door answers: for each row its values, without the gaps, its doubts as bits, and the reasons of gaps.
+
+    Only the first of rows that arrays computed has reasons; each has its status.
+    """
 
     keys: Sequence[str]  # of the columns
     values: Sequence[Mapping[str, float]]
     doubts: Sequence[int]
     reasons: Sequence[Mapping[str, JkrollError]]
+    status: Sequence[str]
 
 
 def rows_of(every: Sequence[Columns]) -> Rows:
     """Return the rows of columns."""
-    found = Rows(every[0].wanted.keys, [], [], [])
-    values, doubts, reasons = [], [], []
+    found = Rows(every[0].wanted.keys, [], [], [], [])
+    values, doubts, reasons, status = [], [], [], []
     for columns in every:
         numbers = {key: np.asarray(columns.column(key), dtype=float).tolist() for key in found.keys}
         for row in range(len(columns)):
             values.append({key: own[row] for key, own in numbers.items() if not math.isnan(own[row])})
             doubts.append(int(columns.doubts[row]))
             reasons.append(dict(columns.reasons.get(row, {})))
-    return Rows(found.keys, values, doubts, reasons)
+            status.append(columns.status.get(row, ""))
+    return Rows(found.keys, values, doubts, reasons, status)
 
 
 def side_of(key: str) -> str:
@@ -193,7 +199,7 @@ def _defined(wanted: Wanted, block: Block, place: int) -> tuple[Row, Scene | Non
     """Return a row of a block by floats, and its scene."""
     scene = None
     try:
-        scene = block.one(place)
+        scene = block.scene_of(place)
         return wanted.row(scene), scene
     except JkrollError as error:
         return Row({}, [math.nan] * len(wanted.keys), 0, {ROW: error}), scene
@@ -308,9 +314,8 @@ def _in_rows(one: Rows, other: Rows, row: int, keys: Sequence[str], scene: Scene
     is_judged = {*one.keys} == {*other.keys} and bits != other_bits
     if is_judged and not (scene is not None and bits_agree(scene, bits, other_bits)):
         yield f"doubts {bits:b} and {other_bits:b}"
-    reasons, other_reasons = (_in_words(each.reasons[row], {*one.keys} ^ {*other.keys}) for each in (one, other))
-    if reasons != other_reasons:
-        yield f"{reasons} and {other_reasons}"
+    if {*one.keys} == {*other.keys} and one.status[row] != other.status[row]:
+        yield f"{one.status[row]!r} and {other.status[row]!r}"
 
 
 def _same(scene: Scene | None, key: str, one: float | None, other: float | None) -> bool:
@@ -321,7 +326,3 @@ def _same(scene: Scene | None, key: str, one: float | None, other: float | None)
     if law_of(key):
         scene, key = by_law(scene), key.partition("_by_")[0]
     return one is not None and other is not None and agree(scene, key, one, other)
-
-
-def _in_words(reasons: Mapping[str, JkrollError], but: set[str]) -> dict[str, str]:
-    return {key: f"{type(error).__name__}: {error}" for key, error in reasons.items() if key not in but}

@@ -448,9 +448,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "load_margin": lambda P, P_c: sqrt(1 + P / P_c),
     "load_factor": lambda s: (1 + s) / 2,
     "contact_radius_at_load": lambda a0, x: a0 * cbrt(x**2),
-    "approach_at_load": lambda delta0, x, s, P, P_c: (
-        delta0 * cbrt(x) * ((3 * s - 1) / 2 if s < 0 else (8 * P_c + 9 * P) / (2 * P_c * (1 + 3 * s)))
-    ),
+    "approach_at_load": lambda delta0, x: delta0 * (3 * cbrt(x) ** 4 - 2 * cbrt(x)),
     "load_ratio": lambda P, P_c: P / P_c,
     "contact_radius_ratio": lambda a, a0: a / a0,
     "approach_ratio": lambda delta, delta0: delta / delta0,
@@ -590,6 +588,7 @@ MEASURED: Mapping[str, Callable[[Exact], Exact]] = {
 
 # The larger of two terms that may cancel.
 TERMS: Mapping[str, Callable[..., Exact]] = {
+    "approach_at_load": lambda delta0, x: delta0 * cbrt(x) * max(3 * x, 2),
     "load_margin_of_factor": lambda x: 2 * x,
     "load_margin_at_approach": lambda delta, delta0: 2 * root(delta / delta0) ** 3,
     "pressure": lambda r, a, p_H, p_B: max(p_H * sqrt(1 - (r / a) ** 2), abs(p_B) / sqrt(1 - (r / a) ** 2)),

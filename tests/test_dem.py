@@ -85,6 +85,23 @@ def test_moment_of_a_chain(run: Run) -> None:
 
 
 @pytest.mark.parametrize("model", ["jkr", "maugis", "dmt"])
+@pytest.mark.parametrize("radius", [100, 101, 102, 105, 107])
+def test_the_load_that_a_message_gives_can_be_typed(run: Run, radius: int, model: str) -> None:
+    """The pull-off force as it is printed may be beyond pull-off; the message has a load that is not."""
+    scene = f"contact quartz {radius}nm --model {model}"
+    refused = run(f"{scene} --load=-20nN")
+    assert refused.code
+    held = re.findall(r"this contact holds down to (-[.\d]+) nN", refused.err)[0]
+    assert run(f"{scene} --load={held}nN").code == 0
+    assert float(held) == approx(
+        -1e9 * solve("pull_off_force", **QUARTZ | {"radius": radius * 1e-9}, model=model), rel=1e-5
+    )
+    let_go = re.findall(r"fixed grips hold this contact down to (-[.\d]+) pm", run(f"{scene} --approach=-1nm").err)
+    assert all(run(f"{scene} --approach={approach}pm").code == 0 for approach in let_go)
+    assert let_go or model == "dmt"
+
+
+@pytest.mark.parametrize("model", ["jkr", "maugis", "dmt"])
 def test_ratios_of_a_state(run: Run, model: str) -> None:
     """Eq 4: -1 at pull-off in every law, and 1 without load; by Eqs 5 and 6 JKR's radius and approach at pull-off."""
     least = -solve("pull_off_force", model=model, **QUARTZ)

@@ -10,6 +10,7 @@ class JkrollError(Exception):
     """Base class of all errors that jkroll declares."""
 
     exit_code = 2
+    phrase = ""  # of a row's status, the same for all errors of a kind; the message where it is empty
 
 
 class MissingExtra(JkrollError):

@@ -55,7 +55,7 @@ def test_lines_that_are_no_objects(run: Run, monkeypatch: pytest.MonkeyPatch) ->
         "is not a JSON object",
         "is not a JSON object",
         "has 'load [nN]', which the first line does not have",
-        "r_min: needs radius of sphere 1; give a radius such as 100nm",
+        "needs radius",
     ]
     assert [one["r_min [m]"] for one in found] == [4.999999999999999e-05, None, None, None, None]
     assert [one.get("line") for one in found][1:3] == ["[1, 2]", '{"radius [nm]": 1']

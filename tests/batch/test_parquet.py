@@ -144,8 +144,7 @@ def test_an_infinite_number_is_no_number(run: Run, unit: str) -> None:
     assert run("batch", write({f"radius [{unit}]": values}), "-o", "out.parquet", "--quantities", "r_min").code == 1
     rows = parquet.read_table("out.parquet").to_pylist()
     assert [row["status"] is None for row in rows] == [True, False, False, False, True]
-    assert "'inf" in rows[1]["status"]
-    assert "'-inf" in rows[2]["status"]
+    assert {row["status"] for row in rows[1:4]} == {"bad radius"}
 
 
 def test_lines_are_counted_from_the_beginning_of_the_file(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -173,8 +172,8 @@ def test_a_column_of_materials_has_as_many_words_as_its_numbers_allow(run: Run) 
     assert run("batch grains.parquet -o out.parquet --quantities pull_off_force").code == 1
     first, second, third = parquet.read_table("out.parquet").to_pylist()
     assert first["pull_off_force [N]"] == approx(1.1781e-8, rel=1e-4)
-    assert second["status"].startswith("pull_off_force: need")
-    assert "stone126" in third["status"]
+    assert second["status"] == "needs surface_energy"
+    assert third["status"] == "unknown material"
 
 
 def test_an_interrupted_run_leaves_no_file(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -75,11 +75,12 @@ def test_a_table_that_fails_is_named_and_resumed(run: Run, grains: list[str]) ->
     reading, _, said = ran.err.partition("\n")
     assert reading.startswith("read: material, ")
     assert reading.endswith(": 4 of 5 files")
-    assumed, directory, doubtful, not_judged, failed = said.splitlines()
+    assumed, directory, doubtful, not_judged, *gaps, failed = said.splitlines()
     assert assumed == "note: assumed g = 9.80665 m/s² (--gravity): 4 of 5 files"
     assert (ran.code, directory) == (2, f"jkroll: '{grains[3]}': Is a directory")
     assert doubtful.startswith("note: 58 of 87 rows are doubtful (law>×2 in 34, ")
     assert not_judged.startswith("note: ? in ")
+    assert len(gaps) == 5
     assert failed == "jkroll: 18 of 87 rows failed; column status says why"
     before = times("forces")
     assert sorted(before) == [f"part-{place}.csv" for place in (0, 1, 2, 4)]

@@ -87,8 +87,13 @@ def test_the_quick_way_is_taken() -> None:
         patch.object(Reader, "_of_many_kinds") as one_by_one,
     ):
         found = convert(text)
-    assert found.tally[:3] == (301, 1, 300)
-    assert b"radius: '-5 nm' must be positive; expected a length such as 100nm" in found.output.splitlines()[300]
+    assert (found.tally.rows, found.tally.failed, found.tally.doubtful) == (301, 1, 300)
+    assert found.output.splitlines()[300].endswith(b",bad radius")
+    assert found.tally.gaps["bad radius"] == (
+        1,
+        301,
+        "radius: '-5 nm' must be positive; expected a length such as 100nm",
+    )
     assert not one_by_one.called
     first, *others = found.output.splitlines()[:300]
     assert others == [first] * 299
@@ -156,5 +161,5 @@ def test_a_line_of_separators_takes_little_memory() -> None:
     found = converted("csv", "\n", line + b"\n", excel_safe=False)
     _, peak = tracemalloc.get_traced_memory()
     tracemalloc.stop()
-    assert found.tally[:3] == (1, 1, 0)
+    assert (found.tally.rows, found.tally.failed, found.tally.doubtful) == (1, 1, 0)
     assert peak < 50 * len(line)

@@ -63,15 +63,19 @@ def test_plain_answers_import_no_library(tmp_path: Path) -> None:
     assert imported(*calls, folder=tmp_path) == set()
 
 
-def test_an_error_bar_and_an_inferred_value_add_no_library(tmp_path: Path) -> None:
+def test_an_error_bar_adds_no_library(tmp_path: Path) -> None:
     calls = [
         "pull-off quartz 100nm --gamma 25±5mJ/m2 --quiet",
         "report silica-dry 100nm --quiet",
+        "contact ice-cold 100nm --gamma=100mJ/m2 --quiet",
         "contact R1=80_to_120nm --gamma=20_to_30mJ/m2 --young=54GPa --poisson=0.17 --quiet",
-        "infer gamma quartz 2um --radius2 plane --measured pull_off_force=300nN --quiet",
-        "infer gamma quartz 2um --radius2 plane --measured pull_off_force=300±20nN,310nN --csv --quiet",
     ]
     assert imported(*calls, folder=tmp_path) & LIBRARIES == set()
+
+
+def test_an_inferred_value_adds_numpy_alone(tmp_path: Path) -> None:
+    calls = ["infer gamma quartz 2um --radius2 plane --measured pull_off_force=300±20nN --quiet"]
+    assert imported(*calls, folder=tmp_path) & LIBRARIES == {"numpy"}
 
 
 def test_help_imports_no_library(tmp_path: Path) -> None:
@@ -150,7 +154,6 @@ import jkroll
 jkroll.solve(["pull_off_force", "n_roll"], radius="100 nm", gamma=0.025, young="54 GPa", poisson_ratio=0.17)
 jkroll.solve("r_min", radius="80 to 120 nm")
 jkroll.solve("r_min", radius=1)
-jkroll.infer("gamma", measured={"pull_off_force": "300±20 nN"}, radius=2e-6, radius2="plane")
 print(*sys.modules)
 """
     ran = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)

@@ -146,7 +146,7 @@ def test_the_largest_doubt_stands_first(run: Run) -> None:
         ("energies quartz 100nm", ["Maugis' law", "ξ = 200 pm"]),  # a factor of 1e4 in U_stick
         ("pull-off quartz 100nm", ["Maugis' law", "P_DMT"]),
         ("pull-off quartz 100±30nm", ["P_DMT", "Maugis' law"]),  # 27 % are less than the error bar
-        ("pull-off iron 400±8nm --z0 5angstrom", ["Maugis' law", "P_DMT"]),
+        ("pull-off iron 400±1nm --z0 5angstrom", ["Maugis' law", "P_DMT"]),
     ],
 )
 def test_doubts_stand_by_size_unless_error_bars_are_wider(run: Run, words: str, kinds: list[str]) -> None:

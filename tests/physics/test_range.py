@@ -15,7 +15,7 @@ from jkroll.errors import JkrollError
 from jkroll.quantities.errors import OutOfRange
 from jkroll.quantities.nomenclature import OF_MAUGIS
 from jkroll.scene.failures import MissingInput
-from jkroll.scene.scene import LEAST, MAY_BE_ZERO, MOST, SMALLEST, Scene, check_range, outside, with_nan
+from jkroll.scene.scene import LEAST, MAY_BE_ZERO, MOST, SMALLEST, Scene, check_range, takes, with_nan
 from jkroll.scene.wiring import Plan, formula_of
 from maugis_reference import Exact, digits, mpf
 from reference import BOUND, conditions, exact, exact_results, ulp_error
@@ -48,8 +48,8 @@ def scenes(count: int) -> Iterator[dict[str, Any]]:
 
 @pytest.fixture
 def _many_digits() -> Iterator[None]:
-    """Give the plain form of the rolling mass more digits than it cancels where the radii differ by 120 orders."""
-    with digits.workdps(1500):
+    """Give the plain form of the rolling mass more digits than it cancels where the radii differ by 60 orders."""
+    with digits.workdps(800):
         yield
 
 
@@ -77,12 +77,17 @@ def test_a_number_at_the_ends_is_right_or_refused(count: int, least: int) -> Non
     assert answered > least
 
 
-@pytest.mark.parametrize("value", [1e-61, 1e61, 1e-300, 1e300, 5e-324])
+@pytest.mark.parametrize("value", [1e-31, 1e31, 1e-300, 1e300, 5e-324])
 @pytest.mark.parametrize("name", [*NAMES, *ENERGIES, *STATES, "mass", "pull_off_force"])
 def test_a_number_beyond_the_range_is_refused(name: str, value: float) -> None:
+    """A load or an approach may be 0, and may be as near to it as it likes."""
     for given in (value, np.array([1.0, value]), np.full(40_000, value)):
-        with pytest.raises(OutOfRange, match=r"must lie between 1e-60 and 1e60 in SI units"):
-            solve("yield_moment", **{**GIVEN, name: given})
+        scene = {**GIVEN, name: given}
+        if name in STATES and value < 1:
+            assert np.all(solve("pull_off_force", **scene) > 0)
+            continue
+        with pytest.raises(OutOfRange, match=r"must lie between 1e-30 and 1e30 in SI units"):
+            solve("yield_moment", **scene)
 
 
 @pytest.mark.parametrize("name", ["radius", "radius2", "load", "load_margin", "poisson_ratio", "youngs_modulus"])
@@ -95,7 +100,7 @@ def test_an_array_takes_what_a_number_takes(name: str) -> None:
             refused.append(False)
         except OutOfRange:
             refused.append(True)
-    assert outside(name, np.array(edges)).tolist() == refused
+    assert (~takes(name, np.array(edges))).tolist() == refused
 
 
 def test_zero_and_infinity_stay_where_they_mean_something() -> None:
@@ -114,17 +119,16 @@ def test_zero_and_infinity_stay_where_they_mean_something() -> None:
 
 def test_an_element_that_leaves_the_doubles_leaves_the_others_alone() -> None:
     radius = np.full(40_000, 1e-7)
-    radius[[5, 20_000, 39_999]] = 1e-60
-    given: dict[str, Any] = {**GIVEN, "radius": radius, "density": 1e-40}
-    inertia = solve("moment_of_inertia", **given)
-    assert np.flatnonzero(np.isnan(inertia)).tolist() == [5, 20_000, 39_999]
-    assert (inertia[~np.isnan(inertia)] == solve("moment_of_inertia", **{**given, "radius": 1e-7})).all()
+    radius[[5, 20_000, 39_999]] = 1e-30
+    given: dict[str, Any] = {**GIVEN, "youngs_modulus": 1e30, "atomic_spacing": 1e29, "radius": radius}
+    energy = solve("sticking_energy", model="maugis", **given)
+    assert np.flatnonzero(np.isnan(energy)).tolist() == [5, 20_000, 39_999]
+    assert (energy[~np.isnan(energy)] == solve("sticking_energy", model="maugis", **{**given, "radius": 1e-7})).all()
 
 
 # --- Corners ------------------------------------------------------------------------------------------------------------
 
 LARGEST = sys.float_info.max
-ORDINARY = (1e-30, 1e30)
 SIZES = [name for name in (*GIVEN, *OTHER, "atomic_spacing") if not name.startswith("poisson")]
 RESULTS = [name for name, one in NOMENCLATURE.items() if formula_of(name) is not None and not one.variant_of]
 BOUND_OF_LAW = {"jkr": BOUND, "maugis": 25.0}  # ulp, times 1 plus the condition in the state and in z0
@@ -196,20 +200,18 @@ def _exact_or_none(formula: str, given: dict[str, Exact]) -> Exact | None:
 
 
 @pytest.mark.parametrize(
-    ("model", "ends", "count"),
+    ("model", "count"),
     [
-        ("jkr", (LEAST, MOST), 60),
-        ("jkr", ORDINARY, 60),
-        ("maugis", ORDINARY, 10),
-        pytest.param("jkr", (LEAST, MOST), 1000, marks=pytest.mark.slow),
-        pytest.param("jkr", ORDINARY, 1000, marks=pytest.mark.slow),
-        pytest.param("maugis", ORDINARY, 1000, marks=pytest.mark.slow),
+        ("jkr", 60),
+        ("maugis", 10),
+        pytest.param("jkr", 1000, marks=pytest.mark.slow),
+        pytest.param("maugis", 1000, marks=pytest.mark.slow),
     ],
 )
-def test_scenes_at_the_corners_have_right_numbers(model: str, ends: tuple[float, float], count: int) -> None:
+def test_scenes_at_the_corners_have_right_numbers(model: str, count: int) -> None:
     """Every number is right, and there is one wherever doubles hold it and all on the way to it."""
     answered = 0
-    for given in corner_scenes(*ends, count):
+    for given in corner_scenes(LEAST, MOST, count):
         scene = Scene(given, model=model)
         asked = [name for name in RESULTS if name not in scene.known and (model == "maugis" or name not in OF_MAUGIS)]
         numbers = scene.evaluate(asked)

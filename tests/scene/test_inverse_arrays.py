@@ -12,17 +12,9 @@ import pytest
 from jkroll import infer, known_materials, solve
 from jkroll.errors import NoResult
 from jkroll.quantities.laws import LAWS
+from jkroll.scene import unknowns
 from jkroll.scene.failures import MissingInput, NotInLaw
-from jkroll.scene.inverse import (
-    SIZES,
-    NoSolution,
-    SeveralSolutions,
-    Solution,
-    failure,
-    solution,
-    solutions,
-    with_inputs,
-)
+from jkroll.scene.inverse import SIZES, NoSolution, Problem, SeveralSolutions, Solution
 from jkroll.scene.scene import Scene
 from relative import approx
 from scenes import OTHER, QUARTZ, log_uniform
@@ -47,6 +39,11 @@ LACKING = [("adhesion_hysteresis", "dmt"), ("shear_strength", "maugis"), ("shear
 COUNT = 6
 
 
+def solution(name: str, quantity: str, measured: float, scene: Scene) -> Solution:
+    """Return the solution for one unknown."""
+    return unknowns.solution(Problem((name,), {quantity: measured}, scene))
+
+
 def by_itself(name: str, quantity: str, measured: float, scene: Scene) -> Solution | NoResult:
     """Return the solution for one measured value, or the reason why there is none."""
     try:
@@ -61,13 +58,16 @@ def assert_as_each_by_itself(
     """Compare values, to rounding errors times their condition, and reasons; return what each has by itself."""
     ulps = 40 if "maugis" in (scene.law.name, *quantity.split("_")) else 9  # as is promised
     rows = [scene.replace(**{each: float(one[row]) for each, one in arrays.items()}) for row in range(len(measured))]
-    found = solutions(name, quantity, numpy.array(measured), scene.replace(**arrays))
+    found = unknowns.solutions(
+        Problem((name,), {quantity: numpy.array(measured)}, scene.replace(**arrays)), len(measured)
+    )
     expected = [by_itself(name, quantity, level, row) for level, row in zip(measured, rows, strict=True)]
-    for one, other, row in zip(found, expected, rows, strict=True):
+    for place, other in enumerate(expected):
         if isinstance(other, Solution):
-            assert one == approx(other.values[name], rel=ulps * 2**-52 * (1 + other.condition)), quantity
+            value = float(found.values[name][place])
+            assert value == approx(other.values[name], rel=ulps * 2**-52 * (1 + other.condition)), quantity
         else:
-            assert str(failure(name, quantity, row) if one is None else one) == str(other)
+            assert str(found.failures[place]) == str(other)
     return expected
 
 
@@ -78,7 +78,7 @@ def test_every_input_is_here() -> None:
 def test_what_a_law_does_not_have_is_said_for_arrays_too() -> None:
     scene = Scene({**QUARTZ, "radius": 1e-7}, model="dmt")
     with pytest.raises(NotInLaw, match="which DMT does not have"):
-        solutions("adhesion_hysteresis", "yield_moment", numpy.array([1e-17]), scene)
+        unknowns.solutions(Problem(("adhesion_hysteresis",), {"yield_moment": numpy.array([1e-17])}, scene), 1)
 
 
 FAST = ("surface_energy",)  # for which all laws are tried in the fast tests
@@ -104,7 +104,7 @@ def test_arrays_give_what_floats_give(name: str, model: str) -> None:
         for varied in ([], ["density", "radius2"], [*given]):
             arrays = {each: spread[each] for each in varied if not each.startswith("poisson_ratio")}
             values = [TYPICAL[name] * log_uniform(random, 0.3, 3) for _ in range(COUNT)]
-            levels = [float(with_inputs(scene, {name: value})[quantity]) for value in values]
+            levels = [float(scene.replace(**{name: value})[quantity]) for value in values]
             found += assert_as_each_by_itself(
                 name, quantity, [*levels[2:], 1e20 * levels[0], 1e-20 * levels[1]], arrays, scene
             )

@@ -1,32 +1,31 @@
 """The numerical methods of the way back and of uncertainties, on functions whose answer is known."""
 
 from collections.abc import Callable
-from math import asin, exp, floor, inf, isnan, nan, pi, sin, sqrt, ulp
+from math import asin, floor, inf, isnan, nan, pi, sin, sqrt, ulp
+from typing import Any
 
+import numpy
 import pytest
 
 from jkroll.errors import NoResult
-from jkroll.scene.inverse import (
-    Search,
-    crossings,
-    found_by,
-    found_by_all,
-    highest_between,
-    logarithmic_slope,
-    pieces_of,
-    with_turning_points,
-)
+from jkroll.output.sources import logarithmic_slope
+from jkroll.scene.scans import Points, crossings, highest
 from relative import approx
 
 PLACES = [0.5 * step for step in range(-20, 21)]
 
 
-def search(function: Callable[[float], float], level: float) -> Search[list[float]]:
-    """Search for all places at which a function has a value."""
-    found: list[float] = []
-    for piece in (yield from pieces_of(PLACES, [*map(function, PLACES)])):
-        found += yield from crossings((yield from with_turning_points(piece, level)), level)
-    return found
+def all_places(function: Callable[[float], float], levels: list[float]) -> list[list[float]]:
+    """Return all places at which a function has each level: one row a level, or one for all of them."""
+
+    def values(_: Any, x: Any) -> Any:
+        return numpy.array([function(place) for place in x.tolist()], dtype=float)
+
+    rows = numpy.repeat(numpy.arange(len(levels)), len(PLACES))
+    x = numpy.tile(PLACES, len(levels))
+    points = Points(rows, x, values(rows, x)).with_ends(values).with_extremes(values)
+    own, found = crossings(points, numpy.array(levels), values)
+    return [found[own == row].tolist() for row in range(len(levels))]
 
 
 def root(x: float) -> float:
@@ -51,55 +50,28 @@ def root(x: float) -> float:
 def test_all_places_with_a_value_are_found(
     function: Callable[[float], float], level: float, expected: list[float]
 ) -> None:
-    assert found_by(search(function, level), function) == approx(expected, rel=1e-12)
+    (found,) = all_places(function, [level])
+    assert found == approx(expected, rel=1e-12)
 
 
 def test_a_place_is_found_to_the_last_digit() -> None:
-    (found,) = found_by(search(lambda x: x**3, 2.0), lambda x: x**3)
+    ((found,),) = all_places(lambda x: x**3, [2.0])
     assert abs(found - 2 ** (1 / 3)) <= ulp(found)
 
 
-def test_on_a_slope_no_turning_point_is_looked_for() -> None:
-    """What is computed are the scan, and the one bisection down to neighbouring doubles."""
-    asked: list[float] = []
-
-    def cubed(x: float) -> float:
-        asked.append(x)
-        return x**3
-
-    assert found_by(search(cubed, 2.0), cubed) == approx([2 ** (1 / 3)])
-    assert len(asked) <= len(PLACES) + 60
-
-
-def test_searches_side_by_side_find_what_each_finds_by_itself() -> None:
+def test_rows_side_by_side_have_what_each_has_by_itself() -> None:
     levels = [-0.9, -0.5, 0.0, 0.3, 0.999, 1.0, 7.0]
-    asked: list[int] = []
-
-    def sines(numbers: list[int], places: list[float]) -> list[float]:
-        asked.append(len(numbers))
-        return [*map(sin, places)]
-
-    found = found_by_all({number: search(sin, level) for number, level in enumerate(levels)}, sines)
-    assert found == {number: found_by(search(sin, level), sin) for number, level in enumerate(levels)}
-    assert max(asked) > 4
+    found = all_places(sin, levels)
+    assert found == [all_places(sin, [level])[0] for level in levels]
     assert found[6] == []
 
 
-def test_a_search_that_fails_does_not_end_the_others() -> None:
-    def fails() -> Search[float]:
-        yield 1.0
-        raise NoResult
-
-    found = found_by_all({3: fails(), 5: highest_between(-1.0, 2.0)}, lambda _, places: [-(x**2) for x in places])
-    assert isinstance(found[3], NoResult)
-    assert found[5] == approx(0, abs=3e-8)
-
-
-@pytest.mark.parametrize("peak", [-1.0, -0.3, 0.0, 0.7, 2.0])
 @pytest.mark.parametrize("sign", [1.0, -1.0])
-def test_the_highest_or_lowest_point_is_known_to_half_of_the_digits(peak: float, sign: float) -> None:
-    found = found_by(highest_between(-1.0, 2.0, sign=sign), lambda x: sign * exp(-((x - peak) ** 2)))
-    assert found == approx(peak, abs=3e-8)
+def test_the_highest_or_lowest_point_is_known_to_half_of_the_digits(sign: float) -> None:
+    peaks = numpy.array([-1.0, -0.3, 0.0, 0.7, 2.0])
+    ends = numpy.full(5, -1.0), numpy.full(5, 2.0)
+    found = highest(*ends, sign, lambda x: sign * numpy.exp(-((x - peaks) ** 2)))
+    assert found.tolist() == approx(peaks.tolist(), abs=3e-8)
 
 
 @pytest.mark.parametrize("exponent", [-2.0, 1 / 3, 0.0, 5.0])

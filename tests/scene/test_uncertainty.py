@@ -398,10 +398,10 @@ def test_a_displacement_that_a_material_scales_with_the_radius_is_no_range_besid
     assert solve("r_min", radius="0.8 to 1.2 um", yield_displacement=2e-9, **bead).low == approx(320e-6, rel=1e-9)
 
 
-@pytest.mark.parametrize("radius", [1e50, 1e-56])
-def test_shares_are_those_of_changes_whose_squares_no_double_holds(radius: float) -> None:
-    scene = Scene({"radius": Measured(radius, 0.1 * radius), "density": Measured(1e4, 3e3)})
-    found, _ = uncertainties(scene, ["mass"])
-    mass = found["mass"]
-    assert isinstance(mass, Propagated)
-    assert mass.shares == approx({"radius": 0.5, "density": 0.5}, rel=0.02)
+@pytest.mark.parametrize("size", [1e29, 1e-29])
+def test_shares_are_those_of_changes_whose_squares_no_double_holds(size: float) -> None:
+    scene = Scene({"radius": Measured(size, 0.1 * size), "density": Measured(size, 0.5 * size)})
+    found, _ = uncertainties(scene, ["moment_of_inertia"])
+    inertia = found["moment_of_inertia"]
+    assert isinstance(inertia, Propagated)
+    assert inertia.shares == approx({"radius": 0.5, "density": 0.5}, rel=0.05)

@@ -6,7 +6,7 @@ from math import log
 from typing import TYPE_CHECKING, Any
 
 from ..errors import JkrollError, NoResult
-from ..quantities.formatting import Format, in_words
+from ..quantities.formatting import in_words
 from ..quantities.laws import BETWEEN, DEFAULT_LAW
 from ..quantities.nomenclature import INFINITY, XI
 from ..rows.columns import outcomes
@@ -74,11 +74,6 @@ class Answer:
     @property
     def explained(self) -> "Answer":
         """The answer with all that `--explain` derives."""
-        return self
-
-    def writable(self, form: Format) -> "Answer":
-        """Take the values that no double holds in their unit from the results, and return the answer."""
-        self.results = tuple(result.in_unit(form) for result in self.results)
         return self
 
     @property

@@ -1,6 +1,7 @@
 """The answers of `infer`: the value of an input that a measured quantity implies, or of two by two, with what they rest on."""
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from copy import copy
 from functools import cached_property
 from math import isfinite
@@ -11,10 +12,9 @@ from ..quantities.formatting import amount, in_words
 from ..quantities.laws import BETWEEN, LAWS
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.failures import MissingInput, reason_of
-from ..scene.inverse import PER_DECADE, Observed, Solution, sizes_in_words, with_placeholders
+from ..scene.inverse import PER_DECADE, SIZES, Problem, Solution, Values, sizes_in_words
 from ..scene.limits import Doubt
 from ..scene.scene import Scene
-from ..scene.unknowns import solved
 from ..text import listed
 from .alternatives import Alternative, head_of
 from .answer import Answer
@@ -30,80 +30,80 @@ _REPLACED = {"work_of_adhesion": ("surface_energy",)}
 
 
 class Inferred(Answer):
-    """The answer that one input or two have the values at which quantities of a scene have their measured values.
+    """The answer that unknowns have the values at which quantities have their measured values.
 
     `forward` is the answer about what was measured.
     """
 
     solution: Solution | None = None  # None where `failure` says why
 
-    def __init__(self, names: Sequence[str], observed: Observed) -> None:
-        """Look for the inputs. Raises the errors that hold for every scene, and others are the answer."""
-        self.names, self.observed = tuple(names), observed
-        self.question = Question(self.names, self.names)
+    def __init__(self, problem: Problem) -> None:
+        """Solve a problem. Raises the errors that hold for every scene, and others are the answer."""
+        from ..scene.unknowns import solution
+
+        self.problem = problem
+        self.question = Question(problem.unknowns, problem.unknowns)
         self.failure: MissingInput | NoResult | None = None
         try:
-            self.solution = solved(self.names, observed)
+            self.solution = solution(problem)
         except (NoResult, MissingInput) as error:
             self.failure = error
-        self.scene = self.solution.scene if self.solution is not None else with_placeholders(observed.scene, self.names)
-        measured = (*observed.measured,)
+        self.scene = self.solution.scene if self.solution is not None else problem.filled()
+        measured = (*problem.measured,)
         self.forward = Answer(Question(measured, measured, named=measured), self.scene)
 
     @cached_property
     def inputs(self) -> Mapping[str, float | str]:
-        """The inputs without those that are asked for, and with the measured values."""
-        return {name: in_words(name, value) for name, value in self.observed.echo(self.names).items()}
+        """The inputs without the unknowns, and with the measured values."""
+        return {name: in_words(name, value) for name, value in self.problem.echo().items()}
 
     @cached_property
     def results(self) -> tuple[Result, ...]:
-        """The inferred values, with their uncertainties."""
-        if self.failure is not None:
-            reason = reason_of(",".join(self.names), self.failure)
-            return tuple(Result(name, None, reason) for name in self.names)
-        assert self.solution is not None
+        """The values of the unknowns, with their uncertainties."""
+        if self.solution is None:
+            assert self.failure is not None
+            reason = reason_of(",".join(self.problem.unknowns), self.failure)
+            return tuple(Result(name, None, reason) for name in self.problem.unknowns)
+        growths = {name: growth if isfinite(growth) else None for name, growth in self.solution.growths.items()}
+        is_one = len(growths) == 1  # the growth of errors is then the condition
         return tuple(
-            self._result(name, value, self.solution.growths[name]) for name, value in self.solution.values.items()
-        )
-
-    def _result(self, name: str, value: float, growth: float) -> Result:
-        """Return an inferred value. The factor by which errors of what was measured enter it is the condition of one input."""
-        is_one, growth_or_none = len(self.names) == 1, growth if isfinite(growth) else None
-        return Result(
-            name,
-            value,
-            condition=growth_or_none if is_one else None,
-            growth=None if is_one else growth_or_none,
-            by_law={law: other.values[name] for law, other in self._by_law.items()},
-            propagated=propagated_of(self._uncertainties[0], name),
+            Result(
+                name,
+                value,
+                condition=growths[name] if is_one else None,
+                growth=None if is_one else growths[name],
+                by_law={law: other.values[name] for law, other in self._by_law.items()},
+                propagated=propagated_of(self._uncertainties[0], name),
+            )
+            for name, value in self.solution.values.items()
         )
 
     @property
     def condition(self) -> float | None:  # type: ignore[override]
-        """The condition number of two inputs together."""
-        return self.solution.condition if self.solution is not None and len(self.names) > 1 else None
+        """The condition number of two unknowns together."""
+        return self.solution.condition if self.solution is not None and len(self.problem.unknowns) > 1 else None
 
     @cached_property
     def _uncertainties(self) -> "tuple[Mapping[str, Propagated | JkrollError], Sources | None]":
-        if self.solution is None or not self.observed.is_uncertain:
+        if self.solution is None or not self.problem.is_uncertain:
             return {}, None
-        from ..scene.uncertainty import inferred_uncertainties
+        from ..scene.uncertainty import uncertainties_of_unknowns
 
-        return inferred_uncertainties(self.solution.values, self.observed)
+        return uncertainties_of_unknowns(self.solution.values, self.problem)
 
     @cached_property
     def _by_law(self) -> dict[str, Solution]:
         """The solution under each other law of attraction that has the measured quantities by other formulas."""
-        own = self.scene.plan(*self.observed.measured).steps
-        found: dict[str, Solution] = {}
+        from ..scene.unknowns import solution
+
+        own = self.scene.plan(*self.problem.measured).steps
+        solutions: dict[str, Solution] = {}
         for law in LAWS:
-            other = self.observed.scene.replace(model=law)
-            try:
-                if with_placeholders(other, self.names).plan(*self.observed.measured).steps != own:
-                    found[law] = solved(self.names, self.observed._replace(scene=other))
-            except (MissingInput, NoResult):
-                continue
-        return found
+            other = self.problem._replace(scene=self.problem.scene.replace(model=law))
+            with suppress(MissingInput, NoResult):
+                if other.filled().plan(*self.problem.measured).steps != own:
+                    solutions[law] = solution(other)
+        return solutions
 
     @cached_property
     def laws(self) -> Mapping[str, Mapping[str, float | None]]:
@@ -147,15 +147,11 @@ class Inferred(Answer):
         return tuple(dict.fromkeys(notes))  # both ways leave out the same
 
     def _proofs(self) -> list[Note]:
-        """Return what of the materials is not used, and the proof of the values, with what they are under other laws."""
+        """Return what of the materials is not used, what is unusual, and the proof of the values."""
         assert self.solution is not None
-        unused = [note for name in self.names for note in _unused(name, [*self.observed.measured], self.scene)]
-        texts = (
-            _proof(self.solution, self._by_law)
-            if self.condition is None
-            else _proof_of_two(self.solution, self._by_law)
-        )
-        return [*unused, *(Note("model", text) for text in texts)]
+        names = self.problem.unknowns
+        unused = [note for name in names for note in _unused(name, [*self.problem.measured], self.scene)]
+        return [*_unusual(self.solution.values), *unused, *(Note("model", text) for text in _proof(self.solution))]
 
     @cached_property
     def explained(self) -> Answer:
@@ -167,14 +163,24 @@ class Inferred(Answer):
         return explained
 
 
-def _proof(found: Solution, by_law: Mapping[str, Solution]) -> list[str]:
-    """Return the proof of one value, with how errors grow, and the values under other laws."""
-    (name,), (quantity,) = found.values, found.forward
-    symbol, of_measured = NOMENCLATURE[name].symbol, NOMENCLATURE[quantity].symbol
-    proof = f"{_equal(found.values)} gives {_equal(found.forward)}{_of_both(name, found.scene)}"
-    growth = f"κ = |d ln {symbol}/d ln {of_measured}| = {found.condition:.3g}"
-    others = [f"{amount(name, other.values[name])} under {LAWS[law].title}" for law, other in by_law.items()]
-    return ["; ".join(filter(None, (proof, growth, ", ".join(others))))]
+def _unusual(values: Values) -> list[Note]:
+    """Return a note on each value that lies beyond the sizes that are looked for first: a unit may be wrong."""
+    names = [name for name, value in values.items() if value and not SIZES[name][0] <= abs(value) <= SIZES[name][1]]
+    return [
+        Note("caveat", f"{_equal({name: values[name]})} is beyond usual values, {sizes_in_words([name])}")
+        for name in names
+    ]
+
+
+def _proof(solution: Solution) -> list[str]:
+    """Return the proof of the values, how errors grow, and where two values were looked for."""
+    names, quantities = [*solution.values], [*solution.forward]
+    if names[1:]:
+        proof = f"{_equal(solution.values)} give {_equal(solution.forward)}; κ = {solution.condition:.3g}"
+        return [proof, f"scanned: {sizes_in_words(names)}, {PER_DECADE} values a decade"]
+    symbol, of_measured = NOMENCLATURE[names[0]].symbol, NOMENCLATURE[quantities[0]].symbol
+    proof = f"{_equal(solution.values)} gives {_equal(solution.forward)}{_of_both(names[0], solution.scene)}"
+    return [f"{proof}; κ = |d ln {symbol}/d ln {of_measured}| = {solution.condition:.3g}"]
 
 
 def _of_both(name: str, found: Scene) -> str:
@@ -182,15 +188,6 @@ def _of_both(name: str, found: Scene) -> str:
     if name != "surface_energy" or "radius2" not in found.stated or "surface_energy2" in found.given:
         return ""
     return f" if γ2 = γ1, so w = {amount('work_of_adhesion', found['work_of_adhesion'])}"
-
-
-def _proof_of_two(found: Solution, by_law: Mapping[str, Solution]) -> list[str]:
-    """Return the proof of two values, those under other laws, and where they were looked for."""
-    return [
-        f"{_equal(found.values)} give {_equal(found.forward)}; κ = {found.condition:.3g}",
-        *(f"{_equal(other.values)} under {LAWS[law].title}" for law, other in by_law.items()),
-        f"scanned: {sizes_in_words(found.values)}, {PER_DECADE} values a decade",
-    ]
 
 
 def _unused(name: str, quantities: Sequence[str], found: Scene) -> list[Note]:

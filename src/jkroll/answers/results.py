@@ -5,7 +5,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from ..errors import JkrollError, NoResult
-from ..quantities.formatting import Format, OutOfUnit, amount
+from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.alternatives import at_half_spacing, uses_law
 from ..scene.scene import Scene
@@ -61,14 +61,6 @@ class Result(NamedTuple):
     def measure(self) -> "float | Uncertain | None":
         """The value, with its uncertainty if it has one."""
         return self.propagated.uncertainty if self.propagated is not None else self.value
-
-    def in_unit(self, form: Format) -> "Result":
-        """Return the result, without its value if no double holds it in its unit."""
-        numbers = filter(None, (self.value, *self.sides().values(), *self.by_law.values()))
-        if all(form.holds(self.name, number) for number in numbers):
-            return self
-        reason = self.reason or OutOfUnit(self.name, form.unit(self.name)).reason()
-        return self._replace(value=None, reason=reason, error=None, by_law={}, propagated=None, of_law="")
 
     def sides(self) -> dict[str, float]:
         """Return the numbers of the uncertainty by name: minus and plus, or low and high; none if there is no uncertainty."""

@@ -14,6 +14,7 @@ from .one import convert_one
 from .settings import Job, Part, Settings
 
 MAX_CODES = 4  # of doubts that are named at the end
+MAX_GAPS = 4  # kinds of rows with empty cells that are explained at the end
 
 
 def run(path: str, settings: Settings, inputs: Mapping[str, str], known: Materials) -> int:
@@ -34,11 +35,11 @@ def run(path: str, settings: Settings, inputs: Mapping[str, str], known: Materia
 
 
 def _say_notes(tally: Tally, settings: Settings) -> None:
-    """Say on stderr what was inferred, and how many rows are in doubt, could not be judged or have uncertainties left out."""
+    """Say on stderr what was inferred, and how many rows are in doubt, could not be judged, or have empty cells."""
     if tally.inferred:
         say_wrapped(_summary(settings.infer, tally), sys.stderr)
     if tally.doubtful:
-        is_one, counts = tally.rows == 1, tally.counts()["codes"].items()
+        is_one, counts = tally.rows == 1, tally.most_frequent_codes()
         counted = first_of([code if is_one else f"{code} in {count}" for code, count in counts], MAX_CODES)
         are = "is" if tally.doubtful == 1 else "are"
         some = "the row" if is_one else f"{tally.doubtful} of {tally.rows} rows"
@@ -48,9 +49,10 @@ def _say_notes(tally: Tally, settings: Settings) -> None:
         say_wrapped(
             f"note: ? in {some}: a limit could not be judged, as it needs an input that is not given", sys.stderr
         )
-    if tally.without_error_bars:
-        some = f"{tally.without_error_bars} of {tally.rows} rows have"
-        say(f"note: {some} error bars that the first rows do not have; --uncertainty adds their columns", sys.stderr)
+    for gaps in [*tally.gaps.values()][:MAX_GAPS]:
+        say_wrapped(f"note: {gaps.sentence()}", sys.stderr)
+    if (more := len(tally.gaps) - MAX_GAPS) > 0:
+        say(f"note: column {STATUS} has {more} more kinds of gaps", sys.stderr)
 
 
 def _summary(name: str, tally: Tally) -> str:

@@ -248,6 +248,7 @@ class Delimited:
         self.has_doubts = len(table.remarks) > 1
         self._doubts = Kept(self._doubts_of)  # by their bits: many rows have the same
         self._ends_without_status = Kept(self._end_without_status)
+        self._statuses = Kept(self._end_with_status)
 
     def convert(self, text: bytes) -> Converted:
         """Return whole records with the results behind each."""
@@ -333,14 +334,16 @@ class Delimited:
         """Return the doubts and the status of each row with the end of the line."""
         bits = columns.doubts.tolist()
         ends = [*map(self._ends_without_status.__getitem__, bits)]
-        for row in columns.reasons:
-            status = self.dialect.quoted(columns.status(row)).encode()
-            ends[row] = self._doubts[bits[row]] + status + self.line_end
+        for row, status in columns.status.items():
+            ends[row] = self._doubts[bits[row]] + self._statuses[status]
         return ends
 
     def _doubts_of(self, bits: int) -> bytes:
         separator = self.dialect.separator
         return separator + codes(bits).encode() + separator if self.has_doubts else separator
+
+    def _end_with_status(self, status: str) -> bytes:
+        return self.dialect.quoted(status).encode() + self.line_end
 
     def _end_without_status(self, bits: int) -> bytes:
         doubts: bytes = self._doubts[bits]

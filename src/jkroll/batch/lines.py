@@ -1,17 +1,19 @@
 """The parts that formats whose records are lines have in common."""
 
 from collections import Counter
-from collections.abc import Sequence
-from operator import add
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import numpy
 
+from ..rows.block import Block
 from ..rows.cells import Floats
 from ..rows.columns import Columns, Wanted
 from ..rows.header import BadRow, BadTable
-from ..rows.inferred import SoughtOne
-from ..rows.rows import Block, evaluated
+from ..rows.inferred import Unknowns
+from ..rows.reasons import Gaps, joined, worded
+from ..rows.rows import evaluated
 from ..rows.table import Table, idle_of
 from ..scene.limits import NOT_JUDGED, codes
 
@@ -22,39 +24,48 @@ _COMPRESSED = {b"\x1f\x8b": "gz", b"\x28\xb5\x2f\xfd": "zst"}  # by the first by
 _UTF_16 = (b"\xff\xfe", b"\xfe\xff")
 
 _NONE: Counter[str] = Counter()
+_NO_GAPS: Mapping[str, Gaps] = MappingProxyType({})
 
 
 class Tally(NamedTuple):
-    """The rows of a run, and those of them that failed, exceed a limit, cannot be judged, or have error bars that are not shown."""
+    """The rows of a run, and those of them that failed, have empty cells, exceed a limit, or cannot be judged."""
 
     rows: int = 0
     failed: int = 0
+    gaps: Mapping[str, Gaps] = _NO_GAPS  # rows with empty cells, by their status
     doubtful: int = 0
     not_judged: int = 0  # for some limit
-    without_error_bars: int = 0
     codes: Counter[str] = _NONE  # of doubts, by their rows
-    inferred: tuple[Floats, ...] = ()  # the values of an input that was sought, in parts
+    inferred: tuple[Floats, ...] = ()  # the values of the unknown, in parts
     said: tuple[str, ...] = ()  # of each table as a whole
 
     @classmethod
-    def of(cls, columns: Columns, failed: Sequence[int]) -> "Tally":
+    def of(cls, columns: Columns) -> "Tally":
         """Return the counts of some rows."""
         bits = numpy.asarray(columns.doubts)
         doubts, not_judged = bits & ~NOT_JUDGED, int(numpy.count_nonzero(bits & NOT_JUDGED))
         doubtful, of_codes = int(numpy.count_nonzero(doubts)), _rows_of_codes(doubts)
         wanted = columns.wanted
-        inferred = (numpy.asarray(columns.column(wanted.name)).copy(),) if isinstance(wanted, SoughtOne) else ()
-        return cls(len(columns), len(failed), doubtful, not_judged, columns.without_sides(), of_codes, inferred)
+        inferred = (numpy.asarray(columns.column(wanted.names[0])).copy(),) if isinstance(wanted, Unknowns) else ()
+        failed = len(columns.failed)
+        return cls(len(columns), failed, columns.gaps(), doubtful, not_judged, of_codes, inferred)
 
     def plus(self, other: "Tally") -> "Tally":
         """Return the counts with those of some more rows."""
-        return Tally(*map(add, self, other))
+        return Tally(
+            self.rows + other.rows,
+            self.failed + other.failed,
+            joined(self.gaps, other.gaps, self.rows),
+            self.doubtful + other.doubtful,
+            self.not_judged + other.not_judged,
+            self.codes + other.codes,
+            self.inferred + other.inferred,
+            self.said + other.said,
+        )
 
-    def counts(self) -> dict[str, Any]:
-        """Return the numbers of rows by name, the most frequent codes first."""
-        of_codes = Counter(dict(sorted(self.codes.items(), key=lambda each: (-each[1], each[0]))))
-        counts = self._replace(codes=of_codes)._asdict()
-        return {name: count for name, count in counts.items() if isinstance(count, int | Counter)}
+    def most_frequent_codes(self) -> list[tuple[str, int]]:
+        """Return the codes of doubts with their numbers of rows, the most frequent first."""
+        return sorted(self.codes.items(), key=lambda item: (-item[1], item[0]))
 
 
 def _rows_of_codes(bits: Any) -> Counter[str]:
@@ -109,8 +120,7 @@ def computed(wanted: Wanted, block: Block, lines: Sequence[int], *, strict: bool
     `lines`: at which the rows begin.
     """
     columns = evaluated(wanted, block)
-    failed = columns.failed()
-    if strict and failed:
-        first = min(failed)
-        raise BadRow(lines[first], columns.status(first))
-    return columns, Tally.of(columns, failed)
+    if strict and columns.failed:
+        first = min(columns.failed)
+        raise BadRow(lines[first], worded(columns.reasons[first]))
+    return columns, Tally.of(columns)

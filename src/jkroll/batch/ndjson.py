@@ -108,7 +108,7 @@ class NdjsonConverter:
         """Iterate over the members that the rows get, each with the end of the object."""
         numbers = numbers_in_lines(columns.numbers, b",", b"null")
         for row, (line, bits) in enumerate(zip(numbers, columns.doubts.tolist(), strict=True)):
-            texts = [codes(bits), columns.status(row)][-len(self.table.remarks) :]
+            texts = [codes(bits), columns.status.get(row, "")][-len(self.table.remarks) :]
             cells = line[1:].split(b",") + [orjson.dumps(text or None) for text in texts]
             yield self.said + b",".join(map(bytes.__add__, self.names, cells)) + b"}"
 

@@ -17,12 +17,12 @@ from ..errors import BadRequest
 from ..output.records import middles, names_of_columns
 from ..quantities.formatting import Format
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
+from ..rows.block import Block
 from ..rows.cells import Floats, Numbers, Reader
 from ..rows.columns import BLOCK, DOUBT, STATUS, Columns, Wanted, remarks_of
 from ..rows.header import BadTable, is_input, stated_meanings
 from ..rows.readings import Reading
-from ..rows.rows import Block
-from ..rows.table import Table
+from ..rows.table import Table, TableBlock
 from ..scene.limits import codes
 from ..text import quoted, shown
 from .files import Input, output_to
@@ -109,7 +109,8 @@ class _File:
             rows = encoded.indices.cast(pyarrow.int64()).fill_null(len(texts) - 1)
             materials[name] = table.lookups[name].indices(texts)[rows.to_numpy()]
         numbers = {reader.column.name: _numbers(batch, reader) for reader in table.readers}
-        return table.block_of(
+        return TableBlock(
+            table,
             batch.num_rows,
             numbers,
             materials,
@@ -154,7 +155,7 @@ def _remarks(columns: Columns, names: Iterable[str]) -> Iterator[Any]:
     """Iterate over the columns of doubts and of status, as far as they are wanted."""
     of_rows: Mapping[str, Any] = {
         DOUBT: lambda row: codes(int(columns.doubts[row])) or None,
-        STATUS: lambda row: columns.status(row) or None,
+        STATUS: columns.status.get,
     }
     for name in names:
         yield pyarrow.array(map(of_rows[name], range(len(columns))), "string")

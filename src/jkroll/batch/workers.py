@@ -115,15 +115,12 @@ def _end_with_parent() -> None:
 
 @contextmanager
 def _without_interrupts() -> Iterator[None]:
-    """Ignore interrupts, which a new process inherits, and put off those that came during an import."""
+    """Ignore interrupts, which a new process inherits."""
     before = signal.signal(signal.SIGINT, signal.SIG_IGN)
-    blocked = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGALRM]) if hasattr(signal, "SIGALRM") else None
     try:
         yield
     finally:
         signal.signal(signal.SIGINT, before)
-        if blocked is not None:
-            signal.pthread_sigmask(signal.SIG_SETMASK, blocked)
 
 
 @contextmanager

@@ -170,7 +170,13 @@ TABLE = (
     Option("target", "--output", str, "OUT", "Output file (written atomically)", short="-o"),
     Option("format", "--format", str, "FORMAT", "csv, tsv, ndjson or parquet, if no name says so; with .gz, .zst"),
     Option("delimiter", "--delimiter", str, "WORD", "What divides columns: comma, semicolon, bar, tab or blank"),
-    Option("quantities", "--quantities", str, "NAMES", "Quantities to compute, separated by commas; default all"),
+    Option(
+        "quantities",
+        "--quantities",
+        str,
+        "NAMES",
+        "Quantities to compute, separated by commas; default those of most commands",
+    ),
     Option(
         "columns",
         "--column",

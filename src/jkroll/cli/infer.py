@@ -9,9 +9,9 @@ from ..errors import BadRequest
 from ..materials.library import Material
 from ..quantities.values import Spread, spreads_of
 from ..rows.columns import Wanted
-from ..rows.inferred import Sought, SoughtOne
+from ..rows.inferred import Unknowns
 from ..rows.sweep import Sweep
-from ..scene.inverse import SIZES, AlreadyGiven, Observed, input_named, with_placeholders
+from ..scene.inverse import SIZES, Problem, already_given, input_named
 from ..scene.scene import Scene
 from ..text import quoted
 from .commands import Call
@@ -22,27 +22,25 @@ MAX_PAIRS = 1_000  # scenes in which two inputs are looked for, which takes up t
 
 
 class _Inverse:
-    """Unknowns of the rows of a sweep: an input by a measured quantity, or two by two."""
+    """What `infer` asks of the rows of a sweep: their unknowns."""
 
     most = 10_000  # each takes milliseconds
     most_in_table = 500
 
-    def __init__(self, names: Sequence[str], quantities: Sequence[str]) -> None:
-        self.names, self.headline, self.quantities = names, names, quantities
-        self.is_pair = len(names) > 1
-        self.sought = Sought if self.is_pair else SoughtOne
+    def __init__(self, unknowns: Sequence[str], quantities: Sequence[str]) -> None:
+        self.names, self.headline, self.quantities = unknowns, unknowns, quantities
 
-    def row(self, given: Mapping[str, Any], *spheres: Material | None, model: str | None) -> Observed:
+    def row(self, given: Mapping[str, Any], *spheres: Material | None, model: str | None) -> Problem:
         """Return a row of inputs among which are the measured values."""
-        return Observed.of(self.quantities, given, *spheres, model=model)
+        return Problem.of(self.names, self.quantities, given, *spheres, model=model)
 
     def answer(self, row: Any) -> Inferred:
         """Return the answer for a row."""
-        return Inferred(self.names, row)
+        return Inferred(row)
 
     def wanted(self, sweep: Sweep) -> Wanted:
         """Return the columns of the rows."""
-        return self.sought.of(self.names, self.quantities, sweep.kinds)
+        return Unknowns.of(self.names, self.quantities, sweep.kinds)
 
     def with_alternatives(self, wanted: Wanted, sweep: Sweep, *, is_table: bool) -> Wanted:  # noqa: ARG002
         """Return the same columns: each value is one of its own law."""
@@ -50,11 +48,11 @@ class _Inverse:
 
     def bare(self, *, doubts: bool) -> Wanted:
         """Return the columns of the values alone."""
-        return self.sought(self.names, self.quantities, doubts=doubts)
+        return Unknowns(self.names, self.quantities, doubts=doubts)
 
     def kinds(self, sweep: Sweep, wanted: Wanted) -> Iterable[tuple[Scene, Sequence[str]]]:  # noqa: ARG002
         """Return a scene of each kind of rows, with the measured quantities."""
-        return [(with_placeholders(row.scene, self.names), self.quantities) for row in sweep.kinds]
+        return [(problem.filled(), self.quantities) for problem in sweep.kinds]
 
 
 def run_infer(call: Call) -> int:
@@ -78,10 +76,10 @@ def run_infer(call: Call) -> int:
     request = request_of(call._replace(words=call.words[1:]))
     for quantity in measured:
         if quantity in request.spreads:
-            raise AlreadyGiven(quantity, quantity)
+            raise already_given(quantity, quantity)
     inverse = _Inverse(names, [*measured])
     sweep = Sweep(request.pairs, {**request.spreads, **measured}, request.models, inverse.row)
-    if inverse.is_pair and len(sweep) > MAX_PAIRS:
+    if len(names) > 1 and len(sweep) > MAX_PAIRS:
         raise BadRequest(f"{len(sweep)} scenes are more than {MAX_PAIRS}, in which two inputs are looked for")
     return write_asked(inverse, sweep, kind, form, call)
 

@@ -11,7 +11,7 @@ from ..answers.questions import QUESTIONS, Question, question_about
 from ..errors import ROWS_FAILED, BadRequest, JkrollError
 from ..output import notes as note_lines
 from ..output.files import text_output
-from ..output.records import lines, writable, write_json, write_plain
+from ..output.records import lines, write_json, write_plain
 from ..quantities.formatting import Format
 from ..quantities.nomenclature import NOMENCLATURE
 from ..rows.columns import Columns, Wanted
@@ -169,7 +169,7 @@ def _write_rows(asked: Asked, sweep: Sweep, kind: str, form: Format, call: Call)
         headline = [name for name in asked.headline if name in wanted.names and name not in sweep.spreads]
         blocks = iter([unless_failed(next(blocks), headline)])
     notes = note_lines.OfRows()
-    deliver(wanted, notes.watch(writable(columns, form) for columns in blocks), kind, form, call)
+    deliver(wanted, notes.watch(blocks), kind, form, call)
     if len(sweep) == 1 and not call.quiet:
         return _ended(notes, note_lines.of_answer(asked.answer(next(sweep.scenes()))))
     return _ended(notes, [] if call.quiet else notes.lines(sweep.pairs, asked.kinds(sweep, wanted)))
@@ -178,7 +178,7 @@ def _write_rows(asked: Asked, sweep: Sweep, kind: str, form: Format, call: Call)
 def unless_failed(columns: Columns, headline: Sequence[str]) -> Columns:
     """Return the columns of a single row, or raise its failure if it lacks the headline of the question."""
     numbers = [columns.column(name)[0] for name in headline if name in columns.wanted.places]
-    if columns.failed() and all(map(isnan, numbers)):
+    if columns.failed and all(map(isnan, numbers)):
         raise columns.failure(0)
     return columns
 
@@ -240,7 +240,7 @@ def write_answers(
                 if count == 1 and kind not in ("explain", "cite") and one.has_no_headline:
                     raise one.failure
                 failures.append(one.failure)
-            yield one.writable(form)
+            yield one
 
     every = watched()
     if kind == "explain":
@@ -314,7 +314,7 @@ def _write_curve(call: Call) -> int:
     def columns() -> Iterator[Columns]:
         while some := [*islice(at, size)]:
             pairs.extend((one.scene.material, one.scene.material2) for one in some)
-            yield writable(Columns.of_rows(wanted, [wanted.row(one) for one in some]), form)
+            yield Columns.of_rows(wanted, [wanted.row(one) for one in some])
 
     notes = note_lines.OfRows()
     deliver(wanted, notes.watch(columns()), kind, form, call)

@@ -28,7 +28,7 @@ class MaterialsFileError(JkrollError):
 
     def __init__(self, path: str, problem: str) -> None:
         super().__init__(path, problem)
-        self.path, self.problem = path, problem
+        self.path, self.problem, self.phrase = path, problem, "bad materials file"
 
     def __str__(self) -> str:
         return f"materials file {quoted(self.path)}: {self.problem}"
@@ -293,7 +293,7 @@ class UnknownMaterial(JkrollError):
 
     def __init__(self, name: str, known: Sequence[str], guess: str | None) -> None:
         super().__init__(name, tuple(known), guess)
-        self.name, self.known, self.guess = name, tuple(known), guess
+        self.name, self.known, self.guess, self.phrase = name, tuple(known), guess, "unknown material"
 
     def __str__(self) -> str:
         hint = f"did you mean {self.guess}? " if self.guess else ""
@@ -307,7 +307,7 @@ class UnclearMaterial(JkrollError):
 
     def __init__(self, name: str, meanings: str) -> None:
         super().__init__(name, meanings)
-        self.name, self.meanings = name, meanings
+        self.name, self.meanings, self.phrase = name, meanings, "unclear material"
 
     def __str__(self) -> str:
         return f"material: {quoted(self.name)} is {self.meanings}"

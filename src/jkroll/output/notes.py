@@ -9,9 +9,8 @@ from ..answers.notes import first_symbols, notes_on_rows
 from ..answers.results import Kind, Note
 from ..errors import JkrollError
 from ..rows.columns import Columns, as_list
-from ..rows.reasons import ROW, UNCERTAINTY, Reasons, of_quantities
+from ..rows.reasons import Gaps, joined
 from ..rows.sweep import Pair
-from ..scene.failures import NO_END, grouped
 from ..scene.limits import MEANINGS, codes_of
 from ..scene.scene import Scene
 
@@ -94,6 +93,7 @@ class OfRows:
 
     def __init__(self) -> None:
         self._notes: dict[tuple[Kind, str], _Noted] = {}
+        self._gaps: dict[str, Gaps] = {}  # of rows with empty cells
         self.count = 0
         self.failed = 0
         self.failure: JkrollError | None = None  # the first
@@ -101,28 +101,20 @@ class OfRows:
     def watch(self, blocks: Iterable[Columns]) -> Iterator[Columns]:
         """Iterate over columns, and collect what is to be said of them."""
         for columns in blocks:
-            worded: dict[int, list[tuple[str, str]]] = {}  # many rows share their reasons
-            for row, reasons in sorted(columns.reasons.items()):
-                if id(reasons) not in worded:
-                    worded[id(reasons)] = _about_reasons(reasons)
-                for matter, text in worded[id(reasons)]:
-                    self._add("missing", matter, text, "", self.count + row + 1)
+            self._gaps = joined(self._gaps, columns.gaps(first_symbols), self.count)
             bits = as_list(columns.doubts)
             of_bits = {each: codes_of(each) for each in {*bits}}
             for row, each in enumerate(bits):
                 for code in of_bits[each]:
                     self._add("doubt", code, f"{code}, {MEANINGS[code]}", code, self.count + row + 1)
-            failed = columns.failed()
-            if failed and self.failure is None:
-                self.failure = columns.failure(min(failed))
-            self.failed += len(failed)
+            if columns.failed and self.failure is None:
+                self.failure = columns.failure(min(columns.failed))
+            self.failed += len(columns.failed)
             self.count += len(columns)
             yield columns
 
     def _add(self, kind: Kind, matter: str, text: str, brief: str, row: int) -> None:
         noted = self._notes.setdefault((kind, matter), _Noted(text, brief, []))
-        if text != noted.text:
-            noted = self._notes[kind, matter] = noted._replace(differs=True)
         runs = noted.runs
         if runs and runs[-1][1] >= row - 1:
             runs[-1][1] = row
@@ -135,7 +127,7 @@ class OfRows:
         `pairs`: of materials, as the rows have them one after the other; `kinds`: a scene of each kind, with the
         quantities that it shows.
         """
-        found = []
+        found = [Note("missing", gaps.sentence() if self.count > 1 else gaps.words) for gaps in self._gaps.values()]
         for (kind, _), noted in self._notes.items():
             where = self._where(noted)
             brief = noted.brief + (f" ({where})" if where else "") if noted.brief else ""
@@ -152,11 +144,8 @@ class OfRows:
         return _lines(found)
 
     def _where(self, noted: "_Noted") -> str:
-        """Return the rows that a note is about, those to which its numbers do not belong apart; nothing if it is about all."""
-        if not noted.differs:
-            return "" if noted.runs == [[1, self.count]] else _rows(noted.runs)
-        (start, end), *others = noted.runs
-        return f"row {start}, likewise {_rows([[start + 1, end], *others] if start < end else others)}"
+        """Return the rows that a note is about; nothing if it is about all."""
+        return "" if noted.runs == [[1, self.count]] else _rows(noted.runs)
 
 
 def _with_rows(text: str, where: str) -> str:
@@ -169,7 +158,6 @@ class _Noted(NamedTuple):
     text: str
     brief: str  # of a doubt: its code
     runs: list[list[int]]
-    differs: bool = False  # whether other rows have other numbers in it
 
 
 def _keys(pair: Pair) -> list[tuple[str, str] | None]:
@@ -185,17 +173,6 @@ def _joined(runs: list[list[int]]) -> list[list[int]]:
         else:
             found.append([first, last])
     return found
-
-
-def _about_reasons(reasons: Reasons) -> list[tuple[str, str]]:
-    """Return the matter and a text for each reason why cells of a row are empty, with the symbols of their quantities."""
-    of_values, of_sides = of_quantities(reasons)
-    of_row = [(name, str(reasons[name])) for name in (ROW, UNCERTAINTY) if name in reasons]
-    return [*_about_quantities(of_values, ""), *_about_quantities(of_sides, NO_END), *of_row]
-
-
-def _about_quantities(reasons: Reasons, lead: str) -> list[tuple[str, str]]:
-    return [(lead + " ".join(names), f"{first_symbols(names)}: {lead}{reason}") for names, reason in grouped(reasons)]
 
 
 def _rows(runs: list[list[int]]) -> str:

@@ -5,10 +5,10 @@ Text of a user or a file is never read as markup, and nothing is cut where it do
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain, groupby
-from math import isnan, nan
+from math import isnan
 from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
 
-from ..quantities.formatting import Format, OutOfUnit, in_words
+from ..quantities.formatting import Format, in_words
 from ..quantities.laws import other_law
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, header
 from ..quantities.values import is_uncertain
@@ -93,7 +93,7 @@ def lines(kind: str, wanted: Wanted, blocks: Iterable[Columns], form: Format, *,
         if DOUBT in remarks:
             cells.append([_cell(codes(bits), line_format) for bits in as_list(columns.doubts)])
         if STATUS in remarks:
-            cells.append([_cell(columns.status(row), line_format) for row in range(len(columns))])
+            cells.append([_cell(columns.status.get(row), line_format) for row in range(len(columns))])
         if line_format.is_json:
             keys = [b"%b:" % _json_text(name) for name in names]
             rows = zip(*(_cells(column, line_format.gap) for column in cells), strict=True)
@@ -152,20 +152,6 @@ def _results(columns: Columns, form: Format, line_format: LineFormat) -> Iterato
                 ]
             else:
                 yield column
-
-
-def writable(columns: Columns, form: Format) -> Columns:
-    """Return columns in which values are gaps with that reason where no double holds them, or their uncertainty, in their unit."""
-    for name in form.units:
-        if name not in columns.wanted.places:
-            continue
-        own = [columns.column(key) for key in columns.wanted.keys_of(name)]
-        for row, numbers in enumerate(zip(*map(as_list, own), strict=True)):
-            if not all(isnan(number) or form.holds(name, number) for number in numbers):
-                for column in own:
-                    column[row] = nan
-                columns.reasons[row] = {**columns.reasons.get(row, {}), name: OutOfUnit(name, form.unit(name))}
-    return columns
 
 
 def _cells(column: Any, gap: str) -> list[bytes]:
@@ -265,7 +251,7 @@ def _result_object(result: "Result", answer: "Answer", form: Format) -> dict[str
     if result.law:
         entry["model"] = result.law
         jkr = answer.of_jkr.get(result.name)
-        entry["jkr"] = form.number(result.name, jkr) if jkr is not None and form.holds(result.name, jkr) else None
+        entry["jkr"] = None if jkr is None else form.number(result.name, jkr)
     for key in ("note",) if result.law else ("note", "definition", "reference"):
         if text := getattr(quantity, key):
             entry[key] = text
@@ -289,7 +275,7 @@ def _result_object(result: "Result", answer: "Answer", form: Format) -> dict[str
 def _law_object(name: str, numbers: Mapping[str, float | None], form: Format) -> dict[str, float | None]:
     """Return what stands in place of a quantity under another law, in its unit."""
     value = numbers["value"]
-    shown = form.number(name, value) if value is not None and form.holds(name, value) else None
+    shown = None if value is None else form.number(name, value)
     return {**numbers, "value": shown}
 
 

@@ -1,8 +1,8 @@
 """The sources of a number: `--explain` words its derivation from the docstrings of the formulas, `--cite` writes BibTeX."""
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
-from math import isfinite
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from math import inf, isfinite, log, nan
 from typing import Any, TextIO
 
 from .. import __version__
@@ -14,7 +14,6 @@ from ..quantities.formatting import Format, amount, in_words
 from ..quantities.laws import BETWEEN, LAWS, other_law
 from ..quantities.nomenclature import NOMENCLATURE
 from ..scene.alternatives import uses_law
-from ..scene.inverse import logarithmic_slope
 from ..scene.scene import Scene
 from ..scene.wiring import Step
 from ..text import say, say_wrapped
@@ -23,6 +22,7 @@ from .notes import every_line
 _SECTIONS = ("Source", "Valid", "Accuracy")
 _INDENT = 12  # of the texts, and of those beside the values of inputs and steps
 _STEP_INDENT = 27
+_STEP = 1e-6  # relative, of the differences that give an exponent
 _LARGEST_DENOMINATOR = 12  # of an exponent shown as a fraction
 
 
@@ -166,6 +166,24 @@ def _power(scene: Scene, name: str, given: str) -> str:
     if text == "1":
         return symbol
     return f"{symbol}^({text})" if "/" in text else f"{symbol}^{text}"
+
+
+def logarithmic_slope(outcome: Callable[[float], float], value: float) -> float:
+    """Return d ln(outcome)/d ln(value) by central differences, or one-sided ones where the outcomes end.
+
+    It is infinite where the outcome is zero, and nan where there is no outcome on either side.
+    """
+    points = []
+    for factor in (1 / (1 + _STEP), 1.0, 1 + _STEP):
+        try:
+            points.append((log(factor), outcome(value * factor)))
+        except JkrollError:
+            continue
+    if len(points) < 2:
+        return nan
+    (first, low), (last, high) = points[0], points[-1]
+    middle = outcome(value)
+    return (high - low) / (last - first) / middle if middle else inf
 
 
 def _fraction_or_number(exponent: float) -> str:

@@ -186,4 +186,4 @@ def tensile_strength(*, work_of_adhesion: SurfaceEnergy, radius: Length, filling
 
 def _speed(energy: Energy, monomers: Number, mass: Mass) -> Speed:
     """Return the relative speed of two aggregates of N grains each with an impact energy."""
-    return 2 * sqrt(energy / mass / monomers)
+    return 2 * sqrt(energy / (monomers * mass))

@@ -8,7 +8,7 @@ of attraction, a fit of the pull-off force, and what follows from a Hamaker cons
 from __future__ import annotations
 
 from .dimensions import Energy, Force, Frequency, Length, Mass, Moment, Number, RollingStiffness, Stress, SurfaceEnergy
-from .elementary import pi, sqrt, within
+from .elementary import cube, pi, sqrt, within
 
 
 def adhesive_force(*, pull_off_force: Force, load_factor: Number) -> Force:
@@ -40,8 +40,7 @@ def unloaded_moment_of_radius(
     >>> unloaded_moment_of_radius(contact_radius=1.0, contact_modulus=3.0, reduced_radius=1.0, yield_displacement=1.0)
     4.0
     """
-    a = contact_radius
-    return 4 / 3 * contact_modulus / reduced_radius * a * a * a * yield_displacement
+    return 4 / 3 * contact_modulus * cube(contact_radius) * yield_displacement / reduced_radius
 
 
 def yield_force_of_moment(*, yield_moment: Moment, radius: Length) -> Force:
@@ -89,7 +88,7 @@ def rolling_frequency_no_slip_of_stiffness(
     >>> round(rolling_frequency_no_slip_of_stiffness(rolling_stiffness=k, reduced_radius=1.0, rolling_mass=1.0), 12)
     1.0
     """
-    return sqrt(rolling_stiffness / reduced_radius / rolling_mass / reduced_radius) / (2 * pi)
+    return sqrt(rolling_stiffness / (rolling_mass * reduced_radius**2)) / (2 * pi)
 
 
 def yield_energy_of_moment(*, yield_moment: Moment, yield_displacement: Length, reduced_radius: Length) -> Energy:
@@ -216,7 +215,7 @@ def cohesive_stress(*, work_of_adhesion: SurfaceEnergy, atomic_spacing: Length) 
     >>> round(cohesive_stress(work_of_adhesion=9.0, atomic_spacing=16.0), 7)
     0.5773503
     """
-    return 1.0264004785593346 * (work_of_adhesion / atomic_spacing)
+    return 1.0264004785593346 * work_of_adhesion / atomic_spacing
 
 
 def pull_off_force_lennard_jones(

@@ -7,7 +7,7 @@ s = √(1 + P/P_c) alone (`load_margin`), which is 1 without load and 0 at pull-
 from __future__ import annotations
 
 from .dimensions import Force, Length, Number, Stiffness, Stress, SurfaceEnergy
-from .elementary import cbrt, pi, sqrt, where
+from .elementary import cbrt, pi, sqrt
 
 
 def pull_off_force(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length) -> Force:
@@ -80,7 +80,7 @@ def approach(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, contact
     >>> f"{approach(work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9) * 1e9:.5f} nm"
     '0.10617 nm'
     """
-    return cbrt(3 / 4 * pi**2 * (work_of_adhesion / contact_modulus) ** 2 * reduced_radius)
+    return cbrt(3 / 4 * pi**2 * work_of_adhesion**2 * reduced_radius / contact_modulus**2)
 
 
 def load_margin(*, load: Force, pull_off_force: Force) -> Number:
@@ -132,39 +132,22 @@ def contact_radius_at_load(
     >>> f"{a * 1e9:.3f} nm"
     '3.991 nm'
     """
-    return cbrt(9 / 2 * pi * work_of_adhesion / contact_modulus * (reduced_radius * load_factor) ** 2)
+    return cbrt(9 / 2 * pi * work_of_adhesion * (reduced_radius * load_factor) ** 2 / contact_modulus)
 
 
-def approach_at_load(
-    *,
-    work_of_adhesion: SurfaceEnergy,
-    reduced_radius: Length,
-    contact_modulus: Stress,
-    load: Force,
-    pull_off_force: Force,
-    load_margin: Number,
-    load_factor: Number,
-) -> Length:
+def approach_at_load(*, approach: Length, load_factor: Number) -> Length:
     """Return the displacement of the two centres towards each other under a load; negative where the neck is stretched.
 
-        δ = δ0(3â² − 2√â) = δ0 x^(1/3) (3s − 1)/2 = δ0 x^(1/3) (8P_c + 9P)/(2P_c(1 + 3s))
-
-    load         [N]  any; tension is negative
-    load_margin  [1]  ≥ 0; negative between pull-off and the fold
+        δ = δ0(3â² − 2√â) = δ0 √â(3x − 2), x = â^(3/2)
 
     Source:   Eq (6).
-    Valid:    x > 0. It passes through 0 at P = −(8/9)P_c, where the last form keeps its digits.
-    Accuracy: 4.5 ulp above w, R, E*, P, P_c and s.
+    Valid:    x > 0. It passes through 0 at P = −(8/9)P_c.
+    Accuracy: 4 ulp of the larger term above δ0 and x.
 
-    >>> delta = approach_at_load(
-    ...     work_of_adhesion=0.05, reduced_radius=50e-9, contact_modulus=27.804e9, load=0.0, pull_off_force=1.1781e-8,
-    ...     load_margin=1.0, load_factor=1.0)
-    >>> f"{delta * 1e9:.5f} nm"
-    '0.10617 nm'
+    >>> approach_at_load(approach=2.0, load_factor=1.0)
+    2.0
     """
-    unit = cbrt(3 / 4 * pi**2 * (work_of_adhesion / contact_modulus) ** 2 * reduced_radius * load_factor)
-    ratio = (8 * (load + pull_off_force) + load) / (2 * pull_off_force * (1 + 3 * abs(load_margin)))
-    return unit * where(load_margin < 0, (3 * load_margin - 1) / 2, ratio)
+    return approach * cbrt(load_factor) * (3 * load_factor - 2)
 
 
 def load_ratio(*, load: Force, pull_off_force: Force) -> Number:
@@ -265,7 +248,7 @@ def hertz_pressure(*, contact_radius_at_load: Length, contact_modulus: Stress, r
     >>> round(hertz_pressure(contact_radius_at_load=pi, contact_modulus=1.0, reduced_radius=2.0), 12)
     1.0
     """
-    return 2 / pi * contact_modulus * (contact_radius_at_load / reduced_radius)
+    return 2 / pi * contact_radius_at_load * contact_modulus / reduced_radius
 
 
 def boussinesq_pressure(*, hertz_pressure: Stress, load_factor: Number) -> Stress:

@@ -133,7 +133,7 @@ def sticking_speed(*, sticking_energy: Energy, reduced_mass: Mass) -> Speed:
     >>> sticking_speed(sticking_energy=2.0, reduced_mass=1.0)
     2.0
     """
-    return sqrt(2 * sticking_energy) / sqrt(reduced_mass)  # near DMT, the quotient leaves the doubles first
+    return sqrt(2 * sticking_energy) / sqrt(reduced_mass)  # near DMT, the quotient leaves the doubles
 
 
 def sticking_speed_paszun_dominik(*, sticking_energy_paszun_dominik: Energy, reduced_mass: Mass) -> Speed:

@@ -82,7 +82,7 @@ def load_per_length(*, cylinder_radius: Length, plane_strain_modulus: Stress, lo
     >>> round(load_per_length(cylinder_radius=0.5, plane_strain_modulus=1.0, load_constant=1.0), 6)
     3.141593
     """
-    return pi / 2 * (plane_strain_modulus / cylinder_radius) * load_constant
+    return pi / 2 * plane_strain_modulus * load_constant / cylinder_radius
 
 
 def load_constant(*, load_per_length: ForcePerLength, cylinder_radius: Length, plane_strain_modulus: Stress) -> Area:
@@ -97,7 +97,7 @@ def load_constant(*, load_per_length: ForcePerLength, cylinder_radius: Length, p
     >>> round(load_constant(load_per_length=3.141593, cylinder_radius=0.5, plane_strain_modulus=1.0), 6)
     1.0
     """
-    return 2 / pi * (load_per_length / plane_strain_modulus) * cylinder_radius
+    return 2 / pi * load_per_length * cylinder_radius / plane_strain_modulus
 
 
 def strip_moment(
@@ -115,8 +115,7 @@ def strip_moment(
     ...     contact_half_width=2.0, yield_displacement=1.0, cylinder_radius=1.0, plane_strain_modulus=1.0), 6)
     3.141593
     """
-    area = contact_half_width * contact_half_width
-    return pi / 4 * (plane_strain_modulus / cylinder_radius) * yield_displacement * area
+    return pi / 4 * plane_strain_modulus * contact_half_width**2 * yield_displacement / cylinder_radius
 
 
 def contact_point_moment(
@@ -141,8 +140,8 @@ def contact_point_moment(
     ...                            plane_strain_modulus=1.0, load_constant=1.0), 6)
     1.570796
     """
-    area = contact_half_width * contact_half_width - 2 * load_constant
-    return pi / 4 * (plane_strain_modulus / cylinder_radius) * yield_displacement * area
+    area = contact_half_width**2 - 2 * load_constant
+    return pi / 4 * plane_strain_modulus / cylinder_radius * yield_displacement * area
 
 
 # --- The trick of Sect. 4.1 in two dimensions: the strip as two halves at the same load -----------------------------

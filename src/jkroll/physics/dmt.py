@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from .dimensions import Force, Length, Stiffness, Stress, SurfaceEnergy
-from .elementary import cbrt, pi, sqrt, within
+from .elementary import cbrt, cube, pi, sqrt, within
 
 
 def contact_radius_dmt(
@@ -55,7 +55,7 @@ def unloaded_radius_dmt(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Leng
     >>> round(unloaded_radius_dmt(work_of_adhesion=2 / pi, reduced_radius=1.0, contact_modulus=3.0), 12)
     1.0
     """
-    return cbrt(3 / 2 * pi * (work_of_adhesion / contact_modulus) * reduced_radius * reduced_radius)
+    return cbrt(3 / 2 * pi * work_of_adhesion * reduced_radius**2 / contact_modulus)
 
 
 def unloaded_approach_dmt(
@@ -72,8 +72,7 @@ def unloaded_approach_dmt(
     >>> round(unloaded_approach_dmt(work_of_adhesion=2 / pi, reduced_radius=1.0, contact_modulus=3.0), 12)
     1.0
     """
-    strain = 3 / 2 * pi * (work_of_adhesion / contact_modulus)
-    return cbrt(strain * strain * reduced_radius)
+    return cbrt(9 / 4 * pi**2 * work_of_adhesion**2 * reduced_radius / contact_modulus**2)
 
 
 def approach_dmt(*, contact_radius_at_load: Length, reduced_radius: Length) -> Length:
@@ -105,8 +104,8 @@ def load_dmt(
     >>> round(load_dmt(contact_radius_at_load=1.0, work_of_adhesion=2 / pi, reduced_radius=1.0, contact_modulus=3.0), 12)
     0.0
     """
-    a = contact_radius_at_load
-    return 4 / 3 * contact_modulus / reduced_radius * a * a * a - 2 * pi * work_of_adhesion * reduced_radius
+    hertz = 4 / 3 * contact_modulus * cube(contact_radius_at_load) / reduced_radius
+    return hertz - 2 * pi * work_of_adhesion * reduced_radius
 
 
 def stiffness_dmt(*, contact_radius_at_load: Length, contact_modulus: Stress) -> Stiffness:

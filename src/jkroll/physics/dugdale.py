@@ -36,13 +36,12 @@ _LAST_OF_FRACTION = 21  # what is left out is below 1e-17 of it, up to θ = π/2
 
 def length_unit(work_of_adhesion: Any, reduced_radius: Any, contact_modulus: Any) -> Any:
     """Return the unit of lengths along the surface, (πwR²/K)^(1/3)."""
-    return cbrt(3 / 4 * pi * (work_of_adhesion / contact_modulus) * reduced_radius * reduced_radius)
+    return cbrt(3 / 4 * pi * work_of_adhesion * reduced_radius**2 / contact_modulus)
 
 
 def approach_unit(work_of_adhesion: Any, reduced_radius: Any, contact_modulus: Any) -> Any:
     """Return the unit of approaches, (π²w²R/K²)^(1/3)."""
-    strain = 3 / 4 * pi * (work_of_adhesion / contact_modulus)
-    return cbrt(strain * strain * reduced_radius)
+    return cbrt(9 / 16 * pi**2 * work_of_adhesion**2 * reduced_radius / contact_modulus**2)
 
 
 class Shape(NamedTuple):

@@ -126,7 +126,7 @@ def adhesion_energy(*, work_of_adhesion: SurfaceEnergy, reduced_radius: Length, 
     >>> f"{energy:.4e}"
     '1.2508e-18'
     """
-    length = cbrt(81 / 32 * pi**5 * (work_of_adhesion / contact_modulus) ** 2 * reduced_radius)
+    length = cbrt(81 / 32 * pi**5 * work_of_adhesion**2 * reduced_radius / contact_modulus**2)
     return work_of_adhesion * reduced_radius * length
 
 

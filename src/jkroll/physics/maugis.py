@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from . import dugdale
 from .dimensions import Force, Length, Number, Stiffness, Stress, SurfaceEnergy
-from .elementary import arctan, at_least, pi, sqrt, where, within
+from .elementary import arctan, at_least, cube, pi, sqrt, where, within
 
 
 def edge_ratio_at_load(
@@ -253,8 +253,7 @@ def load_maugis(
     >>> load_maugis(edge_ratio=0.0, zone_span=1.0, reduced_radius=1.0, contact_modulus=1.0, cohesive_stress=1 / pi)
     -1.0
     """
-    a = edge_ratio * zone_span
-    hertz = 4 / 3 * contact_modulus / reduced_radius * a * a * a
+    hertz = 4 / 3 * contact_modulus * cube(edge_ratio * zone_span) / reduced_radius
     return hertz - 2 * cohesive_stress * zone_span * zone_span * dugdale.shape(edge_ratio).g3
 
 
@@ -280,7 +279,7 @@ def stiffness_maugis(
     2.0
     """
     at = dugdale.shape(edge_ratio)
-    q = 2 * cohesive_stress / contact_modulus * (reduced_radius / zone_span)
+    q = 2 * cohesive_stress * reduced_radius / (contact_modulus * zone_span)
     return 2 * contact_modulus * zone_span * dugdale.stiffness_ratio(at, q)
 
 
@@ -326,7 +325,7 @@ def contact_displacement(
     1.0
     """
     lag = within(edge_ratio > 0, yield_displacement)
-    return lag / (1 + contact_modulus / cohesive_stress * (zone_span / reduced_radius))
+    return lag / (1 + contact_modulus * zone_span / (cohesive_stress * reduced_radius))
 
 
 # --- Named states: without load, at pull-off, and where fixed grips let go --------------------------------------------
@@ -391,7 +390,7 @@ def unloaded_approach_maugis(
     1.8561945
     """
     v = unloaded_edge_ratio
-    depth = cohesive_stress / contact_modulus * (unloaded_radius_maugis / v)
+    depth = cohesive_stress * unloaded_radius_maugis / (contact_modulus * v)
     return depth * (3 / 2 * dugdale.shape(v).g3 / v - 2)  # in which almost nothing cancels
 
 

@@ -217,6 +217,5 @@ def rolling_mass(*, mass: Mass, mass2: Mass, radius_ratio: Number) -> Mass:
     >>> round(rolling_mass(mass=1.0, mass2=1.0, radius_ratio=1.0), 12)
     0.8
     """
-    sum_ratio = 1 + radius_ratio
-    turning = 1 / mass / sum_ratio / sum_ratio + (radius_ratio / sum_ratio) ** 2 / mass2
+    turning = (1 / mass + radius_ratio**2 / mass2) / (1 + radius_ratio) ** 2
     return 14 / 5 / (5 / (mass + mass2) + 2 * turning)

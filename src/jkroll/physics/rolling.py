@@ -64,7 +64,7 @@ def rolling_spring_constant(*, rolling_stiffness: RollingStiffness, reduced_radi
     >>> rolling_spring_constant(rolling_stiffness=18.0, reduced_radius=3.0)
     2.0
     """
-    return rolling_stiffness / reduced_radius / reduced_radius
+    return rolling_stiffness / reduced_radius**2
 
 
 def rolling_friction_coefficient(
@@ -83,7 +83,7 @@ def rolling_friction_coefficient(
     >>> rolling_friction_coefficient(yield_moment=6.0, reduced_radius=3.0, load=-1.0, pull_off_force=1.0)
     2.0
     """
-    return yield_moment / reduced_radius / (load + 2 * pull_off_force)
+    return yield_moment / (reduced_radius * (load + 2 * pull_off_force))
 
 
 def yield_force(
@@ -122,7 +122,7 @@ def yield_force_fixed_load(
     >>> yield_force_fixed_load(yield_moment=6.0, radius=2.0, load=4.0, yield_displacement=1.0, radius2=2.0)
     1.0
     """
-    return yield_moment / radius - load * (yield_displacement / radius2)
+    return yield_moment / radius - load * yield_displacement / radius2
 
 
 def yield_force_ratio(*, load_factor: Number, yield_displacement: Length, radius: Length) -> Number:
@@ -137,7 +137,7 @@ def yield_force_ratio(*, load_factor: Number, yield_displacement: Length, radius
     >>> yield_force_ratio(load_factor=1.0, yield_displacement=2.5, radius=10.0)
     1.0
     """
-    return 4 * load_factor * (yield_displacement / radius)
+    return 4 * load_factor * yield_displacement / radius
 
 
 def yield_angle(*, yield_displacement: Length, reduced_radius: Length) -> Angle:
@@ -298,7 +298,7 @@ def n_grav(*, yield_moment: Moment, mass: Mass, gravity: Acceleration, radius: L
     >>> round(n_grav(yield_moment=9.42478e-18, mass=1.0891e-17, gravity=9.80665, radius=1e-7), 1)
     939.4
     """
-    return sqrt(yield_moment / radius / gravity) / sqrt(mass)  # n² may leave the doubles
+    return sqrt(yield_moment / (mass * gravity * radius))
 
 
 def bond_number(*, pull_off_force: Force, mass: Mass, gravity: Acceleration) -> Number:
@@ -312,4 +312,4 @@ def bond_number(*, pull_off_force: Force, mass: Mass, gravity: Acceleration) -> 
     >>> bond_number(pull_off_force=1e-8, mass=1e-15, gravity=10.0)
     1000000.0
     """
-    return pull_off_force / gravity / mass  # P_c/m1 may leave the doubles
+    return pull_off_force / (mass * gravity)

@@ -37,7 +37,7 @@ def exact_pressure(
     """
     a, x = contact_radius_at_load, position_in_circle
     depth = sqrt((a - x) / a * ((a + x) / a))
-    tilt = 2 / pi * contact_modulus * (yield_displacement / reduced_radius) * (x / a)
+    tilt = 2 / pi * contact_modulus * yield_displacement / reduced_radius * (x / a)
     return hertz_pressure * depth + (boussinesq_pressure + tilt) / depth
 
 
@@ -92,4 +92,4 @@ def unloaded_half_width(
     >>> round(unloaded_half_width(work_of_adhesion=pi / 4, cylinder_radius=1.0, plane_strain_modulus=1.0), 12)
     2.0
     """
-    return cbrt(32 / pi * work_of_adhesion / plane_strain_modulus * cylinder_radius**2)
+    return cbrt(32 / pi * work_of_adhesion * cylinder_radius**2 / plane_strain_modulus)

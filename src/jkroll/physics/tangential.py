@@ -30,7 +30,7 @@ def shear_strength(
     '584.5 MPa'
     """
     compliances = (1 + poisson_ratio) / youngs_modulus, (1 + poisson_ratio2) / youngs_modulus2
-    return 1 / (8 * pi**2) / at_least(*compliances)
+    return 1 / (8 * pi**2 * at_least(*compliances))
 
 
 def sliding_force(*, shear_strength: Stress, contact_radius_at_load: Length) -> Force:
@@ -192,7 +192,7 @@ def peeling_radius(
     0.25
     """
     margin = within(load_margin >= 0, load_margin)
-    return cbrt(9 / 8 * pi * work_of_adhesion / contact_modulus * reduced_radius**2 * (1 + margin**2))
+    return cbrt(9 / 8 * pi * work_of_adhesion * reduced_radius**2 * (1 + margin**2) / contact_modulus)
 
 
 def peeling_over_sliding(*, peeling_force: Force, shear_strength: Stress, peeling_radius: Length) -> Number:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from .dimensions import Energy, Length, Number, Stress, SurfaceEnergy
-from .elementary import cbrt, pi, smaller_and_larger
+from .elementary import cbrt, pi
 
 
 def tabor_parameter(
@@ -22,7 +22,7 @@ def tabor_parameter(
     >>> round(mu, 2)
     0.14
     """
-    return cbrt((work_of_adhesion / contact_modulus) ** 2 * reduced_radius) / atomic_spacing
+    return cbrt(reduced_radius * work_of_adhesion**2 / contact_modulus**2) / atomic_spacing
 
 
 def displacement_limit(*, contact_radius: Length, load_factor: Number) -> Length:
@@ -102,9 +102,8 @@ def profile_error(*, contact_radius_at_load: Length, radius: Length, radius2: Le
     >>> round(profile_error(contact_radius_at_load=0.2, radius=1.0, radius2=1.0), 12)
     0.01
     """
-    smaller, larger = smaller_and_larger(radius, radius2)
-    ratio = smaller / larger
-    return contact_radius_at_load**2 / smaller**2 * (1 - ratio * (1 - ratio)) / 4
+    curvature, curvature2 = 1 / radius, 1 / radius2
+    return contact_radius_at_load**2 * (curvature**2 - curvature * curvature2 + curvature2**2) / 4
 
 
 def displacement_over_contact_radius(*, yield_displacement: Length, contact_radius_at_load: Length) -> Number:

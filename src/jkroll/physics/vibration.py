@@ -22,7 +22,7 @@ from .elementary import cube, pi, sqrt
 
 def _frequency(stiffness: Any, inertia: Any) -> Any:
     """Return the frequency of a spring with a mass, or of a torsion spring with a moment of inertia; 0 ≤ stiffness."""
-    return sqrt(stiffness) / sqrt(inertia) / (2 * pi)  # the quotient itself may leave the doubles
+    return sqrt(stiffness / inertia) / (2 * pi)
 
 
 def vertical_frequency(*, stiffness: Stiffness, reduced_mass: Mass) -> Frequency:
@@ -84,7 +84,7 @@ def rolling_frequency_no_slip(*, work_of_adhesion: SurfaceEnergy, load_factor: N
     >>> round(rolling_frequency_no_slip(work_of_adhesion=2 * pi, load_factor=1.0, rolling_mass=3.0), 12)
     1.0
     """
-    return sqrt(3 / (2 * pi) * work_of_adhesion * load_factor) / sqrt(rolling_mass)
+    return sqrt(3 / (2 * pi) * work_of_adhesion * load_factor / rolling_mass)
 
 
 def sliding_frequency(*, tangential_stiffness: Stiffness, reduced_mass: Mass) -> Frequency:

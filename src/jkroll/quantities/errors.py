@@ -15,6 +15,7 @@ class QuantityError(JkrollError):
         """`reason` follows the quoted text; `remedy` says what to type instead, by default an example of the quantity."""
         super().__init__(name, text, reason, remedy)
         self.name, self.text, self.reason, self.remedy = name, text, reason, remedy
+        self.phrase = f"bad {name}"
 
     def problem(self) -> str:
         """Return what is wrong and what to type instead, without the name and the text."""
@@ -114,7 +115,7 @@ class OutOfRange(JkrollError):
     def __init__(self, name: str, value: object, words: str, place: Sequence[int] = ()) -> None:
         """`place`: the index of the number in an array."""
         super().__init__(name, value, words, tuple(place))
-        self.name, self.value, self.words, self.place = name, value, words, tuple(place)
+        self.name, self.value, self.words, self.place, self.phrase = name, value, words, tuple(place), f"bad {name}"
 
     def __str__(self) -> str:
         where = f" at index {', '.join(map(str, self.place))}" if self.place else ""

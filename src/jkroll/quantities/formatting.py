@@ -5,7 +5,6 @@ from math import floor, isinf, log10
 from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
 
-from ..errors import NoResult
 from .nomenclature import INFINITY, NOMENCLATURE, header
 from .units import Unit, convert, power_of_ten
 
@@ -24,18 +23,6 @@ _SHIFTS = ("", "e1", "e2")  # of a decimal point
 _PREFIXABLE = ("m", "s", "N", "J", "Pa", "Hz", "rad", "m/s", "N m", "N/m", "J/m^2", "N m/rad")
 
 
-class OutOfUnit(NoResult):
-    """Error raised for a value that no double holds in the unit in which it is wanted."""
-
-    def __init__(self, name: str, unit: str) -> None:
-        super().__init__(name, unit)
-        self.name, self.unit = name, unit
-
-    def reason(self) -> str:
-        """Return the unit."""
-        return f"no value in {self.unit} that a double can hold"
-
-
 class Format(NamedTuple):
     """Units and number of digits in which results are written."""
 
@@ -51,13 +38,9 @@ class Format(NamedTuple):
         return name in self.units or self.digits is not None
 
     def number(self, name: str, value: float) -> float:
-        """Return the number that is written for an SI value: in its unit, with its digits. It is infinite or 0 if no double holds it."""
+        """Return the number that is written for an SI value: in its unit, with its digits."""
         number = convert(value, self.units[name][1]) if name in self.units else value
         return number + 0.0 if self.digits is None else float(f"{number + 0.0:.{self.digits}g}")
-
-    def holds(self, name: str, value: float) -> bool:
-        """Return whether a double holds a value in its unit."""
-        return not value or name not in self.units or 0 < abs(convert(value, self.units[name][1])) < INFINITY
 
     def header(self, name: str) -> str:
         """Return a column header: name and unit."""

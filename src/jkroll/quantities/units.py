@@ -17,6 +17,7 @@ MAX_TEXT = 80
 MAX_TERMS = 8
 MAX_NAME = 24
 MAX_POWER = 12
+MAX_FACTOR = 10**100  # of two units; in any of these, doubles hold all results
 SIMILAR = 0.5  # least similarity of a unit that is suggested
 
 Dimension = tuple[int, ...]
@@ -140,10 +141,7 @@ def convert(value: float, unit: Unit) -> float:
     0.25
     """
     numerator, denominator = value.as_integer_ratio()
-    try:
-        return numerator * unit.denominator / (denominator * unit.numerator)
-    except OverflowError:
-        return float("inf") if value > 0 else float("-inf")
+    return numerator * unit.denominator / (denominator * unit.numerator)
 
 
 def power_of_ten(exponent: int) -> tuple[int, int]:
@@ -227,6 +225,8 @@ def _product(terms: Iterable[Term]) -> Unit:
         up, down = (factor.numerator, factor.denominator) if power > 0 else (factor.denominator, factor.numerator)
         numerator, denominator = numerator * up ** abs(power), denominator * down ** abs(power)
         dimension = _sum(dimension, tuple(power * one for one in factor.dimension))
+    if max(numerator, denominator) > MAX_FACTOR * min(numerator, denominator):
+        raise BadUnit("has a unit beyond 1e-100 to 1e100 of that of the SI")
     return Unit(numerator, denominator, dimension)
 
 

@@ -2,12 +2,12 @@
 
 From the bottom up:
 
-reasons            why cells are empty, in words
+reasons            why cells are empty: a phrase for the status, and in full
 columns            what is wanted of rows, and their columns: by floats, which defines them, and by arrays
 inferred           the same where an input is sought
 readings, header   the meaning of one header, and of all of a table
 cells              a column of texts as SI numbers
-rows               a block of rows, which are scenes of arrays as far as they are alike
+block, rows        rows that are computed together, which are scenes of arrays as far as they are alike
 sweep              the rows of lists and ranges
 table              the rows of a table
 infer              the rows of arrays from Python, where an input is sought

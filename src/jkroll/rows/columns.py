@@ -1,32 +1,29 @@
 """The columns of rows: values, uncertainties, doubts as bits, and the reasons of cells that are empty.
 
 `Wanted.row` is the definition of a row. `Wanted.columns` gives the same for many rows at once: where an array leaves
-a gap that no frequent reason explains, or an uncertainty needs a search, the row is computed again by floats.
+a gap that floats do not leave, or an uncertainty needs a search, the row is computed again by floats.
 """
 
-from collections.abc import Callable, Collection, Hashable, Iterable, Iterator, Mapping, Sequence
-from functools import cached_property, partial
+from collections import Counter
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from math import isnan, nan
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..errors import JkrollError
 from ..physics.elementary import where
-from ..quantities.formatting import OutOfUnit
 from ..quantities.values import is_uncertain
 from ..scene.alternatives import beside, kinds_beside
 from ..scene.failures import (
     MissingInput,
     OfIdenticalSpheres,
-    RestsOnSpacing,
-    hold_of,
     written_outcome,
 )
 from ..scene.limits import bits_of, doubts, possible_bits
 from ..scene.scene import Scene
-from ..scene.wiring import Step
 from ..text import listed
-from .reasons import ROW, UNCERTAINTY, Reasons, lack, worded
+from .reasons import ROW, UNCERTAINTY, Gaps, Reasons, lack, status_of, worded
 
 if TYPE_CHECKING:
     from ..scene.uncertainty import Elements, Propagated, Sources
@@ -40,16 +37,39 @@ STATUS = "status"  # the column of reasons
 _NO_COLUMNS = "for which the table has no columns; --uncertainty adds them"
 
 
+class BadRecord(JkrollError):
+    """Error raised for a record of a file that is no row."""
+
+    def __init__(self, problem: str, phrase: str = "") -> None:
+        super().__init__(problem, phrase)
+        self.problem, self.phrase = problem, phrase
+
+    def __str__(self) -> str:
+        return self.problem
+
+
 class BadCells(JkrollError):
     """Error raised for cells that are no values of inputs, or no names of materials."""
 
+    def __init__(self, errors: Sequence[JkrollError]) -> None:
+        super().__init__(tuple(errors))
+        self.errors = tuple(errors)
+        self.phrase = "; ".join(dict.fromkeys(error.phrase or str(error) for error in errors))
 
-class NotShown(BadCells):
+    def __str__(self) -> str:
+        return "; ".join(map(str, self.errors))
+
+
+class NotShown(JkrollError):
     """Error raised for a cell that has an uncertainty for which the table has no columns."""
+
+    phrase = "error bar without a column"
 
 
 class LeftOut(JkrollError):
     """The remark on a row whose materials have uncertainties for which the table has no columns. It is never raised."""
+
+    phrase = "error bars left out"
 
 
 class Wanted:
@@ -148,11 +168,7 @@ class Wanted:
     def row(self, scene: Any) -> "Row":
         """Return the row of a scene of numbers. Raises a JkrollError for uncertainties that do not go together."""
         found = outcomes(scene, self.names, self.named)
-        reasons: dict[str, JkrollError] = {
-            name: outcome for name, outcome in found.items() if isinstance(outcome, JkrollError)
-        }
-        if not found:
-            reasons[ROW] = OfIdenticalSpheres()
+        reasons = reasons_of(found)
         values = {name: outcome for name, outcome in found.items() if name not in reasons}
         numbers: dict[str, float] = {**values, **self.values_beside(scene, [*found])}
         inputs = scene.echo(scene.inputs_used(self.names, [*found])) if self.inputs else {}
@@ -172,26 +188,20 @@ class Wanted:
             reasons,
         )
 
-    def columns(
-        self, scene: Any, size: int, one: Callable[[int], Any], wording: Callable[[int], Hashable]
-    ) -> "Columns":
-        """Return the columns of a scene of arrays; `one` returns a row as a scene of numbers.
+    def columns(self, scene: Any, size: int, scene_of: Callable[[int], Any]) -> "Columns":
+        """Return the columns of a scene of arrays; `scene_of` returns a row as a scene of numbers.
 
-        `wording` is the same for rows that lack inputs in the same words. Raises a JkrollError where each row is to be
-        computed by itself.
+        Raises a JkrollError where each row is to be computed by itself.
         """
         import numpy
 
-        found = _Arrays(self, scene, size)
-        columns = found.columns
-        if found.lacking:
-            found.say_lacking(one, wording)
-        again = found.explain()
+        arrays = _Arrays(self, scene, size)
+        again = arrays.explain(scene_of)
         if self.uncertainties and scene.is_uncertain:
-            again |= found.add_sides()
+            again |= arrays.add_sides()
         for row in numpy.flatnonzero(again).tolist():
-            put_one(columns, row, partial(one, row))
-        return columns
+            put_row(arrays.columns, row, partial(scene_of, row))
+        return arrays.columns
 
 
 class Row(NamedTuple):
@@ -202,6 +212,11 @@ class Row(NamedTuple):
     doubts: int  # bits
     reasons: Reasons
 
+    @property
+    def is_empty(self) -> bool:
+        """True if the row has no value."""
+        return all(map(isnan, self.numbers))
+
 
 def remarks_of(wanted: Wanted, *, doubt: bool) -> tuple[str, ...]:
     """Return the columns of remarks, which stand last. `doubt`: whether doubts have one, if they are judged."""
@@ -211,22 +226,25 @@ def remarks_of(wanted: Wanted, *, doubt: bool) -> tuple[str, ...]:
 class Columns:
     """The columns of some rows: arrays where there are many rows, else lists. Writers index them and iterate."""
 
-    def __init__(self, wanted: Wanted, inputs: Mapping[str, Any], numbers: Any, doubts: Any, reasons: Any) -> None:
-        """`inputs`: columns by name; `numbers`: a column for each of Wanted.keys; `reasons`: by the place of a row."""
+    def __init__(self, wanted: Wanted, inputs: Mapping[str, Any], numbers: Any, doubts: Any) -> None:
+        """`inputs`: columns by name; `numbers`: a column for each of Wanted.keys."""
         self.wanted, self.inputs, self.numbers, self.doubts = wanted, inputs, numbers, doubts
-        self.reasons: dict[int, Reasons] = reasons
-        self._texts: dict[int, str] = {}  # by the identity of reasons; many rows share some, and all are known by then
+        self.status: dict[int, str] = {}  # by the place of a row that has empty cells
+        self.failed: set[int] = set()  # rows without a contact, or without any value
+        self.reasons: dict[int, Reasons] = {}  # of rows computed by floats: at least the first one with each status
 
     @classmethod
     def of_rows(cls, wanted: Wanted, rows: Sequence[Row]) -> "Columns":
         """Return the columns of rows that were computed one by one."""
-        return cls(
+        columns = cls(
             wanted,
             {name: [row.inputs.get(name) for row in rows] for name in wanted.inputs},
             [[row.numbers[place] for row in rows] for place in range(len(wanted.keys))],
             [row.doubts for row in rows],
-            {place: row.reasons for place, row in enumerate(rows) if row.reasons},
         )
+        for place, row in enumerate(rows):
+            columns.tell([place], row.reasons, is_empty=row.is_empty)
+        return columns
 
     def __len__(self) -> int:
         """Return the number of rows."""
@@ -236,60 +254,70 @@ class Columns:
         """Return the numbers of a column."""
         return self.numbers[self.wanted.places[key]]
 
-    def put(self, row: int, one: Row) -> None:
+    def tell(self, rows: Sequence[int], reasons: Reasons, *, is_empty: bool) -> None:
+        """Note why cells of some rows are empty, by the reasons of the first of them; `is_empty`: whether all cells are."""
+        if not reasons:
+            return
+        self.status.update(dict.fromkeys(rows, status_of(reasons)))
+        self.reasons[rows[0]] = reasons
+        if is_empty or lack(reasons) is not None:
+            self.failed.update(rows)
+
+    def put(self, place: int, row: Row) -> None:
         """Take a row that was computed by itself, in place of what arrays gave."""
-        self.numbers[:, row] = one.numbers
-        self.doubts[row] = one.doubts
-        self.reasons.pop(row, None)
-        if one.reasons:
-            self.reasons[row] = one.reasons
+        self.numbers[:, place] = row.numbers
+        self.doubts[place] = row.doubts
+        for remarks in (self.status, self.reasons):
+            remarks.pop(place, None)
+        self.failed.discard(place)
+        self.tell([place], row.reasons, is_empty=row.is_empty)
         for name, column in self.inputs.items():
-            value = one.inputs.get(name)
-            column[row] = value.value if is_uncertain(value) and not isinstance(column, list) else value
+            value = row.inputs.get(name)
+            column[place] = value.value if is_uncertain(value) and not isinstance(column, list) else value
+
+    def put_part(self, rows: Sequence[int], part: "Columns") -> None:
+        """Take the columns of some rows."""
+        self.numbers[:, rows] = part.numbers
+        self.doubts[rows] = part.doubts
+        for name, column in self.inputs.items():
+            for place, value in zip(rows, as_list(part.inputs[name]), strict=True):
+                column[place] = value
+        self.status.update((rows[row], status) for row, status in part.status.items())
+        self.reasons.update((rows[row], reasons) for row, reasons in part.reasons.items())
+        self.failed.update(rows[row] for row in part.failed)
 
     def put_sides(self, found: "Mapping[str, Elements]") -> Any:
         """Take the columns of uncertainties of arrays, and return the rows in which they are open."""
         import numpy
 
         again = numpy.zeros(len(self), dtype=bool)
-        for name, one in found.items():
+        for name, elements in found.items():
             for side, key in self.wanted.sides_of(name).items():
-                if side in one.sides:
-                    self.column(key)[...] = one.sides[side]
-            again |= one.is_open & ~numpy.isnan(self.column(name))
+                if side in elements.sides:
+                    self.column(key)[...] = elements.sides[side]
+            again |= elements.is_open & ~numpy.isnan(self.column(name))
         return again
 
-    @cached_property
-    def lost(self) -> dict[int, JkrollError]:
-        """The reasons why nothing of some rows is to be trusted; to be asked when all rows are known."""
-        return {row: error for row, own in self.reasons.items() if (error := lack(own)) is not None}
+    def add_remark(self, remark: JkrollError) -> None:
+        """Note a remark on all rows."""
+        plain = next((row for row in range(len(self)) if row not in self.status), None)
+        for row in range(len(self)):
+            self.status[row] = "; ".join(filter(None, (self.status.get(row), remark.phrase)))
+        first: dict[int, Reasons] = {} if plain is None else {plain: {}}
+        self.reasons = {row: {**reasons, UNCERTAINTY: remark} for row, reasons in (self.reasons | first).items()}
 
-    def failed(self) -> list[int]:
-        """Return the rows that fail: those without a contact or without any value. One that no double holds in its unit is a value."""
-        of_names = [self.column(name) for name in self.wanted.names]
-        others = self.reasons.keys() - self.lost.keys()
-        empty = [row for row in others if all(isnan(column[row]) for column in of_names)]
-        unwritten = {row for row in empty if any(isinstance(error, OutOfUnit) for error in self.reasons[row].values())}
-        return [*self.lost, *(row for row in empty if row not in unwritten)]
-
-    def without_sides(self) -> int:
-        """Return the number of rows that have uncertainties for which there are no columns."""
-        of_rows = (reasons.get(UNCERTAINTY) or reasons.get(ROW) for reasons in self.reasons.values())
-        return sum(isinstance(error, NotShown | LeftOut) for error in of_rows if error is not None)
+    def gaps(self, named: Callable[[list[str]], str] | None = None) -> dict[str, Gaps]:
+        """Return the rows that have a status, by it; `named` as `reasons.worded` has it."""
+        counts = Counter(self.status.values())
+        first = {self.status[row]: row for row in sorted(self.reasons, reverse=True)}
+        return {
+            status: Gaps(counts[status], row + 1, worded(self.reasons[row], named))
+            for status, row in reversed(first.items())
+        }
 
     def failure(self, row: int) -> JkrollError:
-        """Return why a row fails: the lack of a contact, or else its first reason."""
-        return self.lost.get(row) or next(iter(self.reasons[row].values()))
-
-    def status(self, row: int) -> str:
-        """Return why cells of a row are empty, in words."""
-        if row in self.lost:
-            return str(self.lost[row])
-        if (reasons := self.reasons.get(row)) is None:
-            return ""
-        if id(reasons) not in self._texts:
-            self._texts[id(reasons)] = worded(reasons)
-        return self._texts[id(reasons)]
+        """Return why a row fails that was computed by floats: the lack of a contact, or else its first reason."""
+        return lack(self.reasons[row]) or next(iter(self.reasons[row].values()))
 
 
 def as_list(column: Any) -> list[Any]:
@@ -307,6 +335,13 @@ def outcomes(scene: Scene, names: Sequence[str], named: Collection[str]) -> dict
     """
     found = scene.evaluate([name for name in names if name in named or scene.shows(name)])
     return {name: written_outcome(name, outcome) for name, outcome in found.items()}
+
+
+def reasons_of(found: Mapping[str, Any]) -> dict[str, JkrollError]:
+    """Return why cells of a row are empty, of which some outcomes are known."""
+    if not found:
+        return {ROW: OfIdenticalSpheres()}
+    return {name: outcome for name, outcome in found.items() if isinstance(outcome, JkrollError)}
 
 
 def fill_sides(
@@ -341,19 +376,19 @@ def left_out(wanted: Wanted, scene: Scene, sources: "Sources", stated: Sequence[
 # --- By arrays --------------------------------------------------------------------------------------------------------
 
 
-def put_one(columns: Columns, row: int, scene: Callable[[], Any]) -> None:
+def put_row(columns: Columns, place: int, scene: Callable[[], Any]) -> None:
     """Compute a row by floats; if its scene cannot be made, that is why the row is empty."""
     try:
-        found = columns.wanted.row(scene())
+        row = columns.wanted.row(scene())
     except JkrollError as error:
-        lose(columns, row, error)
+        lose(columns, place, error)
     else:
-        columns.put(row, found)
+        columns.put(place, row)
 
 
-def lose(columns: Columns, row: int, error: JkrollError) -> None:
+def lose(columns: Columns, place: int, error: JkrollError) -> None:
     """Empty a row, for one reason."""
-    columns.put(row, Row({}, [nan] * len(columns.wanted.keys), 0, {ROW: error}))
+    columns.put(place, Row({}, [nan] * len(columns.wanted.keys), 0, {ROW: error}))
 
 
 class _Arrays:
@@ -365,50 +400,28 @@ class _Arrays:
         self.wanted, self.scene, self.size = wanted, scene, size
         self.shown = {name: name in wanted.named or scene.shows(name) for name in wanted.names}
         found = scene.evaluate([name for name, is_shown in self.shown.items() if is_shown is not False])
-        outcomes = {name: written_outcome(name, outcome) for name, outcome in found.items()}
-        self.lacking = [name for name, outcome in outcomes.items() if isinstance(outcome, MissingInput)]
-        self.numbers = numpy.full((len(wanted.keys), size), numpy.nan)
-        self.gaps: dict[str, Any] = {}  # by the quantity: the rows that should have a value and have none
-        self.whole: dict[str, JkrollError] = {}  # quantities that have no value in any row, for one reason
-        for name, outcome in outcomes.items():
-            if name not in self.lacking:
-                self._take(name, outcome)
-        for key, value in wanted.values_beside(scene, [*outcomes]).items():
-            is_shown = self.shown[key.rpartition("_by_")[0]]
-            self.numbers[wanted.places[key]][...] = where(is_shown, value, numpy.nan)
-        self.known = [name for name in outcomes if name not in self.whole and name not in self.lacking]
-        inputs, reasons = self._of_unequal([*outcomes])
-        self.columns = Columns(wanted, inputs, self.numbers, self._doubts(), reasons)
+        self.outcomes = {name: written_outcome(name, outcome) for name, outcome in found.items()}
+        numbers = numpy.full((len(wanted.keys), size), numpy.nan)
+        for name, outcome in self.outcomes.items():
+            if not isinstance(outcome, JkrollError):
+                numbers[wanted.places[name]] = where(self.shown[name], outcome, numpy.nan)
+        for key, value in wanted.values_beside(scene, [*self.outcomes]).items():
+            numbers[wanted.places[key]] = where(self.shown[key.rpartition("_by_")[0]], value, numpy.nan)
+        self.known = [name for name, outcome in self.outcomes.items() if not isinstance(outcome, JkrollError)]
+        self.columns = Columns(wanted, self._of_unequal([*self.outcomes]), numbers, None)
+        self.columns.doubts = self._doubts()
 
-    def _take(self, name: str, outcome: Any) -> None:
-        """Take the values of a quantity, or note in which rows it has none."""
-        import numpy
-
-        is_shown = self.shown[name]
-        if isinstance(outcome, JkrollError):
-            self.whole[name], self.gaps[name] = outcome, numpy.broadcast_to(is_shown, self.size)
-            return
-        values = self.numbers[self.wanted.places[name]]
-        values[...] = where(is_shown, outcome, numpy.nan)
-        if isinstance(outcome, numpy.ndarray) and (fails := numpy.isnan(values) & is_shown).any():
-            self.gaps[name] = fails
-
-    def _of_unequal(self, names: Sequence[str]) -> tuple[dict[str, Any], dict[int, Reasons]]:
-        """Return the columns of inputs, which are fewer for unequal spheres if some quantities are those of identical ones.
-
-        A row of unequal spheres that shows nothing has a reason.
-        """
+    def _of_unequal(self, names: Sequence[str]) -> dict[str, Any]:
+        """Return the columns of inputs, which are fewer for unequal spheres if some quantities are those of identical ones."""
         import numpy
 
         inputs = self._inputs(names)
         always = [name for name in names if self.shown[name] is True]
         if always and len(always) == len(names):
-            return inputs, {}
+            return inputs
         unequal = numpy.broadcast_to(numpy.logical_not(self.scene.is_identical), self.size)
         of_unequal = self._inputs(always)
-        inputs = {name: _either(unequal, of_unequal[name], column) for name, column in inputs.items()}
-        rows = [] if always else numpy.flatnonzero(unequal).tolist()
-        return inputs, {row: {ROW: OfIdenticalSpheres()} for row in rows}
+        return {name: _either(unequal, of_unequal[name], column) for name, column in inputs.items()}
 
     def _inputs(self, shown: Sequence[str]) -> dict[str, Any]:
         """Return the columns of inputs for the quantities that are shown."""
@@ -423,7 +436,7 @@ class _Arrays:
         bits = numpy.zeros(self.size, dtype=numpy.int64)
         if self.wanted.doubts and self.known:
             bits[...] = bits_of(doubts(self.scene, self.known))
-            has_value = {name: ~numpy.isnan(self.numbers[self.wanted.places[name]]) for name in self.known}
+            has_value = {name: ~numpy.isnan(self.columns.column(name)) for name in self.known}
             if not all(rows.all() for rows in has_value.values()):
                 concerned = numpy.zeros_like(bits)
                 for name, rows in has_value.items():
@@ -431,42 +444,35 @@ class _Arrays:
                 bits &= concerned
         return bits
 
-    def say_lacking(self, one: Callable[[int], Any], wording: Callable[[int], Hashable]) -> None:
-        """Say which inputs quantities lack; `one` and `wording` as `Wanted.columns` has them."""
-        import numpy
+    def explain(self, scene_of: Callable[[int], Any]) -> Any:
+        """Note why cells are empty, and return the rows whose cells are not by floats; `scene_of` as `Wanted.columns` has it.
 
-        of_kinds: dict[Hashable, Reasons] = {}  # many rows lack the same inputs, in the same words
-        concerned = numpy.array([numpy.broadcast_to(self.shown[name], self.size) for name in self.lacking])
-        for row, is_shown in enumerate(concerned.T.tolist()):
-            if (own := (wording(row), *is_shown)) not in of_kinds:
-                names = [name for name, is_one in zip(self.lacking, is_shown, strict=True) if is_one]
-                of_kinds[own] = one(row).evaluate(names)
-            if of_kinds[own]:
-                self.columns.reasons[row] = of_kinds[own]
-
-    def explain(self) -> Any:
-        """Say why cells are empty where a frequent reason explains them, and return the other rows that have such cells."""
+        Rows that lack the same results, from the same step on, have the reasons of the first of them.
+        """
         import numpy
 
         again = numpy.zeros(self.size, dtype=bool)
-        if not self.gaps:
-            return again
-        causes = _Causes(self.scene, [*self.gaps], self.size)
-        of_names = numpy.array(
-            [numpy.where(fails, causes.of(name, self.whole.get(name)), NO_GAP) for name, fails in self.gaps.items()]
+        names = [name for name, is_shown in self.shown.items() if is_shown is not False]
+        shown = [numpy.broadcast_to(self.shown[name], self.size) for name in names]
+        gaps = [is_shown & numpy.isnan(self.columns.column(name)) for name, is_shown in zip(names, shown, strict=True)]
+        rows = (
+            numpy.flatnonzero(numpy.any(gaps, axis=0) | ~numpy.any(shown, axis=0)) if names else numpy.arange(self.size)
         )
-        for rows in alike(numpy.flatnonzero(of_names.any(axis=0)), of_names):
-            own = zip(self.gaps, of_names[:, rows[0]].tolist(), strict=True)
-            explain = causes.explain({name: cause for name, cause in own if cause != NO_GAP})
-            if explain is None:
-                again[rows] = True
-                continue
-            for row in rows.tolist():
-                reasons = explain(row)
-                if lacking := self.columns.reasons.get(row):
-                    mixed = {**reasons, **lacking}
-                    reasons = {name: mixed[name] for name in self.wanted.names if name in mixed}
-                self.columns.reasons[row] = reasons
+        if not len(rows):
+            return again
+        steps = [value for name, value in self.scene.values.items() if isinstance(value, numpy.ndarray)]
+        for places in alike(rows, [*gaps, *(numpy.broadcast_to(numpy.isnan(value), self.size) for value in steps)]):
+            first = int(places[0])
+            lacking = {name for name, rows_without in zip(names, gaps, strict=True) if rows_without[first]}
+            try:
+                reasons = reasons_of(outcomes(scene_of(first), self.wanted.names, self.wanted.named))
+            except JkrollError:
+                reasons = {}
+            if reasons.keys() - {ROW} == lacking and reasons:
+                is_empty = all(isnan(column[first]) for column in self.columns.numbers)
+                self.columns.tell(places.tolist(), reasons, is_empty=is_empty)
+            else:
+                again[places] = True
         return again
 
     def add_sides(self) -> Any:
@@ -476,10 +482,10 @@ class _Arrays:
         from ..scene import uncertainty
 
         values = {name: self.columns.column(name) for name in self.known}
-        sources = uncertainty.sources_of_results(self.scene, [*self.known, *self.whole])
+        possible = [name for name, outcome in self.outcomes.items() if not isinstance(outcome, MissingInput)]
+        sources = uncertainty.sources_of_results(self.scene, possible)
         if (remark := left_out(self.wanted, self.scene, sources)) is not None:
-            for row in range(self.size):
-                self.columns.reasons[row] = {**self.columns.reasons.get(row, {}), UNCERTAINTY: remark}
+            self.columns.add_remark(remark)
             return numpy.zeros(self.size, dtype=bool)
         found = uncertainty.uncertainties_of_elements(self.scene, values, sources.entering)
         return self.columns.put_sides(found)
@@ -505,78 +511,6 @@ def _either(rows: Any, column: Any, otherwise: Any) -> Any:
     if isinstance(column, list) and isinstance(otherwise, list):
         return [own if is_own else other for is_own, own, other in zip(rows.tolist(), column, otherwise, strict=True)]
     return numpy.where(rows, numpy.asarray(column, dtype=float), numpy.asarray(otherwise, dtype=float))
-
-
-_Explain = Callable[[int], dict[str, JkrollError]]  # returns why quantities have no value in a row
-NO_GAP, UNKNOWN, RESTS, FIRST = range(4)  # why a value is missing; further numbers stand for errors
-
-
-class _Causes:
-    """Why quantities of a scene of arrays have no value: as in a scene of numbers, a formula hands on the first of its arguments' causes."""
-
-    def __init__(self, scene: Scene, names: Sequence[str], size: int) -> None:
-        """`names`: quantities that the scene has evaluated."""
-        import numpy
-
-        self.scene, self.size = scene, size
-        self.errors: list[Callable[[int], JkrollError]] = []  # of a row, by the number of the cause less FIRST
-        plan = scene.plan(*names)
-        self.sources, self.causes = plan.found, dict[str, Any]()  # by step, for each row
-        for step in plan.steps:
-            cause = numpy.zeros(size, dtype=numpy.int16)
-            for _, source in step.arguments:
-                if source in self.causes:
-                    cause = numpy.where(cause == NO_GAP, self.causes[source], cause)
-            fails = numpy.isnan(scene.values.get(step.name, numpy.nan)) & (cause == NO_GAP)
-            if fails.any():
-                cause[fails] = UNKNOWN
-                self._find(step, cause, fails)
-            if cause.any():
-                self.causes[step.name] = cause
-
-    def _find(self, step: Step, cause: Any, fails: Any) -> None:
-        """Note the cause of a formula that fails by itself in some rows."""
-        values = self.scene.values
-        if step.name not in values:
-            error = self.scene.evaluate([step.name])[step.name]
-            self._note(cause, fails, lambda _: error)
-            return
-        given = {parameter: values[source] for parameter, source in step.arguments}
-        if (hold := hold_of(step.name, given)) is not None:
-            stated, least = (repeated(value, self.size).tolist() for value in (given[hold.name], hold.least))
-            lets_go = hold.lets_go(given[hold.name]) & fails
-            self._note(cause, lets_go, lambda row: hold.error(stated[row], least[row]))
-
-    def _note(self, cause: Any, rows: Any, error: Callable[[int], JkrollError]) -> None:
-        cause[rows] = FIRST + len(self.errors)
-        self.errors.append(error)
-
-    def of(self, name: str, error: JkrollError | None) -> Any:
-        """Return the cause of a quantity in each row, if it has no value there. `error`: of one that has none in any row."""
-        import numpy
-
-        cause = self.causes.get(self.sources[name], numpy.zeros(self.size, dtype=numpy.int16))
-        if error is None:
-            otherwise = numpy.where(self.scene.rests_on_spacing(name), RESTS, UNKNOWN)
-            return numpy.where(cause == NO_GAP, otherwise, cause)
-        self._note(cause, cause == NO_GAP, lambda _: error)
-        return cause
-
-    def explain(self, causes: Mapping[str, int]) -> "_Explain | None":
-        """Return what says why quantities have no value in a row, by their causes; None if one is unknown."""
-        numbers = {*causes.values()}
-        if UNKNOWN in numbers:
-            return None
-        errors = {number: self.errors[number - FIRST] for number in numbers if number != RESTS}
-        if len(numbers) == len(errors) == 1:
-            (error,) = errors.values()
-            return lambda row: dict.fromkeys(causes, error(row))
-
-        def reasons(row: int) -> dict[str, JkrollError]:
-            own = {number: error(row) for number, error in errors.items()}
-            return {name: own.get(number) or RestsOnSpacing(name) for name, number in causes.items()}
-
-        return reasons
 
 
 def repeated(value: Any, size: int) -> Any:

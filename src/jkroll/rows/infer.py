@@ -1,22 +1,17 @@
 """The Python face of the inverse problem."""
 
 from collections.abc import Callable, Mapping, Sequence
-from contextlib import suppress
-from itertools import chain
 from math import prod
-from typing import Any, overload
+from typing import Any
 
 from ..errors import NoResult
 from ..materials.library import Material, Materials
 from ..quantities.errors import QuantityError
 from ..quantities.nomenclature import named
 from ..quantities.values import is_uncertain
-from ..scene.inverse import AlreadyGiven, Observed, input_named
+from ..scene.inverse import Problem, already_given, input_named
 from ..scene.scene import broadcast, check_range
 from ..scene.solver import in_si, materials_of, refuse_arrays, with_uncertainty
-from ..scene.unknowns import solved
-from .columns import BLOCK
-from .inferred import SoughtOne
 
 
 class InferredValues(dict[str, Any]):
@@ -27,30 +22,6 @@ class InferredValues(dict[str, Any]):
         self.condition = condition
 
 
-@overload
-def infer(
-    wanted: str,
-    /,
-    *,
-    measured: Mapping[str, Any],
-    material: str | Material | None = None,
-    material2: str | Material | None = None,
-    materials: Materials | None = None,
-    model: str | None = None,
-    **given: Any,
-) -> Any: ...
-@overload
-def infer(
-    wanted: Sequence[str],
-    /,
-    *,
-    measured: Mapping[str, Any],
-    material: str | Material | None = None,
-    material2: str | Material | None = None,
-    materials: Materials | None = None,
-    model: str | None = None,
-    **given: Any,
-) -> InferredValues: ...
 def infer(
     wanted: str | Sequence[str],
     /,
@@ -110,32 +81,23 @@ def infer(
     known, _ = in_si({str(word): value for word, value in measured.items()}, named)
     described, _ = in_si(given)
     for both in known.keys() & described.keys():
-        raise AlreadyGiven(both, both)
+        raise already_given(both, both)
     for each, value in {**known, **described}.items():
         check_range(each, value.value if is_uncertain(value) else value)
     spheres = materials_of(material, material2, materials)
     inputs = {**described, **known}
 
-    def row(own: Mapping[str, Any]) -> Observed:
-        return Observed.of([*known], {**inputs, **own}, *spheres, model=model)
+    def problem(own: Mapping[str, Any]) -> Problem:
+        return Problem.of(names, [*known], {**inputs, **own}, *spheres, model=model)
 
-    has_error_bars = any(map(is_uncertain, inputs.values()))
     arrays = {each: value for each, value in inputs.items() if not (isinstance(value, float) or is_uncertain(value))}
-    if has_error_bars:
+    if any(map(is_uncertain, inputs.values())):
         refuse_arrays(inputs)
-    if arrays and len(names) == 1:
-        return _each(SoughtOne(names, [*known], doubts=False), arrays, row)
     if arrays:
-        return _each_pair(names, arrays, row)
-    whole = row({})
-    found = solved(names, whole)
-    values: Mapping[str, Any] = found.values
-    if has_error_bars:
-        from ..scene.uncertainty import inferred_uncertainties
-
-        bars, _ = inferred_uncertainties(found.values, whole)
-        values = {name: with_uncertainty(name, value, bars.get(name)) for name, value in values.items()}
-    return InferredValues(values, found.condition) if len(names) > 1 else values[names[0]]
+        values, condition = _of_arrays(problem, arrays, names)
+    else:
+        values, condition = _of_numbers(problem({}))
+    return InferredValues(values, condition) if len(names) > 1 else values[names[0]]
 
 
 def _names(wanted: str | Sequence[str]) -> list[str]:
@@ -148,52 +110,50 @@ def _names(wanted: str | Sequence[str]) -> list[str]:
     return names
 
 
-def _each_pair(
-    names: Sequence[str], arrays: Mapping[str, Any], row: Callable[[Mapping[str, Any]], Observed]
-) -> InferredValues:
-    """Return the values of two inputs, element by element of arrays; `row` makes a row of some inputs and the others."""
+def _of_numbers(problem: Problem) -> tuple[Mapping[str, Any], float]:
+    """Return the values of the unknowns, with their uncertainties, and the condition."""
+    from ..scene.unknowns import solution
+
+    solved = solution(problem)
+    if not (any(map(is_uncertain, problem.measured.values())) or problem.scene.uncertain):
+        return solved.values, solved.condition
+    from ..scene.uncertainty import uncertainties_of_unknowns
+
+    bars, _ = uncertainties_of_unknowns(solved.values, problem)
+    values = {name: with_uncertainty(name, value, bars.get(name)) for name, value in solved.values.items()}
+    return values, solved.condition
+
+
+def _of_arrays(
+    problem: Callable[[Mapping[str, Any]], Problem], arrays: Mapping[str, Any], names: Sequence[str]
+) -> tuple[Mapping[str, Any], Any]:
+    """Return the values of the unknowns and the condition for arrays, nan where there is no solution. `problem`: of some inputs."""
     import numpy
 
-    shape = broadcast(arrays)
-    flat = {name: numpy.broadcast_to(value, shape).ravel().tolist() for name, value in arrays.items()}
-    columns = numpy.full((len(names) + 1, prod(shape)), numpy.nan)
-    for place, own in enumerate(zip(*flat.values(), strict=True)):
-        with suppress(NoResult):
-            pair = solved(names, row(dict(zip(flat, own, strict=True))))
-            columns[:, place] = *pair.values.values(), pair.condition
-    *found_values, condition = (column.reshape(shape) for column in columns)
-    return InferredValues(dict(zip(names, found_values, strict=True)), condition)
-
-
-def _each(wanted: SoughtOne, arrays: Mapping[str, Any], row: Callable[[Mapping[str, Any]], Observed]) -> Any:
-    """Return the inferred values for arrays, nan where there is none."""
-    import numpy
-
-    shape = broadcast(arrays)
-    flat = {name: numpy.broadcast_to(value, shape).ravel() for name, value in arrays.items()}
-    found = numpy.full(prod(shape), numpy.nan)
-    for start in range(0, len(found), BLOCK):
-        part = slice(start, start + BLOCK)
-        some = {name: values[part] for name, values in flat.items()}
-        found[part] = _block(wanted, some, row)
-    return found.reshape(shape)
-
-
-def _block(wanted: SoughtOne, arrays: Mapping[str, Any], row: Callable[[Mapping[str, Any]], Observed]) -> Any:
-    """Return the inferred values of some rows; raise the first error that is no NoResult."""
+    from ..scene.unknowns import solutions
+    from .block import Block
     from .cells import Numbers
-    from .rows import Block, evaluated
+    from .rows import groups
 
-    block = Block(
-        len(next(iter(arrays.values()))),
-        {name: Numbers(values) for name, values in arrays.items()},
-        (),
-        lambda inputs, _: row(inputs),
-        lambda place: row({name: float(values[place]) for name, values in arrays.items()}),
-        lambda _: None,
-    )
-    columns = evaluated(wanted, block)
-    for error in chain.from_iterable(reasons.values() for reasons in columns.reasons.values()):
-        if not isinstance(error, NoResult):
-            raise error
-    return columns.column(wanted.name)
+    class Elements(Block):
+        """Rows of the elements of arrays."""
+
+        def scene(self, given: Mapping[str, Any], rows: Any) -> Problem:  # noqa: ARG002
+            """Return the problem of rows that are alike."""
+            return problem(given)
+
+        def scene_of(self, row: int) -> Problem:
+            """Return the problem of a row by itself."""
+            return problem({name: float(numbers.values[row]) for name, numbers in columns.items()})
+
+    shape = broadcast(arrays)
+    columns = {name: Numbers(numpy.broadcast_to(value, shape).ravel()) for name, value in arrays.items()}
+    found = numpy.full((len(names) + 1, prod(shape)), numpy.nan)
+    for rows, given in groups(Elements(prod(shape), columns)):
+        solved = solutions(problem(given), len(rows))
+        for error in solved.failures.values():
+            if not isinstance(error, NoResult):
+                raise error
+        found[:, rows] = *solved.values.values(), solved.condition
+    *values, condition = (column.reshape(shape) for column in found)
+    return dict(zip(names, values, strict=True)), condition

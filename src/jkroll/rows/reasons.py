@@ -1,17 +1,40 @@
-"""Why cells of a row are empty, and in what words: of notes and of the column status."""
+"""Why cells of a row are empty: in a few words, for its status, and in full."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping
+from typing import NamedTuple
 
 from ..errors import JkrollError
 from ..quantities.nomenclature import NOMENCLATURE
-from ..scene.failures import NO_END, MissingInput, NoContact, reason_of
+from ..scene.failures import NO_END, MissingInput, NoContact, grouped, needs_in_words
 from ..text import first_of
 
 ROW = ""  # stands for the row as a whole, in place of the name of a column
 UNCERTAINTY = "±"  # stands for the columns of uncertainties that a table does not have
-_MAX_NAMES = 3  # of quantities in a clause of a status
+_MAX_NAMES = 3  # of quantities in a clause
 
 Reasons = Mapping[str, JkrollError]  # why cells of a row are empty, by the names of their columns
+
+
+class Gaps(NamedTuple):
+    """Rows with the same status: their number, and the first of them, counted from 1, with its reasons in full."""
+
+    rows: int
+    first: int
+    words: str
+
+    def sentence(self) -> str:
+        """Return the words with the rows that they are about."""
+        others = f", likewise {self.rows - 1} more" if self.rows > 1 else ""
+        return f"{self.words}: row {self.first}{others}"
+
+
+def joined(gaps: Mapping[str, Gaps], others: Mapping[str, Gaps], rows: int) -> dict[str, Gaps]:
+    """Return the gaps of some rows and of others that stand behind them, by their status; `rows`: how many there are before."""
+    together = dict(gaps)
+    for status, of_status in others.items():
+        before = gaps.get(status, Gaps(0, rows + of_status.first, of_status.words))
+        together[status] = before._replace(rows=before.rows + of_status.rows)
+    return together
 
 
 def lack(reasons: Reasons) -> JkrollError | None:
@@ -22,38 +45,40 @@ def lack(reasons: Reasons) -> JkrollError | None:
     return None
 
 
-def worded(reasons: Reasons) -> str:
-    """Return why cells are empty: a clause for all that lack an input, and one for each other reason."""
-    of_values, of_sides = of_quantities(reasons)
-    clauses = [*_clauses(of_values), *_clauses(of_sides, NO_END)]
-    if UNCERTAINTY in reasons:
-        clauses.append(str(reasons[UNCERTAINTY]))
-    return "; ".join(clauses)
+def status_of(reasons: Reasons) -> str:
+    """Return a phrase for each kind of reason. All inputs that quantities lack are in one."""
+    lacked = dict.fromkeys(
+        name for error in reasons.values() if isinstance(error, MissingInput) for name in error.missing
+    )
+    needs = needs_in_words(lacked)
+    phrases = []
+    for name, error in reasons.items():
+        if _is_side(name):
+            phrases.append("no error bar")
+        elif isinstance(error, MissingInput) and error.missing:
+            phrases.append(needs)
+        else:
+            phrases.append(error.phrase or str(error))
+    return "; ".join(dict.fromkeys(phrases))
 
 
-def of_quantities(reasons: Reasons) -> tuple[Reasons, Reasons]:
-    """Return by the names of quantities why they have no values, and why values have no uncertainties."""
+def _first_names(names: list[str]) -> str:
+    return first_of(names, _MAX_NAMES)
+
+
+def _is_side(name: str) -> bool:
+    """Return whether a column is that of an uncertainty."""
+    return name not in NOMENCLATURE and name not in (ROW, UNCERTAINTY)
+
+
+def worded(reasons: Reasons, named: Callable[[list[str]], str] | None = None) -> str:
+    """Return reasons in full; `named` returns quantities in words, by default their names."""
+    if (error := lack(reasons)) is not None:
+        return str(error)
+    named = named or _first_names
     of_values = {name: error for name, error in reasons.items() if name in NOMENCLATURE}
-    sides = reasons.keys() - of_values.keys() - {ROW, UNCERTAINTY}
-    return of_values, {key.rpartition("_")[0]: error for key, error in reasons.items() if key in sides}
-
-
-def _clauses(errors: Mapping[str, JkrollError], lead: str = "") -> list[str]:
-    lacking = {name: one for name, one in errors.items() if isinstance(one, MissingInput) and one.missing}
-    joined = _joined([*lacking.values()])
-    reasons: dict[str, list[str]] = {}
-    for name, error in errors.items():
-        reason = joined if name in lacking else reason_of(name, error)
-        reasons.setdefault(reason, []).append(name)
-    return [f"{first_of(names, _MAX_NAMES)}: {lead}{reason}" for reason, names in reasons.items()]
-
-
-def _joined(errors: Sequence[MissingInput]) -> str:
-    """Return the reason of quantities that lack inputs, with all that some of them need."""
-    if len({error.missing for error in errors}) < 2:
-        reasons = (error.reason_of_several() if errors[1:] else error.reason() for error in errors)
-        return min(reasons, key=len, default="")
-    missing = dict.fromkeys(name for error in errors for name in error.missing)
-    instead = [name for name in errors[0].instead if all(name in error.instead for error in errors)]
-    lacking = dict.fromkeys(filter(None, (text for error in errors for text in error.lacking.split(", "))))
-    return f"need some of {MissingInput('', [*missing], instead, ', '.join(lacking)).needs()}"
+    of_sides = {name.rpartition("_")[0]: error for name, error in reasons.items() if _is_side(name)}
+    clauses = [f"{named(names)}: {reason}" for names, reason in grouped(of_values)]
+    clauses += [f"{named(names)}: {NO_END}{reason}" for names, reason in grouped(of_sides)]
+    clauses += [str(reasons[UNCERTAINTY])] if UNCERTAINTY in reasons else []
+    return "; ".join(clauses)

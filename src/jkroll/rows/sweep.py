@@ -17,11 +17,11 @@ from ..quantities.values import Spread
 from ..scene.failures import OfIdenticalSpheres
 from ..scene.scene import FOLLOWS, Scene
 from ..scene.wiring import in_order
+from .block import Block
 from .columns import BLOCK, Columns, Wanted
 
 if TYPE_CHECKING:
     from .cells import Indices, Numbers
-    from .rows import Block
 
 WORTH_ARRAYS = 80_000  # formulas, of all rows together, whose evaluation takes as long as to import numpy and orjson
 
@@ -126,32 +126,47 @@ class Sweep:
         from .rows import evaluated
 
         for start in range(0, size, BLOCK):
-            yield evaluated(wanted, self._block(numpy.arange(start, min(start + BLOCK, size))))
+            yield evaluated(wanted, Lists(self, numpy.arange(start, min(start + BLOCK, size))))
 
-    def _block(self, rows: "Indices") -> "Block":
-        """Return some rows as a block."""
+
+class Lists(Block):
+    """Some rows of a sweep. Those of a pair of materials and of a law are alike."""
+
+    def __init__(self, sweep: Sweep, rows: "Indices") -> None:
+        """`rows`: their places in the sweep."""
         import numpy
 
-        from .rows import Block
+        self.sweep = sweep
+        pairs, *places, laws = numpy.unravel_index(rows, sweep.sizes)
+        self.places = dict(zip(sweep.spreads, places, strict=True))
+        self.cases = [(pair, model) for pair in sweep.pairs for model in sweep.models]
+        self.of_cases = pairs * len(sweep.models) + laws
+        self.fixed = {name: sweep.value(name, 0) for name, starts in sweep.starts.items() if starts[-1] == 1}
+        several = [name for name in self.places if name not in self.fixed]
+        super().__init__(len(rows), {name: self._numbers(name) for name in several}, [self.of_cases])
 
-        pairs, *places, laws = numpy.unravel_index(rows, self.sizes)
-        inputs = dict(zip(self.spreads, places, strict=True))
-        cases = [(pair, model) for pair in self.pairs for model in self.models]
-        of_cases = pairs * len(self.models) + laws
-        case = of_cases.item  # of a row
-        fixed = {name: self.value(name, 0) for name, starts in self.starts.items() if starts[-1] == 1}
+    def scene(self, given: Mapping[str, Any], rows: "Indices") -> Any:
+        """Return the scene of the inputs of rows that are alike."""
+        pair, model = self.cases[self.of_cases[rows[0]]]
+        return self.sweep.scene({**self.fixed, **given}, *pair, model=model)
 
-        def scene(given: Mapping[str, Any], rows: "Indices") -> Any:
-            pair, model = cases[case(int(rows[0]))]
-            return self.scene({**fixed, **given}, *pair, model=model)
+    def scene_of(self, row: int) -> Any:
+        """Return the scene of a row by itself."""
+        given = {name: self.sweep.value(name, int(places[row])) for name, places in self.places.items()}
+        pair, model = self.cases[self.of_cases[row]]
+        return self.sweep.scene(given, *pair, model=model)
 
-        def one(row: int) -> Any:
-            given = {name: self.value(name, int(places[row])) for name, places in inputs.items()}
-            pair, model = cases[case(row)]
-            return self.scene(given, *pair, model=model)
+    def _numbers(self, name: str) -> "Numbers":
+        """Return the values of an input."""
+        import numpy
 
-        numbers = {name: _values(partial(self.value, name), own) for name, own in inputs.items() if name not in fixed}
-        return Block(len(rows), numbers, [of_cases], scene, one, case)
+        from .cells import Numbers
+
+        wanted, back = numpy.unique(self.places[name], return_inverse=True)
+        values = [*map(partial(self.sweep.value, name), wanted.tolist())]
+        numbers = numpy.array([value if isinstance(value, float) else value.value for value in values])
+        uncertain = {row: values[place] for row, place in enumerate(back) if not isinstance(values[place], float)}
+        return Numbers(numbers[back], (), uncertain)
 
 
 def entering(
@@ -190,17 +205,3 @@ def _sides(scene: Scene, names: Sequence[str]) -> dict[str, set[str]]:
         for name, own in inputs.items()
     }
     return {name: own for name, own in sides.items() if own}
-
-
-def _values(value: Callable[[int], Any], places: "Indices") -> "Numbers":
-    """Return the values at some places of an input's lists and ranges; `value` returns one."""
-    import numpy
-
-    from .cells import Numbers
-
-    wanted, back = numpy.unique(places, return_inverse=True)
-    found = [*map(value, wanted.tolist())]
-    uncertain = {place: one for place, one in enumerate(found) if not isinstance(one, float)}
-    values = numpy.array([one if isinstance(one, float) else one.value for one in found])
-    rows = {place: numpy.flatnonzero(back == place).tolist() for place in uncertain}
-    return Numbers(values[back], (), {row: one for place, one in uncertain.items() for row in rows[place]})

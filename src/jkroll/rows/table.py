@@ -16,25 +16,24 @@ from ..materials.library import Material, Materials, MaterialsFileError, Unclear
 from ..quantities.laws import DEFAULT_LAW, law_named
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, XI, header
 from ..quantities.values import Uncertain, is_uncertain, value_of
-from ..scene.failures import MissingInput
-from ..scene.inverse import Observed, check_one
+from ..scene.failures import MissingInput, NotInLaw
+from ..scene.inverse import Problem
 from ..scene.limits import LIMITS
 from ..scene.scene import DEFAULTS, EXCLUSIVE, Scene
 from ..scene.wiring import depends_on
-from ..text import first_of, quoted, say, say_wrapped
-from .cells import LABEL, Indices, Lookup, Reader
-from .columns import DOUBT, SIDES, STATUS, BadCells, Wanted, remarks_of
+from ..text import quoted, say, say_wrapped
+from .block import Block
+from .cells import LABEL, Indices, Lookup, Numbers, Reader
+from .columns import DOUBT, SIDES, STATUS, BadCells, BadRecord, Wanted, remarks_of
 from .header import BadTable, Column, Header, check_inputs, check_units
-from .inferred import SoughtOne
+from .inferred import Unknowns
 from .readings import MATERIALS, may_be_diameter
-from .rows import Block, groups
+from .rows import groups
 
 if TYPE_CHECKING:
     from ..scene.uncertainty import Source, Sources
 
-_MAX_LABELS = 3  # that are named
 _RENAMED = {STATUS: "", "model": "", DOUBT: ", or write --no-doubt"}  # besides another name
-_SOME = 0.25  # a value that most inputs can have
 Asked = tuple[Sequence[str], Sequence[str]]  # quantities by name, and those that may lack inputs
 
 
@@ -68,8 +67,8 @@ class Fill(NamedTuple):
         if self.inverse is None:
             return Scene(given, *spheres, model=self.model)
         if self.inverse.quantity not in given:
-            raise BadCells(f"{self.inverse.quantity}: the row has no measured value")
-        return Observed.of([self.inverse.quantity], given, *spheres, model=self.model)
+            raise BadRecord(f"{self.inverse.quantity}: the row has no measured value", "no measured value")
+        return Problem.of([self.inverse.name], [self.inverse.quantity], given, *spheres, model=self.model)
 
 
 class Table:
@@ -112,66 +111,70 @@ class Table:
         """Return rows of texts, by the names of the columns. `odd`: records that are no rows, and why."""
         numbers = {reader.column.name: reader.numbers(cells) for reader in self.readers}
         materials = {name: self.lookups[name].indices(cells[name]) for name, _ in self.materials_at}
-        return self.block_of(
-            size, numbers, materials, odd, lambda row, name: cells[name][row].decode("utf-8", "replace")
-        )
-
-    def block_of(
-        self,
-        size: int,
-        numbers: Mapping[str, Any],
-        materials: Mapping[str, Indices],
-        odd: Mapping[int, str],
-        text: Callable[[int, str], str],
-    ) -> Block:
-        """Return rows of numbers and of materials by their indices; `text` is that of a row's cell in a column."""
-        own = [materials.get(name, numpy.zeros(size, dtype=numpy.int64)) for name in self.lookups]
-        lookups = [*self.lookups.values()]
-
-        def scene(given: Mapping[str, Any], rows: Indices) -> Any:
-            spheres = [lookup.together(of_sphere[rows]) for lookup, of_sphere in zip(lookups, own, strict=True)]
-            found = self.fill.scene(given, *spheres)
-            if LABEL in spheres and self.wanted.lacks(found):
-                raise BadCells  # each row by itself says which name is no material's
-            return found
-
-        kinds = [lookup.kinds(of_sphere) for lookup, of_sphere in zip(lookups, own, strict=True)]
-        return Block(
-            size,
-            numbers,
-            kinds,
-            scene,
-            lambda row: self.scene_of(partial(text, row)),
-            lambda row: tuple(int(of_sphere[row]) for of_sphere in own),
-            odd,
-        )
+        text = partial(_cell, cells)
+        return TableBlock(self, size, numbers, materials, odd, text)
 
     def scene_of(self, text_of: Callable[[str], str]) -> Any:
         """Return the scene of a row. `text_of` gives the cell of a column. Raises BadCells, or an error of the scene."""
         if all(text_of(name).strip() == self.texts[place].strip() for name, place in self.places.items()):
-            raise BadCells("the row repeats the header")
+            raise BadRecord("the row repeats the header")
         found: dict[str, Any] = dict(zip(MATERIALS, self.fill.spheres, strict=True))
         texts = {column.name: column.joined(*map(text_of, column.places)) for column in self.inputs}
         texts |= {name: text_of(name) for name, _ in self.materials_at}
         readers: dict[str, Callable[[str], Any]] = {column.name: column.read for column in self.inputs}
         readers |= {name: lookup.material for name, lookup in self.lookups.items()}
-        problems: list[str] = []
-        labels: list[str] = []
+        problems: list[JkrollError] = []
+        labels: list[JkrollError] = []
         for name, text in texts.items():
             try:
                 if text.strip():
                     found[name] = readers[name](text)
             except (UnknownMaterial, UnclearMaterial, MaterialsFileError) as error:
                 found[name] = LABEL
-                labels.append(str(error))
+                labels.append(error)
             except JkrollError as error:
-                problems.append(str(error))
+                problems.append(error)
         spheres = [found.pop(name) for name in MATERIALS]
         if not problems and labels and not self.wanted.lacks(scene := self.fill.scene(found, *spheres)):
             return scene
         if problems or labels:
-            raise BadCells("; ".join([*labels, *problems]))
+            raise BadCells([*labels, *problems])
         return self.fill.scene(found, *spheres)
+
+
+def _cell(cells: Mapping[str, Sequence[bytes]], row: int, name: str) -> str:
+    return cells[name][row].decode("utf-8", "replace")
+
+
+class TableBlock(Block):
+    """Some rows of a table. Those whose materials have the same properties are alike."""
+
+    def __init__(
+        self,
+        table: Table,
+        size: int,
+        numbers: Mapping[str, Numbers],
+        materials: Mapping[str, Indices],
+        odd: Mapping[int, str],
+        text: Callable[[int, str], str],
+    ) -> None:
+        """`materials`: their indices, by column; `text`: returns the cell of a row in a column."""
+        self.table, self.text = table, text
+        self.indices = {name: materials.get(name, numpy.zeros(size, dtype=numpy.int64)) for name in table.lookups}
+        kinds = [lookup.kinds(self.indices[name]) for name, lookup in table.lookups.items()]
+        super().__init__(size, numbers, kinds, odd)
+
+    def scene(self, given: Mapping[str, Any], rows: Indices) -> Any:
+        """Return the scene of the inputs of rows that are alike."""
+        spheres = [lookup.together(self.indices[name][rows]) for name, lookup in self.table.lookups.items()]
+        scene = self.table.fill.scene(given, *spheres)
+        if LABEL in spheres and self.table.wanted.lacks(scene):
+            raise BadCells([])  # each row by itself says which name is no material's
+        return scene
+
+    def scene_of(self, row: int) -> Any:
+        """Return the scene of a row by itself."""
+        return self.table.scene_of(partial(self.text, row))
 
 
 def table_of(
@@ -191,11 +194,11 @@ def table_of(
     """
     check_inputs(columns, fill.inverse.quantity if fill.inverse is not None else "")
     labels = _labels(columns, rows, fill.known)
-    scene, without_labels = _typical(columns, rows, fill, labels)
-    wanted = wanted_of(scene, columns, fill, asked, doubts=doubt, labels=labels if without_labels else {})
+    scenes, without_labels = _typical(columns, rows, fill, labels)
+    wanted = wanted_of(scenes, columns, fill, asked, doubts=doubt, labels=labels if without_labels else {})
     if alternatives:
-        wanted = wanted.with_alternatives([scene], wanted.names)
-    assumed = _assumed(scene, wanted, columns, rows, fill)
+        wanted = wanted.with_alternatives(scenes, wanted.names)
+    assumed = _assumed(scenes, wanted, columns, rows, fill)
     labels = labels and {**labels, **_aliases(columns, rows, fill.known)}
     table = Table(columns, fill, wanted, labels=labels, assumed=assumed)
     sources = _sources_of(table, rows)
@@ -222,13 +225,6 @@ def say_reading(columns: Header) -> None:
 
 def say_gaps(table: Table, columns: Header, quantities: str) -> None:
     """Say on stderr which names of materials in the first rows are unclear, and that nothing gives a radius."""
-    if unknown := [quoted(text) for text, message in table.labels.items() if not message]:
-        fails = (
-            "is not known; a row that needs it fails"
-            if len(unknown) == 1
-            else "are not known; rows that need them fail"
-        )
-        say_wrapped(f"note: material: {first_of(unknown, _MAX_LABELS)} {fails}", sys.stderr)
     for message in filter(None, table.labels.values()):
         say_wrapped(f"note: {message}", sys.stderr)
     if "radius" not in columns.names and "radius" not in table.fill.fixed and not quantities:
@@ -273,41 +269,47 @@ def _aliases(columns: Header, rows: Sequence[Sequence[str]], known: Materials) -
 
 
 def wanted_of(
-    scene: Any, columns: Header, fill: Fill, asked: Asked, *, doubts: bool, labels: Mapping[str, str]
+    scenes: Sequence[Any], columns: Header, fill: Fill, asked: Asked, *, doubts: bool, labels: Mapping[str, str]
 ) -> Wanted:
-    """Return the quantities that columns and options allow, without uncertainties.
+    """Return the quantities that columns and options allow, without uncertainties: those that some scene has.
 
-    `scene`: one that has what these give; `labels`: names that are no material's, if it leaves out what they would give.
+    `labels`: names that are no material's, if the scenes leave out what they would give.
     """
     if fill.inverse is not None:
-        check_one(*fill.inverse, scene.scene)
-        return SoughtOne([fill.inverse.name], [fill.inverse.quantity], sides=(), doubts=doubts)
-    has_own_2 = any(NOMENCLATURE[name].sphere == 2 for name in columns.names)
+        scenes[0].check()
+        return Unknowns([fill.inverse.name], [fill.inverse.quantity], sides=(), doubts=doubts)
     explicit, offered = asked
     for name in explicit:
         if name in columns.names or name in fill.fixed:
             raise BadRequest(f"--quantities: {name} is an input here")
-        try:
-            scene.plan(name)
-        except MissingInput as error:
-            if not labels:
-                raise
+        outcomes = [_lack_of(name, scene) for scene in scenes]
+        if all(isinstance(error, MissingInput) and not isinstance(error, NotInLaw) for error in outcomes):
             texts = [message or f"material: {quoted(text)} is not known" for text, message in labels.items()]
-            raise BadTable("; ".join([*texts[:1], str(error)])) from None
-    missing = scene.missing(offered)
+            if texts:
+                raise BadTable("; ".join([texts[0], str(outcomes[0])]))
+            raise next(filter(None, outcomes))
+    has_own_2 = any(NOMENCLATURE[name].sphere == 2 for name in columns.names)
     possible = [
         name
         for name in offered
         if name not in columns.names
-        and scene.shows(name)
         and not (NOMENCLATURE[name].of_identical and has_own_2)
-        and name not in missing
+        and any(scene.shows(name) and _lack_of(name, scene) is None for scene in scenes)
     ]
     names = tuple(dict.fromkeys((*explicit, *possible)))
     if not names:
-        scene.plan(offered[0])
+        scenes[0].plan(offered[0])
         raise BadRequest("--quantities: these are known of identical spheres only, and the table describes sphere 2")
     return Wanted(names, named=[*explicit, *filter(_is_of_cells, possible)], sides={}, doubts=doubts)
+
+
+def _lack_of(name: str, scene: Any) -> MissingInput | None:
+    """Return what a scene lacks of a quantity, if it lacks something."""
+    try:
+        scene.plan(name)
+    except MissingInput as error:
+        return error
+    return None
 
 
 def _is_of_cells(name: str) -> bool:
@@ -318,33 +320,36 @@ def _is_of_cells(name: str) -> bool:
 
 def _typical(
     columns: Header, rows: Sequence[Sequence[str]], fill: Fill, unknown: Mapping[str, str]
-) -> tuple[Any, bool]:
-    """Return a scene that has what the columns and options give, and whether it leaves out materials.
+) -> tuple[list[Any], bool]:
+    """Return scenes that have what the columns and options give, and whether they leave out materials.
 
-    It leaves out those of columns that have no known name in the first rows, unless they were meant as materials:
+    They leave out those of columns that have no known name in the first rows, unless they were meant as materials:
     without them, there is no work of adhesion, or it is not known whether there is. `unknown`: names that are no material's.
     """
     cells = {name: {row[place] for row in rows if row[place].strip()} for name, place in columns.materials}
-    labels = [name for name, own in cells.items() if own and own <= unknown.keys()]
-    infinite = [column.name for column in columns.inputs if _is_infinite(column, rows)]
-    scene = _as_known(columns, fill, labels, infinite)
-    may_lack = fill.inverse is not None or scene.missing(["work_of_adhesion"])
+    labels = [name for name, texts in cells.items() if texts and texts <= unknown.keys()]
+    infinite = {column.name for column in columns.inputs if _is_infinite(column, rows)}
+    scenes = _as_known(columns, fill, labels, infinite)
+    may_lack = fill.inverse is not None or scenes[0].missing(["work_of_adhesion"])
     if labels and may_lack:  # their rows will say that they are unknown
         return _as_known(columns, fill, [], infinite), False
-    return scene, bool(labels)
+    return scenes, bool(labels)
 
 
-def _assumed(scene: Any, wanted: Wanted, columns: Header, rows: Sequence[Sequence[str]], fill: Fill) -> list[str]:
+def _assumed(
+    scenes: Sequence[Any], wanted: Wanted, columns: Header, rows: Sequence[Sequence[str]], fill: Fill
+) -> list[str]:
     """Return the inputs of results that nothing gives, so that their defaults hold in all rows."""
-    is_inverse = fill.inverse is not None
-    whole = scene.scene if is_inverse else scene
-    used = scene.used(wanted.names) if is_inverse else scene.inputs_of(*scene.possible(wanted.names))
+    used: set[str] = set()
+    for scene in scenes:
+        used |= {*scene.used()} if fill.inverse else {*scene.inputs_of(*scene.possible(wanted.names))}
     materials = [*filter(None, fill.spheres)]
     for text in {row[place] for row in rows for _, place in columns.materials}:
         with suppress(JkrollError):  # of a label
             materials.append(fill.known[text])
-    own = {XI} if any(one.displacement is not None for one in materials) else set()
-    return [name for name in DEFAULTS if name in used and name not in own | whole.given.keys()]
+    given = {*columns.names, *fill.fixed}
+    given |= {XI} if any(material.displacement is not None for material in materials) else set()
+    return [name for name in DEFAULTS if name in used - given]
 
 
 def idle_of(table: Table) -> list[str]:
@@ -366,31 +371,40 @@ def _is_infinite(column: Column, rows: Sequence[Sequence[str]]) -> bool:
     return False
 
 
-def _as_known(columns: Header, fill: Fill, labels: Collection[str], infinite: Collection[str]) -> Any:
-    """Return a scene in which every column has a value, but for those of labels; of columns that exclude each other, the first.
+def _as_known(columns: Header, fill: Fill, labels: Collection[str], infinite: Collection[str]) -> list[Any]:
+    """Return scenes in which the columns have values, but for those of labels, so that each column has one in some scene.
 
-    `infinite`: inputs that are infinite in all rows that are known.
+    Of columns that exclude each other, a scene has one. `infinite`: inputs that are infinite in all rows that are known.
     """
-    given: dict[str, float] = {}
-    measured = set() if fill.inverse is None else {fill.inverse.quantity}  # which is no input of the scene
-    for column in columns.inputs:
-        others = given.keys() - measured
-        if column.name in measured or not any(
-            column.name in names and not others.isdisjoint(names) for names in EXCLUSIVE
-        ):
-            given[column.name] = INFINITY if column.name in infinite else _some(column.name)
-    some = LABEL._replace(properties=dict.fromkeys(PROPERTIES, _SOME))
+    some = LABEL._replace(properties={name: _example(name) for name in PROPERTIES})
     spheres = dict(zip(MATERIALS, fill.spheres, strict=True))
     if columns.materials:  # each row says whether both spheres are of the solid that has a displacement
-        spheres = {name: one and one._replace(displacement=None) for name, one in spheres.items()}
+        spheres = {name: sphere and sphere._replace(displacement=None) for name, sphere in spheres.items()}
     spheres |= {name: LABEL if name in labels else some for name, _ in columns.materials}
-    return fill.scene(given, *spheres.values())
+    measured = fill.inverse.quantity if fill.inverse is not None else ""  # which is no input of the scene
+    names = [column.name for column in columns.inputs]
+    cases = dict.fromkeys(_without_exclusive(first, names, measured) for first in names or [""])
+    return [
+        fill.scene({name: INFINITY if name in infinite else _example(name) for name in case}, *spheres.values())
+        for case in cases
+    ]
 
 
-def _some(name: str) -> float:
+def _without_exclusive(first: str, names: Sequence[str], measured: str) -> tuple[str, ...]:
+    """Return names, the first one among them, without those that it or an earlier one excludes."""
+    chosen: set[str] = set()
+    for name in (first, *names):
+        others = chosen - {measured, name}
+        if name == measured or not any(name in group and not others.isdisjoint(group) for group in EXCLUSIVE):
+            chosen.add(name)
+    return tuple(name for name in names if name in chosen)
+
+
+def _example(name: str) -> float:
     """Return a value that an input can have."""
-    limits = NOMENCLATURE[name].range
-    return _SOME if limits.admits(_SOME) else limits.low
+    example = NOMENCLATURE[name].example
+    value = value_of(example, name) if example else 1.0
+    return value if isinstance(value, float) else value.value
 
 
 def _sources_of(table: Table, rows: Sequence[Sequence[str]]) -> "list[Sources]":

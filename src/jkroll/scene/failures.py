@@ -3,7 +3,7 @@
 Below: the numbers for which the physics gives a formula no result, with the error that says why.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from math import isinf
 from typing import Any, NamedTuple
 
@@ -12,6 +12,7 @@ from ..physics.contact import pull_off_force_dmt
 from ..physics.jkr import FOLD_APPROACH
 from ..quantities.formatting import DIGITS, Format, amount
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
+from ..quantities.values import parse_quantity
 from ..text import listed
 from .wiring import parameters_of
 
@@ -24,6 +25,7 @@ class MissingInput(JkrollError):
     def __init__(self, wanted: str, missing: Sequence[str], instead: Sequence[str] = (), lacking: str = "") -> None:
         super().__init__(wanted, tuple(missing), tuple(instead), lacking)
         self.wanted, self.missing, self.instead, self.lacking = wanted, tuple(missing), tuple(instead), lacking
+        self.phrase = needs_in_words(self.missing)
 
     def __str__(self) -> str:
         return f"{self.wanted} {self.reason()}"
@@ -49,6 +51,12 @@ class MissingInput(JkrollError):
         return f"{words}{self.lacking and '; ' + self.lacking}; give {give}{instead}"
 
 
+def needs_in_words(missing: Iterable[str]) -> str:
+    """Return which inputs are missing, by their names; an empty text if none is."""
+    names = [*missing]
+    return f"needs {listed(names)}" if names else ""
+
+
 class NotInLaw(MissingInput):
     """Error raised for a quantity that a law of attraction does not have."""
 
@@ -59,6 +67,7 @@ class NotInLaw(MissingInput):
     def __init__(self, wanted: str, absent: Sequence[str], law: str) -> None:
         JkrollError.__init__(self, wanted, tuple(absent), law)
         self.wanted, self.absent, self.law = wanted, tuple(absent), law
+        self.phrase = f"not in {law}"
 
     def __str__(self) -> str:
         return f"{self.wanted}: {self.reason()}"
@@ -93,6 +102,15 @@ def _told_apart(name: str, value: float, limit: float) -> tuple[str, str]:
         form = Format(digits=digits)
         texts = amount(name, value, form), amount(name, limit, form)
     return texts
+
+
+def _held(name: str, least: float) -> str:
+    """Return the least value that a contact holds as it may be typed: with so many digits that rounding does not put it beyond."""
+    digits, text = DIGITS, amount(name, least)
+    while parse_quantity(text, name) < least and digits < MAX_DIGITS:
+        digits += 1
+        text = amount(name, least, Format(digits=digits))
+    return text
 
 
 class Contradiction(JkrollError):
@@ -131,6 +149,7 @@ class NoContact(NoResult):
 class BeyondPullOff(NoContact):
     """Error raised at a tension larger than the pull-off force, where there is no contact."""
 
+    phrase = "beyond pull-off"
     name = "load"
 
     def __init__(self, load: float, least: float, by_maugis: float = 0.0) -> None:
@@ -139,16 +158,17 @@ class BeyondPullOff(NoContact):
 
     def reason(self) -> str:
         """Return which loads this contact holds."""
-        load, held = _told_apart("load", self.load, self.least)
-        text = f"{load} is beyond pull-off; this contact holds down to {held}"
+        load, _ = _told_apart("load", self.load, self.least)
+        text = f"{load} is beyond pull-off; this contact holds down to {_held('load', self.least)}"
         if not self.by_maugis:
             return text
-        return f"{text}; by Maugis' law it holds down to {amount('load', self.by_maugis)} (--model maugis)"
+        return f"{text}; by Maugis' law it holds down to {_held('load', self.by_maugis)} (--model maugis)"
 
 
 class BeyondFold(NoContact):
     """Error raised at an approach at which even fixed grips have let go."""
 
+    phrase = "beyond the fold"
     name = "approach_at_load"
 
     def __init__(self, approach: float, least: float) -> None:
@@ -157,13 +177,15 @@ class BeyondFold(NoContact):
 
     def reason(self) -> str:
         """Return which approaches this contact holds."""
-        approach, least = _told_apart("approach_at_load", self.approach, self.least)
+        approach, _ = _told_apart("approach_at_load", self.approach, self.least)
+        least = _held("approach_at_load", self.least)
         return f"{approach} is beyond the fold; fixed grips hold this contact down to {least}"
 
 
 class TooMuchHysteresis(NoResult):
     """Error raised for an adhesion hysteresis above the work of adhesion."""
 
+    phrase = "hysteresis above work of adhesion"
     name = "adhesion_hysteresis"
 
     def __init__(self, hysteresis: float, work: float) -> None:
@@ -179,6 +201,8 @@ class TooMuchHysteresis(NoResult):
 class TwoRigidBodies(NoResult):
     """Error raised where both bodies are rigid: JKR's contact has no area then."""
 
+    phrase = "both bodies are rigid"
+
     def reason(self) -> str:
         """Return what a contact area needs."""
         return "both bodies are rigid; a contact area needs one that deforms"
@@ -186,6 +210,8 @@ class TwoRigidBodies(NoResult):
 
 class RestsOnSpacing(NoResult):
     """Error raised for a quantity that the atomic spacing decides on, where it was not given."""
+
+    phrase = "needs atomic_spacing"
 
     def __init__(self, name: str) -> None:
         super().__init__(name)
@@ -200,6 +226,7 @@ class RestsOnSpacing(NoResult):
 class NoChain(NoResult):
     """Error raised for a chain that has a plane in it."""
 
+    phrase = "sphere 2 is a plane"
     name = "r_min"
 
     def reason(self) -> str:
@@ -210,6 +237,8 @@ class NoChain(NoResult):
 class OfIdenticalSpheres(NoResult):
     """Error raised where all that is asked for is known of identical spheres only, and sphere 2 differs."""
 
+    phrase = "sphere 2 differs"
+
     def reason(self) -> str:
         """Return what is wrong with sphere 2."""
         return "sphere 2 differs from sphere 1; this is known of identical spheres only"
@@ -217,6 +246,8 @@ class OfIdenticalSpheres(NoResult):
 
 class NotHeld(NoResult):
     """Error raised for what only spheres have that hold together by themselves, between pull-off and the fold."""
+
+    phrase = "held by grips alone"
 
     def __init__(self, name: str) -> None:
         super().__init__(name)
@@ -230,6 +261,7 @@ class NotHeld(NoResult):
 class Apart(NoResult):
     """Error raised for what only a contact circle has, where spheres attract without touching."""
 
+    phrase = "no contact circle"
     name = "contact_displacement"
 
     def reason(self) -> str:
@@ -239,6 +271,8 @@ class Apart(NoResult):
 
 class NoFiniteValue(NoResult):
     """Error raised for a result outside the range of doubles, or without limit."""
+
+    phrase = "no finite value"
 
     def __init__(self, name: str, value: float) -> None:
         super().__init__(name, value)
@@ -251,6 +285,8 @@ class NoFiniteValue(NoResult):
 
 class InfiniteValue(NoResult):
     """Error raised where a number is to be written and the value is infinite, such as the mass of a plane."""
+
+    phrase = "infinite"
 
     def __init__(self, name: str) -> None:
         super().__init__(name)
@@ -266,6 +302,8 @@ NO_END = "no uncertainty, as there is no value at an end of an input: "  # the l
 
 class NoUncertainty(NoResult):
     """Error raised for a value whose uncertainty is wanted, and which has none."""
+
+    phrase = "no error bar"
 
     def __init__(self, name: str, error: JkrollError) -> None:
         super().__init__(name, error)

@@ -2,7 +2,7 @@
 
 The assumptions of a scene are stated here, once: sphere 2 is like sphere 1 in everything that is not said of it, and
 the names in DEFAULTS have values if nothing else is said. A scene takes numbers in the range of their quantity, from
-1e-60 to 1e60 in SI units. It gives results that doubles hold with all digits, and zeros where the physics has them.
+1e-30 to 1e30 in SI units. It gives results that doubles hold with all digits, and zeros where the physics has them.
 """
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
@@ -17,7 +17,7 @@ from ..physics.elementary import NUMBER, where
 from ..physics.pair import reduced_radius
 from ..quantities.errors import OutOfRange, UnknownQuantity
 from ..quantities.laws import DEFAULT_LAW, Law, law_named
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE, UP_TO_INFINITE, XI, of_sphere
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, STATE, UP_TO_INFINITE, XI, Range, of_sphere
 from ..quantities.values import Interval, Uncertain, is_uncertain
 from .failures import (
     Contradiction,
@@ -33,50 +33,37 @@ from .wiring import NO_PLAN, OF_A_SOLID, Missing, Plan, Step, depends_on, formul
 
 # --- Numbers that a scene takes ---------------------------------------------------------------------------------------
 
-LEAST, MOST = 1e-60, 1e60  # of the size of an input in SI units, if it is neither 0 nor infinite
-MAGNITUDE = "must lie between 1e-60 and 1e60 in SI units"
+LEAST, MOST = 1e-30, 1e30  # of the size of an input in SI units; one that may be 0 may be smaller
+MAGNITUDE = "must lie between 1e-30 and 1e30 in SI units"
 
 
 def check_range(name: str, value: Any) -> None:
     """Raise OutOfRange for a number, or an array with an element, that a quantity cannot have."""
-    if isinstance(value, NUMBER) and name in _SCALED and LEAST <= value <= MOST:
-        return
     if name not in NOMENCLATURE:
         raise UnknownQuantity(name)
-    first, place = value, ()
+    limits = NOMENCLATURE[name].range
     if isinstance(value, NUMBER):
-        if _fits(name, value):
-            return
-    else:
-        refused = outside(name, value)
-        if not refused.any():
-            return
+        if not takes(name, value):
+            raise OutOfRange(name, value, _wanted(limits, value))
+    elif (refused := ~takes(name, value)).any():
         place = tuple(places[0].item() for places in refused.nonzero())
         first = value[place].item()
-    limits = NOMENCLATURE[name].range
-    words = limits.words if isfinite(first) else "must be finite"
-    raise OutOfRange(name, first, MAGNITUDE if limits.admits(first) else words, place)
+        raise OutOfRange(name, first, _wanted(limits, first), place)
 
 
-def outside(name: str, values: Any) -> Any:
-    """Return which elements of an array a quantity cannot have."""
-    import numpy
-
-    if name in _SCALED and values.size and values.min() >= LEAST and values.max() <= MOST:
-        return numpy.zeros(values.shape, dtype=bool)
-    return ~_fits(name, values)
-
-
-def _fits(name: str, value: Any) -> Any:
-    """Return whether a quantity can have a number, or each element of an array, and a scene takes its size."""
-    size = abs(value)
-    is_taken = (size >= LEAST) & (size <= MOST) | (value == 0) | (value == INFINITY) | (name in _OF_ANY_SIZE)
-    return is_taken & NOMENCLATURE[name].range.admits(value)
+def takes(name: str, value: Any) -> Any:
+    """Return whether a scene takes a number, or each element of an array, as the value of a quantity."""
+    limits, size = NOMENCLATURE[name].range, abs(value)
+    is_large_enough = (size >= LEAST) | limits.admits(0.0)
+    is_small_enough = (size <= MOST) | (value == INFINITY)
+    return limits.admits(value) & is_large_enough & is_small_enough
 
 
-_OF_ANY_SIZE = ("poisson_ratio", "poisson_ratio2")  # only 1 − ν² enters a formula
-# Any ordinary positive number is within their range.
-_SCALED = {name for name, one in NOMENCLATURE.items() if one.range.low <= 0 and one.range.high == INFINITY}
+def _wanted(limits: Range, value: float) -> str:
+    """Return the words for a number that is not taken: the range of its quantity, or that of all."""
+    if not isfinite(value):
+        return "must be finite"
+    return MAGNITUDE if limits.admits(value) else limits.words
 
 
 # --- Numbers that a scene gives ---------------------------------------------------------------------------------------

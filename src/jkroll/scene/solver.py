@@ -89,7 +89,7 @@ def solve(
     Raises
     ------
     MissingInput, UnknownMaterial, UnknownQuantity, QuantityError, OutOfRange
-        An input is wrong, or one is missing. Sizes range from 1e-60 to 1e60 in SI units.
+        An input is wrong, or one is missing. Sizes range from 1e-30 to 1e30 in SI units.
     NoResult
         The physics has no answer: a tension beyond pull-off, two rigid bodies; or a number on the way to it leaves the
         doubles. Arrays hold nan there instead.

@@ -10,13 +10,12 @@ from itertools import product
 from math import erfc, fsum, isfinite, isnan, nan, sqrt
 from typing import Any, NamedTuple
 
-from ..errors import JkrollError, NoResult
+from ..errors import JkrollError
 from ..physics.elementary import at_least, at_most, hypot, where
 from ..quantities.nomenclature import NOMENCLATURE, XI
 from ..quantities.values import Interval, Measured, Uncertain, is_uncertain
-from .inverse import Observed, solutions
+from .inverse import Problem
 from .scene import Scene
-from .unknowns import solved_near
 from .wiring import in_order
 
 MAX_RANGES = 8  # whose corners are computed, all together
@@ -30,30 +29,17 @@ FEW = 800  # places that floats compute in the time of importing numpy: those of
 class MixedKinds(JkrollError):
     """Error raised for a range and a standard uncertainty in one scene."""
 
-    def __init__(self, measured: str, interval: str) -> None:
-        super().__init__(measured, interval)
-        self.measured, self.interval = measured, interval
-
-    def __str__(self) -> str:
-        return f"{self.measured} has a standard uncertainty (±) and {self.interval} a range; give both as ± or both as ranges"
+    phrase = "± and range together"
 
 
 class TooManyRanges(JkrollError):
     """Error raised for more ranges than can be combined."""
 
-    def __init__(self, count: int) -> None:
-        super().__init__(count)
-        self.count = count
-
-    def __str__(self) -> str:
-        return f"{self.count} ranges are more than {MAX_RANGES}; give some of these inputs one value"
+    phrase = "too many ranges"
 
 
 class Inseparable(JkrollError):
     """Error raised for a range of a radius with which the displacement of a material moves, of which it has a range at each."""
-
-    def __str__(self) -> str:
-        return "ξ of the material is scaled with the radius, which has a range here; give --xi, or single radii"
 
 
 # --- Sources ----------------------------------------------------------------------------------------------------------
@@ -100,16 +86,19 @@ def sources_of(scene: Scene, used: Collection[str], measured: Sequence[Source] =
     kinds = {type(source.given) for source in stated or of_materials}
     if len(kinds) > 1 and stated:
         symbols = {type(source.given): NOMENCLATURE[source.names[0]].symbol for source in stated}
-        raise MixedKinds(symbols[Measured], symbols[Interval])
+        mixed = f"{symbols[Measured]} has a standard uncertainty (±) and {symbols[Interval]} a range"
+        raise MixedKinds(f"{mixed}; give both as ± or both as ranges")
     kind = Measured if Measured in kinds else Interval
     left_out = [source for source in of_materials if not isinstance(source.given, kind)]
     sources = Sources([source for source in (*stated, *of_materials) if isinstance(source.given, kind)], left_out)
     if kind is Interval:
         if len(sources.entering) > MAX_RANGES:
-            raise TooManyRanges(len(sources.entering))
+            count = len(sources.entering)
+            raise TooManyRanges(f"{count} ranges are more than {MAX_RANGES}; give some of these inputs one value")
         moves_radius = not sources.given.keys().isdisjoint(("radius", "radius2"))
         if XI in sources.given and XI not in scene.stated and moves_radius:
-            raise Inseparable
+            remedy = "give --xi, or single radii"
+            raise Inseparable(f"ξ of the material is scaled with the radius, which has a range here; {remedy}")
     return sources
 
 
@@ -229,6 +218,13 @@ def _evaluation(
     return evaluate
 
 
+def as_columns(places: Sequence[Place]) -> list[Any]:
+    """Return the values of each source at all places, as an array."""
+    import numpy
+
+    return [*numpy.transpose(places)]
+
+
 def _as_arrays(at: Callable[[Place], Mapping[str, Any]], places: Sequence[Place]) -> Outcomes:
     """Iterate over quantities at many places. A place without a value has the reason that it has by itself."""
     import numpy
@@ -237,7 +233,7 @@ def _as_arrays(at: Callable[[Place], Mapping[str, Any]], places: Sequence[Place]
         name: [outcome] * len(places)
         if isinstance(outcome, JkrollError)
         else numpy.broadcast_to(outcome, len(places)).tolist()
-        for name, outcome in at([*numpy.transpose(places)]).items()
+        for name, outcome in at(as_columns(places)).items()
     }
     for place, row in zip(places, zip(*columns.values(), strict=True), strict=True):
         outcomes = dict(zip(columns, row, strict=True))
@@ -360,8 +356,7 @@ def _widths(
 def _squares(changes: Iterable[tuple[float, float]]) -> list[float]:
     """Return the squares of the changes of a number by each source, over the largest of them: they may leave the doubles."""
     sizes = [hypot(low, high) for low, high in changes]
-    largest = max(sizes)
-    return [(size / largest) ** 2 if size else 0.0 for size in sizes]
+    return [(size / max(sizes)) ** 2 if size else 0.0 for size in sizes]
 
 
 def _shares(sources: Sequence[Source], parts: Sequence[float]) -> dict[str, float]:
@@ -371,38 +366,41 @@ def _shares(sources: Sequence[Source], parts: Sequence[float]) -> dict[str, floa
     return dict(sorted(shares.items(), key=lambda share: -share[1]))
 
 
-# --- Inferred inputs --------------------------------------------------------------------------------------------------
+# --- Unknowns ---------------------------------------------------------------------------------------------------------
 
 
-def inferred_sources(names: Sequence[str], observed: Observed) -> Sources:
-    """Return the sources of the uncertainty of inferred inputs: the measured values, and the inputs of the scene."""
-    of_measured = [Source((quantity,), one) for quantity, one in observed.measured.items() if is_uncertain(one)]
-    return sources_of(observed.scene, observed.used(names), of_measured)
+def sources_of_problem(problem: Problem) -> Sources:
+    """Return the sources of the uncertainty of unknowns: the measured values, and the inputs of the scene."""
+    of_measured = [Source((quantity,), given) for quantity, given in problem.measured.items() if is_uncertain(given)]
+    return sources_of(problem.scene, problem.used(), of_measured)
 
 
-def inferred_uncertainties(values: Mapping[str, float], observed: Observed) -> tuple[Bars, Sources]:
-    """Return the uncertainties of inferred inputs, and their sources."""
-    sources = inferred_sources([*values], observed)
+def uncertainties_of_unknowns(values: Mapping[str, float], problem: Problem) -> tuple[Bars, Sources]:
+    """Return the uncertainties of the unknowns that solve a problem, and their sources."""
+    from .unknowns import solutions
 
-    def at(place: Place) -> Mapping[str, Any]:
-        try:
-            return solved_near(values, observed.changed(moved(sources.entering, place)))
-        except NoResult as error:
-            return dict.fromkeys(values, error)
+    sources = sources_of_problem(problem)
 
-    return propagated(lambda places: map(at, places), values, sources.entering), sources
+    def evaluate(places: Sequence[Place]) -> Outcomes:
+        changed = moved(sources.entering, as_columns(places))
+        found = solutions(problem.replace(changed), len(places), near=values)
+        for row in range(len(places)):
+            error = found.failures.get(row)
+            yield {name: error or float(column[row]) for name, column in found.values.items()}
+
+    return propagated(evaluate, values, sources.entering), sources
 
 
-def inferred_uncertainty_of_elements(name: str, values: Any, observed: Observed) -> dict[str, Elements]:
-    """Return the uncertainty of the values of an inferred input."""
-    import numpy
+def uncertainties_of_elements_of_unknowns(
+    values: Mapping[str, Any], size: int, problem: Problem
+) -> dict[str, Elements]:
+    """Return the uncertainties of the unknowns that solve a problem of arrays."""
+    from .unknowns import solutions
 
-    sources = inferred_sources([name], observed).entering
+    sources = sources_of_problem(problem).entering
 
-    def at(place: Place) -> Mapping[str, Any]:
-        other = observed.changed(moved(sources, place))
-        ((quantity, level),) = other.measured.items()
-        found = solutions(name, quantity, numpy.broadcast_to(level, values.shape), other.scene)
-        return {name: numpy.array([one if isinstance(one, float) else nan for one in found])}
+    def evaluate(places: Sequence[Place]) -> Outcomes:
+        changed = (problem.replace(moved(sources, place)) for place in places)
+        return (solutions(other, size, near=values).values for other in changed)
 
-    return elements(lambda places: map(at, places), {name: values}, sources)
+    return elements(evaluate, values, sources)
