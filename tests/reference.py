@@ -265,7 +265,7 @@ def _aggregates(
         name = kind.partition("_")[0]
         found |= {f"{name}_energy{end}": energy, f"{name}_speed{end}": sqrt(4 * energy / (N * m1))}
     return found | {
-        "compressive_strength": 2 * roll / R1**3 / (1 / phi - 1 / mpf(0.74)) ** 3,
+        "compressive_strength": 2 * roll / R1**3 / (1 / phi - 1 / mpf("0.74")) ** 3,
         "tensile_strength": mpf("0.6") * phi ** mpf("1.8") * gamma / R1,
     }
 
@@ -532,7 +532,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "disruption_energy_dust_simulation": lambda E_break_rule, n_c: 20 * n_c * E_break_rule,
     "disruption_speed": lambda E_disr, n, m1: sqrt(4 * E_disr / (n * m1)),
     "disruption_speed_dust_simulation": lambda E_disr_rule, n, m1: sqrt(4 * E_disr_rule / (n * m1)),
-    "compressive_strength": lambda E_roll_half, R1, phi: E_roll_half / R1**3 / (1 / phi - 1 / mpf(0.74)) ** 3,
+    "compressive_strength": lambda E_roll_half, R1, phi: E_roll_half / R1**3 / (1 / phi - 1 / mpf("0.74")) ** 3,
     "tensile_strength": lambda w, R1, phi: mpf("0.6") * phi ** mpf("1.8") * w / 2 / R1,
     # conventions
     "fold_energy": lambda W_adhesion: cbrt(mpf(9) / 16) * W_adhesion,

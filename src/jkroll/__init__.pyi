@@ -101,6 +101,7 @@ from .physics.maugis import unloaded_radius_maugis as unloaded_radius_maugis
 from .physics.maugis import zone_radius as zone_radius
 from .physics.maugis import zone_span as zone_span
 from .physics.maugis import zone_span_at_approach as zone_span_at_approach
+from .physics.maugis_energies import fold_energy_maugis as fold_energy_maugis
 from .physics.maugis_energies import pull_off_work_at_dead_load_maugis as pull_off_work_at_dead_load_maugis
 from .physics.maugis_energies import pull_off_work_maugis as pull_off_work_maugis
 from .physics.maugis_energies import state_energy_maugis as state_energy_maugis

@@ -11,6 +11,7 @@ from ..errors import JkrollError, NoResult
 from ..physics.contact import pull_off_force_dmt
 from ..physics.jkr import FOLD_APPROACH
 from ..quantities.formatting import DIGITS, Format, amount
+from ..quantities.laws import DEFAULT_LAW, law_of
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..quantities.values import parse_quantity
 from ..text import listed
@@ -81,12 +82,17 @@ class NotInLaw(MissingInput):
         return self._of_the_law() or super().reason_of_several()
 
     def _of_the_law(self) -> str:
-        return f"not in {self.law}; give --model jkr" if self.absent == (self.wanted,) else ""
+        return f"not in {self.law}; give --model {self._giver}" if self.absent == (self.wanted,) else ""
+
+    @property
+    def _giver(self) -> str:
+        """The law that has it."""
+        return law_of(self.absent[0]) or DEFAULT_LAW
 
     def needs(self) -> str:
         """Return the quantity that the law does not have."""
         words = listed(NOMENCLATURE[name].sentence for name in self.absent)
-        return f"{words}, which {self.law} does not have; give --model jkr"
+        return f"{words}, which {self.law} does not have; give --model {self._giver}"
 
 
 def _as_typed(name: str) -> str:
