@@ -55,7 +55,9 @@ class OnlyGiven(JkrollError):
 def only_given(name: str, quantity: str) -> OnlyGiven:
     """Return the error of a measured input, with how it is given where another one is asked for."""
     option = NOMENCLATURE[quantity].option or quantity
-    return OnlyGiven(f"{quantity} is an input, and no formula gives it; give it as {option}, and ask for {name} without infer")
+    return OnlyGiven(
+        f"{quantity} is an input, and no formula gives it; give it as {option}, and ask for {name} without infer"
+    )
 
 
 def no_unknown(word: str) -> CannotInfer:
