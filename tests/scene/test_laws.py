@@ -524,7 +524,7 @@ WITHIN = {
 @pytest.mark.parametrize(("model", "name"), [(model, name) for model, names in WITHIN.items() for name in names])
 def test_where_a_law_is_within_5_per_cent_depends_on_the_quantity(model: str, name: str) -> None:
     border = WITHIN[model][name]
-    pair = {"reduced_radius": 5e-7, "radius": 1e-6, "work_of_adhesion": 0.05, "contact_modulus": 1e9}
+    pair: dict[str, Any] = {"reduced_radius": 5e-7, "radius": 1e-6, "work_of_adhesion": 0.05, "contact_modulus": 1e9}
     unit = (pair["reduced_radius"] * (pair["work_of_adhesion"] / pair["contact_modulus"]) ** 2) ** (1 / 3)
     for factor, is_within in ((1.0, True), (0.6 if model == "jkr" else 1.7, False)):
         spacing = unit / (border * factor)
@@ -557,7 +557,7 @@ def test_what_another_law_has_is_refused_with_its_name(run: Run) -> None:
 
 def test_the_depth_of_the_fold_is_that_of_the_law_in_use() -> None:
     """P_c times the fold's depth of the reference; JKR's 27.03 aJ stood for the 45.2 aJ of dry silica."""
-    grain = {"material": "silica-dry", "radius": 1e-7}
+    grain: dict[str, Any] = {"material": "silica-dry", "radius": 1e-7}
     names = ["work_of_adhesion", "reduced_radius", "contact_modulus", "transition_parameter"]
     w, radius, modulus, transition = map(mpf, solve(names, model="maugis", **grain).values())
     depth = -reference.lowest_approach(transition) * cbrt(pi * w * radius**2 / (4 * modulus / 3)) ** 2 / radius
