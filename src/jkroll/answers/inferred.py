@@ -58,7 +58,7 @@ class Inferred(Answer):
         return {name: in_words(name, value) for name, value in self.problem.echo().items()}
 
     @cached_property
-    def assumed(self) -> list[str]:  # type: ignore[override]
+    def assumed(self) -> list[str]:
         """The names of inputs that were assumed: none that was measured."""
         return [name for name in super().assumed if name not in self.problem.measured]
 
