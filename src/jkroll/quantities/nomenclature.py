@@ -172,6 +172,9 @@ OF_DEM: Mapping[str, Quantity] = {
 
 # --- All quantities ---------------------------------------------------------------------------------------------------
 
+# What a contact has in place of its two spheres. No hint offers them: who has a sphere has its radius and its modulus.
+OF_THE_PAIR = ("reduced_radius", "contact_modulus")
+
 # The state of the contact follows from the load unless one of these is given.
 STATE = frozenset({"approach_at_load", "load_factor", "load_margin", "edge_ratio"})
 STATE_OR_LOAD = STATE | {"load"}
@@ -231,8 +234,8 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         # the pair
         "work_of_adhesion": Quantity("w", "J/m^2", "work of adhesion, 2√(γ1γ2)", "1", range=POSITIVE, option="--work-of-adhesion", example="50mJ/m2"),
         "radius_ratio": Quantity("R1/R2", "1", "ratio of the radii", "1", may_be_zero=True),
-        "reduced_radius": Quantity("R", "m", "reduced radius", "1", range=POSITIVE),
-        "contact_modulus": Quantity("E*", "Pa", "contact modulus", "2", range=POSITIVE),
+        "reduced_radius": Quantity("R", "m", "reduced radius", "1", range=POSITIVE, option="--reduced-radius", example="50nm"),
+        "contact_modulus": Quantity("E*", "Pa", "contact modulus", "2", range=POSITIVE, option="--contact-modulus", example="30GPa"),
         "contact_shear_modulus": Quantity("G*", "Pa", "contact shear modulus"),
         "reduced_mass": Quantity("m", "kg", "reduced mass", "33", range=POSITIVE),
         "reduced_moment_of_inertia": Quantity("I", "kg m^2", "reduced moment of inertia", "39"),

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 from ..physics import FORMULAS
 from ..quantities.errors import UnknownQuantity
 from ..quantities.laws import DEFAULT_LAW, Routes, differs, law_of, routes, routes_anywhere
-from ..quantities.nomenclature import NOMENCLATURE, of_sphere
+from ..quantities.nomenclature import NOMENCLATURE, OF_THE_PAIR, of_sphere
 
 # What another material of sphere 2 does not take over from sphere 1: all that each sphere has, but for the radius.
 OF_A_SOLID = frozenset(name for name, quantity in NOMENCLATURE.items() if quantity.sphere == 1 and quantity.option)
@@ -109,7 +109,7 @@ class _Path:
         arguments = tuple((parameter, self.visit(argument)) for parameter, argument in arguments_of(name))
         if NOMENCLATURE[name].sphere == 2 and not any(NOMENCLATURE[source].sphere == 2 for _, source in arguments):
             return self.visit(of_sphere(1, name))  # in this, sphere 2 is like sphere 1
-        if len(self.missing) > before and NOMENCLATURE[wanted].option:
+        if len(self.missing) > before and NOMENCLATURE[wanted].option and wanted not in OF_THE_PAIR:
             self.instead.append(wanted)
         self.steps.setdefault(name, Step(name, formula_of(name), arguments))
         return name
