@@ -120,6 +120,9 @@ OF_DEM: Mapping[str, Quantity] = {
     # of pair_style granular in LAMMPS
     "rolling_spring_constant": Quantity("k_roll", "N/m", "spring constant of rolling in LAMMPS"),
     "rolling_friction_coefficient": Quantity("μ_roll", "1", "coefficient of rolling friction in LAMMPS"),
+    "rolling_resistance_coefficient": Quantity(
+        "μ_r", "1", "rolling moment over the load and R", note="for codes that multiply the load by it, at this load alone"
+    ),
     "sliding_friction_coefficient": Quantity("μ_slide", "1", "coefficient of sliding friction in LAMMPS"),
     "twisting_friction_coefficient": Quantity("μ_twist", "m", "coefficient of twisting friction in LAMMPS, a length"),
     # aggregates
@@ -326,6 +329,7 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         ),
         "sliding_frequency": Quantity("f_slide", "Hz", "frequency of sliding with rotation", may_be_zero=True),
         "time_step": Quantity("Δt", "s", "time step for a simulation"),
+        "rayleigh_time": Quantity("t_R", "s", "time of a Rayleigh wave around half of sphere 1", may_be_zero=True),
         # validity
         "atomic_spacing": Quantity("z0", "m", "atomic spacing", range=POSITIVE, option="--z0", example="4angstrom"),
         "tabor_parameter": Quantity("μ", "1", "Tabor parameter", "1"),

@@ -264,6 +264,17 @@ class NotHeld(NoResult):
         return "beyond pull-off only fixed grips hold the contact; free spheres fly apart"
 
 
+class NotPressed(NoResult):
+    """Error raised for a coefficient by which the load is multiplied, of a contact that no load presses."""
+
+    phrase = "no load that presses"
+    name = "rolling_resistance_coefficient"
+
+    def reason(self) -> str:
+        """Return which load it needs."""
+        return "needs a load that presses the spheres; give --load 5nN"
+
+
 class Apart(NoResult):
     """Error raised for what only a contact circle has, where spheres attract without touching."""
 
@@ -415,6 +426,8 @@ def failure_of(step: str, given: Mapping[str, Any]) -> NoResult | None:
             found = NoChain()
         case "vertical_frequency" | "peeling_force" | "peeling_radius" if _is_held_by_grips_alone(given):
             found = NotHeld(step)
+        case "rolling_resistance_coefficient" if given["load"] <= 0:
+            found = NotPressed()
         case "contact_displacement" if given["edge_ratio"] == 0:
             found = Apart()
         case "yield_displacement_at_hysteresis" if given["adhesion_hysteresis"] > given["work_of_adhesion"]:
