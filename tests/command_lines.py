@@ -39,7 +39,7 @@ MEASURED = (
     "pull_off_force=10nN", "yield_force=100pN", "yield_moment=10aN m", "n_grav=1000", "n_roll=0.01", "stiffness=100N/m", "contact_radius=4nm",
     "vertical_frequency=1GHz", "hysteresis_ratio=0.5", "P_c=10±1nN,9nN", "sticking_speed=0.5m/s", "yield_force",
 )  # fmt: skip
-PROGRAMS = ("lammps", "lammps", "liggghts", "dust-simulation", "yade", "")
+PROGRAMS = ("lammps", "lammps", "liggghts", "dust-collider", "dust-simulation", "yade", "")
 QUANTITIES = [name for name, quantity in NOMENCLATURE.items() if quantity.equation]
 VALUES = {
     "materials": FILES,

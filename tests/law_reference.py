@@ -14,6 +14,7 @@ SYMBOLS = {
     "F_a": "adhesive_force", "Q": "yield_force", "c": "zone_radius", "dw": "adhesion_hysteresis", "part": "hysteresis_fraction",
     "mu": "tabor_parameter", "lambda_": "transition_parameter", "sigma0": "cohesive_stress",
     "edge": "edge_ratio", "edge0": "unloaded_edge_ratio", "T": "zone_span", "a_M": "unloaded_radius_maugis",
+    "fold": "fold_approach_maugis",
 }  # fmt: skip
 
 
@@ -165,6 +166,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "pull_off_work_at_dead_load_maugis": lambda edge0, w, R, E, lambda_: (
         (maugis.contact_energy(*maugis.pull_off(lambda_), lambda_) + well(edge0, lambda_)) * energy_unit(w, R, E)
     ),
+    "fold_energy_maugis": lambda P_c, fold: -P_c * fold,
     "sticking_energy_maugis": lambda w, R, E, lambda_: sticking(lambda_) * energy_unit(w, R, E),
 }  # fmt: skip
 

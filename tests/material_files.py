@@ -1,10 +1,14 @@
-"""Materials files as a whole; the library reads a material when it is asked for."""
+"""Materials files as a whole."""
 
 from os import PathLike
 
-from jkroll.materials.library import Material, _material, entries_of, path_of
+from jkroll.materials.library import Material, materials_in, path_of
 
 
 def read(path: str | PathLike[str]) -> list[Material]:
-    """Read and check a materials file; MaterialsFileError says what is wrong with it."""
-    return [_material(entry) for entry in entries_of(path_of(path))]
+    """Return the materials of a file; raise MaterialsFileError for the first thing that is wrong with it."""
+    materials = materials_in(path_of(path))
+    for material in materials:
+        if material.mistake is not None:
+            raise material.mistake
+    return materials

@@ -233,7 +233,7 @@ class _Values:
         if not self.kinds or not self._is(2 * self.part):
             return f"0.0{unit}"
         most = self.random.uniform(0.01, 1) * size
-        return f"0±{most!r}{unit}" if self.random.choice(self.kinds) == "±" else f"{-most!r} to {most!r}{unit}"
+        return f"(0±{most!r}){unit}" if self.random.choice(self.kinds) == "±" else f"{-most!r} to {most!r}{unit}"
 
     def _text(self, name: str, value: float) -> str:
         """Return a value as text, perhaps with an uncertainty."""
@@ -241,6 +241,6 @@ class _Values:
         if not self.kinds or not math.isfinite(value) or not self._is(self.part):
             return f"{value!r}{unit}"
         if self.random.choice(self.kinds) == "±":
-            return f"{value!r}±{abs(value) * self.random.choice([0.01, 0.1, 0.4])!r}{unit}"
+            return f"({value!r}±{abs(value) * self.random.choice([0.01, 0.1, 0.4])!r}){unit}"
         low, high = sorted(value * factor for factor in (self.random.uniform(0.3, 1), self.random.uniform(1, 3)))
         return f"{low!r} to {high!r}{unit}"

@@ -150,6 +150,7 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
             "rolling_stiffness": k,
             "rolling_spring_constant": k / R**2,
             "rolling_friction_coefficient": M / R / (P + 2 * P_c),
+            **({"rolling_resistance_coefficient": M / R / P} if P > 0 else {}),
             "yield_force": M / R1,
             "yield_force_fixed_load": M / R1 - P * xi / R2,
             "yield_force_ratio": M / R1 / P_c,
@@ -163,6 +164,7 @@ def exact_results(given: Mapping[str, float]) -> dict[str, Exact]:
             "rolling_frequency": sqrt(k / I) / (2 * pi),
             "rolling_frequency_as_printed": 3 / (2 * pi) * sqrt(gamma / (5 * R1**3 * rho1)),
             "rolling_frequency_no_slip": sqrt(4 * P_c * x / (R * m_eff)) / (2 * pi),
+            "rayleigh_time": pi * R1 * sqrt(2 * (1 + nu1) * rho1 / E1) / (mpf(0.8766) + mpf(0.1631) * nu1),
             "adhesion_energy": adhesion_energy,
             "energy": W0,
             **{name: factor * adhesion_energy for name, factor in ENERGIES.items()},
@@ -265,7 +267,7 @@ def _aggregates(
         name = kind.partition("_")[0]
         found |= {f"{name}_energy{end}": energy, f"{name}_speed{end}": sqrt(4 * energy / (N * m1))}
     return found | {
-        "compressive_strength": 2 * roll / R1**3 / (1 / phi - 1 / mpf(0.74)) ** 3,
+        "compressive_strength": 2 * roll / R1**3 / (1 / phi - 1 / mpf("0.74")) ** 3,
         "tensile_strength": mpf("0.6") * phi ** mpf("1.8") * gamma / R1,
     }
 
@@ -390,6 +392,13 @@ SYMBOLS = {
 }  # fmt: skip
 
 
+def _pressing(P: Exact) -> Exact:
+    """Return a load that presses; raise ValueError for another, by which no coefficient is multiplied."""
+    if P <= 0:
+        raise ValueError("no load that presses")
+    return P
+
+
 def _held(s: Exact) -> Exact:
     """The distance from pull-off of a contact that holds by itself; others have no equation."""
     if s < 0:
@@ -473,6 +482,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "rolling_stiffness": lambda F_a, R: F_a * R,
     "rolling_spring_constant": lambda k, R: k / R**2,
     "rolling_friction_coefficient": lambda M, R, P, P_c: M / R / (P + 2 * P_c),
+    "rolling_resistance_coefficient": lambda M, R, P: M / R / _pressing(P),
     "yield_force": lambda w, x, xi, q: 6 * pi * w * x * xi / (1 + q),
     "yield_force_fixed_load": lambda M, R1, P, xi, R2: M / R1 - P * xi / R2,
     "yield_force_ratio": lambda x, xi, R1: 4 * x * xi / R1,
@@ -505,6 +515,9 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "tangential_stiffness": lambda G, a: 8 * G * a,
     "sliding_frequency": lambda k_s, m: sqrt(7 * k_s / (2 * m)) / (2 * pi),
     "time_step": lambda f: 1 / (20 * f),
+    "rayleigh_time": lambda R1, rho1, E1, nu1: (
+        pi * R1 * sqrt(rho1 / (E1 / (2 * (1 + nu1)))) / (mpf(0.8766) + mpf(0.1631) * nu1)
+    ),
     # sliding and twisting, where the strength is reached
     "shear_strength": lambda E1, nu1, E2, nu2: 1 / max((1 + nu1) / E1, (1 + nu2) / E2) / (8 * pi**2),
     "sliding_force": lambda tau, a: pi * a**2 * tau,
@@ -532,7 +545,7 @@ EQUATIONS: Mapping[str, Callable[..., Exact]] = {
     "disruption_energy_dust_simulation": lambda E_break_rule, n_c: 20 * n_c * E_break_rule,
     "disruption_speed": lambda E_disr, n, m1: sqrt(4 * E_disr / (n * m1)),
     "disruption_speed_dust_simulation": lambda E_disr_rule, n, m1: sqrt(4 * E_disr_rule / (n * m1)),
-    "compressive_strength": lambda E_roll_half, R1, phi: E_roll_half / R1**3 / (1 / phi - 1 / mpf(0.74)) ** 3,
+    "compressive_strength": lambda E_roll_half, R1, phi: E_roll_half / R1**3 / (1 / phi - 1 / mpf("0.74")) ** 3,
     "tensile_strength": lambda w, R1, phi: mpf("0.6") * phi ** mpf("1.8") * w / 2 / R1,
     # conventions
     "fold_energy": lambda W_adhesion: cbrt(mpf(9) / 16) * W_adhesion,

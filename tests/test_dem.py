@@ -9,7 +9,7 @@ import pytest
 from scipy.integrate import quad  # type: ignore[import-untyped]
 
 from harness import Run
-from jkroll import solve
+from jkroll import JkrollError, solve
 from jkroll.output.manual import page
 from relative import approx
 from scenes import QUARTZ
@@ -180,6 +180,31 @@ def test_softer_grains(power: float, step: float, slide: float, slide_at_strengt
     assert math.isclose(held_softer / held, q**slide_at_strength, rel_tol=1e-12)
     factor = f"q^({Fraction(slide).limit_denominator(9)})" if slide % 1 else "q"
     assert f"× {factor} |" in page("dem")
+
+
+def test_which_time_step_governs() -> None:
+    """Of quartz, below the radius that the page has, the twentieth of the period of sliding; above it, a fifth of t_R."""
+    assert "shorter below R1 = 36 nm" in page("dem")
+    for radius, first_is_shorter in ((35e-9, True), (37e-9, False)):
+        step, rayleigh = solve(["time_step", "rayleigh_time"], **QUARTZ | {"radius": radius}).values()
+        assert (step < rayleigh / 5) is first_is_shorter
+
+
+@pytest.mark.parametrize("model", ["jkr", "dmt"])
+def test_coefficient_of_rolling_for_codes_that_multiply_the_load(model: str) -> None:
+    """As a moment it is M; in JKR 2ξ/(R(s - 1)), and it needs a load that presses."""
+    name = "rolling_resistance_coefficient"
+    for load in (1e-12, 1e-8, 1e-4):
+        coefficient, moment, radius = solve(
+            [name, "yield_moment", "reduced_radius"], load=load, model=model, **QUARTZ
+        ).values()
+        assert coefficient * radius * load == approx(moment, rel=1e-14)
+        if model == "jkr":
+            margin = solve("load_margin", load=load, **QUARTZ)
+            assert coefficient == approx(4e-10 / (radius * (margin - 1)), rel=1e-9)
+    for load in (0.0, -1e-9):
+        with pytest.raises(JkrollError, match=r"give --load 5nN"):
+            solve(name, load=load, model=model, **QUARTZ)
 
 
 def test_loss_of_a_collision_in_lammps() -> None:

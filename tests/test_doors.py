@@ -121,7 +121,7 @@ FOUND = {
     ),
     "a load about 0, beside what the pull-off force follows from": Ask(
         "report",
-        {**QUARTZ, "radius": ["8e-8 to 1.6e-7 m", "1e-8 to 3e-7 m"], "load": ["-4e-9 to 4e-9 N", "0±1e-9 N"]},
+        {**QUARTZ, "radius": ["8e-8 to 1.6e-7 m", "1e-8 to 3e-7 m"], "load": ["-4e-9 to 4e-9 N", "(0±1e-9) N"]},
         "yield_force,load_margin",
     ),
     "kinds of rows, and one law without any value": Ask(

@@ -101,6 +101,7 @@ from .physics.maugis import unloaded_radius_maugis as unloaded_radius_maugis
 from .physics.maugis import zone_radius as zone_radius
 from .physics.maugis import zone_span as zone_span
 from .physics.maugis import zone_span_at_approach as zone_span_at_approach
+from .physics.maugis_energies import fold_energy_maugis as fold_energy_maugis
 from .physics.maugis_energies import pull_off_work_at_dead_load_maugis as pull_off_work_at_dead_load_maugis
 from .physics.maugis_energies import pull_off_work_maugis as pull_off_work_maugis
 from .physics.maugis_energies import state_energy_maugis as state_energy_maugis
@@ -127,6 +128,7 @@ from .physics.rolling import mean_rolling_moment as mean_rolling_moment
 from .physics.rolling import n_grav as n_grav
 from .physics.rolling import r_min as r_min
 from .physics.rolling import rolling_friction_coefficient as rolling_friction_coefficient
+from .physics.rolling import rolling_resistance_coefficient as rolling_resistance_coefficient
 from .physics.rolling import rolling_spring_constant as rolling_spring_constant
 from .physics.rolling import rolling_stiffness as rolling_stiffness
 from .physics.rolling import unloaded_moment as unloaded_moment
@@ -161,6 +163,7 @@ from .physics.validity import profile_error as profile_error
 from .physics.validity import r_min_over_radius as r_min_over_radius
 from .physics.validity import tabor_parameter as tabor_parameter
 from .physics.validity import yield_energy as yield_energy
+from .physics.vibration import rayleigh_time as rayleigh_time
 from .physics.vibration import rolling_frequency as rolling_frequency
 from .physics.vibration import rolling_frequency_as_printed as rolling_frequency_as_printed
 from .physics.vibration import rolling_frequency_no_slip as rolling_frequency_no_slip

@@ -49,3 +49,20 @@ class NoResult(JkrollError):
 
 class BadRequest(JkrollError):
     """Error raised for arguments and options that do not make a request."""
+
+
+class BadTable(JkrollError):
+    """Error raised for a header, a format or a file that makes no table of scenes."""
+
+
+class BadRow(JkrollError):
+    """Error raised for the first row that fails, with `--strict`. Its line is counted from the beginning of the block, or of the table."""
+
+    exit_code = 1
+
+    def __init__(self, line: int, status: str) -> None:
+        super().__init__(line, status)
+        self.line, self.status = line, status
+
+    def __str__(self) -> str:
+        return f"line {self.line}: {self.status}"

@@ -25,9 +25,9 @@ from jkroll.output.manual import page
 from jkroll.quantities.errors import QuantityError
 from jkroll.quantities.values import unit_of
 from jkroll.rows.block import Block
-from jkroll.rows.cells import Reader
+from jkroll.rows.cells import Column, Reader
 from jkroll.rows.columns import Columns, Row, Wanted
-from jkroll.rows.header import Column, understood
+from jkroll.rows.header import understood
 from jkroll.rows.reasons import ROW
 from jkroll.rows.rows import evaluated
 from jkroll.scene.limits import CODES
@@ -383,30 +383,30 @@ def test_a_row_with_other_cells_keeps_what_it_has(run: Run, cells: str, kept: st
 # --- Headers --------------------------------------------------------------------------------------------------------------
 
 
-def mistaken(text: str, meant: str) -> str:
-    return (
-        f"header: '{text}' is not an input; did you mean {meant}? "
-        f"Write --column '{text}={meant}', or '{text}=' to pass it through"
-    )
+def mistaken(text: str, problem: str, meant: str) -> str:
+    remedy = f"Write --column '{text}={meant}', or --column '{text}=' to pass it through"
+    return f"header: '{text}': {problem} {remedy}"
 
 
 HEADERS = {
     "radius [nm],radius [nm]": "header: two columns 'radius [nm]', of which one must go",
     "radius [nm],radius [um]": "header: the columns 'radius [nm]' and 'radius [um]', of which one must go",
     "a,a,radius [nm]": "header: two columns 'a', of which one must go",
-    "radius [nn]": "header: 'radius [nn]': 'nn' has an unknown unit 'nn'; did you mean nm?",
-    "radius [kg]": "header: 'radius [kg]': 'kg' is a mass; expected a length such as 100nm",
-    "radius [kg": mistaken("radius [kg", "radius [nm]"),
-    "Energy (old)": mistaken("Energy (old)", "energy [J]"),
-    "young GPa": mistaken("young GPa", "youngs_modulus [GPa]"),
-    "youngs_moduls": mistaken("youngs_moduls", "youngs_modulus [GPa]"),
-    "material [m]": "header: 'material [m]': a material has no unit; write material",
+    "radius [nn]": mistaken("radius [nn]", "'nn' has an unknown unit 'nn'; did you mean nm?", "radius [UNIT]"),
+    "radius [kg]": mistaken("radius [kg]", "'kg' is a mass; expected a length such as 100nm.", "radius [UNIT]"),
+    "radius [kg": mistaken("radius [kg", "its unit is that of a mass.", "radius [UNIT]"),
+    "Energy (old)": mistaken("Energy (old)", "'old' has an unknown unit 'old'; did you mean joule?", "energy [UNIT]"),
+    "young GP": mistaken("young GP", "what stands behind youngs_modulus is not its unit.", "youngs_modulus [UNIT]"),
+    "youngs_moduls": mistaken(
+        "youngs_moduls", "what stands behind youngs_modulus is not its unit.", "youngs_modulus [UNIT]"
+    ),
+    "material [m]": mistaken("material [m]", "a material has no unit.", "material"),
     "material;radius": "header: 'material;radius' has semicolons between its columns; write --delimiter semicolon",
     "material\tradius": "header: 'material\\tradius' has tabs between its columns; write --format tsv".replace(
         "\\t", "?"
     ),
-    "radius [],x": "header: 'radius []' has no unit, and neither has its first cell '100'. If it is in nm, write --column 'radius []=radius [nm]', or 'radius []=' to pass it through",
-    "radius,x": "header: 'radius' has no unit, and neither has its first cell '100'. If it is in nm, write --column 'radius=radius [nm]', or 'radius=' to pass it through",
+    "radius [],x": "header: 'radius []' has no unit, and neither has its first cell '100'. Write --column 'radius []=radius [UNIT]' with its unit, or --column 'radius []=' to pass it through",
+    "radius,x": "header: 'radius' has no unit, and neither has its first cell '100'. Write --column 'radius=radius [UNIT]' with its unit, or --column 'radius=' to pass it through",
     "radius [nm],status": "header: the table already has a column 'status'; rename it",
     "radius [nm],doubt": "header: the table already has a column 'doubt'; rename it, or write --no-doubt",
     "radius [nm],r_min [m]": "header: the table already has a column 'r_min [m]'; rename it, or leave it out of the results with --quantities",
@@ -420,7 +420,7 @@ HEADERS = {
 
 def test_a_long_name_of_a_column_is_no_mistaken_input() -> None:
     name = "radius_" * 100_000
-    with patch("jkroll.rows.readings._plain", side_effect=str) as plain:
+    with patch("jkroll.rows.readings.key", side_effect=str) as plain:
         assert understood([name]).inputs == ()
     assert plain.call_count < 200  # else for every _
 
@@ -652,17 +652,17 @@ def test_one_liners_need_nothing_that_only_posix_has() -> None:
 
 
 def test_a_table_without_a_radius_says_so(run: Run, tmp_path: Path) -> None:
-    (tmp_path / "sizes.csv").write_text("size_um,xi [nm]\n1,0.2\n", encoding="utf-8")
+    (tmp_path / "sizes.csv").write_text("height_um,xi [nm]\n1,0.2\n", encoding="utf-8")
     ran = run("batch sizes.csv --material quartz -o out.csv")
     assert ran.err.splitlines() == [
-        "read: yield_displacement [nm] from xi [nm]; passed through: size_um",
+        "read: yield_displacement [nm] from xi [nm]; passed through: height_um",
         "note: no column and no option gives a radius; what needs one is left out",
         "note: assumed P = 0 N (--load)",
         "note: ? in 1 of 1 rows: a limit could not be judged, as it needs an input that is not given",
     ]
     assert (tmp_path / "out.csv").read_text(encoding="utf-8").splitlines()[
         0
-    ] == "size_um,xi [nm],yield_force [N],doubt,status"
+    ] == "height_um,xi [nm],yield_force [N],doubt,status"
     assert "no column" not in run("batch sizes.csv --material quartz --quantities yield_force -o out.csv").err
 
 

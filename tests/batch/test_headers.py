@@ -15,18 +15,18 @@ from jkroll import Interval, Measured
 from jkroll.batch.formats import FileFormat
 from jkroll.batch.one import input_format, output_format
 from jkroll.batch.settings import Settings
-from jkroll.errors import BadRequest
+from jkroll.errors import BadRequest, BadTable
 from jkroll.quantities.nomenclature import NOMENCLATURE
-from jkroll.rows.header import BadTable, Header, column_options, stated_meanings, understood
+from jkroll.rows.header import Header, column_options, stated_meanings, understood
 from jkroll.rows.readings import reading_of
 from relative import approx
 
 # The cell below is a plain number, as files have it.
 READ = {
     "radius [nm]": ("radius", 1e-9), "Radius [nm]": ("radius", 1e-9), "RADIUS (um)": ("radius", 1e-6),
-    "R (nm)": ("radius", 1e-9), "R1 (um)": ("radius", 1e-6), "R_1 [nm]": ("radius", 1e-9), "radius1 [nm]": ("radius", 1e-9),
-    "R_nm": ("radius", 1e-9), "radius_um": ("radius", 1e-6), "radius in nm": ("radius", 1e-9), "radius, nm": ("radius", 1e-9),
-    "radius/nm": ("radius", 1e-9), "R / µm": ("radius", 1e-6), "R2 (nm)": ("radius2", 1e-9), "radius_2 [nm]": ("radius2", 1e-9),
+    "R1 (nm)": ("radius", 1e-9), "R1 (um)": ("radius", 1e-6), "R_1 [nm]": ("radius", 1e-9), "radius1 [nm]": ("radius", 1e-9),
+    "R1_nm": ("radius", 1e-9), "radius_um": ("radius", 1e-6), "radius in nm": ("radius", 1e-9), "radius, nm": ("radius", 1e-9),
+    "radius/nm": ("radius", 1e-9), "R1 / µm": ("radius", 1e-6), "R2 (nm)": ("radius2", 1e-9), "radius_2 [nm]": ("radius2", 1e-9),
     "R_2/um": ("radius2", 1e-6), "γ [mJ/m2]": ("surface_energy", 1e-3), "γ1 (mJ/m²)": ("surface_energy", 1e-3),
     "gamma1 [mJ/m2]": ("surface_energy", 1e-3), "Gamma [mJ/m2]": ("surface_energy", 1e-3), "gamma_mJ_m2": ("surface_energy", 1e-3),
     "surface_energy_mJ_m2": ("surface_energy", 1e-3), "surface energy (J/m^2)": ("surface_energy", 1.0),
@@ -45,31 +45,47 @@ READ = {
     "hamaker_zJ": ("hamaker", 1e-21), "g [m/s2]": ("gravity", 1.0), "z0 (nm)": ("atomic_spacing", 1e-9), "δ [nm]": ("approach_at_load", 1e-9),
     "R₂ [nm]": ("radius2", 1e-9), "radius₂ [nm]": ("radius2", 1e-9), "γ₂ (mJ/m²)": ("surface_energy2", 1e-3), "E₁ (GPa)": ("youngs_modulus", 1e9),
     "γ / (mJ/m²)": ("surface_energy", 1e-3), "radius / (nm)": ("radius", 1e-9),
+    # R beside R2 or a plane
+    "R (nm)": ("radius", 1e-9), "R_nm": ("radius", 1e-9), "R / µm": ("radius", 1e-6),
+    # as programs and spreadsheets write them
+    "γ (mJ.m-2)": ("surface_energy", 1e-3), "gamma, mJ.m-2": ("surface_energy", 1e-3), "load <nN>": ("load", 1e-9), ' "gamma [mJ/m2]"': ("surface_energy", 1e-3),
+    "gamma..mJ.m2.": ("surface_energy", 1e-3), "gamma_mJ_m2_": ("surface_energy", 1e-3), "elastic_modulus_gpa": ("youngs_modulus", 1e9),
+    "velocity (m/s)": ("speed", 1.0), "young GPa": ("youngs_modulus", 1e9), "E_GPA": ("youngs_modulus", 1e9), "E [Gpa]": ("youngs_modulus", 1e9),
+    "Hamaker constant (zJ)": ("hamaker", 1e-21), "density_gcm3": ("density", 1e3), "rho_kgm3": ("density", 1.0), "youngsModulus (GPa)": ("youngs_modulus", 1e9),
+    "E* [GPa]": ("contact_modulus", 1e9), "E_r (GPa)": ("contact_modulus", 1e9), "reduced modulus (GPa)": ("contact_modulus", 1e9),
+    "Effective Young's modulus [GPa]": ("contact_modulus", 1e9), "reduced_radius [nm]": ("reduced_radius", 1e-9), "RADIUS [UM]": ("radius", 1e-6),
 }  # fmt: skip
+_SIZE = "a radius is half of a diameter or a size, and r may be a distance"
+_LACKING = "has no unit, and neither has its first cell '100'. Write --column"
+_FACTOR = "a sign or a factor stands beside the word"
 REFUSED = {
-    "r [nm]": "a radius, or a distance", "r": "a radius, or a distance", "E* [GPa]": "--young and --poisson", "E_r (GPa)": "--young and --poisson",
-    "d": "half of it", "D [nm]": "half of it", "diameter (nm)": "half of it", "diameter_um": "half of it", "Diameter": "half of it", "d_um": "half of it",
-    "elastic_modulus_gpa": "youngs_modulus [GPa]", "velocity (m/s)": "speed [m/s]", "young GPa": "youngs_modulus [GPa]", "radius_in": "radius [in]",
-    "radius": "it is in nm", "density": "it is in kg/m^3", "Radius": "it is in nm", "radius [kg]": "is a mass", "Energy (old)": "energy [J]", "radiuss [nm]": "radius [nm]",
-    "E [Gpa]": "youngs_modulus [GPa]", "E_GPA": "youngs_modulus [GPa]", "radius [nm] (mean)": "radius [nm]",
-    "surface energy (polar) [mJ/m2]": "surface_energy [mJ/m2]", "gama [mJ/m2]": "surface_energy [mJ/m2]", "laod_nN": "load [nN]",
-    "reduced modulus (GPa)": "--young and --poisson", "Effective Young's modulus [GPa]": "--young and --poisson",
-    "gama": "surface_energy [mJ/m2]", "yong (GPa)": "youngs_modulus [GPa]", "spead in m/s": "speed [m/s]", "load_uncertanty [nN]": "load_uncertainty [nN]",
+    **dict.fromkeys(("r [nm]", "r", "d", "D [nm]", "diameter (nm)", "diameter_um", "Diameter", "d_um", "size", "particle size [um]", "r1 [nm]", "r2_um"), _SIZE),
+    "R [nm]": "--column 'R [nm]=radius [nm]' or --column 'R [nm]=reduced_radius [nm]'", "R_um": "=reduced_radius [um]'",
+    **{word: f"{word}' {_LACKING} '{word}={name} [UNIT]' with its unit" for word, name in {"radius": "radius", "density": "density", "Radius": "radius"}.items()},
+    "radius [kg]": "'kg' is a mass; expected a length", "Energy (old)": "has an unknown unit", "radiuss [nm]": "=radius [nm]'",
+    "radius [nm] (mean)": "what stands behind radius is not its unit", "surface energy (polar) [mJ/m2]": "what stands behind surface_energy is not its unit",
+    "gama [mJ/m2]": "=surface_energy [mJ/m2]'", "laod_nN": "=load [nN]'", "gama": "=surface_energy [UNIT]'", "yong (GPa)": "=youngs_modulus [GPa]'",
+    "spead in m/s": "=speed [m/s]'", "load_uncertanty [nN]": "=load [UNIT]'", "surface_energy in GPa": "is a pressure",
+    "load_micro_N": "=load [UNIT]'", "work_of_adhesion_mJ": "its unit is that of an energy", "modulus (GPa)": "it may be another modulus",
+    "applied tip load [nN]": "=load [nN]'", "mean gamma (mJ/m2)": "=surface_energy [mJ/m2]'", "grain_density_g_cm3": "=density [g/cm3]'", "Particle radius (µm)": "=radius [",
+    "tip radius [nm]": "=radius [nm]'", "radius_um_old": "what stands behind radius is not its unit", "density¹ [kg/m³]": _FACTOR, "radius_max [nm]": "is one end of a range of radius",
+    "-load [nN]": _FACTOR, "2gamma [mJ/m2]": _FACTOR, "2R [nm]": _FACTOR, "-load": _FACTOR, "radius/2 [nm]": "what stands behind radius is not its unit",
 }  # fmt: skip
 PASSING = (
-    "R", "E", "v", "rho", "g", "N", "phi", "R [kOhm]", "E_bar", "R_m", "R_min", "v_c", "w", "load_micro_N", "load_case", "tip radius (nm)", "T [K]",
-    "Hamaker constant (zJ)", "gamma_err [mJ/m2]", "F (nN)", "P [MPa]", "pull_off_force [N]", "material_name", "d [s]", "equivalent diameter [um]", "v_m",
-    "hysteresis_ratio", "surface_energy in GPa", "spread [m/s]", "sigma_xx [Pa]", "u [m/s]", "u(x) [nm]", "sigma [Pa]", "kinetic_energy [J]", "head [nN]", "grain area [nm^2]",
+    "E", "v", "rho", "g", "N", "phi", "R [kOhm]", "E_bar", "R_m", "R_min", "v_c", "w", "radius_in", "load_case", "tip radius (nm)", "T [K]",
+    "gamma_err [mJ/m2]", "F (nN)", "P [MPa]", "pull_off_force [N]", "material_name", "material_id", "density_type", "d [s]", "equivalent diameter [um]", "v_m",
+    "hysteresis_ratio", "spread [m/s]", "sigma_xx [Pa]", "u [m/s]", "u(x) [nm]", "sigma [Pa]", "kinetic_energy [J]", "head [nN]", "grain area [nm^2]",
+    "speed of sound (m/s)", "contact angle (deg)", "energy_per_atom_eV", "R", "n_c", "Size (mm)",
 )  # fmt: skip
 
 
 def test_there_are_enough_spellings() -> None:
-    assert len({*READ, *REFUSED, *PASSING}) == len(READ) + len(REFUSED) + len(PASSING) >= 80
+    assert len({*READ, *REFUSED, *PASSING}) == len(READ) + len(REFUSED) + len(PASSING) > 150
 
 
 @pytest.mark.parametrize("text", READ)
 def test_a_spelling_is_read(text: str) -> None:
-    (column,) = understood([text], [["0.5"]]).inputs
+    (column,) = understood([text], [["0.5"]], given=["radius2"] if text.startswith("R") else []).inputs
     name, unit = READ[text]
     assert column.name == name
     assert column.read("0.5") == approx(0.5 * unit, rel=1e-15)
@@ -80,6 +96,8 @@ def test_a_spelling_is_refused_with_a_remedy(run: Run, text: str) -> None:
     Path("x.csv").write_text(f"name,{text}\na,100\n", encoding="utf-8")
     ran = run("batch", "x.csv", "--material", "quartz", "-o", "out.csv")
     assert (ran.code, REFUSED[text] in ran.err) == (2, True), ran.err
+    if REFUSED[text] in (_FACTOR, _SIZE) or text == "radius/2 [nm]":
+        assert ran.err.count("--column") == 1  # which passes it through: no other line is certainly right
 
 
 @pytest.mark.parametrize("text", PASSING)
@@ -93,21 +111,23 @@ def test_a_spelling_that_passes_stands_first_among_what_is_named(run: Run, text:
 
 
 def test_a_symbol_without_a_unit_is_an_input_where_its_cells_have_units() -> None:
-    assert [column.name for column in understood(["R", "v"], [["", "2 nm"], ["100 nm", "1"]]).inputs] == ["radius"]
+    assert [
+        column.name for column in understood(["R", "v"], [["", "2 nm"], ["100 nm", "1"]], given=["radius2"]).inputs
+    ] == ["radius"]
     assert [column.name for column in understood(["R2"], [["flat"], ["1 um"]]).inputs] == ["radius2"]
     assert understood(["R"], [["2.5 kOhm"]]).inputs == ()
 
 
 # Forms of tables: headers, a row, and the inputs that they hold in SI units.
 TABLES = {
-    "name,R (nm),F (nN)\na,50,3\n": {"radius": 5e-8},
-    "Sample,Tip radius (nm),R (nm),Young's modulus (GPa)\na,20,50,2.5\n": {"radius": 5e-8, "youngs_modulus": 2.5e9},
-    "Index,Load/nN,R/um,T/K\n1,5,2,300\n": {"load": 5e-9, "radius": 2e-6},
-    "P (nN),R (um),E (GPa),nu\n1,2,70,0.2\n": {"load": 1e-9, "radius": 2e-6, "youngs_modulus": 7e10, "poisson_ratio": 0.2},
+    "name,R1 (nm),F (nN)\na,50,3\n": {"radius": 5e-8},
+    "Sample,Tip radius (nm),R1 (nm),Young's modulus (GPa)\na,20,50,2.5\n": {"radius": 5e-8, "youngs_modulus": 2.5e9},
+    "Index,Load/nN,R1/um,T/K\n1,5,2,300\n": {"load": 5e-9, "radius": 2e-6},
+    "P (nN),R1 (um),E (GPa),nu\n1,2,70,0.2\n": {"load": 1e-9, "radius": 2e-6, "youngs_modulus": 7e10, "poisson_ratio": 0.2},
     "point,load_nN,radius_nm\n1,5,100\n": {"load": 5e-9, "radius": 1e-7},
     "id,R1 [um],R2 [um],w [mJ/m2]\n1,1,2,50\n": {"radius": 1e-6, "radius2": 2e-6, "work_of_adhesion": 0.05},
     "id,radius_um,gamma_mJ_m2,comment\n1,3,25,x\n": {"radius": 3e-6, "surface_energy": 0.025},
-    "Probe,R [µm],γ [mJ/m²]\nA,2,30\n": {"radius": 2e-6, "surface_energy": 0.03},
+    "Probe,R1 [µm],γ [mJ/m²]\nA,2,30\n": {"radius": 2e-6, "surface_energy": 0.03},
     "id,radius in um,speed in m/s\n1,1,0.5\n": {"radius": 1e-6, "speed": 0.5},
     "name,density_kg_m3,E_GPa,nu\nAISI 1020 Steel,7870,200,0.29\n": {"density": 7870.0, "youngs_modulus": 2e11, "poisson_ratio": 0.29},
     "Name,Density (g/cm3),Young's Modulus (GPa),Poisson's Ratio\nAl,2.7,69,0.33\n": {"density": 2700.0, "youngs_modulus": 6.9e10, "poisson_ratio": 0.33},
@@ -115,20 +135,20 @@ TABLES = {
     "name,surface energy (mJ/m2),density (kg/m^3)\nPS,33,1050\n": {"surface_energy": 0.033, "density": 1050.0},
     "mineral,gamma [J/m2],E [Pa]\nquartz,0.3,1e11\n": {"surface_energy": 0.3, "youngs_modulus": 1e11},
     "polymer,surface_energy_mJ_per_m2\nPE,31\n": {"surface_energy": 0.031},
-    "metal,A (zJ),R (nm)\nAu,400,10\n": {"hamaker": 4e-19, "radius": 1e-8},
-    "run,v (cm/s),R (um)\n1,12,0.75\n": {"speed": 0.12, "radius": 7.5e-7},
+    "metal,A (zJ),R1 (nm)\nAu,400,10\n": {"hamaker": 4e-19, "radius": 1e-8},
+    "run,v (cm/s),R1 (um)\n1,12,0.75\n": {"speed": 0.12, "radius": 7.5e-7},
     "run,v_m_s,radius_um,gamma_J_m2\n1,0.1,1,0.02\n": {"speed": 0.1, "radius": 1e-6, "surface_energy": 0.02},
     "id,type,radius [m],density [kg/m3],vx,vy,vz\n1,1,1e-6,2500,0,0,1\n": {"radius": 1e-6, "density": 2500.0},
-    "id,R [mm],rho [g/cm3],E [J]\n1,0.5,2,1e-15\n": {"radius": 5e-4, "density": 2000.0, "energy": 1e-15},
+    "id,R1 [mm],rho [g/cm3],E [J]\n1,0.5,2,1e-15\n": {"radius": 5e-4, "density": 2000.0, "energy": 1e-15},
     "E_1 [GPa],E_2 [GPa],nu_1,nu_2\n70,200,0.2,0.3\n": {"youngs_modulus": 7e10, "youngs_modulus2": 2e11, "poisson_ratio": 0.2, "poisson_ratio2": 0.3},
     "gamma1 [mJ/m2],gamma2 [mJ/m2]\n25,30\n": {"surface_energy": 0.025, "surface_energy2": 0.03},
-    "x,y,R\n0,0,3 um\n": {"radius": 3e-6},
-    "site,R_nm,E_GPa,xi_nm\nA,100,54,0.2\n": {"radius": 1e-7, "youngs_modulus": 5.4e10, "yield_displacement": 2e-10},
+    "x,y,R,R2\n0,0,3 um,5um\n": {"radius": 3e-6, "radius2": 5e-6},
+    "site,R1_nm,E_GPa,xi_nm\nA,100,54,0.2\n": {"radius": 1e-7, "youngs_modulus": 5.4e10, "yield_displacement": 2e-10},
     "step,load [uN],delta [nm]\n1,2,3\n": {"load": 2e-6, "approach_at_load": 3e-9},
     "Specimen,Radius (Å),Load (pN)\nC60,5,10\n": {"radius": 5e-10, "load": 1e-11},
-    "grain,RADIUS [UM]\n": {},  # refused: no such unit
+    "grain,RADIUS [UX]\n": {},  # no such unit
     "sieve,diameter (um),density (kg/m3)\n1,63,2650\n": {},
-    "case,E* (GPa),R (um)\n1,50,2\n": {},
+    "case,E* (GPa),R (um)\n1,50,2\n": {},  # which R?
     "sensor,radius,R [kOhm]\n1,100,3\n": {},
 }  # fmt: skip
 
@@ -182,8 +202,8 @@ def test_thirty_forms() -> None:
 
 @pytest.mark.parametrize("end", ["csv", "ndjson", "parquet"])
 def test_a_chosen_column_outranks_what_its_header_says(run: Run, end: str) -> None:
-    row = {"tip (µm)": 2.0, "R (nm)": 100.0, "E": 70.0, "radius [nm]": 3.0}
-    columns = ["--column", "tip (µm)=radius2 [um]", "--column=R (nm)=radius [nm]", "--column", "radius [nm]=", "--column=E=young [GPa]"]  # fmt: skip
+    row = {"tip (µm)": 2.0, "R1 (nm)": 100.0, "E": 70.0, "radius [nm]": 3.0}
+    columns = ["--column", "tip (µm)=radius2 [um]", "--column=R1 (nm)=radius [nm]", "--column", "radius [nm]=", "--column=E=young [GPa]"]  # fmt: skip
     if end == "csv":
         Path("x.csv").write_text(f"{','.join(row)}\n{','.join(map(str, row.values()))}\n", encoding="utf-8")
     elif end == "ndjson":
@@ -194,7 +214,7 @@ def test_a_chosen_column_outranks_what_its_header_says(run: Run, end: str) -> No
     options = ["--material", "quartz", "--quantities", "contact_radius", "-o", f"out.{end}"]
     ran = run("batch", f"x.{end}", *columns, *options)
     assert ran.err.splitlines()[0] == (
-        'read: radius2 [um] from "tip (µm)", radius [nm] from "R (nm)", youngs_modulus [GPa] from E; passed through: radius [nm]'
+        'read: radius2 [um] from "tip (µm)", radius [nm] from "R1 (nm)", youngs_modulus [GPa] from E; passed through: radius [nm]'
     )
     wanted = run("contact quartz 100nm --radius2 2um --young 70GPa --quantities contact_radius --bare --quiet").out
     written = pytest.importorskip("pyarrow.parquet").read_table("out.parquet").to_pylist() if end == "parquet" else []
@@ -230,13 +250,13 @@ def test_a_bad_choice_is_refused(column: str, problem: str) -> None:
 def test_a_choice_is_for_a_column_of_the_table_and_its_unit_must_fit() -> None:
     with pytest.raises(BadTable, match="no column 'radius'; did you mean 'Radius'"):
         understood(["Radius"], [], column_options(["radius=radius [nm]"]))
-    with pytest.raises(BadTable, match="is a mass"):
+    with pytest.raises(BadRequest, match="is a mass"):
         understood(["size"], [], column_options(["size=radius [kg]"]))
     with pytest.raises(BadRequest, match="more than once"):
         column_options(["size=radius [nm]", "size="])
 
 
-@pytest.mark.parametrize("text", ["young GPa", "d [nm]", "elastic_modulus (GPa)"])
+@pytest.mark.parametrize("text", ["load micro N", "d [nm]", "modulus (GPa)"])
 def test_the_remedy_of_a_refusal_passes_the_column_through(text: str) -> None:
     with pytest.raises(BadTable, match="--column"):
         understood([text])
@@ -260,11 +280,6 @@ def test_a_line_of_blanks_is_no_row(run: Run, end: str) -> None:
     Path("y.csv").write_text("radius [nm]\n100\n  \n200\n", encoding="utf-8")
     assert run("batch y.csv --gamma 25mJ/m2 --quantities pull_off_force -o out.csv").code == 0
     assert Path("out.csv").read_text(encoding="utf-8").splitlines()[2] == "  "
-
-
-def test_no_name_of_another_length_or_with_other_letters_is_compared() -> None:
-    with patch("difflib.get_close_matches", side_effect=AssertionError):
-        assert understood([f"xyz{number}" for number in range(5000)]).inputs == ()
 
 
 def test_plain_headers_need_no_unit_of_pint() -> None:
@@ -319,39 +334,12 @@ def test_a_column_of_plus_or_minus_is_of_the_input_at_its_left() -> None:
 
 def test_what_belongs_to_a_chosen_column_is_chosen_with_it() -> None:
     for beside in ("F_err", "u(F) [nN]", "F [nN] std", "F (%) ±"):
-        names = ["R [um]", "F [nN]", "G_err", "F2_err", beside]
+        names = ["R1 [um]", "F [nN]", "G_err", "F2_err", beside]
         meanings = stated_meanings(names, ["F [nN]=pull_off_force"], "pull_off_force")
         columns = {column.name: column for column in understood(names, [], meanings).inputs}
         assert [side.place for side in columns["pull_off_force"].sides] == [4]
         meanings = stated_meanings(names, ["F [nN]=pull_off_force", f"{beside}="], "pull_off_force")
         assert not any(column.sides for column in understood(names, [], meanings).inputs)
-
-
-@pytest.mark.parametrize(
-    ("text", "meaning"),
-    [
-        ("applied load [nN]", "load [nN]"),
-        ("mean gamma (mJ/m2)", "surface_energy [mJ/m2]"),
-        ("impact velocity [m/s]", "speed [m/s]"),
-        ("grain_density_g_cm3", "density [g/cm3]"),
-        ("Particle radius (µm)", "radius [µm]"),
-        ("P", "load [nN]"),
-        ("ξ", "yield_displacement [angstrom]"),
-    ],
-)
-def test_what_may_be_an_input_is_named_if_no_column_is(run: Run, text: str, meaning: str) -> None:
-    Path("x.csv").write_text(f"gamma2 [mJ/m2],{text}\n25,1\n", encoding="utf-8")
-    said = run("batch x.csv --material quartz --radius 1um --load 2nN --quantities pull_off_force -o out.csv").err
-    assert f"--column '{text}={meaning}'" in said
-    Path("x.csv").write_text(f"gamma2 [mJ/m2],{text},{meaning}\n25,1,1\n", encoding="utf-8")
-    assert (
-        "--column" not in run("batch x.csv --material quartz --radius 1um --quantities pull_off_force -o out.csv").err
-    )
-
-
-@pytest.mark.parametrize("text", ["contact_radius [nm]", "yield force (nN)", "shear modulus [GPa]", "load_micro_N", "specific_gravity"])  # fmt: skip
-def test_what_is_no_input_is_not_named(text: str) -> None:
-    assert understood(["gamma [mJ/m2]", text], [["25", "1"]]).advice() == ""
 
 
 @pytest.mark.parametrize("ending", ["csv", "ndjson", "parquet"])
@@ -360,7 +348,7 @@ def test_columns_of_an_uncertainty_say_what_a_cell_does(run: Run, columns: tuple
     texts = dict(column.split("=") for column in columns)
     results = []
     for cells in (texts, {"gamma": PARTS[columns]}):
-        rows = [{**cells, "R (nm)": "100"}, {**dict.fromkeys(cells, ""), "R (nm)": "100"}]
+        rows = [{**cells, "R1 (nm)": "100"}, {**dict.fromkeys(cells, ""), "R1 (nm)": "100"}]
         results.append(converted(run, rows, ending)[len(cells) + 1 :])
     assert results[0] == results[1]
     assert any("pull_off_force_" in text for text in results[0]) == (PARTS[columns] != "25 mJ/m2")
@@ -419,9 +407,9 @@ def test_half_an_uncertainty_passes_and_is_named(header: str, passing: str) -> N
 
 def test_an_uncertainty_says_where_it_is_read_from() -> None:
     said = understood(
-        ["R (nm)", "R_err (nm)", "E_min [GPa]", "E_max [GPa]", "P [nN]", "P_plus [nN]", "P_minus [nN]"]
+        ["R1 (nm)", "R_err (nm)", "E_min [GPa]", "E_max [GPa]", "P [nN]", "P_plus [nN]", "P_minus [nN]"]
     ).reading()
-    assert '''radius [nm] from "R (nm)" ± "R_err (nm)"''' in said
+    assert '''radius [nm] from "R1 (nm)" ± "R_err (nm)"''' in said
     assert "youngs_modulus [GPa] from E_min [GPa] to E_max [GPa]" in said
     assert "load [nN] from P [nN] − P_minus [nN] + P_plus [nN]" in said
 
@@ -437,10 +425,10 @@ def test_a_range_beside_an_uncertainty_passes_and_a_second_uncertainty_is_refuse
 def test_an_uncertainty_in_another_unit_or_of_nothing_is_refused() -> None:
     with pytest.raises(BadTable, match="must be that of the other column, nN"):
         understood(["P [nN]", "P_plus [nN]", "P_minus [uN]"])
-    with pytest.raises(BadTable, match="is a length"):
+    with pytest.raises(BadRequest, match="is not its unit"):
         understood(["P [nN]", "P_err [nm]"], meanings=column_options(["P_err [nm]=load_err [nm]"]))
     with pytest.raises(BadTable, match="not an uncertainty of surface_energy"):
-        understood(["dG", "R (nm)"], meanings=column_options(["dG=surface_energy_err [mJ/m2]"]))
+        understood(["dG", "R1 (nm)"], meanings=column_options(["dG=surface_energy_err [mJ/m2]"]))
     header = understood(["gamma [mJ/m2]", "dG"], meanings=column_options(["dG=surface_energy_err [mJ/m2]"]))
     assert header.inputs[0].joined("25", "5") == "(25±5)"
 
@@ -451,7 +439,7 @@ def test_an_uncertainty_in_another_unit_or_of_nothing_is_refused() -> None:
 def test_a_name_that_is_no_material_is_a_label_where_the_row_has_all(run: Run) -> None:
     """No other material stands in for it: neither that of an option, nor, for sphere 2, that of sphere 1."""
     lines = [
-        "Material,E_GPa,nu,R (um),gamma [mJ/m2]",
+        "Material,E_GPa,nu,R1 (um),gamma [mJ/m2]",
         "AISI 1020,200,0.29,1,50",
         "quartz,,,1,",
         "SiO2,70,0.17,1,25",
@@ -469,14 +457,14 @@ def test_a_name_that_is_no_material_is_a_label_where_the_row_has_all(run: Run) -
     assert found[3]["status"] == "unknown material"
     assert "material: 'PTFE' is not known" in ran.err
 
-    Path("x.csv").write_text("material,material2,R (um)\nquartz,PTFE,1\n", encoding="utf-8")
+    Path("x.csv").write_text("material,material2,R1 (um)\nquartz,PTFE,1\n", encoding="utf-8")
     ran = run("batch x.csv --quantities contact_radius -o out.csv")
     assert ran.code == 1
     assert "'PTFE' is not known" in ran.err
 
 
 def test_a_column_of_labels_asks_for_what_the_others_allow(run: Run) -> None:
-    Path("x.csv").write_text("material,R (um),gamma [mJ/m2]\nA,1,25\nB,2,25\n", encoding="utf-8")
+    Path("x.csv").write_text("material,R1 (um),gamma [mJ/m2]\nA,1,25\nB,2,25\n", encoding="utf-8")
     assert run("batch x.csv -o out.csv").code == 0
     head, first, _ = Path("out.csv").read_text(encoding="utf-8").splitlines()
     assert "pull_off_force [N]" in head
@@ -491,13 +479,13 @@ def test_a_chosen_column_has_the_unit_of_its_header(run: Run) -> None:
     ran = run(*words, *(f"--column={one}" for one in chosen))
     assert ran.code == 0
     assert ran.err.startswith(
-        'read: youngs_modulus [GPa] from "E_mod (GPa)", pull_off_force [nN] from Kraft [nN] ± sd_nN\n'
+        'read: pull_off_force [nN] from Kraft [nN] ± sd_nN, youngs_modulus [GPa] from "E_mod (GPa)"\n'
     )
 
 
 # --- What divides columns ---------------------------------------------------------------------------------------------
 
-PLAIN = ["name,R (um),gamma [mJ/m2],E [GPa],nu", "a,1.5,25.0,54,0.17", "b,2,3e1,70.5,0.2", "c,x,25,70,0.2"]
+PLAIN = ["name,R1 (um),gamma [mJ/m2],E [GPa],nu", "a,1.5,25.0,54,0.17", "b,2,3e1,70.5,0.2", "c,x,25,70,0.2"]
 DIVIDED = [
     ("semicolon", ";", "csv"),
     ("bar", "|", "csv"),
@@ -514,7 +502,7 @@ DIVIDED = [
 def test_columns_are_divided_by_what_is_said(run: Run, word: str, mark: str, ending: str, point: str) -> None:
     head, *rows = PLAIN
     if word == "blank":
-        head = "name,R_um,gamma_mJ_m2,E_GPa,nu"
+        head = "name,R1_um,gamma_mJ_m2,E_GPa,nu"
     text = [head.replace(",", mark), *(row.replace(",", mark).replace(".", point) for row in rows)]
     Path("x.txt").write_text("\n".join([*text, ""]), encoding="utf-8")
     Path("plain.csv").write_text("\n".join([*PLAIN, ""]), encoding="utf-8")
@@ -531,7 +519,7 @@ def test_columns_are_divided_by_what_is_said(run: Run, word: str, mark: str, end
 
 def test_a_mark_stands_before_the_header_alone(run: Run) -> None:
     """A line below it that begins with # is no row."""
-    Path("x.txt").write_text("# R_nm name\n#100 a\n200 b\n", encoding="utf-8")
+    Path("x.txt").write_text("# R1_nm name\n#100 a\n200 b\n", encoding="utf-8")
     assert run("batch x.txt --delimiter blank --material quartz -o out.tsv --quantities pull_off_force").code == 1
     _, marked, row = Path("out.tsv").read_text(encoding="utf-8").splitlines()
     assert marked.endswith("bad radius")
@@ -576,7 +564,7 @@ def test_commas_are_those_of_columns_of_numbers(run: Run) -> None:
 def test_marks_of_thousands_are_no_decimal_marks(run: Run, rows: list[str], forces: list[str]) -> None:
     """And what passes through decides on nothing where what is read has no marks."""
     width = 1 + rows[0].count("\t")
-    lines = ["\t".join(["R (nm)", "gamma (mJ/m2)", "n"][:width]), *rows, ""]
+    lines = ["\t".join(["R1 (nm)", "gamma (mJ/m2)", "n"][:width]), *rows, ""]
     Path("x.tsv").write_text("\n".join(lines), encoding="utf-8")
     ran = run("batch x.tsv --quantities pull_off_force --no-doubt -o out.tsv")
     assert ran.code == ("" in forces), ran.err
@@ -594,7 +582,7 @@ def test_marks_of_thousands_are_no_decimal_marks(run: Run, rows: list[str], forc
 @pytest.mark.parametrize(("other", "mark"), [("1234,5", ","), ("1,200", "."), ("1234.5", ".")])
 def test_results_between_semicolons_have_the_marks_of_the_other_numbers(run: Run, other: str, mark: str) -> None:
     """Where what is read has none."""
-    Path("x.csv").write_text(f"R (nm);gamma (mJ/m2);n\n100;25;{other}\n", encoding="utf-8")
+    Path("x.csv").write_text(f"R1 (nm);gamma (mJ/m2);n\n100;25;{other}\n", encoding="utf-8")
     assert run("batch x.csv -o out.csv --delimiter semicolon --quantities pull_off_force --no-doubt").code == 0
     row = Path("out.csv").read_text(encoding="utf-8").splitlines()[1]
     assert row == f"100;25;{other};1{mark}1780972450961723e-8;"
@@ -603,7 +591,7 @@ def test_results_between_semicolons_have_the_marks_of_the_other_numbers(run: Run
 @pytest.mark.parametrize("words", ["", "--infer gamma --measured pull_off_force --radius2 plane"])
 def test_where_a_comma_may_be_of_thousands_the_table_is_refused(run: Run, words: str) -> None:
     other = "P_c (nN)" if words else "gamma (mJ/m2)"
-    Path("x.tsv").write_text(f"R (nm)\t{other}\n800\t1,200\n900\t12,500\n", encoding="utf-8")
+    Path("x.tsv").write_text(f"R1 (nm)\t{other}\n800\t1,200\n900\t12,500\n", encoding="utf-8")
     message = "jkroll: '1,200' may be 1.200 or 1200: write decimal points, and no marks of thousands\n"
     assert run(f"batch x.tsv -o out.tsv {words}") == (2, "", message)
 
@@ -646,26 +634,19 @@ def test_blanks_in_quotes_are_refused(run: Run) -> None:
 
 @pytest.mark.parametrize("name", [name for name, one in NOMENCLATURE.items() if one.option and one.unit])
 def test_every_input_may_be_a_column(run: Run, name: str) -> None:
-    text = f"material,radius,{name}\nquartz,100nm,{NOMENCLATURE[name].example}\n"
+    radius, quantity = ("", "pull_off_force") if name == "reduced_radius" else ("100nm", "r_min")
+    text = f"material,radius,{name}\nquartz,{radius},{NOMENCLATURE[name].example}\n"
     Path("x.csv").write_text(text, encoding="utf-8")
-    ran = run("batch x.csv --quantities r_min --no-doubt -o out.csv")
+    ran = run(f"batch x.csv --quantities {quantity} --no-doubt -o out.csv")
     assert ran.code == 0, ran.err
 
 
 def test_mistaken_headers_are_named_together(run: Run) -> None:
-    Path("x.csv").write_text("radius [nm],Surface energy mJ/m2,Young modulus GPa\n100,25,54\n", encoding="utf-8")
+    Path("x.csv").write_text("radius [nm],Surface energy mJ,Young modulus GP\n100,25,54\n", encoding="utf-8")
     ran = run("batch x.csv")
     assert ran.code == 2
-    assert "header: 'Surface energy mJ/m2' and 'Young modulus GPa' are not inputs" in ran.err
-    assert "--column 'Surface energy mJ/m2=surface_energy [mJ/m2]'" in ran.err
-    assert "--column 'Young modulus GPa=youngs_modulus [GPa]'" in ran.err
-
-
-def test_what_may_be_a_radius_is_said_where_one_is_missing(run: Run) -> None:
-    Path("x.csv").write_text("Grain radius (nm),gamma [mJ/m2]\n100,25\n", encoding="utf-8")
-    ran = run("batch x.csv --quantities pull_off_force")
-    assert ran.code == 2
-    assert "write --column 'Grain radius (nm)=radius [nm]'" in ran.err
+    assert "--column 'Surface energy mJ=surface_energy [UNIT]'" in ran.err
+    assert "--column 'Young modulus GP=youngs_modulus [UNIT]'" in ran.err
 
 
 def test_a_quantity_that_some_cells_show_is_given_for_all_rows(run: Run) -> None:
@@ -692,7 +673,7 @@ def test_what_a_table_assumes_is_said_of_one_and_of_many(run: Run, words: str, s
     Path("own.toml").write_text(own, encoding="utf-8")
     Path("in").mkdir()
     for name in "ab":
-        Path(f"in/{name}.csv").write_text("R (um)\n1\n", encoding="utf-8")
+        Path(f"in/{name}.csv").write_text("R1 (um)\n1\n", encoding="utf-8")
     for table in ("in/a.csv -o out.csv", "in/*.csv -o out/"):
         lines = run(f"batch {table} {words}").err.splitlines()
         assert [line for line in lines if "assumed" in line] == ([said] if said else [])
@@ -701,15 +682,15 @@ def test_what_a_table_assumes_is_said_of_one_and_of_many(run: Run, words: str, s
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("radius R (nm),gamma (mJ/m2)\n100,25\n", "did you mean radius [nm]?"),
-        ("radius [nm],gamma_sv (mJ/m2)\n100,25\n", "did you mean surface_energy [mJ/m2]?"),
-        ("radius [nm],gama2 (mJ/m2)\n100,25\n", "did you mean surface_energy2 [mJ/m2]?"),
-        ("R,gamma\n[nm],[mJ/m2]\n100,25\n", "the first row has units"),
+        ("radius R1 (nm),gamma (mJ/m2)\n100,25\n", "what stands behind radius is not its unit"),
+        ("radius [nm],gamma_sv (mJ/m2)\n100,25\n", "what stands behind surface_energy is not its unit"),
+        ("radius [nm],gama2 (mJ/m2)\n100,25\n", "=surface_energy2 [mJ/m2]'"),
+        ("R1,gamma\n[nm],[mJ/m2]\n100,25\n", "the first row has units"),
         ("Radius,Surface energy\n(nm),(mJ/m2)\n100,25\n", "the first row has units"),
-        ("Durchmesser (um),gamma (mJ/m2)\n100,25\n", "half of 'Durchmesser (um)' would be one"),
-        ("R (nm),gamma (mJ/m2),gamma_sem (mJ/m2)\n100,25,2\n", '± "gamma_sem (mJ/m2)"'),
-        ("R (nm),SEM,gamma (mJ/m2)\n100,image1.tif,25\n", "passed through: SEM"),
-        ("R (nm),SEM,gamma (mJ/m2)\n100,5,25\n", "± SEM"),
+        ("Durchmesser (um),gamma (mJ/m2)\n100,25\n", "a radius is half of a diameter"),
+        ("R1 (nm),gamma (mJ/m2),gamma_sem (mJ/m2)\n100,25,2\n", '± "gamma_sem (mJ/m2)"'),
+        ("R1 (nm),SEM,gamma (mJ/m2)\n100,image1.tif,25\n", "passed through: SEM"),
+        ("R1 (nm),SEM,gamma (mJ/m2)\n100,5,25\n", "± SEM"),
     ],
 )
 def test_what_is_said_of_a_header(run: Run, text: str, said: str) -> None:
@@ -719,7 +700,7 @@ def test_what_is_said_of_a_header(run: Run, text: str, said: str) -> None:
 
 def test_columns_without_a_name_are_no_reason_to_refuse(run: Run) -> None:
     """As a spreadsheet leaves them at the right."""
-    Path("x.csv").write_text("R (nm);gamma (mJ/m2);;;\n100;25;;;\n", encoding="utf-8")
+    Path("x.csv").write_text("R1 (nm);gamma (mJ/m2);;;\n100;25;;;\n", encoding="utf-8")
     ran = run("batch x.csv -o out.csv --delimiter semicolon --quantities pull_off_force --no-doubt")
     assert (ran.code, "passed through" in ran.err) == (0, False)
     assert Path("out.csv").read_text(encoding="utf-8").splitlines()[1].startswith("100;25;;;;1.178")
@@ -734,16 +715,16 @@ def test_a_number_that_is_too_small_is_no_zero(run: Run) -> None:
 
 
 def test_a_label_that_is_another_name_of_a_material_is_told(run: Run) -> None:
-    Path("x.csv").write_text("material,R (nm),gamma (mJ/m2)\nA,100,25\nC,100,25\n", encoding="utf-8")
+    Path("x.csv").write_text("material,R1 (nm),gamma (mJ/m2)\nA,100,25\nC,100,25\n", encoding="utf-8")
     ran = run("batch x.csv -o out.csv --quantities pull_off_force --no-doubt")
     assert (ran.code, "note: material: 'C' is graphite" in ran.err) == (0, True)
-    Path("x.csv").write_text("material,R (nm),gamma (mJ/m2)\nC,100,25\n", encoding="utf-8")
+    Path("x.csv").write_text("material,R1 (nm),gamma (mJ/m2)\nC,100,25\n", encoding="utf-8")
     assert "is graphite" not in run("batch x.csv -o out.csv --quantities pull_off_force --no-doubt").err
 
 
 def test_a_header_between_rows_is_told_as_such(run: Run) -> None:
     """As it stands where two tables were joined."""
-    Path("x.csv").write_text("n,R (nm),gamma (mJ/m2)\n1,100,25\nn,R (nm),gamma (mJ/m2)\n1,200,25\n", encoding="utf-8")
+    Path("x.csv").write_text("n,R1 (nm),gamma (mJ/m2)\n1,100,25\nn,R1 (nm),gamma (mJ/m2)\n1,200,25\n", encoding="utf-8")
     assert run("batch x.csv -o out.csv --quantities pull_off_force --no-doubt").code == 1
     assert Path("out.csv").read_text(encoding="utf-8").splitlines()[2].endswith(",,the row repeats the header")
     Path("x.csv").write_text("material\nquartz\nmaterial\n", encoding="utf-8")
@@ -766,7 +747,7 @@ def test_a_header_between_rows_is_told_as_such(run: Run) -> None:
     ],
 )
 def test_an_option_that_changes_nothing_is_told(run: Run, words: str, said: str) -> None:
-    Path("x.csv").write_text("R (nm),gamma (mJ/m2)\n100,25\n", encoding="utf-8")
+    Path("x.csv").write_text("R1 (nm),gamma (mJ/m2)\n100,25\n", encoding="utf-8")
     err = run(f"batch x.csv -o out.csv {words}").err
     assert said in err
     assert ("no result here" in err) == bool(said)
@@ -781,6 +762,6 @@ def test_a_pipe_is_not_compressed_as_its_output_is(kind: str) -> None:
 
 
 def test_a_mark_before_the_header_may_follow_one_of_encoding(run: Run) -> None:
-    Path("x.txt").write_bytes(b"\xef\xbb\xbf# R_nm gamma_mJ_m2\n100 25\n")
+    Path("x.txt").write_bytes(b"\xef\xbb\xbf# R1_nm gamma_mJ_m2\n100 25\n")
     assert run("batch x.txt --delimiter blank -o out.tsv --quantities pull_off_force --no-doubt").code == 0
     assert Path("out.tsv").read_text(encoding="utf-8").splitlines()[1].startswith("100\t25\t1.178")

@@ -15,7 +15,7 @@ from harness import Run
 from jkroll import infer
 from relative import approx
 
-HEAD = ["probe", "R (um)", "P_c (nN)", "P_c_err (nN)"]
+HEAD = ["probe", "R1 (um)", "P_c (nN)", "P_c_err (nN)"]
 WORDS = "--infer gamma --measured pull_off_force --radius2 plane --material quartz"
 
 
@@ -193,7 +193,7 @@ def test_random_tables_have_what_infer_finds_for_each_row(run: Run, count: int) 
 def test_the_column_may_be_named_and_files_be_many(run: Run) -> None:
     Path("runs").mkdir()
     for name, force in (("a", 200), ("b", 300), ("c", 400)):
-        Path(f"runs/{name}.csv").write_text(f"R (um),F [nN]\n2,{force}\n", encoding="utf-8")
+        Path(f"runs/{name}.csv").write_text(f"R1 (um),F [nN]\n2,{force}\n", encoding="utf-8")
     assert "no column has the measured pull_off_force" in run(f"batch runs/a.csv -o out.csv {WORDS}").err.replace(
         "\n  ", " "
     )
@@ -225,9 +225,9 @@ def test_what_cannot_be_inferred_is_refused(run: Run, words: str, message: str) 
     assert not Path("out.csv").exists()
 
 
-@pytest.mark.parametrize("order", [("R (um)", "load (nN)", "delta (nm)"), ("delta (nm)", "R (um)", "load (nN)")])
+@pytest.mark.parametrize("order", [("R1 (um)", "load (nN)", "delta (nm)"), ("delta (nm)", "R1 (um)", "load (nN)")])
 def test_a_measured_state_may_stand_beside_a_load(run: Run, order: tuple[str, ...]) -> None:
-    cells = {"R (um)": "1", "load (nN)": "100", "delta (nm)": "2"}
+    cells = {"R1 (um)": "1", "load (nN)": "100", "delta (nm)": "2"}
     Path("x.csv").write_text(f"{','.join(order)}\n{','.join(cells[head] for head in order)}\n", encoding="utf-8")
     sphere: dict[str, Any] = {"surface_energy": 0.02, "poisson_ratio": 0.3, "radius2": math.inf}
     words = "--infer young --measured approach_at_load --gamma 20mJ/m2 --poisson 0.3 --radius2 plane"
@@ -247,7 +247,7 @@ def test_infer_says_how_a_table_is_read(run: Run) -> None:
 def test_names_of_samples_are_labels_where_nothing_is_needed_of_them(run: Run, names: list[str]) -> None:
     """Whether some of them are materials or not; γ of a plane does not depend on the rest."""
     rows = "".join(f"{name},1,200\n" for name in names)
-    Path("named.csv").write_text(f"material,R (um),P_c (nN)\n{rows}", encoding="utf-8")
+    Path("named.csv").write_text(f"material,R1 (um),P_c (nN)\n{rows}", encoding="utf-8")
     ran = run("batch named.csv -o out.csv --infer gamma --measured pull_off_force")
     assert ran.code == 0, ran.err
     found = [float(row["surface_energy [J/m^2]"]) for row in results("out.csv")]

@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 from scipy.integrate import solve_ivp  # type: ignore[import-untyped]
+from scipy.optimize import brentq  # type: ignore[import-untyped]
 
 from harness import Run
 from jkroll import solve
@@ -140,7 +141,7 @@ def test_a_plane_is_a_wall(run: Run) -> None:
     assert coefficients(text) == coefficients(alone)  # of the spheres among each other
 
 
-@pytest.mark.parametrize("program", ["lammps", "liggghts", "dust-simulation"])
+@pytest.mark.parametrize("program", ["lammps", "liggghts", "dust-collider", "dust-simulation"])
 def test_doubts_and_the_caveat_are_in_the_file_or_beside_it(run: Run, program: str) -> None:
     """As comments in ASCII; --quiet leaves them out, and no number changes."""
     ran = run(f"export {program} quartz 100nm")
@@ -190,7 +191,10 @@ def test_a_pair_of_rigid_bodies_is_left_out(run: Run) -> None:
     ("words", "message"),
     [
         ("", "export: which program? write jkroll export lammps quartz 100nm"),
-        ("yade quartz 100nm", "export: 'yade' is not among the programs: lammps, liggghts, dust-simulation"),
+        (
+            "yade quartz 100nm",
+            "export: 'yade' is not among the programs: lammps, liggghts, dust-collider, dust-simulation",
+        ),
         ("liggghts quartz 100nm --model dmt", "--model: LIGGGHTS has jkr, not 'dmt'"),
         ("liggghts quartz 100nm --load 1nN", "export: liggghts finds the load by itself; give none"),
         ("liggghts quartz 100nm --young2 rigid", "export: liggghts needs a finite Young's modulus of each body"),
@@ -298,6 +302,42 @@ def test_dust_simulation(run: Run, words: str) -> None:
         1e-3 * 4 / 3 * math.pi * radius**3 * density,
     ]
     assert own == approx(theirs, rel=1e-11)
+
+
+# --- DustCollider: the line of a material as pipeline.cuh reads it -------------------------------------------------------
+
+
+def test_material_of_dust_collider(run: Run) -> None:
+    """A line is `<material id = "ID"> "name"` and six numbers, and text behind # is left out."""
+    ran = run("export dust-collider quartz 0.6um --xi 2nm")
+    [line] = [line for line in ran.out.splitlines() if not line.startswith("#")]
+    tag, name, *numbers = line.replace('<material id = "1">', "tag").split()
+    assert (tag, name) == ("tag", '"quartz"')
+    assert [float(number) for number in numbers] == [0.025, 5.4e10, 0.17, 2600, 2e-9, 0]
+    assert ran.out.isascii()
+
+
+# --- Time steps ---------------------------------------------------------------------------------------------------------
+
+
+def rayleigh_of(text: str) -> float:
+    return float(re.findall(r"^# A fifth of the Rayleigh time, which needs no load, is (\S+) s", text, re.MULTILINE)[0])
+
+
+@pytest.mark.parametrize("program", ["lammps", "liggghts"])
+def test_two_time_steps(run: Run, program: str) -> None:
+    """Of unlike spheres the shorter of each; a wall has none. The speed of a Rayleigh wave is a root of its equation."""
+    short, long = (run(f"export {program} {grain}").out for grain in ("quartz 100nm", "iron 300nm"))
+    both = run(f"export {program} quartz 100nm --radius2 300nm --material2 iron").out
+    assert rayleigh_of(both) == min(rayleigh_of(short), rayleigh_of(long)) == rayleigh_of(short)
+    assert rayleigh_of(run(f"export {program} quartz 100nm --radius2 plane --material2 iron").out) == rayleigh_of(short)
+    steps = [float(re.findall(r"timestep ([-.e\d]+)", text)[0]) for text in (short, long, both)]
+    assert steps[0] == approx(solve("time_step", material="quartz", radius=1e-7), rel=1e-11)
+    assert steps[2] <= min(steps[:2])
+    shear, ratio = 54e9 / (2 * 1.17), (1 - 2 * 0.17) / (2 - 2 * 0.17)
+    wave = brentq(lambda x: (2 - x) ** 2 - 4 * math.sqrt(1 - x) * math.sqrt(1 - ratio * x), 0.5, 0.99)
+    speed = math.sqrt(wave * shear / 2600)
+    assert rayleigh_of(short) == approx(math.pi * 1e-7 / speed / 5, rel=5e-3)
 
 
 def test_the_middle_of_a_range_is_said_to_be_that(run: Run) -> None:

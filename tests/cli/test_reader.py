@@ -26,7 +26,7 @@ ALIKE = [
     ["batch in.csv -o x.csv", "batch -ox.csv in.csv", "batch --output=x.csv -- in.csv"],
     ["batch -1.csv -o -2.csv", "batch -o-2.csv -- -1.csv", "batch -1.csv --output=-2.csv"],
     ["pull-off quartz 100nm --json", "pull-off quartz 100nm --format json", "pull-off quartz 100nm --format=json --json"],
-    ["pull-off quartz 100nm", "pull-off --R1 100nm quartz", "pull-off --radius=100nm --material quartz", "pull-off R=100nm quartz"],
+    ["pull-off quartz 100nm", "pull-off --R1 100nm quartz", "pull-off --radius=100nm --material quartz", "pull-off R1=100nm quartz"],
     ["contact quartz 1um --radius2 2um", "contact quartz 1um --R2 2um", "contact quartz R1=1um R2=2um"],
     ["infer gamma 2um --measured pull_off_force=1uN", "infer --R1 2um gamma --measured pull_off_force=1uN"],
     ["pull-off 1um --gamma 25mJ/m2", "pull-off 1um --surface-energy 25mJ/m2", "pull-off 1um --GAMMA=25mJ/m2", "pull-off gamma=25mJ/m2 1um"],

@@ -22,7 +22,7 @@ pull-off quartz 100nm --csv --quiet
 pull-off quartz 100nm --to=nN --digits 3
 pull-off quartz,iron 1nm:1um:3 --quiet
 pull-off 100nm --gamma 25mJ/m2
-pull-off gamma=25mJ/m2 R=100nm
+pull-off gamma=25mJ/m2 R1=100nm
 pull-off --R1 100nm quartz --units nN
 pull-off 100 nm --gamma 0.025 J/m2 --format json
 pull-off -- quartz 100nm

@@ -235,6 +235,7 @@ OUTSIDE: Mapping[str, Callable[[Scene], bool]] = {
     "load_margin": lambda values: values["load"] < -values["pull_off_force"],
     "stiffness": lambda values: values["load_margin"] < 0,
     "vertical_frequency": lambda values: values["stiffness"] < 0,
+    "rolling_resistance_coefficient": lambda values: values["load"] <= 0,
     "peeling_force": lambda values: values["load_margin"] < 0,
     "peeling_radius": lambda values: values["load_margin"] < 0,
     "peeling_over_sliding": lambda values: "peeling_force" not in values,

@@ -9,6 +9,8 @@ from jkroll import NOMENCLATURE, solve
 from jkroll.answers.questions import QUESTIONS
 from jkroll.quantities.errors import OutOfRange
 from jkroll.scene.failures import MissingInput
+from maugis_reference import mpf
+from reference import ulp_error
 from scenes import QUARTZ
 
 AGGREGATE: dict[str, Any] = {**QUARTZ, "monomers": 1000, "filling_factor": 0.1}
@@ -80,3 +82,12 @@ def test_every_row_has_a_definition_and_a_source() -> None:
     for name in QUESTIONS["aggregates"].quantities:
         assert NOMENCLATURE[name].definition, name
         assert NOMENCLATURE[name].reference, name
+
+
+@pytest.mark.parametrize("below", [1e-2, 1e-4, 1e-8, 1e-12])
+def test_next_to_the_closest_packing_the_strength_is_that_of_74_per_cent(below: float) -> None:
+    """0.74 is no double, and the difference of two that are close shows it."""
+    phi = 0.74 - below
+    values = solve(["compressive_strength", "roll_energy_half_turn"], **{**AGGREGATE, "filling_factor": phi})
+    exact = mpf(values["roll_energy_half_turn"]) / mpf(1e-7) ** 3 / (1 / mpf(phi) - 1 / mpf("0.74")) ** 3
+    assert ulp_error(values["compressive_strength"], exact) < 8

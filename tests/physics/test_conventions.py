@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import jkroll
+from harness import Run
 from jkroll import NOMENCLATURE, solve
 from jkroll.answers.questions import QUESTIONS
 from jkroll.errors import JkrollError
@@ -168,3 +169,13 @@ def test_the_time_step_is_stable_for_many_contacts() -> None:
     slide, step = solve(["sliding_frequency", "time_step"], **GRAIN).values()
     for contacts in (12, 40):
         assert step < 2 / (math.sqrt(contacts) * 2 * math.pi * slide)
+
+
+def test_a_reason_for_more_sticking_is_not_told_of_what_has_it(run: Run) -> None:
+    """silica-dry has the γ of a vacuum, and iron is no SiO2."""
+    words = "a γ ten times larger in vacuum"
+    assert words in run("energies quartz 100nm --explain").out
+    for material in ("silica-dry", "iron"):
+        said = run(f"energies {material} 100nm --explain").out
+        assert "plastic asperities" in said
+        assert words not in said

@@ -198,6 +198,7 @@ def test_no_array_is_made_of_an_uncertain_value_by_accident(found: tuple[object,
         ("25 +5/-4.9 mJ/m2", "surface_energy", "25.0 ± 5.0 mJ/m²"),
         ("25 +5/-0 mJ/m2", "surface_energy", "25.0 +5.0/-0.0 mJ/m²"),
         ("20 to 30 mJ/m2", "surface_energy", "20 to 30 mJ/m²"),
+        ("19.25 to 19.3 g/cm3", "density", "19250 to 19300 kg/m³"),
         ("2.2±0.5 g/cm3", "density", "2200 ± 500 kg/m³"),
         ("54±0.123 GPa", "youngs_modulus", "54.00 ± 0.12 GPa"),
         ("100±9.96 nm", "radius", "100 ± 10 nm"),
@@ -214,6 +215,10 @@ def test_what_is_written_and_read_again(text: str, name: str, written: str) -> N
     again = value_of(written, name)
     assert isinstance(again, Measured | Interval)
     assert again.value == approx(found.value, rel=1e-3)
+
+
+def test_a_range_too_narrow_for_its_digits_is_a_number() -> None:
+    assert amount("surface_energy", Interval(0.025, 0.025, 0.0250000001)) == "25 mJ/m²"
 
 
 def test_what_is_written_in_a_unit_that_was_asked_for() -> None:

@@ -453,3 +453,22 @@ def test_the_values_that_an_error_names_can_be_typed(part: float) -> None:
     for text in caught.value.reason().partition(" both give")[0].split(" and "):
         radius = parse_quantity(text, "radius")
         assert solve("vertical_frequency", radius=radius, **given) == approx(frequency, rel=2e-3)
+
+
+@pytest.mark.parametrize("measured", ["hysteresis_fraction=1", "adhesion_hysteresis=20mJ/m2"])
+def test_what_is_only_given_is_not_measured(run: Run, measured: str) -> None:
+    """It was asked for as an input that it needs itself."""
+    ran = run(f"infer xi quartz 100nm --measured {measured}")
+    name = measured.partition("=")[0]
+    option = f"--{name.replace('_', '-')}"
+    assert ran.err == (
+        f"jkroll: {name} is an input, and no formula gives it; give it as {option}, and ask for yield_displacement without infer\n"
+    )
+    assert ran.code == 2
+    assert run(f"report quartz 100nm --quantities xi {option} {measured.partition('=')[2]}").code == 0
+
+
+def test_what_was_measured_is_not_assumed(run: Run) -> None:
+    said = run("infer adhesion_hysteresis quartz 100nm --measured xi=300pm", terminal=True).out
+    assert "ξ = 300 pm, assumed P = 0 N" in said
+    assert "200 pm" not in said

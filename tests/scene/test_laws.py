@@ -19,7 +19,8 @@ from jkroll.answers.answer import Answer
 from jkroll.answers.curve import STATES_OF_LAW, AtState, at_states
 from jkroll.answers.questions import QUESTIONS, question_about
 from jkroll.materials.library import known_materials
-from jkroll.quantities.laws import LAWS, Law, UnknownLaw
+from jkroll.output.manual import page
+from jkroll.quantities.laws import LAWS, Law, UnknownLaw, law_of
 from jkroll.scene.alternatives import factor_of_law
 from jkroll.scene.failures import BeyondFold, BeyondPullOff, NotInLaw, RestsOnSpacing
 from jkroll.scene.scene import Scene
@@ -511,3 +512,59 @@ def test_at_an_approach_the_quantities_of_maugis_are_those_of_its_own_state(appr
     jkr, maugis = (solve(names, **grain, approach_at_load=approach, model=law) for law in ("jkr", "maugis"))
     assert jkr == approx(maugis, rel=1e-15)
     assert jkr["approach_maugis_at_load"] == approx(approach, rel=1e-13)
+
+
+# Within 5 % of Maugis' law: JKR for μ above, DMT for μ below, as `jkroll guide models` and the docstring of μ have it.
+WITHIN = {
+    "jkr": {"approach": 0.5, "pull_off_force": 1.1, "contact_radius": 1.7, "yield_moment": 3.3, "sticking_energy": 12},
+    "dmt": {"approach": 0.002, "pull_off_force": 0.14, "contact_radius": 0.07, "yield_moment": 0.02},
+}
+
+
+@pytest.mark.parametrize(("model", "name"), [(model, name) for model, names in WITHIN.items() for name in names])
+def test_where_a_law_is_within_5_per_cent_depends_on_the_quantity(model: str, name: str) -> None:
+    border = WITHIN[model][name]
+    pair: dict[str, Any] = {"reduced_radius": 5e-7, "radius": 1e-6, "work_of_adhesion": 0.05, "contact_modulus": 1e9}
+    unit = (pair["reduced_radius"] * (pair["work_of_adhesion"] / pair["contact_modulus"]) ** 2) ** (1 / 3)
+    for factor, is_within in ((1.0, True), (0.6 if model == "jkr" else 1.7, False)):
+        spacing = unit / (border * factor)
+        own, between = (solve(name, model=law, atomic_spacing=spacing, **pair) for law in (model, "maugis"))
+        assert (abs(own / between - 1) < 0.05) is is_within
+    row = next(line for line in page("models").splitlines() if line.startswith(f"| {model.upper()}, for μ"))
+    assert [float(cell) for cell in row.split("|")[2:-1] if "none" not in cell] == [*WITHIN[model].values()]
+
+
+@pytest.mark.parametrize("given", [{}, {"load": 1e-9}, {"approach_at_load": 1e-10}, {"adhesion_hysteresis": 0.01}])
+@pytest.mark.parametrize("model", LAWS)
+def test_a_formula_of_another_law_has_no_contact_of_this_one(model: str, given: dict[str, float]) -> None:
+    """What only one law has by some formula is under another law the same, or it is refused: approach_dmt took the radius of JKR."""
+    scene = Scene({"radius": 1e-7, **given}, known_materials()["quartz"], model=model)
+    foreign = [name for name in NOMENCLATURE if NOMENCLATURE[name].variant_of and law_of(name) not in (None, model)]
+    found = {name: value for name, value in scene.evaluate(foreign).items() if not isinstance(value, JkrollError)}
+    for name, value in found.items():
+        assert value == approx(scene.replace(model=law_of(name))[name], rel=1e-12), name
+    assert not {"approach_dmt", "stiffness_dmt", "load_dmt"} & found.keys() or model == "dmt"
+    assert model == "dmt" or "pull_off_force_dmt" in scene.evaluate(["pull_off_force_dmt"])
+
+
+def test_what_another_law_has_is_refused_with_its_name(run: Run) -> None:
+    ran = run("contact quartz 100nm --quantities stiffness_dmt")
+    assert "not in JKR; give --model dmt" in ran.err
+    assert float(run("contact quartz 100nm --quantities stiffness_dmt --model dmt --bare").out) == approx(
+        153.8675, rel=1e-5
+    )
+
+
+def test_the_depth_of_the_fold_is_that_of_the_law_in_use() -> None:
+    """P_c times the fold's depth of the reference; JKR's 27.03 aJ stood for the 45.2 aJ of dry silica."""
+    grain: dict[str, Any] = {"material": "silica-dry", "radius": 1e-7}
+    names = ["work_of_adhesion", "reduced_radius", "contact_modulus", "transition_parameter"]
+    w, radius, modulus, transition = map(mpf, solve(names, model="maugis", **grain).values())
+    depth = -reference.lowest_approach(transition) * cbrt(pi * w * radius**2 / (4 * modulus / 3)) ** 2 / radius
+    force = -reference.load(*reference.pull_off(transition), transition) * pi * w * radius
+    found = solve(["fold_energy", "break_energy_dust_simulation"], model="maugis", **grain)
+    assert [*found.values()] == approx([float(force * depth), float(1.8 * force * depth)], rel=1e-13)
+    assert found["fold_energy"] == approx(45.2e-18, rel=2e-3)
+    for name in found:
+        with pytest.raises(NotInLaw):
+            solve(name, model="dmt", **grain)

@@ -249,7 +249,10 @@ def test_the_default_energy_is_said_to_be_beyond_sticking(run: Run) -> None:
     of_dmt = run("n-roll quartz 100nm --model dmt").err
     assert "W0 = P_cδ0 of JKR" in of_dmt
     assert "U_stick" not in of_dmt  # which has none
-    assert "F_cδ_c and its multiples are those of JKR" in run("energies quartz 100nm --model dmt --explain").out
+    assert (
+        "E_stick(1.07), E_stick(19.2): multiples of P_cδ0 and F_cδ_c of JKR"
+        in run("energies quartz 100nm --model dmt --explain").out
+    )
 
 
 def test_dmt_answers_where_both_bodies_are_rigid(run: Run) -> None:

@@ -35,6 +35,10 @@ from .results import Note
 # Below the Tabor parameter of a jump, Maugis' law is no correction to energies: a well of Lennard-Jones' law is deeper still, and its
 # contacts form and open without a jump.
 _OF_ENERGY = (
+    "fold_energy",
+    "break_energy_dust_simulation",
+    "disruption_energy_dust_simulation",
+    "disruption_speed_dust_simulation",
     "well_energy",
     "pull_off_work",
     "pull_off_work_at_dead_load",

@@ -58,6 +58,11 @@ class Inferred(Answer):
         return {name: in_words(name, value) for name, value in self.problem.echo().items()}
 
     @cached_property
+    def assumed(self) -> list[str]:
+        """The names of inputs that were assumed: none that was measured."""
+        return [name for name in super().assumed if name not in self.problem.measured]
+
+    @cached_property
     def results(self) -> tuple[Result, ...]:
         """The values of the unknowns, with their uncertainties."""
         if self.solution is None:

@@ -31,10 +31,9 @@ _ROUGHNESS = (
     "smooth spheres: glass on smooth glass was measured at a half to a quarter of this (γ = 25 mJ/m²), rough spheres and grains in air at "
     "1/10 to 1/100"
 )
-_STICKING = (
-    "v_stick is elastic theory's; measured ones are higher: plastic asperities (Paszun & Dominik 2008), or, of SiO2, a γ ten times "
-    "larger in vacuum than in air (Kimura et al. 2015)"
-)
+_STICKING = "v_stick is elastic theory's; measured ones are higher: plastic asperities (Paszun & Dominik 2008)"
+_IN_VACUUM = ", or, of SiO2, a γ ten times larger in vacuum than in air (Kimura et al. 2015)"
+_DRY = 0.1  # J/m²: SiO2 with less has the γ that was measured in air
 _ELASTIC = ("youngs_modulus", "poisson_ratio")
 # The models of the rolling moment.
 MOMENTS = ("yield_moment", "unloaded_moment", "half_circles_moment", "fixed_approach_moment")
@@ -223,7 +222,8 @@ def about_results(results: list[Result], scene: Scene, noted: Collection[str] = 
     if not {"pull_off_force", "bond_number"}.isdisjoint(names) and scene.values.get("radius", 0.0) >= ROUGH:
         notes.append(Note("roughness", _ROUGHNESS, size=log(_SMOOTH)))
     if "sticking_speed" in names:
-        notes.insert(0, Note("result", _STICKING))
+        is_dry = scene.values.get("surface_energy", _DRY) >= _DRY
+        notes.insert(0, Note("result", _STICKING + ("" if is_dry else _IN_VACUUM)))
     notes += about_law(scene, names)
     notes += _about_hysteresis(scene, names)
     errors = ", ".join(f"{symbol_of(result.name)} by {100 * result.error:.2g} %" for result in known if result.error)
@@ -245,8 +245,9 @@ def _about_hysteresis(scene: Scene, names: Collection[str]) -> list[Note]:
 
 def about_law(scene: Scene, names: Collection[str]) -> Iterator[Note]:
     """Iterate over the notes on results under a law other than JKR, most of them on Maugis'."""
-    if "fold_energy" in names and not scene.law.is_default:
-        yield Note("result", "F_cδ_c and its multiples are those of JKR")
+    of_jkr = [name for name in ("sticking_energy_paszun_dominik", "sticking_energy_pencil_code") if name in names]
+    if of_jkr and not scene.law.is_default:
+        yield Note("result", f"{', '.join(map(symbol_of, of_jkr))}: multiples of P_cδ0 and F_cδ_c of JKR")
     if scene.law.name != BETWEEN:
         return
     if "contact_radius_at_load" in names and scene["contact_radius_at_load"] == 0:

@@ -55,6 +55,7 @@ _QUESTIONS = {
             "rolling_frequency_no_slip",
             "sliding_frequency",
             "twisting_frequency",
+            "rayleigh_time",
         ),
         noted=("rolling_frequency_as_printed",),
     ),

@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain, compress
 
-from ..rows.header import BadTable
+from ..errors import BadTable
 from ..text import quoted
 
 _DECIMAL_POINT = re.compile(rb"\.\d")

@@ -14,10 +14,11 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import islice, takewhile
 from typing import NamedTuple
 
+from ..errors import BadTable
 from ..output.records import numbers_in_lines
 from ..rows.cells import Kept
 from ..rows.columns import Columns
-from ..rows.header import BadTable, is_input
+from ..rows.header import is_input
 from ..rows.readings import MATERIALS
 from ..rows.table import Table
 from ..scene.limits import codes

@@ -8,10 +8,9 @@ from contextlib import contextmanager, suppress
 from io import BufferedReader, FileIO
 from typing import BinaryIO
 
-from ..errors import BadRequest
+from ..errors import BadRequest, BadTable
 from ..output.files import whole_file
 from ..rows.columns import BLOCK
-from ..rows.header import BadTable
 from ..text import ending, quoted, say
 from .formats import CHUNK, FileFormat, decompressed
 from .lines import MAX_RECORD, SAMPLE

@@ -6,8 +6,7 @@ import zlib
 from collections.abc import Callable, Iterator, Mapping
 from typing import BinaryIO, NamedTuple
 
-from ..errors import missing_extra
-from ..rows.header import BadTable
+from ..errors import BadTable, missing_extra
 from ..text import quoted
 from .delimited import DELIMITED, DIALECTS, Dialect
 from .ndjson import Ndjson

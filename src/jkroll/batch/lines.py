@@ -7,10 +7,10 @@ from typing import Any, NamedTuple
 
 import numpy
 
+from ..errors import BadRow, BadTable
 from ..rows.block import Block
 from ..rows.cells import Floats
 from ..rows.columns import Columns, Wanted
-from ..rows.header import BadRow, BadTable
 from ..rows.inferred import Unknowns
 from ..rows.reasons import Gaps, joined, worded
 from ..rows.rows import evaluated

@@ -15,8 +15,7 @@ from dataclasses import replace
 from functools import partial, reduce
 from typing import NamedTuple
 
-from ..errors import BadRequest, JkrollError, MissingExtra, missing_extra
-from ..rows.header import BadTable
+from ..errors import BadRequest, BadTable, JkrollError, MissingExtra, missing_extra
 from ..text import quoted, say, say_wrapped
 from .formats import format_of_name
 from .lines import Tally

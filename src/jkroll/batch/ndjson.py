@@ -10,9 +10,10 @@ from typing import Any
 
 import orjson
 
+from ..errors import BadTable
 from ..output.records import numbers_in_lines
 from ..rows.columns import Columns
-from ..rows.header import BadTable, holds_input
+from ..rows.header import holds_input
 from ..rows.table import Table
 from ..scene.limits import codes
 from ..text import quoted

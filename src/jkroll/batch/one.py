@@ -8,14 +8,14 @@ from functools import lru_cache, partial
 from itertools import chain
 
 from ..answers.questions import EVERYTHING, quantities_named
-from ..errors import missing_extra
+from ..errors import BadTable, missing_extra
 from ..output.records import lines
 from ..quantities.formatting import Format
 from ..rows.columns import Columns, Wanted
-from ..rows.header import BadTable, is_input, stated_meanings, understood
-from ..rows.table import Fill, Inverse, Table, half_of, say_gaps, say_reading, table_of
+from ..rows.header import is_input, stated_meanings, understood
+from ..rows.table import Fill, Inverse, Table, say_gaps, say_reading, table_of
 from ..scene.failures import MissingInput
-from ..text import ending, quoted, say, say_wrapped
+from ..text import ending, quoted, say_wrapped
 from .delimited import DELIMITED, Delimited
 from .files import SPREADSHEETS, Input, blocks, output_to, unnamed
 from .formats import LINES, FileFormat, compressor, format_of_name, stated, with_delimiter
@@ -56,7 +56,7 @@ def table_with(names: tuple[str, ...], rows: list[list[str]], job: Job, preamble
     settings = job.settings
     fill = _fill(job)
     meanings = stated_meanings(names, settings.columns, settings.measured)
-    columns = understood(names, rows, meanings)._replace(preamble=preamble)
+    columns = understood(names, rows, meanings, job.inputs)._replace(preamble=preamble)
     asked = quantities_named(settings.quantities) if settings.quantities else ([], EVERYTHING)
     try:
         table = table_of(
@@ -68,11 +68,9 @@ def table_with(names: tuple[str, ...], rows: list[list[str]], job: Job, preamble
             uncertainty=settings.uncertainty,
             alternatives=settings.alternatives,
         )
-    except MissingInput as error:
+    except MissingInput:
         if not settings.quiet:
             say_reading(columns)  # a column may not be understood
-            if "radius" in error.missing and (half := half_of(columns)):
-                say(f"note: no column gives a radius{half}", sys.stderr)
         raise
     if not settings.quiet:
         say_reading(columns)

@@ -13,14 +13,14 @@ import numpy
 import pyarrow
 import pyarrow.parquet
 
-from ..errors import BadRequest
+from ..errors import BadRequest, BadTable
 from ..output.records import middles, names_of_columns
 from ..quantities.formatting import Format
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..rows.block import Block
 from ..rows.cells import Floats, Numbers, Reader
 from ..rows.columns import BLOCK, DOUBT, STATUS, Columns, Wanted, remarks_of
-from ..rows.header import BadTable, is_input, stated_meanings
+from ..rows.header import is_input, stated_meanings
 from ..rows.readings import Reading
 from ..rows.table import Table, TableBlock
 from ..scene.limits import codes

@@ -11,7 +11,7 @@ from functools import partial
 from itertools import chain, islice
 from typing import BinaryIO, NamedTuple
 
-from ..rows.header import BadRow
+from ..errors import BadRow
 from ..text import say
 from .files import output_to
 from .lines import Converted, Tally

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 from ..answers.questions import QUESTIONS
 from ..errors import BadRequest
-from ..quantities.nomenclature import INFINITY, NOMENCLATURE
+from ..quantities.nomenclature import INFINITY, NOMENCLATURE, OF_THE_PAIR
 from ..text import capitalized, fitting, quoted, terminal_width, wrapped
 
 MAX_DIGITS = 9  # of a number
@@ -235,7 +235,15 @@ PROGRAM = (
 # Inputs that every question takes: shown where they are used, and among the further options.
 _ALWAYS = ("radius2", "material2", "surface_energy", "work_of_adhesion", "youngs_modulus", "poisson_ratio", "density")
 _HIDDEN = ("surface_energy2", "youngs_modulus2", "poisson_ratio2", "density2", "atomic_spacing")
-_HIDDEN_WHERE_USED = ("energy_ratio", "adhesion_hysteresis", "hysteresis_fraction", "hamaker", "hamaker2", "cutoff")
+_HIDDEN_WHERE_USED = (
+    *OF_THE_PAIR,
+    "energy_ratio",
+    "adhesion_hysteresis",
+    "hysteresis_fraction",
+    "hamaker",
+    "hamaker2",
+    "cutoff",
+)
 
 
 @cache

@@ -63,6 +63,7 @@ NAMED = {
     "MATERIAL": Option("material", "--material", str, "quartz"),
     "RADIUS": Option("radius", "--radius", str, "100nm"),
 }
+R = Option("R", "--R", str, "50nm")  # the reduced radius here, a sphere's in many other places
 MAX_OTHERS = 3
 _DASHES = ("–", "—")  # as word processors make them of hyphens
 
@@ -136,7 +137,7 @@ def _read(
     while rest:
         word = rest.popleft()
         if word == "--":
-            return [*arguments, *rest], given
+            return [*arguments, *rest], _with_radius(given)
         if "RADIUS" in kinds and (spelt := _named_value(word, flags)):
             word = spelt
         elif word[:1] in _DASHES and word[1:2].isalpha() and "IN" not in kinds:
@@ -160,7 +161,20 @@ def _read(
             raise BadRequest(f"{option.flag} is given more than once")
         else:
             given[option.name] = _value(option, value, rest, flags)
-    return arguments, given
+    return arguments, _with_radius(given)
+
+
+def _with_radius(given: dict[str, str | bool | tuple[str, ...]]) -> dict[str, str | bool | tuple[str, ...]]:
+    """Return options with R as the radius of sphere 1 where sphere 2 has one. Raises BadRequest where it has none."""
+    if R.name not in given:
+        return given
+    value = given.pop(R.name)
+    if "radius2" not in given:
+        both = f"--radius {value}, that of equal spheres, or --reduced-radius {value}"
+        raise BadRequest(f"{R.name} may be the radius of a sphere or the reduced radius: write {both}")
+    if "radius" in given:
+        raise BadRequest("--radius is given more than once")
+    return {**given, "radius": value}
 
 
 def _texts(given: str | bool | tuple[str, ...] | None) -> tuple[str, ...]:
@@ -223,6 +237,8 @@ def _option(flag: str, flags: Mapping[str, Option]) -> Option | None:
     if found := flags.get(flag) or flags.get(SYNONYMS.get(flag, "")):
         return found
     by_name = {option.name: option for option in flags.values() if option.name in NOMENCLATURE}
+    if flag == R.flag and "radius" in by_name:
+        return R
     return by_name.get(named(flag[2:], by_name)) if flag.startswith("--") else None
 
 

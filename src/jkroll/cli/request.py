@@ -52,7 +52,11 @@ class Request:
         if radii:
             self.options["radius"] = ",".join(radii)
         for alternatives in EXCLUSIVE:
-            given = [NOMENCLATURE[name].option for name in alternatives if name in options]
+            given = [
+                NOMENCLATURE[name].option or "a radius"
+                for name in alternatives
+                if name in options or (name == "radius" and radii)
+            ]
             if len(given) > 1:
                 raise BadRequest(f"{listed(given)} exclude each other")
 

@@ -1,7 +1,7 @@
 """Materials by name: the shipped ones and those of the user's files, which take precedence.
 
-A file is TOML of a size that cannot keep a call waiting. The properties of a material are read and checked when it is
-asked for. A mistake in one material of a file does not keep a user from the others.
+A file is TOML of a size that cannot keep a call waiting. A mistake in one material of a file does not keep a user from
+the others: it is raised when that material is asked for.
 """
 
 import os
@@ -68,7 +68,7 @@ def _text(path: str) -> str:
         raise MaterialsFileError(path, "is not UTF-8") from None
 
 
-# --- Entries of a file ------------------------------------------------------------------------------------------------
+# --- Names and forms --------------------------------------------------------------------------------------------------
 
 Path = str | os.PathLike[str]
 MAX_NAME = 60
@@ -77,35 +77,6 @@ _HERE = os.path.dirname(os.path.abspath(__file__))
 # A wheel has the file here, and a checkout at its top level.
 _PLACES = (os.path.join(folder, "materials.toml") for folder in (_HERE, os.path.join(_HERE, *[os.pardir] * 3)))
 SHIPPED = next(path for path in _PLACES if os.path.exists(path))
-
-
-class File(NamedTuple):
-    """A materials file, of which only the form has been checked."""
-
-    path: str
-    title: str
-    materials: Mapping[str, Any]
-    references: Mapping[str, Any]
-
-
-class Entry(NamedTuple):
-    """A material in a file, of which only the names have been checked."""
-
-    name: str
-    aliases: tuple[str, ...]
-    file: File
-    remarks: tuple[str, ...] = ()
-
-    @property
-    def is_shipped(self) -> bool:
-        """True for a material of the file that comes with jkroll."""
-        return self.file.path == SHIPPED
-
-    @property
-    def title(self) -> str:
-        """The title of its set."""
-        return shown(str(self.file.materials[self.name].get("source", self.file.title)))
-
 
 _OF_A_NAME = f"a name begins with a letter, has no comma and {MAX_NAME} characters at most, and is not all or plane"
 
@@ -128,61 +99,6 @@ def is_material_name(word: str) -> bool:
 
 class Malformed(Exception):
     """Error raised for something in a materials file that is not a material; the file is named where it is caught."""
-
-
-def path_of(path: Path) -> str:
-    """Return a path as a text; raise MaterialsFileError for what is none."""
-    try:
-        return os.fsdecode(path)
-    except TypeError:
-        raise MaterialsFileError(str(path), "is not a path") from None
-
-
-def entries_of(path: str) -> list[Entry]:
-    """Return the materials of a file, with their names checked."""
-    data = _shipped_data() if path == SHIPPED else data_of(path)
-    try:
-        return _entries_in(_form_of(data, path))
-    except Malformed as error:
-        raise MaterialsFileError(path, str(error)) from None
-
-
-def _shipped_data() -> Mapping[str, Any]:
-    """Return the content of the shipped file, which a wheel also holds as a module, made when it was built."""
-    if os.path.dirname(SHIPPED) != _HERE:  # a checkout
-        return data_of(SHIPPED)
-    from .shipped import DATA  # type: ignore  # mypy does not find it, or finds it without types
-
-    return dict(DATA)
-
-
-def _form_of(data: Mapping[str, Any], path: str) -> File:
-    """Check the outermost level of a file."""
-    unknown = set(data) - {"title", "materials", "references"}
-    if unknown:
-        name = "NAME" if closest(key := min(unknown), ["materials"]) else shown(key)
-        raise Malformed(f"has an unknown key {quoted(key)}; expected [materials.{name}] tables")
-    title = checked_text(data.get("title", shown(path)), "title")
-    return File(path, title, *(checked_table(data.get(name, {}), name) for name in ("materials", "references")))
-
-
-def _entries_in(file: File) -> list[Entry]:
-    """Check the names and aliases of all materials of a file. Several may have one alias, which is then refused when it is used."""
-    names: dict[str, str] = {}
-    for name in file.materials:
-        names.setdefault(name.casefold(), name)
-    entries: list[Entry] = []
-    for name, table in file.materials.items():
-        aliases = checked_list(checked_table(table, f"materials.{name}").get("aliases", []), f"{name}.aliases")
-        for word in (name, *aliases):
-            other = names.get(word.casefold(), name)
-            if other != name:
-                both = f"{quoted(other)} and {quoted(name)}"
-                raise Malformed(f"{quoted(word)} names both {both}; case makes no difference")
-            if not is_material_name(word):
-                raise Malformed(f"{quoted(word, MAX_NAME)} cannot name a material; {_OF_A_NAME}")
-        entries.append(Entry(name, aliases, file))
-    return entries
 
 
 def checked_table(value: object, where: str) -> Mapping[str, Any]:
@@ -211,9 +127,7 @@ def checked_text(value: object, where: str) -> str:
     return shown(value)
 
 
-# --- Materials by name ------------------------------------------------------------------------------------------------
-
-MAX_LISTED = 20
+# --- Materials --------------------------------------------------------------------------------------------------------
 
 
 class Origin(NamedTuple):
@@ -257,6 +171,7 @@ class Material(NamedTuple):
     origins: Mapping[str, Origin] = MappingProxyType({})  # of properties whose origin is stated
     displacement: Displacement | None = None  # from which that of a contact follows
     replaced: frozenset[str] = frozenset()  # properties with another value than its data have
+    mistake: MaterialsFileError | None = None  # what is wrong with it in its file
 
     @property
     def key(self) -> tuple[str, str]:
@@ -286,6 +201,161 @@ class Material(NamedTuple):
 def _of_fields(*fields: Any) -> Material:
     """Return a material whose mappings are read-only."""
     return Material._make(MappingProxyType(field) if isinstance(field, dict) else field for field in fields)
+
+
+# --- A file, in one pass ----------------------------------------------------------------------------------------------
+
+
+def materials_in(path: str) -> list[Material]:
+    """Return the materials of a file, read and checked; MaterialsFileError if it is no materials file.
+
+    A material with which something is wrong has no properties, but its mistake.
+    """
+    data = _shipped_data() if path == SHIPPED else data_of(path)
+    try:
+        if unknown := set(data) - {"title", "materials", "references"}:
+            name = "NAME" if closest(key := min(unknown), ["materials"]) else shown(key)
+            raise Malformed(f"has an unknown key {quoted(key)}; expected [materials.{name}] tables")
+        title = checked_text(data.get("title", shown(path)), "title")
+        tables, references = (checked_table(data.get(name, {}), name) for name in ("materials", "references"))
+        aliases = _aliases_in(tables)
+    except Malformed as error:
+        raise MaterialsFileError(path, str(error)) from None
+    return [_material(path, title, name, aliases[name], table, references) for name, table in tables.items()]
+
+
+def _shipped_data() -> Mapping[str, Any]:
+    """Return the content of the shipped file, which a wheel also holds as a module, made when it was built."""
+    if os.path.dirname(SHIPPED) != _HERE:  # a checkout
+        return data_of(SHIPPED)
+    from .shipped import DATA  # type: ignore  # mypy does not find it, or finds it without types
+
+    return dict(DATA)
+
+
+def _aliases_in(tables: Mapping[str, Any]) -> dict[str, tuple[str, ...]]:
+    """Return the aliases of all materials of a file. Several may have one alias, which is then refused when it is used."""
+    names: dict[str, str] = {}
+    for name in tables:
+        names.setdefault(name.casefold(), name)
+    found: dict[str, tuple[str, ...]] = {}
+    for name, table in tables.items():
+        found[name] = checked_list(checked_table(table, f"materials.{name}").get("aliases", []), f"{name}.aliases")
+        for word in (name, *found[name]):
+            other = names.get(word.casefold(), name)
+            if other != name:
+                both = f"{quoted(other)} and {quoted(name)}"
+                raise Malformed(f"{quoted(word)} names both {both}; case makes no difference")
+            if not is_material_name(word):
+                raise Malformed(f"{quoted(word, MAX_NAME)} cannot name a material; {_OF_A_NAME}")
+    return found
+
+
+def _material(
+    path: str, title: str, name: str, aliases: tuple[str, ...], table: Mapping[str, Any], references: Mapping[str, Any]
+) -> Material:
+    """Return a material of a file, with its properties or with its mistake."""
+    material = Material(name, {}, aliases, {}, (), (), shown(str(table.get("source", title))), path)
+    try:
+        return _with_data(material, table, references)
+    except Malformed as error:
+        return material._replace(mistake=MaterialsFileError(path, str(error)))
+
+
+def _with_data(material: Material, table: Mapping[str, Any], references: Mapping[str, Any]) -> Material:
+    """Return a material with what its table says; Malformed if something is wrong."""
+    name = material.name
+    _refuse_unknown_keys(name, table, (*PROPERTIES, XI, "aliases", "notes", "references", "state", "source"))
+    properties: dict[str, float] = {}
+    uncertainties: dict[str, Uncertain] = {}
+    origins: dict[str, Origin] = {}
+    for key in (key for key in PROPERTIES if key in table):
+        value, where = table[key], f"{name}.{key}"
+        if isinstance(value, dict):
+            origins[key] = _origin(where, value)
+            value, where = value.get("value"), f"{where}.value"
+        found = _property(key, value, name, where)
+        properties[key] = found if isinstance(found, float) else found.value
+        if not isinstance(found, float):
+            uncertainties[key] = found
+    displacement = None
+    if XI in table:
+        displacement, origins[XI] = _displacement(checked_table(table[XI], f"{name}.{XI}"), name)
+    notes = checked_texts(table.get("notes", {}), f"{name}.notes")
+    for key in notes:
+        if key not in table:
+            raise Malformed(f"{quoted(name)} has a note on {quoted(key)}, which it does not give")
+    general = checked_list(table.get("references", []), f"{name}.references")
+    cited = dict.fromkeys([*general, *(origin.reference for origin in origins.values() if origin.reference)])
+    checked_text(table.get("source", ""), f"{name}.source")
+    return material._replace(
+        properties=MappingProxyType(properties),
+        notes=MappingProxyType(notes),
+        references=tuple(_reference(key, name, references) for key in cited),
+        state=checked_text(table.get("state", ""), f"{name}.state"),
+        uncertainties=MappingProxyType(uncertainties),
+        origins=MappingProxyType(origins),
+        displacement=displacement,
+    )
+
+
+def _displacement(table: Mapping[str, Any], name: str) -> tuple[Displacement, Origin]:
+    """Return the yield displacement of a material, and its origin."""
+    where = f"{name}.{XI}"
+    for key in ("value", "radius"):
+        if key not in table:
+            raise Malformed(f"{shown(where)} has no {key}")
+    radius = _property("radius", table["radius"], where, f"{where}.radius")
+    if not isinstance(radius, float):
+        raise Malformed(f"{shown(where)}: the radius of the spheres is a single one")
+    found = _property(XI, table["value"], name, f"{where}.value")
+    ends = (found, found, found) if isinstance(found, float) else (found.value, found.low, found.high)
+    return Displacement(Interval(*ends), radius), _origin(where, table, "radius")
+
+
+def _origin(where: str, table: Mapping[str, Any], *others: str) -> Origin:
+    """Return what the table of a property says besides the value."""
+    _refuse_unknown_keys(where, table, ("value", *others, *Origin._fields))
+    return Origin(**checked_texts({key: text for key, text in table.items() if key in Origin._fields}, where))
+
+
+def _refuse_unknown_keys(where: str, table: Mapping[str, Any], known: Sequence[str]) -> None:
+    for key in table:
+        if key not in known:
+            guess = closest(named(key), known)
+            hint = f"; did you mean {guess}?" if guess else ""
+            raise Malformed(f"{quoted(where)} has an unknown key {quoted(key)}{hint}")
+
+
+def _reference(key: str, name: str, references: Mapping[str, Any]) -> Mapping[str, str]:
+    """Return a reference that a material cites."""
+    if key not in references:
+        raise Malformed(f"{quoted(name)} cites {quoted(key)}, which [references] does not have")
+    return {"key": key, **checked_texts(references[key], f"references.{key}")}
+
+
+def _as_text(number: float, where: str) -> str:
+    """Return a number as it could have been typed."""
+    try:
+        return repr(number)
+    except ValueError:  # thousands of hexadecimal digits, which Python does not convert
+        raise Malformed(f"{shown(where)} has too many digits") from None
+
+
+def _property(key: str, value: object, name: str, where: str) -> float | Uncertain:
+    """Return the SI value of a property: a text with a unit or, for a property without a unit, a number. `where`: its place in the file."""
+    if isinstance(value, (int, float)) and not isinstance(value, bool) and NOMENCLATURE[key].unit == "1":
+        value = _as_text(value, where)
+    text = checked_text(value, where)
+    try:
+        return value_of(text, key)
+    except QuantityError as error:
+        raise Malformed(f"{shown(name)}: {error}") from None
+
+
+# --- Materials by name ------------------------------------------------------------------------------------------------
+
+MAX_LISTED = 20
 
 
 class UnknownMaterial(JkrollError):
@@ -324,48 +394,47 @@ class Materials:
         """
         self.overrides: list[str] = []  # sentences on the names that were taken
         self.clashes: dict[str, UnclearMaterial] = {}  # errors of the names that were not, case folded
-        self._entries: dict[str, Entry] = {}
-        self._read: dict[str, Material] = {}
-        self._meanings: dict[str, list[Entry]] = {}  # of a name or alias, case folded
+        self._all: dict[str, Material] = {}  # by name
+        self._meanings: dict[str, list[Material]] = {}  # of a name or alias, case folded
         is_one = isinstance(paths, str | bytes) or not isinstance(paths, Iterable)
         taking = [*map(path_of, [paths] if is_one else paths)]  # type: ignore[arg-type]
         self.paths = tuple(dict.fromkeys((*map(path_of, added), *taking)))  # of the files besides the shipped one
         for path in dict.fromkeys((SHIPPED, *self.paths)):
-            for entry in entries_of(path):
-                self._add(entry, takes=path in taking)
+            for material in materials_in(path):
+                self._add(material, takes=path in taking)
 
-    def _add(self, entry: Entry, *, takes: bool) -> None:
+    def _add(self, material: Material, *, takes: bool) -> None:
         """Add a material under all of its names, or, unless it `takes` them, those that are not of the shipped file."""
-        words = {word.casefold(): word for word in (*entry.aliases, entry.name)}
-        name = entry.name.casefold()
-        others = {word: [one for one in self._meanings.get(word, ()) if one.file is not entry.file] for word in words}
+        words = {word.casefold(): word for word in (*material.aliases, material.name)}
+        name = material.name.casefold()
+        others = {word: [one for one in self._meanings.get(word, ()) if one.path != material.path] for word in words}
         if not takes:
-            shipped = {word: one for word, ones in others.items() for one in ones[:1] if one.is_shipped}
-            clashes = {word: _clash(words[word], one, entry) for word, one in shipped.items()}
+            shipped = {word: one for word, ones in others.items() for one in ones[:1] if one.path == SHIPPED}
+            clashes = {word: _clash(words[word], one, material) for word, one in shipped.items()}
             if name in clashes:  # it is not known by its other names either
                 clashes = dict.fromkeys(words, clashes[name])
             self.clashes |= clashes
             words = {word: text for word, text in words.items() if word not in clashes}
-        file = shown(entry.file.path)
+        file = shown(material.path)
         taken = ((words[word], one.title) for word in words for one in others[word])
         remarks = dict.fromkeys(f"{file} overrides {shown(word)} of {title}" for word, title in taken)
         self.overrides += remarks
-        entry = entry._replace(remarks=tuple(remarks))
+        material = material._replace(remarks=tuple(remarks))
         for word in words:
             self.clashes.pop(word, None)
-            of_file = [one for one in self._meanings.get(word, ()) if one.file is entry.file]
-            self._meanings[word] = [*of_file, entry]
+            of_file = [one for one in self._meanings.get(word, ()) if one.path == material.path]
+            self._meanings[word] = [*of_file, material]
         if name in words:
             for one in others[name]:
                 if one.name.casefold() == name:
-                    self._replace(one, entry)
-            self._entries[entry.name] = entry
+                    self._replace(one, material)
+            self._all[material.name] = material
 
-    def _replace(self, before: Entry, entry: Entry) -> None:
+    def _replace(self, before: Material, material: Material) -> None:
         """Give the other names of a material to the one that has taken its name."""
-        del self._entries[before.name]
+        del self._all[before.name]
         for alias in map(str.casefold, before.aliases):
-            self._meanings[alias] = [entry if one is before else one for one in self._meanings[alias]]
+            self._meanings[alias] = [material if one is before else one for one in self._meanings[alias]]
 
     def __getitem__(self, word: str) -> Material:
         """Return the material of a name or alias, in any case.
@@ -379,44 +448,32 @@ class Materials:
             raise clash
         meanings = self._meanings.get(key, [])
         if len(meanings) == 1:
-            return self._named(meanings[0].name)
-        states = [entry for name, entry in self._entries.items() if name.casefold().startswith(f"{key}-")]
+            return _sound(meanings[0])
+        states = [material for name, material in self._all.items() if name.casefold().startswith(f"{key}-")]
         if len(several := meanings or states) > 1:
-            raise UnclearMaterial(word, _choice([*map(_material, several)]))
+            raise UnclearMaterial(word, _choice([*map(_sound, several)]))
         guess = states[0].name if states else closest(key, [*self.names, *self.aliases])
-        raise UnknownMaterial(word, sorted(self._entries), guess)
-
-    def _named(self, name: str) -> Material:
-        if name not in self._read:
-            self._read[name] = _material(self._entries[name])
-        return self._read[name]
+        raise UnknownMaterial(word, sorted(self._all), guess)
 
     @property
     def materials(self) -> Mapping[str, Material]:
         """All materials by name, without those with which something is wrong."""
-        wrong = self.mistakes
-        return {name: self._named(name) for name in self._entries if name not in wrong}
+        return {name: material for name, material in self._all.items() if material.mistake is None}
 
     @property
     def mistakes(self) -> Mapping[str, MaterialsFileError]:
         """The errors of materials with which something is wrong, by name."""
-        found = {}
-        for name in self._entries:
-            try:
-                self._named(name)
-            except MaterialsFileError as error:
-                found[name] = error
-        return found
+        return {name: material.mistake for name, material in self._all.items() if material.mistake is not None}
 
     @property
     def names(self) -> list[str]:
         """The names of all materials."""
-        return [*self._entries]
+        return [*self._all]
 
     @property
     def aliases(self) -> list[str]:
         """The other names of all materials."""
-        return [*dict.fromkeys(alias for entry in self._entries.values() for alias in entry.aliases)]
+        return [*dict.fromkeys(alias for material in self._all.values() for alias in material.aliases)]
 
 
 def known_materials(*paths: Path) -> Materials:
@@ -429,10 +486,17 @@ def _shipped() -> Materials:
     return Materials()
 
 
-def _clash(name: str, shipped: Entry, added: Entry) -> UnclearMaterial:
+def _sound(material: Material) -> Material:
+    """Return a material, or raise its mistake."""
+    if material.mistake is not None:
+        raise material.mistake.with_traceback(None)
+    return material
+
+
+def _clash(name: str, shipped: Material, added: Material) -> UnclearMaterial:
     """Return the error of a name that is shipped and in another file, which may not take it."""
     whose = f"{shipped.title}'" if shipped.title.endswith("s") else f"{shipped.title}'s"
-    file = shown(added.file.path)
+    file = shown(added.path)
     return UnclearMaterial(name, f"{whose} and also in {file}; rename it, or pass --materials {file}")
 
 
@@ -450,109 +514,12 @@ def _choice(materials: Sequence[Material]) -> str:
     return f"{', '.join(texts[:-1])} or {texts[-1]}: which?"
 
 
-def _material(entry: Entry) -> Material:
-    """Read and check a material; MaterialsFileError if something is wrong with it."""
+def path_of(path: Path) -> str:
+    """Return a path as a text; raise MaterialsFileError for what is none."""
     try:
-        return _checked(entry)
-    except Malformed as error:
-        raise MaterialsFileError(entry.file.path, str(error)) from None
-
-
-def _checked(entry: Entry) -> Material:
-    name, aliases, file, remarks = entry
-    table = file.materials[name]
-    _refuse_unknown_keys(name, table, (*PROPERTIES, XI, "aliases", "notes", "references", "state", "source"))
-    properties: dict[str, float] = {}
-    uncertainties: dict[str, Uncertain] = {}
-    origins: dict[str, Origin] = {}
-    for key in PROPERTIES:
-        if key not in table:
-            continue
-        value, where = table[key], f"{name}.{key}"
-        if isinstance(value, dict):
-            origins[key] = _origin(where, value)
-            value, where = value.get("value"), f"{where}.value"
-        found = _property(key, value, name, where)
-        properties[key] = found if isinstance(found, float) else found.value
-        if not isinstance(found, float):
-            uncertainties[key] = found
-    displacement = None
-    if XI in table:
-        displacement, origins[XI] = _displacement(checked_table(table[XI], f"{name}.{XI}"), name)
-    notes = checked_texts(table.get("notes", {}), f"{name}.notes")
-    for key in notes:
-        if key not in table:
-            raise Malformed(f"{quoted(name)} has a note on {quoted(key)}, which it does not give")
-    general = checked_list(table.get("references", []), f"{name}.references")
-    cited = dict.fromkeys([*general, *(origin.reference for origin in origins.values() if origin.reference)])
-    return Material(
-        name=name,
-        properties=MappingProxyType(properties),
-        aliases=aliases,
-        notes=MappingProxyType(notes),
-        remarks=remarks,
-        references=tuple(_reference(key, name, file) for key in cited),
-        title=checked_text(table.get("source", file.title), f"{name}.source"),
-        path=file.path,
-        state=checked_text(table.get("state", ""), f"{name}.state"),
-        uncertainties=MappingProxyType(uncertainties),
-        origins=MappingProxyType(origins),
-        displacement=displacement,
-    )
-
-
-def _displacement(table: Mapping[str, Any], name: str) -> tuple[Displacement, Origin]:
-    """Return the yield displacement of a material, and its origin."""
-    where = f"{name}.{XI}"
-    for key in ("value", "radius"):
-        if key not in table:
-            raise Malformed(f"{shown(where)} has no {key}")
-    radius = _property("radius", table["radius"], where, f"{where}.radius")
-    if not isinstance(radius, float):
-        raise Malformed(f"{shown(where)}: the radius of the spheres is a single one")
-    found = _property(XI, table["value"], name, f"{where}.value")
-    ends = (found, found, found) if isinstance(found, float) else (found.value, found.low, found.high)
-    return Displacement(Interval(*ends), radius), _origin(where, table, "radius")
-
-
-def _origin(where: str, table: Mapping[str, Any], *others: str) -> Origin:
-    """Return what the table of a property says besides the value."""
-    _refuse_unknown_keys(where, table, ("value", *others, *Origin._fields))
-    return Origin(**checked_texts({key: text for key, text in table.items() if key in Origin._fields}, where))
-
-
-def _refuse_unknown_keys(where: str, table: Mapping[str, Any], known: Sequence[str]) -> None:
-    for key in table:
-        if key not in known:
-            guess = closest(named(key), known)
-            hint = f"; did you mean {guess}?" if guess else ""
-            raise Malformed(f"{quoted(where)} has an unknown key {quoted(key)}{hint}")
-
-
-def _reference(key: str, name: str, file: File) -> Mapping[str, str]:
-    """Return a reference that a material cites."""
-    if key not in file.references:
-        raise Malformed(f"{quoted(name)} cites {quoted(key)}, which [references] does not have")
-    return {"key": key, **checked_texts(file.references[key], f"references.{key}")}
-
-
-def _as_text(number: float, where: str) -> str:
-    """Return a number as it could have been typed."""
-    try:
-        return repr(number)
-    except ValueError:  # thousands of hexadecimal digits, which Python does not convert
-        raise Malformed(f"{shown(where)} has too many digits") from None
-
-
-def _property(key: str, value: object, name: str, where: str) -> float | Uncertain:
-    """Return the SI value of a property: a text with a unit or, for a property without a unit, a number. `where`: its place in the file."""
-    if isinstance(value, (int, float)) and not isinstance(value, bool) and NOMENCLATURE[key].unit == "1":
-        value = _as_text(value, where)
-    text = checked_text(value, where)
-    try:
-        return value_of(text, key)
-    except QuantityError as error:
-        raise Malformed(f"{shown(name)}: {error}") from None
+        return os.fsdecode(path)
+    except TypeError:
+        raise MaterialsFileError(str(path), "is not a path") from None
 
 
 # --- Places of the user's files ---------------------------------------------------------------------------------------

@@ -1,4 +1,4 @@
-"""Contacts as input of other programs: LAMMPS, LIGGGHTS and DustSimulation, in SI or cgs units.
+"""Contacts as input of other programs: LAMMPS, LIGGGHTS, DustCollider and DustSimulation, in SI or cgs units.
 
 LAMMPS has them as `granular` with rolling resistance, in SI units, and takes γ = w/2. Only E* of the elastic constants
 enters its normal force: they are written as E = 2E*, ν = 0, which also mixes as E* does. Its rolling friction is a
@@ -8,6 +8,7 @@ The skin of its neighbor lists is 1 mm in SI units if none is given, and with gr
 are ASCII, as LAMMPS warns of other characters.
 
 LIGGGHTS has the pull-off force of JKR with Hertz' contact, in SI units, for two spheres or a sphere and a wall.
+DustCollider takes the material of grains in SI units, and their radii elsewhere.
 DustSimulation takes a material and a radius in cgs units, for identical spheres; its thresholds are those of this
 program.
 """
@@ -106,9 +107,17 @@ def lammps_input(scene: Scene) -> Iterator[str]:
         except TwoRigidBodies as error:
             yield f"# {command.partition(' {')[0]}: {error}"
     yield f"timestep {min(steps):.12g}"
+    yield from _rayleigh([scene if scene.is_identical else pair_of(scene, sphere) for sphere in spheres])
     friction = " F_slide/(P + 2P_c)" if scene.law.is_default else ""
     yield from (remark.format(law=model, friction=friction) for remark in _REMARKS)
     yield from (remark.format(**whole, place=place) for remark in _REMARKS_ON[model])
+
+
+def _rayleigh(grains: Iterable[Scene]) -> Iterator[str]:
+    """Iterate over the comment on the other time step in use, a fifth of the shortest Rayleigh time."""
+    times = [time for grain in grains for time in grain.numbers("rayleigh_time").values() if time]
+    if times:
+        yield f"# A fifth of the Rayleigh time, which needs no load, is {min(times) / 5:.3g} s: take the shorter of the two where grains collide."
 
 
 def _skin(scene: Scene, pairs: Iterable[Scene]) -> float:
@@ -204,6 +213,24 @@ def _about_dust_simulation(scene: Scene) -> Iterator[str]:
     )
 
 
+def dust_collider_material(scene: Scene) -> Iterator[str]:
+    """Iterate over the lines of a material in a command file of Paulemaule/DustCollider, in SI units."""
+    scene.plan("pull_off_force", "contact_modulus", "density", "yield_displacement")
+    _refuse_state(scene, "dust-collider")
+    if not scene.is_identical:
+        raise OfIdenticalSpheres
+    if "shear_strength" in scene.given:
+        raise NotInProgram("dust-collider", "has a shear strength of its own, and takes no other")
+    if scene["poisson_ratio"] == 0:
+        raise NotInProgram("dust-collider", "divides by Poisson's ratio, which is 0 here")
+    gamma = scene["work_of_adhesion"] / 2
+    numbers = (gamma, *(scene[name] for name in ("youngs_modulus", "poisson_ratio", "density", "yield_displacement")))
+    name = scene.material.name if scene.material else "jkroll"
+    yield f'<material id = "1"> "{name}"{_words(iter(numbers))} 0'
+    yield "# gamma [J/m^2], Young's modulus [Pa], Poisson's ratio, density [kg/m^3], xi [m], viscous time [s]."
+    yield "# The viscous time is yours to write: 0 is no damping. It is fitted to measured sticking of grains of one size."
+
+
 def liggghts_input(scene: Scene) -> Iterator[str]:
     """Iterate over the lines of an input of LIGGGHTS: Hertz' force less kA with the pull-off force of JKR."""
     scene.plan("pull_off_force", "contact_modulus", "density")
@@ -225,6 +252,10 @@ def liggghts_input(scene: Scene) -> Iterator[str]:
     yield f"fix m3 all property/global cohesionEnergyDensity peratomtypepair {len(solids)}{densities}"
     yield "pair_style gran model hertz tangential history cohesion sjkr2"
     yield "pair_coeff * *"
+    if steps := [step for pair in pairs for step in pair.numbers("time_step").values()]:
+        yield f"# timestep {min(steps):.12g}: a twentieth of the period of sliding with rotation of a JKR contact without load, in s."
+    grains = (1,) if at_wall else spheres
+    yield from _rayleigh([scene if scene.is_identical else pair_of(scene, grain) for grain in grains])
     yield "# m1: Pa, of each type; m2: 1; m3: k in J/m^3, of the types 1 1, or 1 1, 1 2, 2 1, 2 2. Lengths in m, forces in N."
     yield "# coefficientRestitution and coefficientFriction are yours to give; there is no resistance to rolling or twisting."
     yield "# k holds for these radii: it goes as R^(-1/3). With cohesion sjkr, two spheres take twice this k, and a wall this."
@@ -266,6 +297,7 @@ class Program(NamedTuple):
 PROGRAMS: Mapping[str, Program] = {
     "lammps": Program("LAMMPS", lammps_input, (*QUANTITIES, *THRESHOLDS), tuple(_REMARKS_ON)),
     "liggghts": Program("LIGGGHTS", liggghts_input, ("pull_off_force",)),
+    "dust-collider": Program("DustCollider", dust_collider_material, ("pull_off_force", "yield_moment")),
     "dust-simulation": Program(
         "DustSimulation", dust_simulation_material, (*QUANTITIES, *THRESHOLDS), about=_about_dust_simulation
     ),

@@ -224,21 +224,25 @@ PROGRAM: Mapping[str, str] = {
 _CONVENTIONS: Mapping[str, Mapping[str, str]] = {
     "Thornton & Ning 1998": {
         "key": "thornton-ning-1998", "type": "article", "author": "Thornton, C. and Ning, Z.",
+        "title": "A theoretical model for the stick/bounce behaviour of adhesive, elastic-plastic spheres",
         "journal": "Powder Technology", "volume": "99", "pages": "154--162", "year": "1998",
         "doi": "10.1016/S0032-5910(98)00099-0",
     },
     "Paszun & Dominik 2008": {
-        "key": "paszun-dominik-2008", "type": "article", "author": "Paszun and Dominik",
+        "key": "paszun-dominik-2008", "type": "article", "author": "Paszun, D. and Dominik, C.",
+        "title": "Numerical determination of the material properties of porous dust cakes",
         "journal": "Astronomy & Astrophysics", "volume": "484", "pages": "859--868", "year": "2008",
         "doi": "10.1051/0004-6361:20079262",
     },
     "Wada et al. 2007": {
-        "key": "wada-2007", "type": "article", "author": "Wada and Tanaka and Suyama and Kimura and Yamamoto",
+        "key": "wada-2007", "type": "article", "author": "Wada, K. and Tanaka, H. and Suyama, T. and Kimura, H. and Yamamoto, T.",
+        "title": "Numerical simulation of dust aggregate collisions. I. Compression and disruption of two-dimensional aggregates",
         "journal": "The Astrophysical Journal", "volume": "661", "pages": "320", "year": "2007",
         "doi": "10.1086/514332",
     },
     "Dominik & Tielens 1997": {
         "key": "dominik-tielens-1997", "type": "article", "author": "Dominik, C. and Tielens, A. G. G. M.",
+        "title": "The physics of dust coagulation and the structure of dust aggregates in space",
         "journal": "The Astrophysical Journal", "volume": "480", "pages": "647", "year": "1997",
         "doi": "10.1086/303996",
     },

@@ -9,6 +9,7 @@ from .dimensions import Energy, Length, Mass, Number, Speed, Stress, SurfaceEner
 from .elementary import cube, sqrt
 
 CLOSEST_PACKING = 0.74  # the largest filling factor of equal spheres
+_BELOW = 8.881784197001253e-18  # by which 0.74 exceeds its double
 
 
 def contacts(*, monomers: Number) -> Number:
@@ -163,7 +164,7 @@ def compressive_strength(*, roll_energy_half_turn: Energy, radius: Length, filli
     >>> round(compressive_strength(roll_energy_half_turn=1.0, radius=1.0, filling_factor=0.37), 6)
     0.405224
     """
-    loose = filling_factor / (CLOSEST_PACKING - filling_factor) / radius
+    loose = filling_factor / (CLOSEST_PACKING - filling_factor + _BELOW) / radius
     return CLOSEST_PACKING**3 * roll_energy_half_turn * cube(loose)
 
 

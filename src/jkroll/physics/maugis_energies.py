@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from . import dugdale
-from .dimensions import Energy, Length, Number, Stress, SurfaceEnergy
+from .dimensions import Energy, Force, Length, Number, Stress, SurfaceEnergy
 from .elementary import at_most, pi, where
 
 # Gauss-Legendre quadrature: places to either side of the middle of an interval, and their weights.
@@ -197,3 +197,19 @@ def _held_to(transition: Any, approach: Any, least: Any) -> Any:
     at = dugdale.shape(dugdale.ratio_at_approach(transition, approach, least, fold))
     span = where(at.v > 0, dugdale.span(transition, at), dugdale.span_apart(transition, approach))
     return dugdale.energy(transition, at, span, approach)
+
+
+def fold_energy_maugis(*, pull_off_force: Force, fold_approach_maugis: Length) -> Energy:
+    """Return the product of the pull-off force and the depth at which fixed grips let go.
+
+        F_cδ_c = −P_c δ_fold
+
+    fold_approach_maugis  [m]  negative
+
+    Source:   As in JKR, from the force and the approach of this law.
+    Accuracy: 0.5 ulp above both.
+
+    >>> fold_energy_maugis(pull_off_force=2.0, fold_approach_maugis=-3.0)
+    6.0
+    """
+    return -pull_off_force * fold_approach_maugis

@@ -19,7 +19,7 @@ from .dimensions import (
     Stress,
     SurfaceEnergy,
 )
-from .elementary import cube, pi, sqrt
+from .elementary import cube, pi, sqrt, within
 
 
 def yield_moment(*, adhesive_force: Force, yield_displacement: Length) -> Moment:
@@ -84,6 +84,23 @@ def rolling_friction_coefficient(
     2.0
     """
     return yield_moment / (reduced_radius * (load + 2 * pull_off_force))
+
+
+def rolling_resistance_coefficient(*, yield_moment: Moment, reduced_radius: Length, load: Force) -> Number:
+    """Return the coefficient with which a code that multiplies the load by it and by R rolls a contact at its yield moment.
+
+        μ_r = M/(RP)
+
+    load  [N]  > 0
+
+    Source:   LIGGGHTS, rolling_friction cdt, and Lethe: the moment against rolling is μ_r R times the normal force.
+    Valid:    This load. In JKR it is 2ξ/(R(s − 1)): it falls as 1/P from small loads on, and as 1/√P at large ones.
+    Accuracy: 1.5 ulp above M, R and P.
+
+    >>> rolling_resistance_coefficient(yield_moment=6.0, reduced_radius=3.0, load=4.0)
+    0.5
+    """
+    return within(load > 0, yield_moment / reduced_radius / load)
 
 
 def yield_force(

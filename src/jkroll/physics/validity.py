@@ -14,7 +14,8 @@ def tabor_parameter(
         μ = (4Rγ²/(E*²z0³))^(1/3) = (Rw²/(E*²z0³))^(1/3)
 
     Source:   Tabor; text below Eq (1) on Muller, Yushenko and Derjaguin.
-    Valid:    JKR above about 5, DMT below about 0.1, between them neither is exact.
+    Valid:    JKR is within 5 % of Maugis' law above 0.5 for δ0, 1.1 for P_c, 1.7 for a0, 3.3 for M and 12 for U_stick; DMT below
+              0.14 for P_c, 0.07 for a0, 0.02 for M and 0.002 for δ0.
     Accuracy: 2.5 ulp.
 
     >>> mu = tabor_parameter(

@@ -14,6 +14,7 @@ from .dimensions import (
     Number,
     RollingStiffness,
     Stiffness,
+    Stress,
     SurfaceEnergy,
     Time,
 )
@@ -130,3 +131,21 @@ def time_step(*, sliding_frequency: Frequency) -> Time:
     0.1
     """
     return 0.05 / sliding_frequency
+
+
+def rayleigh_time(*, radius: Length, density: Density, youngs_modulus: Stress, poisson_ratio: Number) -> Time:
+    """Return the time of a Rayleigh wave over half the circumference of sphere 1.
+
+        t_R = πR1√(ρ1/G)/(0.8766 + 0.1631ν1), G = E1/(2(1 + ν1))
+
+    poisson_ratio  [1]  -1 < ν ≤ 1/2
+
+    Source:   LIGGGHTS, fix check/timestep/gran. Its linear form is Rayleigh's root within 0.3 % for 0 ≤ ν ≤ 1/2.
+    Valid:    A free sphere: neither the contact nor its adhesion enters. Codes take a tenth to a fifth of it for a step.
+    Accuracy: 4 ulp above 1 + ν.
+
+    >>> f"{rayleigh_time(radius=1e-7, density=2600.0, youngs_modulus=54e9, poisson_ratio=0.17):.3e}"
+    '1.166e-10'
+    """
+    slowness = sqrt(2 * (1 + poisson_ratio) * (density / youngs_modulus))
+    return pi * radius * slowness / (0.8766 + 0.1631 * poisson_ratio)

@@ -12,8 +12,6 @@ if TYPE_CHECKING:
     from .values import Interval, Measured, Uncertain
 
 DIGITS = 6  # significant, of a rounded value
-DIGITS_OF_NARROW = 3  # of a range that is narrower than 1 %
-_NARROW = 0.01
 _PLAIN = 10**DIGITS  # numbers below have no exponent for want of digits
 _SMALL = 1e-3  # numbers below have too many zeros to share a unit with others
 _PREFIXES = dict(
@@ -151,11 +149,9 @@ def span(name: str, low: float, high: float) -> str:
 def _range(found: "Interval", scale: Unit, digits: int | None) -> str:
     """Return a range, whose ends are rounded to two digits of the distance between them unless there is a number of digits.
 
-    Both ends have as many decimals as the one that needs more. A narrow range is a number, with the digits that it has.
+    Both ends have as many decimals as the one that needs more. Ends that are the same in these digits are one number.
     """
     low, high = convert(found.low, scale), convert(found.high, scale)
-    if high - low < _NARROW * abs(low + high) / 2:
-        return significant((low + high) / 2, digits or DIGITS_OF_NARROW)
     place = _second_digit(high - low)
     texts = []
     for end in (low, high):
@@ -164,7 +160,7 @@ def _range(found: "Interval", scale: Unit, digits: int | None) -> str:
     if digits is None and not any("e" in text for text in texts):
         decimals = max(len(text.partition(".")[2]) for text in texts)
         texts = [f"{float(text):.{decimals}f}" for text in texts]
-    return " to ".join(texts)
+    return " to ".join(dict.fromkeys(texts))
 
 
 def _plus_minus(found: "Measured", scale: Unit) -> str:

@@ -158,6 +158,7 @@ _MAUGIS = Law(
         "pull_off_work": "pull_off_work_maugis",
         "pull_off_work_at_dead_load": "pull_off_work_at_dead_load_maugis",
         "sticking_energy": "sticking_energy_maugis",
+        "fold_energy": "fold_energy_maugis",
     },
     given={
         **_GIVEN,
@@ -200,10 +201,15 @@ _DMT = Law(
         "pull_off_work": None,
         "pull_off_work_at_dead_load": None,
         "sticking_energy": None,
+        "fold_energy": None,
     },
     given={
         **_GIVEN,
-        "approach_at_load": {"load": "load_dmt", "contact_radius_at_load": "contact_radius_dmt_at_approach"},
+        "approach_at_load": {
+            **_MAUGIS_AT_APPROACH,
+            "load": "load_dmt",
+            "contact_radius_at_load": "contact_radius_dmt_at_approach",
+        },
     },
     omits=frozenset({"rolling_frequency_as_printed", "pull_off_force_lennard_jones", "pull_off_force_dmt"}),
 )
@@ -253,6 +259,17 @@ def routes_anywhere(models: tuple[str, ...] = tuple(LAWS)) -> Mapping[str, list[
             if route is not None:
                 found.setdefault(name, []).append(route)
     return found
+
+
+@cache
+def law_of(formula: str) -> str | None:
+    """Return the only law that has some quantity by a formula; None if there is none, or several."""
+    laws = [
+        law.name
+        for law in LAWS.values()
+        if any(formula in table.values() for table in (law.routes, *law.given.values()))
+    ]
+    return laws[0] if len(laws) == 1 else None
 
 
 @cache

@@ -120,6 +120,9 @@ OF_DEM: Mapping[str, Quantity] = {
     # of pair_style granular in LAMMPS
     "rolling_spring_constant": Quantity("k_roll", "N/m", "spring constant of rolling in LAMMPS"),
     "rolling_friction_coefficient": Quantity("μ_roll", "1", "coefficient of rolling friction in LAMMPS"),
+    "rolling_resistance_coefficient": Quantity(
+        "μ_r", "1", "rolling moment over the load and R", note="for codes that multiply the load by it, at this load alone"
+    ),
     "sliding_friction_coefficient": Quantity("μ_slide", "1", "coefficient of sliding friction in LAMMPS"),
     "twisting_friction_coefficient": Quantity("μ_twist", "m", "coefficient of twisting friction in LAMMPS, a length"),
     # aggregates
@@ -171,6 +174,9 @@ OF_DEM: Mapping[str, Quantity] = {
 
 
 # --- All quantities ---------------------------------------------------------------------------------------------------
+
+# What a contact has in place of its two spheres. No hint offers them: who has a sphere has its radius and its modulus.
+OF_THE_PAIR = ("reduced_radius", "contact_modulus")
 
 # The state of the contact follows from the load unless one of these is given.
 STATE = frozenset({"approach_at_load", "load_factor", "load_margin", "edge_ratio"})
@@ -231,8 +237,8 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         # the pair
         "work_of_adhesion": Quantity("w", "J/m^2", "work of adhesion, 2√(γ1γ2)", "1", range=POSITIVE, option="--work-of-adhesion", example="50mJ/m2"),
         "radius_ratio": Quantity("R1/R2", "1", "ratio of the radii", "1", may_be_zero=True),
-        "reduced_radius": Quantity("R", "m", "reduced radius", "1", range=POSITIVE),
-        "contact_modulus": Quantity("E*", "Pa", "contact modulus", "2", range=POSITIVE),
+        "reduced_radius": Quantity("R", "m", "reduced radius", "1", range=POSITIVE, option="--reduced-radius", example="50nm"),
+        "contact_modulus": Quantity("E*", "Pa", "contact modulus", "2", range=POSITIVE, option="--contact-modulus", example="30GPa"),
         "contact_shear_modulus": Quantity("G*", "Pa", "contact shear modulus"),
         "reduced_mass": Quantity("m", "kg", "reduced mass", "33", range=POSITIVE),
         "reduced_moment_of_inertia": Quantity("I", "kg m^2", "reduced moment of inertia", "39"),
@@ -323,6 +329,7 @@ _QUANTITIES: Mapping[str, Quantity] = MappingProxyType(
         ),
         "sliding_frequency": Quantity("f_slide", "Hz", "frequency of sliding with rotation", may_be_zero=True),
         "time_step": Quantity("Δt", "s", "time step for a simulation"),
+        "rayleigh_time": Quantity("t_R", "s", "time of a Rayleigh wave around half of sphere 1", may_be_zero=True),
         # validity
         "atomic_spacing": Quantity("z0", "m", "atomic spacing", range=POSITIVE, option="--z0", example="4angstrom"),
         "tabor_parameter": Quantity("μ", "1", "Tabor parameter", "1"),

@@ -105,6 +105,14 @@ def parse_unit(text: str) -> Unit:
     return _product(_terms(normalized(text)))
 
 
+def is_in_table(text: str) -> bool:
+    """Return whether a text is a unit of which the shipped table has all names, so that pint is not asked."""
+    try:
+        return all(_in_table(name) for name, _ in _terms(normalized(text)))
+    except BadUnit:
+        return False
+
+
 def dimension_of(unit: str) -> Dimension:
     """Return the dimension of an SI unit as the nomenclature writes it, such as "N m" or "1"."""
     return si_unit(unit).dimension

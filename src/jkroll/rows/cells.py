@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from functools import lru_cache
+from math import isfinite
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
@@ -17,11 +18,10 @@ import orjson
 
 from ..errors import JkrollError
 from ..materials.library import Material, Materials, MaterialsFileError, UnclearMaterial, UnknownMaterial
-from ..quantities.errors import QuantityError
+from ..quantities.errors import BareNumber, QuantityError
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
-from ..quantities.units import dimension_of, exponent_of
-from ..quantities.values import Uncertain, has_uncertainty, unit_of
-from .header import Column
+from ..quantities.units import BadUnit, Unit, dimension_of, exponent_of
+from ..quantities.values import Uncertain, error_about, has_uncertainty, unit_of, value_of, written
 
 Floats = numpy.ndarray[tuple[int, ...], numpy.dtype[numpy.float64]]
 
@@ -31,6 +31,114 @@ _NUMBER = rb"[-+]?(?:0|[1-9][0-9]{0,19})(?:\.[0-9]{1,20})?(?:[eE][-+]?[0-9]{1,2}
 _CELL = re.compile(rb"\s*(" + _NUMBER + rb")( ?[^\s0-9.,][^,]*)?\s*")
 _POWER = re.compile(rb"e([+-]?[0-9]{1,3}),")
 _TINY = re.compile(rb"[eE]-[0-9]{3}")
+_PLUS_MINUS = re.compile(r"±|\+/?[-−]")
+_OF_VALUE = re.compile(r"(?:(?:±|\+/?-)[^±]*%)?$", re.DOTALL)  # as in 25±20 %
+_BARE = re.compile(r"(?:[-+±()/.0-9\s]|(?<=[0-9.)])[eE](?=[-+0-9])|\bto\b)*")  # numbers without a unit
+_NO_END = "?"  # of a range
+_NOTHING = ("nan", "na", "n/a", "null", "none", "-", "--")  # cells without a value, as programs write them
+
+
+class Side(NamedTuple):
+    """The column of a part of an input's uncertainty."""
+
+    part: str  # as `Reading` has it
+    place: int
+    unit_text: str  # of the cells; an empty text where it is that of the values
+
+
+class Column(NamedTuple):
+    """The column of an input, with the unit of the cells that carry none, and the columns of its uncertainty.
+
+    A range has no column but those of its ends, of which the first is the low one.
+    """
+
+    place: int
+    name: str
+    unit_text: str
+    unit: Unit | None
+    sides: tuple[Side, ...] = ()
+
+    @property
+    def places(self) -> dict[str, int]:
+        """The places of the columns whose cells make a value."""
+        own = {} if self.is_range else {self.name: self.place}
+        return own | {f"{self.name}_{side.part}": side.place for side in self.sides}
+
+    @property
+    def is_range(self) -> bool:
+        """True if a value is known by its ends."""
+        return bool(self.sides) and self.sides[0].part == "low"
+
+    def joined(self, *cells: str) -> str:
+        """Return the cells of a value as one: 25 and 5 as 25±5. Cells with units of their own keep them."""
+        first, *others = (cell.strip() for cell in cells)
+        is_single = _are_equal(first, *others) if self.is_range else not any(others)
+        if is_single:
+            return first
+        are_bare = all(map(_BARE.fullmatch, (first, *others)))
+        if not self.is_range and len(others) == 1:
+            unit_text = self.sides[0].unit_text
+            if are_bare and not unit_text:
+                return f"({first}±{others[0]})"
+            return f"{self._with_unit(first)}±{_in_unit(others[0], unit_text or self.unit_text)}"
+        if not are_bare:
+            first, *others = map(self._with_unit, (first, *others))
+        if self.is_range:
+            return f"{first or _NO_END} to {others[0] or _NO_END}"
+        minus, plus = others[0].removeprefix("-") or "0", others[1].removeprefix("+") or "0"
+        return f"{first} +{plus}/-{minus}"
+
+    def _with_unit(self, text: str) -> str:
+        """Return numbers with the unit of the column, unless they have one."""
+        of_value = _OF_VALUE.search(text)
+        assert of_value is not None  # it matches any text
+        number = text[: of_value.start()].strip()
+        is_pair = bool(_PLUS_MINUS.search(number)) and not number.startswith("(")
+        return _in_unit(number, self.unit_text, is_pair=is_pair) + of_value[0]
+
+    @property
+    def exponent(self) -> int | None:
+        """The unit as a power of ten of the SI unit; None if it is no power of ten, or if there is no unit."""
+        if self.unit is None:
+            return 0 if NOMENCLATURE[self.name].unit == "1" else None
+        return exponent_of(self.unit)
+
+    def read(self, text: str) -> float | Uncertain:
+        """Return the SI value of a cell, with its uncertainty if it states one. Its unit is its own or that of the column."""
+        if self.is_range and _NO_END in text.split():
+            raise QuantityError(self.name, text, "is a range without an end")
+        if text.lstrip().startswith("±"):
+            raise QuantityError(self.name, text, "is an error bar without a value")
+        if text.strip().casefold() in _NOTHING:
+            raise QuantityError(self.name, text, "is no number", "leave the cell empty if there is none")
+        try:
+            return value_of(self._with_unit(written(text)), self.name)
+        except BadUnit as error:
+            raise error_about(self.name, text, error) from None
+        except BareNumber:
+            if self.unit is None:
+                raise
+            raise QuantityError(self.name, text, f"is not a number of {self.unit_text}") from None
+
+
+def _in_unit(number: str, unit_text: str, *, is_pair: bool = False) -> str:
+    """Return a number with a unit, unless it has one. `is_pair`: whether it is a value and its error bar."""
+    if not number or not unit_text or not _BARE.fullmatch(number):
+        return number
+    return f"({number}) {unit_text}" if is_pair else f"{number} {unit_text}"
+
+
+def _are_equal(first: str, second: str) -> bool:
+    """Return whether two cells are the same, or the same number."""
+    return first == second or (is_number(first) and is_number(second) and float(first) == float(second))
+
+
+def is_number(text: str) -> bool:
+    """Return whether a text is a finite number as programs write it."""
+    try:
+        return isfinite(float(text))
+    except ValueError:
+        return False
 
 
 class Numbers(NamedTuple):

@@ -1,56 +1,55 @@
-"""The texts of a header: the input that each stands for, with its unit.
+"""The words of headers, and the grammar by which a header is read as an input, refused or passed through.
 
-A name, the word of an option or a symbol stands alone or with a unit behind it: `radius [nm]`, `R2 (nm)`, `Load/nN`,
-`E_GPa`, `radius in nm`. Of a symbol that several quantities have, the unit decides. One more word makes it a part of
-the input's uncertainty: `gamma_err [mJ/m2]`, `E_min (GPa)`, `u(R) [nm]`.
+A header is a word with a unit, in any of a few notations: `radius [nm]`, `R2 (nm)`, `Load/nN`, `radius in nm`, `E_GPa`,
+`gamma..mJ.m2.`. Words are compared by their letters and digits alone, so that `Young's modulus` and `youngsModulus` are
+one; a symbol is compared as it is written, and its unit decides between the quantities that have it. What has the word
+of an input and is no word with a unit is refused. All else passes through.
 """
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cache, lru_cache
+from itertools import combinations
 from typing import NamedTuple
 
-from ..quantities.errors import QUANTITY_SYNONYMS
-from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS
-from ..quantities.units import BadUnit, dimension_of, parse_unit, similar_unit
-from ..text import MAX_WORD, ascii_text, closest
+from ..quantities.errors import QuantityError, expectation
+from ..quantities.nomenclature import NOMENCLATURE, OPTION_WORDS, header
+from ..quantities.units import SUPERSCRIPTS, BadUnit, dimension_of, is_in_table, kind_of, parse_unit
+from ..quantities.values import unit_of
+from ..text import ascii_text, composed, quoted
+
+# --- Words ------------------------------------------------------------------------------------------------------------
 
 MATERIALS = ("material", "material2")
 INPUTS = ("radius", *(name for name, quantity in NOMENCLATURE.items() if quantity.option and quantity.unit))
-ALIKE = 0.85  # how similar a header is to the name of an input to be taken for a mistake
-_ALIKE_WITH_UNIT = 0.75  # the same of one that has a unit of this input
-_IN_FULL = ("", "_uncertainty")  # what stands behind the name of an input where no letter is spared
-_SHORT = 3  # letters of a name which half of all words resemble
-_BRACKETS = re.compile(r"([^\[\]]*?)\s*\[([^\[\]]*)\]")
-_PARENTHESES = re.compile(r"([^()]*?)\s*\(([^()]*)\)?")
-_CUT = re.compile(r"\s*[,/]\s*|\s+in\s+|_")  # between a name and a unit that stands in no brackets
-_SPELT_OUT = ("pico", "nano", "micro", "milli", "kilo", "mega", "giga")
-_WORDS = re.compile(r"[a-z]+[12]?")
-_BLANKS = re.compile(r"\s+in\s+|[\s(_/,:\[]+|$")  # between a name and what may be a unit
-_PHRASES = {"young_modulus": "youngs_modulus", "e_modulus": "youngs_modulus", "poissons_ratio": "poisson_ratio"}
-_SYNONYMS = {word: QUANTITY_SYNONYMS[word] for word in ("elastic_modulus", "velocity", "surface_tension")}
-_LENGTHS, _PRESSURES = "m", "Pa"
-_DIAMETER = (_LENGTHS, "a diameter? A radius is half of it.")
-_CONTACT_MODULUS = (_PRESSURES, "the modulus of a contact? --young and --poisson are those of the materials.")
-_LAW = "the law is an option: --model dmt."
-NO_INPUTS = (
-    _LAW,
-    _DIAMETER[1],
-    _CONTACT_MODULUS[1],
-)  # a choice of an input does not help: numbers or columns must change
+SYNONYMS: Mapping[str, Sequence[str]] = {
+    "youngs_modulus": ("young modulus", "youngs", "elastic modulus", "elasticity modulus", "modulus of elasticity", "E modulus"),
+    "poisson_ratio": ("poissons", "poissons ratio", "poisson number"),
+    "contact_modulus": ("E_star", "reduced modulus", "reduced Young's modulus", "effective Young's modulus"),
+    "reduced_radius": ("effective radius",),
+    "surface_energy": ("surface free energy",),
+    "hamaker": ("Hamaker constant",),
+    "density": ("mass density",),
+    "load": ("applied load", "normal load"),
+    "speed": ("velocity", "impact velocity", "impact speed", "collision velocity", "collision speed"),
+    "energy": ("impact energy", "collision energy"),
+    "gravity": ("gravitational acceleration",),
+}  # fmt: skip
+# Words that other quantities share, as in speed of sound and contact angle: they are inputs alone or with a unit.
+_SHARED = ("energy", "speed", "velocity", "angle", "approach", "contacts", "monomers", "gravity", "cutoff", "xi", "z0")
+_OTHERS = {"atomic", "ionic", "covalent", "metallic", "vdw", "bohr", "gyration", "current", "dislocation", "yield", "failure", "ultimate"}  # fmt: skip
+# What stands behind a word where it is a label or a count: material_id, load case.
+_LABELS = frozenset(
+    """id ids no nr num number name names type types class classes case cases code codes key group category kind family
+    label tag index step count counts cell rank source ref reference url doi note notes comment comments desc description
+    quality flag status unit units method model formula cost price date color colour grade out ratio""".split()
+)
+_SIZES = ("r", "r1", "r2", "d", "d1", "d2", "diam", "dia", "diameter", "diameters", "durchmesser", "ø", "size")
 _UNCLEAR = {
-    "r": (_LENGTHS, "a radius, or a distance?"),
-    **dict.fromkeys(("d", "D", "diameter", "diam", "dia"), _DIAMETER),
-    **dict.fromkeys(("E*", "E_star", "E_r"), _CONTACT_MODULUS),
-    **{
-        f"{kind}{of}_modulus": _CONTACT_MODULUS
-        for kind in ("reduced", "effective")
-        for of in ("", "_young", "_youngs", "_elastic")
-    },
-    **dict.fromkeys(("model", "law"), ("", _LAW)),
+    "surfacetension": ("surface_energy", "it may be the tension of a liquid"),
+    "modulus": ("youngs_modulus", "it may be another modulus"),
+    "effectivemodulus": ("youngs_modulus", "it may be another modulus"),
 }
-_SIZES = re.compile(r"(?<![^\W_])(?:diam(?:eters?)?|dia|durchmesser|ø)(?![^\W_])", re.IGNORECASE)
-_NO_UNITS = ("in", "bar")  # behind an underscore they may mean inside and mean
 _PARTS = {
     **dict.fromkeys(("±", "+/-", "err", "error", "std", "stdev", "sd", "sem", "se", "unc", "uncertainty"), "both"),
     "minus": "minus",
@@ -58,33 +57,166 @@ _PARTS = {
     **dict.fromkeys(("min", "low", "lower"), "low"),
     **dict.fromkeys(("max", "high", "upper"), "high"),
 }
-_LONGEST_UNIT = 24  # letters of a unit that is compared with others
-_PER_CENT = ("%", "percent", "pct")
-_OF_PART = re.compile(
-    rf"(.*?)(?:[\s_]*(±|\+/-)|[\s_]+({'|'.join(filter(str.isalpha, _PARTS))}))(?=$|[\s_,/(\[])(.*)", re.IGNORECASE
-)
-_ERROR = "|".join(["σ", "sigma", *(word for word, part in _PARTS.items() if part == "both" and word.isalpha())])
-_PART_BEFORE = re.compile(  # as in u(R) [nm], or as in σ_E [GPa] and error of radius
-    rf"(?:u|{_ERROR})\s*\(([^()]+)\)(.*)|(?:{_ERROR})(?:\s+of)?[\s_]+([^\s_].*)", re.IGNORECASE
-)
-_ALONE = re.compile(r"(?:±|\+/?-)\s*(?:\[([^\[\]]*)\]|\(([^()]*)\)|(.*))")
-_ERRORS_ALONE = ("std", "stdev", "stddev", "st_dev", "std_dev", "standard_deviation", "sd", "sem", "unc", "uncertainty")
+_COMMON_UNITS = """m cm mm um nm pm Pa kPa MPa GPa N mN uN nN pN J mJ aJ fJ zJ eV J/m2 mJ/m2 erg/cm2 N/m mN/m dyn/cm kg/m3
+    g/cm3 g/cc m/s cm/s mm/s um/s km/s km/h m/s2 cm/s2""".split()
+_UNCLEAR_IN_SMALL = ("mn", "mj")  # milli or mega?
+_INDICES = ("in", "bar")  # in no brackets they may mean inside and mean
 _RATIOS = ("poisson_ratio", "poisson_ratio2")  # the only ratios whose symbols have no other common meaning
-_OF_DIRECTIONS = re.compile(r"(G|nu|ν)_?(12|13|23|xy|xz|yz)(?![^\W_])", re.IGNORECASE)
-_SUBSCRIPTS = str.maketrans("₀₁₂", "012")
-_IN_BRACKETS = re.compile(r"[\[\](),;]")  # what divides the words of a header, of which one may be a unit
+_TOKENS = frozenset(token for name in INPUTS for token in name.split("_") if len(token) > 5)
+_LONGEST = 120  # letters of a header that can be one
+_WORD = re.compile(r"[^\W\d_][\w\s.'-]*")
+
+
+def key(word: str) -> str:
+    """Return the letters and digits of a word in small letters; "" for what is no word.
+
+    >>> key("Young's modulus"), key("youngs_modulus"), key("γ"), key("2 gamma")
+    ('youngsmodulus', 'youngsmodulus', 'gamma', '')
+    """
+    plain = ascii_text(word)
+    return re.sub(r"[\W_]+", "", plain).casefold() if _WORD.fullmatch(plain) else ""
+
+
+@cache
+def _words() -> dict[str, str]:
+    """Return the inputs by the keys of the words that mean them, with 1 or 2 for the sphere."""
+    words = {**{name: name for name in (*INPUTS, *MATERIALS)}, **OPTION_WORDS}
+    words |= {word: name for name, others in SYNONYMS.items() for word in others}
+    found = {key(word): name for word, name in words.items() if name in INPUTS or name in MATERIALS}
+    for word, name in [*found.items()]:
+        if f"{name}2" in NOMENCLATURE:
+            found |= {f"{word}1": name, f"{word}2": f"{name}2"}
+    return found
+
+
+@cache
+def _symbols() -> dict[str, list[str]]:
+    """Return the inputs by their symbols, with Greek letters spelt out, and with the index of sphere 1 or without it."""
+    found: dict[str, list[str]] = {}
+    for name in INPUTS:
+        symbol = _symbol(NOMENCLATURE[name].symbol)
+        for spelt in dict.fromkeys((symbol, symbol.removesuffix("1"))):
+            found.setdefault(spelt, []).append(name)
+    found["E"].append("energy")
+    found["Er"] = ["contact_modulus"]
+    return found
+
+
+def _symbol(word: str) -> str:
+    """Return a symbol with Greek letters spelt out; one that is spelt with a capital, such as Rho, is the same."""
+    spelt = ascii_text(word).replace(" ", "").replace("_", "")
+    return spelt.lower() if spelt.rstrip("12") in ("Gamma", "Nu", "Rho", "Xi", "Tau", "Theta") else spelt
+
+
+@cache
+def _results() -> frozenset[str]:
+    """Return the keys of quantities that are no inputs: they pass through."""
+    return frozenset(key(name) for name in NOMENCLATURE if key(name) not in _words())
+
+
+# --- Units ------------------------------------------------------------------------------------------------------------
+
+
+def fits(unit_text: str, name: str) -> bool:
+    """Return whether a text is a unit of a quantity; - and 1 are those of a ratio."""
+    unit = NOMENCLATURE[name].unit
+    if unit == "1" and unit_text in ("1", "-"):
+        return True
+    try:
+        return bool(unit and unit_text) and parse_unit(unit_text).dimension == dimension_of(unit)
+    except BadUnit:
+        return False
+
+
+def unit_for(text: str, name: str, *, is_explicit: bool = False) -> str:
+    """Return the unit of a quantity that a text means: as it is, or as programs and spreadsheets write a common one; else "".
+
+    What is in no brackets is looked for in the shipped table alone: to load pint takes as long as many rows. Programs
+    change capitals there, so that MN may be mN.
+    """
+    squeezed, small = _squeezed(text), _squeezed(text).casefold()
+    is_clear = is_explicit or squeezed in _spelt_units() or small not in (*_small_units(), *_UNCLEAR_IN_SMALL)
+    is_known = is_in_table(text)
+    if (is_explicit or (is_known and is_clear) or text in ("1", "-")) and fits(text, name):
+        return text
+    if is_explicit and is_known:
+        return ""
+    has_one_case = text.islower() or text.isupper()
+    spelt = _spelt_units().get(squeezed) or (_small_units().get(small) if has_one_case else None)
+    return spelt if spelt and fits(spelt, name) else ""
+
+
+@cache
+def _spelt_units() -> dict[str, str]:
+    return {_squeezed(unit): unit for unit in _COMMON_UNITS} | {"Gpa": "GPa", "Mpa": "MPa", "Kpa": "kPa"}
+
+
+@cache
+def _small_units() -> dict[str, str]:
+    """Return common units by their letters and digits in small letters, but for those that may be another then."""
+    small = {squeezed.casefold(): unit for squeezed, unit in _spelt_units().items()}
+    return {squeezed: unit for squeezed, unit in small.items() if squeezed not in _UNCLEAR_IN_SMALL}
+
+
+def _squeezed(text: str) -> str:
+    """Return the letters and digits of a unit.
+
+    >>> _squeezed("mJ.m-2"), _squeezed("kg_per_m³")
+    ('mJm2', 'kgm3')
+    """
+    plain = text.translate(SUPERSCRIPTS).replace("µ", "u").replace("μ", "u")
+    return re.sub(r"[\W_]+|(?<![^\W_])per(?![^\W_])", "", plain)
+
+
+# --- The grammar ------------------------------------------------------------------------------------------------------
 
 
 class Reading(NamedTuple):
     """The meaning of a header: an input with the text of its unit; or, without a name, a column that passes through."""
 
-    name: str = ""
+    name: str = ""  # where there is a problem, of the input that it may be
     unit_text: str | None = None
     part: str = ""  # of the input's uncertainty: "both" sides, "minus", "plus", or the "low" or "high" end of a range
     is_symbol: bool = False  # without a unit: an input only if its cells have units
     is_alike: bool = False  # passes through, but looks like a quantity
-    problem: str = ""  # why the header is refused
-    meant: str = ""  # the header that was probably meant, or the name alone of an input whose unit is not known
+    problem: str = ""  # why the header is refused unless another column is this input
+    meant: tuple[str, ...] = ()  # the headers that would be read, where that is certain
+
+    @property
+    def is_input(self) -> bool:
+        """True for what is read."""
+        return bool(self.name) and not self.problem
+
+
+class _Split(NamedTuple):
+    """A header as a word and what may be its unit; `is_explicit` if brackets, a mark or "in" says so."""
+
+    word: str
+    unit: str | None
+    is_explicit: bool
+    is_mangled: bool = False  # signs, or letters such as µ, may have become _ or .
+
+
+_SPELT = str.maketrans({"’": "'", "‘": "'", "“": '"', "”": '"', "″": '"', "∕": "/", "⁄": "/", "₀": "0", "₁": "1", "₂": "2"})  # fmt: skip
+_BRACKETS = re.compile(r"([^\[\](){}<>]*)[\[({<](.*)[\])}>][\s_.]*")
+_MARK = re.compile(r"\s*[,/:;|]\s*|\s+in\s+")
+_GAP = re.compile(r"[\s_.-]+|(?<=[a-z0-9])(?=[A-Z])")
+_EDGES = " _.,:;/|-"
+_JOINED = re.compile(r"[Ii]n(?=[A-Z])")
+_IN = re.compile(rf"(?:in|IN)[\s_.]+|{_JOINED.pattern}")
+_OF_PART = re.compile(
+    rf"(.*?)(?:[\s_.]*(±|\+/?-)|[\s_.]+({'|'.join(filter(str.isalpha, _PARTS))}))(?=$|[\s_.,/(\[])(.*)", re.IGNORECASE
+)
+_ERROR = "|".join(["σ", "sigma", *(word for word, part in _PARTS.items() if part == "both" and word.isalpha())])
+_PART_BEFORE = re.compile(  # as in u(R) [nm], or as in σ_E [GPa] and error of radius
+    rf"(?:u|{_ERROR})\s*\(([^()]+)\)(.*)|(?:±\s*|(?:{_ERROR})(?:\s+of)?[\s_]+)([^\s_].*)", re.IGNORECASE
+)
+_ALONE = re.compile(r"(±|\+/?-|std|stdev|stddev|st_dev|std_dev|standard_deviation|sd|sem|unc|uncertainty|err|error)")
+_OF_DIRECTIONS = re.compile(r"(G|nu|ν)_?(12|13|23|xy|xz|yz)(?![^\W_])", re.IGNORECASE)
+_PER_CENT = ("%", "percent", "pct")
+_SHARE = re.compile(r"[\s_.,/]*[\[(]?(?:%|percent|pct)[\])]?", re.IGNORECASE)  # of the value
+_UNIT_LIKE = re.compile(r"(?:per|in|[numkcdgpafz]?(?:m|n|j|g|s|pa|ev|h|hr|sec|rad)|deg|erg|dyn|cc|angstrom|\d)+")
+_FACTORS = re.compile(r"^[\d\s.*/^+()-]+|\s*[*/^+(-][\d\s.()]*$")
 
 
 @lru_cache(maxsize=1000)
@@ -94,14 +226,207 @@ def reading_of(text: str) -> Reading:
     >>> reading_of("R2 (nm)")[:2], reading_of("E [J]")[:2], reading_of("surface_energy_mJ_m2")[:2]
     (('radius2', 'nm'), ('energy', 'J'), ('surface_energy', 'mJ/m2'))
     """
-    text = text.strip().removeprefix("# ").translate(_SUBSCRIPTS)  # as numpy begins a line of names
-    if name := _named(text):
-        return Reading(name)
-    if text in _UNCLEAR:
-        return Reading(problem=_UNCLEAR[text][1])
-    if names := _symbols().get(_symbol(text)):
-        return Reading(names[0], is_symbol=names[0] not in _RATIOS)
-    return _with_unit(text) or _part(text) or _mistaken(text) or Reading(is_alike=_looks_like_a_quantity(text))
+    return read(text, {})
+
+
+def read(text: str, more: Mapping[str, str]) -> Reading:
+    """Return the meaning of a header; `more`: further quantities by the keys of their words."""
+    text = " ".join(composed(text).translate(_SPELT).split()).strip("\"' ")
+    if not text or len(text) > _LONGEST:
+        return Reading()
+    words = {**_words(), **more} if more else _words()
+    splits = [*_splits(text)]
+    exact = next(filter(None, (_exact(split, words) for split in splits)), None)
+    if found := exact or _of_part(text, more) or _refusal(splits, words):
+        return found
+    is_alike = text.endswith((")", "]")) or not _TOKENS.isdisjoint(re.findall(r"[a-z]+", text.casefold()))
+    return Reading(
+        is_alike=is_alike or any(_symbol(each.word) in _symbols() or key(each.word) in words for each in splits)
+    )
+
+
+def _splits(text: str) -> Iterator[_Split]:
+    """Iterate over what may be a word and its unit: the whole, a unit in brackets, and each place where a unit may begin, the last first."""
+    yield _Split(text.strip(" _."), None, is_explicit=True)
+    if brackets := _BRACKETS.fullmatch(text):
+        yield _Split(brackets[1].rstrip(_EDGES), _IN.sub("", brackets[2].strip()) or None, is_explicit=True)
+    for pattern, is_explicit in ((_MARK, True), (_GAP, False)):
+        for cut in reversed([*pattern.finditer(text)]):
+            word, unit = text[: cut.start()].rstrip(_EDGES), text[cut.end() :].strip(" _.()[]{}")
+            is_mangled = len(cut[0]) > 1 or text[-1] in "_." or bool(_JOINED.match(unit))
+            if word and unit:
+                yield _Split(word, _IN.sub("", unit), is_explicit, is_mangled)
+
+
+def _exact(split: _Split, words: Mapping[str, str]) -> Reading | None:
+    """Return the meaning of a word, or of a symbol, with its unit; None if it is no input, or has another unit."""
+    name = words.get(key(split.word), "")
+    if name in MATERIALS:
+        return Reading(name) if split.unit is None else None
+    symbol = _symbol(split.word)
+    names = [name] if name else [each for each in _symbols().get(symbol, ()) if _is_told_by_symbol(each)]
+    if split.unit is None:
+        return Reading(names[0], is_symbol=not name and names[0] not in _RATIOS, meant=_both(symbol)) if names else None
+    if not split.is_explicit and (split.unit in _INDICES or not (name or _may_follow_symbol(split))):
+        return None
+    for each in names:
+        unit_text = unit_for(split.unit, each, is_explicit=split.is_explicit)
+        is_lost = split.is_mangled and not split.is_explicit and is_in_table(f"u{unit_text}")  # µm may have become m
+        if unit_text and not is_lost:
+            return Reading(each, unit_text, meant=_both(symbol, unit_text))
+    return None
+
+
+def _is_told_by_symbol(name: str) -> bool:
+    """Return whether the symbol of an input, with its unit, means nothing else: that of a ratio has none."""
+    return any(dimension_of(NOMENCLATURE[name].unit)) or name in _RATIOS
+
+
+def _may_follow_symbol(split: _Split) -> bool:
+    """Return whether what stands behind a symbol is no index, as in R_m, and the symbol is whole: E..GPa. may have been E*."""
+    return len(_squeezed(split.unit or "")) > 1 and split.word[0].isalpha() and not split.is_mangled
+
+
+def _both(symbol: str, unit_text: str = "") -> tuple[str, ...]:
+    """Return both readings of R: this program's is the reduced radius, that of tables often a sphere's."""
+    return tuple(header(name, unit_text) for name in ("radius", "reduced_radius")) if symbol == "R" else ()
+
+
+def _of_part(text: str, more: Mapping[str, str]) -> Reading | None:
+    """Return the meaning of a header that has a part of an input's uncertainty; None if it has none."""
+    plain = _SHARE.sub("", text)
+    if before := _PART_BEFORE.fullmatch(plain):
+        word, part = before[1] + before[2] if before[1] else before[3], "both"
+    elif behind := _OF_PART.fullmatch(plain):
+        word, part = behind[1] + behind[4], _PARTS[(behind[2] or behind[3]).lower().replace("+-", "+/-")]
+    else:
+        return None
+    reading = read(word, more)
+    if not reading.is_input or reading.part or reading.name in MATERIALS:
+        return None
+    return Reading(reading.name, "%" if plain != text else reading.unit_text, part)
+
+
+# --- Refusals ---------------------------------------------------------------------------------------------------------
+
+
+def _refusal(splits: Sequence[_Split], words: Mapping[str, str]) -> Reading | None:
+    """Return the refusal of a header that may be an input and cannot be read; None if it passes through."""
+    named = [split.word for split in splits if key(split.word) in _results() or key(split.word) in words]
+    if named and key(max(named, key=len)) in _results():
+        return None
+    for split in splits:
+        name, problem = _UNCLEAR.get(key(split.word), ("", ""))
+        if name and (split.unit is None or unit_for(split.unit, name, is_explicit=is_in_table(split.unit))):
+            return Reading(name, problem=problem, meant=(f"{name} [{split.unit or 'UNIT'}]",))
+    known = [split for split in splits if split.unit and key(split.word) in words]
+    if known:
+        return _of_word(max(known, key=lambda split: len(split.word)), words)
+    if any(_is_size(split) for split in splits):
+        return Reading("radius", problem="a radius is half of a diameter or a size, and r may be a distance")
+    return next(filter(None, (_of_resemblance(split, words) for split in splits)), None)
+
+
+def _is_size(split: _Split) -> bool:
+    """Return whether a header is that of diameters, of sizes or of r, without a unit or with one of length."""
+    last = split.word.casefold().replace("_", " ").split(" ")[-1]
+    if split.unit is None:
+        return split.word.casefold() in _SIZES
+    return last in _SIZES and bool(unit_for(split.unit, "radius", is_explicit=is_in_table(split.unit)))
+
+
+def _of_word(split: _Split, words: Mapping[str, str]) -> Reading | None:
+    """Return the refusal of the word of an input and what cannot be read as its unit; None for a label or another quantity."""
+    word, unit_text = key(split.word), split.unit or ""
+    name = words[word]
+    tail = re.findall(r"[a-z]+", _GAP.sub(" ", unit_text).casefold())
+    if not split.is_explicit and (name in MATERIALS or unit_text in _INDICES or not _LABELS.isdisjoint(tail)):
+        return None
+    if name in MATERIALS:
+        return Reading(name, problem="a material has no unit", meant=(name,))
+    is_of_units = _UNIT_LIKE.fullmatch(_squeezed(unit_text).casefold())
+    if word in _SHARED and not split.is_explicit and not is_of_units:
+        return None
+    meant = (with_unit(name),) if re.match(r"[^\W\d]", unit_text) else ()
+    return Reading(name, problem=_wrong(split, name), meant=meant)
+
+
+def _wrong(split: _Split, name: str) -> str:
+    """Return what is wrong with the unit of a quantity."""
+    unit_text = split.unit or ""
+    if split.is_explicit and re.fullmatch(r"[^\W\d_][^\s()\[\]_]*", unit_text):
+        try:
+            kind = kind_of(unit_of(unit_text, name).dimension)
+            return f"{quoted(unit_text)} is {kind}; expected {expectation(name)}"
+        except QuantityError as error:
+            return f"{quoted(unit_text)} {error.problem()}"
+    if is_in_table(unit_text):
+        return f"its unit is that of {kind_of(parse_unit(unit_text).dimension)}"
+    return f"what stands behind {name} is not its unit"
+
+
+def with_unit(name: str) -> str:
+    """Return the header of an input, with the place of its unit if it needs one."""
+    return f"{name} [UNIT]" if any(dimension_of(NOMENCLATURE[name].unit or "1")) else name
+
+
+def _of_resemblance(split: _Split, words: Mapping[str, str]) -> Reading | None:
+    """Return the refusal of a header that has the word of an input among others, a factor or a sign beside it, or a slip in it."""
+    plain = ascii_text(split.word).strip()
+    core = _FACTORS.sub("", plain)
+    has_factor = core != plain
+    factor = "a sign or a factor stands beside the word"
+    if split.unit is None:
+        name, slip = words.get(key(core), ""), _meant_by(key(split.word), words, 5)
+        if has_factor and name and name not in MATERIALS:
+            return Reading(name, problem=factor)
+        return (
+            Reading(slip, problem=f"it looks like a slip of the pen in {slip}", meant=(with_unit(slip),))
+            if slip
+            else None
+        )
+    tokens = re.findall(r"[a-z]+[12]?", _GAP.sub(" ", plain.replace("'", "")).casefold())
+    if not _OTHERS.isdisjoint(tokens):
+        return None
+    runs = {"".join(tokens[first:last]): last - first for first, last in combinations(range(len(tokens) + 1), 2)}
+    among = sorted((run for run in runs if run in words and run not in _SHARED), key=lambda run: -runs[run])
+    of_symbol = _symbols().get(_symbol(core), ()) if has_factor else ()
+    problems = dict.fromkeys(
+        [*(words[run] for run in among), *of_symbol], factor if has_factor else "other words stand beside it"
+    )
+    if slip := _meant_by(key(split.word), words, 4):
+        problems.setdefault(slip, f"it looks like a slip of the pen in {slip}")
+    for name, problem in problems.items():
+        is_explicit = split.is_explicit and is_in_table(split.unit)
+        if name not in MATERIALS and (unit_text := unit_for(split.unit, name, is_explicit=is_explicit)):
+            return Reading(name, problem=problem, meant=() if has_factor else (header(name, unit_text),))
+    return None
+
+
+def _meant_by(word: str, words: Mapping[str, str], least: int) -> str:
+    """Return the input whose word of `least` letters or more differs by a slip of the pen; "" if there is none."""
+    for known, name in words.items():
+        is_told = known not in _SHARED or least < 5 <= len(known)
+        if len(known) >= least and is_told and known != word and word and _is_slip(word, known):
+            return name
+    return ""
+
+
+def _is_slip(word: str, known: str) -> bool:
+    """Return whether two words differ by a letter, or by the order of two.
+
+    >>> _is_slip("gama", "gamma"), _is_slip("laod", "load"), _is_slip("head", "load")
+    (True, True, False)
+    """
+    if abs(len(word) - len(known)) > 1 or word.rstrip("12") == known.rstrip("12"):  # of another sphere
+        return False
+    same = next((place for place, pair in enumerate(zip(word, known, strict=False)) if pair[0] != pair[1]), len(word))
+    first, second = word[same:], known[same:]
+    is_swapped = first[:2] == second[1::-1] and first[2:] == second[2:]
+    return first[1:] in (second[1:], second) or first == second[1:] or is_swapped
+
+
+# --- Headers beside others --------------------------------------------------------------------------------------------
 
 
 def unit_alone(text: str) -> str | None:
@@ -110,11 +435,15 @@ def unit_alone(text: str) -> str | None:
     >>> unit_alone("± [nm]"), unit_alone("+/-"), unit_alone("radius ±"), unit_alone("SD (nm)"), unit_alone("error")
     ('nm', '', None, 'nm', None)
     """
-    if (found := _ALONE.fullmatch(text.strip(), 0, MAX_WORD)) is not None:
-        return next((unit for unit in found.groups() if unit), "")
-    word, unit_text = _divided(text.strip())
-    word = _plain(word.replace(".", ""))  # an error without a unit may be of anything
-    return unit_text if word in _ERRORS_ALONE or (word in ("err", "error") and unit_text) else None
+    text = text.strip()
+    brackets = _BRACKETS.fullmatch(text)
+    word, unit_text = (brackets[1], brackets[2].strip()) if brackets else (text, "")
+    if not brackets and (mark := re.match(r"±|\+/?-", text)):
+        word, unit_text = mark[0], text[mark.end() :].strip()
+    word = re.sub(r"[\s_]+", "_", word.strip().replace(".", "")).casefold()
+    if not _ALONE.fullmatch(word) or (word in ("err", "error") and not unit_text):  # which may be of anything
+        return None
+    return unit_text if not unit_text or unit_text in _PER_CENT or is_in_table(unit_text) or brackets else None
 
 
 def is_of_directions(text: str) -> bool:
@@ -126,331 +455,17 @@ def is_of_directions(text: str) -> bool:
     return bool(_OF_DIRECTIONS.match(text.strip()))
 
 
-def measured_reading(text: str, quantity: str) -> Reading | None:
-    """Return the meaning of a header as that of a measured quantity, or of a part of its uncertainty; None if it is another.
-
-    >>> measured_reading("P_c (nN)", "pull_off_force")[:2], measured_reading("pull_off_force_err [nN]", "pull_off_force")[:3]
-    (('pull_off_force', 'nN'), ('pull_off_force', 'nN', 'both'))
-    """
-    text = text.strip()
-    if _is_quantity(text, quantity):
-        return Reading(quantity)
-    found = _BRACKETS.fullmatch(text) or _PARENTHESES.fullmatch(text)
-    for word, unit_text in [(found[1], found[2])] if found else [(word, rest) for word, _, rest in _cuts(text)]:
-        if _is_quantity(word.strip(), quantity) and (found or fits(unit_text, quantity)):
-            return Reading(quantity, unit_text.strip())
-    part = _parted(text)
-    reading = measured_reading(part.word + part.rest, quantity) if part else None
-    return reading._replace(part=part.name) if part and reading else None
-
-
-def _is_quantity(word: str, quantity: str) -> bool:
-    return _plain(word) == quantity or _symbol(word) == _symbol(NOMENCLATURE[quantity].symbol)
-
-
-def _with_unit(text: str) -> Reading | None:
-    """Return the meaning of a header that has a unit; None if it is no input."""
-    found = _BRACKETS.fullmatch(text) or _PARENTHESES.fullmatch(text)
-    if found is None:
-        return next(filter(None, (_behind(*cut) for cut in _cuts(text))), None)
-    word, unit_text = found[1].strip(), found[2].strip()
-    word = word.removesuffix(",").removesuffix("_").removesuffix("/").rstrip()
-    name = _named(word)
-    if name in MATERIALS or (name and (text.endswith("]") or fits(unit_text, name))):
-        return Reading(name, unit_text)
-    return None if name else _unclear(word, unit_text) or _of_symbol(word, unit_text)
-
-
-class _Part(NamedTuple):
-    """A header taken apart: what has an uncertainty, the part of it as `Reading` has it, and what stands behind."""
-
-    word: str
-    name: str
-    rest: str
-
-    @property
-    def is_share(self) -> bool:
-        """True for a part of the value, in %."""
-        return self.rest.strip(" _,/()[]").lower() in _PER_CENT
-
-
-def _parted(text: str) -> _Part | None:
-    """Take a header apart that has a word of an uncertainty; None if it has none."""
-    if (before := _PART_BEFORE.fullmatch(text, 0, MAX_WORD)) is not None:
-        text = f"{before[3]} ±" if before[3] else f"{before[1]} ±{before[2]}"
-    found = _OF_PART.fullmatch(text, 0, MAX_WORD)
-    return found and _Part(found[1], _PARTS[(found[2] or found[3]).lower()], found[4])
-
-
-def _part(text: str) -> Reading | None:
-    """Return the meaning of a header that has a part of an input's uncertainty; None if it has none."""
-    part = _parted(text)
-    if part is None:
-        return None
-    is_share = part.is_share
-    reading = (
-        reading_of(part.word)._replace(unit_text="%", is_symbol=False)
-        if is_share
-        else reading_of(part.word + part.rest)
-    )
-    if reading.part or not reading.name or reading.name in MATERIALS:
-        return None
-    return reading._replace(part=part.name)
-
-
-def uncertainty_beside(text: str, head: str, name: str) -> Reading | None:
-    """Return the meaning of a header that is another with a word of an uncertainty, where that one means an input; None if it is none.
-
-    >>> uncertainty_beside("F_err [nN]", "F [nN]", "load")[:3], uncertainty_beside("F2_err [nN]", "F [nN]", "load")
-    (('load', 'nN', 'both'), None)
-    """
-    part = _parted(text.strip())
-    if part is None or part.name != "both" or _plain(_divided(part.word)[0]) != _plain(_divided(head)[0]):
-        return None
-    return Reading(name, "%" if part.is_share else unit_in_header(text, name), part.name)
-
-
-def _divided(text: str) -> tuple[str, str]:
-    """Return a word and the unit in brackets behind it, or ""."""
-    found = _BRACKETS.fullmatch(text) or _PARENTHESES.fullmatch(text)
-    return (found[1], found[2].strip()) if found else (text, "")
-
-
-def _cuts(text: str) -> Iterator[tuple[str, str, str]]:
-    """Iterate over words, what stands between, and what may be units."""
-    for cut in _CUT.finditer(text, 0, MAX_WORD):
-        if rest := text[cut.end() :].strip():
-            yield text[: cut.start()].strip(), cut[0].strip(), rest
-
-
-def _behind(word: str, mark: str, rest: str) -> Reading | None:
-    """Return the meaning of a word with a unit behind a mark; None if it is no input."""
-    name = _named(word)
-    for unit_text in _units_behind(mark, rest):
-        if name and fits(unit_text, name):
-            return Reading(name, unit_text)
-        is_index = mark == "_" and len(unit_text) == 1  # as in R_m
-        found = None if name or is_index else _unclear(word, unit_text) or _of_symbol(word, unit_text)
-        if found and (found.name or found.problem or found.meant):
-            return found
-    return None
-
-
 def unit_in_header(text: str, name: str) -> str | None:
-    """Return the unit of a quantity that stands in a header, whatever else does; None if there is none.
+    """Return the unit of a quantity that stands in a header, whatever word does; None if there is none.
 
     >>> unit_in_header("Kraft [nN]", "load"), unit_in_header("F_nN", "load"), unit_in_header("Kraft [nm]", "load")
     ('nN', 'nN', None)
     """
-    cuts = [(mark, rest) for _, mark, rest in _cuts(text)]
-    units = (unit_text for mark, rest in cuts for unit_text in _units_behind(mark, rest))
-    in_brackets = map(str.strip, _IN_BRACKETS.split(text)[1:])
-    return next((unit_text for unit_text in (*in_brackets, *units) if fits(unit_text, name)), None)
+    splits = sorted(_splits(composed(text).strip()), key=lambda split: -len(split.unit or ""))
+    units = (unit_for(split.unit, name, is_explicit=split.is_explicit) for split in splits if split.unit)
+    return next(filter(None, units), None)
 
 
-def may_be_diameter(text: str) -> bool:
-    """Return whether a header has the word diameter and a unit of length in it: "particle diameter [um]"."""
-    return bool(_SIZES.search(text, 0, MAX_WORD) and unit_in_header(text, "radius"))
-
-
-def may_be_input(text: str) -> str:
-    """Return the header of the input that is named among other words, with its unit; "" if there is none, or it is a result's.
-
-    >>> may_be_input("grain radius (um)"), may_be_input("applied load, nN"), may_be_input("contact_radius [nm]")
-    ('radius [um]', 'load [nN]', '')
-    """
-    words = f"_{'_'.join(_WORDS.findall(text[:MAX_WORD].casefold()))}_"
-    if any(f"_{prefix}_" in words for prefix in _SPELT_OUT):  # the unit is not what it seems, as in load_micro_N
-        return ""
-    results = [name for name in NOMENCLATURE if f"_{name}_" in words and name not in INPUTS]
-    for word, name in {**_names(), **_SYNONYMS}.items():
-        is_named = f"_{word}_" in words and not any(word in result.split("_") for result in results)
-        unit_text = unit_in_header(text, name) if is_named and name not in MATERIALS else None
-        if unit_text and unit_text != word:  # gravity is a unit, too
-            return f"{name} [{unit_text}]"
-    return ""
-
-
-def _units_behind(mark: str, rest: str) -> Iterator[str]:
-    """Iterate over the units that a text behind a mark may mean."""
-    if mark != "_":
-        yield rest[1:-1].strip() if rest.startswith("(") and rest.endswith(")") else rest
-    elif rest not in _NO_UNITS:
-        yield from _spellings(rest)
-
-
-def _spellings(rest: str) -> Iterator[str]:
-    """Iterate over the units that a text with underscores may spell: kg_m3, mJ_per_m2.
-
-    >>> [*_spellings("kg_m3")]
-    ['kg m3', 'kg/m3']
-    """
-    yield rest.replace("_per_", "/").replace("_", " ")
-    before, mark, after = rest.rpartition("_")
-    if mark and "per" not in before:
-        yield f"{before.replace('_', ' ')}/{after}"
-
-
-def _unclear(word: str, unit_text: str) -> Reading | None:
-    """Return the refusal of a word that may mean several quantities, if its unit is that of an input; else None."""
-    unit, problem = _UNCLEAR.get(word, _UNCLEAR.get(_plain(word) if len(word) > 1 else "", ("", "")))
-    return Reading(problem=problem) if unit and _has_dimension(unit_text, unit) else None
-
-
-def _of_symbol(word: str, unit_text: str) -> Reading | None:
-    """Return the meaning of a symbol with a unit, which decides on the quantity; None if the word is no symbol."""
-    names = _symbols().get(_symbol(word))
-    if names is None:
-        return None
-    for name in names:
-        if fits(unit_text, name):
-            return Reading(name, unit_text)
-    meant = (f"{name} [{similar}]" for name in names if (similar := _miswritten(unit_text, name)))
-    return Reading(meant=next(meant, ""), is_alike=True)
-
-
-def _mistaken(text: str) -> Reading | None:
-    """Return the refusal of a header that was probably meant to be an input; None if it was not."""
-    for cut in _BLANKS.finditer(text, 0, MAX_WORD):  # no name of an input is as long
-        word = text[: cut.start()]
-        name = _named(word)
-        other = "" if name else _SYNONYMS.get(_plain(word), "")
-        meant = name or other
-        rest = text[cut.end() :].rstrip(")] ")
-        unit_text = next((one for one in _spellings(rest) if fits(one, meant)), "") if meant and rest else ""
-        if unit_text:
-            return Reading(meant=f"{meant} [{unit_text}]")
-        if similar := _miswritten(rest, meant) if meant else "":
-            return Reading(meant=f"{meant} [{similar}]")
-        if meant and (other or cut.end() == len(text) or not {*cut[0]}.isdisjoint("([/")):
-            words = map(str.strip, _IN_BRACKETS.split(text))
-            unit_text = next((one for one in words if fits(one, meant)), "")
-            return Reading(meant=f"{meant} [{unit_text}]" if unit_text else meant)
-        if _plain(word) in _UNCLEAR and len(word) > 1 and (cut.end() == len(text) or _has_dimension(rest, _LENGTHS)):
-            return Reading(problem=_UNCLEAR[_plain(word)][1])
-    return _slip(text)
-
-
-def _slip(text: str) -> Reading | None:
-    """Return the refusal of a header with a slip of the pen in the name of an input; None if it has none.
-
-    A unit leaves few inputs, so that less of the name must be right: gama [mJ/m2], laod_nN.
-    """
-    brackets = _BRACKETS.fullmatch(text)
-    name = _plain(brackets[1] if brackets else text)
-    if name in NOMENCLATURE:  # a result
-        return None
-    found = brackets or _PARENTHESES.fullmatch(text)
-    cuts = [(found[1], "", found[2])] if found else [*_cuts(text)]
-    parts = [(_plain(word), unit_text) for word, mark, rest in cuts for unit_text in _units_behind(mark, rest.strip())]
-    named = {f"{word}{part}": (one, part) for word, one in _names().items() if len(word) > _SHORT for part in _IN_FULL}
-    for word, unit_text in parts:
-        near = [one for one in _near(word, named, _ALIKE_WITH_UNIT) if abs(len(one) - len(word)) <= 1]
-        guess = closest(word, near, _ALIKE_WITH_UNIT) if near else None
-        if guess and fits(unit_text, named[guess][0]):  # asked last: what is no unit is looked for in pint
-            return Reading(meant=f"{''.join(named[guess])} [{unit_text}]")
-    words = (*INPUTS, *MATERIALS, *(word for word in OPTION_WORDS if word in _names()))
-    near = _near(name, words, ALIKE)
-    meant = _names().get(closest(name, near, ALIKE) or "") if near else None
-    return Reading(meant=f"{meant} [{brackets[2]}]" if brackets else meant) if meant else None
-
-
-def _near(word: str, names: Iterable[str], least: float) -> list[str]:
-    """Return the names that may be as similar to a word, of the same sphere.
-
-    One with other letters or another length is not compared: that takes long.
-    """
-    if len(word) > MAX_WORD:
-        return []
-    letters, sphere = {*word}, _sphere(word)
-    near = []
-    for name in names:
-        if _sphere(name) != sphere:
-            continue
-        in_common = least * (len(word) + len(name)) / 2  # at least, for similar words
-        if in_common <= min(len(word), len(name)) and len(letters.difference(name)) <= len(word) - in_common:
-            near.append(name)
-    return near
-
-
-def _sphere(word: str) -> str:
-    """Return the sphere of which a name is, by the digits in it: "2", "" for sphere 1, or "12" for both."""
-    digits = "".join(filter(str.isdigit, word))
-    return digits if digits == "12" else "2" * digits.endswith("2")
-
-
-def _miswritten(unit_text: str, name: str) -> str:
-    """Return the unit of a quantity that is spelt so but for capitals, as in gpa; "" if there is none."""
-    if not unit_text.isalpha() or len(unit_text) > _LONGEST_UNIT:
-        return ""
-    similar = similar_unit(unit_text, frozenset([dimension_of(NOMENCLATURE[name].unit)]))
-    return similar if similar and similar.casefold() == unit_text.casefold() else ""
-
-
-def _looks_like_a_quantity(text: str) -> bool:
-    """Return whether a header has something in brackets, is a name of the nomenclature, or has the word of an input in it."""
-    words = {*_plain(text[:MAX_WORD]).replace("(", "_").replace("[", "_").split("_")}
-    is_named = text in NOMENCLATURE or _symbol(text.partition("_")[0]) in _all_symbols()
-    return is_named or text.endswith((")", "]")) or not words.isdisjoint(_input_words())
-
-
-@cache
-def _all_symbols() -> frozenset[str]:
-    return frozenset({*_symbols(), *(_symbol(NOMENCLATURE[name].symbol) for name in INPUTS)})
-
-
-@cache
-def _input_words() -> frozenset[str]:
-    names = (*INPUTS, *MATERIALS, *OPTION_WORDS, *_SYNONYMS, "diameter", "force")
-    return frozenset(word for name in names for word in name.split("_") if word not in ("of", "ratio", "to"))
-
-
-def _named(word: str) -> str:
-    """Return the input for which a name or the word of an option stands, in any case; "" if there is none."""
-    return _names().get(_plain(word.lstrip("-")), "") if len(word) <= MAX_WORD else ""
-
-
-@cache
-def _names() -> dict[str, str]:
-    words = {name: name for name in (*INPUTS, *MATERIALS)}
-    words |= {word: name for word, name in OPTION_WORDS.items() if name in words} | _PHRASES
-    for word, name in [*words.items()]:
-        if f"{name}2" in words:
-            words |= {f"{word}1": name, f"{word}_1": name, f"{word}_2": f"{name}2", f"{word}2": f"{name}2"}
-    return words
-
-
-@cache
-def _symbols() -> dict[str, list[str]]:
-    """Return the inputs by their symbols, with Greek letters spelt out, and the index of sphere 1 or without it."""
-    found: dict[str, list[str]] = {}
-    for name in INPUTS:
-        symbol = _symbol(NOMENCLATURE[name].symbol)
-        if any(dimension_of(NOMENCLATURE[name].unit)) or name in _RATIOS:
-            for one in dict.fromkeys((symbol, re.sub(r"(\d)$", r"_\1", symbol), symbol.removesuffix("1"))):
-                found.setdefault(one, []).append(name)
-    found["E"].append("energy")
-    return found
-
-
-def _symbol(word: str) -> str:
-    """Return a symbol with Greek letters spelt out; one that is spelt with a capital, such as Rho, is the same."""
-    spelt = ascii_text(word).replace(" ", "") if len(word) <= MAX_WORD else word
-    return spelt.lower() if spelt.rstrip("_12") in ("Gamma", "Nu", "Rho", "Xi", "Tau", "Theta") else spelt
-
-
-def _plain(text: str) -> str:
-    return re.sub(r"[-\s]+", "_", text.strip().casefold().replace("'", "").replace("’", ""))
-
-
-def fits(unit_text: str, name: str) -> bool:
-    """Return whether a text is a unit of a quantity; - and 1 are those of a ratio."""
-    unit = NOMENCLATURE[name].unit
-    return bool(unit) and ((unit == "1" and unit_text in ("1", "-")) or _has_dimension(unit_text, unit))
-
-
-def _has_dimension(unit_text: str, unit: str) -> bool:
-    try:
-        return bool(unit_text) and parse_unit(unit_text).dimension == dimension_of(unit)
-    except BadUnit:
-        return False
+def words_of(text: str) -> frozenset[str]:
+    """Return the keys of what may be the word of a header."""
+    return frozenset(filter(None, (key(split.word) for split in _splits(composed(text).strip()))))

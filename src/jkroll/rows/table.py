@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy
 
-from ..errors import BadRequest, JkrollError
+from ..errors import BadRequest, BadTable, JkrollError
 from ..materials.library import Material, Materials, MaterialsFileError, UnclearMaterial, UnknownMaterial
 from ..quantities.laws import DEFAULT_LAW, law_named
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE, PROPERTIES, XI, header
@@ -23,11 +23,11 @@ from ..scene.scene import DEFAULTS, EXCLUSIVE, Scene
 from ..scene.wiring import depends_on
 from ..text import quoted, say, say_wrapped
 from .block import Block
-from .cells import LABEL, Indices, Lookup, Numbers, Reader
+from .cells import LABEL, Column, Indices, Lookup, Numbers, Reader
 from .columns import DOUBT, SIDES, STATUS, BadCells, BadRecord, Wanted, remarks_of
-from .header import BadTable, Column, Header, check_inputs, check_units
+from .header import Header, check_inputs, check_units
 from .inferred import Unknowns
-from .readings import MATERIALS, may_be_diameter
+from .readings import MATERIALS
 from .rows import groups
 
 if TYPE_CHECKING:
@@ -217,10 +217,8 @@ def table_of(
 
 
 def say_reading(columns: Header) -> None:
-    """Say on stderr how the columns are read, and which others may be inputs."""
+    """Say on stderr how the columns are read."""
     say_wrapped(columns.reading(), sys.stderr)
-    if advice := columns.advice():
-        say(advice, sys.stderr)  # in one line, to be copied
 
 
 def say_gaps(table: Table, columns: Header, quantities: str) -> None:
@@ -228,13 +226,7 @@ def say_gaps(table: Table, columns: Header, quantities: str) -> None:
     for message in filter(None, table.labels.values()):
         say_wrapped(f"note: {message}", sys.stderr)
     if "radius" not in columns.names and "radius" not in table.fill.fixed and not quantities:
-        say(f"note: no column and no option gives a radius; what needs one is left out{half_of(columns)}", sys.stderr)
-
-
-def half_of(columns: Header) -> str:
-    """Return a clause on the column that may be a diameter, or an empty text."""
-    size = next(filter(may_be_diameter, columns.texts), "")
-    return f"; half of {quoted(size)} would be one" if size else ""
+        say("note: no column and no option gives a radius; what needs one is left out", sys.stderr)
 
 
 def _materials_named(columns: Header, rows: Sequence[Sequence[str]]) -> list[str]:

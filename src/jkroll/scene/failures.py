@@ -11,6 +11,7 @@ from ..errors import JkrollError, NoResult
 from ..physics.contact import pull_off_force_dmt
 from ..physics.jkr import FOLD_APPROACH
 from ..quantities.formatting import DIGITS, Format, amount
+from ..quantities.laws import DEFAULT_LAW, law_of
 from ..quantities.nomenclature import INFINITY, NOMENCLATURE
 from ..quantities.values import parse_quantity
 from ..text import listed
@@ -81,12 +82,17 @@ class NotInLaw(MissingInput):
         return self._of_the_law() or super().reason_of_several()
 
     def _of_the_law(self) -> str:
-        return f"not in {self.law}; give --model jkr" if self.absent == (self.wanted,) else ""
+        return f"not in {self.law}; give --model {self._giver}" if self.absent == (self.wanted,) else ""
+
+    @property
+    def _giver(self) -> str:
+        """The law that has it."""
+        return law_of(self.absent[0]) or DEFAULT_LAW
 
     def needs(self) -> str:
         """Return the quantity that the law does not have."""
         words = listed(NOMENCLATURE[name].sentence for name in self.absent)
-        return f"{words}, which {self.law} does not have; give --model jkr"
+        return f"{words}, which {self.law} does not have; give --model {self._giver}"
 
 
 def _as_typed(name: str) -> str:
@@ -258,6 +264,17 @@ class NotHeld(NoResult):
         return "beyond pull-off only fixed grips hold the contact; free spheres fly apart"
 
 
+class NotPressed(NoResult):
+    """Error raised for a coefficient by which the load is multiplied, of a contact that no load presses."""
+
+    phrase = "no load that presses"
+    name = "rolling_resistance_coefficient"
+
+    def reason(self) -> str:
+        """Return which load it needs."""
+        return "needs a load that presses the spheres; give --load 5nN"
+
+
 class Apart(NoResult):
     """Error raised for what only a contact circle has, where spheres attract without touching."""
 
@@ -409,6 +426,8 @@ def failure_of(step: str, given: Mapping[str, Any]) -> NoResult | None:
             found = NoChain()
         case "vertical_frequency" | "peeling_force" | "peeling_radius" if _is_held_by_grips_alone(given):
             found = NotHeld(step)
+        case "rolling_resistance_coefficient" if given["load"] <= 0:
+            found = NotPressed()
         case "contact_displacement" if given["edge_ratio"] == 0:
             found = Apart()
         case "yield_displacement_at_hysteresis" if given["adhesion_hysteresis"] > given["work_of_adhesion"]:

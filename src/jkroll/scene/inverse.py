@@ -15,7 +15,7 @@ from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES, named, of_sphere
 from ..quantities.values import is_uncertain
 from ..text import listed, quoted
-from .failures import Contradiction
+from .failures import Contradiction, MissingInput
 from .scene import EXCLUSIVE, Scene
 
 Values = Mapping[str, float]  # by name
@@ -46,6 +46,18 @@ class CannotInfer(JkrollError):
 
 class AlreadyGiven(JkrollError):
     """Error raised where an unknown, or the measured quantity, is given as an input, too."""
+
+
+class OnlyGiven(JkrollError):
+    """Error raised where what was measured is an input that no formula gives."""
+
+
+def only_given(name: str, quantity: str) -> OnlyGiven:
+    """Return the error of a measured input, with how it is given where another one is asked for."""
+    option = NOMENCLATURE[quantity].option or quantity
+    return OnlyGiven(
+        f"{quantity} is an input, and no formula gives it; give it as {option}, and ask for {name} without infer"
+    )
 
 
 def no_unknown(word: str) -> CannotInfer:
@@ -265,6 +277,11 @@ class Problem(NamedTuple):
         for stated in self.scene.stated:
             if stated in followed:
                 raise already_given(quantity if stated == quantity else unknown, stated)
+        try:
+            self.scene.plan(quantity)
+        except MissingInput as error:
+            if quantity in error.missing:
+                raise only_given(unknown, quantity) from error
 
     def failure(self) -> JkrollError:
         """Return the reason why a measured quantity has no value for any values of the unknowns."""

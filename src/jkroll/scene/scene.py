@@ -128,6 +128,8 @@ EXCLUSIVE = (
     ("load", *sorted(STATE)),
     IN_ITS_PLACE,
     ("contact_modulus", "modulus_over_energy"),
+    ("radius", "reduced_radius"),
+    ("radius2", "reduced_radius"),
 )
 _MAY_CONTRADICT = frozenset(name for names in EXCLUSIVE for name in names)
 

@@ -12,8 +12,8 @@ from typing import Any, NamedTuple
 
 from ..physics import FORMULAS
 from ..quantities.errors import UnknownQuantity
-from ..quantities.laws import DEFAULT_LAW, Routes, differs, routes, routes_anywhere
-from ..quantities.nomenclature import NOMENCLATURE, of_sphere
+from ..quantities.laws import DEFAULT_LAW, Routes, differs, law_of, routes, routes_anywhere
+from ..quantities.nomenclature import NOMENCLATURE, OF_THE_PAIR, of_sphere
 
 # What another material of sphere 2 does not take over from sphere 1: all that each sphere has, but for the radius.
 OF_A_SOLID = frozenset(name for name, quantity in NOMENCLATURE.items() if quantity.sphere == 1 and quantity.option)
@@ -61,7 +61,7 @@ def plan_for(wanted: tuple[str, ...], known: frozenset[str], own_material2: bool
     found: dict[str, str] = {}
     missing: dict[str, Missing] = {}
     for name in wanted:
-        path = _Path(known, own_material2, by_law, dict(steps))
+        path = _Path(known, own_material2, by_law, model, dict(steps))
         source = path.visit(name)
         if path.missing or path.lacking:
             missing[name] = Missing(*map(in_order, (path.missing, path.instead, path.lacking)))
@@ -76,8 +76,10 @@ def plan_for(wanted: tuple[str, ...], known: frozenset[str], own_material2: bool
 class _Path:
     """The way to one quantity: the steps so far, and what is missing for it."""
 
-    def __init__(self, known: frozenset[str], own_material2: bool, by_law: Routes, steps: dict[str, Step]) -> None:
-        self.known, self.own_material2, self.by_law, self.steps = known, own_material2, by_law, steps
+    def __init__(
+        self, known: frozenset[str], own_material2: bool, by_law: Routes, model: str, steps: dict[str, Step]
+    ) -> None:
+        self.known, self.own_material2, self.by_law, self.model, self.steps = known, own_material2, by_law, model, steps
         self.inputs: set[str] = set()
         self.missing: list[str] = []
         self.instead: list[str] = []
@@ -86,7 +88,7 @@ class _Path:
     def visit(self, wanted: str) -> str:
         """Add the steps that lead to a quantity, and return the name under which its value is known."""
         name = self._source(wanted)
-        if name is None:
+        if name is None or (name not in self.known and _mixes_laws(name, self.model, self.known)):
             self.lacking.append(wanted)
             return wanted
         if name in self.known:
@@ -107,7 +109,7 @@ class _Path:
         arguments = tuple((parameter, self.visit(argument)) for parameter, argument in arguments_of(name))
         if NOMENCLATURE[name].sphere == 2 and not any(NOMENCLATURE[source].sphere == 2 for _, source in arguments):
             return self.visit(of_sphere(1, name))  # in this, sphere 2 is like sphere 1
-        if len(self.missing) > before and NOMENCLATURE[wanted].option:
+        if len(self.missing) > before and NOMENCLATURE[wanted].option and wanted not in OF_THE_PAIR:
             self.instead.append(wanted)
         self.steps.setdefault(name, Step(name, formula_of(name), arguments))
         return name
@@ -121,6 +123,28 @@ class _Path:
         of_1 = of_sphere(1, name)
         has_own = formula_of(name) is not None or (self.own_material2 and of_1 in OF_A_SOLID)
         return name if has_own else of_1
+
+
+@cache
+def _mixes_laws(name: str, model: str, known: frozenset[str]) -> bool:
+    """Return whether a formula of another law would take what these two laws have by different formulas: a contact of neither."""
+    owner = law_of(name)
+    if owner is None or owner == model:
+        return False
+    own, theirs = routes(model, known), routes(owner, known)
+    seen: set[str] = set()
+    pending = [*parameters_of(formula_of(name))]
+    while pending:
+        parameter = pending.pop()
+        if parameter in seen or parameter in known:
+            continue
+        seen.add(parameter)
+        route = theirs.get(parameter, parameter)
+        if own.get(parameter, parameter) != route:
+            return True
+        if route is not None and (formula := formula_of(route)) is not None:
+            pending += parameters_of(formula)
+    return False
 
 
 def formula_of(name: str) -> Any:
