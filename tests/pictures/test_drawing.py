@@ -23,8 +23,9 @@ from jkroll.cli.process import main
 from jkroll.pictures.axes import described
 from jkroll.pictures.curves import curves_of_contact
 from jkroll.pictures.figures import PAPER_MAPS, PROFILES, paper_map
-from jkroll.pictures.maps import Curve, Map, Picture, label_of
+from jkroll.pictures.maps import Curve, Map, Picture
 from jkroll.pictures.request import map_of
+from jkroll.quantities.markup import lines, plain, symbol, typeset
 from jkroll.quantities.nomenclature import NOMENCLATURE
 from jkroll.quantities.values import parse_quantity
 from jkroll.scene.scene import Scene
@@ -36,11 +37,10 @@ from matplotlib.figure import Figure
 from matplotlib.mathtext import MathTextParser
 from matplotlib.text import Text
 
-from jkroll.pictures.page import figure_of, settings
-from jkroll.pictures.page_axes import CONTOURS, line_of, typeset, typeset_lines
+from jkroll.pictures.page import FINE, figure_of, line_of, settings
 from jkroll.pictures.styles import DARK, PAPER, STYLES, Style
-from jkroll.pictures.terminal import LINES, SIGNS
 
+POWERS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 SVG_TEXT = re.compile(r"<!-- (.*?) -->", re.DOTALL)  # letters are paths; their text stands beside them
 
 
@@ -56,21 +56,21 @@ def in_a_column(name: str, width: int = 85) -> tuple[Map, Figure]:
         return drawn, figure_of(drawn, width / 25.4, PAPER, has_caption=True)
 
 
+def contour_sets(page: Figure) -> list[Any]:
+    """Return the sets of labelled contours of a drawn map: as computed, and as printed if they are there."""
+    drawings: list[Any] = [*page.axes[0].collections]
+    sets = [drawing for drawing in drawings if hasattr(drawing, "levels")]
+    return [drawing for drawing in sets if not drawing.filled and len(drawing.levels) > 1]
+
+
 def contours(drawn: Map, page: Figure) -> list[tuple[float, Any]]:
     """Return the levels of a drawn map, and points on their paths in SI units, between the vertices too."""
-    axes = page.axes[0]
-    sets = [one for one in axes.collections if hasattr(one, "levels") and len(one.get_paths()) == len(drawn.levels())]
     found = []
-    for level, path in zip(drawn.levels(), sets[0].get_paths(), strict=True):
+    for level, path in zip(drawn.levels(), contour_sets(page)[0].get_paths(), strict=True):
         ends, codes = np.asarray(path.vertices), np.asarray(path.codes)
         is_drawn = codes[1:] == 2  # a line from the vertex before; others begin anew
         middles = (ends[1:] + ends[:-1])[is_drawn] / 2
-        parts = np.concatenate([ends, middles])
-        places = []
-        for axis, part in ((drawn.x, parts[:, 0]), (drawn.y, parts[:, 1])):
-            straight = axis.low + (axis.high - axis.low) * part
-            places.append(axis.low * (axis.high / axis.low) ** part if axis.is_log else straight)
-        found.append((level.value, np.array(places)))
+        found.append((level.value, np.concatenate([ends, middles]).T))
     return found
 
 
@@ -81,7 +81,7 @@ def test_a_contour_of_the_paper_is_its_formula(name: str) -> None:
     sampled = 0
     for value, (x, y) in contours(drawn, page):
         given: dict[str, Any] = {**declared.given, **drawn.x.inputs(x), "radius": y}
-        np.testing.assert_allclose(solve(declared.quantity, **given), value, rtol=1e-9)
+        np.testing.assert_allclose(solve(declared.quantity, **given), value, rtol=2e-3)
         sampled += len(x)
     assert sampled > 100
 
@@ -124,8 +124,8 @@ def test_every_figure_is_drawn_and_says_what_it_is(run: Run, tmp_path: Path, nam
     text = (tmp_path / "figure.svg").read_text(encoding="utf-8")
     assert f'<svg xmlns:xlink="http://www.w3.org/1999/xlink" width="{0.085 / 0.0254 * 72:.5f}'[:-2] in text
     shown = " ".join(SVG_TEXT.findall(text))
-    first = {*typeset(" ".join(ran.out.splitlines()[:2])).split()}
-    assert first <= {*unescape(shown).split()}
+    words = {word for word in " ".join(ran.out.splitlines()[:2]).split() if re.fullmatch(r"[A-Za-z]{3,}[:,.]?", word)}
+    assert words <= {*unescape(shown).split()}
     assert STYLES["dark"].paper in text
 
 
@@ -172,7 +172,7 @@ def test_one_panel_of_a_contact(run: Run, tmp_path: Path) -> None:
 )
 def test_a_caption_has_the_inputs_of_what_is_drawn(run: Run, options: str, held: str) -> None:
     ran = run(f"contact quartz 100nm --xi 1angstrom --curve -o contact.svg {options}")
-    assert ran.out.splitlines()[-1] == f"Held: quartz, {held}"
+    assert ran.out.splitlines()[-1] == f"Fixed: quartz, {held}"
     assert ("assumed z0" in ran.err) is ("z0" in held)
     assert "assumed ξ" not in ran.err
 
@@ -210,56 +210,60 @@ def test_bands_can_be_differ_in_grey_and_read_on(style: Style) -> None:
 @pytest.mark.parametrize(
     ("text", "wanted"),
     [
-        ("P_c = 3πγR with R = R1/2", r"$P_{\mathrm{c}}$ = $3\mathrm{π}γR$ with $R$ = $R_{1}/2$"),
-        ("E1/(1 − ν1²) = 10 GPa", "$E_{1}/(1$ − $ν_{1}^{2}$) = 10 GPa"),
-        ("E*/γ above 3·10¹² m⁻¹", r"$E{}^{*}/γ$ above $3{\cdot}10^{12}$ m$^{-1}$"),
-        ("contact radius at the load, a", "contact radius at the load, $a$"),
+        ("⟦P_c = 3πγR⟧ with ⟦R = R1/2⟧", r"$P_{\mathrm{c}}=3\mathrm{π}γR$ with $R=R_{1}/2$"),
+        ("⟦E1/(1 − ν1²)⟧ = 10 GPa", "$E_{1}/(1-ν_{1}^{2})$ = 10 GPa"),
+        ("⟦E*/γ⟧ above 3·10¹² m⁻¹", r"$E{}^{*}/γ$ above 3·10$^{12}$ m$^{-1}$"),
+        ("contact radius at the load, ⟦a⟧", "contact radius at the load, $a$"),
         ("a moment of 1.9 aN m, Eq (25)", "a moment of 1.9 aN m, Eq (25)"),
-        ("δ_α in mJ/m² or kg/m³", "$δ_{α}$ in mJ/m$^{2}$ or kg/m$^{3}$"),
-        ("half-circle a + ξ", "half-circle $a$ + $ξ$"),
-        ("-10 at 1.2e-13 N", r"−10 at $1.2{\cdot}10^{-13}$ N"),
-        ("log₁₀ (P_c / N)", r"$\mathrm{log}_{10}$ ($P_{\mathrm{c}}$ / N)"),
-        ("Force that starts sphere 1 rolling Q, Eq (26).", "Force that starts sphere 1 rolling $Q$, Eq (26)."),
+        ("⟦δ_α⟧ in mJ/m² or kg/m³", "$δ_{α}$ in mJ/m$^{2}$ or kg/m$^{3}$"),
+        ("half-circle ⟦a + ξ⟧", "half-circle $a+ξ$"),
+        ("-10 at ⟦M_0⟧", r"−10 at $M_{0}$"),
+        ("⟦log₁₀⟧ (⟦P_c⟧ / N)", r"$\mathrm{log}_{10}$ ($P_{\mathrm{c}}$ / N)"),
+        ("⟦â^(3/2)⟧ of ⟦⟨M⟩⟧", r"$\hat{a}^{3/2}$ of ${\langle}M{\rangle}$"),
         ("my_dust costs $1", r"my_dust costs \$1"),
     ],
 )
-def test_symbols_are_typeset(text: str, wanted: str) -> None:
+def test_marked_mathematics_is_typeset(text: str, wanted: str) -> None:
     assert typeset(text) == wanted
+    assert "⟦" not in plain(text)
 
 
-def test_every_symbol_is_typeset_and_can_be_drawn() -> None:
+def test_every_symbol_is_typeset_whole_and_can_be_drawn() -> None:
     parser = MathTextParser("path")
     for name, quantity in NOMENCLATURE.items():
-        if quantity.unit:
+        if not quantity.is_word:
             parser.parse(typeset(described(name, quantity.unit)))
-            symbol = typeset(f"{quantity.symbol} = 1").removesuffix(" = 1")
-            assert "$" in symbol, name
-            contexts = (
-                described(name, ""),
-                described(name, "N m"),
-                label_of(name, has_log_labels=True),
-                f"{quantity.sentence} {quantity.symbol}, Eq (1).",
-                f"{quantity.symbol}: {quantity.sentence}",
-            )
-            assert [text for text in contexts if symbol not in typeset(text)] == []
+            letters = re.sub(r"\\[a-z]+|[^\w]|_", "", typeset(symbol(name)))
+            assert letters == re.sub(r"[^\w]|_", "", quantity.symbol.replace("â", "a").translate(POWERS)), name
+            assert plain(described(name)) == f"{quantity.sentence}, {quantity.symbol}"
+
+
+def test_a_mark_of_a_user_is_never_refused_as_mathematics() -> None:
+    for text in ("⟦\\frac{⟧", "a$b$c", "⟦^⟧ ⟦", "{⟦_⟧}"):
+        MathTextParser("path").parse(typeset(text))
 
 
 def test_lines_are_broken_before_typesetting_and_not_before_a_unit() -> None:
-    assert typeset_lines("a radius R1 = 100 nm of spheres", 18) == ["a radius", "$R_{1}$ = 100 nm of", "spheres"]
+    assert lines("a radius ⟦R1⟧ = 100 nm of spheres", 20) == [
+        "a radius",
+        "$R_{1}$\N{NO-BREAK SPACE}=\N{NO-BREAK SPACE}100\N{NO-BREAK SPACE}nm of",
+        "spheres",
+    ]
 
 
 @pytest.mark.parametrize(
     ("text", "kept"),
     [
-        ("rolling moment, M [fN m]", "[fN m]"),
+        ("rolling moment, ⟦M⟧ [fN m]", "$M$ [fN m]"),
         ("numerical solutions, within 0.3 % for 0.01", "0.3 %"),
         ("it is 5 nN m here", "5 nN m"),
     ],
 )
 def test_a_unit_stays_on_the_line_of_its_number(text: str, kept: str) -> None:
     for width in range(8, len(text)):
-        assert any(kept in line.replace("$M$", "M") for line in typeset_lines(text, width)), width
-        assert any(kept in line for line in wrapped(text, width)), width
+        assert any(kept in line.replace("\N{NO-BREAK SPACE}", " ") for line in lines(text, width)), width
+        if "⟦" not in text:
+            assert any(kept in line for line in wrapped(text, width)), width
 
 
 def test_labels_without_a_unit_have_it_in_the_title() -> None:
@@ -269,8 +273,7 @@ def test_labels_without_a_unit_have_it_in_the_title() -> None:
         (20, 20),
     )
     assert {level.text for level in drawn.levels()} >= {"10", "1000"}
-    assert drawn.title.endswith("m1 [kg]")
-    assert drawn.heading == "m1 [kg]"
+    assert drawn.title.endswith("⟦m1⟧ [kg]")
 
 
 def test_labels_of_speeds_have_prefixes() -> None:
@@ -287,11 +290,12 @@ def test_the_edge_of_a_gap_is_where_the_contact_breaks() -> None:
         Call(words=("contact-radius-at-load", "quartz"), x="radius=10nm:1um", y="load=-20nN:50nN:lin")
     )
     drawn, _ = map_of(request, (41, 41))
-    mesh = drawn.mesh()
-    is_moved = np.isfinite(mesh.values) & np.isnan(drawn.values)
-    assert is_moved.sum() > 20
-    radius, load = drawn.x.value(mesh.x[is_moved]), drawn.y.value(mesh.y[is_moved])
-    np.testing.assert_allclose(load, -solve("pull_off_force", material="quartz", radius=radius), rtol=1e-9)
+    (axes,) = figure_of(drawn, 4.0, PAPER, has_caption=False).axes
+    (edge,) = (one for one in axes.collections if hasattr(one, "levels") and [*one.levels] == [0.5])
+    radius, load = np.asarray(edge.get_paths()[0].vertices).T
+    assert len(radius) > 100
+    step = (drawn.y.high - drawn.y.low) / (FINE - 1)
+    assert abs(load + solve("pull_off_force", material="quartz", radius=radius)).max() < 1.5 * step
 
 
 def test_regions_may_have_gaps(run: Run, tmp_path: Path) -> None:
@@ -312,8 +316,7 @@ def test_each_contour_has_its_label_on_its_line_and_on_no_other(name: str, width
     frame = axes.get_window_extent().padded(1e-6)
     assert all(frame.count_contains(box.corners()) == 4 for box in boxes)
     assert not any(one.overlaps(other) for one, other in itertools.combinations(boxes, 2))
-    (contours,) = (one for one in axes.collections if one.get_gid() == CONTOURS)
-    paths = [path.transformed(axes.transData) for path in contours.get_paths()]
+    paths = [path.transformed(axes.transData) for path in contour_sets(page)[0].get_paths()]
     for level, path in zip(drawn.levels(), paths, strict=True):
         of_level = [box for text, box in zip(labels, boxes, strict=True) if text.get_text().strip() == level.text]
         own = [box for box in of_level if path.intersects_bbox(box, filled=False)]
@@ -341,7 +344,7 @@ def test_a_caption_has_three_lines_in_a_column(name: str) -> None:
         drawn, _ = curves_of_contact([Scene({"radius": 1e-7}, materials["quartz"])], None, None)
     with settings(PAPER):
         page = figure_of(drawn, 85 / 25.4, PAPER, has_caption=True)
-    _, caption = page.texts
+    caption = page.texts[-1]
     assert 1 <= len(caption.get_text().splitlines()) <= 3
 
 
@@ -350,7 +353,7 @@ def test_a_mark_on_the_edge_is_a_whole_dot() -> None:
     drawn, _ = map_of(request, (21, 21))
     (axes,) = figure_of(drawn, 4.0, PAPER, has_caption=False).axes
     dots = [line for line in axes.lines if line.get_marker() == "o"]
-    assert [np.ravel(line.get_xdata()).tolist() for line in dots] == [[0.0]]
+    assert [np.ravel(line.get_xdata()).tolist() for line in dots] == [[1e-7]]
     assert not dots[0].get_clip_on()
 
 
@@ -385,12 +388,11 @@ def test_curves_are_differ_in_grey_by_their_dashes(run: Run, tmp_path: Path) -> 
     text = (tmp_path / "curves.svg").read_text(encoding="utf-8")
     lines = set(re.findall(r"fill: none; (?:stroke-dasharray: ([^;]*); )?(?:stroke-dashoffset: 0; )?stroke: #", text))
     assert len(lines) >= 4
-    assert len({*LINES}) == len(LINES)
 
 
 def test_as_many_curves_as_there_may_be_differ() -> None:
     looks = [line_of(Curve("", None, None, number), number, PAPER) for number in range(MAX_CURVES)]
-    assert len({(look["color"], look["linestyle"]) for look in looks}) == len({*SIGNS}) == MAX_CURVES
+    assert len({(look["color"], look["linestyle"]) for look in looks}) == MAX_CURVES
 
 
 def test_the_curves_of_a_contact(run: Run, tmp_path: Path) -> None:
@@ -398,7 +400,7 @@ def test_the_curves_of_a_contact(run: Run, tmp_path: Path) -> None:
     assert (ran.code, ran.err) == (0, "")
     shown = SVG_TEXT.findall((tmp_path / "contact.svg").read_text(encoding="utf-8"))
     assert {"fold", "pull-off", "jump-in", "stable", "unstable", "fixed grips"} <= {*shown}
-    models = (typeset(symbol) for symbol in ("M:", "M_0:", "M_half:", "M_δ:"))
+    models = (typeset(text) for text in ("⟦M⟧:", "⟦M_0⟧:", "⟦M_half⟧:", "⟦M_δ⟧:"))
     assert all(any(model in text for text in shown) for model in models)
 
 
@@ -406,14 +408,14 @@ def test_curves_that_coincide_are_drawn_once() -> None:
     """Without load the moment M is M_0."""
     picture, _ = curves_of_contact([Scene({"radius": 1e-7}, known_materials()["quartz"])], None, "moment")
     texts = [curve.text for curve in picture.panels[0].curves]
-    assert [len(re.findall(r"M\w*:", text)) for text in texts] == [2, 1, 1]
+    assert [len(re.findall(r"M\w*⟧:", text)) for text in texts] == [2, 1, 1]
 
 
 def test_a_colour_has_one_meaning_over_the_panels_of_a_contact() -> None:
     """The contact without load is on the stable branch, and at pull-off it comes to the fixed grips."""
     picture, _ = curves_of_contact([Scene({"radius": 1e-7}, known_materials()["quartz"])], None, None)
     force, pressure, moment = ({curve.text: curve.colour for curve in panel.curves} for panel in picture.panels)
-    assert pressure == {"P = 0": force["stable"], "pull-off": force["fixed grips"]}
+    assert pressure == {"⟦P = 0⟧": force["stable"], "pull-off": force["fixed grips"]}
     assert not {*moment.values()} & {*force.values()}
 
 
@@ -434,16 +436,16 @@ def test_the_curves_of_several_laws_are_over_one_another(run: Run, tmp_path: Pat
     shown = SVG_TEXT.findall((tmp_path / "laws.svg").read_text(encoding="utf-8"))
     assert all(shown.count(law) == 2 for law in ("JKR", "Maugis–Dugdale", "DMT"))
     on_screen = run("contact quartz 100nm --curve --model jkr,dmt --panel force --load=-20nN:10nN --quiet")
-    assert on_screen.out.splitlines()[:2] == ["force", "load, tension negative, P [nN]"]
-    assert {"** JKR", "oo DMT"} <= {*on_screen.out.splitlines()}
+    assert re.split(r"  +", on_screen.out.splitlines()[1].strip()) == ["δ [pm]", "P [nN]"]
+    assert {"JKR", "DMT"} <= {line.split()[0] for line in on_screen.out.splitlines()}
 
 
 @pytest.mark.parametrize(
     ("model", "branches", "states"),
     [
-        (None, ["unstable", "fixed grips", "stable"], ["fold", "pull-off", "jump-in", "P = 0"]),
-        ("maugis", ["without contact", "fixed grips", "stable"], ["fold", "pull-off", "P = 0"]),
-        ("dmt", ["stable"], ["pull-off", "P = 0"]),
+        (None, ["unstable", "fixed grips", "stable"], ["fold", "pull-off", "jump-in", "⟦P = 0⟧"]),
+        ("maugis", ["without contact", "fixed grips", "stable"], ["fold", "pull-off", "⟦P = 0⟧"]),
+        ("dmt", ["stable"], ["pull-off", "⟦P = 0⟧"]),
     ],
 )
 def test_the_force_curve_of_one_law_has_its_branches_and_states(
@@ -484,7 +486,7 @@ def test_loads_that_no_law_holds(run: Run) -> None:
 
 def test_a_branch_beyond_the_loads_is_not_in_the_key(run: Run) -> None:
     out = run("contact quartz 100nm --curve --panel force --load=-5nN:10nN --quiet").out
-    assert {"** stable", "oo unstable"} <= {*out.splitlines()}
+    assert {"stable", "unstable"} <= {line.split()[0] for line in out.splitlines()}
     assert "fixed grips" not in out
 
 
@@ -666,7 +668,7 @@ def test_texts_of_marks_keep_apart() -> None:
         page = figure_of(drawn, 85 / 25.4, PAPER, has_caption=False)
     axes: Any = page.axes[0]
     texts: dict[str, Any] = {text.get_text(): text for text in axes.texts if "@" in text.get_text()}
-    assert [*texts] == marks.split(",")
+    assert {*texts} == {*marks.split(",")}
     boxes = [text.get_window_extent() for text in texts.values()]
     contours = [text.get_window_extent() for text in axes.texts if text.get_bbox_patch() is not None]
     assert not any(one.overlaps(other) for one, other in itertools.combinations([*boxes, *contours], 2))

@@ -11,13 +11,14 @@ from ..output.records import write_records
 from ..pictures.axes import Axis
 from ..pictures.curves import PANELS, curves_of_contact
 from ..pictures.figures import FIGURE_NAMES, PROFILES, WITHOUT_MARKS, paper_map
-from ..pictures.maps import Map, Picture, rows_of
+from ..pictures.maps import Map, Picture
 from ..pictures.request import PlotRequest, curves_of, map_of, mark_at
 from ..pictures.styles import STYLES
 from ..quantities.errors import QuantityError
 from ..quantities.formatting import amount
 from ..quantities.laws import DEFAULT_LAW
-from ..quantities.nomenclature import NOMENCLATURE, as_input, header
+from ..quantities.markup import plain, symbol
+from ..quantities.nomenclature import as_input, header
 from ..quantities.units import BadUnit, dimension_of
 from ..quantities.values import between, error_about, parse_value
 from ..scene.scene import Scene
@@ -26,9 +27,9 @@ from ..text import ending, listed, quoted, say, say_wrapped
 from .commands import Call
 from .request import PICTURES, Request, curve_request, format_name, known_materials_of, request_of
 
-ON_SCREEN = (241, 121)  # points of a map that is drawn in cells
+ON_SCREEN = (241, 121)  # points of a map that is written as numbers
 IN_FILE = (201, 201)
-OF_PAPER = (21, 21)  # its contours are of powers, straight on logarithmic axes: few points draw them exactly
+OF_PAPER = (21, 21)
 ALONG = 1001  # points of a curve
 
 
@@ -101,7 +102,7 @@ def run_figure(call: Call) -> int:
         return _deliver(PROFILES[name](materials, marks_of(call.mark)), (), call)
     size = OF_PAPER if call.target else ON_SCREEN
     drawn = paper_map(name, materials, size, as_printed=call.as_printed, is_plain=call.plain)
-    if call.as_printed and drawn.printed is None:
+    if call.as_printed and not drawn.printed:
         raise BadRequest(f"figure {name} is as printed; --as-printed is for 6b")
     marks = [mark_at(text, materials, drawn.scene, drawn.x, drawn.y) for text in marks_of(call.mark)]
     return _deliver(drawn._replace(marks=(*drawn.marks, *marks)), (), call)
@@ -149,14 +150,14 @@ def _deliver(drawn: Map | Picture, notes: Iterable[str], call: Call) -> int:
             stream.write(content)
         if call.data != "-" and not call.quiet:
             for text in filter(None, (drawn.title, *drawn.caption, *drawn.remarks)):
-                say_wrapped(text, sys.stdout)
+                say_wrapped(plain(text), sys.stdout)
     elif call.data != "-":
-        from ..pictures.terminal import draw_map, draw_picture
+        from ..pictures.terminal import write_map, write_picture
 
         if isinstance(drawn, Map):
-            draw_map(drawn, sys.stdout)
+            write_map(drawn, sys.stdout)
         else:
-            draw_picture(drawn, sys.stdout)
+            write_picture(drawn, sys.stdout)
     sys.stdout.flush()
     if not call.quiet:
         for note in notes:
@@ -169,13 +170,19 @@ def _write_data(drawn: Map | Picture, path: str) -> None:
     with text_output(path) as out:
         if isinstance(drawn, Map):
             heads = (drawn.x.header(), drawn.y.header(), header(drawn.quantity))
-            write_records(heads, ([*map(_known, row)] for row in rows_of(drawn)), "csv", out)
+            x, y, values = drawn.x.values().tolist(), drawn.y.values().tolist(), drawn.values.tolist()
+            numbers = (
+                (right, up, _known(cell))
+                for up, row in zip(y, values, strict=True)
+                for right, cell in zip(x, row, strict=True)
+            )
+            write_records(heads, numbers, "csv", out)
             return
         for number, panel in enumerate(drawn.panels):
             if number > 0:
                 say("", out)
             rows = (
-                (curve.text, _known(x), _known(y))
+                (plain(curve.text), _known(x), _known(y))
                 for curve in panel.curves
                 for x, y in zip(curve.x.tolist(), curve.y.tolist(), strict=True)
             )
@@ -248,7 +255,7 @@ def _distinction(scene: Scene, request: Request) -> str:
     if len(request.models) > 1 and scene.stated_model is not None:
         parts.append(scene.law.title)
     several = [name for name, text in request.options.items() if "," in text or ":" in text]
-    parts += [f"{NOMENCLATURE[name].symbol} = {amount(name, scene.stated[name])}" for name in several]
+    parts += [f"{symbol(name)} = {amount(name, scene.stated[name])}" for name in several]
     return ", ".join(parts)
 
 

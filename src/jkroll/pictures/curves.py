@@ -12,19 +12,26 @@ from ..answers.questions import Question
 from ..physics.contact import pressure
 from ..quantities.formatting import amount
 from ..quantities.laws import DEFAULT_LAW
-from ..quantities.nomenclature import NOMENCLATURE
+from ..quantities.markup import symbol
 from ..scene.failures import BeyondPullOff, NotInLaw
 from ..scene.scene import Scene
 from .axes import Axis
 from .maps import Curve, Mark, Panel, Picture, axis_around, clipped, has_values, solved
-from .request import fixed_inputs, inputs_as_texts, notes_on, on_middles
+from .request import fixed_inputs, inputs_as_texts, notes_on
 
 POINTS = 401
 _SAME = 1e-9  # relative difference of curves that coincide
 AREA_AND_PRESSURES = ("contact_radius_at_load", "hertz_pressure", "boussinesq_pressure")
 _FORCE = ("approach_at_load", "load")
 _OF_MOMENT = Question(("yield_moment",), ("yield_moment",))
-_NO_LOAD = "P = 0"
+# The models of the moment, in as few words as a legend below a panel has room for.
+_OF_MOMENTS = {
+    "yield_moment": "exact",
+    "unloaded_moment": "without load",
+    "half_circles_moment": "two half-circles",
+    "fixed_approach_moment": "exact, at a fixed approach",
+}
+_NO_LOAD = "⟦P = 0⟧"
 _BRANCHES = ("stable", "fixed grips", "unstable", "without contact")  # of force curves, each with its own colour
 
 
@@ -103,10 +110,10 @@ def _moment(scenes: Sequence[Scene], _: Loads | None) -> Panel:
     if len(scenes) == 1:
         (scene,) = scenes
         models = [name for name in MOMENTS if not _lacking(scene, name)]
-        lines = [(f"{NOMENCLATURE[name].symbol}: {NOMENCLATURE[name].sentence}", scene, name) for name in models]
+        lines = [(f"{symbol(name)}: {_OF_MOMENTS[name]}", scene, name) for name in models]
         shift = float(scene["yield_displacement"])
         if shift <= limit:
-            points = [Mark(f"ξ = {amount('yield_displacement', shift)}", shift, scene["yield_moment"])]
+            points = [Mark(f"⟦ξ⟧ = {amount('yield_displacement', shift)}", shift, scene["yield_moment"])]
     else:
         lines = [(scene.law.title, scene, "yield_moment") for scene in scenes]
     shifts = numpy.linspace(0, limit, POINTS)
@@ -118,7 +125,7 @@ def _moment(scenes: Sequence[Scene], _: Loads | None) -> Panel:
     curves = [curve._replace(colour=number) for number, curve in enumerate(found, first)]
     x = Axis("yield_displacement", 0.0, limit, is_log=False)
     y = axis_around("yield_moment", [shifts[:1], *(curve.y for curve in curves)], margin=0.0)
-    return Panel(x, y, tuple(curves), tuple(points), _titled("moment, up to ξ_max", "moment without load", scenes))
+    return Panel(x, y, tuple(curves), tuple(points), _titled("moment, up to ⟦ξ_max⟧", "moment without load", scenes))
 
 
 def _titled(of_jkr: str, text: str, scenes: Sequence[Scene]) -> str:
@@ -158,7 +165,7 @@ def curves_of_contact(
     varied = ("load",) if is_one else ("load", "yield_displacement")
     panels: list[Panel] = []
     missing: list[NotInLaw] = []
-    held: dict[str, None] = {}
+    fixed: dict[str, None] = {}
     notes: dict[str, None] = {}
     for draw, needed, further in [PANELS[panel]] if panel is not None else PANELS.values():
         errors = [_lacking(scene, *needed) for scene in scenes]
@@ -166,32 +173,26 @@ def curves_of_contact(
         missing += filter(None, errors)
         if having:
             drawn = draw(having, loads)
-            is_of_one_law = len(having) == 1 < len(scenes)
-            panels.append(_in_colour(drawn, scenes.index(having[0])) if is_of_one_law else drawn)
+            if len(having) == 1 < len(scenes):  # all curves are of one law, and have its colour
+                colour = scenes.index(having[0])
+                drawn = drawn._replace(curves=tuple(curve._replace(colour=colour) for curve in drawn.curves))
+            panels.append(drawn)
         for scene in having:
             names = [*needed, *(name for name in further if is_one and not _lacking(scene, name))]
             unloaded = scene.replace(load=0.0)
             inputs = [name for name in unloaded.inputs_of(*names) if name not in varied]
-            held |= dict.fromkeys(inputs_as_texts(unloaded, inputs))
-            notes |= dict.fromkeys([*on_middles(scene, inputs), *notes_on(unloaded, inputs, names)])
+            fixed |= dict.fromkeys(inputs_as_texts(unloaded, inputs))
+            notes |= dict.fromkeys(notes_on(scene, unloaded, inputs, names))
     if not panels:
         raise missing[0]
-    is_whole = is_one and len(panels) == len(PANELS)
-    branches = "Both branches of the force curve" if loads is None else "Force curve"
-    shown = (f"{branches}; pressure; moment without load.",) if is_whole else ()
-    beyond = [one.x.high for one in panels if is_one and one.x.name == "yield_displacement" and not one.points]
+    ends = [drawn.x.high for drawn in panels if is_one and drawn.x.name == "yield_displacement" and not drawn.points]
     limits = (
-        f"The moment is drawn up to ξ_max = {amount('yield_displacement', end)}, before this ξ." for end in beyond
+        f"The moment is drawn up to ⟦ξ_max⟧ = {amount('yield_displacement', end)}, before this ⟦ξ⟧." for end in ends
     )
-    caption = (*shown, *fixed_inputs([*held]), *limits)
+    caption = (*fixed_inputs([*fixed]), *limits)
     about = _OF_MOMENT if panel == "moment" else OF_CURVE
     doubtful = [note.worded for note in Answer(about, scenes[0]).doubts()] if is_one else []
     return Picture("", tuple(panels), caption), (*(f"no curve: {error}" for error in missing), *doubtful, *notes)
-
-
-def _in_colour(panel: Panel, colour: int) -> Panel:
-    """Return a panel with all curves in one colour; their dashes differ."""
-    return panel._replace(curves=tuple(curve._replace(colour=colour) for curve in panel.curves))
 
 
 def once(curves: Iterable[Curve]) -> list[Curve]:

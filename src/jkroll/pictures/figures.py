@@ -3,12 +3,11 @@
 The paper's other figures carry no data.
 """
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from math import pi
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from ..answers.results import equation_of
 from ..materials.library import Materials
 from ..physics.any_law import pull_off_force_lennard_jones, transition_parameter
 from ..physics.contact import pressure
@@ -17,27 +16,11 @@ from ..physics.maugis import edge_ratio_at_pull_off, pull_off_force_maugis
 from ..physics.shifted import exact_pressure, half_circle_pressure, unloaded_half_width
 from ..quantities.formatting import amount
 from ..quantities.nomenclature import NOMENCLATURE
-from ..scene.limits import Limit
 from ..scene.scene import DEFAULTS, Scene
-from ..scene.wiring import depends_on
-from ..text import capitalized
 from .axes import Axis
 from .curves import AREA_AND_PRESSURES, POINTS, across, pressure_panel
-from .maps import (
-    Curve,
-    Map,
-    Mark,
-    Panel,
-    Picture,
-    Region,
-    evaluate,
-    label_of,
-    limits_of_paper,
-    limits_on_map,
-    material_marks,
-    solved,
-)
-from .request import mark_at
+from .maps import Curve, Map, Mark, Panel, Picture, Region, limits_of_paper, solved
+from .request import PlotRequest, map_of, mark_at
 
 # --- Maps: Figs. 3, 6 and 8 ---------------------------------------------------------------------------------------------
 
@@ -64,12 +47,12 @@ _LIGHT = {**_SOFT, "density": 2000.0}
 
 PAPER_MAPS: Mapping[str, PaperMap] = MappingProxyType(
     {
-        "3a": PaperMap("pull_off_force", _ENERGIES, _SOFT, "P_c = 3πγR with R = R1/2: JKR; small, hard spheres tend to 4πγR."),
+        "3a": PaperMap("pull_off_force", _ENERGIES, _SOFT, "⟦P_c = 3πγR⟧ with ⟦R = R1/2⟧: JKR; small, hard spheres tend to ⟦4πγR⟧."),
         "3b": PaperMap(
             "yield_force_ratio",
             _ENERGIES,
             _SOFT,
-            "It does not depend on γ. The forces are equal (contour 0) at R1 = 4ξ = 0.8 nm; the text has 1 nm. There, "
+            "It does not depend on ⟦γ⟧. The forces are equal (contour 0) at ⟦R1 = 4ξ⟧ = 0.8 nm; the text has 1 nm. There, "
             "as the text warns, elasticity holds no longer.",
             guide=(1e-9, "1 nm"),
         ),
@@ -77,14 +60,14 @@ PAPER_MAPS: Mapping[str, PaperMap] = MappingProxyType(
             "r_min",
             _ENERGIES,
             _SOFT,
-            "It does not depend on γ: R1²/ξ. At R1 = 100 nm it is 50 µm (log: −4.3), 500 times the radius.",
+            "It does not depend on ⟦γ⟧: ⟦R1²/ξ⟧. At ⟦R1⟧ = 100 nm it is 50 µm (log: −4.3), 500 times the radius.",
             guide=(1e-7, "100 nm"),
         ),
         "3d": PaperMap(
             "n_grav",
             _ENERGIES,
             _LIGHT,
-            "About a thousand (contour 3) spheres of 100 nm stand at γ = 25 mJ/m². A single sphere (contour 0) rolls from "
+            "About a thousand (contour 3) spheres of 100 nm stand at ⟦γ⟧ = 25 mJ/m². A single sphere (contour 0) rolls from "
             "8 µm (polystyrene) to 52 µm (iron) on; the text has about 100 µm.",
             guide=(1e-4, "100 µm"),
             point=(0.025, 1e-7, "1071"),
@@ -93,22 +76,22 @@ PAPER_MAPS: Mapping[str, PaperMap] = MappingProxyType(
             "vertical_frequency",
             _ENERGIES,
             _LIGHT,
-            "GHz (contour 9) at R1 = 35 nm (γ = 1 mJ/m²) to 130 nm (10 J/m²): almost independent of γ, which enters by its power 1/6.",
+            "GHz (contour 9) at ⟦R1⟧ = 35 nm (⟦γ⟧ = 1 mJ/m²) to 130 nm (10 J/m²): almost independent of ⟦γ⟧, which enters by its power 1/6.",
         ),
         "6b": PaperMap(
             "rolling_frequency",
             _ENERGIES,
             _LIGHT,
-            "Eq (40) as it follows. The paper's curves are Eq (41), 2.5 times lower (0.4 in the logarithm). At R1 = 100 nm and "
-            "γ = 100 mJ/m² it is 5.3 times slower than the vertical vibration; the text has one to two orders.",
+            "Eq (40) as it follows. The paper's curves are Eq (41), 2.5 times lower (0.4 in the logarithm). At ⟦R1⟧ = 100 nm and "
+            "⟦γ⟧ = 100 mJ/m² it is 5.3 times slower than the vertical vibration; the text has one to two orders.",
             printed="rolling_frequency_as_printed",
         ),
         "8": PaperMap(
             "n_roll",
             Axis("modulus_over_energy", 1e9, 1e13, beside={"surface_energy": 1.0}),  # γ may be any
             {},
-            "For W0 = P_cδ0; in general these are n_roll/(W0/P_cδ0). An energy balance gives 7/2 of Eq (49). Below 10 nm, spheres "
-            "with E*/γ above 9·10¹¹ m⁻¹ do not roll; below 100 nm a full turn takes E*/γ below 1.5·10⁹ m⁻¹.",
+            "For ⟦W0 = P_cδ0⟧; in general these are ⟦n_roll/(W0/P_cδ0)⟧. An energy balance gives 7/2 of Eq (49). Below 10 nm, spheres "
+            "with ⟦E*/γ⟧ above 9·10¹¹ m⁻¹ do not roll; below 100 nm a full turn takes ⟦E*/γ⟧ below 1.5·10⁹ m⁻¹.",
             has_log_labels=False,
             guide=(1e-8, "10 nm"),
             shades_no_rolling=True,
@@ -122,64 +105,33 @@ def paper_map(
 ) -> Map:
     """Return a map of the paper with `size` points across and up. `is_plain`: without the limits of the model."""
     declared = PAPER_MAPS[name]
-    scene = Scene(declared.given)
-    x, y = declared.x._replace(size=size[0]), RADII._replace(size=size[1])
-    values = evaluate(scene, declared.quantity, x, y)
-    printed = evaluate(scene, declared.printed, x, y) if as_printed and declared.printed else None
-    limits = [] if is_plain else limits_of_paper(declared.quantity)
-    shaded = (_no_rolling(scene, x, y),) if declared.shades_no_rolling and limits else ()
-    regions, _ = limits_on_map(scene, declared.quantity, x, y, values, limits)
-    marks, others = material_marks(materials, x, y)
+    limits = limits_of_paper(declared.quantity)
+    scenes = (("", Scene(declared.given)),)
+    drawn, _ = map_of(PlotRequest(declared.quantity, declared.x, RADII, scenes, (), materials, is_plain, limits), size)
+    shaded = (NO_ROLLING,) if declared.shades_no_rolling and not is_plain else ()
     points = (Mark(declared.point[2], *declared.point[:2]),) if declared.point else ()
-    return Map(
-        declared.quantity,
-        scene,
-        x,
-        y,
-        values,
-        (*shaded, *regions),
-        (*marks, *points),
-        f"Fig. {name}: {label_of(declared.quantity, has_log_labels=declared.has_log_labels)}",
-        (*_caption(declared, limits, as_printed=printed is not None), *others),
-        declared.has_log_labels,
-        printed,
-        (declared.guide,) if declared.guide else (),
-        (declared.remark,),
+    printed = declared.printed if as_printed else ""
+    dashed = (f"Dashed: Eq ({NOMENCLATURE[printed].equation}) as printed.",) if printed else ()
+    return drawn._replace(
+        regions=(*shaded, *drawn.regions),
+        marks=(*drawn.marks, *points),
+        caption=(*drawn.caption, *dashed),
+        figure=name,
+        has_log_labels=declared.has_log_labels,
+        printed=printed,
+        guides=(declared.guide,) if declared.guide else (),
+        remarks=(declared.remark,),
     )
 
 
-def _no_rolling(scene: Scene, x: Axis, y: Axis) -> Region:
-    """Return the region in which spheres do not roll through their yield angle: the spin of Eq (47) has (2/7)W0, less than W_yield."""
+def _beyond_rolling(here: Scene) -> Any:
+    """Return by how much the spin of Eq (47), which has (2/7)W0, falls short of W_yield, as the logarithm of a factor."""
     import numpy
 
-    left = 2 / 7 * evaluate(scene, "energy_over_yield", x, y)
-    return Region("(2/7)W0 < W_yield: it springs back", x, y, numpy.log10(left), "energy_over_yield")
+    return -numpy.log(2 / 7 * here["energy_over_yield"])
 
 
-def _caption(declared: PaperMap, limits: Collection[Limit], *, as_printed: bool) -> tuple[str, ...]:
-    """Return the caption: the quantity and its equation, and the assumptions."""
-    quantity = NOMENCLATURE[declared.quantity]
-    at_a_corner = {RADII.name: RADII.high, **declared.x.inputs(declared.x.low)}
-    scene = Scene({**declared.given, **at_a_corner})
-    shown = f"{capitalized(quantity.sentence)}, {quantity.symbol}, Eq ({equation_of(scene, declared.quantity)})."
-    if as_printed:
-        shown += f" Dashed: Eq ({NOMENCLATURE[declared.printed].equation}) as printed."
-    used = _assumed(scene, declared, {declared.quantity})
-    of_limits = _assumed(scene, declared, {limit.name for limit in limits}) if limits else []
-    elsewhere = [text for text in of_limits if text not in used]
-    parts = [", ".join(["identical spheres", *used]), f"hatches: {', '.join(elsewhere)}" if elsewhere else ""]
-    return shown, f"Assumed: {'; '.join(filter(None, parts))}."
-
-
-def _assumed(scene: Scene, declared: PaperMap, names: Collection[str]) -> list[str]:
-    """Return the assumed inputs of these quantities, as texts."""
-    used = {*scene.inputs_of(*names), *(name for name in ("load", "energy_ratio") if name in depends_on(names))}
-    texts = []
-    for name, value in {**DEFAULTS, **declared.given}.items():
-        if name in used and name != "poisson_ratio":
-            symbol = "E1/(1 − ν1²)" if name == "youngs_modulus" else NOMENCLATURE[name].symbol
-            texts.append(f"{symbol} = {amount(name, value)}")
-    return texts
+NO_ROLLING = Region("⟦(2/7)W0 < W_yield⟧: it springs back", "energy_over_yield", _beyond_rolling)
 
 
 # --- Figs. 2 and 9: the shifted contact in three and two dimensions ---------------------------------------------------
@@ -204,11 +156,11 @@ def figure_2(materials: Materials, _: Sequence[str]) -> Picture:
     shift = float(scene["yield_displacement"])
     a = state["contact_radius_at_load"]
     angle = numpy.linspace(-numpy.pi, numpy.pi, POINTS)
-    outlines = [Curve("contact, shifted by ξ", a * numpy.cos(angle) - shift, a * numpy.sin(angle), 0)]
+    outlines = [Curve("contact, shifted by ⟦ξ⟧", a * numpy.cos(angle) - shift, a * numpy.sin(angle), 0)]
     half = numpy.linspace(numpy.pi / 2, 3 * numpy.pi / 2, POINTS)
     outlines += [
-        Curve("half-circle a + ξ", (a + shift) * numpy.cos(half), (a + shift) * numpy.sin(half), 1, is_dashed=True),
-        Curve("half-circle a − ξ", -(a - shift) * numpy.cos(half), (a - shift) * numpy.sin(half), 2, is_dashed=True),
+        Curve("half-circle ⟦a + ξ⟧", (a + shift) * numpy.cos(half), (a + shift) * numpy.sin(half), 1, is_dashed=True),
+        Curve("half-circle ⟦a − ξ⟧", -(a - shift) * numpy.cos(half), (a - shift) * numpy.sin(half), 2, is_dashed=True),
     ]
     reach = 1.5 * (a + shift)
     view = Panel(
@@ -222,21 +174,21 @@ def figure_2(materials: Materials, _: Sequence[str]) -> Picture:
     at = {"approach_at_load": state["approach_at_load"], **given}
     curves = [
         Curve("exact", shifted, exact_pressure(position_in_circle=shifted + shift, yield_displacement=shift, **parts, **given), 0),
-        Curve("half-circle a + ξ", left, half_circle_pressure(distance=-left, half_circle_radius=a + shift, **at), 1, is_dashed=True),
-        Curve("half-circle a − ξ", right, half_circle_pressure(distance=right, half_circle_radius=a - shift, **at), 2, is_dashed=True),
+        Curve("half-circle ⟦a + ξ⟧", left, half_circle_pressure(distance=-left, half_circle_radius=a + shift, **at), 1, is_dashed=True),
+        Curve("half-circle ⟦a − ξ⟧", right, half_circle_pressure(distance=right, half_circle_radius=a - shift, **at), 2, is_dashed=True),
         Curve("not shifted", centred, pressure(distance=abs(centred), **parts), 3),
     ]  # fmt: skip
     along = pressure_panel(curves, state["hertz_pressure"], "pressure along the way")
     exact, simple = (amount(name, state[name]) for name in ("yield_moment", "half_circles_moment"))
     caption = (
-        f"Two quartz spheres of 20 nm that have rolled by ξ = {amount('yield_displacement', shift)}, without load.",
+        f"Two quartz spheres of 20 nm that have rolled by ⟦ξ⟧ = {amount('yield_displacement', shift)}, without load.",
         f"Moment: exact {exact}, Eq (25); half-circles {simple}, Eq (19).",
     )
     remarks = (
         "The circle stays behind the contact point.",
         (
             "Exact: Hertz, flat punch and tilted flat punch on one circle at a fixed load. Half-circles: Eq (16) at a fixed approach, "
-            "not continuous at x = 0. Ahead the pull at the rim is weaker, behind it is stronger."
+            "not continuous at ⟦x = 0⟧. Ahead the pull at the rim is weaker, behind it is stronger."
         ),
     )
     return Picture("Fig. 2: the shifted contact", (view, along), caption, remarks)
@@ -262,8 +214,8 @@ def figure_9(materials: Materials, _: Sequence[str]) -> Picture:
     symmetric = Curve("exact, Eq (56)", centred, symmetric_pressure(position=centred, contact_half_width=a, **size))
     curves = [
         Curve("exact, Eq (64)", shifted, exact),
-        Curve("half-strip a + ξ", left, behind, 1, is_dashed=True),
-        Curve("half-strip a − ξ", right, ahead, 2, is_dashed=True),
+        Curve("half-strip ⟦a + ξ⟧", left, behind, 1, is_dashed=True),
+        Curve("half-strip ⟦a − ξ⟧", right, ahead, 2, is_dashed=True),
     ]
     moments = [
         moment(contact_half_width=a, yield_displacement=shift, **size)
@@ -271,18 +223,18 @@ def figure_9(materials: Materials, _: Sequence[str]) -> Picture:
     ]
     caption = (
         (
-            f"Quartz cylinder of 20 nm on a rigid plane without load (C = 0), shifted by ξ = {amount('yield_displacement', shift)}: "
+            f"Quartz cylinder of 20 nm on a rigid plane without load (⟦C = 0⟧), shifted by ⟦ξ⟧ = {amount('yield_displacement', shift)}: "
             "exact, Eq (64), and two halves of symmetric strips, Eq (71)."
         ),
     )
     remarks = (
-        f"Griffith's criterion gives a = {amount('contact_radius', a)}. The half-strips are not continuous at x = 0.",
+        f"Griffith's criterion gives ⟦a⟧ = {amount('contact_radius', a)}. The half-strips are not continuous at ⟦x = 0⟧.",
         (
             f"Moment per length about the contact point: exact {moments[0]:.3g} N, Eq (70) with its sign corrected; "
-            f"half-strips {moments[1]:.3g} N, Eq (77): lower by {moments[0] / moments[1]:.3f}, π/2 where ξ ≪ a."
+            f"half-strips {moments[1]:.3g} N, Eq (77): lower by {moments[0] / moments[1]:.3f}, ⟦π/2⟧ where ⟦ξ⟧ ≪ ⟦a⟧."
         ),
     )
-    panels = (pressure_panel([symmetric], highest, "symmetric"), pressure_panel(curves, highest, "shifted by ξ"))
+    panels = (pressure_panel([symmetric], highest, "symmetric"), pressure_panel(curves, highest, "shifted by ⟦ξ⟧"))
     return Picture("Fig. 9: the line contact", panels, caption, remarks)
 
 
@@ -311,8 +263,8 @@ def figure_laws(materials: Materials, marks: Sequence[str]) -> Picture:
     points = tuple(mark_at(text, materials, Scene({}, model="maugis"), _TABOR, _RATIO) for text in marks)
     spacing = amount("atomic_spacing", DEFAULTS["atomic_spacing"])
     caption = (
-        "Pull-off force over πwR by each law; Lennard-Jones' by a fit to numerical solutions, within 0.3 % for 0.01 ≤ μ ≤ 2.",
-        *((f"Grains at Maugis–Dugdale with z0 = {spacing}: μ falls as 1/z0.",) if points else ()),
+        "Pull-off force over ⟦πwR⟧ by each law; Lennard-Jones' by a fit to numerical solutions, within 0.3 % for ⟦0.01 ≤ μ ≤ 2⟧.",
+        *((f"Grains at Maugis–Dugdale with ⟦z0⟧ = {spacing}: ⟦μ⟧ falls as ⟦1/z0⟧.",) if points else ()),
     )
     return Picture("", (Panel(_TABOR, _RATIO, curves, points),), caption)
 

@@ -4,40 +4,41 @@ Nothing is drawn here. Everything is computed on whole arrays. In the regions of
 meaning or is not exact.
 """
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from math import log, log10
 from typing import Any, NamedTuple
 
-from ..errors import NoResult
 from ..materials.library import Materials
+from ..quantities.formatting import in_units
 from ..quantities.laws import DEFAULT_LAW, LAWS, Law
+from ..quantities.markup import symbol
 from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
 from ..scene.failures import MissingInput
 from ..scene.limits import LIMITS, Doubt, Limit, judged, touched
 from ..scene.scene import Scene
 from ..scene.solver import values_of
 from ..scene.wiring import has_law
-from .axes import Axis, bracketed, contour_values, in_units, round_values
+from .axes import Axis, bracketed, described, round_values
 from .styles import BORDER
 
 MAX_CONTOURS = 12
-NEIGHBOURS = ((0, 1), (0, -1), (1, 0), (-1, 0))  # steps of rows and columns
 _WIDE = 30.0  # ratio of the ends from which contours are logarithmic
 _FARTHEST = log(1e3)  # excess of a limit that has a place on a map
-_HALVINGS = 40  # of an interval that holds an edge: its place is known to 1e-12 of a cell
+_FLAT = 1e-9  # relative difference of values that are the same but for rounding
 
 
 class Region(NamedTuple):
-    """Part of a map: the points with a value and a negative margin.
+    """Part of a map: the points with a value at which an excess is positive.
 
     `look` is a key of `styles.LOOKS`; None for a region that is the whole map, which is mentioned and not drawn.
+    `side`: for a line that is drawn in place of the region, the words for the side of it on which the region is.
     """
 
     text: str
-    x: Axis
-    y: Axis
-    margin: Any
     look: str | None
+    excess: Callable[[Scene], Any]  # of a scene of arrays
+    side: str = ""
 
 
 class Mark(NamedTuple):
@@ -55,28 +56,20 @@ class Level(NamedTuple):
     text: str
 
 
-class Mesh(NamedTuple):
-    """Values at points of a map; `x` and `y` are places on the axes. nan where there is no value."""
-
-    x: Any
-    y: Any
-    values: Any
-
-
 class Map(NamedTuple):
     """A quantity over two inputs."""
 
     quantity: str
-    scene: Scene  # the part that is the same all over the map
+    scene: Scene  # what is the same all over the map
     x: Axis
     y: Axis
     values: Any  # a row for each value of y; nan where there is no value
     regions: tuple[Region, ...]
     marks: tuple[Mark, ...]
-    title: str
     caption: tuple[str, ...]
+    figure: str = ""  # the number of a figure of the paper
     has_log_labels: bool = False
-    printed: Any = None  # the same quantity as the paper prints it
+    printed: str = ""  # the same quantity as the paper prints it
     guides: tuple[tuple[float, str], ...] = ()  # values of y, each with the text of a straight line across
     remarks: tuple[str, ...] = ()  # are said beside the picture, and do not stand on it
 
@@ -85,98 +78,38 @@ class Map(NamedTuple):
         """True if contours are those of the logarithm."""
         return is_wide(self.values)
 
-    @property
-    def has_gaps(self) -> bool:
-        """True if some point has no value."""
-        import numpy
-
-        return bool(numpy.isnan(self.values).any())
-
-    def bands(self, most: int) -> list[Level]:
-        """Return at most `most` round values that divide the map into bands, for a terminal."""
-        low, high = extent(self.values)
-        return self._levels(round_values(low, high, most, is_log=self.is_log), low, high)
-
     def levels(self) -> list[Level]:
-        """Return the contours of a page."""
+        """Return the contours: round values within the extent of the map."""
+        if is_flat(self.values):
+            return []
         low, high = extent(self.values)
-        if self.has_log_labels:
-            return self.bands(MAX_CONTOURS)
-        return self._levels(contour_values(low, high, MAX_CONTOURS, is_log=self.is_log), low, high)
+        rounded = round_values(low, high, MAX_CONTOURS, is_log=self.is_log)
+        inside = [value for value in rounded if low <= value <= high]
+        return [Level(value, text) for value, text in zip(inside, self.in_words(inside)[0], strict=True)]
 
-    def _levels(self, values: Iterable[float], low: float, high: float) -> list[Level]:
-        """Return the levels within the extent of the map, with labels."""
-        values = [value for value in values if low <= value <= high]
+    def in_words(self, values: Sequence[float], digits: int = 12) -> tuple[list[str], str]:
+        """Return values of the quantity as texts, and their common unit, which is empty where each has its own."""
         if self.has_log_labels:
-            texts = [f"{log10(value):.3g}".replace("-", "−") for value in values]
-        else:
-            texts, _ = in_units(self.quantity, values, max(low, high, key=abs), is_log=self.is_log)
-        return [Level(value, text) for value, text in zip(values, texts, strict=True)]
+            return [f"{log10(value):.3g}".replace("-", "−") for value in values], ""
+        return in_units(NOMENCLATURE[self.quantity].unit, values, digits, is_log=self.is_log)
 
     @property
-    def heading(self) -> str:
-        """Meaning of the labels of the contours, with the unit if they have none."""
-        return label_of(
-            self.quantity, has_log_labels=self.has_log_labels, unit=unit_of_labels(self.quantity, self.values)
-        )
+    def title(self) -> str:
+        """The title, with the unit of the contours if they have none."""
+        return self.titled(self.in_words([level.value for level in self.levels()])[1])
 
-    def mesh(self) -> Mesh:
-        """Return the values with the points at the border of a gap moved onto the exact edge.
-
-        A point without a value that has a neighbour with one is moved towards it, to where values begin (by bisection).
-        """
-        import numpy
-
-        x, y = numpy.meshgrid(self.x.place(self.x.values()), self.y.place(self.y.values()))
-        values = self.values.copy()
-        known = numpy.isfinite(self.values)
-        for step in NEIGHBOURS:
-            neighbour = shifted(numpy.arange(values.size).reshape(values.shape), step)
-            rows, columns = numpy.nonzero(numpy.isnan(values) & shifted(known, step))
-            if not rows.size:
-                continue
-            inside = numpy.unravel_index(neighbour[rows, columns], values.shape)
-            ends = [(places[inside], places[rows, columns]) for places in (x, y)]
-            x[rows, columns], y[rows, columns], values[rows, columns] = self._edge(*ends)
-        return Mesh(x, y, values)
-
-    def _edge(self, across: tuple[Any, Any], up: tuple[Any, Any]) -> tuple[Any, Any, Any]:
-        """Return the last places with a value between places with one and places without, and the values there."""
-        import numpy
-
-        def at(part: Any) -> tuple[Any, Any, Any]:
-            x, y = (inside + part * (outside - inside) for inside, outside in (across, up))
-            here = {**self.x.inputs(self.x.value(x)), **self.y.inputs(self.y.value(y))}
-            return x, y, numpy.broadcast_to(solved(self.scene, [self.quantity], here)[self.quantity], x.shape)
-
-        low, high = numpy.zeros(across[0].shape), numpy.ones(across[0].shape)
-        for _ in range(_HALVINGS):
-            middle = (low + high) / 2
-            has_value = numpy.isfinite(at(middle)[2])
-            low, high = numpy.where(has_value, middle, low), numpy.where(has_value, high, middle)
-        return at(low)
+    def titled(self, unit: str) -> str:
+        """Return the title over numbers of a unit."""
+        if not self.figure:
+            return described(self.quantity, unit)
+        label = label_of(self.quantity) if self.has_log_labels else symbol(self.quantity) + bracketed(unit)
+        return f"Fig. {self.figure}: {label}"
 
 
-def shifted(array: Any, step: tuple[int, int]) -> Any:
-    """Return an array moved by a step of rows and columns, with zeros where nothing moved to."""
-    import numpy
-
-    moved = numpy.zeros_like(array)
-    to = tuple(slice(max(0, by), array.shape[axis] + min(0, by)) for axis, by in enumerate(step))
-    source = tuple(slice(max(0, -by), array.shape[axis] + min(0, -by)) for axis, by in enumerate(step))
-    moved[to] = array[source]
-    return moved
-
-
-def sampled(values: Any, width: int, height: int) -> Any:
-    """Return the values nearest to the middles of so many columns and rows."""
-    import numpy
-
-    rows, columns = (
-        numpy.rint(numpy.linspace(0, size - 1, count)).astype(int)
-        for size, count in zip(values.shape, (height, width), strict=True)
-    )
-    return values[rows[:, None], columns[None, :]]
+def label_of(quantity: str) -> str:
+    """Return the heading of logarithms of a quantity: "log₁₀ (P_c / N)"."""
+    unit = NOMENCLATURE[quantity].unit
+    return f"⟦log₁₀⟧ {symbol(quantity)}" if unit == "1" else f"⟦log₁₀⟧ ({symbol(quantity)} / {unit})"
 
 
 def extent(values: Any) -> tuple[float, float]:
@@ -194,6 +127,12 @@ def has_values(values: Any) -> bool:
     return bool(numpy.isfinite(values).any())
 
 
+def is_flat(values: Any) -> bool:
+    """Return True if all finite values are the same but for rounding."""
+    low, high = extent(values)
+    return high - low <= _FLAT * max(abs(low), abs(high))
+
+
 def is_wide(values: Any) -> bool:
     """Return True if values are positive and of different orders of magnitude."""
     low, high = extent(values)
@@ -207,32 +146,22 @@ def solved(scene: Scene, names: Sequence[str], values: Mapping[str, Any]) -> dic
 
 def value_on(axis: Axis, scene: Scene) -> float | None:
     """Return the value that a scene has on an axis, perhaps beyond its ends; None if the scene does not determine it."""
-    try:
-        return float(scene[axis.name])
-    except (MissingInput, NoResult):
-        return None
+    return scene.numbers(axis.name).get(axis.name)
 
 
-def _coordinate(axis: Axis, scene: Scene) -> float | None:
-    """Return the value of a scene between the ends of an axis; None if there is none."""
-    value = value_on(axis, scene)
-    return value if value is not None and axis.has(value) else None
+def over(scene: Scene, x: Axis, y: Axis | None = None) -> Scene:
+    """Return a scene of arrays along one axis, or over two, with a row for each value of y."""
+    if y is None:
+        return scene.replace(**x.inputs(x.values()))
+    return scene.replace(**x.inputs(x.values()[None, :]), **y.inputs(y.values()[:, None]))
 
 
-def evaluate(scene: Scene, quantity: str, x: Axis, y: Axis) -> Any:
-    """Return a quantity over two axes, a row for each value of y; nan where it has no value."""
+def evaluate(scene: Scene, quantity: str, x: Axis, y: Axis | None = None) -> Any:
+    """Return a quantity along one axis, or over two; nan where it has no value."""
     import numpy
 
-    here = {**x.inputs(x.values()[None, :]), **y.inputs(y.values()[:, None])}
-    return numpy.broadcast_to(solved(scene, [quantity], here)[quantity], (y.size, x.size))
-
-
-def along(scene: Scene, quantity: str, x: Axis) -> Any:
-    """Return a quantity along one axis."""
-    import numpy
-
-    values = x.values()
-    return numpy.broadcast_to(solved(scene, [quantity], x.inputs(values))[quantity], values.shape)
+    shape = (x.size,) if y is None else (y.size, x.size)
+    return numpy.broadcast_to(values_of(over(scene, x, y), [quantity])[quantity], shape)
 
 
 def material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[tuple[Mark, ...], tuple[str, ...]]:
@@ -245,12 +174,15 @@ def material_marks(materials: Materials, x: Axis, y: Axis) -> tuple[tuple[Mark, 
         if material.state:
             continue
         scene = Scene({}, material)
-        mark = Mark(material.name, _coordinate(x, scene), _coordinate(y, scene))
-        if mark.x is None and mark.y is None:
+        places = [
+            value if value is not None and axis.has(value) else None
+            for axis, value in ((x, value_on(x, scene)), (y, value_on(y, scene)))
+        ]
+        if places == [None, None]:
             others.append(material.name + (_lacking(scene, x) or _lacking(scene, y)))
         else:
-            marks.append(mark)
-    return tuple(marks), (f"Not shown: {', '.join(others)}.",) if others else ()
+            marks.append(Mark(material.name, *places))
+    return tuple(marks), (f"Not shown: {', '.join(others)}.",) if marks and others else ()
 
 
 def _lacking(scene: Scene, axis: Axis) -> str:
@@ -268,34 +200,10 @@ def lacking(error: MissingInput) -> str:
     return f" (no {' and no '.join(properties)})" if properties else ""
 
 
-def rows_of(drawn: Map) -> Iterable[list[float]]:
-    """Iterate over the numbers of a map: x, y and the quantity, nan where it has no value."""
-    across = drawn.x.values().tolist()
-    for up, row in zip(drawn.y.values().tolist(), drawn.values, strict=True):
-        for place, value in zip(across, row.tolist(), strict=True):
-            yield [place, up, value]
-
-
-def unit_of_labels(quantity: str, values: Any) -> str:
-    """Return the unit that all labels of contours have; empty where each has its own."""
-    (low, high), is_log = extent(values), is_wide(values)
-    contours = contour_values(low, high, MAX_CONTOURS, is_log=is_log)
-    return in_units(quantity, contours, max(low, high, key=abs), is_log=is_log)[1]
-
-
-def label_of(quantity: str, *, has_log_labels: bool, unit: str = "") -> str:
-    """Return the heading of contour labels: "log₁₀ (P_c / N)", or "a [nm]"."""
-    symbol = NOMENCLATURE[quantity].symbol
-    if not has_log_labels:
-        return symbol + bracketed(unit)
-    unit = NOMENCLATURE[quantity].unit
-    return f"log₁₀ {symbol}" if unit == "1" else f"log₁₀ ({symbol} / {unit})"
-
-
 # --- Regions ----------------------------------------------------------------------------------------------------------
 
 _DRAWN = ("contact_radius_in_spacings", "displacement_ratio", "tabor_parameter")  # limits that have a place on a map
-COARSE = 200  # points a side that are enough for the smooth border of a region
+COARSE = 200  # points a side at which limits are judged, to say where they are exceeded
 
 
 def limits_of(scene: Scene, quantity: str) -> list[Limit]:
@@ -319,20 +227,20 @@ def _place(limit: Limit) -> int:
 
 
 def beyond(doubt: Doubt, law: Law, known: Any) -> Iterator[tuple[float, str, Any]]:
-    """Iterate over the thresholds that known elements of a doubt pass, each with the text on it and the distance from it, negative beyond it.
+    """Iterate over the thresholds that known elements of a doubt pass: the excess at each, the text on it, and the elements beyond it.
 
     Of a law it is the last threshold, then the first, unless all elements are beyond the last.
     """
     import numpy
 
     thresholds, steps = [*doubt.limit.codes], doubt.limit.steps
-    excess = numpy.clip(numpy.broadcast_to(doubt.excess, known.shape), -_FARTHEST, _FARTHEST)
+    excess = numpy.broadcast_to(doubt.excess, known.shape)
     for place in dict.fromkeys((len(thresholds) - 1, 0)) if thresholds else ():
-        margin = steps[place] - excess
-        if not (margin[known] < 0).any():
+        is_beyond = known & (excess > steps[place])
+        if not is_beyond.any():
             continue
-        yield thresholds[place], _beyond(doubt.limit, thresholds[place], law), margin
-        if not (margin[known] >= 0).any():
+        yield steps[place], _beyond(doubt.limit, thresholds[place], law), is_beyond
+        if (is_beyond == known).all():
             return
 
 
@@ -341,53 +249,62 @@ def _beyond(limit: Limit, threshold: float, law: Law) -> str:
     condition, _, consequence = limit.text(threshold).partition(": ")
     if limit.factor is not None:
         return f"{law.title} is {condition}"
-    return f"{NOMENCLATURE[limit.name].symbol} {limit.sign[0]} {threshold:g}: {consequence.partition(';')[0]}"
+    return f"⟦{NOMENCLATURE[limit.name].symbol} {limit.sign[0]} {threshold:g}⟧: {consequence.partition(';')[0]}"
 
 
 def limits_on_map(
-    scene: Scene, quantity: str, x: Axis, y: Axis, values: Any, limits: Sequence[Limit]
+    scene: Scene, quantity: str, x: Axis, y: Axis, limits: Sequence[Limit]
 ) -> tuple[list[Region], list[str]]:
-    """Return the regions of a map with these values in which limits are broken, and sentences on limits that are not drawn.
+    """Return the regions of a map in which limits are exceeded, and sentences on limits that are not drawn.
 
-    What counts is where the map has values; a region that holds all of them is everywhere. They are judged at as many
-    points as their borders need.
+    What counts is where the map has values; a region that holds all of them is everywhere.
     """
     import numpy
 
     x, y = (axis._replace(size=min(axis.size, COARSE)) for axis in (x, y))
-    here = scene.replace(**x.inputs(x.values()[None, :]), **y.inputs(y.values()[:, None]))
-    known = numpy.isfinite(sampled(values, x.size, y.size))
+    here = over(scene, x, y)
+    known = numpy.isfinite(evaluate(scene, quantity, x, y))
     regions, sentences = [], []
     for doubt in judged(limits, here, [quantity]):
         if doubt.error is not None:
             continue
-        for threshold, text, margin in beyond(doubt, here.law, known):
-            is_everywhere = not (margin[known] >= 0).any()
+        for step, text, is_beyond in beyond(doubt, here.law, known):
+            is_everywhere = bool((is_beyond == known).all())
+            excess = partial(_excess_over, doubt.limit, step, quantity)
             if not is_drawn(doubt.limit):
                 sentences.append(f"{'Everywhere' if is_everywhere else 'In part of the map'} {text}.")
             elif is_everywhere:
-                regions.append(Region(f"everywhere {text}", x, y, margin, None))
-            elif doubt.limit.factor is not None and threshold == doubt.threshold:
-                regions.append(Region(f"{text} {_side(here, margin, known)} this line", x, y, margin, BORDER))
+                regions.append(Region(f"everywhere {text}", None, excess))
+            elif doubt.limit.factor is not None and step == doubt.limit.steps[0]:
+                regions.append(Region(text, BORDER, excess, f"{_side(here, is_beyond, known)} this line"))
             else:
-                regions.append(Region(text, x, y, margin, doubt.limit.name))
+                regions.append(Region(text, doubt.limit.name, excess))
     return regions, sentences
 
 
-def _side(here: Scene, margin: Any, known: Any) -> str:
+def _excess_over(limit: Limit, step: float, quantity: str, here: Scene) -> Any:
+    """Return how far a limit on a quantity is exceeded over a step, as the logarithm of a factor, nowhere beyond that of a map."""
+    import numpy
+
+    (doubt,) = judged([limit], here, [quantity])
+    return numpy.clip(doubt.excess - step, -_FARTHEST, _FARTHEST)
+
+
+def _side(here: Scene, is_beyond: Any, known: Any) -> str:
     """Return where a map is beyond a line of the law of attraction: on one side by μ, if that decides, or else by its axes."""
     import numpy
 
-    inside, others = known & (margin < 0), known & (margin >= 0)
-    tabor = numpy.broadcast_to(here["tabor_parameter"], margin.shape)
-    if tabor[inside].max() <= tabor[others].min():
-        return "where μ is smaller than on"
-    if tabor[inside].min() >= tabor[others].max():
-        return "where μ is larger than on"
+    others = known & ~is_beyond
+    tabor = numpy.broadcast_to(here["tabor_parameter"], known.shape)
+    if tabor[is_beyond].max() <= tabor[others].min():
+        return "where ⟦μ⟧ is smaller than on"
+    if tabor[is_beyond].min() >= tabor[others].max():
+        return "where ⟦μ⟧ is larger than on"
     up, right = (
-        numpy.mean(one) - numpy.mean(other) for one, other in zip(inside.nonzero(), others.nonzero(), strict=True)
+        numpy.mean(inside) - numpy.mean(outside)
+        for inside, outside in zip(is_beyond.nonzero(), others.nonzero(), strict=True)
     )
-    rows, columns = margin.shape
+    rows, columns = known.shape
     if abs(up) / rows > abs(right) / columns:
         return "above" if up > 0 else "below"
     return "to the right of" if right > 0 else "to the left of"
@@ -419,6 +336,10 @@ class Panel(NamedTuple):
     is_true_to_scale: bool = False
     keys: tuple[str, ...] = ()  # lines below it, where its points have numbers
 
+    def shows(self, x: float, y: float) -> bool:
+        """Return True for a point between the ends of both axes."""
+        return self.x.has(x) and self.y.has(y)
+
 
 class Picture(NamedTuple):
     """Panels beside each other, with a title and a caption."""
@@ -433,12 +354,14 @@ def axis_around(name: str, values: Iterable[Any], *, may_be_log: bool = False, m
     """Return an axis that holds all finite values, with a margin; logarithmic if it may be and they are of different orders."""
     import numpy
 
-    known = numpy.concatenate([numpy.ravel(one) for one in values])
+    known = numpy.concatenate([numpy.ravel(array) for array in values])
     low, high = extent(known)
     if may_be_log and is_wide(known):
         room = log10(high / low) * margin
         return Axis(name, 10.0 ** max(log10(low) - room, _FIRST), 10.0 ** min(log10(high) + room, _LAST))
-    room = (high - low) * margin if high > low else abs(high) * 0.05 or 1.0
+    if is_flat(known):  # no rounding errors as large as the picture
+        return Axis(name, low - (abs(low) * margin or 1.0), high + (abs(high) * margin or 1.0), is_log=False)
+    room = (high - low) * margin
     return Axis(name, low - room, high + room, is_log=False)
 
 
@@ -449,8 +372,8 @@ def clipped(curve: Curve, low: float, high: float) -> Curve:
     x, y = curve.x, curve.y
     for end in (low, high):
         before = numpy.flatnonzero((y[:-1] < end) != (y[1:] < end))
-        part = (end - y[before]) / (y[before + 1] - y[before])
-        x = numpy.insert(x, before + 1, x[before] + part * (x[before + 1] - x[before]))
+        share = (end - y[before]) / (y[before + 1] - y[before])
+        x = numpy.insert(x, before + 1, x[before] + share * (x[before + 1] - x[before]))
         y = numpy.insert(y, before + 1, end)
     is_inside = (y >= low) & (y <= high)
     kept = is_inside | numpy.concatenate([[False], is_inside[:-1]])

@@ -9,30 +9,31 @@ from ..answers.results import equation_of
 from ..errors import BadRequest, NoResult
 from ..materials.library import Materials
 from ..quantities.formatting import amount, in_words
-from ..quantities.nomenclature import NOMENCLATURE, PROPERTIES
+from ..quantities.markup import symbol
+from ..quantities.nomenclature import NOMENCLATURE
 from ..quantities.values import parse_quantity
 from ..scene.failures import MissingInput, NotInLaw, RestsOnSpacing, reason_of
 from ..scene.limits import Limit, judged
 from ..scene.scene import Scene
 from ..text import capitalized, quoted
-from .axes import Axis, described
+from .axes import Axis
 from .maps import (
     Curve,
     Map,
     Mark,
     Panel,
     Picture,
-    along,
     axis_around,
     beyond,
     evaluate,
+    extent,
     has_values,
     is_drawn,
+    is_flat,
     lacking,
     limits_of,
     limits_on_map,
     material_marks,
-    unit_of_labels,
     value_on,
 )
 
@@ -52,6 +53,7 @@ class PlotRequest(NamedTuple):
     marks: tuple[str, ...]
     materials: Materials
     is_plain: bool = False  # without the limits of the model
+    limits: Sequence[Limit] | None = None  # to be drawn on a map; None: those that concern the quantity
 
 
 class NothingToDraw(NoResult):
@@ -60,15 +62,12 @@ class NothingToDraw(NoResult):
     def __init__(self, quantity: str, scene: Scene) -> None:
         """`scene`: one on these axes, which may say why."""
         super().__init__(quantity, scene)
-        self.quantity, self.outcome = quantity, scene.evaluate([quantity])[quantity]
+        outcome = scene.evaluate([quantity])[quantity]
+        has_reason = isinstance(outcome, NoResult | MissingInput)
+        self.quantity, self.because = quantity, f": {reason_of(quantity, outcome)}" if has_reason else ""
 
     def __str__(self) -> str:
-        return f"{self.quantity} has no value anywhere on these axes{self.because()}"
-
-    def because(self) -> str:
-        """Return the reason behind a colon, or an empty text."""
-        has_reason = isinstance(self.outcome, NoResult | MissingInput)
-        return f": {reason_of(self.quantity, self.outcome)}" if has_reason else ""
+        return f"{self.quantity} has no value anywhere on these axes{self.because}"
 
 
 def mark_at(text: str, materials: Materials, scene: Scene, x: Axis, y: Axis) -> Mark:
@@ -93,7 +92,7 @@ def _scene_at(text: str, materials: Materials, scene: Scene) -> Scene:
 
 
 def _own_values(request: PlotRequest, marks: Iterable[Mark]) -> Iterator[str]:
-    """Iterate over sentences on marked grains of which a map shows another value, as it holds an input at that of others."""
+    """Iterate over sentences on marked grains of which a map shows another value, as it has an input of others."""
     assert request.y is not None
     quantity, scene = request.quantity, request.scenes[0][1]
     for mark in marks:
@@ -102,59 +101,40 @@ def _own_values(request: PlotRequest, marks: Iterable[Mark]) -> Iterator[str]:
         drawn = scene.replace(**request.x.inputs(mark.x), **request.y.inputs(mark.y)).numbers(quantity)
         own = _scene_at(mark.text, request.materials, scene).numbers(quantity)
         if quantity in own and not isclose(own[quantity], drawn.get(quantity, nan), rel_tol=_ALIKE):
-            symbol = NOMENCLATURE[quantity].symbol
-            yield f"{mark.text} has other inputs than are held: its {symbol} is {amount(quantity, own[quantity])}."
-
-
-def sized(axis: Axis, size: int) -> Axis:
-    """Return the axis with `size` values if it has no size of its own."""
-    return axis if axis.size else axis._replace(size=size)
+            value = f"{symbol(quantity)} is {amount(quantity, own[quantity])}"
+            yield f"{mark.text} has other inputs than are fixed here: its {value}."
 
 
 def map_of(request: PlotRequest, size: tuple[int, int]) -> tuple[Map, tuple[str, ...]]:
     """Return the map of a request, by default with `size` points across and up, and notes on it."""
     assert request.y is not None
     quantity, scene = request.quantity, request.scenes[0][1]
-    x, y = sized(request.x, size[0]), sized(request.y, size[1])
+    x, y = (axis._replace(size=axis.size or most) for axis, most in zip((request.x, request.y), size, strict=True))
     if x.size * y.size > MAX_POINTS:
         raise BadRequest(f"{x.size} x {y.size} points are more than {MAX_POINTS}")
     at_an_end = {**x.inputs(x.high), **y.inputs(y.high)}  # what a quantity needs is the same all along an axis
-    context = Context(quantity, scene, at_an_end, is_plain=request.is_plain)
+    context = Context(request, scene, at_an_end)
     values = evaluate(scene, quantity, x, y)
     if not has_values(values):
         raise NothingToDraw(quantity, context.scene)
     chosen = tuple(mark_at(text, request.materials, scene, x, y) for text in request.marks)
-    marks, own = chosen, [*_own_values(request, chosen)]
-    others: tuple[str, ...] = ()
-    if scene.material is None and {x.name, y.name} & {*PROPERTIES}:
-        of_materials, others = material_marks(request.materials, x, y)
-        marks = (*of_materials, *chosen)
-    regions, exceeded = limits_on_map(scene, quantity, x, y, values, context.limits)
-    gaps = _gaps(quantity, [context], [values])
+    of_materials, others = material_marks(request.materials, x, y) if scene.material is None else ((), ())
+    regions, exceeded = limits_on_map(scene, quantity, x, y, context.limits)
     caption = (
         _first_sentence(quantity, [context.scene]),
         *fixed_inputs(context.inputs),
-        *own,
+        *_flat(quantity, "", values),
+        *_own_values(request, chosen),
         *others,
-        *gaps,
+        *_gaps(quantity, [context], [values]),
         *exceeded,
     )
-    return Map(
-        quantity,
-        scene,
-        x,
-        y,
-        values,
-        tuple(regions),
-        marks,
-        described(quantity, unit_of_labels(quantity, values)),
-        caption,
-    ), context.notes
+    return Map(quantity, scene, x, y, values, tuple(regions), (*of_materials, *chosen), caption), context.notes
 
 
 def curves_of(request: PlotRequest, size: int) -> tuple[Picture, tuple[str, ...]]:
     """Return the curves of a request, by default of `size` points, and notes on them."""
-    x = sized(request.x, size)
+    x = request.x._replace(size=request.x.size or size)
     if x.size * len(request.scenes) > MAX_ALONG:
         raise BadRequest(f"{len(request.scenes)} x {x.size} points are more than {MAX_ALONG}")
     contexts: list[Context] = []
@@ -162,11 +142,11 @@ def curves_of(request: PlotRequest, size: int) -> tuple[Picture, tuple[str, ...]
     missing: dict[str, MissingInput | NothingToDraw] = {}
     for text, scene in request.scenes:
         try:
-            context = Context(request.quantity, scene, x.inputs(x.high), is_plain=request.is_plain)
+            context = Context(request, scene, x.inputs(x.high))
         except MissingInput as error:
             missing[text] = error
             continue
-        values = along(scene, request.quantity, x)
+        values = evaluate(scene, request.quantity, x)
         if not has_values(values):
             missing[text] = NothingToDraw(request.quantity, context.scene)
             continue
@@ -177,10 +157,14 @@ def curves_of(request: PlotRequest, size: int) -> tuple[Picture, tuple[str, ...]
     y = axis_around(request.quantity, [curve.y for curve in curves], may_be_log=True)
     points = [mark_at(text, request.materials, request.scenes[0][1], x, y) for text in request.marks]
     shared = [text for text in contexts[0].inputs if all(text in context.inputs for context in contexts)]
+    lost = [
+        text + (lacking(error) if isinstance(error, MissingInput) else error.because) for text, error in missing.items()
+    ]
     caption = (
         _first_sentence(request.quantity, [context.scene for context in contexts]),
         *fixed_inputs(shared),
-        *((f"No curve: {'; '.join(text + _why(error) for text, error in missing.items())}.",) if missing else ()),
+        *(text for curve in curves for text in _flat(request.quantity, curve.text, curve.y)),
+        *((f"No curve: {'; '.join(lost)}.",) if lost else ()),
         *_gaps(request.quantity, contexts, [curve.y for curve in curves]),
         *_doubts_along(x, curves, contexts),
     )
@@ -189,9 +173,11 @@ def curves_of(request: PlotRequest, size: int) -> tuple[Picture, tuple[str, ...]
     return Picture("", (Panel(x, y, tuple(curves), tuple(points)),), caption), tuple(notes)
 
 
-def _why(error: "MissingInput | NothingToDraw") -> str:
-    """Return why there is no curve, behind its text."""
-    return lacking(error) if isinstance(error, MissingInput) else error.because()
+def _flat(quantity: str, text: str, values: Any) -> Iterator[str]:
+    """Iterate over the sentence on a map or a curve that has the same value everywhere; `text`: of the curve."""
+    if is_flat(values):
+        sentence = f"the same everywhere: {symbol(quantity)} = {amount(quantity, extent(values)[1])}."
+        yield f"{text}, {sentence}" if text else capitalized(sentence)
 
 
 def _gaps(quantity: str, contexts: "Iterable[Context]", values: Iterable[Any]) -> Iterator[str]:
@@ -223,13 +209,16 @@ class Context:
     Raises MissingInput if the quantity cannot be computed.
     """
 
-    def __init__(self, quantity: str, scene: Scene, values: Mapping[str, float], *, is_plain: bool = False) -> None:
-        """Describe a quantity of a scene; `values` holds one value of each axis. `is_plain`: without limits."""
-        self.given, self.quantity, self.is_plain = scene, quantity, is_plain
+    def __init__(self, request: PlotRequest, scene: Scene, values: Mapping[str, float]) -> None:
+        """Describe the quantity of a request in a scene; `values` holds one value of each axis."""
+        self.given, self.quantity = scene, (quantity := request.quantity)
         self.scene = scene.replace(**values)
         self.limits: list[Limit] = []
         notes = []
-        for limit in [] if is_plain or self.scene.missing([quantity]) else limits_of(self.scene, quantity):
+        limits = request.limits
+        if limits is None and not self.scene.missing([quantity]):
+            limits = limits_of(self.scene, quantity)
+        for limit in () if request.is_plain else limits or ():
             try:
                 self.scene.plan(limit.name)
                 self.limits.append(limit)
@@ -245,14 +234,10 @@ class Context:
         shown = [name for name in inputs if name in used or name != "load" or name in self.scene.given]
         self.inputs = inputs_as_texts(self.scene, [name for name in shown if name not in values])
         remark = NOMENCLATURE[quantity].note
+        remarks = [f"{symbol_of(quantity)}: {remark}"] if remark else []
         idle = [note.text for note in about_idle(self.scene, inputs)]
-        data = notes_on(self.scene, shown, names)
-        middles = on_middles(scene, [name for name in shown if name not in values])
-        self.notes = tuple(
-            dict.fromkeys(
-                [*middles, *notes[:1], *idle, *data, *([f"{symbol_of(quantity)}: {remark}"] if remark else [])]
-            )
-        )
+        data = notes_on(scene, self.scene, shown, names)
+        self.notes = tuple(dict.fromkeys([*notes[:1], *idle, *data, *remarks]))
 
     def doubts(self, x: Axis, y: Any) -> Iterable[tuple[str, str]]:
         """Iterate over clauses on the model, which has no meaning or is not exact, each with the part of a curve where that is so."""
@@ -263,8 +248,8 @@ class Context:
         has_value = numpy.isfinite(y)
         here = self.given.replace(**x.inputs(x.values()))
         for doubt in judged(self.limits, here, [self.quantity]):
-            for _, text, margin in beyond(doubt, here.law, has_value):
-                yield text, _part(x, has_value & (margin < 0), has_value)
+            for _, text, is_beyond in beyond(doubt, here.law, has_value):
+                yield text, _part(x, is_beyond, has_value)
 
 
 def _part(x: Axis, is_beyond: Any, has_value: Any) -> str:
@@ -273,7 +258,7 @@ def _part(x: Axis, is_beyond: Any, has_value: Any) -> str:
         return _EVERYWHERE
     where = x.values()[is_beyond]
     ends = (amount(x.name, float(f"{end:.2g}")) for end in (where[0], where[-1]))
-    return f"{NOMENCLATURE[x.name].symbol} = {' to '.join(ends)}"
+    return f"{symbol(x.name)} = {' to '.join(ends)}"
 
 
 def inputs_as_texts(scene: Scene, names: Iterable[str]) -> tuple[str, ...]:
@@ -282,24 +267,22 @@ def inputs_as_texts(scene: Scene, names: Iterable[str]) -> tuple[str, ...]:
     if scene.material2 is not None:
         materials.append(f"material2 = {scene.material2.name}")
     values = ((name, in_words(name, scene.values[name])) for name in names)
-    return (*materials, *(f"{NOMENCLATURE[name].symbol} = {amount(name, value)}" for name, value in values))
+    return (*materials, *(f"{symbol(name)} = {amount(name, value)}" for name, value in values))
 
 
-def on_middles(scene: Scene, names: Iterable[str]) -> list[str]:
-    """Return the note on inputs of which a picture has the middle of their uncertainty."""
-    uncertain = {name: one for name in names if (one := scene.uncertainty_of(name)) is not None}
-    return [note.text for note in about_middles(uncertain)]
+def notes_on(given: Scene, scene: Scene, inputs: Collection[str], names: Sequence[str]) -> list[str]:
+    """Return notes on uncertain inputs, of which a picture has the middle, and on the data from which quantities follow.
 
-
-def notes_on(scene: Scene, inputs: Collection[str], names: Sequence[str]) -> list[str]:
-    """Return notes on the assumptions and the data from which quantities follow."""
-    return [note.text for note in about_given(scene, [*names], inputs, scene.stated)]
+    `given`: the scene as a user gave it, of which `scene` is one point.
+    """
+    uncertain = {name: measured for name in inputs if (measured := given.uncertainty_of(name)) is not None}
+    return [note.text for note in (*about_middles(uncertain), *about_given(scene, [*names], inputs, scene.stated))]
 
 
 def _first_sentence(quantity: str, scenes: Sequence[Scene]) -> str:
     """Return the first sentence of a caption: the quantity, and its equation and the law that was named, if there is one."""
     entry = NOMENCLATURE[quantity]
-    parts = [capitalized(entry.sentence), entry.symbol]
+    parts = [capitalized(entry.sentence), symbol(quantity)]
     equations = {equation_of(scene, quantity) for scene in scenes}
     laws = {scene.law.title for scene in scenes if scene.stated_model is not None}
     if len(equations) == 1 and (equation := equations.pop()):
@@ -311,4 +294,4 @@ def _first_sentence(quantity: str, scenes: Sequence[Scene]) -> str:
 
 def fixed_inputs(inputs: Sequence[str]) -> tuple[str, ...]:
     """Return the sentence of a caption about fixed inputs, if there are any."""
-    return (f"Held: {', '.join(inputs)}.",) if inputs else ()
+    return (f"Fixed: {', '.join(inputs)}.",) if inputs else ()

@@ -1,427 +1,145 @@
-"""Draw maps and curves in a terminal, to its width, on a canvas of character cells.
+"""Maps and curves in a terminal: a map as a table of numbers, curves as rows."""
 
-Colours are half-blocks where the terminal has colours, else signs in ASCII; curves are drawn in both.
-"""
+from collections.abc import Iterable, Iterator, Sequence
+from math import isfinite, log10, nan
+from typing import TextIO
 
-import os
-from collections.abc import Iterable, Sequence
-from itertools import groupby
-from math import isnan
-from operator import itemgetter
-from typing import Any, NamedTuple, TextIO
+from rich.color import Color
+from rich.console import Console
+from rich.style import Style
+from rich.table import Table
+from rich.text import Text
 
-from ..text import fitting, say, terminal_height, terminal_width, wrapped
-from .axes import Axis
-from .maps import Curve, Level, Map, Mark, Panel, Picture, Region, sampled
-from .styles import LOOKS, Colour, blended
+from ..quantities.formatting import amount, in_units
+from ..quantities.markup import plain, symbol
+from ..text import fitting, say, terminal_width, wrapped
+from .axes import Axis, bracketed, described, quantity_of
+from .maps import Map, Panel, Picture, evaluate, extent, over
+from .styles import LOOKS, PAPER
 
-# --- Canvas -----------------------------------------------------------------------------------------------------------
-
-NARROWEST = 20
-# From dark to light, in greyscale too and for the colour-blind: matplotlib's cividis.
-_DARK_TO_LIGHT: tuple[Colour, ...] = (
-    (0, 34, 78), (18, 53, 112), (59, 73, 108), (87, 93, 109), (112, 113, 115), (138, 134, 120), (165, 156, 116),
-    (195, 179, 105), (225, 204, 85), (254, 232, 56),
-)  # fmt: skip
-# The same for 256 colours, from blue through green to yellow; their cube has too few greys.
-_OF_CUBE: tuple[Colour, ...] = (
-    (0, 0, 95), (95, 0, 135), (0, 95, 135), (0, 135, 135), (0, 175, 135), (0, 215, 95), (95, 215, 95), (135, 215, 95),
-    (175, 215, 95), (215, 215, 95), (255, 215, 95), (255, 255, 95), (255, 255, 215),
-)  # fmt: skip
-RAMP = " .:-~=+*oO#%@"
-# Okabe and Ito's colours for the colour-blind, without those that are too light or too dark for some background.
-LINES: tuple[Colour, ...] = ((0, 114, 178), (213, 94, 0), (0, 158, 115), (204, 121, 167), (86, 180, 233), (230, 159, 0))
-CONTOUR = "_"
-SIGNS = "*o+x#%abcdefghijklmnpqrs"  # of curves
+ROWS, COLUMNS = 13, 9  # of a map
+CURVE_ROWS = 11  # of each curve
+DIGITS = 3
+NO_VALUE = "—"
 
 
-class Screen(NamedTuple):
-    """The size of a terminal and its number of colours, 0 for none."""
+def write_map(drawn: Map, out: TextIO) -> None:
+    """Write a map as a table: a row for each round value of y, a mark on a number for each doubt, and their key below.
 
-    width: int
-    height: int
-    colours: int
-
-
-def screen_of(out: TextIO) -> Screen:
-    """Return the screen behind a stream; the environment decides too: NO_COLOR, FORCE_COLOR, COLORTERM, TERM, COLUMNS."""
-    is_plain = bool(os.environ.get("NO_COLOR")) or os.environ.get("TERM") == "dumb" or fitting("▀", out) != "▀"
-    has_colour = not is_plain and (out.isatty() or bool(os.environ.get("FORCE_COLOR")))
-    is_exact = os.environ.get("COLORTERM") in ("truecolor", "24bit")
-    return Screen(
-        max(terminal_width(), NARROWEST), terminal_height(), (2**24 if is_exact else 256) if has_colour else 0
-    )
-
-
-def shade(place: float, colours: int = 2**24) -> Colour:
-    """Return a colour between the darkest, 0, and the lightest, 1, for a screen of so many colours."""
-    if colours <= 256:
-        return _OF_CUBE[round(place * (len(_OF_CUBE) - 1))]
-    red, green, blue = map(round, blended(_DARK_TO_LIGHT, place))
-    return red, green, blue
-
-
-def ink_on(paper: Colour) -> Colour:
-    """Return black or white, whichever can be read on a colour."""
-    red, green, blue = paper
-    return (0, 0, 0) if 0.299 * red + 0.587 * green + 0.114 * blue > 110 else (255, 255, 255)
-
-
-class Canvas:
-    """Cells of two pixels, one above the other, each with a colour or none.
-
-    Above the pixels lies a layer of hatches, and above that a layer of letters: a cell shows the topmost character it
-    has.
+    It has as many columns as fit the terminal.
     """
-
-    def __init__(self, width: int, height: int) -> None:
-        """Create an empty canvas of so many cells."""
-        self.width, self.height = width, height
-        self.pixels: list[list[Colour | None]] = [[None] * width for _ in range(2 * height)]
-        self.signs: list[list[str]] = [[" "] * width for _ in range(height)]  # in ASCII
-        self.hatches: list[list[str]] = [[""] * width for _ in range(height)]
-        self.inks: list[list[Colour | None]] = [[None] * width for _ in range(height)]  # of hatches
-        self.letters: list[list[str]] = [[""] * width for _ in range(height)]
-
-    def write(self, column: int, row: int, text: str) -> bool:
-        """Write a text into a row if there is room beside other texts, or over the same letters; return True if there was."""
-        end = column + len(text)
-        if not (0 <= row < self.height and column >= 0 and end <= self.width):
-            return False
-        letters = self.letters[row]
-        if any(letters[max(0, column - 1) : column] + letters[end : end + 1]):
-            return False
-        if any(old and old != new for old, new in zip(letters[column:end], text, strict=True)):
-            return False
-        letters[column:end] = text
-        return True
-
-    def hatch(self, column: int, row: int, sign: str, ink: Colour | None = None) -> None:
-        """Put a hatch into a cell, in a colour, or in one that can be read on the cell."""
-        self.hatches[row][column] = sign
-        self.inks[row][column] = ink
-
-    def lines(self, screen: Screen) -> list[str]:
-        """Return the canvas as lines of text."""
-        rows = range(self.height)
-        return [self._coloured(row, screen.colours) if screen.colours else self._plain(row) for row in rows]
-
-    def _texts(self, row: int) -> list[str]:
-        """Return the topmost character of each cell of a row, "" where there is none."""
-        return [letter or hatch for letter, hatch in zip(self.letters[row], self.hatches[row], strict=True)]
-
-    def _plain(self, row: int) -> str:
-        return "".join(text or sign for text, sign in zip(self._texts(row), self.signs[row], strict=True))
-
-    def _coloured(self, row: int, colours: int) -> str:
-        from rich.color import Color, ColorSystem
-        from rich.style import Style
-
-        def look(ink: Colour | None, paper: Colour | None) -> Style:
-            """Return the style of an ink on a paper, each the terminal's own if it is None."""
-            return Style.from_color(ink and Color.from_rgb(*ink), paper and Color.from_rgb(*paper))
-
-        cells = []
-        inks = [None if letter else ink for letter, ink in zip(self.letters[row], self.inks[row], strict=True)]
-        pixels = self.pixels[2 * row], self.pixels[2 * row + 1]
-        for text, ink, above, below in zip(self._texts(row), inks, *pixels, strict=True):
-            if text:
-                paper = above or below
-                cells.append((text, look(ink or (paper and ink_on(paper)), paper)))
-            elif above == below:
-                cells.append((" ", look(None, above)))
-            else:
-                cells.append(("▀", look(above, below)) if above else ("▄", look(below, None)))
-        system = ColorSystem.TRUECOLOR if colours > 256 else ColorSystem.EIGHT_BIT
-        runs = groupby(cells, key=itemgetter(1))
-        return "".join(style.render("".join(text for text, _ in run), color_system=system) for style, run in runs)
+    y = drawn.y.at_round_values(ROWS)
+    for columns in range(COLUMNS, 0, -1):
+        x = drawn.x.at_round_values(columns)
+        table, unit, seen = _map_table(drawn, x, y, out)
+        console = _console(out)
+        if console.measure(table, options=console.options.update(width=10_000)).maximum <= console.width:
+            break
+    (_, of_x), (_, of_y) = _texts(x), _texts(y)
+    _say([drawn.titled(unit), f"Down: {described(y.name, of_y)}. Across: {described(x.name, of_x)}."], out)
+    console.print(table)
+    signs = ((region, LOOKS[region.look].sign if region.look else "") for region in drawn.regions)
+    key = [f"{sign} {region.text}".strip() for region, sign in signs if not sign or sign in seen]
+    gaps = [f"{NO_VALUE} no value"] if NO_VALUE in seen else []
+    _say([*key, *gaps, "; ".join(_marks(drawn)), *drawn.caption, *drawn.remarks], out)
 
 
-def stacked(labels: Sequence[tuple[int, str]], width: int) -> list[str]:
-    """Return labels above their places, in as few lines as possible, with a tick beneath each.
-
-    >>> stacked([(2, "quartz"), (5, "iron")], 20)
-    ['  quartz            ', '     iron           ', '  |  |              ']
-    """
-    rows: list[str] = []
-    for place, text in sorted(labels):
-        start = max(0, min(place, width - len(text)))
-        for number, row in enumerate(rows):
-            if len(row.rstrip()) < start:
-                rows[number] = row[:start] + text + row[start + len(text) :]
-                break
-        else:
-            rows.append(" " * start + text + " " * (width - start - len(text)))
-    ticks = [" "] * width
-    for place, _ in labels:
-        ticks[place] = "|"
-    return [*rows, "".join(ticks)] if labels else []
-
-
-# --- Pictures ---------------------------------------------------------------------------------------------------------
-
-MAX_ROWS = 24
-BAND_STEPS = len(RAMP) - 1  # contours between so many bands
-
-
-def draw_map(drawn: Map, out: TextIO) -> None:
-    """Draw a map: bands between labelled contours, hatched regions, and marks."""
-    screen = screen_of(out)
-    axis = _Frame(drawn.x, drawn.y, screen)
-    levels = drawn.bands(BAND_STEPS)
-    canvas = Canvas(axis.width, axis.height)
-    _paint(canvas, drawn, levels, screen)
-    legend = [
-        f"{LOOKS[region.look].sign} {region.text}" if region.look is not None else region.text
-        for region in _hatch(canvas, drawn)
-    ]
-    if drawn.has_gaps:
-        legend.append("? no value" if not screen.colours else "blank: no value")
-    if not screen.colours:
-        _draw_contours(canvas, drawn.values, levels)
-    for value, text in drawn.guides:
-        _across(canvas, drawn.y, value, text)
-    above = [(axis.column(mark.x), mark.text) for mark in drawn.marks if mark.x is not None and mark.y is None]
-    _points(canvas, drawn.x, drawn.y, [mark for mark in drawn.marks if mark.y is not None])
-    _label(canvas, drawn.values, levels, "{}", 0.5)
-    if drawn.printed is not None:
-        _label(canvas, drawn.printed, levels, "({})", 0.8)
-        legend.append("( ) as printed")
-    _say([drawn.title], screen, out)
-    for line in stacked(above, axis.width):
-        say(" " * axis.margin + line, out)
-    axis.say(canvas, out)
-    for line in _scale(drawn, levels, screen):
-        say(line, out)
-    _say([*legend, *drawn.caption, *drawn.remarks], screen, out)
-
-
-def draw_picture(drawn: Picture, out: TextIO) -> None:
-    """Draw panels below each other, each with its curves, points and axes."""
-    screen = screen_of(out)
-    if drawn.title:
-        say(drawn.title, out)
-    for panel in drawn.panels:
-        axis = _Frame(panel.x, panel.y, screen, is_true_to_scale=panel.is_true_to_scale)
-        canvas = Canvas(axis.width, axis.height)
-        for number, curve in enumerate(panel.curves):
-            _trace(canvas, panel, curve, SIGNS[number % len(SIGNS)])
-        _points(canvas, panel.x, panel.y, panel.points)
-        if panel.title:
-            say(panel.title, out)
-        axis.say(canvas, out)
-        if len(panel.curves) > 1:
-            for number, curve in enumerate(panel.curves):
-                key = _key(curve.colour, SIGNS[number % len(SIGNS)], screen)
-                for line in wrapped(curve.text, screen.width - 3):
-                    say(f"{key} {line}", out)
-                    key = "  "
-    _say((*drawn.caption, *drawn.remarks), screen, out)
-
-
-def _say(texts: Iterable[str], screen: Screen, out: TextIO) -> None:
-    """Print texts in lines that fit the screen."""
-    for text in texts:
-        for line in wrapped(text, screen.width):
-            say(line, out)
-
-
-def _key(colour: int, sign: str, screen: Screen) -> str:
-    """Return a sample of a curve's line, for the legend."""
-    strip = Canvas(2, 1)
-    for column in range(strip.width):
-        strip.hatch(column, 0, sign, LINES[colour % len(LINES)])
-    return strip.lines(screen)[0]
-
-
-def _trace(canvas: Canvas, panel: Panel, curve: Curve, sign: str) -> None:
-    """Draw a curve, without gaps between its points."""
+def _map_table(drawn: Map, x: Axis, y: Axis, out: TextIO) -> tuple[Table, str, set[str]]:
+    """Return the table of a map at values of x and y, the unit of its numbers, and the signs in it."""
     import numpy
 
-    places = []
-    for axis, values in ((panel.x, curve.x), (panel.y, curve.y)):
-        is_inside = (values >= axis.low) & (values <= axis.high)
-        places.append(axis.place(numpy.where(is_inside, values, numpy.nan)))
-    colour = LINES[curve.colour % len(LINES)]
-    steps = 16 * (canvas.width + canvas.height)
-    fine = numpy.linspace(0, len(places[0]) - 1, steps)
-    across, up = (numpy.interp(fine, numpy.arange(len(place)), place) for place in places)
-    for x, y in zip(across.tolist(), up.tolist(), strict=True):
-        if not (isnan(x) or isnan(y)):
-            canvas.hatch(round(x * (canvas.width - 1)), round((1 - y) * (canvas.height - 1)), sign, colour)
-
-
-class _Frame:
-    """Axes on a screen: the ticks of y to the left, those of x below."""
-
-    def __init__(self, x: Axis, y: Axis, screen: Screen, *, is_true_to_scale: bool = False) -> None:
-        self.x, self.y, self.screen = x, y, screen
-        self.height = max(8, min(MAX_ROWS, screen.height - 8, screen.width // 3))
-        self.y_ticks = y.ticks(max(2, self.height // 2))
-        self.margin = max((len(tick.text) for tick in self.y_ticks), default=0) + 1
-        self.width = screen.width - self.margin - 1
-        if is_true_to_scale:  # a cell is twice as high as it is wide
-            self.width = min(self.width, round(2 * self.height * (x.high - x.low) / (y.high - y.low)))
-        self.x_ticks = x.ticks(max(2, self.width // 9))
-
-    def column(self, value: float) -> int:
-        """Return the column of a value of x."""
-        return _cell(self.x, value, self.width)
-
-    def say(self, canvas: Canvas, out: TextIO) -> None:
-        """Write the canvas with its axes."""
-        texts = {canvas.height - 1 - _cell(self.y, tick.value, canvas.height): tick.text for tick in self.y_ticks}
-        _say([self.y.label()], self.screen, out)
-        for row, line in enumerate(canvas.lines(self.screen)):
-            say(f"{texts.get(row, ''):>{self.margin - 1}} {line}", out)
-        below = [" "] * (self.screen.width + 1)
-        end = -1
-        for tick in self.x_ticks:
-            start = min(self.margin + self.column(tick.value) - len(tick.text) // 2, self.screen.width - len(tick.text))
-            if start > end:
-                below[start : start + len(tick.text)] = tick.text
-                end = start + len(tick.text)
-        say("".join(below).rstrip(), out)
-        for line in wrapped(self.x.label(), self.screen.width):
-            say(f"{line:^{self.screen.width}}".rstrip(), out)
-
-
-def _cell(axis: Axis, value: float, count: int) -> int:
-    """Return the number of the cell, among `count` along an axis, into which a value falls."""
-    return min(max(round(float(axis.place(value)) * (count - 1)), 0), count - 1)
-
-
-def _paint(canvas: Canvas, drawn: Map, levels: list[Level], screen: Screen) -> None:
-    """Colour every pixel by its band; a pixel without a value gets no colour."""
-    import numpy
-
-    def bands(height: int) -> Any:
-        values = _sampled(drawn.values, canvas.width, height)
-        band = numpy.searchsorted([level.value for level in levels], values, side="right")
-        return numpy.where(numpy.isnan(values), -1, band)
-
-    colours = [_shade_of(band, levels, screen) for band in range(len(levels) + 1)]
-    for row, line in enumerate(bands(2 * canvas.height).tolist()):
-        canvas.pixels[row] = [colours[band] if band >= 0 else None for band in line]
-    for row, line in enumerate(bands(canvas.height).tolist()):
-        canvas.signs[row] = [RAMP[band] if band >= 0 else "?" for band in line]
-
-
-def _sampled(values: Any, width: int, height: int) -> Any:
-    """Return the values nearest to the middles of so many pixels, the highest row first."""
-    return sampled(values, width, height)[::-1]
-
-
-def _hatch(canvas: Canvas, drawn: Map) -> list[Region]:
-    """Hatch the regions; where they overlap, their signs alternate with each other and with the band. Return those to be seen."""
-    import numpy
-
-    signs: list[list[str]] = [[""] * canvas.width for _ in range(canvas.height)]
-    known = numpy.isfinite(_sampled(drawn.values, canvas.width, canvas.height))
-    seen = []
-    for region in drawn.regions:
-        if region.look is None:
-            seen.append(region)
-            continue
-        look = LOOKS[region.look]
-        inside = _sampled(region.margin, canvas.width, canvas.height) < 0
-        marked = known & (_edge(inside) & ~_edge(known) if look.is_line else inside)
-        if marked.any():
-            seen.append(region)
-        for row, line in enumerate(marked.tolist()):
-            signs[row] = [here + look.sign * is_here for here, is_here in zip(signs[row], line, strict=True)]
-    for row, line in enumerate(signs):
-        for column, here in enumerate(line):
-            turn = (row + column) % (len(here) + 1)
-            if turn:
-                canvas.hatch(column, row, here[turn - 1])
-    return seen
-
-
-def _edge(is_above: Any) -> Any:
-    """Return True for cells whose neighbour to the right or below is on the other side."""
-    import numpy
-
-    edge = numpy.zeros(is_above.shape, bool)
-    edge[:, :-1] |= is_above[:, :-1] != is_above[:, 1:]
-    edge[:-1] |= is_above[:-1] != is_above[1:]
-    return edge
-
-
-def _across(canvas: Canvas, y: Axis, value: float, text: str) -> None:
-    """Draw a dotted line across at a value, with its text at the right end."""
-    row = canvas.height - 1 - _cell(y, value, canvas.height)
-    for column in range(0, canvas.width, 2):
-        canvas.hatch(column, row, "-")
-    canvas.write(canvas.width - len(text) - 2, row, f" {text} ")
-
-
-def _points(canvas: Canvas, x: Axis, y: Axis, marks: Sequence[Mark]) -> None:
-    """Draw marks, each with its text as near as there is room; a mark on the y axis alone goes to the right end."""
-    places = [
-        (
-            canvas.width - 1 if mark.x is None else _cell(x, mark.x, canvas.width),
-            canvas.height - 1 - _cell(y, y.low if mark.y is None else mark.y, canvas.height),
-        )
-        for mark in marks
-    ]
-    for column, row in places:
-        canvas.letters[row][column] = "o"
-    for (column, row), mark in zip(places, marks, strict=True):
-        length = len(mark.text)
-        near = max(0, min(column + 2, canvas.width - length))
-        beside = (column, row, f"o {mark.text}"), (column - length - 1, row, f"{mark.text} o")
-        for place in (*beside, *((near, row + by, mark.text) for by in (-1, 1, -2, 2))):
-            if canvas.write(*place):
-                break
-
-
-def _contours(canvas: Canvas, values: Any, levels: list[Level]) -> list[Any]:
-    """Return True for the cells of each contour."""
-    import numpy
-
-    values = _sampled(values, canvas.width, canvas.height)
+    here, values = over(drawn.scene, x, y), evaluate(drawn.scene, drawn.quantity, x, y)
     known = numpy.isfinite(values)
-    return [_edge(values >= level.value) & known & ~_edge(known) for level in levels]
+    texts, signs = numpy.full((2, *values.shape), "", dtype=object)
+    texts[~known] = NO_VALUE
+    texts[known], unit = drawn.in_words(values[known].tolist(), DIGITS)
+    if drawn.printed:
+        printed, _ = drawn.in_words(evaluate(drawn.scene, drawn.printed, x, y)[known].tolist(), DIGITS)
+        texts[known] += [f" ({text})" for text in printed]
+    for region in drawn.regions:
+        if region.look is not None:
+            signs[known & numpy.broadcast_to(region.excess(here) > 0, values.shape)] += LOOKS[region.look].sign
+    for column in range(x.size):  # numbers stand below each other, whichever signs they have
+        if width := max(map(len, signs[:, column])):
+            texts[:, column] += [f" {sign:{width}}" for sign in signs[:, column]]
+    rows: list[list[str | Text]] = [
+        [head, *(Text(cell, _style(drawn, value)) for cell, value in zip(cells, row, strict=True))]
+        for head, cells, row in zip(_texts(y)[0], texts.tolist(), values.tolist(), strict=True)
+    ]
+    table = _table([quantity_of(y.name).symbol, *_texts(x)[0]], rows[::-1], out)
+    return table, unit, {*"".join(signs.ravel().tolist()), *([] if known.all() else [NO_VALUE])}
 
 
-def _draw_contours(canvas: Canvas, values: Any, levels: list[Level]) -> None:
-    """Draw contours, over bands and hatches."""
-    for contour in _contours(canvas, values, levels):
-        for row, column in zip(*contour.nonzero(), strict=True):
-            canvas.hatch(column, row, CONTOUR)
+def _texts(axis: Axis) -> tuple[list[str], str]:
+    """Return the values of an axis as texts, and their unit, which is empty where each has its own."""
+    return in_units(quantity_of(axis.name).unit, axis.values().tolist(), DIGITS + 1, is_log=axis.is_log)
 
 
-def _label(canvas: Canvas, values: Any, levels: list[Level], form: str, middle: float) -> None:
-    """Label each contour, as near to a place in the middle row as there is room."""
-    import numpy
-
-    rows, columns = numpy.indices((canvas.height, canvas.width))
-    distance = numpy.hypot(2 * (rows - (canvas.height - 1) / 2), columns - middle * (canvas.width - 1))
-    for level, edge in zip(levels, _contours(canvas, values, levels), strict=True):
-        places = numpy.argwhere(edge)
-        text = form.format(level.text)
-        for row, column in places[numpy.argsort(distance[edge], kind="stable")][:200].tolist():
-            if canvas.write(column - len(text) // 2, row, text):
-                break
+def _style(drawn: Map, value: float) -> Style:
+    """Return the colours of a number: the larger, the lighter; none for a gap or where all are the same."""
+    low, high = extent(drawn.values)
+    if not isfinite(value) or low == high:
+        return Style()
+    low, value, high = (log10(number) if drawn.is_log else number for number in (low, value, high))
+    paper = PAPER.band(min(max((value - low) / (high - low), 0.0), 1.0))
+    return Style(color="black", bgcolor=Color.from_rgb(*(255 * part for part in paper)))
 
 
-def _scale(drawn: Map, levels: list[Level], screen: Screen) -> list[str]:
-    """Return the scale: the bands in order with the values between them, wrapped to the width."""
-    lines = [f"{drawn.heading}:"]
-    length = len(lines[0])
-    for band in range(len(levels) + 1):
-        strip = Canvas(2, 1)
-        strip.pixels = [[_shade_of(band, levels, screen)] * 2] * 2
-        strip.signs = [[RAMP[band]] * 2]
-        text = f" {levels[band].text}" if band < len(levels) else ""
-        if length + 3 + len(text) > screen.width:
-            lines.append("")
-            length = 0
-        lines[-1] += f" {strip.lines(screen)[0]}{text}"
-        length += 3 + len(text)
-    return lines
+def _marks(drawn: Map) -> Iterator[str]:
+    """Iterate over the marks of a map: each with its place on an axis, or, at a point, with the value there."""
+    for mark in drawn.marks:
+        given = {axis.name: value for axis, value in ((drawn.x, mark.x), (drawn.y, mark.y)) if value is not None}
+        if len(given) == 2:
+            point = drawn.scene.replace(**drawn.x.inputs(mark.x), **drawn.y.inputs(mark.y))
+            given = point.numbers(drawn.quantity) or {drawn.quantity: nan}
+        for name, value in given.items():
+            shown = amount(name, float(f"{value:.{DIGITS + 1}g}")) if isfinite(value) else NO_VALUE
+            yield f"{mark.text}: {symbol(name)} = {shown}"
 
 
-def _shade_of(band: int, levels: list[Level], screen: Screen) -> Colour:
-    return shade(band / max(1, len(levels)), screen.colours)
+def write_picture(drawn: Picture, out: TextIO) -> None:
+    """Write panels below each other: some rows of each curve, and the points."""
+    _say([drawn.title], out)
+    for panel in drawn.panels:
+        _say([panel.title], out)
+        _console(out).print(_panel_table(panel, out))
+    _say([*drawn.caption, *drawn.remarks], out)
+
+
+def _panel_table(panel: Panel, out: TextIO) -> Table:
+    """Return the rows of a panel as a table: the curve or the point, x and y."""
+    rows: list[tuple[str, float, float]] = []
+    for curve in panel.curves:
+        points = [(x, y) for x, y in zip(curve.x.tolist(), curve.y.tolist(), strict=True) if panel.shows(x, y)]
+        last, steps = len(points) - 1, min(CURVE_ROWS, len(points)) - 1
+        rows += [(plain(curve.text), *points[round(last * step / max(steps, 1))]) for step in range(steps + 1)]
+    rows += [(plain(mark.text), mark.x, mark.y) for mark in panel.points if mark.x is not None and mark.y is not None]
+    names, *numbers = zip(*rows, strict=True)
+    heads, cells = [""], [[*names]]
+    for axis, values in zip((panel.x, panel.y), numbers, strict=True):
+        texts, unit = in_units(quantity_of(axis.name).unit, values, DIGITS + 1, is_log=axis.is_log)
+        heads.append(quantity_of(axis.name).symbol + bracketed(unit))
+        cells.append(texts)
+    return _table(heads, [*zip(*cells, strict=True)], out)
+
+
+def _table(heads: Sequence[str], rows: Iterable[Sequence[str | Text]], out: TextIO) -> Table:
+    """Return a table of texts: names in the first column, numbers in the others."""
+    table = Table(box=None, pad_edge=False, header_style="")
+    for number, head in enumerate(heads):
+        table.add_column(Text(fitting(head, out)), justify="right" if number else "left", no_wrap=bool(number))
+    for row in rows:
+        texts = (cell if isinstance(cell, Text) else Text(cell) for cell in row)
+        table.add_row(*(Text(fitting(text.plain, out), text.style) for text in texts))
+    return table
+
+
+def _console(out: TextIO) -> Console:
+    return Console(file=out, width=terminal_width(), highlight=False, markup=False, emoji=False)
+
+
+def _say(texts: Iterable[str], out: TextIO) -> None:
+    """Print texts in lines that fit the terminal."""
+    for text in filter(None, texts):
+        for line in wrapped(plain(text), terminal_width()):
+            say(line, out)

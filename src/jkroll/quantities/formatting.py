@@ -6,19 +6,22 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
 
 from .nomenclature import INFINITY, NOMENCLATURE, header
-from .units import Unit, convert, power_of_ten
+from .units import Unit, convert, parse_unit, power_of_ten
 
 if TYPE_CHECKING:
     from .values import Interval, Measured, Uncertain
 
 DIGITS = 6  # significant, of a rounded value
+ROUND_DIGITS = 12  # all that a round value has, and no rounding error
 _PLAIN = 10**DIGITS  # numbers below have no exponent for want of digits
 _SMALL = 1e-3  # numbers below have too many zeros to share a unit with others
+_ERRORS = 1e-14  # numbers below so much of the largest on a linear scale are errors of 0
+_SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 _PREFIXES = dict(
     zip(range(-24, 18, 3), ("y", "z", "a", "f", "p", "n", "µ", "m", "", "k", "M", "G", "T", "P"), strict=True)
 )
 _SHIFTS = ("", "e1", "e2")  # of a decimal point
-_PREFIXABLE = ("m", "s", "N", "J", "Pa", "Hz", "rad", "m/s", "N m", "N/m", "J/m^2", "N m/rad")
+PREFIXABLE = ("m", "s", "N", "J", "Pa", "Hz", "rad", "m/s", "N m", "N/m", "J/m^2", "N m/rad")
 
 
 class Format(NamedTuple):
@@ -93,7 +96,7 @@ def engineering(value: float, unit: str, digits: int = DIGITS) -> tuple[str, str
 def _scaled(value: float, unit: str, digits: int) -> tuple[float, int]:
     """Return a value, rounded to significant digits, in the multiple of a unit that suits it, and its power of ten."""
     mantissa, has_exponent, exponent = f"{value:.{digits - 1}e}".partition("e")
-    if not has_exponent or unit not in _PREFIXABLE:
+    if not has_exponent or unit not in PREFIXABLE:
         return value, 0
     power, place = divmod(int(exponent), 3)
     return (float(mantissa + _SHIFTS[place]), 3 * power) if 3 * power in _PREFIXES else (value, 0)
@@ -193,3 +196,40 @@ def in_words(name: str, value: float | str) -> float | str:
     if value != INFINITY:
         return value
     return NOMENCLATURE[name].infinity or "infinite"
+
+
+def in_units(unit: str, values: Sequence[float], digits: int = ROUND_DIGITS, *, is_log: bool) -> tuple[list[str], str]:
+    """Return values as text, and the unit of them all: on a logarithmic scale empty where each has its own.
+
+    >>> in_units("m", [1e-9, 1e-7], is_log=True), in_units("1", [1000.0, 1e6], is_log=True)
+    ((['1 nm', '100 nm'], ''), (['1000', '10⁶'], ''))
+    >>> in_units("kg/m^3", [10.0, 1000.0], is_log=True), in_units("N", [-1e-8, 0.0, 1e-8], is_log=False)
+    ((['10', '1000'], 'kg/m³'), (['-10', '0', '10'], 'nN'))
+    """
+    unit = unit.removeprefix("1")
+    if is_log:
+        texts = [engineering(value, unit, digits) for value in values]
+        if unit and all(
+            shown != unit or 1 <= abs(value) < 1000 for value, (_, shown) in zip(values, texts, strict=True)
+        ):
+            return [f"{number} {pretty(shown)}" for number, shown in texts], ""
+        return [in_powers(value, digits) for value in values], pretty(unit)
+    largest = max(map(abs, values), default=0.0)
+    shown = engineering(largest, unit, 3)[1]
+    without_errors = [value if abs(value) > _ERRORS * largest else 0.0 for value in values]
+    scaled = without_errors if shown == unit else [convert(value, parse_unit(shown)) for value in without_errors]
+    return [significant(value, digits) for value in scaled], pretty(shown)
+
+
+def in_powers(value: float, digits: int = 4) -> str:
+    """Return a value as text, as a power of ten where it is large or small.
+
+    >>> in_powers(1e9), in_powers(0.01), in_powers(2e6)
+    ('10⁹', '0.01', '2·10⁶')
+    """
+    if value == 0 or 1e-3 <= abs(value) < 1e4:
+        return significant(value, digits)
+    mantissa, _, exponent = f"{value:.{digits - 1}e}".partition("e")
+    factor = mantissa.rstrip("0").rstrip(".")
+    power = "10" + str(int(exponent)).translate(_SUPERSCRIPTS)
+    return power if factor == "1" else f"{factor}·{power}"

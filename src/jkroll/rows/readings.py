@@ -73,7 +73,7 @@ def key(word: str) -> str:
     >>> key("Young's modulus"), key("youngs_modulus"), key("γ"), key("2 gamma")
     ('youngsmodulus', 'youngsmodulus', 'gamma', '')
     """
-    plain = ascii_text(word)
+    plain = word if word.isascii() else ascii_text(word)
     return re.sub(r"[\W_]+", "", plain).casefold() if _WORD.fullmatch(plain) else ""
 
 
@@ -111,7 +111,7 @@ def _symbol(word: str) -> str:
 @cache
 def _results() -> frozenset[str]:
     """Return the keys of quantities that are no inputs: they pass through."""
-    return frozenset(key(name) for name in NOMENCLATURE if key(name) not in _words())
+    return frozenset(key(name) for name in NOMENCLATURE) - _words().keys()
 
 
 # --- Units ------------------------------------------------------------------------------------------------------------

@@ -12,16 +12,18 @@ from ..text import listed
 from .inverse import (
     MAX_CONDITION,
     SIZES,
+    NoSolution,
     Problem,
     SeveralSolutions,
     equal,
+    sizes_in_words,
     unseparated,
     unsolved,
 )
 from .scans import NEAR_END, STEP, Rows, bisected, grid, outcomes, slopes, taken
 
-_ROUNDS = 60  # of Newton's method
-_STEPS_BACK = 9  # halvings of a step that leads further away, after which it has ended
+_ROUNDS = 150  # of Newton's method
+_STEPS_BACK = 30  # halvings of a step that leads further away, after which it has ended
 _LONGEST = 1.0  # of a step, in logarithms
 NEAR = 1e-9  # in logarithms of the measured values: a pair that is as near as this is a solution
 _SAME = 1e-9  # relative difference of two pairs that were found twice
@@ -252,14 +254,16 @@ class Pairs:
         problem, levels = self.problem, self._levels
         if not numpy.isfinite(self.residuals.sum(axis=0)).any():
             return problem.failure()
-        forward = outcomes(problem, *_at(problem, self.mesh.reshape(2, -1)))
+        places = numpy.concatenate([self.mesh.reshape(2, -1), *(self._at_ends(axis) for axis in (0, 1))], axis=1)
+        forward = outcomes(problem, *_at(problem, places))
         for (name, level), values in zip(levels.items(), forward.values(), strict=True):
             low, high = float(numpy.nanmin(values)), float(numpy.nanmax(values))
             if not low <= level <= high:
                 return unsolved(problem.unknowns, {name: level}, name, (low, high))
-        first, second, places, heights = self._curve()
+        _, second, places, heights = self._curve()
         if not heights.size:
-            return unsolved(problem.unknowns, {first: levels[first]}, first, (inf, -inf))
+            sizes = sizes_in_words(problem.unknowns)
+            return NoSolution(problem.unknowns, f"no pair of values gives {equal(levels)} for {sizes}")
         if self._is_flat(heights):
             return self._unseparated(places[:, len(heights) // 2], inf)
         return unsolved(problem.unknowns, levels, second, (float(heights.min()), float(heights.max())))

@@ -1,0 +1,84 @@
+"""Symbols and formulas in texts: marked once, shown plain in a terminal and as TeX on a page.
+
+Mathematics stands between ⟦ and ⟧, written as symbols of the nomenclature are: "⟦P_c = 3πγR⟧ with ⟦R = R1/2⟧".
+"""
+
+import re
+from textwrap import wrap
+
+from ..text import NO_BREAK_SPACE, with_units_joined
+from .nomenclature import NOMENCLATURE
+
+_SUPERSCRIPTS = "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
+_DIGITS = str.maketrans(_SUPERSCRIPTS, "-0123456789")
+_FORMULA = re.compile("⟦([^⟦⟧]*)⟧")
+# A letter with its subscript and a star, "P_c", "R1", "E*"; an exponent, "m²", "â^(3/2)"; a number; an operator.
+_TOKEN = re.compile(
+    rf"log₁₀|(?P<letter>[A-Za-zΑ-Ωα-ωâ])(?:_(?P<word>[A-Za-z]+|[α-ω])|(?P<index>_?\d+))?(?P<star>\*?)"
+    rf"|(?P<exponent>[{_SUPERSCRIPTS}]+)|\^\((?P<power>[^)]*)\)|[\d.]+|[-+−/·=<>≤()⟨⟩√]"
+)
+_SIGNS = {
+    "·": r"{\cdot}",
+    "⟨": r"{\langle}",
+    "⟩": r"{\rangle}",
+    "−": "-",
+    "≤": r"{\leq}",
+    "log₁₀": r"\mathrm{log}_{10}",
+}
+_LETTERS = {"â": r"\hat{a}", "π": r"\mathrm{π}"}
+_JOINED = re.compile(r" (?=[=<>\[])|(?<=[=<>]) ")  # spaces at which no line ends: "P = 0 N", "P [nN]"
+
+
+def symbol(name: str) -> str:
+    """Return the symbol of a quantity, marked; that of a word as it is.
+
+    >>> symbol("pull_off_force")
+    '⟦P_c⟧'
+    """
+    quantity = NOMENCLATURE[name]
+    return quantity.symbol if quantity.is_word else f"⟦{quantity.symbol}⟧"
+
+
+def plain(text: str) -> str:
+    """Return a text without its marks.
+
+    >>> plain("⟦P_c = 3πγR⟧: JKR")
+    'P_c = 3πγR: JKR'
+    """
+    return _FORMULA.sub(r"\1", text)
+
+
+def typeset(text: str) -> str:
+    r"""Return a text with its mathematics as mathtext, its exponents raised, and true minus signs before numbers.
+
+    >>> typeset("⟦P_c⟧ at ⟦R1²/ξ⟧ = -5 m⁻¹")
+    '$P_{\\mathrm{c}}$ at $R_{1}^{2}/ξ$ = −5 m$^{-1}$'
+    """
+    parts = []
+    for place, part in enumerate(_FORMULA.split(text)):
+        if place % 2:
+            formula = "".join(map(_token, _TOKEN.finditer(part)))
+            parts.append(f"${formula}$" if formula else "")
+        else:
+            words = re.sub(r"(?<![\w.])-(?=[\d.])", "−", part).replace("$", r"\$")
+            parts.append(re.sub(f"[{_SUPERSCRIPTS}]+", lambda match: f"$^{{{match[0].translate(_DIGITS)}}}$", words))
+    return "".join(parts)
+
+
+def lines(text: str, letters: int) -> list[str]:
+    """Return a text as typeset lines of at most so many letters, none broken within mathematics or before a unit."""
+    joined = _FORMULA.sub(lambda match: match[0].replace(" ", NO_BREAK_SPACE), with_units_joined(text))
+    joined = _JOINED.sub(NO_BREAK_SPACE, joined)
+    return [*map(typeset, wrap(joined, letters, break_long_words=False, break_on_hyphens=False))]
+
+
+def _token(match: re.Match[str]) -> str:
+    """Return one token of a formula in mathtext."""
+    letter, word, index, star, exponent, power = match.groups()
+    if exponent or power:
+        return f"^{{{(exponent or power).translate(_DIGITS)}}}"
+    if not letter:
+        return _SIGNS.get(match[0], match[0])
+    subscript = rf"\mathrm{{{word}}}" if word and word.isascii() else word or (index or "").lstrip("_")
+    stands = _LETTERS.get(letter, letter) + (f"_{{{subscript}}}" if subscript else "")
+    return stands + ("{}^{*}" if star else "")  # clear of the letter's slant, which would leave a gap
