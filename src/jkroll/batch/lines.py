@@ -94,6 +94,7 @@ class Converted(NamedTuple):
     output: bytes
     lines: int
     tally: Tally = Tally()
+    size: int = 0  # of the output, where another process holds it
 
 
 class Head(NamedTuple):
