@@ -32,6 +32,7 @@ def run() -> None:
             signals.append(signal.SIGHUP)
         for each in signals:
             signal.signal(each, stop)
+        sys.unraisablehook = _end_if_interrupted
         gc.set_threshold(SELDOM)
         if os.environ.get("_JKROLL_COMPLETE") or sys.argv[1:] in (["--install-completion"], ["--show-completion"]):
             from .cli.shells import main
@@ -50,6 +51,13 @@ def run() -> None:
         signal.raise_signal(ended_by)
     # Everything is written. An orderly shutdown of the interpreter would take a tenth of a call, and could be interrupted.
     os._exit(code)
+
+
+def _end_if_interrupted(unraisable: "sys.UnraisableHookArgs") -> None:
+    """End the run where an interrupt came in a callback, as an import has them, from which Python cannot raise it."""
+    if unraisable.exc_type is KeyboardInterrupt:
+        os._exit(INTERRUPTED)
+    sys.__unraisablehook__(unraisable)
 
 
 if __name__ == "__main__":

@@ -7,12 +7,12 @@ from unittest.mock import patch
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from jkroll.batch import delimited
 from jkroll.batch.delimited import DIALECTS, Delimited, as_lines
 from jkroll.batch.lines import Converted, Head
 from jkroll.batch.one import table_with
 from jkroll.batch.settings import Job, Settings
 from jkroll.materials.library import known_materials
+from jkroll.output import records
 from jkroll.rows.cells import Reader
 
 HEADER = ["name", "material", "radius [nm]", "load [nN]", "poisson_ratio", "radius2"]
@@ -73,7 +73,7 @@ def test_quick_or_careful(*, table: list[list[str]], dialect: str, end: str, las
     with (
         patch.object(Delimited, "_cut", return_value=None),
         patch.object(Reader, "_together", return_value=None),
-        patch.object(delimited, "STRIP", 1),
+        patch.object(records, "STRIP", 1),
     ):
         careful = converted(dialect, end, text, excel_safe=excel_safe)
     assert quick == careful

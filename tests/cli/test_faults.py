@@ -218,6 +218,25 @@ def test_an_interrupt_at_very_many_moments_is_130_and_silent(what: str) -> None:
     interrupt(what, times=100, longest=0.4)
 
 
+def test_an_interrupt_in_a_callback_is_not_lost() -> None:
+    """Python drops what is raised while it clears a weak reference, as an import does hundreds of times."""
+    program = """
+import signal, time, weakref
+import jkroll.cli.process
+class Any: pass
+def interrupted_in_a_callback():
+    thing = Any()
+    reference = weakref.ref(thing, lambda _: signal.raise_signal(signal.SIGINT))
+    del thing
+    time.sleep(60)
+jkroll.cli.process.main = interrupted_in_a_callback
+from jkroll.__main__ import run
+run()
+"""
+    ran = subprocess.run([sys.executable, "-c", program], capture_output=True, check=False, timeout=30)
+    assert (ran.returncode, ran.stderr) == (130, b"")
+
+
 def test_a_second_interrupt_ends_what_the_first_does_not() -> None:
     program = """
 import signal

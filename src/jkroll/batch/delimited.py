@@ -15,13 +15,11 @@ from itertools import islice, takewhile
 from typing import NamedTuple
 
 from ..errors import BadTable
-from ..output.records import numbers_in_lines
-from ..rows.cells import Kept
-from ..rows.columns import Columns
+from ..output.records import LineFormat, Lines
+from ..quantities.formatting import Format
 from ..rows.header import is_input
 from ..rows.readings import MATERIALS
 from ..rows.table import Table
-from ..scene.limits import codes
 from ..text import quoted
 from .decimals import has_decimal_commas, points_among_commas, with_points
 from .lines import BOM, MAX_RECORD, SAMPLE, Converted, Head, check_encoding, computed
@@ -34,7 +32,6 @@ _MISTAKEN = (
     (" ", "blanks", "--delimiter blank"),
 )
 _COMMENT = re.compile(rb"[ \t]*#+ *")
-STRIP = 128  # rows written at once: their text stays in the cache
 BYTES = "latin-1"  # a character for each byte, as the csv module reads characters
 _OPEN = "a quote is not closed"
 _MISQUOTED = "a quote is not closed, or text stands behind it"
@@ -237,19 +234,19 @@ class Delimited:
         """Lines of the output end as the header does. `strict`: whether the first row that fails is an error."""
         self.dialect, self.table, self.strict, self.excel_safe = dialect, table, strict, excel_safe
         self.width = len(head.names)
-        self.line_end = b"\r\n" if head.text.endswith(b"\r\n") else b"\n"
+        end = b"\r\n" if head.text.endswith(b"\r\n") else b"\n"
+        line_format = LineFormat(dialect.mark)
+        self.writer = Lines(
+            line_format, table.wanted, Format({}), table.remarks, end=end, has_commas=head.has_decimal_commas
+        )
         header = head.text.removeprefix(BOM).rstrip(b"\r\n")
         if excel_safe and any(map(_is_formula, head.names)):
             header = dialect.line(_safe(head.names)).encode()
         bom = BOM if head.text.startswith(BOM) else b""
-        self.header_line = bom + dialect.separator.join([header, *map(str.encode, table.added)]) + self.line_end
+        self.header_line = bom + self.writer.head([header, *map(str.encode, table.said)])
         self.said = b"".join(dialect.separator + text.encode() for text in table.said.values())
         self.places = table.places
         self.has_commas = head.has_decimal_commas
-        self.has_doubts = len(table.remarks) > 1
-        self._doubts = Kept(self._doubts_of)  # by their bits: many rows have the same
-        self._ends_without_status = Kept(self._end_without_status)
-        self._statuses = Kept(self._end_with_status)
 
     def convert(self, text: bytes) -> Converted:
         """Return whole records with the results behind each."""
@@ -263,7 +260,7 @@ class Delimited:
         columns, tally = computed(self.table.wanted, block, starts, strict=self.strict)
         if self.said:
             lines = [line + self.said for line in lines]
-        return Converted(b"".join([*self._strips(lines, columns), rest]), size, tally)
+        return Converted(self.writer.text(lines, columns) + rest, size, tally)
 
     def _cut(self, text: bytes) -> Records | None:
         """Cut lines without quotes that have the right width at their separators; None if there are others."""
@@ -318,37 +315,6 @@ class Delimited:
         last = self.width - 1
         rest = [self.dialect.line(cells[last:])] if len(cells) > self.width else cells[last:]
         return [*cells[:last], *rest, *[""] * (self.width - len(cells))]
-
-    def _strips(self, lines: Sequence[bytes], columns: Columns) -> Iterator[bytes]:
-        """Iterate over some lines at a time, with what stands behind each: its numbers and its end."""
-        ends = self._ends(columns)
-        for start in range(0, len(lines), STRIP):
-            part = slice(start, start + STRIP)
-            rows = numbers_in_lines(columns.numbers[:, part], self.dialect.separator, b"")
-            if self.has_commas:
-                rows = [row.replace(b".", b",") for row in rows]
-            pieces = [b""] * (3 * len(rows))
-            pieces[0::3], pieces[1::3], pieces[2::3] = lines[part], rows, ends[part]
-            yield b"".join(pieces)
-
-    def _ends(self, columns: Columns) -> list[bytes]:
-        """Return the doubts and the status of each row with the end of the line."""
-        bits = columns.doubts.tolist()
-        ends = [*map(self._ends_without_status.__getitem__, bits)]
-        for row, status in columns.status.items():
-            ends[row] = self._doubts[bits[row]] + self._statuses[status]
-        return ends
-
-    def _doubts_of(self, bits: int) -> bytes:
-        separator = self.dialect.separator
-        return separator + codes(bits).encode() + separator if self.has_doubts else separator
-
-    def _end_with_status(self, status: str) -> bytes:
-        return self.dialect.quoted(status).encode() + self.line_end
-
-    def _end_without_status(self, bits: int) -> bytes:
-        doubts: bytes = self._doubts[bits]
-        return doubts + self.line_end
 
 
 def _safe(cells: Sequence[str]) -> list[str]:

@@ -2,7 +2,6 @@
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import numpy
@@ -24,7 +23,7 @@ _COMPRESSED = {b"\x1f\x8b": "gz", b"\x28\xb5\x2f\xfd": "zst"}  # by the first by
 _UTF_16 = (b"\xff\xfe", b"\xfe\xff")
 
 _NONE: Counter[str] = Counter()
-_NO_GAPS: Mapping[str, Gaps] = MappingProxyType({})
+_NO_GAPS: Mapping[str, Gaps] = {}  # which can be pickled
 
 
 class Tally(NamedTuple):
@@ -94,6 +93,7 @@ class Converted(NamedTuple):
     output: bytes
     lines: int
     tally: Tally = Tally()
+    size: int = 0  # of the output, where another process holds it
 
 
 class Head(NamedTuple):

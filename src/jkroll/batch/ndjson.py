@@ -4,18 +4,17 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from typing import Any
 
 import orjson
 
 from ..errors import BadTable
-from ..output.records import numbers_in_lines
-from ..rows.columns import Columns
+from ..output.records import LINE_FORMATS, Members
+from ..quantities.formatting import Format
 from ..rows.header import holds_input
 from ..rows.table import Table
-from ..scene.limits import codes
 from ..text import quoted
 from .lines import BOM, SAMPLE, Converted, Head, check_encoding, computed
 
@@ -71,7 +70,7 @@ class NdjsonConverter:
         self.known = {*head.names}
         self.added = {*table.added}
         self.said = b"".join(orjson.dumps({name: text})[1:-1] + b"," for name, text in table.said.items())
-        self.names = [orjson.dumps(name) + b":" for name in (*table.heads, *table.remarks)]
+        self.writer = Members(LINE_FORMATS["ndjson"], table.wanted, Format({}), table.remarks)
 
     def convert(self, text: bytes) -> Converted:
         """Return whole lines with the results in each. Blank lines stay."""
@@ -85,8 +84,10 @@ class NdjsonConverter:
         cells = {name: _cells([row.get(key) for row in rows]) for name, key in self.keys.items()}
         block = self.table.block(len(rows), cells, odd)
         columns, tally = computed(self.table.wanted, block, places, strict=self.strict)
-        for place, one, members in zip(places, objects, self._members(columns), strict=True):
-            lines[place] = _beginning(lines[place], one) + members
+        beginnings = [_beginning(lines[place], row) + self.said for place, row in zip(places, objects, strict=True)]
+        written = self.writer.text(beginnings, columns).split(b"\n")
+        for place, line in zip(places, written, strict=False):
+            lines[place] = line
         return Converted(b"\n".join([*lines, b""]), len(lines), tally)
 
     def _problem(self, line: bytes, one: Object | None) -> str:
@@ -104,14 +105,6 @@ class NdjsonConverter:
             if name in others and (name in self.added or holds_input(name, _text(one[name]), meanings))
         )
         return next((f"has {quoted(name)}, which the first line does not have" for name in surprises), "")
-
-    def _members(self, columns: Columns) -> Iterator[bytes]:
-        """Iterate over the members that the rows get, each with the end of the object."""
-        numbers = numbers_in_lines(columns.numbers, b",", b"null")
-        for row, (line, bits) in enumerate(zip(numbers, columns.doubts.tolist(), strict=True)):
-            texts = [codes(bits), columns.status.get(row, "")][-len(self.table.remarks) :]
-            cells = line[1:].split(b",") + [orjson.dumps(text or None) for text in texts]
-            yield self.said + b",".join(map(bytes.__add__, self.names, cells)) + b"}"
 
 
 def _beginning(line: bytes, one: Object | None) -> bytes:

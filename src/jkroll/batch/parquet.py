@@ -94,8 +94,7 @@ class _File:
         arrays = [
             *batch.columns,
             *(pyarrow.repeat(text, size) for text in self.table.said.values()),
-            *map(as_column, columns.numbers),
-            *_remarks(columns, self.table.remarks),
+            *_results(columns, Format(), self.table.remarks),
         ]
         return pyarrow.RecordBatch.from_arrays(arrays, schema=self.schema), tally
 
@@ -130,17 +129,25 @@ def write_columns(wanted: Wanted, blocks: Iterable[Columns], units: Format, targ
     def batch(columns: Columns) -> Batch:
         arrays = [
             *(pyarrow.array(middles(columns.inputs[name]), kinds[name], from_pandas=True) for name in wanted.inputs),
-            *(
-                as_column(_changed(name, columns.column(key), units))
-                for name in wanted.names
-                for key in wanted.keys_of(name)
-            ),
-            *_remarks(columns, remarks),
+            *_results(columns, units, remarks),
         ]
         return pyarrow.RecordBatch.from_arrays(arrays, schema=schema), Tally(len(columns))
 
     with Bar(0, quiet=True) as bar:
         _write(target, schema, map(batch, blocks), bar)
+
+
+def _results(columns: Columns, units: Format, remarks: Iterable[str]) -> Iterator[Any]:
+    """Iterate over the columns of results and of remarks."""
+    for name in columns.wanted.names:
+        for key in columns.wanted.keys_of(name):
+            yield as_column(_changed(name, columns.column(key), units))
+    of_rows: Mapping[str, Any] = {
+        DOUBT: lambda row: codes(int(columns.doubts[row])) or None,
+        STATUS: columns.status.get,
+    }
+    for name in remarks:
+        yield pyarrow.array(map(of_rows[name], range(len(columns))), "string")
 
 
 def _changed(name: str, column: Any, units: Format) -> Floats:
@@ -149,16 +156,6 @@ def _changed(name: str, column: Any, units: Format) -> Floats:
     if not units.changes(name):
         return numbers
     return numpy.array([value if isnan(value) else units.number(name, value) for value in numbers.tolist()])
-
-
-def _remarks(columns: Columns, names: Iterable[str]) -> Iterator[Any]:
-    """Iterate over the columns of doubts and of status, as far as they are wanted."""
-    of_rows: Mapping[str, Any] = {
-        DOUBT: lambda row: codes(int(columns.doubts[row])) or None,
-        STATUS: columns.status.get,
-    }
-    for name in names:
-        yield pyarrow.array(map(of_rows[name], range(len(columns))), "string")
 
 
 def _write(target: str, schema: Any, batches: Iterator[Batch], bar: Bar) -> Tally:

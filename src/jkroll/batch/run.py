@@ -9,7 +9,7 @@ import sys
 from collections.abc import Callable, Iterator
 from functools import partial
 from itertools import chain, islice
-from typing import BinaryIO, NamedTuple
+from typing import TYPE_CHECKING, BinaryIO, NamedTuple
 
 from ..errors import BadRow
 from ..text import say
@@ -17,6 +17,9 @@ from .files import output_to
 from .lines import Converted, Tally
 from .progress import Bar
 from .settings import Settings
+
+if TYPE_CHECKING:
+    from .workers import Worker
 
 ALONE = 4  # blocks that this process converts before it starts others
 
@@ -34,41 +37,24 @@ class Work(NamedTuple):
     position: Callable[[], int]  # bytes read so far
 
 
-class Written(NamedTuple):
-    """A converted block, or several: the size as written, the lines as read, and the counts."""
-
-    size: int = 0
-    lines: int = 0
-    tally: Tally = Tally()
-
-    @classmethod
-    def of(cls, converted: Converted) -> "Written":
-        """Return what a block adds."""
-        return cls(len(converted.output), converted.lines, converted.tally)
-
-    def plus(self, other: "Written") -> "Written":
-        """Return both together."""
-        return Written(self.size + other.size, self.lines + other.lines, self.tally.plus(other.tally))
-
-
-Fetch = Callable[[int], bytes]  # returns a block, or nothing if it has written it at this place of the file
-
-
 def run(work: Work, settings: Settings) -> Tally:
     """Write a table; return the counts of all of it."""
-    done = Written()
+    size, lines, tally = len(work.header_line), work.lines_of_header, Tally()
     with output_to(settings.target) as output, Bar(work.size, quiet=settings.quiet) as bar:
         try:
-            for block, fetch in _blocks(work, settings.processes, _path(output)):
-                _write(output, fetch(done.size))
-                done = done.plus(block)
-                bar.show(work.position(), done.tally.rows)
+            _write(output, work.header_line)
+            for block, worker in _converted(work, settings.processes, _path(output)):
+                _write(output, worker.answer_to(size) if worker else block.output)
+                size += block.size or len(block.output)
+                lines += block.lines
+                tally = tally.plus(block.tally)
+                bar.show(work.position(), tally.rows)
         except BadRow as error:
-            raise BadRow(done.lines + 1 + error.line, error.status) from None
+            raise BadRow(lines + 1 + error.line, error.status) from None
         except KeyboardInterrupt:
-            say(f"jkroll: interrupted after {done.tally.rows} rows", sys.stderr)
+            say(f"jkroll: interrupted after {tally.rows} rows", sys.stderr)
             raise
-    return done.tally
+    return tally
 
 
 def _write(output: BinaryIO, text: bytes) -> None:
@@ -82,16 +68,14 @@ def _path(output: BinaryIO) -> str:
     return output.name if isinstance(output.name, str) and os.path.isfile(output.name) else ""
 
 
-def _blocks(work: Work, processes: int, path: str) -> Iterator[tuple[Written, Fetch]]:
-    """Iterate over the header and the converted blocks in their order. `path`: of the file into which they go, or an empty text."""
-    yield Written(len(work.header_line), work.lines_of_header), lambda _: work.header_line
+def _converted(work: Work, processes: int, path: str) -> "Iterator[tuple[Converted, Worker | None]]":
+    """Iterate over converted blocks in their order, each with the process that holds its output, if another one does.
+
+    `path`: of the file into which they go, or an empty text.
+    """
     convert = work.make_convert()
-
-    def here(text: bytes) -> tuple[Written, Fetch]:
-        converted = convert(text)
-        return Written.of(converted), lambda _: converted.output
-
-    yield from map(here, islice(work.blocks, ALONE) if processes > 1 else work.blocks)
+    for text in islice(work.blocks, ALONE) if processes > 1 else work.blocks:
+        yield convert(text), None
     first = next(work.blocks, None)
     if first is None:
         return
@@ -100,13 +84,13 @@ def _blocks(work: Work, processes: int, path: str) -> Iterator[tuple[Written, Fe
 
     blocks = chain([first], work.blocks)
     with started(processes, partial(_answering, work.make_convert, path)) as workers:
-        while not are_ready(workers) and (text := next(blocks, None)) is not None:
-            yield here(text)
+        while not are_ready(workers) and (text := next(blocks, b"")):
+            yield convert(text), None
         for worker, block in answers_in_order(workers, blocks):
-            yield block, worker.answer_to
+            yield block, worker
 
 
-def _answering(make_convert: Callable[[], Convert], path: str) -> Callable[[bytes | int], Written | bytes]:
+def _answering(make_convert: Callable[[], Convert], path: str) -> Callable[[bytes | int], Converted | bytes]:
     """Return what a process does: it converts a block, and puts it at a place of the file or hands it over when its turn comes.
 
     To send a block to another process takes a third as long as to make it.
@@ -114,12 +98,12 @@ def _answering(make_convert: Callable[[], Convert], path: str) -> Callable[[byte
     convert = make_convert()
     output = b""
 
-    def answer(question: bytes | int) -> Written | bytes:
+    def answer(question: bytes | int) -> Converted | bytes:
         nonlocal output
         if isinstance(question, bytes):
             converted = convert(question)
             output = converted.output
-            return Written.of(converted)
+            return converted._replace(output=b"", size=len(output))
         if not path:
             return output
         with open(path, "r+b") as file:

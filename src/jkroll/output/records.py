@@ -4,7 +4,7 @@ Text of a user or a file is never read as markup, and nothing is cut where it do
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from itertools import chain, groupby
+from itertools import chain
 from math import isnan
 from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
 
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from ..scene.limits import Doubt
 
 Cell = str | float | None
+STRIP = 128  # rows written at once: their text stays in the cache
 
 
 def write_records(heads: Sequence[str], records: Iterable[Sequence[Cell]], kind: str, out: TextIO) -> None:
@@ -84,34 +85,106 @@ def lines(kind: str, wanted: Wanted, blocks: Iterable[Columns], form: Format, *,
     """
     line_format = LINE_FORMATS[kind]
     remarks = remarks_of(wanted, doubt=doubt) if line_format.has_remarks else ()
-    names = [*names_of_columns(wanted, form), *remarks]
+    writer = (Members if line_format.is_json else Lines)(line_format, wanted, form, remarks)
     if line_format.has_header:
-        yield line_format.separator.join(_quoted(name, line_format) for name in names).encode() + b"\n"
-    separator = line_format.separator.encode()
+        heads = [_quoted(name, line_format).encode() for name in map(header, wanted.inputs)]
+        yield writer.head(heads)
     for columns in blocks:
-        cells = [*_inputs(columns, line_format), *_results(columns, form, line_format)]
-        if DOUBT in remarks:
-            cells.append([_cell(codes(bits), line_format) for bits in as_list(columns.doubts)])
-        if STATUS in remarks:
-            cells.append([_cell(columns.status.get(row), line_format) for row in range(len(columns))])
-        if line_format.is_json:
-            keys = [b"%b:" % _json_text(name) for name in names]
-            rows = zip(*(_cells(column, line_format.gap) for column in cells), strict=True)
-            text = [b"{" + b",".join(map(bytes.__add__, keys, row)) + b"}\n" for row in rows]
-        else:
-            text = [line + b"\n" for line in joined(cells, separator, line_format.gap.encode())]
-        yield b"".join(text)
+        cells = [_cells(column, line_format.gap) for column in _inputs(columns, line_format)]
+        yield writer.text(writer.beginnings(cells, len(columns)), columns)
 
 
-def joined(columns: Sequence[Any], separator: bytes, gap: bytes) -> list[bytes]:
-    """Return the lines of columns: lists of cells, or arrays of numbers, in which nan is a gap."""
-    parts: list[Sequence[bytes]] = []
-    for is_list, some in groupby(columns, lambda column: isinstance(column, list)):
-        if is_list:
-            parts.append([*map(separator.join, zip(*some, strict=True))])
-        else:
-            parts.append([line[1:] for line in numbers_in_lines([*some], separator, gap)])
-    return [*map(separator.join, zip(*parts, strict=True))]
+class Lines:
+    """Rows as lines: what stands before their results, the numbers, doubts and status."""
+
+    def __init__(
+        self,
+        line_format: LineFormat,
+        wanted: Wanted,
+        form: Format,
+        remarks: Sequence[str],
+        *,
+        end: bytes = b"\n",
+        has_commas: bool = False,
+    ) -> None:
+        """`has_commas`: whether decimal marks are commas."""
+        self.line_format, self.wanted, self.form, self.remarks = line_format, wanted, form, remarks
+        self.separator, self.end, self.has_commas = line_format.separator.encode(), end, has_commas
+        self.is_changed = any(map(form.changes, wanted.names))
+        self._plain_ends: dict[int, bytes] = {}  # by the bits of doubts: many rows have the same
+
+    def head(self, before: Sequence[bytes]) -> bytes:
+        """Return the line of the headers; `before`: those before the results."""
+        names = [_quoted(name, self.line_format) for name in (*self.wanted.heads(self.form.header), *self.remarks)]
+        return self.separator.join([*before, *map(str.encode, names)]) + self.end
+
+    def beginnings(self, cells: Sequence[Sequence[bytes]], size: int) -> list[bytes]:
+        """Return what stands before the results of rows, given the cells of these columns."""
+        return [*map(self.separator.join, zip(*cells, strict=True))] if cells else [b""] * size
+
+    def text(self, before: Sequence[bytes], columns: Columns) -> bytes:
+        """Return the lines of rows."""
+        ends = self._ends(columns)
+        parts = []
+        for start in range(0, len(before), STRIP):
+            part = slice(start, start + STRIP)
+            rows = self._numbers(columns, part)
+            if not before[start]:  # nothing stands before the results
+                rows = [row[1:] for row in rows]
+            pieces = [b""] * (3 * len(rows))
+            pieces[0::3], pieces[1::3], pieces[2::3] = before[part], rows, ends[part]
+            parts.append(b"".join(pieces))
+        return b"".join(parts)
+
+    def _numbers(self, columns: Columns, part: slice) -> list[bytes]:
+        """Return the numbers of some rows, each behind a separator."""
+        if self.is_changed or isinstance(columns.numbers, list):
+            cells = [
+                _cells(column[part], self.line_format.gap) for column in _results(columns, self.form, self.line_format)
+            ]
+            return [self.separator + row for row in map(self.separator.join, zip(*cells, strict=True))]
+        rows = numbers_in_lines(columns.numbers[:, part], self.separator, self.line_format.gap.encode())
+        return [row.replace(b".", b",") for row in rows] if self.has_commas else rows
+
+    def _ends(self, columns: Columns) -> list[bytes]:
+        """Return the remarks on each row with the end of the line."""
+        bits = as_list(columns.doubts)
+        for each in {*bits} - self._plain_ends.keys():
+            self._plain_ends[each] = self._end(each, "")
+        ends = [self._plain_ends[each] for each in bits]
+        if STATUS in self.remarks:
+            worded: dict[tuple[int, str], bytes] = {}
+            for row, status in columns.status.items():
+                key = (bits[row], status)
+                if key not in worded:
+                    worded[key] = self._end(*key)
+                ends[row] = worded[key]
+        return ends
+
+    def _end(self, bits: int, status: str) -> bytes:
+        texts = {DOUBT: codes(bits) if DOUBT in self.remarks else "", STATUS: status}
+        cells = [_quoted(texts[name], self.line_format).encode() for name in self.remarks]
+        return b"".join(self.separator + cell for cell in cells) + self.end
+
+
+class Members(Lines):
+    """Rows as objects, whose further members are the results."""
+
+    def beginnings(self, cells: Sequence[Sequence[bytes]], size: int) -> list[bytes]:
+        """Return the beginnings of objects with some members."""
+        keys = [_json_text(header(name)) + b":" for name in self.wanted.inputs]
+        rows = [b"".join(map(b"%b%b,".__mod__, zip(keys, row, strict=True))) for row in zip(*cells, strict=True)]
+        return [b"{" + row for row in rows or [b""] * size]
+
+    def text(self, before: Sequence[bytes], columns: Columns) -> bytes:
+        """Return the lines of rows; `before`: their objects, as far as they go."""
+        keys = [_json_text(name) + b":" for name in (*self.wanted.heads(self.form.header), *self.remarks)]
+        cells = [_cells(column, "null") for column in _results(columns, self.form, self.line_format)]
+        if DOUBT in self.remarks:
+            cells.append([_cell(codes(bits), self.line_format) for bits in as_list(columns.doubts)])
+        cells.append([_cell(columns.status.get(row), self.line_format) for row in range(len(columns))])
+        rows = [b",".join(map(bytes.__add__, keys, row)) for row in zip(*cells, strict=True)]
+        return b"".join(map(b"%b%b}\n".__mod__, zip(before, rows, strict=True)))
 
 
 def numbers_in_lines(columns: Any, separator: bytes, gap: bytes) -> list[bytes]:

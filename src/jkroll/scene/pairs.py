@@ -43,6 +43,7 @@ class Newton:
     def __init__(self, problem: Problem, size: int, only: int | None = None) -> None:
         """`only`: the number of a quantity, if the other one may have any value."""
         self.problem = problem
+        self.axis_of_load = problem.unknowns.index("load") if "load" in problem.unknowns else None
         self.counts = numpy.array([[only in (None, number)] for number in (0, 1)], dtype=float)
         self.levels = numpy.array([numpy.broadcast_to(level, size) for level in problem.levels.values()], dtype=float)
         self.scales = _LINEAR * abs(self.levels)
@@ -63,47 +64,55 @@ class Newton:
         residuals = numpy.arcsinh(numpy.array([*found.values()]) / scales) - numpy.arcsinh(levels / scales)
         return self.counts * residuals
 
+    def _force(self, rows: Rows, values: Any) -> Any:
+        """Return the pull-off force, nan where there is none."""
+        problem = self.problem.rows(rows) if self.problem.of_arrays else self.problem
+        scene = problem.with_values({name: taken(name, x) for name, x in zip(problem.unknowns, values, strict=True)})
+        return numpy.broadcast_to(scene.numbers("pull_off_force").get("pull_off_force", numpy.nan), rows.shape)
+
     def units(self, rows: Rows, values: Any) -> Any:
-        """Return what counts as a change of the unknowns by one."""
+        """Return what counts as a change of the unknowns by one: themselves, and of a load the pull-off force if that is larger."""
         units = numpy.array(values)
-        if "load" in self.problem.unknowns:
-            axis = self.problem.unknowns.index("load")
-            problem = self.problem.rows(rows) if self.problem.of_arrays else self.problem
-            scene = problem.with_values(
-                {name: taken(name, x) for name, x in zip(problem.unknowns, values, strict=True)}
-            )
-            force = scene.numbers("pull_off_force").get("pull_off_force", 0.0)
-            units[axis] = numpy.fmax(numpy.fmax(abs(units[axis]), force), SIZES["load"][0])
+        if self.axis_of_load is not None:
+            sizes = numpy.fmax(abs(units[self.axis_of_load]), self._force(rows, values))
+            units[self.axis_of_load] = numpy.fmax(sizes, SIZES["load"][0])
         return units
 
-    def moved(self, values: Any, units: Any, steps: Any) -> Any:
-        """Return other values that are some steps away."""
-        is_load = numpy.array([name == "load" for name in self.problem.unknowns])
-        return numpy.where(
-            is_load.reshape(2, *[1] * (values.ndim - 1)), values + units * steps, values * numpy.exp(steps)
-        )
+    def moved(self, rows: Rows, values: Any, steps: Any) -> Any:
+        """Return other values that are some steps away: of a load, in the logarithm of its distance from pull-off over P_c."""
+        moved = values * numpy.exp(steps)
+        if (axis := self.axis_of_load) is not None:
+            before, after = self._force(rows, values), self._force(rows, moved)
+            margin = 1 + values[axis] / before
+            of_size = values[axis] + numpy.fmax(abs(values[axis]), SIZES["load"][0]) * steps[axis]
+            with_force = after * (margin * numpy.exp(steps[axis]) - 1)
+            moved[axis] = numpy.where(numpy.isfinite(with_force) & (margin > 0), with_force, of_size)
+        return moved
 
-    def at(self, rows: Rows, values: Any, units: Any) -> tuple[Any, Any]:
-        """Return the residuals, and their derivatives: by quantity, unknown and place."""
-        steps = STEP * numpy.array([[0, -1, 1, 0, 0], [0, 0, 0, -1, 1]])
-        every = self.moved(values[:, None], units[:, None], steps[:, :, None])
-        found = self.residuals(numpy.tile(rows, 5), every.reshape(2, -1)).reshape(2, 5, -1)
-        sides = [slopes((-STEP, 0.0, STEP), (found[:, low], found[:, 0], found[:, low + 1])) for low in (1, 3)]
-        return found[:, 0], numpy.stack(sides, axis=1)
+    def at(self, rows: Rows, values: Any, units: Any = None) -> tuple[Any, Any]:
+        """Return the residuals, and their derivatives by quantity, unknown and place: in steps of `moved`, or in units."""
+        steps = STEP * numpy.repeat([[0, -1, 1, 0, 0], [0, 0, 0, -1, 1]], len(rows), axis=1)
+        five, every = numpy.tile(rows, 5), numpy.tile(values, 5)
+        every = self.moved(five, every, steps) if units is None else every + numpy.tile(units, 5) * steps
+        residuals = self.residuals(five, every).reshape(2, 5, -1)
+        sides = [
+            slopes((-STEP, 0.0, STEP), (residuals[:, low], residuals[:, 0], residuals[:, low + 1])) for low in (1, 3)
+        ]
+        return residuals[:, 0], numpy.stack(sides, axis=1)
 
     def improved(self, rows: Rows, start: Any) -> tuple[Any, Any]:
         """Return the values to which Newton's method leads from others, and how far the quantities are off there."""
-        best, steps, units = numpy.array(start), numpy.zeros_like(start), self.units(rows, start)
+        best, steps = numpy.array(start), numpy.zeros_like(start)
         distance, back = numpy.full(len(rows), inf), numpy.zeros(len(rows), dtype=int)
         active = numpy.arange(len(rows))
         for _ in range(_ROUNDS):
-            values = self.moved(best[:, active], units[:, active], steps[:, active])
-            residuals, slopes = self.at(rows[active], values, units[:, active])
+            values = self.moved(rows[active], best[:, active], steps[:, active])
+            residuals, derivatives = self.at(rows[active], values)
             size = numpy.hypot(*residuals)
             is_nearer = size < distance[active]
             nearer = active[is_nearer]
             best[:, nearer], distance[nearer] = values[:, is_nearer], size[is_nearer]
-            steps[:, active] = numpy.where(is_nearer, _newton_step(residuals, slopes), steps[:, active] / 2)
+            steps[:, active] = numpy.where(is_nearer, _newton_step(residuals, derivatives), steps[:, active] / 2)
             back[active] = numpy.where(is_nearer, 0, back[active] + 1)
             most = numpy.where(distance[active] < NEAR / 1e3, 1, _STEPS_BACK)
             active = active[(back[active] < most) & steps[:, active].any(axis=0)]
