@@ -40,14 +40,14 @@ def test_either_side_of_a_threshold(limit: Limit, threshold: float) -> None:
     below, above = (float(np.nextafter(threshold, end)) for end in (-np.inf, np.inf))
     beyond, before = (below, above) if limit.sign.startswith("<") else (above, below)
     code = limit.codes[threshold]
-    doubt = Doubt(limit, beyond, limit.excess(beyond))
+    doubt = Doubt(limit, beyond, beyond)
     assert (doubt.is_exceeded, doubt.code) == (True, code)
     assert limit.consequence.partition("{}")[0] in doubt.text
-    assert Doubt(limit, before, limit.excess(before)).code != code
-    assert (Doubt(limit, threshold, limit.excess(threshold)).code == code) == limit.sign.endswith("=")
+    assert Doubt(limit, before, before).code != code
+    assert (Doubt(limit, threshold, threshold).code == code) == limit.sign.endswith("=")
     expected = {below: below == beyond, threshold: limit.sign.endswith("="), above: above == beyond}
     numbers = np.array([*expected, np.nan])
-    levels = Doubt(limit, numbers, limit.excess(numbers)).level
+    levels = Doubt(limit, numbers, numbers).level
     assert (levels > [*limit.codes].index(threshold)).tolist() == [*expected.values(), False]
 
 

@@ -1,9 +1,9 @@
 """The limits of the model: one table of numbers, thresholds and codes, and the doubts that follow from it for any scene."""
 
+import operator
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from functools import cache, reduce
 from math import exp, inf, nan
-from operator import or_
 from typing import Any, Literal, NamedTuple
 
 from ..errors import JkrollError
@@ -14,7 +14,7 @@ from .alternatives import factor_of_law
 from .failures import MissingInput, NotInLaw
 from .scene import Scene
 
-_TIE = 5e-324  # excess of a number on a threshold that it must not reach
+_COMPARISONS = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
 
 
 class Limit(NamedTuple):
@@ -38,13 +38,14 @@ class Limit(NamedTuple):
         None  # what is judged, if it is not the number beside which it is told
     )
 
+    def level(self, number: Any) -> Any:
+        """Return how many thresholds a number, or each element of an array, passes: the last of them has the code."""
+        return sum(1 * _COMPARISONS[self.sign](number, threshold) for threshold in self.codes)
+
     def excess(self, number: Any) -> Any:
         """Return how far a number, or each element of an array, is beyond the first threshold: ln of their ratio, or the distance from 0."""
         if not self.codes:
             return -inf
-        return self._beyond(number) + (_TIE if self.sign.endswith("=") else 0.0)
-
-    def _beyond(self, number: Any) -> Any:
         first = next(iter(self.codes))
         size = ln(number / first) if first else number
         return size if self.sign.startswith(">") else -size
@@ -52,7 +53,7 @@ class Limit(NamedTuple):
     @property
     def steps(self) -> list[float]:
         """The excess from which on each code holds."""
-        return [self._beyond(threshold) for threshold in self.codes]
+        return [self.excess(threshold) for threshold in self.codes]
 
     @property
     def place(self) -> int:
@@ -70,25 +71,30 @@ class Limit(NamedTuple):
 
 
 class Doubt(NamedTuple):
-    """A limit that was judged: its number, and how far that is beyond the first threshold, as the logarithm of a factor; above 0, it is exceeded.
+    """A limit that was judged: its number, and what is judged, which is another for a law: the factor between answers.
 
     Both are numbers, or arrays for a scene of arrays.
     """
 
     limit: Limit
     value: Any
-    excess: Any
+    judged: Any
     error: MissingInput | None = None  # why it could not be judged
+
+    @property
+    def excess(self) -> Any:
+        """How far it is beyond the first threshold, as the logarithm of a factor."""
+        return self.limit.excess(self.judged)
+
+    @property
+    def level(self) -> Any:
+        """The number of thresholds that are passed."""
+        return self.limit.level(self.judged)
 
     @property
     def is_exceeded(self) -> bool:
         """True if the number is in doubt."""
-        return bool(self.excess > 0)
-
-    @property
-    def level(self) -> Any:
-        """The number of thresholds that are passed: the last of them has the code."""
-        return sum(1 * (self.excess > step) for step in self.limit.steps)
+        return bool(self.level)
 
     @property
     def code(self) -> str:
@@ -268,7 +274,7 @@ def judged(limits: Iterable[Limit], scene: Scene, names: Collection[str]) -> lis
             found.append(Doubt(limit, nan, nan, value))
             continue
         number = value if limit.factor is None else where(value == value, limit.factor(scene, names), nan)  # noqa: PLR0124
-        found.append(Doubt(limit, value, limit.excess(number)))
+        found.append(Doubt(limit, value, number))
     return found
 
 
@@ -296,13 +302,15 @@ def touched(scene: Scene, names: Collection[str]) -> list[Limit]:
 
 def bits_of(found: Iterable[Doubt]) -> Any:
     """Return the codes of doubts as bits: a whole number, or an array for a scene of arrays."""
-    return reduce(or_, (doubt.bits for doubt in found), 0)
+    return reduce(operator.or_, (doubt.bits for doubt in found), 0)
 
 
 def possible_bits(scene: Scene, names: Collection[str]) -> int:
     """Return the codes that the answers to these names can have, whatever the numbers are, as bits."""
     found = _with_numbers(touched(scene, names), scene)
-    return reduce(or_, (NOT_JUDGED if isinstance(value, MissingInput) else limit.bits for limit, value in found), 0)
+    return reduce(
+        operator.or_, (NOT_JUDGED if isinstance(value, MissingInput) else limit.bits for limit, value in found), 0
+    )
 
 
 @cache  # many rows have the same doubts
