@@ -204,86 +204,71 @@ class TooMuchHysteresis(NoResult):
         return f"{hysteresis} is above the work of adhesion, {work}, of which it is a part"
 
 
-class TwoRigidBodies(NoResult):
+class InFixedWords(NoResult):
+    """Base class of the errors whose words hold no numbers."""
+
+    words = ""
+
+    def __init__(self, name: str = "") -> None:
+        """`name`: the quantity that has no value, unless it is always the same or none in particular."""
+        super().__init__(name)
+        self.name = name or self.name
+
+    def reason(self) -> str:
+        """Return the words of this kind."""
+        return self.words
+
+
+class TwoRigidBodies(InFixedWords):
     """Error raised where both bodies are rigid: JKR's contact has no area then."""
 
     phrase = "both bodies are rigid"
-
-    def reason(self) -> str:
-        """Return what a contact area needs."""
-        return "both bodies are rigid; a contact area needs one that deforms"
+    words = "both bodies are rigid; a contact area needs one that deforms"
 
 
-class RestsOnSpacing(NoResult):
+class RestsOnSpacing(InFixedWords):
     """Error raised for a quantity that the atomic spacing decides on, where it was not given."""
 
     phrase = "needs atomic_spacing"
-
-    def __init__(self, name: str) -> None:
-        super().__init__(name)
-        self.name = name
-
-    def reason(self) -> str:
-        """Return what decides."""
-        spacing = NOMENCLATURE["atomic_spacing"]
-        return f"rests on {spacing.symbol}; give {spacing.option} {spacing.example}"
+    words = "rests on {0.symbol}; give {0.option} {0.example}".format(NOMENCLATURE["atomic_spacing"])
 
 
-class NoChain(NoResult):
+class NoChain(InFixedWords):
     """Error raised for a chain that has a plane in it."""
 
     phrase = "sphere 2 is a plane"
+    words = "sphere 2 is a plane; a chain needs two spheres"
     name = "r_min"
 
-    def reason(self) -> str:
-        """Return what a chain needs."""
-        return "sphere 2 is a plane; a chain needs two spheres"
 
-
-class OfIdenticalSpheres(NoResult):
+class OfIdenticalSpheres(InFixedWords):
     """Error raised where all that is asked for is known of identical spheres only, and sphere 2 differs."""
 
     phrase = "sphere 2 differs"
-
-    def reason(self) -> str:
-        """Return what is wrong with sphere 2."""
-        return "sphere 2 differs from sphere 1; this is known of identical spheres only"
+    words = "sphere 2 differs from sphere 1; this is known of identical spheres only"
 
 
-class NotHeld(NoResult):
+class NotHeld(InFixedWords):
     """Error raised for what only spheres have that hold together by themselves, between pull-off and the fold."""
 
     phrase = "held by grips alone"
-
-    def __init__(self, name: str) -> None:
-        super().__init__(name)
-        self.name = name
-
-    def reason(self) -> str:
-        """Return why the spheres do not hold together."""
-        return "beyond pull-off only fixed grips hold the contact; free spheres fly apart"
+    words = "beyond pull-off only fixed grips hold the contact; free spheres fly apart"
 
 
-class NotPressed(NoResult):
+class NotPressed(InFixedWords):
     """Error raised for a coefficient by which the load is multiplied, of a contact that no load presses."""
 
     phrase = "no load that presses"
+    words = "needs a load that presses the spheres; give --load 5nN"
     name = "rolling_resistance_coefficient"
 
-    def reason(self) -> str:
-        """Return which load it needs."""
-        return "needs a load that presses the spheres; give --load 5nN"
 
-
-class Apart(NoResult):
+class Apart(InFixedWords):
     """Error raised for what only a contact circle has, where spheres attract without touching."""
 
     phrase = "no contact circle"
+    words = "the spheres are bound without touching; there is no contact circle"
     name = "contact_displacement"
-
-    def reason(self) -> str:
-        """Return why there is no circle."""
-        return "the spheres are bound without touching; there is no contact circle"
 
 
 class NoFiniteValue(NoResult):
@@ -300,18 +285,10 @@ class NoFiniteValue(NoResult):
         return "no finite value for these inputs" if abs(self.value) > 1 else "no value that a double can hold"
 
 
-class InfiniteValue(NoResult):
+class InfiniteValue(InFixedWords):
     """Error raised where a number is to be written and the value is infinite, such as the mass of a plane."""
 
-    phrase = "infinite"
-
-    def __init__(self, name: str) -> None:
-        super().__init__(name)
-        self.name = name
-
-    def reason(self) -> str:
-        """Return what the value is."""
-        return "infinite"
+    phrase = words = "infinite"
 
 
 NO_END = "no uncertainty, as there is no value at an end of an input: "  # the lead of its reason
