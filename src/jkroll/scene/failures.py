@@ -5,7 +5,7 @@ Below: the numbers for which the physics gives a formula no result, with the err
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from math import isinf
-from typing import Any, NamedTuple
+from typing import Any
 
 from ..errors import JkrollError, NoResult
 from ..physics.contact import pull_off_force_dmt
@@ -339,21 +339,6 @@ def grouped(errors: Mapping[str, JkrollError]) -> Iterator[tuple[list[str], str]
 # --- Numbers for which the physics has no result ----------------------------------------------------------------------
 
 
-class Hold(NamedTuple):
-    """The hold of a contact: the input that ends it, the least value of that input, and the error beyond it."""
-
-    name: str
-    least: Any  # a number, or an array of numbers
-    error: type[BeyondPullOff] | type[BeyondFold]
-
-    def lets_go(self, value: Any) -> Any:
-        """Return whether a value at which a formula has no result is one without a contact, element by element for arrays.
-
-        The least value itself is one where rounding puts it beyond the end.
-        """
-        return value <= self.least
-
-
 def _is_held_by_grips_alone(given: Mapping[str, Any]) -> bool:
     """Return whether a state lies between pull-off and the fold, by its stiffness or by its distance from pull-off."""
     return bool(given.get("stiffness", 0) < 0 or given.get("load_margin", 0) < 0)
@@ -383,20 +368,15 @@ _LEAST_APPROACH: Mapping[str, Callable[[Mapping[str, Any]], Any]] = {
 }
 
 
-def hold_of(step: str, given: Mapping[str, Any]) -> Hold | None:
-    """Return how far a contact holds by a formula that has no result beyond, given its arguments; None for other formulas."""
-    if step in _LEAST_LOAD:
-        return Hold("load", _LEAST_LOAD[step](given), BeyondPullOff)
-    if step in _LEAST_APPROACH:
-        return Hold("approach_at_load", _LEAST_APPROACH[step](given), BeyondFold)
-    return None
-
-
 def failure_of(step: str, given: Mapping[str, Any]) -> NoResult | None:
-    """Return why a formula has no result for these numbers, if the physics forbids it."""
-    hold = hold_of(step, given)
-    if hold is not None and hold.lets_go(given[hold.name]):
-        return hold.error(given[hold.name], hold.least)
+    """Return why a formula has no result for these numbers, if the physics forbids it.
+
+    The least load or approach itself is one without a contact where rounding puts it beyond the end.
+    """
+    if step in _LEAST_LOAD and given["load"] <= (least := _LEAST_LOAD[step](given)):
+        return BeyondPullOff(given["load"], least)
+    if step in _LEAST_APPROACH and given["approach_at_load"] <= (least := _LEAST_APPROACH[step](given)):
+        return BeyondFold(given["approach_at_load"], least)
     found: NoResult | None = None
     match step:
         case "r_min" if given["radius2"] == INFINITY:
