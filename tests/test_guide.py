@@ -81,7 +81,7 @@ def test_the_terms_of_the_field_belong_to_sections() -> None:
 def test_a_term_of_the_field_finds_its_section(run: Run, command: str, words: str) -> None:
     ran = run(f"{command} {words}")
     assert ran.out.startswith("## Rough and humid\n")
-    assert ran.out.endswith("from the page measurements: jkroll guide measurements\n")
+    assert "\nfrom the page measurements: jkroll guide measurements\n" in ran.out
     assert "twisting_angle" not in ran.out
 
 

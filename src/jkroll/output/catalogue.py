@@ -242,7 +242,9 @@ def _quantity_table_row(name: str) -> list[str]:
 def _groups() -> dict[str, list[str]]:
     """Return all quantities but variants in groups of a screen, each in the first to which it belongs."""
     groups: dict[str, Collection[str]] = {
-        **{f"of sphere {side}": [name for name in NOMENCLATURE if NOMENCLATURE[name].sphere == side] for side in (1, 2)},
+        **{
+            f"of sphere {side}": [name for name in NOMENCLATURE if NOMENCLATURE[name].sphere == side] for side in (1, 2)
+        },
         "input": [name for name, quantity in NOMENCLATURE.items() if quantity.example],
         **{f"jkroll {command}": question.quantities for command, question in QUESTIONS.items()},
         "of DEM": (*OF_DEM, "time_step"),
